@@ -1,0 +1,21 @@
+#!/usr/bin/env bash
+# Make the virtual environment and install the project with its pinned tools.
+set -euo pipefail
+python=$1
+venv=$2
+
+version=$("$python" -c 'import sys; print("%d.%d" % sys.version_info[:2])') || {
+    echo "setup: '$python' does not run; install Python 3.11 or newer, or give one: make PYTHON=python3.12 …" >&2
+    exit 1
+}
+"$python" -c 'import sys; sys.exit(sys.version_info < (3, 11))' || {
+    echo "setup: memorymaze needs Python 3.11 or newer, '$python' is $version; give one: make PYTHON=python3.12 …" >&2
+    exit 1
+}
+[ -x "$venv/bin/python" ] || "$python" -m venv "$venv" || {
+    echo "setup: could not make a virtual environment; on Debian and Ubuntu: apt-get install python3-venv" >&2
+    exit 1
+}
+"$venv/bin/python" -m pip install --quiet --disable-pip-version-check --upgrade "pip>=25.1"
+"$venv/bin/python" -m pip install --quiet --disable-pip-version-check \
+    --constraint constraints.txt --editable . --group dev

@@ -1,0 +1,71 @@
+"""All exceptions a user can meet; each message says what, where and what to do."""
+
+__all__ = [
+    "EpisodeOver",
+    "InstructionFileError",
+    "LanguageModelError",
+    "MemoryMazeError",
+    "ProgramError",
+    "RunFolderError",
+    "SettingsError",
+    "SitePlanError",
+    "UndefinedMetricError",
+]
+
+
+class MemoryMazeError(Exception):
+    """Base of every error that is the input's fault and not the program's."""
+
+
+class SitePlanError(MemoryMazeError):
+    """A site plan breaks the format; names file, feature and rule."""
+
+
+class InstructionFileError(MemoryMazeError):
+    """An instruction file or record is unusable; names file and line."""
+
+
+class SettingsError(MemoryMazeError):
+    """A setting or argument has no meaning here; names it and what is allowed."""
+
+
+class RunFolderError(MemoryMazeError):
+    """A run folder is missing, damaged, or belongs to other settings."""
+
+
+class UndefinedMetricError(MemoryMazeError):
+    """A metric is undefined on this input (empty or disconnected paths)."""
+
+
+class LanguageModelError(MemoryMazeError):
+    """A language model did not answer, or its answer cannot be used."""
+
+
+class ProgramError(MemoryMazeError):
+    """A generated program is wrong or failed.
+
+    Attributes:
+        line: 1-based line of the program, or None when no line is to blame.
+        unsafe: True when the program reached for something outside the API.
+    """
+
+    def __init__(
+        self, message: str, *, line: int | None = None, unsafe: bool = False
+    ) -> None:
+        super().__init__(message)
+        self.line = line
+        self.unsafe = unsafe
+
+
+class EpisodeOver(MemoryMazeError):
+    """The episode has ended and the robot takes no more commands.
+
+    Raised by a robot's control API; agents let it pass through.
+
+    Attributes:
+        stopped_by: why the episode ended: `agent`, `budget` or `stuck`.
+    """
+
+    def __init__(self, stopped_by: str) -> None:
+        super().__init__(f"the episode is over (stopped by {stopped_by})")
+        self.stopped_by = stopped_by

@@ -1,0 +1,55 @@
+"""Instruction and Episode records; reading files lives in `corpus.py`."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+from memorymaze.geometry.pose import Pose
+
+__all__ = ["Episode", "Failure", "Instruction"]
+
+
+@dataclass(frozen=True, slots=True)
+class Failure:
+    """A significant error in an instruction."""
+
+    kind: str
+    """Such as `missing_turn`, `extra_turn`, `wrong_destination`."""
+    where: str
+    """Turning point id or place."""
+    detail: str
+
+
+@dataclass(frozen=True, slots=True)
+class Instruction:
+    """One person's description of a way, and what is known about it."""
+
+    id: str
+    site: str
+    route: str
+    """`R1`, `R2`, …"""
+    study: Literal["online", "onsite"]
+    iteration: Literal[1, 2]
+    participant: str
+    text: str
+    reference_route: str
+    """Route id in the site plan of the way described."""
+    failures: tuple[Failure, ...]
+    """Empty when the instruction is right."""
+    source: Literal["human", "llm", "synthetic"]
+    language: str
+    split: str
+    """`dev` (prompts may be built from it) or `test`."""
+    original_text: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Episode:
+    """One task: follow an instruction from a start pose; scored against a route."""
+
+    id: str
+    instruction: Instruction
+    start: Pose
+    goal: tuple[float, float]
+    """Metres."""
+    reference_path: tuple[tuple[float, float], ...]
+    """Vertices of the route's middle line, metres."""

@@ -1,0 +1,229 @@
+"""The control API that programs, agents and people drive a guide robot with.
+
+The docstrings of `Robot` are the specification a language model is prompted with
+(`memorymaze.robot.specification`), so they say exactly what an implementation does.
+"""
+
+from dataclasses import dataclass
+from typing import Literal, Protocol, runtime_checkable
+
+__all__ = [
+    "DETECTION_RANGE",
+    "DIRECTIONS",
+    "Detection",
+    "Direction",
+    "MoveEnd",
+    "MoveResult",
+    "Robot",
+    "TurnResult",
+]
+
+Direction = Literal[
+    "left",
+    "right",
+    "forward",
+    "slight_left",
+    "slight_right",
+    "sharp_left",
+    "sharp_right",
+    "around",
+]
+"""Directions relative to the robot. `around` is only an argument of `turn`."""
+
+DIRECTIONS: tuple[Direction, ...] = (
+    "left",
+    "right",
+    "forward",
+    "slight_left",
+    "slight_right",
+    "sharp_left",
+    "sharp_right",
+    "around",
+)
+
+MoveEnd = Literal["done", "wall", "obstacle", "budget"]
+"""Why a `move_forward` ended."""
+
+DETECTION_RANGE = 4.0
+"""Detections farther than this many metres are dropped (paper, Sec. III-B)."""
+
+
+@dataclass(frozen=True, slots=True)
+class MoveResult:
+    """What a `move_forward` did."""
+
+    distance: float
+    """Metres really moved; less than asked for when something was in the way."""
+    reason: MoveEnd
+    """`done`, `wall`, `obstacle`, or `budget` (the episode's budget ran out)."""
+
+
+@dataclass(frozen=True, slots=True)
+class TurnResult:
+    """What a `turn` did."""
+
+    turned: bool
+    """False when there is no way in that direction; the robot did not move."""
+    angle_deg: float
+    """Degrees really turned, left positive; 0 when it did not turn."""
+    message: str
+    """What happened, in words; where it did not turn, the directions there are."""
+
+
+@dataclass(frozen=True, slots=True)
+class Detection:
+    """One object the camera sees within 4 m."""
+
+    label: str
+    """What it is, as the detector names it, for example `bench`."""
+    box: tuple[float, float, float, float]
+    """Pixels (left, top, right, bottom) in the 640x480 picture."""
+    score: float
+    """How well it fits the words asked for, 0 to 1."""
+    distance: float
+    """Metres from the camera to the nearest part seen of it."""
+    bearing_deg: float
+    """Direction of its middle, degrees, left positive, 0 straight ahead."""
+    track_id: int
+    """The same number each time the same thing is seen."""
+
+
+@runtime_checkable
+class Robot(Protocol):
+    """A wheeled guide robot that walks beside a blind person indoors.
+
+    It is 0.5 m wide, drives at up to 1.0 m/s, and has a camera that looks ahead
+    (640x480 pixels, 90 degrees wide, 1.25 m above the floor). It knows neither a map
+    nor where the goal is. The start heading is given: the robot already faces the
+    way the description begins with.
+    """
+
+    def move_forward(self, distance: float) -> MoveResult:
+        """Drive ahead for up to `distance` metres, keeping to the corridor's middle.
+
+        The robot follows the straight corridor it faces; in an open area it goes
+        straight on. It goes round obstacles where there is room. It does not stop at
+        turning points, and it does not follow the way round a corner: at a wall or
+        an obstacle it cannot pass it halts. Use small distances (0.5) in a loop to
+        look for something while walking; use one long distance only when the
+        description gives one.
+
+        Args:
+            distance: Metres, greater than 0.
+
+        Returns:
+            `distance` really moved in metres, and `reason`: `done`, `wall`,
+            `obstacle` or `budget`.
+
+        Example:
+            >>> result = move_forward(0.5)
+            >>> if result.reason == "wall":
+            ...     say("The corridor ends here.")
+        """
+        ...
+
+    def detect_turning_point(self) -> list[Direction]:
+        """Return the directions one can go from the turning point the robot is in.
+
+        Inside a turning point (a corner, junction or crossing) these are relative to
+        the way the robot faces: `left`, `right`, `forward`, and the slanted ones
+        where a way is clearly neither: `slight_left`, `slight_right`, `sharp_left`,
+        `sharp_right`. The way it came from is never among them. Elsewhere the list
+        is empty. A corner where the way only bends right gives `["right"]`; one that
+        only leads straight on gives `["forward"]`. A turning point is several metres
+        long, so consecutive steps see the same one: use `turning_point_id()` to tell
+        one from the next.
+
+        Example:
+            >>> while "left" not in detect_turning_point():
+            ...     if move_forward(0.5).reason == "wall":
+            ...         break
+            >>> turn("left")
+        """
+        ...
+
+    def turning_point_id(self) -> int | None:
+        """Return the number of the turning point the robot is in, or None outside.
+
+        The first turning point it meets is 1, the next new one 2; one it comes back
+        to keeps its number. Use it to count junctions, for example for "the third
+        corridor on the left".
+
+        Example:
+            >>> here = turning_point_id()
+            >>> while turning_point_id() == here:
+            ...     if move_forward(0.5).reason != "done":
+            ...         break
+        """
+        ...
+
+    def turn(self, direction: str) -> TurnResult:
+        """Turn on the spot to face the way that lies in a direction.
+
+        Works inside a turning point, where the robot moves to the middle of it if
+        need be and then faces along the way chosen. `left` also finds the slanted
+        way on that side when no way lies straight to the left (and the same for
+        `right`, and `forward` finds the way that bends least). `around` turns back
+        and works anywhere. Where no way lies in the direction, the robot does not
+        move and `turned` is False.
+
+        Args:
+            direction: `left`, `right`, `forward`, `slight_left`, `slight_right`,
+                `sharp_left`, `sharp_right` or `around`.
+
+        Example:
+            >>> if not turn("left").turned:
+            ...     say("There is no way to the left.")
+        """
+        ...
+
+    def detect_from_RGB_image(self, object: str) -> list[Detection]:  # noqa: N802, A002
+        """Look for an object in the camera's picture; the nearest one first.
+
+        Any English words can be asked for: "door", "red chair", "vending machine",
+        "sign that says Library". Only things within 4 m and in view (45 degrees to
+        either side of straight ahead, not hidden by walls or other things) are
+        found. The same thing seen again keeps its `track_id`, so counting different
+        `track_id`s counts things.
+
+        Args:
+            object: What to look for, in a few words.
+
+        Example:
+            >>> seen = set()
+            >>> while len(seen) < 4:
+            ...     for door in detect_from_RGB_image("door"):
+            ...         seen.add(door.track_id)
+            ...     if move_forward(0.5).reason == "wall":
+            ...         break
+        """
+        ...
+
+    def say(self, text: str) -> None:
+        """Say something to the person beside the robot.
+
+        Example:
+            >>> say("We turn left here.")
+        """
+        ...
+
+    def distance_travelled(self) -> float:
+        """Return the metres driven since the start, by the odometer.
+
+        Example:
+            >>> start = distance_travelled()
+            >>> while distance_travelled() - start < 20:
+            ...     if move_forward(0.5).reason != "done":
+            ...         break
+        """
+        ...
+
+    def stop(self) -> None:
+        """End the walk here, as at the destination. Nothing can follow it.
+
+        A program that reaches its last line stops too.
+
+        Example:
+            >>> stop()
+        """
+        ...

@@ -1,0 +1,240 @@
+"""What a building's floor plan says, as immutable records.
+
+Metres; angles in radians counter-clockwise from +x in (-pi, pi]. Loading, checking and
+drawing live in the other files of this room.
+"""
+
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Literal
+
+from shapely import Point, Polygon
+from shapely.geometry import LineString
+
+from memorymaze.geometry.pose import Pose
+
+__all__ = [
+    "Anchor",
+    "Area",
+    "Corridor",
+    "Door",
+    "Exit",
+    "Landmark",
+    "Room",
+    "Route",
+    "RouteTurn",
+    "Site",
+    "TurningPoint",
+]
+
+Mount = Literal["floor", "wall", "ceiling"]
+
+
+@dataclass(frozen=True)
+class Anchor:
+    """Where the plan's origin lies on the globe."""
+
+    latitude: float
+    """Degrees."""
+    longitude: float
+    """Degrees."""
+    bearing: float
+    """Heading of true north in the plan's frame minus pi/2, radians."""
+
+
+@dataclass(frozen=True)
+class Corridor:
+    """A straight, convex, four-cornered piece of floor; its long direction is its way."""
+
+    id: str
+    polygon: Polygon
+    name: str | None
+    """What people call it."""
+    floor_material: str
+    wall_material: str
+
+
+@dataclass(frozen=True)
+class Area:
+    """Open floor of any shape; holes are blocks one walks around."""
+
+    id: str
+    polygon: Polygon
+    name: str | None
+    floor_material: str
+    wall_material: str
+    open_air: bool
+
+
+@dataclass(frozen=True)
+class Exit:
+    """A direction in which one can leave a turning point."""
+
+    to: str
+    """Id of the corridor, area or turning point it leads to."""
+    heading: float
+    """Radians."""
+
+
+@dataclass(frozen=True)
+class TurningPoint:
+    """A convex part of the floor where a walker can change corridor."""
+
+    id: str
+    polygon: Polygon
+    name: str | None
+    shape: str
+    """`corner`, `t_junction`, `crossing`, `opening` or `dead_end`."""
+    exits: tuple[Exit, ...]
+    """Every direction in which one can leave it."""
+
+
+@dataclass(frozen=True)
+class Room:
+    """A space beside the walkable floor; not entered."""
+
+    id: str
+    polygon: Polygon
+    name: str
+    use: str
+
+
+@dataclass(frozen=True)
+class Door:
+    """A door on the boundary of the walkable floor."""
+
+    id: str
+    line: LineString
+    """Its two ends, (2, 2) metres."""
+    room: str | None
+    """Id of the room behind it."""
+    style: str
+    color: str
+    label: str | None
+    """Text on or beside it."""
+    state: Literal["closed", "open"]
+
+
+@dataclass(frozen=True)
+class Landmark:
+    """A thing that people mention or that stands in the way."""
+
+    id: str
+    position: Point
+    """Centre of its footprint."""
+    category: str
+    """Common English noun, such as `vending machine`."""
+    color: str | None
+    name: str | None
+    """Proper name."""
+    text: str | None
+    """Words written on it."""
+    heading: float
+    """The way its front faces, radians."""
+    size: tuple[float, float, float]
+    """Length across the front, depth, height; metres."""
+    mount: Mount
+    obstacle: bool
+    """Whether the robot must not drive through its footprint."""
+
+    @cached_property
+    def footprint(self) -> Polygon:
+        """The rectangle it covers on the plan."""
+        from shapely.affinity import rotate, translate
+
+        length, depth, _ = self.size
+        box = Polygon(
+            [
+                (-depth / 2, -length / 2),
+                (depth / 2, -length / 2),
+                (depth / 2, length / 2),
+                (-depth / 2, length / 2),
+            ]
+        )
+        turned = rotate(box, self.heading, origin=(0, 0), use_radians=True)
+        return translate(turned, self.position.x, self.position.y)
+
+
+@dataclass(frozen=True)
+class RouteTurn:
+    """A change of direction along a route."""
+
+    at: str
+    """Turning point id."""
+    direction: str
+    """`left`, `right`, `slight_left` or `slight_right`."""
+
+
+@dataclass(frozen=True)
+class Route:
+    """A walk from a start to a destination along its middle line."""
+
+    id: str
+    line: LineString
+    route: str
+    """`R1`, `R2`, …"""
+    role: Literal["reference", "alternative"]
+    start_heading: float
+    """Radians."""
+    goal: str
+    """The destination in everyday words."""
+    goal_landmark: str
+    """Id of the landmark, door or room that is the destination."""
+    length: float
+    """Metres along the line."""
+    turns: tuple[RouteTurn, ...]
+    note: str
+
+    @property
+    def start(self) -> Pose:
+        """Pose in which an episode on this route begins."""
+        x, y = self.line.coords[0][:2]
+        return Pose(x, y, self.start_heading)
+
+
+@dataclass(frozen=True)
+class Site:
+    """One floor of a building: what the robot's world is made from."""
+
+    name: str
+    """File stem, such as `museum_5f`."""
+    title: str
+    floor: str
+    ceiling_height: float
+    description: str
+    anchor: Anchor | None
+    corridors: tuple[Corridor, ...]
+    areas: tuple[Area, ...]
+    turning_points: tuple[TurningPoint, ...]
+    rooms: tuple[Room, ...]
+    doors: tuple[Door, ...]
+    landmarks: tuple[Landmark, ...]
+    routes: tuple[Route, ...]
+    source: str = field(default="", compare=False)
+    """Path of the file it was read from."""
+
+    @cached_property
+    def walkable_floor(self) -> Polygon:
+        """Union of all corridors, areas and turning points, with its holes."""
+        raise NotImplementedError
+
+    @cached_property
+    def free_floor(self) -> Polygon:
+        """Walkable floor without the footprints of floor obstacles."""
+        raise NotImplementedError
+
+    def route(self, route_id: str) -> Route:
+        """Return the route feature with this id, such as `route_r1_reference`.
+
+        Raises:
+            KeyError: There is none; the message lists those there are.
+        """
+        raise NotImplementedError
+
+    def reference_route(self, route: str) -> Route:
+        """Return the reference route called `R1`, `R2`, ….
+
+        Raises:
+            KeyError: There is none; the message lists those there are.
+        """
+        raise NotImplementedError
