@@ -1,1 +1,1 @@
-"""TODO."""
+"""Poses, polylines, trajectories and shortest walks on a floor; no files, no sites."""
