@@ -1,6 +1,6 @@
 """Instruction and Episode records; reading files lives in `corpus.py`."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Literal
 
 from memorymaze.geometry.pose import Pose
@@ -40,6 +40,9 @@ class Instruction:
     split: str
     """`dev` (prompts may be built from it) or `test`."""
     original_text: str | None = None
+    """What was said before translation or editing."""
+    origin: str = field(default="", compare=False)
+    """`file:line` it was read from, for messages; empty when made in memory."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,0 +1,169 @@
+"""The format of one line of an instruction file, checked at the boundary."""
+
+import difflib
+import json
+from typing import Annotated, Any, Literal
+
+from pydantic import (
+    BaseModel,
+    BeforeValidator,
+    ConfigDict,
+    Field,
+    StringConstraints,
+    ValidationError,
+)
+
+from memorymaze.instructions.problems import InstructionProblem
+from memorymaze.instructions.records import Failure, Instruction
+
+__all__ = ["parse_line"]
+
+Text = Annotated[str, StringConstraints(min_length=1, pattern=r"\S")]
+
+
+def _whole(value: object) -> object:
+    """Refuse `true` and `1.0`, which compare equal to 1."""
+    if type(value) is not int:
+        raise ValueError("not a whole number")
+    return value
+
+
+class _FailureLine(BaseModel):
+    model_config = ConfigDict(strict=True)
+
+    kind: Text = Field(description="a non-empty text such as missing_turn")
+    where: str = Field(description="a text: turning point id or place")
+    detail: str = Field(description="a text")
+
+
+class _InstructionLine(BaseModel):
+    model_config = ConfigDict(strict=True)
+
+    id: Text = Field(description="a non-empty text, unique among all files")
+    site: Text = Field(description="the name of a site, such as museum_5f")
+    route: Text = Field(description="the name of a route, such as R1")
+    study: Literal["online", "onsite"] = Field(description="'online' or 'onsite'")
+    iteration: Annotated[Literal[1, 2], BeforeValidator(_whole)] = Field(
+        description="the number 1 or 2"
+    )
+    participant: Text = Field(description="a non-empty text")
+    text: Text = Field(description="the instruction, a non-empty text")
+    reference_route: Text = Field(
+        description="the id of a route in the site plan, such as route_r1_reference"
+    )
+    failures: list[_FailureLine] = Field(
+        description="a list of {kind, where, detail}, [] when the text is right"
+    )
+    source: Literal["human", "llm", "synthetic"] = Field(
+        description="'human', 'llm' or 'synthetic'"
+    )
+    language: Text = Field(description="a language code such as en")
+    split: Text = Field(default="test", description="'dev' or 'test'")
+    original_text: str | None = Field(default=None, description="a text or null")
+
+
+def parse_line(
+    line: str, place: str
+) -> tuple[Instruction | None, list[str], list[InstructionProblem]]:
+    """Read one line.
+
+    Args:
+        line: JSON text.
+        place: `file:line`, for messages.
+
+    Returns:
+        The instruction, or None where something is wrong; the names of fields that
+        the format does not know; and what is wrong, one entry per field.
+    """
+    try:
+        record = _parse_json(line)
+        unknown = _unknown_fields(record)
+        return _instruction(record, place), unknown, []
+    except ValidationError as error:
+        said = _explain(error)
+    except ValueError as error:
+        said = [str(error)]
+    return None, [], [InstructionProblem(place, message) for message in said]
+
+
+def _parse_json(line: str) -> dict[str, Any]:
+    try:
+        record = json.loads(line, object_pairs_hook=_without_repeats)
+    except json.JSONDecodeError as error:
+        raise ValueError(
+            f"expected one JSON record, got text that is not JSON ({error.msg} at "
+            f"column {error.pos + 1}): {_shown(line)}"
+        ) from None
+    except RecursionError:
+        raise ValueError("expected one JSON record, got one nested too deep") from None
+    if not isinstance(record, dict):
+        raise ValueError(f"expected one JSON record {{…}}, got {_shown(record)}")
+    return record
+
+
+def _without_repeats(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    record = dict(pairs)
+    if len(record) != len(pairs):
+        names = [name for name, _ in pairs]
+        repeated = next(name for name in names if names.count(name) > 1)
+        raise ValueError(f"field {repeated!r}: expected it once, got it twice")
+    return record
+
+
+def _unknown_fields(record: dict[str, Any]) -> list[str]:
+    known = _InstructionLine.model_fields
+    unknown = [name for name in record if name not in known]
+    unset = [name for name in known if name not in record]
+    for name in unknown:
+        meant = difflib.get_close_matches(name, unset, n=1, cutoff=0.75)
+        if meant:
+            raise ValueError(f"field {name!r} is unknown; did you mean {meant[0]!r}?")
+    return unknown
+
+
+def _instruction(record: dict[str, Any], place: str) -> Instruction:
+    line = _InstructionLine.model_validate(record)
+    return Instruction(
+        id=line.id,
+        site=line.site,
+        route=line.route,
+        study=line.study,
+        iteration=line.iteration,
+        participant=line.participant,
+        text=line.text,
+        reference_route=line.reference_route,
+        failures=tuple(Failure(f.kind, f.where, f.detail) for f in line.failures),
+        source=line.source,
+        language=line.language,
+        split=line.split,
+        original_text=line.original_text,
+        origin=place,
+    )
+
+
+def _expected_at(location: tuple[int | str, ...]) -> str:
+    """Return what the format expects at a place in a record."""
+    *outer, name = location
+    model = _FailureLine if len(outer) > 1 else _InstructionLine
+    field = model.model_fields.get(str(name))
+    return (field.description if field else None) or "a record {kind, where, detail}"
+
+
+def _explain(error: ValidationError) -> list[str]:
+    said: list[str] = []
+    for detail in error.errors():
+        name = ".".join(str(part) for part in detail["loc"])
+        expected = _expected_at(detail["loc"])
+        if detail["type"] == "missing":
+            said.append(f"field {name!r} is missing: expected {expected}")
+        else:
+            got = _shown(detail["input"])
+            said.append(f"field {name!r}: expected {expected}, got {got}")
+    return said
+
+
+def _shown(value: object) -> str:
+    text = value if isinstance(value, str) else json.dumps(value, ensure_ascii=False)
+    cut = text if len(text) <= 60 else text[:57] + "…"
+    shown = repr(cut) if isinstance(value, str) else cut
+    return shown.encode("utf-8", "backslashreplace").decode()

@@ -1,0 +1,123 @@
+"""The figures of the paper's Tables I to III, to stand beside measured ones."""
+
+import json
+from dataclasses import dataclass
+from functools import cache
+from importlib.resources import files
+from typing import Any, Literal
+
+__all__ = [
+    "PublishedDescriptions",
+    "PublishedResult",
+    "PublishedTables",
+    "published_tables",
+]
+
+Study = Literal["online", "onsite"]
+
+
+@dataclass(frozen=True, slots=True)
+class PublishedDescriptions:
+    """A cell of Table I: how one route was described in one iteration of a study."""
+
+    study: Study
+    site: str
+    route: str
+    iteration: int
+    words_mean: float
+    words_median: float
+    words_sd: float
+    failure_rate: float
+    alternative_rate: float | None
+    """None online, where everyone described the way shown."""
+
+
+@dataclass(frozen=True, slots=True)
+class PublishedResult:
+    """A cell of Table II (has a method) or Table III (has an iteration)."""
+
+    study: Study
+    site: str
+    route: str
+    method: str
+    """`navgpt`, `navid` or `proposed`."""
+    parser: bool
+    """Whether the instruction was parsed first."""
+    iteration: int | None
+    """None in Table II, which takes both together."""
+    sr: float
+    osr: float
+    spd: float
+    """Metres."""
+    cls: float
+
+
+@dataclass(frozen=True, slots=True)
+class PublishedTables:
+    """Everything the paper says in numbers about instructions and results."""
+
+    descriptions: tuple[PublishedDescriptions, ...]
+    """Table I."""
+    models: tuple[PublishedResult, ...]
+    """Table II."""
+    iterations: tuple[PublishedResult, ...]
+    """Table III: the proposed method with its parser."""
+    distinct_words: dict[tuple[str, str], int]
+    """By building (`university`, `museum`) and study; the paper gives no rule."""
+
+
+@cache
+def published_tables() -> PublishedTables:
+    """Return the paper's figures."""
+    source = files("memorymaze.instructions") / "data/published_tables.json"
+    tables = json.loads(source.read_text(encoding="utf-8"))
+    return PublishedTables(
+        descriptions=tuple(_descriptions(r) for r in tables["table_1_instructions"]),
+        models=tuple(_result(r) for r in tables["table_2_models"]),
+        iterations=tuple(
+            _result({"method": "proposed", "parser": True, **r})
+            for r in tables["table_3_iterations"]
+        ),
+        distinct_words={
+            (building, study): count
+            for building, counts in tables["vocabulary_distinct_words"].items()
+            for study, count in counts.items()
+        },
+    )
+
+
+def _place(route: str) -> tuple[str, str]:
+    """Split `Museum 5F R1` into the site's name and the route: `museum_5f`, `R1`."""
+    site, _, name = route.rpartition(" ")
+    return site.lower().replace(" ", "_"), name
+
+
+def _descriptions(row: dict[str, Any]) -> PublishedDescriptions:
+    site, route = _place(row["route"])
+    return PublishedDescriptions(
+        study=row["study"],
+        site=site,
+        route=route,
+        iteration=row["iteration"],
+        words_mean=row["words_mean"],
+        words_median=row["words_median"],
+        words_sd=row["words_sd"],
+        failure_rate=row["failure_rate"],
+        alternative_rate=row["alternative_rate"],
+    )
+
+
+def _result(row: dict[str, Any]) -> PublishedResult:
+    site, route = _place(row["route"])
+    return PublishedResult(
+        study=row["study"],
+        site=site,
+        route=route,
+        method=row["method"],
+        parser=row["parser"],
+        iteration=row.get("iteration"),
+        sr=row["sr"],
+        osr=row["osr"],
+        spd=row["spd"],
+        cls=row["cls"],
+    )
