@@ -1,1 +1,41 @@
-"""TODO."""
+"""Buildings: floor plans as records, loaded, checked and drawn."""
+
+from memorymaze.sites.loading import (
+    BUILTIN_SITE_NAMES,
+    builtin_site,
+    load_site,
+    load_sites,
+)
+from memorymaze.sites.problems import SiteProblem
+from memorymaze.sites.records import (
+    Anchor,
+    Area,
+    Corridor,
+    Door,
+    Exit,
+    Landmark,
+    Room,
+    Route,
+    RouteTurn,
+    Site,
+    TurningPoint,
+)
+
+__all__ = [
+    "BUILTIN_SITE_NAMES",
+    "Anchor",
+    "Area",
+    "Corridor",
+    "Door",
+    "Exit",
+    "Landmark",
+    "Room",
+    "Route",
+    "RouteTurn",
+    "Site",
+    "SiteProblem",
+    "TurningPoint",
+    "builtin_site",
+    "load_site",
+    "load_sites",
+]

@@ -4,14 +4,18 @@ Metres; angles in radians counter-clockwise from +x in (-pi, pi]. Loading, check
 drawing live in the other files of this room.
 """
 
+import math
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Literal
 
-from shapely import Point, Polygon
-from shapely.geometry import LineString
+from shapely import LineString, MultiPolygon, Point, Polygon, box, union_all
+from shapely.affinity import affine_transform
 
+from memorymaze.errors import SitePlanError
 from memorymaze.geometry.pose import Pose
+from memorymaze.sites.centre_lines import corridor_centre_line
+from memorymaze.sites.floor import union_of_floor
 
 __all__ = [
     "Anchor",
@@ -52,6 +56,21 @@ class Corridor:
     """What people call it."""
     floor_material: str
     wall_material: str
+
+    @cached_property
+    def centre_line(self) -> LineString:
+        """Line of two points between the middles of its short ends, metres."""
+        return corridor_centre_line(self.polygon)
+
+    @property
+    def length(self) -> float:
+        """Metres along the centre line."""
+        return self.centre_line.length
+
+    @property
+    def width(self) -> float:
+        """Mean width across the centre line, metres."""
+        return self.polygon.area / self.length
 
 
 @dataclass(frozen=True)
@@ -140,19 +159,18 @@ class Landmark:
     @cached_property
     def footprint(self) -> Polygon:
         """The rectangle it covers on the plan."""
-        from shapely.affinity import rotate, translate
-
         length, depth, _ = self.size
-        box = Polygon(
-            [
-                (-depth / 2, -length / 2),
-                (depth / 2, -length / 2),
-                (depth / 2, length / 2),
-                (-depth / 2, length / 2),
-            ]
+        upright = box(-depth / 2, -length / 2, depth / 2, length / 2)
+        cosine, sine = math.cos(self.heading), math.sin(self.heading)
+        turned_and_moved = (
+            cosine,
+            -sine,
+            sine,
+            cosine,
+            self.position.x,
+            self.position.y,
         )
-        turned = rotate(box, self.heading, origin=(0, 0), use_radians=True)
-        return translate(turned, self.position.x, self.position.y)
+        return affine_transform(upright, turned_and_moved)
 
 
 @dataclass(frozen=True)
@@ -215,13 +233,31 @@ class Site:
 
     @cached_property
     def walkable_floor(self) -> Polygon:
-        """Union of all corridors, areas and turning points, with its holes."""
-        raise NotImplementedError
+        """Union of all corridors, areas and turning points, with its holes.
+
+        Gaps and slivers up to 2 mm wide and kinks below 5 mm, which rounded coordinates
+        leave at slanted seams, are smoothed away.
+        """
+        return union_of_floor([
+            part.polygon
+            for part in (*self.corridors, *self.areas, *self.turning_points)
+        ])
 
     @cached_property
-    def free_floor(self) -> Polygon:
-        """Walkable floor without the footprints of floor obstacles."""
-        raise NotImplementedError
+    def free_floor(self) -> Polygon | MultiPolygon:
+        """Walkable floor without the footprints of obstacles.
+
+        Several polygons when obstacles cut pieces off.
+        """
+        obstacles = [thing.footprint for thing in self.landmarks if thing.obstacle]
+        free = self.walkable_floor.difference(union_all(obstacles))
+        if not isinstance(free, Polygon | MultiPolygon):
+            raise SitePlanError(
+                f"{self.source or self.name}: expected some floor free of obstacles, "
+                "but the obstacles cover it all; shrink or remove landmarks with "
+                '"obstacle": true'
+            )
+        return free
 
     def route(self, route_id: str) -> Route:
         """Return the route feature with this id, such as `route_r1_reference`.
@@ -229,7 +265,13 @@ class Site:
         Raises:
             KeyError: There is none; the message lists those there are.
         """
-        raise NotImplementedError
+        for route in self.routes:
+            if route.id == route_id:
+                return route
+        known = ", ".join(route.id for route in self.routes) or "none at all"
+        raise KeyError(
+            f"site {self.name} has no route {route_id!r}; there are: {known}"
+        )
 
     def reference_route(self, route: str) -> Route:
         """Return the reference route called `R1`, `R2`, ….
@@ -237,4 +279,11 @@ class Site:
         Raises:
             KeyError: There is none; the message lists those there are.
         """
-        raise NotImplementedError
+        references = [each for each in self.routes if each.role == "reference"]
+        for reference in references:
+            if reference.route == route:
+                return reference
+        known = ", ".join(each.route for each in references) or "none at all"
+        raise KeyError(
+            f"site {self.name} has no reference route {route!r}; there are: {known}"
+        )

@@ -1,0 +1,134 @@
+"""Loading sites from plans in files, from folders, and from this package."""
+
+from pathlib import Path
+
+from memorymaze.errors import SitePlanError
+from memorymaze.sites.conversion import site_from_content
+from memorymaze.sites.problems import SiteProblem
+from memorymaze.sites.reading import read_plan
+from memorymaze.sites.records import Site
+from memorymaze.sites.soundness import soundness_problems
+
+__all__ = [
+    "BUILTIN_SITE_NAMES",
+    "builtin_site",
+    "builtin_site_path",
+    "load_site",
+    "load_sites",
+    "read_site",
+]
+
+BUILTIN_SITE_NAMES: tuple[str, ...] = ("university", "museum_5f", "museum_7f")
+"""The three floors of the benchmark."""
+
+
+def read_site(path: Path) -> tuple[Site | None, list[SiteProblem]]:
+    """Read a plan as far as it can be understood; never raises.
+
+    Args:
+        path: A GeoJSON file.
+
+    Returns:
+        The site, without the features that are broken, or None when there is nothing
+        to make it of; and the errors that keep the plan from being loaded. Where there
+        are none, the site is complete.
+    """
+    content = read_plan(path)
+    site, broken, shape_problems = site_from_content(content, str(path))
+    problems = [*content.problems, *shape_problems]
+    if site is not None:
+        problems += soundness_problems(site, broken)
+    return site, problems
+
+
+def load_site(path: str | Path) -> Site:
+    """Load a site plan.
+
+    Args:
+        path: A GeoJSON file in the format of `docs/site_plans.md`.
+
+    Raises:
+        SitePlanError: The plan cannot be used. The message names file, feature and
+            rule of the first problem, and how many more there are.
+    """
+    site, problems = read_site(Path(path))
+    if problems or site is None:
+        first, *others = problems
+        more = (
+            f" ({len(others)} more: see them all with `memorymaze sites check {path}`)"
+            if others
+            else ""
+        )
+        raise SitePlanError(
+            f"{first.file}: {first.feature}: {first.rule}: {first.message}{more}"
+        )
+    return site
+
+
+def load_sites(folder: str | Path | None = None) -> dict[str, Site]:
+    """Load all plans of a folder, or the benchmark's own.
+
+    Args:
+        folder: Holds `*.geojson`; None means the plans in this package.
+
+    Returns:
+        Sites by name, in the order of the file names.
+
+    Raises:
+        SitePlanError: A plan cannot be used, two have the same name, or the folder is
+            missing or has no plan in it.
+    """
+    if folder is None:
+        return {name: builtin_site(name) for name in BUILTIN_SITE_NAMES}
+    paths = plan_paths(Path(folder))
+    sites: dict[str, Site] = {}
+    for path in paths:
+        site = load_site(path)
+        if site.name in sites:
+            raise SitePlanError(
+                f"{path}: -: name: expected a name of its own for every plan in the "
+                f"folder, got {site.name!r} as in {sites[site.name].source}; change one"
+            )
+        sites[site.name] = site
+    return sites
+
+
+def plan_paths(folder: Path) -> list[Path]:
+    """Return the plans in a folder by file name.
+
+    Raises:
+        SitePlanError: The folder is missing or has no plan in it.
+    """
+    if not folder.is_dir():
+        raise SitePlanError(
+            f"{folder}: expected a folder with site plans (*.geojson), got "
+            f"{'a file' if folder.exists() else 'none: no such folder'}"
+        )
+    paths = sorted(folder.glob("*.geojson"))
+    if not paths:
+        raise SitePlanError(
+            f"{folder}: expected at least one site plan (*.geojson), got none"
+        )
+    return paths
+
+
+def builtin_site_path(name: str) -> Path:
+    """Return where the plan of one of the benchmark's floors lies.
+
+    Raises:
+        SitePlanError: There is none of this name.
+    """
+    if name not in BUILTIN_SITE_NAMES:
+        raise SitePlanError(
+            f"expected one of the sites {', '.join(BUILTIN_SITE_NAMES)}, got {name!r}"
+        )
+    return Path(__file__).parent / "data" / f"{name}.geojson"
+
+
+def builtin_site(name: str) -> Site:
+    """Load one of the benchmark's floors.
+
+    Raises:
+        SitePlanError: There is none of this name.
+    """
+    return load_site(builtin_site_path(name))

@@ -1,0 +1,206 @@
+"""Pydantic models of the GeoJSON members a site plan has; degrees, as in the file.
+
+They hold for one feature at a time. What features mean to each other is checked on the
+records made from them.
+"""
+
+from typing import Annotated, Literal
+
+from pydantic import BaseModel, ConfigDict, Field
+
+__all__ = [
+    "FEATURE_MODELS",
+    "AnchorModel",
+    "AreaFeature",
+    "CorridorFeature",
+    "DoorFeature",
+    "FeatureModel",
+    "LandmarkFeature",
+    "PlanHeader",
+    "RoomFeature",
+    "RouteFeature",
+    "TurningPointFeature",
+]
+
+FARTHEST = 100_000.0
+"""No coordinate of a building is farther than this many metres from the origin."""
+
+Coordinate = Annotated[float, Field(ge=-FARTHEST, le=FARTHEST)]
+Position = Annotated[list[Coordinate], Field(min_length=2)]
+Text = Annotated[str, Field(min_length=1)]
+Degrees = Annotated[float, Field(ge=-360_000, le=360_000)]
+Size = Annotated[float, Field(gt=0, le=1000)]
+
+
+class _Model(BaseModel):
+    model_config = ConfigDict(
+        strict=True, extra="ignore", allow_inf_nan=False, frozen=True
+    )
+
+
+class AnchorModel(_Model):
+    """Where the origin lies on the globe."""
+
+    latitude: Annotated[float, Field(ge=-90, le=90)]
+    longitude: Annotated[float, Field(ge=-180, le=180)]
+    bearing_deg: Degrees
+
+
+class PlanHeader(_Model):
+    """Members of the plan beside its features."""
+
+    type: Literal["FeatureCollection"]
+    name: Text
+    title: Text
+    floor: Text
+    ceiling_height_m: Annotated[float, Field(ge=1.0, le=100.0)]
+    anchor: AnchorModel | None
+    description: str
+
+
+class _PolygonGeometry(_Model):
+    type: Literal["Polygon"]
+    coordinates: Annotated[list[list[Position]], Field(min_length=1)]
+
+
+class _LineGeometry(_Model):
+    type: Literal["LineString"]
+    coordinates: Annotated[list[Position], Field(min_length=2)]
+
+
+class _SegmentGeometry(_Model):
+    type: Literal["LineString"]
+    coordinates: Annotated[list[Position], Field(min_length=2, max_length=2)]
+
+
+class _PointGeometry(_Model):
+    type: Literal["Point"]
+    coordinates: Position
+
+
+class FeatureModel(_Model):
+    """What every feature has."""
+
+    type: Literal["Feature"]
+    id: Text
+
+
+class _FloorProperties(_Model):
+    name: str | None
+    floor_material: Text
+    wall_material: Text
+
+
+class CorridorFeature(FeatureModel):
+    """A corridor."""
+
+    geometry: _PolygonGeometry
+    properties: _FloorProperties
+
+
+class _AreaProperties(_FloorProperties):
+    open_air: bool
+
+
+class AreaFeature(FeatureModel):
+    """An open area."""
+
+    geometry: _PolygonGeometry
+    properties: _AreaProperties
+
+
+class _ExitModel(_Model):
+    to: Text
+    heading_deg: Degrees
+
+
+class _TurningPointProperties(_Model):
+    name: str | None
+    shape: Literal["corner", "t_junction", "crossing", "opening", "dead_end"]
+    exits: Annotated[list[_ExitModel], Field(min_length=1)]
+
+
+class TurningPointFeature(FeatureModel):
+    """A turning point."""
+
+    geometry: _PolygonGeometry
+    properties: _TurningPointProperties
+
+
+class _RoomProperties(_Model):
+    name: str
+    use: Text
+
+
+class RoomFeature(FeatureModel):
+    """A room beside the floor."""
+
+    geometry: _PolygonGeometry
+    properties: _RoomProperties
+
+
+class _DoorProperties(_Model):
+    room: str | None
+    style: Text
+    color: Text
+    label: str | None
+    state: Literal["closed", "open"]
+
+
+class DoorFeature(FeatureModel):
+    """A door."""
+
+    geometry: _SegmentGeometry
+    properties: _DoorProperties
+
+
+class _LandmarkProperties(_Model):
+    category: Text
+    color: str | None
+    name: str | None
+    text: str | None
+    heading_deg: Degrees
+    size_m: Annotated[list[Size], Field(min_length=3, max_length=3)]
+    mount: Literal["floor", "wall", "ceiling"]
+    obstacle: bool
+
+
+class LandmarkFeature(FeatureModel):
+    """A thing on the floor, a wall or the ceiling."""
+
+    geometry: _PointGeometry
+    properties: _LandmarkProperties
+
+
+class _TurnModel(_Model):
+    at: Text
+    direction: Literal["left", "right", "slight_left", "slight_right"]
+
+
+class _RouteProperties(_Model):
+    route: Text
+    role: Literal["reference", "alternative"]
+    start_heading_deg: Degrees
+    goal: Text
+    goal_landmark: Text
+    length_m: Annotated[float, Field(gt=0, le=FARTHEST)]
+    turns: list[_TurnModel]
+    note: str
+
+
+class RouteFeature(FeatureModel):
+    """A route."""
+
+    geometry: _LineGeometry
+    properties: _RouteProperties
+
+
+FEATURE_MODELS: dict[str, type[FeatureModel]] = {
+    "corridor": CorridorFeature,
+    "area": AreaFeature,
+    "turning_point": TurningPointFeature,
+    "room": RoomFeature,
+    "door": DoorFeature,
+    "landmark": LandmarkFeature,
+    "route": RouteFeature,
+}
