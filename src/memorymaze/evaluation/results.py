@@ -1,0 +1,92 @@
+"""What came of one episode, as a flat record and as a line of JSON."""
+
+import json
+from dataclasses import asdict, dataclass
+from typing import Literal
+
+from pydantic import TypeAdapter, ValidationError
+
+from memorymaze.errors import RunFolderError
+
+__all__ = ["EpisodeResult", "StoppedBy", "result_from_line", "result_to_line"]
+
+StoppedBy = Literal["agent", "budget", "stuck", "crash", "unsafe", "model_error"]
+"""Who or what ended an episode; only `agent` can be a success."""
+
+
+@dataclass(frozen=True, slots=True)
+class EpisodeResult:
+    """What came of one episode; one line of `episodes.jsonl`."""
+
+    episode_id: str
+    instruction_id: str
+    site: str
+    route: str
+    reference_route: str
+    """Route id of the way described, which the paths are compared with."""
+    study: Literal["online", "onsite"]
+    iteration: Literal[1, 2]
+    participant: str
+    source: Literal["human", "llm", "synthetic"]
+    """Who wrote the instruction."""
+    split: str
+    agent: str
+    stopped_by: StoppedBy
+    success: bool
+    """Stopped by itself, nearer to the goal than the success distance."""
+    oracle_success: bool
+    """Was at any moment nearer to the goal than the success distance."""
+    spd: float
+    """Shortest walk from where the robot stands at the end to the goal, metres."""
+    cls: float
+    """Coverage weighted by length score, 0 to 1."""
+    spl: float
+    ndtw: float
+    sdtw: float
+    path_length: float
+    """Metres driven."""
+    collisions: int
+    turns_in_order: float
+    """Share of the reference route's turns that were taken, in their order, 0 to 1."""
+    duration_s: float
+    """Simulated seconds."""
+    wall_s: float
+    """Real seconds; the only field that differs between equal runs."""
+    model_calls: int
+    tokens: int
+    cost_usd: float
+    error: str | None
+    """One line on what went wrong, for the endings that are errors."""
+
+
+_RESULT = TypeAdapter(EpisodeResult)
+
+
+def result_to_line(result: EpisodeResult) -> str:
+    """Write a result as one line of JSON, without the line end.
+
+    Raises:
+        ValueError: A number is not finite.
+    """
+    return json.dumps(asdict(result), ensure_ascii=False, allow_nan=False)
+
+
+def result_from_line(line: str, place: str) -> EpisodeResult:
+    """Read a result from one line of JSON.
+
+    Args:
+        line: JSON text.
+        place: `file:line`, for messages.
+
+    Raises:
+        RunFolderError: The line is not an episode's result; names place and field.
+    """
+    try:
+        return _RESULT.validate_json(line, strict=True)
+    except ValidationError as error:
+        first = error.errors()[0]
+        field = ".".join(str(part) for part in first["loc"]) or "the line"
+        raise RunFolderError(
+            f"{place}: expected an episode's result, got one where {field} is wrong "
+            f"({first['msg']})"
+        ) from None

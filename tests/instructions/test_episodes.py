@@ -1,0 +1,63 @@
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from memorymaze.errors import InstructionFileError
+from memorymaze.instructions import episodes, load_instructions
+from memorymaze.sites import Site
+
+Line = Callable[..., dict[str, Any]]
+Write = Callable[..., Path]
+
+
+def test_every_shipped_instruction_becomes_an_episode_on_the_way_it_describes(
+    builtin_sites: dict[str, Site],
+) -> None:
+    made = episodes(load_instructions(), builtin_sites)
+    assert len({episode.id for episode in made}) == 564
+    for episode in made:
+        site = builtin_sites[episode.instruction.site]
+        route = site.route(episode.instruction.reference_route)
+        assert episode.start == route.start
+        assert episode.goal == route.line.coords[-1]
+        assert episode.reference_path == tuple(route.line.coords)
+
+
+def test_an_alternative_way_is_the_reference_of_its_episode(
+    line: Line, instruction_file: Write, tiny_sites: dict[str, Site]
+) -> None:
+    alternative = next(r for r in tiny_sites["loop"].routes if r.role == "alternative")
+    path = instruction_file(line(), line(id="b", reference_route=alternative.id))
+    first, second = episodes(load_instructions([path]), tiny_sites)
+    assert second.reference_path == tuple(alternative.line.coords)
+    assert first.reference_path != second.reference_path
+    assert first.goal == pytest.approx(second.goal)
+
+
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        pytest.param({"site": "lop"}, "did you mean 'loop'", id="site"),
+        pytest.param({"route": "R9"}, "'route': expected one of R1", id="route"),
+        pytest.param({"reference_route": "r"}, "'reference_route'", id="reference"),
+        pytest.param(
+            {"site": "t_junction", "route": "R2"},
+            "expected a way of R2",
+            id="way of another route",
+        ),
+    ],
+)
+def test_a_place_that_does_not_exist_is_named_with_file_and_line(
+    line: Line,
+    instruction_file: Write,
+    tiny_sites: dict[str, Site],
+    changes: dict[str, Any],
+    said: str,
+) -> None:
+    path = instruction_file(line(), line(id="b", **changes))
+    with pytest.raises(InstructionFileError) as caught:
+        episodes(load_instructions([path]), tiny_sites)
+    assert f"{path}:2: field" in str(caught.value)
+    assert said in str(caught.value)
