@@ -1,18 +1,18 @@
 """A floor as a graph of square cells, and shortest walks over it.
 
-The cells lie on whole multiples of their size in the plan's frame. A cell is a node
-when its centre is on the floor; nodes are joined to their 8 neighbours where the
+Cell centres lie on whole multiples of the cell size in the plan's frame. A cell is a
+node when its centre is on the floor; nodes are joined to their 8 neighbours where the
 straight step stays on the floor, diagonally only where the four sides of the square
 between them are open too (no corner is cut). Only the largest connected piece is kept.
 """
 
+from collections import OrderedDict
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Self
 
 import numpy as np
-import shapely
 from numpy.typing import ArrayLike, NDArray
 from scipy.sparse import coo_array, csr_array
 from scipy.sparse.csgraph import connected_components, dijkstra
@@ -21,32 +21,36 @@ from shapely import MultiPolygon, Polygon
 
 from memorymaze.errors import UndefinedMetricError
 from memorymaze.geometry import polyline
+from memorymaze.geometry.floor import Floor
+from memorymaze.geometry.shortest_walk import ShortestWalks
 
 __all__ = ["FloorGrid"]
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.intp]
-
-HAIRLINE = 1e-6
-"""Metres; rounding slits of this width between joined floor pieces are no walls."""
+BoolArray = NDArray[np.bool_]
 
 HALF_DIAGONAL = 0.7072
 """Of a cell of size 1, rounded up."""
+
+NUMBERS_KEPT = 20_000_000
+"""Distances remembered between calls, at most (160 MB)."""
 
 
 @dataclass(frozen=True, eq=False)
 class FloorGrid:
     """Square cells over a floor, joined where one can walk; nodes are 0 … N-1.
 
-    >>> grid = FloorGrid.from_polygon(shapely.box(0, 0, 2, 1))
-    >>> len(grid), grid.centres[0].tolist()
-    (8, [0.25, 0.25])
-    >>> grid.map_path([(0.1, 0.2), (1.9, 0.2)]).tolist()
-    [0, 2, 4, 6]
+    >>> from shapely import box
+    >>> grid = FloorGrid.from_polygon(box(0, 0, 2, 1))
+    >>> len(grid), grid.centres[4].tolist()
+    (15, [0.5, 0.5])
+    >>> grid.map_path([(0.1, 0.6), (1.9, 0.6)]).tolist()
+    [1, 4, 7, 10, 13]
     """
 
-    floor: Polygon | MultiPolygon
-    """What it was made from, metres."""
+    floor: Floor
+    """What it was made from."""
     cell: float
     """Side of a cell, metres."""
     tolerance: float
@@ -55,7 +59,9 @@ class FloorGrid:
     """Position of every node, metres, shape (N, 2)."""
     graph: csr_array
     """Symmetric step lengths, metres, shape (N, N)."""
-    _rows: dict[int, FloatArray] = field(default_factory=dict[int, FloatArray])
+    _rows: OrderedDict[int, FloatArray] = field(
+        default_factory=OrderedDict[int, FloatArray], repr=False
+    )
 
     @classmethod
     def from_polygon(
@@ -73,27 +79,22 @@ class FloorGrid:
         """
         if not (np.isfinite(cell) and cell > 0):
             raise ValueError(f"expected a cell size > 0 m, got {cell}")
-        if floor.is_empty or not floor.is_valid:
-            reason = "empty" if floor.is_empty else shapely.is_valid_reason(floor)
-            raise ValueError(f"expected a valid floor polygon, got: {reason}")
-        eased = _eased(floor)
-        shapely.prepare(eased)
+        prepared = Floor(floor)
         west, south, east, north = floor.bounds
-        xs = np.arange(np.floor(west / cell), np.ceil(east / cell)) * cell + cell / 2
-        ys = np.arange(np.floor(south / cell), np.ceil(north / cell)) * cell + cell / 2
+        xs = np.arange(np.floor(west / cell), np.ceil(east / cell) + 1) * cell
+        ys = np.arange(np.floor(south / cell), np.ceil(north / cell) + 1) * cell
         grid_x, grid_y = np.meshgrid(xs, ys, indexing="ij")
-        on_floor = shapely.contains_xy(eased, grid_x, grid_y)
+        on_floor = prepared.contains(grid_x, grid_y)
         if not on_floor.any():
             raise ValueError(f"no centre of a {cell} m cell lies on the floor")
         number = np.full(on_floor.shape, -1, dtype=np.intp)
         number[on_floor] = np.arange(np.count_nonzero(on_floor))
         centres = np.column_stack([grid_x[on_floor], grid_y[on_floor]])
-        graph = _steps(number, centres, eased, cell)
+        graph = _steps(number, centres, prepared, cell)
         labels = connected_components(graph, directed=False)[1]
         kept = np.flatnonzero(labels == np.argmax(np.bincount(labels)))
-        return cls(
-            floor, cell, tolerance, centres[kept], csr_array(graph[kept][:, kept])
-        )
+        pieces = csr_array(graph[kept][:, kept])
+        return cls(prepared, cell, tolerance, centres[kept], pieces)
 
     def __len__(self) -> int:
         """Return the number of nodes."""
@@ -101,6 +102,8 @@ class FloorGrid:
 
     def map_points(self, points: ArrayLike) -> IntArray:
         """Return the node of each point: the nearest that no wall hides.
+
+        Where walls hide the nine nearest nodes, the nearest of all is taken.
 
         Args:
             points: Metres, shape (K, 2).
@@ -110,39 +113,38 @@ class FloorGrid:
 
         Raises:
             UndefinedMetricError: A point is not finite, lies farther than `tolerance`
-                off the floor, or farther than `tolerance` plus one cell from the
-                nearest node.
+                off the floor, or farther than `tolerance` plus one cell from its node
+                (as in a piece of floor that the grid does not reach).
         """
-        places = np.asarray(points, dtype=np.float64)
-        if places.ndim != 2 or places.shape[1] != 2:
-            raise ValueError(f"expected points of shape (K, 2), got {places.shape}")
-        self._check_on_floor(places)
+        places = self.floor.onto(points, self.tolerance)
         near = min(9, len(self))
-        distances, nodes = self._tree.query(places, k=range(1, near + 1))
-        chosen = nodes[:, 0].astype(np.intp)
+        answer = self._tree.query(places, k=near)
+        gaps = np.asarray(answer[0], dtype=np.float64).reshape(len(places), near)
+        nodes = np.asarray(answer[1], dtype=np.intp).reshape(len(places), near)
+        best = np.zeros(len(places), dtype=np.intp)
         doubtful = np.flatnonzero(
-            self._beside_wall[chosen] | (distances[:, 0] > HALF_DIAGONAL * self.cell)
+            self._beside_edge[nodes[:, 0]] | (gaps[:, 0] > HALF_DIAGONAL * self.cell)
         )
-        seen = self._sees(places[doubtful], nodes[doubtful, 0])
+        seen = self.floor.joins(places[doubtful], self.centres[nodes[doubtful, 0]])
         for index in doubtful[~seen]:
-            open_ways = self._sees(
-                np.repeat(places[index : index + 1], near, axis=0), nodes[index]
-            )
-            if open_ways.any():
-                chosen[index] = nodes[index, np.argmax(open_ways)]
-        gap = np.hypot(*(places - self.centres[chosen]).T)
-        lost = np.flatnonzero(gap > self.tolerance + self.cell)
+            spot = np.broadcast_to(places[index], (near, 2))
+            best[index] = np.argmax(self.floor.joins(spot, self.centres[nodes[index]]))
+        every = np.arange(len(places))
+        lost = np.flatnonzero(gaps[every, best] > self.tolerance + self.cell)
         if len(lost):
-            x, y = places[lost[0]]
+            (x, y), gap = places[lost[0]], gaps[lost[0], best[lost[0]]]
             raise UndefinedMetricError(
-                f"point {lost[0]} at ({x:.3f}, {y:.3f}) is {gap[lost[0]]:.2f} m from "
-                f"the nearest cell of the main floor; at most "
-                f"{self.tolerance + self.cell:.2f} m are allowed"
+                f"point {lost[0]} at ({x:.3f}, {y:.3f}) is {gap:.2f} m from the nearest "
+                f"cell of the main floor; at most {self.tolerance + self.cell:.2f} m "
+                "are allowed"
             )
-        return chosen
+        return nodes[every, best]
 
     def map_path(self, points: ArrayLike) -> IntArray:
         """Return the nodes a path passes, consecutive repeats removed.
+
+        The path is sampled at steps of one cell, so that consecutive nodes are
+        neighbours and a straight walk beside a cell's edge makes few detours.
 
         Args:
             points: Vertices of the path, metres, shape (N, 2).
@@ -155,92 +157,108 @@ class FloorGrid:
             raise UndefinedMetricError(
                 "expected a path of at least one point, got none"
             )
-        samples = polyline.resample(points, self.cell / 4)
-        nodes = self.map_points(samples)
+        nodes = self.map_points(polyline.resample(points, self.cell))
         return nodes[np.concatenate([[True], nodes[1:] != nodes[:-1]])]
 
     def distances_from(self, nodes: ArrayLike) -> FloatArray:
         """Return the shortest distances from some nodes to all, shape (k, N), metres.
 
-        Rows are kept, so that asking again costs nothing.
+        The latest answers are remembered, so asking for them again is fast.
+
+        Raises:
+            UndefinedMetricError: A node is not in the grid.
         """
-        wanted = np.atleast_1d(np.asarray(nodes, dtype=np.intp))
-        missing = [node for node in np.unique(wanted) if int(node) not in self._rows]
+        wanted = self._checked(nodes)
+        distinct, places = np.unique(wanted, return_inverse=True)
+        missing = [node for node in distinct if int(node) not in self._rows]
         if missing:
             rows = np.atleast_2d(dijkstra(self.graph, indices=missing))
             self._rows.update(zip(map(int, missing), rows, strict=True))
-        return np.array([self._rows[int(node)] for node in wanted])
+        answer = np.array([self._rows[int(node)] for node in distinct])
+        for node in distinct:
+            self._rows.move_to_end(int(node))
+        while len(self._rows) * len(self) > NUMBERS_KEPT:
+            self._rows.popitem(last=False)
+        return answer[places]
+
+    def between(self, starts: ArrayLike, ends: ArrayLike) -> FloatArray:
+        """Return the distances from each start node to each end node, metres.
+
+        Args:
+            starts: Node ids, shape (k,).
+            ends: Node ids, shape (m,).
+
+        Returns:
+            Shape (k, m).
+
+        Raises:
+            UndefinedMetricError: A node is not in the grid.
+        """
+        return self.distances_from(starts)[:, self._checked(ends)]
+
+    def along(self, nodes: ArrayLike) -> FloatArray:
+        """Return the distances between consecutive nodes, shape (k - 1,), metres.
+
+        Raises:
+            UndefinedMetricError: A node is not in the grid.
+        """
+        passed = self._checked(nodes)
+        tails, heads = passed[:-1], passed[1:]
+        steps = np.asarray(self.graph[tails, heads], dtype=np.float64)
+        for index in np.flatnonzero((steps == 0) & (tails != heads)):
+            row = dijkstra(self.graph, indices=tails[index])
+            steps[index] = row[heads[index]]
+        return steps
 
     def distance(self, point_a: ArrayLike, point_b: ArrayLike) -> float:
-        """Return the length of the shortest walk between two points, metres."""
-        start, end = self.map_points(np.array([point_a, point_b], dtype=np.float64))
-        return float(self.distances_from([end])[0, start])
+        """Return the length of the shortest walk between two points, metres.
+
+        Exact on the floor's polygon, not rounded to cells: see `ShortestWalks`.
+
+        Raises:
+            UndefinedMetricError: A point is off the floor by more than the tolerance,
+                or no walk joins the two.
+        """
+        return self.walks.distance(point_a, point_b)
+
+    @cached_property
+    def walks(self) -> ShortestWalks:
+        """Exact shortest walks on the same floor."""
+        return ShortestWalks(self.floor, self.tolerance)
 
     @cached_property
     def _tree(self) -> KDTree:
         return KDTree(self.centres)
 
     @cached_property
-    def _eased_floor(self) -> Polygon | MultiPolygon:
-        eased = _eased(self.floor)
-        shapely.prepare(eased)
-        return eased
+    def _beside_edge(self) -> BoolArray:
+        return self.floor.beside_edge(self.centres, HALF_DIAGONAL * self.cell)
 
-    @cached_property
-    def _beside_wall(self) -> NDArray[np.bool_]:
-        return _near_boundary(self.centres, self._eased_floor, self.cell)
-
-    def _sees(self, places: FloatArray, nodes: IntArray) -> NDArray[np.bool_]:
-        lines = shapely.linestrings(np.stack([places, self.centres[nodes]], axis=1))
-        return np.asarray(shapely.covers(self._eased_floor, lines))
-
-    def _check_on_floor(self, places: FloatArray) -> None:
-        bad = np.flatnonzero(~np.isfinite(places).all(axis=1))
-        if len(bad):
+    def _checked(self, nodes: ArrayLike) -> IntArray:
+        ids = np.asarray(nodes)
+        if ids.ndim != 1 or (len(ids) and not np.issubdtype(ids.dtype, np.integer)):
+            raise ValueError(f"expected node ids of shape (k,), got {nodes!r}")
+        wrong = np.flatnonzero((ids < 0) | (ids >= len(self)))
+        if len(wrong):
             raise UndefinedMetricError(
-                f"point {bad[0]} is not finite: {places[bad[0]]}"
+                f"expected nodes from 0 to {len(self) - 1}, got {ids[wrong[0]]} at "
+                f"index {wrong[0]}"
             )
-        near = shapely.dwithin(
-            self._eased_floor, shapely.points(places), self.tolerance
-        )
-        if not np.all(near):
-            first = int(np.argmin(near))
-            x, y = places[first]
-            away = self.floor.distance(shapely.Point(x, y))
-            raise UndefinedMetricError(
-                f"point {first} at ({x:.3f}, {y:.3f}) is {away:.2f} m off the floor; "
-                f"at most {self.tolerance:.2f} m are allowed"
-            )
-
-
-def _eased(floor: Polygon | MultiPolygon) -> Polygon | MultiPolygon:
-    return shapely.buffer(floor, HAIRLINE, join_style="mitre")
-
-
-def _near_boundary(
-    centres: FloatArray, floor: Polygon | MultiPolygon, cell: float
-) -> NDArray[np.bool_]:
-    """Tell which cells a step over the floor's boundary can begin or end in."""
-    boundary = floor.boundary
-    shapely.prepare(boundary)
-    spots = shapely.points(centres)
-    return np.asarray(shapely.dwithin(boundary, spots, HALF_DIAGONAL * cell))
+        return ids.astype(np.intp)
 
 
 def _steps(
-    number: IntArray,
-    centres: FloatArray,
-    floor: Polygon | MultiPolygon,
-    cell: float,
+    number: IntArray, centres: FloatArray, floor: Floor, cell: float
 ) -> csr_array:
     """Join neighbouring cells; `number` is the node of each cell or -1."""
-    beside_wall = _near_boundary(centres, floor, cell)
+    beside_edge = floor.beside_edge(centres, HALF_DIAGONAL * cell)
 
-    def joined(tails: IntArray, heads: IntArray) -> NDArray[np.bool_]:
+    def joined(tails: IntArray, heads: IntArray) -> BoolArray:
         is_open = (tails >= 0) & (heads >= 0)
-        doubtful = is_open & (beside_wall[tails] | beside_wall[heads])
-        ends = np.stack([centres[tails[doubtful]], centres[heads[doubtful]]], axis=1)
-        is_open[doubtful] = shapely.covers(floor, shapely.linestrings(ends))
+        doubtful = is_open & (beside_edge[tails] | beside_edge[heads])
+        is_open[doubtful] = floor.joins(
+            centres[tails[doubtful]], centres[heads[doubtful]]
+        )
         return is_open
 
     east = joined(number[:-1], number[1:])
@@ -249,7 +267,7 @@ def _steps(
     corners = (number[:-1, :-1], number[1:, 1:], number[1:, :-1], number[:-1, 1:])
     rising = square & joined(corners[0], corners[1])
     falling = square & joined(corners[2], corners[3])
-    kinds: Sequence[tuple[IntArray, IntArray, NDArray[np.bool_], float]] = (
+    kinds: Sequence[tuple[IntArray, IntArray, BoolArray, float]] = (
         (number[:-1], number[1:], east, cell),
         (number[:, :-1], number[:, 1:], north, cell),
         (corners[0], corners[1], rising, cell * np.sqrt(2)),
