@@ -177,7 +177,7 @@ class Robot(Protocol):
         """
         ...
 
-    def detect_from_RGB_image(self, object: str) -> list[Detection]:  # noqa: N802, A002
+    def detect_from_RGB_image(self, object: str) -> list[Detection]:
         """Look for an object in the camera's picture; the nearest one first.
 
         Any English words can be asked for: "door", "red chair", "vending machine",

@@ -1,0 +1,106 @@
+"""What language models and the type checker are told is what a robot can do."""
+
+import ast
+import dataclasses
+import inspect
+
+import pytest
+
+from memorymaze.robot import api
+from memorymaze.robot.specification import API_NAMES, api_specification, api_stub
+
+RECORDS = (api.MoveResult, api.TurnResult, api.Detection)
+
+
+def functions_in(text: str) -> dict[str, ast.FunctionDef]:
+    return {
+        item.name: item
+        for item in ast.parse(text).body
+        if isinstance(item, ast.FunctionDef)
+    }
+
+
+def classes_in(text: str) -> dict[str, ast.ClassDef]:
+    return {
+        item.name: item
+        for item in ast.parse(text).body
+        if isinstance(item, ast.ClassDef)
+    }
+
+
+def test_names_are_the_protocols_methods_and_hold_the_papers_four():
+    members = inspect.getmembers(api.Robot, inspect.isfunction)
+
+    assert set(API_NAMES) == {name for name, _ in members if name[0] != "_"}
+    assert {
+        "move_forward",
+        "detect_turning_point",
+        "turn",
+        "detect_from_RGB_image",
+    } <= set(API_NAMES)
+
+
+@pytest.mark.parametrize(
+    "text", [api_specification(), api_stub()], ids=["spec", "stub"]
+)
+def test_each_function_has_the_protocols_parameters_and_result(text: str):
+    functions = functions_in(text)
+
+    assert tuple(functions) == API_NAMES
+    for name, function in functions.items():
+        signature = inspect.signature(getattr(api.Robot, name))
+        told = {
+            argument.arg: ast.unparse(argument.annotation)
+            for argument in function.args.args
+        }
+        meant = {
+            parameter.name: inspect.formatannotation(parameter.annotation)
+            for parameter in list(signature.parameters.values())[1:]
+        }
+        assert told == meant
+        assert len(function.args.defaults) == sum(
+            parameter.default is not parameter.empty
+            for parameter in signature.parameters.values()
+        )
+
+
+@pytest.mark.parametrize(
+    "text", [api_specification(), api_stub()], ids=["spec", "stub"]
+)
+def test_each_record_has_the_fields_a_result_has(text: str):
+    classes = classes_in(text)
+
+    assert set(classes) == {record.__name__ for record in RECORDS}
+    for record in RECORDS:
+        told = [
+            statement.target.id
+            for statement in classes[record.__name__].body
+            if isinstance(statement, ast.AnnAssign)
+        ]
+        assert told == [field.name for field in dataclasses.fields(record)]
+
+
+def test_specification_quotes_every_docstring_whole():
+    text = api_specification()
+
+    for name, function in functions_in(text).items():
+        meant = inspect.getdoc(getattr(api.Robot, name))
+        assert ast.get_docstring(function) == meant
+    for line in (inspect.getdoc(api.Robot) or "").splitlines():
+        assert f"# {line}".rstrip() in text
+
+
+def test_specification_describes_every_field_of_every_record():
+    text = api_specification()
+
+    for record in RECORDS:
+        for field in dataclasses.fields(record):
+            line = next(
+                line for line in text.splitlines() if f"    {field.name}: " in line
+            )
+            assert "  # " in line
+
+
+def test_specification_never_mentions_self_or_the_simulator():
+    for word in ("self", "simulat", "MuJoCo", "Protocol", "memorymaze"):
+        assert word not in api_specification()
