@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable, Sequence
+from itertools import pairwise
 from typing import TypeVar
 
 from shapely import LineString, Point, Polygon
@@ -10,7 +11,7 @@ from shapely.validation import explain_validity
 from memorymaze.geometry.pose import wrap_angle
 from memorymaze.sites import plan_models as models
 from memorymaze.sites import records
-from memorymaze.sites.problems import SiteProblem
+from memorymaze.sites.problems import Finding
 from memorymaze.sites.reading import PlanContent
 
 __all__ = ["site_from_content"]
@@ -35,7 +36,7 @@ class _ShapeError(Exception):
 
 def site_from_content(
     content: PlanContent, source: str
-) -> tuple[records.Site | None, frozenset[str], list[SiteProblem]]:
+) -> tuple[records.Site | None, dict[str, str], list[Finding]]:
     """Make a Site of all features whose shapes are sound.
 
     Args:
@@ -43,23 +44,21 @@ def site_from_content(
         source: Path of the plan.
 
     Returns:
-        The site, or None when the plan has no usable header; the ids of the features
-        that are in the file but not in the site; and the problems of shapes.
+        The site, or None when the plan has no usable header; the kinds of the
+        features that are in the file but not in the site, by id; and what is wrong with shapes.
     """
     header = content.header
-    broken = set(content.broken)
-    problems: list[SiteProblem] = []
+    broken = dict(content.broken)
+    findings: list[Finding] = []
     made: list[object] = []
     for feature in content.features:
         try:
             made.append(_CONVERSIONS[type(feature)](feature))
         except _ShapeError as error:
-            broken.add(feature.id)
-            problems.append(
-                SiteProblem(source, feature.id, error.rule, "error", str(error))
-            )
+            broken[feature.id] = _KINDS[type(feature)]
+            findings.append(Finding(feature.id, error.rule, str(error)))
     if header is None:
-        return None, frozenset(broken), problems
+        return None, broken, findings
 
     def all_of(kind: type[Record]) -> tuple[Record, ...]:
         return tuple(each for each in made if isinstance(each, kind))
@@ -84,7 +83,7 @@ def site_from_content(
         routes=all_of(records.Route),
         source=source,
     )
-    return site, frozenset(broken), problems
+    return site, broken, findings
 
 
 def _radians(degrees: float) -> float:
@@ -120,14 +119,15 @@ def _polygon(rings: Sequence[Sequence[Sequence[float]]]) -> Polygon:
     if polygon.area < SMALLEST_AREA:
         raise _ShapeError(
             "polygon-valid",
-            f"expected an area of at least {SMALLEST_AREA} m², got {polygon.area:.2g} m²",
+            f"expected an area of at least {SMALLEST_AREA} m², got {polygon.area:.2g} m²; "
+            "coordinates are metres, not degrees of longitude and latitude",
         )
     return polygon
 
 
 def _line(positions: Sequence[Sequence[float]]) -> LineString:
     points = _points(positions)
-    for first, second in zip(points, points[1:], strict=False):
+    for first, second in pairwise(points):
         if math.dist(first, second) < SHORTEST_LINE:
             raise _ShapeError(
                 "line-steps",
@@ -256,3 +256,5 @@ _CONVERSIONS: dict[type[models.FeatureModel], Callable[..., object]] = {
     models.LandmarkFeature: _landmark,
     models.RouteFeature: _route,
 }
+
+_KINDS = {model: kind for kind, model in models.FEATURE_MODELS.items()}

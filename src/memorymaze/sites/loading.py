@@ -4,10 +4,9 @@ from pathlib import Path
 
 from memorymaze.errors import SitePlanError
 from memorymaze.sites.conversion import site_from_content
-from memorymaze.sites.problems import SiteProblem
 from memorymaze.sites.reading import read_plan
 from memorymaze.sites.records import Site
-from memorymaze.sites.soundness import soundness_problems
+from memorymaze.sites.soundness import soundness_findings
 
 __all__ = [
     "BUILTIN_SITE_NAMES",
@@ -15,30 +14,11 @@ __all__ = [
     "builtin_site_path",
     "load_site",
     "load_sites",
-    "read_site",
+    "plan_paths",
 ]
 
 BUILTIN_SITE_NAMES: tuple[str, ...] = ("university", "museum_5f", "museum_7f")
 """The three floors of the benchmark."""
-
-
-def read_site(path: Path) -> tuple[Site | None, list[SiteProblem]]:
-    """Read a plan as far as it can be understood; never raises.
-
-    Args:
-        path: A GeoJSON file.
-
-    Returns:
-        The site, without the features that are broken, or None when there is nothing
-        to make it of; and the errors that keep the plan from being loaded. Where there
-        are none, the site is complete.
-    """
-    content = read_plan(path)
-    site, broken, shape_problems = site_from_content(content, str(path))
-    problems = [*content.problems, *shape_problems]
-    if site is not None:
-        problems += soundness_problems(site, broken)
-    return site, problems
 
 
 def load_site(path: str | Path) -> Site:
@@ -51,16 +31,20 @@ def load_site(path: str | Path) -> Site:
         SitePlanError: The plan cannot be used. The message names file, feature and
             rule of the first problem, and how many more there are.
     """
-    site, problems = read_site(Path(path))
-    if problems or site is None:
-        first, *others = problems
+    plan = read_plan(Path(path))
+    site, broken, shape_findings = site_from_content(plan, str(path))
+    findings = [*plan.findings, *shape_findings]
+    if site is not None:
+        findings += soundness_findings(site, broken)
+    if findings or site is None:
+        first, *others = findings
         more = (
             f" ({len(others)} more: see them all with `memorymaze sites check {path}`)"
             if others
             else ""
         )
         raise SitePlanError(
-            f"{first.file}: {first.feature}: {first.rule}: {first.message}{more}"
+            f"{path}: {first.feature}: {first.rule}: {first.message}{more}"
         )
     return site
 

@@ -28,6 +28,8 @@ FARTHEST = 100_000.0
 Coordinate = Annotated[float, Field(ge=-FARTHEST, le=FARTHEST)]
 Position = Annotated[list[Coordinate], Field(min_length=2)]
 Text = Annotated[str, Field(min_length=1)]
+Identity = Annotated[str, Field(pattern=r"^[^\p{C}]+$")]
+"""Any text without control characters, so that a message about it is one line."""
 Degrees = Annotated[float, Field(ge=-360_000, le=360_000)]
 Size = Annotated[float, Field(gt=0, le=1000)]
 
@@ -50,7 +52,7 @@ class PlanHeader(_Model):
     """Members of the plan beside its features."""
 
     type: Literal["FeatureCollection"]
-    name: Text
+    name: Identity
     title: Text
     floor: Text
     ceiling_height_m: Annotated[float, Field(ge=1.0, le=100.0)]
@@ -82,7 +84,7 @@ class FeatureModel(_Model):
     """What every feature has."""
 
     type: Literal["Feature"]
-    id: Text
+    id: Identity
 
 
 class _FloorProperties(_Model):
@@ -110,7 +112,7 @@ class AreaFeature(FeatureModel):
 
 
 class _ExitModel(_Model):
-    to: Text
+    to: Identity
     heading_deg: Degrees
 
 
@@ -173,16 +175,16 @@ class LandmarkFeature(FeatureModel):
 
 
 class _TurnModel(_Model):
-    at: Text
+    at: Identity
     direction: Literal["left", "right", "slight_left", "slight_right"]
 
 
 class _RouteProperties(_Model):
-    route: Text
+    route: Identity
     role: Literal["reference", "alternative"]
     start_heading_deg: Degrees
     goal: Text
-    goal_landmark: Text
+    goal_landmark: Identity
     length_m: Annotated[float, Field(gt=0, le=FARTHEST)]
     turns: list[_TurnModel]
     note: str

@@ -10,14 +10,11 @@ from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
 from memorymaze.sites.plan_models import FEATURE_MODELS, FeatureModel, PlanHeader
-from memorymaze.sites.problems import SiteProblem
+from memorymaze.sites.problems import PLAN, Finding
 
-__all__ = ["PLAN", "PlanContent", "read_plan"]
+__all__ = ["PlanContent", "read_plan"]
 
 Model = TypeVar("Model", bound=BaseModel)
-
-PLAN = "-"
-"""Stands for the plan as a whole where a problem names its feature."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,37 +25,37 @@ class PlanContent:
     """None when it is unusable."""
     features: tuple[FeatureModel, ...]
     """Those whose members are all there and of the right types."""
-    broken: frozenset[str]
-    """Ids of features that are in the file but not among `features`."""
-    problems: tuple[SiteProblem, ...]
+    broken: Mapping[str, str]
+    """Kinds of the features in the file that are not among `features`, by id.
+
+    The kind is empty where it is not known.
+    """
+    findings: tuple[Finding, ...]
 
 
 def read_plan(path: Path) -> PlanContent:
     """Read a plan's file and every feature in it that can be understood.
 
     Never raises: whatever is wrong, from a missing file to a wrong word, is among
-    `problems`.
+    `findings`.
     """
-    file = str(path)
     document = _read_document(path)
-    if isinstance(document, SiteProblem):
-        return PlanContent(None, (), frozenset(), (document,))
-    problems: list[SiteProblem] = []
-    header = _validated(PlanHeader, document, file, PLAN, problems)
+    if isinstance(document, Finding):
+        return PlanContent(None, (), {}, (document,))
+    findings: list[Finding] = []
+    header = _validated(PlanHeader, document, PLAN, findings)
     features: list[FeatureModel] = []
-    broken: set[str] = set()
+    broken: dict[str, str] = {}
     seen: set[str] = set()
-    for index, raw in enumerate(_raw_features(document, file, problems)):
+    for index, raw in enumerate(_raw_features(document, findings)):
         label = _label(raw, index)
-        model = _feature_model(raw, file, label, problems)
-        feature = model and _validated(model, raw, file, label, problems)
+        model = _feature_model(raw, label, findings)
+        feature = model and _validated(model, raw, label, findings)
         if label in seen:
-            problems.append(
-                SiteProblem(
-                    file,
+            findings.append(
+                Finding(
                     label,
                     "unique-id",
-                    "error",
                     f"expected an id of its own for every feature, got {label!r} "
                     "twice; rename one",
                 )
@@ -66,47 +63,47 @@ def read_plan(path: Path) -> PlanContent:
         elif feature:
             features.append(feature)
         else:
-            broken.add(label)
+            broken[label] = _kind(raw) or ""
         seen.add(label)
-    return PlanContent(header, tuple(features), frozenset(broken), tuple(problems))
+    return PlanContent(header, tuple(features), broken, tuple(findings))
 
 
-def _read_document(path: Path) -> Mapping[str, object] | SiteProblem:
-    def problem(rule: str, message: str) -> SiteProblem:
-        return SiteProblem(str(path), PLAN, rule, "error", message)
+def _read_document(path: Path) -> Mapping[str, object] | Finding:
+    def finding(rule: str, message: str) -> Finding:
+        return Finding(PLAN, rule, message)
 
     try:
         if path.is_dir():
-            return problem("readable", "expected a GeoJSON file, got a directory")
+            return finding("readable", "expected a GeoJSON file, got a directory")
         if path.exists() and not path.is_file():
-            return problem("readable", "expected a GeoJSON file, got a device or pipe")
+            return finding("readable", "expected a GeoJSON file, got a device or pipe")
         text = path.read_bytes().decode("utf-8-sig")
     except FileNotFoundError:
-        return problem("readable", "expected a GeoJSON file, got none: no such file")
+        return finding("readable", "expected a GeoJSON file, got none: no such file")
     except UnicodeDecodeError as error:
-        return problem(
+        return finding(
             "readable",
             "expected text in UTF-8, got other bytes at position "
             f"{error.start}; save the plan as GeoJSON in UTF-8",
         )
     except (OSError, ValueError) as error:
-        return problem("readable", f"expected a readable file, got: {error}")
+        return finding("readable", f"expected a readable file, got: {error}")
     if not text.strip():
-        return problem("json", "expected a GeoJSON document, got an empty file")
+        return finding("json", "expected a GeoJSON document, got an empty file")
     try:
         document: object = json.loads(text)
     except json.JSONDecodeError as error:
-        return problem(
+        return finding(
             "json",
             f"expected JSON, got a mistake in line {error.lineno}, column "
             f"{error.colno}: {error.msg}",
         )
     except RecursionError:
-        return problem("json", "expected JSON, got brackets nested too deep to read")
+        return finding("json", "expected JSON, got brackets nested too deep to read")
     except ValueError as error:
-        return problem("json", f"expected JSON, got a number out of bounds: {error}")
+        return finding("json", f"expected JSON, got a number out of bounds: {error}")
     if not isinstance(document, dict):
-        return problem(
+        return finding(
             "json",
             'expected {"type": "FeatureCollection", …} at the top, got '
             f"{shown(document)}",
@@ -115,18 +112,16 @@ def _read_document(path: Path) -> Mapping[str, object] | SiteProblem:
 
 
 def _raw_features(
-    document: Mapping[str, object], file: str, problems: list[SiteProblem]
+    document: Mapping[str, object], findings: list[Finding]
 ) -> Sequence[object]:
     features = document.get("features")
     if isinstance(features, list) and features:
         return cast(Sequence[object], features)
     got = shown(features) if "features" in document else "nothing"
-    problems.append(
-        SiteProblem(
-            file,
+    findings.append(
+        Finding(
             PLAN,
             "members",
-            "error",
             f"features: expected a list of at least one feature, got {got}",
         )
     )
@@ -138,46 +133,50 @@ def _label(raw: object, index: int) -> str:
     identity = cast(dict[str, object], raw).get("id") if isinstance(raw, dict) else None
     if not isinstance(identity, str) or not identity:
         return f"features[{index}]"
-    return identity.encode("utf-8", "backslashreplace").decode()
+    return identity if identity.isprintable() else ascii(identity)
+
+
+def _kind(raw: object) -> str | None:
+    """Return a feature's kind where it is one of those there are."""
+    properties = (
+        cast(dict[str, object], raw).get("properties")
+        if isinstance(raw, dict)
+        else None
+    )
+    if not isinstance(properties, dict):
+        return None
+    kind = cast(dict[str, object], properties).get("kind")
+    return kind if isinstance(kind, str) and kind in FEATURE_MODELS else None
 
 
 def _feature_model(
-    raw: object, file: str, label: str, problems: list[SiteProblem]
+    raw: object, label: str, findings: list[Finding]
 ) -> type[FeatureModel] | None:
     """Return the model of the feature's kind, or note why there is none."""
-
-    def problem(rule: str, message: str) -> None:
-        problems.append(SiteProblem(file, label, rule, "error", message))
-
-    if not isinstance(raw, dict):
-        problem("members", f"expected a feature object, got {shown(raw)}")
-        return None
-    properties = cast(dict[str, object], raw).get("properties")
-    if not isinstance(properties, dict):
-        problem(
-            "members",
-            f'properties: expected an object with "kind", got {shown(properties)}',
-        )
-        return None
-    kind = cast(dict[str, object], properties).get("kind")
-    model = FEATURE_MODELS.get(kind) if isinstance(kind, str) else None
-    if model is None:
-        problem(
-            "known-kind",
-            f"properties.kind: expected one of {', '.join(FEATURE_MODELS)}, got "
-            f"{shown(kind) if 'kind' in properties else 'nothing'}",
-        )
-    return model
+    kind = _kind(raw)
+    if kind is not None:
+        return FEATURE_MODELS[kind]
+    where, wanted, got = "", "a feature object", raw
+    if isinstance(raw, dict):
+        where, wanted = "properties: ", 'an object with "kind"'
+        got = cast(dict[str, object], raw).get("properties")
+        if isinstance(got, dict):
+            where, wanted = "properties.kind: ", f"one of {', '.join(FEATURE_MODELS)}"
+            got = cast(dict[str, object], got).get("kind")
+    findings.append(
+        Finding(label, "known-kind", f"{where}expected {wanted}, got {shown(got)}")
+    )
+    return None
 
 
 def _validated(
-    model: type[Model], raw: object, file: str, label: str, problems: list[SiteProblem]
+    model: type[Model], raw: object, label: str, findings: list[Finding]
 ) -> Model | None:
     try:
         return model.model_validate(raw)
     except ValidationError as error:
-        problems.extend(
-            SiteProblem(file, label, "members", "error", _sentence(detail))
+        findings.extend(
+            Finding(label, "members", _sentence(detail))
             for detail in error.errors(include_url=False)
         )
         return None
@@ -193,7 +192,11 @@ def _sentence(detail: ErrorDetails) -> str:
         return (
             f"{where}: expected this member, got none; add it (null only where allowed)"
         )
-    wanted = detail["msg"]
+    wanted = (
+        "printable characters"
+        if detail["type"] == "string_pattern_mismatch"
+        else detail["msg"]
+    )
     for opening in ("Input should be ", "List should ", "String should "):
         wanted = wanted.removeprefix(opening)
     return f"{where}: expected {wanted}, got {shown(detail['input'])}"
@@ -201,5 +204,8 @@ def _sentence(detail: ErrorDetails) -> str:
 
 def shown(value: object) -> str:
     """Return a value as JSON, cut to a length that fits a message."""
-    text = json.dumps(value, default=repr)
+    try:
+        text = json.dumps(value, default=repr)
+    except RecursionError:
+        return "something nested too deep to show"
     return text if len(text) <= 60 else text[:57] + "…"

@@ -12,7 +12,6 @@ from typing import Literal
 from shapely import LineString, MultiPolygon, Point, Polygon, box, union_all
 from shapely.affinity import affine_transform
 
-from memorymaze.errors import SitePlanError
 from memorymaze.geometry.pose import Pose
 from memorymaze.sites.centre_lines import corridor_centre_line
 from memorymaze.sites.floor import union_of_floor
@@ -250,14 +249,7 @@ class Site:
         Several polygons when obstacles cut pieces off.
         """
         obstacles = [thing.footprint for thing in self.landmarks if thing.obstacle]
-        free = self.walkable_floor.difference(union_all(obstacles))
-        if not isinstance(free, Polygon | MultiPolygon):
-            raise SitePlanError(
-                f"{self.source or self.name}: expected some floor free of obstacles, "
-                "but the obstacles cover it all; shrink or remove landmarks with "
-                '"obstacle": true'
-            )
-        return free
+        return self.walkable_floor.difference(union_all(obstacles))
 
     def route(self, route_id: str) -> Route:
         """Return the route feature with this id, such as `route_r1_reference`.

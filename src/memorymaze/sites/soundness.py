@@ -1,39 +1,47 @@
 """Rules without which a plan cannot be used at all; breaking one refuses loading."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
-from shapely import Point
+from shapely import Point, union_all
 
 from memorymaze.sites.floor import floor_pieces
-from memorymaze.sites.problems import SiteProblem
-from memorymaze.sites.reading import PLAN
+from memorymaze.sites.problems import PLAN, Finding
 from memorymaze.sites.records import Site
 
-__all__ = ["soundness_problems"]
-
-Finding = tuple[str, str, str]
-"""Feature, rule, message."""
+__all__ = ["FLOOR_RULES", "floor_is_complete", "soundness_findings"]
 
 
-def soundness_problems(site: Site, broken: frozenset[str]) -> list[SiteProblem]:
+SMALLEST_FREE_FLOOR = 0.01
+"""Square metres."""
+FLOOR_RULES = frozenset({"floor-connected", "floor-free"})
+"""Rules whose breach leaves no floor to judge anything else by."""
+
+
+def soundness_findings(site: Site, broken: Mapping[str, str]) -> list[Finding]:
     """Return what keeps a site from being used, though each feature is sound.
 
     Args:
         site: Made of the sound features of a plan.
-        broken: Ids of the plan's other features; referring to one of them is no
-            further problem, and with any of them missing the floor is not judged.
+        broken: Kinds of the plan's other features by id. Referring to one of them is
+            no further problem, and where floor is missing it is not judged.
     """
-    findings = [*_references(site, broken), *_routes(site)]
-    if not broken:
+    findings = [*_references(site, broken), *_routes(site, broken)]
+    if floor_is_complete(broken):
         floor = list(_floor(site))
         findings += floor or list(_routes_on_floor(site))
-    return [
-        SiteProblem(site.source, feature, rule, "error", message)
-        for feature, rule, message in findings
-    ]
+    return findings
 
 
-def _references(site: Site, broken: frozenset[str]) -> Iterator[Finding]:
+def floor_is_complete(broken: Mapping[str, str]) -> bool:
+    """Return whether none of a plan's broken features is, or may be, floor.
+
+    Args:
+        broken: Kinds of the broken features by id, empty where not known.
+    """
+    return not {"", "corridor", "area", "turning_point"} & set(broken.values())
+
+
+def _references(site: Site, broken: Mapping[str, str]) -> Iterator[Finding]:
     floor = {each.id for each in (*site.corridors, *site.areas, *site.turning_points)}
     turning_points = {each.id for each in site.turning_points}
     rooms = {each.id for each in site.rooms}
@@ -43,7 +51,7 @@ def _references(site: Site, broken: frozenset[str]) -> Iterator[Finding]:
         owner: str, member: str, wanted: str, target: str, known: set[str]
     ) -> Iterator[Finding]:
         if target not in known and target not in broken:
-            yield (
+            yield Finding(
                 owner,
                 "known-reference",
                 f"{member}: expected the id of a {wanted} in this plan, got {target!r}",
@@ -75,13 +83,13 @@ def _references(site: Site, broken: frozenset[str]) -> Iterator[Finding]:
             )
 
 
-def _routes(site: Site) -> Iterator[Finding]:
+def _routes(site: Site, broken: Mapping[str, str]) -> Iterator[Finding]:
     references: dict[str, str] = {}
     for route in site.routes:
         if route.role != "reference":
             continue
         if route.route in references:
-            yield (
+            yield Finding(
                 route.id,
                 "one-reference",
                 f"expected one reference route called {route.route}, got "
@@ -89,8 +97,8 @@ def _routes(site: Site) -> Iterator[Finding]:
             )
         references[route.route] = route.id
     for route in site.routes:
-        if route.route not in references:
-            yield (
+        if route.route not in references and not {"", "route"} & set(broken.values()):
+            yield Finding(
                 route.id,
                 "one-reference",
                 f"expected a reference route called {route.route} beside this "
@@ -101,7 +109,7 @@ def _routes(site: Site) -> Iterator[Finding]:
 def _floor(site: Site) -> Iterator[Finding]:
     named = (*site.corridors, *site.areas, *site.turning_points)
     if not named:
-        yield PLAN, "floor-connected", "expected corridors or areas, got none"
+        yield Finding(PLAN, "floor-connected", "expected corridors or areas, got none")
         return
     main, *others = floor_pieces([each.polygon for each in named])
     for piece in others:
@@ -112,12 +120,20 @@ def _floor(site: Site) -> Iterator[Finding]:
         ]
         where = piece.representative_point()
         gap = main.distance(piece)
-        yield (
+        yield Finding(
             on_it[0] if on_it else PLAN,
             "floor-connected",
             "expected a floor that hangs together, got a separate piece of "
             f"{piece.area:.2f} m² at ({where.x:.2f}, {where.y:.2f}), {gap:.3f} m from "
             f"the rest ({', '.join(on_it)}); let neighbours overlap or share an edge",
+        )
+    covered = union_all([each.footprint for each in site.landmarks if each.obstacle])
+    if main.difference(covered).area < SMALLEST_FREE_FLOOR:
+        yield Finding(
+            PLAN,
+            "floor-free",
+            "expected some floor free of obstacles, got none; shrink landmarks that "
+            "are obstacles",
         )
 
 
@@ -129,7 +145,7 @@ def _routes_on_floor(site: Site) -> Iterator[Finding]:
             ("goal", route.line.coords[-1]),
         ):
             if not floor.intersects(Point(position)):
-                yield (
+                yield Finding(
                     route.id,
                     "route-on-floor",
                     f"expected the {end} on the walkable floor, got "

@@ -1,0 +1,176 @@
+"""Rules of corridors, turning points and the floor they make."""
+
+import math
+from collections.abc import Iterator
+
+from shapely import LineString, Polygon, union_all
+
+from memorymaze.geometry.pose import turn_between
+from memorymaze.sites.problems import PLAN, Finding
+from memorymaze.sites.records import Area, Corridor, Site, TurningPoint
+
+__all__ = ["exact_floor", "floor_findings"]
+
+CORRIDOR_WIDTHS = (1.8, 8.0)
+"""Metres; the wider half is for the ways between a museum's exhibits."""
+FLOOR_ACROSS = (35.0, 110.0)
+"""Metres along the longer side of the floor's bounding box."""
+TOUCH = 0.01
+"""Metres that may lie between a turning point and what its exit leads to."""
+CONVEX_SLACK = 0.01
+"""Square metres a turning point may lack of its hull."""
+SLIVER_AREA = 0.05
+"""A hole smaller than this many square metres is a seam that does not close."""
+SMALLEST_SLIVER = 1e-4
+"""Holes smaller than this many square metres come from rounding."""
+SAME_WAY = math.radians(20)
+"""Exits closer than this cannot be told apart."""
+ROBOT_RADIUS = 0.25
+"""Metres."""
+SMALLEST_POCKET = 0.5
+"""Square metres for the robot's middle that must be cut off to be worth a word."""
+
+
+def exact_floor(site: Site) -> Polygon:
+    """Return the union of the floor as drawn, with seams of up to 2 micrometres closed.
+
+    `Site.walkable_floor` forgives more, so a gap is seen here first. Where the floor
+    hangs together only with that forgiveness, this is `Site.walkable_floor`.
+    """
+    floor = union_all([
+        each.polygon.buffer(1e-6, join_style="mitre") for each in _floor_parts(site)
+    ])
+    return floor if isinstance(floor, Polygon) else site.walkable_floor
+
+
+def floor_findings(site: Site, floor: Polygon) -> Iterator[Finding]:
+    """Find what is wrong with the floor.
+
+    Args:
+        site: With a floor that hangs together.
+        floor: Its `exact_floor`.
+    """
+    yield from _seams(site, floor)
+    yield from _extent(floor)
+    yield from _narrow_places(site)
+    for corridor in site.corridors:
+        yield from _corridor(corridor)
+    parts = {each.id: each.polygon for each in _floor_parts(site)}
+    for point in site.turning_points:
+        yield from _turning_point(point, parts, floor)
+
+
+def _floor_parts(site: Site) -> tuple[Corridor | Area | TurningPoint, ...]:
+    return (*site.corridors, *site.areas, *site.turning_points)
+
+
+def _seams(site: Site, floor: Polygon) -> Iterator[Finding]:
+    if floor is site.walkable_floor:
+        yield Finding(
+            PLAN,
+            "floor-seams",
+            "expected neighbours that overlap or share an edge exactly, got gaps of up "
+            "to 2 mm between them; move the corners onto each other",
+        )
+    for hole in floor.interiors:
+        area = Polygon(hole).area
+        if SMALLEST_SLIVER < area < SLIVER_AREA:
+            x, y = hole.coords[0][:2]
+            yield Finding(
+                PLAN,
+                "floor-seams",
+                f"expected holes of at least {SLIVER_AREA} m², got one of {area:.4f} m² "
+                f"at ({x:.2f}, {y:.2f}); let the polygons around it overlap",
+            )
+
+
+def _extent(floor: Polygon) -> Iterator[Finding]:
+    west, south, east, north = floor.bounds
+    across = max(east - west, north - south)
+    if not FLOOR_ACROSS[0] <= across <= FLOOR_ACROSS[1]:
+        yield Finding(
+            PLAN,
+            "floor-extent",
+            f"expected a floor {FLOOR_ACROSS[0]:.0f} to {FLOOR_ACROSS[1]:.0f} m "
+            f"across, as in the benchmark, got {across:.1f} m",
+            "warning",
+        )
+
+
+def _narrow_places(site: Site) -> Iterator[Finding]:
+    passable = site.free_floor.buffer(-ROBOT_RADIUS)
+    pieces = [
+        piece
+        for piece in getattr(passable, "geoms", [passable])
+        if piece.area > SMALLEST_POCKET
+    ]
+    for piece in sorted(pieces, key=lambda each: each.area)[:-1]:
+        where = piece.representative_point()
+        yield Finding(
+            PLAN,
+            "floor-passable",
+            "expected a floor that a robot of 0.5 m can drive all over, got a piece of "
+            f"{piece.area:.1f} m² at ({where.x:.2f}, {where.y:.2f}) that walls or "
+            "obstacles cut off",
+            "warning",
+        )
+
+
+def _corridor(corridor: Corridor) -> Iterator[Finding]:
+    ring = corridor.polygon.exterior.coords
+    narrowest = min(math.dist(ring[i][:2], ring[i + 1][:2]) for i in range(4))
+    low, high = CORRIDOR_WIDTHS
+    for width in (narrowest, corridor.width):
+        if not low <= round(width, 3) <= high:
+            yield Finding(
+                corridor.id,
+                "corridor-width",
+                f"expected a width of {low} to {high} m, as in the benchmark, got "
+                f"{width:.2f} m",
+                "warning",
+            )
+            return
+
+
+def _turning_point(
+    point: TurningPoint, parts: dict[str, Polygon], floor: Polygon
+) -> Iterator[Finding]:
+    lacking = point.polygon.convex_hull.area - point.polygon.area
+    if lacking > CONVEX_SLACK or point.polygon.interiors:
+        yield Finding(
+            point.id,
+            "turning-point-convex",
+            f"expected a convex shape, got one that lacks {lacking:.2f} m² of its hull",
+        )
+    middle = point.polygon.centroid
+    reach = 0.75 * math.sqrt(point.polygon.area) + 0.8
+    for index, way in enumerate(point.exits):
+        degrees = math.degrees(way.heading) % 360
+        neighbour = parts.get(way.to, point.polygon)
+        gap = neighbour.distance(point.polygon)
+        if gap > TOUCH:
+            yield Finding(
+                point.id,
+                "exit-touches",
+                f"expected an exit to a neighbour, got {way.to!r}, {gap:.2f} m away",
+            )
+        end = (
+            middle.x + reach * math.cos(way.heading),
+            middle.y + reach * math.sin(way.heading),
+        )
+        if not floor.contains(LineString([(middle.x, middle.y), end])):
+            yield Finding(
+                point.id,
+                "exit-heading",
+                f"expected floor along the exit to {way.to!r}, got a wall within "
+                f"{reach:.1f} m of the middle at heading {degrees:.0f} degrees",
+            )
+        for other in point.exits[:index]:
+            if abs(turn_between(way.heading, other.heading)) < SAME_WAY:
+                yield Finding(
+                    point.id,
+                    "exit-apart",
+                    "expected exits at least 20 degrees apart, got "
+                    f"{way.to!r} and {other.to!r} near {degrees:.0f} degrees",
+                    "warning",
+                )
