@@ -7,7 +7,7 @@ drawing live in the other files of this room.
 import math
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Literal
+from typing import Literal, cast
 
 from shapely import LineString, MultiPolygon, Point, Polygon, box, union_all
 from shapely.affinity import affine_transform
@@ -249,7 +249,8 @@ class Site:
         Several polygons when obstacles cut pieces off.
         """
         obstacles = [thing.footprint for thing in self.landmarks if thing.obstacle]
-        return self.walkable_floor.difference(union_all(obstacles))
+        free = self.walkable_floor.difference(union_all(obstacles))
+        return cast(Polygon | MultiPolygon, free)
 
     def route(self, route_id: str) -> Route:
         """Return the route feature with this id, such as `route_r1_reference`.

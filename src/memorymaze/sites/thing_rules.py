@@ -49,8 +49,9 @@ def thing_findings(site: Site, floor: Polygon) -> Iterator[Finding]:
     band = boundary.buffer(DOOR_OFF_WALL)
     for door in site.doors:
         yield from _door(door, rooms, band)
+    room_for_obstacles = floor.buffer(OBSTACLE_IN_WALL)
     for landmark in site.landmarks:
-        yield from _landmark(landmark, floor)
+        yield from _landmark(landmark, floor, room_for_obstacles)
 
 
 def _door(door: Door, rooms: dict[str, Polygon], band: Polygon) -> Iterator[Finding]:
@@ -81,7 +82,9 @@ def _door(door: Door, rooms: dict[str, Polygon], band: Polygon) -> Iterator[Find
             )
 
 
-def _landmark(thing: Landmark, floor: Polygon) -> Iterator[Finding]:
+def _landmark(
+    thing: Landmark, floor: Polygon, room_for_obstacles: Polygon
+) -> Iterator[Finding]:
     if thing.mount == "floor" and floor.distance(thing.position) > THING_OFF_FLOOR:
         yield Finding(
             thing.id,
@@ -92,20 +95,13 @@ def _landmark(thing: Landmark, floor: Polygon) -> Iterator[Finding]:
     if thing.mount == "wall":
         yield from _wall_mounted(thing, floor)
     if thing.obstacle and thing.mount == "floor":
-        reaches = thing.footprint.difference(floor)
-        depth = max(
-            (
-                floor.distance(Point(corner))
-                for corner in thing.footprint.exterior.coords
-            ),
-            default=0.0,
-        )
-        if depth > OBSTACLE_IN_WALL:
+        if not room_for_obstacles.covers(thing.footprint):
+            inside = thing.footprint.difference(floor).area
             yield Finding(
                 thing.id,
                 "landmark-inside-walls",
-                "expected an obstacle in front of the wall, got one that reaches "
-                f"{depth:.2f} m ({reaches.area:.2f} m²) into it",
+                "expected an obstacle in front of the wall, got one that reaches more "
+                f"than {OBSTACLE_IN_WALL} m into it, with {inside:.2f} m²",
             )
     if thing.obstacle and thing.mount == "ceiling":
         yield Finding(
