@@ -94,15 +94,18 @@ def _landmark(
         )
     if thing.mount == "wall":
         yield from _wall_mounted(thing, floor)
-    if thing.obstacle and thing.mount == "floor":
-        if not room_for_obstacles.covers(thing.footprint):
-            inside = thing.footprint.difference(floor).area
-            yield Finding(
-                thing.id,
-                "landmark-inside-walls",
-                "expected an obstacle in front of the wall, got one that reaches more "
-                f"than {OBSTACLE_IN_WALL} m into it, with {inside:.2f} m²",
-            )
+    if (
+        thing.obstacle
+        and thing.mount == "floor"
+        and not room_for_obstacles.covers(thing.footprint)
+    ):
+        inside = thing.footprint.difference(floor).area
+        yield Finding(
+            thing.id,
+            "landmark-inside-walls",
+            "expected an obstacle in front of the wall, got one that reaches more "
+            f"than {OBSTACLE_IN_WALL} m into it, with {inside:.2f} m²",
+        )
     if thing.obstacle and thing.mount == "ceiling":
         yield Finding(
             thing.id,

@@ -1,0 +1,230 @@
+"""Navigation graphs in the manner of Room-to-Room (R2R), made from site plans.
+
+Anderson et al. 2018, "Vision-and-Language Navigation" (CVPR): viewpoints about 2 m
+apart, joined where one can walk straight from one to the other.
+"""
+
+import hashlib
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.sparse import csr_array
+from scipy.sparse.csgraph import connected_components, dijkstra
+from scipy.spatial import KDTree
+from shapely import MultiPolygon, Polygon, get_coordinates
+
+from memorymaze.errors import SitePlanError
+from memorymaze.geometry.floor import Floor
+from memorymaze.sites.records import Site
+from memorymaze.sites.viewpoint_placing import place_viewpoints
+
+__all__ = ["CAMERA_HEIGHT", "NavigationGraph", "Viewpoint", "navigation_graph"]
+
+FloatArray = NDArray[np.float64]
+
+CAMERA_HEIGHT = 1.25
+"""Metres above the floor."""
+
+
+class Viewpoint(NamedTuple):
+    """A place from which one looks around and goes on."""
+
+    id: str
+    """32 hexadecimal digits, the same in every graph with a viewpoint here."""
+    x: float
+    """Metres."""
+    y: float
+    """Metres."""
+
+
+@dataclass(frozen=True)
+class NavigationGraph:
+    """Viewpoints, and which of them one can walk between in a straight line."""
+
+    site: str
+    """Name of the site."""
+    viewpoints: tuple[Viewpoint, ...]
+    edges: frozenset[tuple[int, int]]
+    """Places in `viewpoints`, the smaller first; every viewpoint reaches every other."""
+
+    @cached_property
+    def neighbours(self) -> Mapping[str, tuple[Viewpoint, ...]]:
+        """Where one can go from each viewpoint, by id."""
+        there: dict[str, list[Viewpoint]] = {each.id: [] for each in self.viewpoints}
+        for first, second in sorted(self.edges):
+            there[self.viewpoints[first].id].append(self.viewpoints[second])
+            there[self.viewpoints[second].id].append(self.viewpoints[first])
+        return {identity: tuple(each) for identity, each in there.items()}
+
+    def nearest(self, x: float, y: float) -> Viewpoint:
+        """Return the viewpoint nearest to a point, in a straight line; metres."""
+        return min(self.viewpoints, key=lambda each: math.dist((x, y), each[1:]))
+
+    def navigable(self) -> dict[str, dict[str, dict[str, float]]]:
+        """Return what NavGPT reads from `navigable/{scan}_navigable.json`.
+
+        Viewpoint id to neighbour id to `heading` (radians clockwise from north, in
+        [0, 2 pi)), `elevation` (0) and `distance` (metres).
+        """
+        return {
+            here.id: {
+                there.id: {
+                    "heading": _clockwise_from_north(here, there),
+                    "elevation": 0.0,
+                    "distance": math.dist(here[1:], there[1:]),
+                }
+                for there in self.neighbours[here.id]
+            }
+            for here in self.viewpoints
+        }
+
+    def connectivity(self) -> list[dict[str, object]]:
+        """Return the graph in the shape of R2R's `{scan}_connectivity.json`.
+
+        One entry per viewpoint: `image_id`, `pose` (4 x 4, row by row; the position is
+        at 3, 7 and 11), `height` (metres), `included`, and `unobstructed` and `visible`
+        (one truth value per viewpoint, the same here).
+        """
+        joined = np.zeros((len(self.viewpoints),) * 2, dtype=bool)
+        for first, second in self.edges:
+            joined[first, second] = joined[second, first] = True
+        return [
+            {
+                "image_id": each.id,
+                "pose": [
+                    *(1.0, 0.0, 0.0, each.x),
+                    *(0.0, 1.0, 0.0, each.y),
+                    *(0.0, 0.0, 1.0, CAMERA_HEIGHT),
+                    *(0.0, 0.0, 0.0, 1.0),
+                ],
+                "height": CAMERA_HEIGHT,
+                "included": True,
+                "unobstructed": row,
+                "visible": row,
+            }
+            for each, row in zip(self.viewpoints, joined.tolist(), strict=True)
+        ]
+
+
+def navigation_graph(
+    site: Site,
+    *,
+    spacing: float = 2.25,
+    longest_edge: float = 5.0,
+    robot_radius: float = 0.25,
+) -> NavigationGraph:
+    """Make the navigation graph of a site.
+
+    Viewpoints stand in every turning point, where centre lines cross, along centre
+    lines, and across areas. Two are joined exactly when the straight line between them
+    is free for the robot and not too long. Where that leaves the graph in parts, more
+    viewpoints are set along shortest walks between them. Floor that the robot cannot
+    reach from the largest piece it can drive in has no viewpoints.
+
+    Args:
+        site: With a floor that hangs together.
+        spacing: Metres between viewpoints along centre lines and across areas, at most.
+        longest_edge: Metres.
+        robot_radius: Metres kept from walls and obstacles.
+
+    Raises:
+        SitePlanError: The robot fits nowhere, or just not between two places.
+    """
+    standing = _standing_floor(site, robot_radius)
+    floor = Floor(standing)
+    places = place_viewpoints(site, standing, spacing)
+    edges = _edges(places, floor, longest_edge)
+    while (parts := _parts(len(places), edges)).any():
+        bridge = _bridge(places, parts, floor, longest_edge)
+        places = np.concatenate([places, bridge])
+        edges = _edges(places, floor, longest_edge)
+    return NavigationGraph(
+        site.name,
+        tuple(Viewpoint(_identity(site.name, x, y), x, y) for x, y in places.tolist()),
+        frozenset((int(first), int(second)) for first, second in edges),
+    )
+
+
+def _standing_floor(site: Site, robot_radius: float) -> Polygon:
+    eroded = site.free_floor.buffer(-robot_radius, join_style="mitre")
+    if eroded.is_empty:
+        raise SitePlanError(
+            f"{site.source or site.name}: expected floor that a robot of "
+            f"{2 * robot_radius:.2f} m fits on, got none"
+        )
+    pieces = eroded.geoms if isinstance(eroded, MultiPolygon) else [eroded]
+    return max((each for each in pieces), key=lambda piece: piece.area)
+
+
+def _identity(site: str, x: float, y: float) -> str:
+    words = f"{site}:{x:.3f}:{y:.3f}".encode()
+    return hashlib.md5(words, usedforsecurity=False).hexdigest()
+
+
+def _edges(places: FloatArray, floor: Floor, longest_edge: float) -> NDArray[np.intp]:
+    """Return the pairs of places that see each other closely enough, shape (E, 2)."""
+    pairs = KDTree(places).query_pairs(longest_edge, output_type="ndarray")
+    free = floor.joins(places[pairs[:, 0]], places[pairs[:, 1]])
+    return np.sort(pairs[free], axis=1)
+
+
+def _parts(count: int, edges: NDArray[np.intp]) -> NDArray[np.intp]:
+    """Return the part of the graph each place is in, shape (N,); 0 for the first."""
+    joined = csr_array(
+        (np.ones(len(edges)), (edges[:, 0], edges[:, 1])), shape=(count, count)
+    )
+    return connected_components(joined, directed=False)[1]
+
+
+def _bridge(
+    places: FloatArray, parts: NDArray[np.intp], floor: Floor, longest_edge: float
+) -> FloatArray:
+    """Return places along the shortest walk from part 0 to the part nearest to it.
+
+    A shortest walk bends at corners of the floor. Far corners are only looked at where
+    the near ones lead nowhere.
+    """
+    spots = np.concatenate([places, get_coordinates(floor.polygon)])
+    others = np.flatnonzero(parts)
+    reach = longest_edge
+    while True:
+        pairs = KDTree(spots).query_pairs(reach, output_type="ndarray")
+        pairs = pairs[floor.joins(spots[pairs[:, 0]], spots[pairs[:, 1]])]
+        steps = np.hypot(*(spots[pairs[:, 0]] - spots[pairs[:, 1]]).T)
+        lengths, before, _ = dijkstra(
+            csr_array((steps + 1e-9, tuple(pairs.T)), shape=(len(spots),) * 2),
+            directed=False,
+            indices=np.flatnonzero(parts == 0),
+            min_only=True,
+            return_predecessors=True,
+        )
+        here = int(others[np.argmin(lengths[others])])
+        if np.isfinite(lengths[here]):
+            break
+        if reach > np.ptp(spots, axis=0).sum():
+            raise SitePlanError(
+                "expected floor on which a robot can drive everywhere, got places that "
+                "hang together only by a point; widen the way near "
+                f"({spots[here][0]:.2f}, {spots[here][1]:.2f})"
+            )
+        reach *= 2
+    walk = [spots[here]]
+    while before[here] >= 0:
+        here = int(before[here])
+        walk.append(spots[here])
+    stops: list[FloatArray] = []
+    for start, end in pairwise(walk):
+        count = math.ceil(float(np.hypot(*(end - start))) / longest_edge)
+        stops += [start + (end - start) * step / count for step in range(1, count + 1)]
+    return np.array(stops[:-1])
+
+
+def _clockwise_from_north(start: Viewpoint, end: Viewpoint) -> float:
+    angle = math.atan2(end.x - start.x, end.y - start.y) % (2 * math.pi)
+    return 0.0 if 2 * math.pi - angle < 1e-6 else angle
