@@ -1,6 +1,7 @@
 """All exceptions a user can meet; each message says what, where and what to do."""
 
 __all__ = [
+    "CommandError",
     "EpisodeOver",
     "InstructionFileError",
     "LanguageModelError",
@@ -27,6 +28,10 @@ class InstructionFileError(MemoryMazeError):
 
 class SettingsError(MemoryMazeError):
     """A setting or argument has no meaning here; names it and what is allowed."""
+
+
+class CommandError(MemoryMazeError, ValueError):
+    """A command to the robot has an argument without meaning; says what is allowed."""
 
 
 class RunFolderError(MemoryMazeError):

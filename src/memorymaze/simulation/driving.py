@@ -1,0 +1,232 @@
+"""Motion in simulated time: along lanes, on the spot, to a point; and what it leaves.
+
+Everything that moves the robot goes through `Driver.tick`, which also samples the
+trajectory, counts collisions and takes note of turning points.
+"""
+
+import math
+from typing import Literal
+
+import numpy as np
+
+from memorymaze.geometry.pose import Pose, turn_between
+from memorymaze.geometry.trajectory import TimedPose, Trajectory
+from memorymaze.simulation.path_following import LaneFollower
+from memorymaze.simulation.scene import Scene
+from memorymaze.simulation.settings import TIMESTEP, SimulationSettings
+from memorymaze.simulation.trace import Collision
+from memorymaze.simulation.turning_points import TurningPointVisits
+from memorymaze.simulation.wheeled_base import WheeledBase
+
+__all__ = ["Driver", "TimeIsUp"]
+
+ARRIVED = 0.015
+"""Metres before a lane's end at which the robot brakes for good."""
+BRAKING_SHARE = 0.75
+"""Share of the greatest acceleration that planned braking uses."""
+HEADING_TOLERANCE = 0.002
+"""Radians."""
+BLOCKED_TICKS = 16
+"""Decisions in a row without motion after which the robot gives up."""
+SAME_TOUCH = 1.0
+"""Seconds within which touching the same thing again is the same collision."""
+
+DriveEnd = Literal["distance", "end", "blocked"]
+
+
+class TimeIsUp(Exception):
+    """The episode's time budget ran out during a motion."""
+
+
+class Driver:
+    """Drives one robot through one episode."""
+
+    def __init__(
+        self,
+        scene: Scene,
+        start: Pose,
+        settings: SimulationSettings,
+        rng: np.random.Generator,
+    ) -> None:
+        """Put the robot at rest on its start pose."""
+        self.base = WheeledBase(scene.model, start, settings, rng)
+        self.pose = self.base.pose
+        """Where the robot is now."""
+        self.visits = TurningPointVisits(scene.site)
+        self.collisions: list[Collision] = []
+        self.distance = 0.0
+        """Metres driven, backwards as well."""
+        self._scene = scene
+        self._settings = settings
+        self._period = settings.control_period
+        self._steps = round(settings.control_period / TIMESTEP)
+        self._samples = [TimedPose(0.0, *start)]
+        self._sample_due = settings.sampling_period
+        self._touches: dict[int, float] = {}
+        self.visits.update(start.x, start.y, start.heading)
+
+    @property
+    def time(self) -> float:
+        """Simulated seconds since the start."""
+        return self.base.time
+
+    def sample(self) -> None:
+        """Add the present pose to the trajectory."""
+        if self._samples[-1].time < self.time:
+            self._samples.append(TimedPose(self.time, *self.pose))
+        self._sample_due = self.time + self._settings.sampling_period
+
+    def trajectory(self) -> Trajectory:
+        """Return the poses so far."""
+        return Trajectory(self._samples)
+
+    def tick(
+        self,
+        speed: float,
+        turn_rate: float,
+        travel: float | None,
+        steps: int | None = None,
+    ) -> float:
+        """Let one control period pass.
+
+        Args:
+            speed: Wanted, metres per second.
+            turn_rate: Wanted, radians per second.
+            travel: The way the robot is going, radians; None while it only turns.
+            steps: Physics steps, when fewer than a period's.
+
+        Returns:
+            Metres moved.
+
+        Raises:
+            TimeIsUp: The time budget is used up.
+        """
+        base = self.base
+        if base.time >= self._settings.time_budget:
+            raise TimeIsUp
+        limit = self._settings.max_turn_rate
+        base.drive(speed, max(-limit, min(limit, turn_rate)), steps or self._steps)
+        before, self.pose = self.pose, base.pose
+        moved = math.hypot(self.pose.x - before.x, self.pose.y - before.y)
+        self.distance += moved
+        if travel is not None:
+            self.visits.update(self.pose.x, self.pose.y, travel)
+        touched = base.touched_geoms()
+        if touched:
+            self._note_touches(touched)
+        if base.time >= self._sample_due - 1e-9:
+            self.sample()
+        return moved
+
+    def follow(
+        self, follower: LaneFollower, distance: float, end_speed: float
+    ) -> DriveEnd:
+        """Drive along a lane.
+
+        Args:
+            follower: On the lane to drive.
+            distance: Metres to drive at most.
+            end_speed: Greatest speed after that distance, metres per second.
+
+        Returns:
+            Why it ended: the distance is driven, the lane is at its end, or the robot
+            pushed against something and did not move.
+        """
+        braking = BRAKING_SHARE * self._settings.max_acceleration
+        driven, idle = 0.0, 0
+        while True:
+            follower.update(self.pose)
+            if follower.remaining <= ARRIVED:
+                self.come_to_rest(follower)
+                return "end"
+            left = distance - driven
+            if left <= 1e-4:
+                return "distance"
+            speed = min(
+                follower.speed_limit,
+                math.sqrt(2 * braking * follower.remaining),
+                math.sqrt(end_speed * end_speed + 2 * braking * left),
+            )
+            if abs(follower.off_course) > 0.6:
+                speed = min(speed, 0.3)
+            steps = self._steps
+            if self.base.speed > 0 and left < 1:
+                steps = min(steps, max(1, round(left / (self.base.speed * TIMESTEP))))
+            moved = self.tick(
+                speed,
+                follower.turn_rate(self.base.speed),
+                follower.station.course,
+                steps,
+            )
+            driven += moved
+            idle = idle + 1 if moved < 0.1 * self.base.speed * steps * TIMESTEP else 0
+            if idle >= BLOCKED_TICKS:
+                self.come_to_rest()
+                return "blocked"
+
+    def come_to_rest(self, follower: LaneFollower | None = None) -> None:
+        """Brake until the robot stands, steering along a lane if there is one."""
+        base = self.base
+        travel = None if follower is None else follower.station.course
+        while abs(base.speed) > 1e-6 or abs(base.turn_rate) > 1e-6:
+            turn_rate = 0.0
+            if follower is not None:
+                follower.update(self.pose)
+                turn_rate = follower.turn_rate(base.speed)
+            self.tick(0.0, turn_rate, travel)
+        while abs(self._measured_speed()) > 0.002:
+            self.tick(0.0, 0.0, travel)
+
+    def spin_to(self, heading: float) -> None:
+        """Turn on the spot until the robot faces a heading, radians."""
+        braking = BRAKING_SHARE * self._settings.max_turn_acceleration
+        while True:
+            error = turn_between(self.pose.heading, heading)
+            if abs(error) < HEADING_TOLERANCE and abs(self.base.turn_rate) < 0.1:
+                break
+            rate = min(math.sqrt(2 * braking * abs(error)), 6.0 * abs(error))
+            self.tick(0.0, math.copysign(rate, error), None)
+        self.come_to_rest()
+
+    def drive_to(self, x: float, y: float) -> None:
+        """Drive straight to a point, backing up to it when it is close behind."""
+        distance = math.hypot(x - self.pose.x, y - self.pose.y)
+        if distance < 0.05:
+            return
+        bearing = math.atan2(y - self.pose.y, x - self.pose.x)
+        backwards = (
+            abs(turn_between(self.pose.heading, bearing)) > math.pi / 2
+            and distance < 1.5
+        )
+        facing = bearing + math.pi if backwards else bearing
+        self.spin_to(facing)
+        sign = -1.0 if backwards else 1.0
+        braking = BRAKING_SHARE * self._settings.max_acceleration
+        ux, uy = math.cos(bearing), math.sin(bearing)
+        idle = 0
+        while idle < BLOCKED_TICKS:
+            left = (x - self.pose.x) * ux + (y - self.pose.y) * uy
+            if left <= ARRIVED:
+                break
+            aside = (y - self.pose.y) * ux - (x - self.pose.x) * uy
+            error = turn_between(self.pose.heading, facing)
+            speed = min(self._settings.max_speed, math.sqrt(2 * braking * left))
+            turn_rate = 2.0 * error + 2.0 * speed * sign * aside
+            moved = self.tick(sign * speed, turn_rate, bearing)
+            idle = idle + 1 if moved < 0.1 * abs(self.base.speed) * self._period else 0
+        self.come_to_rest()
+
+    def _measured_speed(self) -> float:
+        vx, vy = self.base.data.qvel[:2].tolist()
+        return math.hypot(vx, vy)
+
+    def _note_touches(self, geoms: list[int]) -> None:
+        for geom in sorted(set(geoms)):
+            last = self._touches.get(geom)
+            if last is None or self.time - last > SAME_TOUCH:
+                thing = self._scene.objects[geom]
+                name = None if thing.record is None else thing.record.id
+                self.collisions.append(
+                    Collision(self.time, self.pose, thing.kind, name)
+                )
+            self._touches[geom] = self.time

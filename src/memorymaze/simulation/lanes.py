@@ -1,0 +1,196 @@
+"""The line a robot really drives: along a straight way, and round what stands on it."""
+
+import math
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Literal, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from memorymaze.geometry import polyline
+from memorymaze.geometry.pose import Pose, turn_between
+from memorymaze.simulation.clearance import Clearance
+from memorymaze.simulation.detours import SPACING, make_detours
+from memorymaze.simulation.straight_ways import StraightWay
+from memorymaze.simulation.wheeled_base import ROBOT_RADIUS
+
+__all__ = [
+    "END_GAP",
+    "MIN_CLEARANCE",
+    "Lane",
+    "LaneEnd",
+    "Station",
+    "lane_along",
+    "plan_lane",
+]
+
+LaneEnd = Literal["wall", "obstacle", "done"]
+"""What is behind the last station of a lane."""
+
+END_GAP = 0.7
+"""Metres from the robot's centre to the wall at which it halts."""
+MIN_CLEARANCE = ROBOT_RADIUS + 0.07
+"""Least distance in metres from a lane to walls and obstacles."""
+OBSTACLE_GAP = 0.25
+"""Metres left between the robot's shell and an obstacle it cannot pass, at least."""
+END_OBSTACLE_DEPTH = 1.2
+"""An obstacle whose front is this near to the end wall is part of it, metres."""
+SIDEWAYS_ACCELERATION = 0.8
+"""Greatest acceleration in bends, metres per second squared."""
+
+FloatArray = NDArray[np.float64]
+
+
+class Station(NamedTuple):
+    """A place on a lane."""
+
+    x: float
+    y: float
+    heading: float
+    """Of the lane towards the next station, radians."""
+    curvature: float
+    """1 / metres, left positive."""
+    s: float
+    """Metres from the lane's start."""
+    speed: float
+    """Greatest speed at which its curvature can be driven, metres per second."""
+    course: float
+    """Heading of the straight way beside it, radians."""
+    way_x: float
+    way_y: float
+    """Point of the straight way beside it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Lane:
+    """A line to drive along, from where the robot is."""
+
+    stations: tuple[Station, ...]
+    """At least one."""
+    end: LaneEnd
+    """What is behind its last station."""
+
+    @property
+    def length(self) -> float:
+        """Metres."""
+        return self.stations[-1].s
+
+
+def plan_lane(
+    way: StraightWay, pose: Pose, clearance: Clearance, max_speed: float
+) -> Lane:
+    """Plan the drive along a straight way: onto it, round obstacles, up to its end.
+
+    Where an obstacle cannot be passed within 2 m to either side of the way, the lane
+    ends before it.
+
+    Args:
+        way: From `StraightWays.way` for this pose.
+        pose: Where the robot is.
+        clearance: Distances on this floor.
+        max_speed: Metres per second.
+    """
+    length = polyline.length(way.points)
+    if length <= END_GAP + 0.01:
+        here = np.array([pose[:2]])
+        return _lane(here, here, np.array([way.courses[0]]), max_speed, "wall")
+    base, courses = _stations_of(way, length - END_GAP)
+    normals = _normals(base)
+    start_offset = float((np.array(pose[:2]) - base[0]) @ normals[0])
+    offsets = _joining_profile(len(base), start_offset)
+    end: LaneEnd = "wall"
+    usable = len(base)
+    room = clearance.to_anything(base + offsets[:, None] * normals)
+    needed = np.full(usable, MIN_CLEARANCE)
+    # Whoever starts in a tight place may leave it as tightly.
+    needed[:8] = min(MIN_CLEARANCE, max(float(room[0]), ROBOT_RADIUS) - 0.01)
+    if (room < needed).any():
+        offsets, usable = make_detours(base, normals, offsets, needed, clearance)
+        if usable < len(base):
+            beyond = base[usable : usable + round(1.0 / SPACING)]
+            to_wall = (len(base) - usable) * SPACING + END_GAP
+            walls_alone = clearance.to_walls(beyond)
+            if to_wall > END_OBSTACLE_DEPTH and (walls_alone >= MIN_CLEARANCE).all():
+                end = "obstacle"
+            usable = max(1, usable - round(OBSTACLE_GAP / SPACING))
+    driven = base + offsets[:, None] * normals
+    return _lane(driven[:usable], base[:usable], courses[:usable], max_speed, end)
+
+
+def lane_along(points: FloatArray, max_speed: float) -> Lane:
+    """Return the lane along a given line, its corners rounded by some centimetres.
+
+    Args:
+        points: Vertices, metres, shape (N, 2), N >= 2.
+        max_speed: Metres per second.
+    """
+    base = _rounded(polyline.resample(points, SPACING), 2)
+    return _lane(base, base, _headings(base), max_speed, "done")
+
+
+def _stations_of(way: StraightWay, length: float) -> tuple[FloatArray, FloatArray]:
+    """Return points at even steps along the way's beginning, and its courses there."""
+    along = polyline.arc_lengths(way.points)
+    at = np.linspace(0.0, length, max(2, math.ceil(length / SPACING) + 1))
+    points = np.asarray(way.points)
+    base = np.column_stack([np.interp(at, along, points[:, k]) for k in (0, 1)])
+    piece = np.clip(np.searchsorted(along, at, side="right") - 1, 0, len(points) - 2)
+    if len(way.courses) > 1:
+        base = _rounded(base, 8)
+    return base, np.asarray(way.courses)[piece]
+
+
+def _rounded(points: FloatArray, passes: int) -> FloatArray:
+    rounded = points.copy()
+    for _ in range(passes):
+        rounded[1:-1] = (rounded[:-2] + 2 * rounded[1:-1] + rounded[2:]) / 4
+    return rounded
+
+
+def _normals(points: FloatArray) -> FloatArray:
+    """Return unit vectors to the left of the line at its points."""
+    tangents = np.gradient(points, axis=0)
+    tangents /= np.hypot(tangents[:, 0], tangents[:, 1])[:, None]
+    return np.column_stack([-tangents[:, 1], tangents[:, 0]])
+
+
+def _joining_profile(count: int, offset: float) -> FloatArray:
+    """Return offsets that lead smoothly from the robot's place onto the way."""
+    distance = max(1.0, 4 * abs(offset))
+    part = np.minimum(np.arange(count) * SPACING / distance, 1.0)
+    return offset * (1 - part * part * (3 - 2 * part))
+
+
+def _headings(points: FloatArray) -> FloatArray:
+    """Return the heading from each point to the next; the last repeats."""
+    steps = np.diff(points, axis=0)
+    headings = np.arctan2(steps[:, 1], steps[:, 0])
+    return np.append(headings, headings[-1])
+
+
+def _lane(
+    driven: FloatArray,
+    base: FloatArray,
+    courses: FloatArray,
+    max_speed: float,
+    end: LaneEnd,
+) -> Lane:
+    if len(driven) == 1:
+        (x, y), (way_x, way_y) = driven[0].tolist(), base[0].tolist()
+        course = float(courses[0])
+        return Lane(
+            (Station(x, y, course, 0.0, 0.0, max_speed, course, way_x, way_y),), end
+        )
+    headings = _headings(driven)
+    s = polyline.arc_lengths(driven)
+    bends = np.array([turn_between(a, b) for a, b in pairwise(headings.tolist())])
+    curvature = np.append(bends / np.diff(s), 0.0)
+    tightness = np.maximum(np.abs(curvature), np.abs(np.roll(curvature, 1)))
+    speed = np.sqrt(SIDEWAYS_ACCELERATION / np.maximum(tightness, 1e-6))
+    columns = (
+        *(driven[:, 0], driven[:, 1], headings, curvature, s),
+        *(np.minimum(speed, max_speed), courses, base[:, 0], base[:, 1]),
+    )
+    rows = zip(*(column.tolist() for column in columns), strict=True)
+    return Lane(tuple(Station(*row) for row in rows), end)

@@ -1,0 +1,175 @@
+"""A physics model of a building, made from its site plan; nothing moves in here.
+
+Geom groups: 0 floor and ceiling, 1 walls, 2 doors, 3 landmarks, 5 the robot. Only
+walls and obstacles touch the robot; everything is seen by rays. No OpenGL is needed.
+"""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal
+
+import mujoco
+from shapely import Polygon
+from shapely.geometry.polygon import orient
+
+from memorymaze.simulation.clearance import Clearance
+from memorymaze.simulation.furnishing import Solid, door_solid, landmark_solid
+from memorymaze.simulation.straight_ways import StraightWays
+from memorymaze.simulation.walls import walls_around
+from memorymaze.simulation.wheeled_base import (
+    FLOOR_CONTACT,
+    ROBOT_GROUP,
+    SOLID_CONTACT,
+    add_wheeled_base,
+)
+from memorymaze.sites.records import Door, Landmark, Site
+
+__all__ = ["BALUSTRADE_HEIGHT", "Scene", "SceneObject", "build_scene"]
+
+FLOOR_GROUP, WALL_GROUP, DOOR_GROUP, LANDMARK_GROUP = 0, 1, 2, 3
+
+BALUSTRADE_HEIGHT = 1.1
+"""Height in metres of the wall round a hole over which something hangs."""
+
+
+@dataclass(frozen=True, slots=True)
+class SceneObject:
+    """What a geom of the model stands for."""
+
+    kind: Literal["floor", "ceiling", "wall", "door", "landmark", "robot"]
+    record: Door | Landmark | None
+    """Its record in the site plan; None for kinds that have none."""
+
+
+@dataclass(frozen=True, eq=False)
+class Scene:
+    """A building as a compiled model, shared by any number of episodes."""
+
+    site: Site
+    model: mujoco.MjModel
+    """Compiled; never changed after."""
+    objects: tuple[SceneObject, ...]
+    """What each geom is, by geom id."""
+
+    @cached_property
+    def geom_ids(self) -> Mapping[str, int]:
+        """Geom id of each door and landmark by its id in the plan."""
+        return {
+            each.record.id: number
+            for number, each in enumerate(self.objects)
+            if each.record is not None
+        }
+
+    @cached_property
+    def clearance(self) -> Clearance:
+        """Distances to walls and obstacles."""
+        obstacles = [thing.footprint for thing in self.site.landmarks if thing.obstacle]
+        return Clearance(self.site.walkable_floor, obstacles)
+
+    @cached_property
+    def straight_ways(self) -> StraightWays:
+        """Where a robot gets to that always drives straight on."""
+        return StraightWays(self.site, self.clearance)
+
+
+def build_scene(site: Site) -> Scene:
+    """Build the physics model of a site, with one robot in it.
+
+    Walls stand on the boundary of the walkable floor, up to the ceiling; round a hole
+    over which something hangs from the ceiling (a globe in an atrium) only a
+    balustrade stands. How high things hang is told in `furnishing`.
+
+    Args:
+        site: A building that passed the checks of `memorymaze.sites`.
+    """
+    spec = mujoco.MjSpec()
+    spec.modelname = site.name
+    spec.option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
+    spec.visual.map.znear = 0.02
+    spec.visual.map.zfar = 200.0
+    spec.stat.extent = 1.0
+    world = spec.worldbody
+    objects: list[SceneObject] = []
+
+    world.add_geom(
+        type=mujoco.mjtGeom.mjGEOM_PLANE,
+        size=[0, 0, 1],
+        group=FLOOR_GROUP,
+        contype=FLOOR_CONTACT,
+        conaffinity=0,
+    )
+    objects.append(SceneObject("floor", None))
+    world.add_geom(
+        type=mujoco.mjtGeom.mjGEOM_PLANE,
+        size=[0, 0, 1],
+        pos=[0, 0, site.ceiling_height],
+        quat=[0, 1, 0, 0],
+        group=FLOOR_GROUP,
+        contype=0,
+        conaffinity=0,
+    )
+    objects.append(SceneObject("ceiling", None))
+
+    open_rings = _rings_with_things_above(site)
+    for wall in walls_around(site.walkable_floor):
+        height = site.ceiling_height
+        if wall.ring in open_rings:
+            height = BALUSTRADE_HEIGHT
+        world.add_geom(
+            type=mujoco.mjtGeom.mjGEOM_BOX,
+            size=[wall.half_length, wall.half_thickness, height / 2],
+            pos=[wall.x, wall.y, height / 2],
+            quat=_about_z(wall.heading),
+            group=WALL_GROUP,
+            contype=SOLID_CONTACT,
+            conaffinity=0,
+        )
+        objects.append(SceneObject("wall", None))
+
+    for door in site.doors:
+        solid = door_solid(door, site)
+        _add_box(world, solid, DOOR_GROUP, touches=False)
+        objects.append(SceneObject("door", door))
+    for landmark in site.landmarks:
+        solid = landmark_solid(landmark, site)
+        _add_box(world, solid, LANDMARK_GROUP, touches=landmark.obstacle)
+        objects.append(SceneObject("landmark", landmark))
+
+    add_wheeled_base(spec)
+    model = spec.compile()
+    robot = SceneObject("robot", None)
+    objects.extend([robot] * (model.ngeom - len(objects)))
+    if any(
+        (model.geom_group[i] == ROBOT_GROUP) != (each.kind == "robot")
+        for i, each in enumerate(objects)
+    ):
+        raise RuntimeError("the physics engine reordered the scene's geoms")
+    return Scene(site, model, tuple(objects))
+
+
+def _rings_with_things_above(site: Site) -> set[int]:
+    hanging = [each.position for each in site.landmarks if each.mount == "ceiling"]
+    holes = orient(site.walkable_floor).interiors
+    return {
+        number
+        for number, hole in enumerate(holes, start=1)
+        if any(Polygon(hole).contains(position) for position in hanging)
+    }
+
+
+def _add_box(body: mujoco.MjsBody, solid: Solid, group: int, *, touches: bool) -> None:
+    body.add_geom(
+        type=mujoco.mjtGeom.mjGEOM_BOX,
+        size=list(solid.half_size),
+        pos=list(solid.position),
+        quat=_about_z(solid.heading),
+        group=group,
+        contype=SOLID_CONTACT if touches else 0,
+        conaffinity=0,
+    )
+
+
+def _about_z(heading: float) -> list[float]:
+    return [math.cos(heading / 2), 0.0, 0.0, math.sin(heading / 2)]

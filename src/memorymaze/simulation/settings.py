@@ -1,0 +1,75 @@
+"""The numbers of a simulation: the robot's abilities and the limits of an episode."""
+
+import math
+from dataclasses import dataclass, fields
+
+from memorymaze.errors import SettingsError
+
+__all__ = ["TIMESTEP", "SimulationSettings"]
+
+TIMESTEP = 0.01
+"""Seconds of a physics step."""
+
+
+@dataclass(frozen=True, slots=True)
+class SimulationSettings:
+    """What the robot can do and when an episode is broken off.
+
+    Raises:
+        SettingsError: A value has no meaning; the message names it and the range.
+    """
+
+    control_period: float = 0.05
+    """Seconds from one steering decision to the next; a multiple of the 10 ms
+    physics step."""
+    sampling_period: float = 0.2
+    """Greatest simulated time between two poses of the trajectory, seconds."""
+    max_speed: float = 1.0
+    """Metres per second."""
+    max_acceleration: float = 1.5
+    """Of speeding up and braking, metres per second squared."""
+    rolling_speed: float = 0.5
+    """Greatest speed at which a move that is done hands over to the next call."""
+    max_turn_rate: float = 1.8
+    """Radians per second."""
+    max_turn_acceleration: float = 4.0
+    """Radians per second squared."""
+    wheel_noise: float = 0.01
+    """Standard deviation of each wheel's relative speed error, drawn per decision."""
+    time_budget: float = 1200.0
+    """Simulated seconds after which the episode ends as `budget`."""
+    call_budget: int = 10_000
+    """Calls of the control API after which the episode ends as `budget`."""
+    stuck_limit: int = 40
+    """Calls in a row with neither motion nor anything new that end it as `stuck`."""
+
+    def __post_init__(self) -> None:
+        """Check every value."""
+        for each in fields(self):
+            value = getattr(self, each.name)
+            lowest_is_meant = each.name in ("rolling_speed", "wheel_noise")
+            whole = each.name in ("call_budget", "stuck_limit")
+            good = (
+                isinstance(value, int if whole else int | float)
+                and not isinstance(value, bool)
+                and (math.isfinite(value) or each.name == "time_budget")
+                and (value > 0 or (lowest_is_meant and value == 0))
+            )
+            if not good:
+                kind = "whole number" if whole else "number"
+                bound = ">= 0" if lowest_is_meant else "> 0"
+                raise SettingsError(
+                    f"simulation setting {each.name}: expected a {kind} {bound}, "
+                    f"got {value!r}"
+                )
+        steps = self.control_period / TIMESTEP
+        if steps < 1 or abs(steps - round(steps)) > 1e-6:
+            raise SettingsError(
+                "simulation setting control_period: expected a multiple of the "
+                f"physics step of {TIMESTEP} s, got {self.control_period}"
+            )
+        if self.rolling_speed > self.max_speed:
+            raise SettingsError(
+                "simulation setting rolling_speed: expected at most max_speed "
+                f"{self.max_speed} m/s, got {self.rolling_speed}"
+            )

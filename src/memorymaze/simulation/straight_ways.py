@@ -1,0 +1,282 @@
+"""Where a robot gets to that always goes straight on, and the middle of that way.
+
+The way follows the centre line of each corridor it is in, carries on over junctions
+into corridors of about the same direction, and crosses open areas in a straight line.
+It ignores obstacles and ends at a wall.
+"""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from memorymaze.geometry.pose import turn_between
+from memorymaze.simulation.clearance import Clearance
+from memorymaze.sites.records import Corridor, Exit, Site, TurningPoint
+
+__all__ = ["BEND_TOLERANCE", "ENTRY_TOLERANCE", "StraightWay", "StraightWays"]
+
+ENTRY_TOLERANCE = math.radians(30)
+"""Greatest angle between the robot's course and the corridor it begins to follow."""
+BEND_TOLERANCE = math.radians(18)
+"""Greatest bend from one corridor into the next that still is straight on."""
+TOWARDS_TOLERANCE = math.radians(50)
+"""As `ENTRY_TOLERANCE`, for the corridor a turn was made into."""
+OFFSET_TOLERANCE = 1.2
+"""Greatest sideways step in metres between the middles of two corridors in line."""
+GAP_TOLERANCE = 1.0
+"""Walls up to this many metres thick, such as pillars, do not end the way."""
+SCAN_STEP = 0.25
+EXIT_PROBE = 3.0
+LONGEST_WAY = 500.0
+
+XY = tuple[float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class StraightWay:
+    """A line to follow."""
+
+    points: tuple[XY, ...]
+    """Vertices, metres; the first is the place nearest to the robot."""
+    courses: tuple[float, ...]
+    """Heading of the corridor or the open way at each piece, one less than points."""
+
+
+@dataclass(frozen=True, slots=True)
+class Axis:
+    """A corridor's centre line with its floor."""
+
+    corridor: str
+    x: float
+    y: float
+    ux: float
+    uy: float
+    length: float
+    corners: tuple[XY, ...]
+    """Counter-clockwise."""
+
+    def reversed_if(self, reverse: bool) -> "Axis":
+        """Return the axis that runs the other way, or itself."""
+        if not reverse:
+            return self
+        x, y = self.x + self.length * self.ux, self.y + self.length * self.uy
+        return Axis(self.corridor, x, y, -self.ux, -self.uy, self.length, self.corners)
+
+    def local(self, x: float, y: float) -> XY:
+        """Return metres along the axis and to the left of it."""
+        dx, dy = x - self.x, y - self.y
+        return dx * self.ux + dy * self.uy, dy * self.ux - dx * self.uy
+
+    def at(self, along: float) -> XY:
+        """Return the point of the line at metres along it."""
+        return self.x + along * self.ux, self.y + along * self.uy
+
+    def covers(self, x: float, y: float) -> bool:
+        """Whether a point is on the corridor's floor."""
+        corners = self.corners
+        px, py = corners[-1]
+        for qx, qy in corners:
+            if (qx - px) * (y - py) - (qy - py) * (x - px) < -1e-9:
+                return False
+            px, py = qx, qy
+        return True
+
+
+class StraightWays:
+    """Finds straight ways on one site."""
+
+    def __init__(self, site: Site, clearance: Clearance) -> None:
+        """Take the centre lines of all corridors."""
+        self._clearance = clearance
+        self._axes = [_axis(corridor) for corridor in site.corridors]
+        self._turning_points = {each.id for each in site.turning_points}
+
+    def way(
+        self,
+        position: XY,
+        course: float,
+        *,
+        fresh: bool = True,
+        towards: str | None = None,
+    ) -> StraightWay:
+        """Return the straight way from a place on the floor.
+
+        Args:
+            position: Metres.
+            course: The way the robot means to go, radians.
+            fresh: Whether it has turned since it last followed a corridor; it then
+                joins a corridor at an angle up to `ENTRY_TOLERANCE`.
+            towards: Id of the corridor that a turn was made into.
+        """
+        tolerance = ENTRY_TOLERANCE if fresh else BEND_TOLERANCE
+        place, course_now = position, course
+        axis = self._corridor_at(position, course, tolerance, towards)
+        followed: set[str] = set()
+        if axis is not None:
+            place = axis.at(axis.local(*position)[0])
+            course_now = math.atan2(axis.uy, axis.ux)
+            tolerance = BEND_TOLERANCE
+            followed.add(axis.corridor)
+        points, courses = [place], list[float]()
+        while True:
+            ux, uy = math.cos(course_now), math.sin(course_now)
+            reach = self._reach(place, (ux, uy))
+            begin = 0.0 if axis is None else _exit(axis, place, (ux, uy)) - 0.5
+            found = self._next_corridor(
+                place, course_now, max(begin, 0.0), reach, tolerance, followed
+            )
+            if found is None:
+                points.append((place[0] + reach * ux, place[1] + reach * uy))
+                courses.append(course_now)
+                return StraightWay(tuple(points), tuple(courses))
+            at, axis = found
+            followed.add(axis.corridor)
+            tolerance = BEND_TOLERANCE
+            new_course = math.atan2(axis.uy, axis.ux)
+            for point, piece_course in _transition(
+                place, course_now, at, axis, new_course
+            ):
+                if math.dist(point, points[-1]) > 1e-6:
+                    points.append(point)
+                    courses.append(piece_course)
+            place, course_now = points[-1], new_course
+
+    def axis_through(self, point: TurningPoint, chosen: Exit) -> Axis | None:
+        """Return the centre line of the corridor an exit leads into, outward.
+
+        The exit may name the next turning point; then the corridor that runs out that
+        way. None when it leads into an open area.
+        """
+        outward: Axis | None = None
+        centre = point.polygon.centroid
+        for axis in self._along(chosen.heading, TOWARDS_TOLERANCE):
+            if axis.corridor == chosen.to:
+                return axis
+            ahead = (
+                centre.x + EXIT_PROBE * math.cos(chosen.heading),
+                centre.y + EXIT_PROBE * math.sin(chosen.heading),
+            )
+            angle = turn_between(chosen.heading, math.atan2(axis.uy, axis.ux))
+            if (
+                abs(angle) <= BEND_TOLERANCE
+                and axis.covers(*ahead)
+                and chosen.to in self._turning_points
+            ):
+                outward = axis
+        return outward
+
+    def _corridor_at(
+        self, position: XY, course: float, tolerance: float, towards: str | None
+    ) -> Axis | None:
+        best, least = None, math.inf
+        for axis in self._along(course, max(tolerance, TOWARDS_TOLERANCE)):
+            angle = abs(turn_between(course, math.atan2(axis.uy, axis.ux)))
+            if not axis.covers(*position):
+                continue
+            if axis.corridor == towards:
+                return axis
+            cost = angle + 0.05 * abs(axis.local(*position)[1])
+            if angle <= tolerance and cost < least:
+                best, least = axis, cost
+        return best
+
+    def _along(self, course: float, tolerance: float) -> Iterator[Axis]:
+        ux, uy, limit = math.cos(course), math.sin(course), math.cos(tolerance)
+        for axis in self._axes:
+            inner = axis.ux * ux + axis.uy * uy
+            if abs(inner) >= limit - 1e-9:
+                yield axis.reversed_if(inner < 0)
+
+    def _reach(self, place: XY, direction: XY) -> float:
+        crossings = self._clearance.wall_crossings(place, direction)
+        for out, back in zip(crossings[0::2], crossings[1::2], strict=False):
+            if back - out > GAP_TOLERANCE:
+                return min(out, LONGEST_WAY)
+        last = crossings[-1] if crossings else 0.0
+        return min(last, LONGEST_WAY)
+
+    def _next_corridor(
+        self,
+        place: XY,
+        course: float,
+        begin: float,
+        reach: float,
+        tolerance: float,
+        followed: set[str],
+    ) -> tuple[float, Axis] | None:
+        """Find the first corridor to follow from a distance along the line on."""
+        ux, uy = math.cos(course), math.sin(course)
+        best: tuple[float, float, Axis] | None = None
+        for axis in self._along(course, tolerance):
+            if axis.corridor in followed:
+                continue
+            first, last = sorted(
+                (x - place[0]) * ux + (y - place[1]) * uy
+                for x, y in (axis.at(0), axis.at(axis.length))
+            )
+            at = max(begin, first - 0.5)
+            stop = min(reach, last, math.inf if best is None else best[0])
+            while at <= stop:
+                x, y = place[0] + at * ux, place[1] + at * uy
+                along, aside = axis.local(x, y)
+                if (
+                    abs(aside) <= OFFSET_TOLERANCE and 0 <= along <= axis.length
+                ) or axis.covers(x, y):
+                    if best is None or (at, abs(aside)) < best[:2]:
+                        best = at, abs(aside), axis
+                    break
+                at += SCAN_STEP
+        return None if best is None else (best[0], best[2])
+
+
+def _transition(
+    place: XY, course: float, at: float, axis: Axis, new_course: float
+) -> Iterator[tuple[XY, float]]:
+    """Lead from one line over to the centre line of the corridor met at a distance."""
+    ux, uy = math.cos(course), math.sin(course)
+    along, aside = axis.local(place[0] + at * ux, place[1] + at * uy)
+    sine = ux * axis.uy - uy * axis.ux
+    if abs(sine) > 0.05:
+        dx, dy = axis.x - place[0], axis.y - place[1]
+        meeting = (dx * axis.uy - dy * axis.ux) / sine
+        if meeting >= 0 and abs(meeting - at) <= 4.0:
+            yield (place[0] + meeting * ux, place[1] + meeting * uy), course
+            return
+    half = max(0.4, 0.9 * abs(aside))
+    start = max(0.0, at - half)
+    yield (place[0] + start * ux, place[1] + start * uy), course
+    yield axis.at(along - (at - start) + 2 * half), new_course
+
+
+def _exit(axis: Axis, place: XY, direction: XY) -> float:
+    """Return how far a ray from within a corridor stays on its floor, metres."""
+    ux, uy = direction
+    nearest = math.inf
+    px, py = axis.corners[-1]
+    for qx, qy in axis.corners:
+        nx, ny = qy - py, px - qx  # outward normal
+        speed = nx * ux + ny * uy
+        if speed > 1e-12:
+            nearest = min(
+                nearest, (nx * (px - place[0]) + ny * (py - place[1])) / speed
+            )
+        px, py = qx, qy
+    return max(nearest, 0.0)
+
+
+def _axis(corridor: Corridor) -> Axis:
+    (ax, ay), (bx, by) = [point[:2] for point in corridor.centre_line.coords]
+    length = math.hypot(bx - ax, by - ay)
+    ring = corridor.polygon.exterior
+    corners = [(x, y) for x, y, *_ in ring.coords[:-1]]
+    if not ring.is_ccw:
+        corners.reverse()
+    return Axis(
+        corridor.id,
+        ax,
+        ay,
+        (bx - ax) / length,
+        (by - ay) / length,
+        length,
+        tuple(corners),
+    )

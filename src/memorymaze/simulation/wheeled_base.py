@@ -1,0 +1,210 @@
+"""The guide robot's body: a suitcase on two driven wheels and two casters.
+
+Differential drive with real contacts: the wheels' friction on the floor moves it, and
+its upright shell, a capsule of 0.25 m radius, is what bumps into walls and obstacles.
+"""
+
+import math
+
+import mujoco
+import numpy as np
+
+from memorymaze.geometry.pose import Pose
+from memorymaze.simulation.settings import TIMESTEP, SimulationSettings
+
+__all__ = [
+    "CAMERA_HEIGHT",
+    "FLOOR_CONTACT",
+    "ROBOT_GROUP",
+    "ROBOT_RADIUS",
+    "SOLID_CONTACT",
+    "WheeledBase",
+    "add_wheeled_base",
+]
+
+ROBOT_RADIUS = 0.25
+"""Metres; everything of the robot stays within this circle around its centre."""
+CAMERA_HEIGHT = 1.25
+"""Metres over the floor; the lens looks ahead from the robot's axis."""
+ROBOT_GROUP = 5
+"""Geom group of all parts of the robot."""
+FLOOR_CONTACT, SOLID_CONTACT = 1, 2
+
+WHEEL_RADIUS = 0.08
+WHEEL_OFFSET = 0.2
+CASTER_RADIUS = 0.04
+CASTER_OFFSET = 0.19
+SHELL_BOTTOM, SHELL_TOP = 0.07, 1.0
+CAMERA_FIELD_OF_VIEW = 2 * math.atan(math.tan(math.pi / 4) * 480 / 640)
+
+
+def add_wheeled_base(spec: mujoco.MjSpec) -> None:
+    """Add the robot at the origin, with its camera `eye` and wheels `left`, `right`."""
+    spec.option.timestep = TIMESTEP
+    geom = mujoco.mjtGeom
+    base = spec.worldbody.add_body(name="robot")
+    base.add_freejoint()
+    base.add_geom(
+        name="shell",
+        type=geom.mjGEOM_CAPSULE,
+        fromto=[
+            *(0, 0, SHELL_BOTTOM + ROBOT_RADIUS),
+            *(0, 0, SHELL_TOP - ROBOT_RADIUS),
+        ],
+        size=[ROBOT_RADIUS, 0, 0],
+        mass=0,
+        group=ROBOT_GROUP,
+        contype=0,
+        conaffinity=SOLID_CONTACT,
+        priority=1,
+        friction=[0.1, 0, 0],
+    )
+    for half_size, height, mass in (
+        ((0.14, 0.16, 0.05), 0.12, 16.0),  # batteries and motors, low down
+        ((0.12, 0.2, 0.35), 0.55, 9.0),  # the suitcase
+        ((0.01, 0.01, 0.12), 1.11, 0.5),  # the mast
+    ):
+        base.add_geom(
+            type=geom.mjGEOM_BOX,
+            size=list(half_size),
+            pos=[0, 0, height],
+            mass=mass,
+            group=ROBOT_GROUP,
+            contype=0,
+            conaffinity=0,
+        )
+    for offset in (-CASTER_OFFSET, CASTER_OFFSET):
+        base.add_geom(
+            type=geom.mjGEOM_SPHERE,
+            size=[CASTER_RADIUS, 0, 0],
+            pos=[offset, 0, CASTER_RADIUS],
+            mass=0.5,
+            group=ROBOT_GROUP,
+            contype=0,
+            conaffinity=FLOOR_CONTACT,
+            priority=1,
+            condim=1,
+        )
+    base.add_camera(
+        name="eye",
+        pos=[0, 0, CAMERA_HEIGHT],
+        # Camera axes: x to the right, y up, looking along -z.
+        xyaxes=[0, -1, 0, 0, 0, 1],
+        fovy=math.degrees(CAMERA_FIELD_OF_VIEW),
+    )
+    for name, offset in (("left", WHEEL_OFFSET), ("right", -WHEEL_OFFSET)):
+        wheel = base.add_body(pos=[0, offset, WHEEL_RADIUS])
+        wheel.add_joint(
+            name=name, type=mujoco.mjtJoint.mjJNT_HINGE, axis=[0, 1, 0], armature=0.02
+        )
+        wheel.add_geom(
+            type=geom.mjGEOM_SPHERE,
+            size=[WHEEL_RADIUS, 0, 0],
+            mass=1.5,
+            group=ROBOT_GROUP,
+            contype=0,
+            conaffinity=FLOOR_CONTACT,
+            priority=1,
+            friction=[1.0, 0.005, 0.0001],
+        )
+        motor = spec.add_actuator(
+            name=name, target=name, trntype=mujoco.mjtTrn.mjTRN_JOINT
+        )
+        motor.set_to_velocity(kv=10)
+        motor.forcelimited = True
+        motor.forcerange = [-8, 8]
+
+
+class WheeledBase:
+    """The moving robot in one episode: wheel speeds in, pose out.
+
+    Speeds change no faster than the settings allow. Time passes only in `drive`.
+    """
+
+    def __init__(
+        self,
+        model: mujoco.MjModel,
+        start: Pose,
+        settings: SimulationSettings,
+        rng: np.random.Generator,
+    ) -> None:
+        """Put the robot at rest on its start pose."""
+        self.data = mujoco.MjData(model)
+        """State of the physics; read only."""
+        self.speed = 0.0
+        """Commanded speed ahead, metres per second."""
+        self.turn_rate = 0.0
+        """Commanded turn rate, radians per second, left positive."""
+        self._model = model
+        self._acceleration = settings.max_acceleration
+        self._turn_acceleration = settings.max_turn_acceleration
+        self._noise = settings.wheel_noise
+        self._rng = rng
+        self._errors: list[float] = []
+        self._qpos = self.data.qpos
+        self._ctrl = self.data.ctrl
+        address = int(model.jnt_qposadr[model.body("robot").jntadr[0]])
+        if address != 0:
+            raise RuntimeError("the robot's free joint is expected to come first")
+        half = start.heading / 2
+        self._qpos[:7] = (start.x, start.y, 0, math.cos(half), 0, 0, math.sin(half))
+        self._steps = 0
+        self.update_view()
+
+    @property
+    def time(self) -> float:
+        """Simulated seconds since the start."""
+        return self._steps * TIMESTEP
+
+    @property
+    def pose(self) -> Pose:
+        """Where the robot is."""
+        x, y, _, w, i, j, k = self._qpos[:7].tolist()
+        return Pose(x, y, math.atan2(2 * (w * k + i * j), 1 - 2 * (j * j + k * k)))
+
+    def drive(self, speed: float, turn_rate: float, steps: int) -> None:
+        """Let the physics run for some steps, going for these speeds.
+
+        Args:
+            speed: Ahead, metres per second; negative backs up.
+            turn_rate: Radians per second, left positive.
+            steps: Physics steps, at least 1.
+        """
+        duration = steps * TIMESTEP
+        self.speed = _approach(self.speed, speed, self._acceleration * duration)
+        self.turn_rate = _approach(
+            self.turn_rate, turn_rate, self._turn_acceleration * duration
+        )
+        across = self.turn_rate * WHEEL_OFFSET
+        left, right = self.speed - across, self.speed + across
+        if self._noise > 0:
+            if len(self._errors) < 2:
+                self._errors = self._rng.normal(1.0, self._noise, 512).tolist()
+            left *= self._errors.pop()
+            right *= self._errors.pop()
+        self._ctrl[0] = left / WHEEL_RADIUS
+        self._ctrl[1] = right / WHEEL_RADIUS
+        mujoco.mj_step(self._model, self.data, nstep=steps)
+        self._steps += steps
+
+    def touched_geoms(self) -> list[int]:
+        """Return the geoms, other than the floor, that the robot touches now."""
+        data = self.data
+        if data.ncon <= 4:  # wheels and casters on the floor
+            return []
+        pairs = data.contact.geom[: data.ncon].tolist()
+        groups = self._model.geom_group
+        return [
+            first if groups[second] == ROBOT_GROUP else second
+            for first, second in pairs
+            if 0 not in (first, second)
+        ]
+
+    def update_view(self) -> None:
+        """Bring the camera and geom poses in `data` to the present pose."""
+        mujoco.mj_kinematics(self._model, self.data)
+        mujoco.mj_camlight(self._model, self.data)
+
+
+def _approach(value: float, target: float, change: float) -> float:
+    return max(value - change, min(value + change, target))
