@@ -52,6 +52,8 @@ class EpisodeResult:
     """Simulated seconds."""
     wall_s: float
     """Real seconds; the only field that differs between equal runs."""
+    api_calls: int
+    """Calls of the robot's control API."""
     model_calls: int
     tokens: int
     cost_usd: float

@@ -1,0 +1,24 @@
+"""The lower end: an agent that stops where it stands."""
+
+import numpy as np
+
+from memorymaze.agents.agent import Journal
+from memorymaze.robot.api import Robot
+
+__all__ = ["StopAgent"]
+
+
+class StopAgent:
+    """Says "we are there" at once, whatever it is told."""
+
+    name = "stop"
+
+    def follow(
+        self,
+        instruction: str,
+        robot: Robot,
+        journal: Journal,
+        rng: np.random.Generator,
+    ) -> None:
+        """Stop."""
+        robot.stop()

@@ -1,0 +1,123 @@
+"""From the name of an agent to the agent, for the command line and for workers."""
+
+import difflib
+import importlib
+import importlib.util
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from types import ModuleType
+from typing import Any, cast
+
+from memorymaze.agents import AGENTS
+from memorymaze.agents.agent import Agent
+from memorymaze.errors import SettingsError
+from memorymaze.evaluation.oracle import OracleAgent
+from memorymaze.evaluation.settings import AgentSettings
+from memorymaze.instructions.records import Episode
+
+__all__ = ["AgentFor", "agent_names", "build_agent"]
+
+AgentFor = Callable[[Episode], Agent]
+"""Gives the agent that follows an episode; only `oracle` looks at the episode."""
+
+LANGUAGE_MODEL_AGENTS = ("code_generation",)
+
+
+def agent_names() -> list[str]:
+    """Return the names that `build_agent` knows without a module or file."""
+    return sorted([*AGENTS, "oracle"])
+
+
+def build_agent(settings: AgentSettings) -> AgentFor:
+    """Make an agent.
+
+    Besides the names of `agent_names`, `package.module:Class` and `path/to/file.py:Class`
+    are understood: anything that can be called without arguments and returns an
+    `Agent`. One agent follows all the episodes of a process, so it must not carry
+    anything from one to the next.
+
+    Raises:
+        SettingsError: There is no such agent, it cannot be made, or the settings name
+            a language model for an agent that has none.
+    """
+    if settings.name not in LANGUAGE_MODEL_AGENTS:
+        _refuse_model(settings)
+    if settings.name == "oracle":
+        return lambda episode: OracleAgent(episode.reference_path)
+    if settings.name in LANGUAGE_MODEL_AGENTS:
+        agent = _language_model_agent(settings)
+    elif settings.name in AGENTS:
+        agent = AGENTS[settings.name]()
+    else:
+        agent = _users_agent(settings.name)
+    return lambda _: agent
+
+
+def _refuse_model(settings: AgentSettings) -> None:
+    for option in ("model", "base_url", "record", "replay"):
+        if getattr(settings, option) is not None:
+            raise SettingsError(
+                f"--{option.replace('_', '-')}: the agent {settings.name!r} asks no "
+                "language model; leave the option out, or choose --agent "
+                f"{LANGUAGE_MODEL_AGENTS[0]}"
+            )
+    if settings.parser is not None:
+        raise SettingsError(
+            f"--no-parser: the agent {settings.name!r} has no parser to leave out"
+        )
+
+
+def _language_model_agent(settings: AgentSettings) -> Agent:
+    raise NotImplementedError
+
+
+def _users_agent(name: str) -> Agent:
+    place, colon, attribute = name.rpartition(":")
+    if not colon:
+        close = difflib.get_close_matches(name, agent_names(), n=1)
+        hint = f"; did you mean {close[0]!r}?" if close else ""
+        raise SettingsError(
+            f"agent: expected one of {', '.join(agent_names())}, or your own as "
+            f"module:Class or file.py:Class, got {name!r}{hint}"
+        )
+    try:
+        module = _load(place)
+    except Exception as error:
+        raise SettingsError(
+            f"agent {name!r}: {place!r} cannot be imported "
+            f"({type(error).__name__}: {error})"
+        ) from error
+    factory = getattr(module, attribute, None)
+    if not callable(factory):
+        raise SettingsError(
+            f"agent {name!r}: expected {place!r} to have a class {attribute!r}, got "
+            f"{'nothing of this name' if factory is None else repr(factory)}"
+        )
+    try:
+        agent = cast(Any, factory())
+    except Exception as error:
+        raise SettingsError(
+            f"agent {name!r}: cannot be made without arguments "
+            f"({type(error).__name__}: {error})"
+        ) from error
+    if not (callable(getattr(agent, "follow", None)) and hasattr(agent, "name")):
+        raise SettingsError(
+            f"agent {name!r}: expected an agent with `name` and `follow(instruction, "
+            f"robot, journal, rng)`, got {type(agent).__name__}"
+        )
+    return agent
+
+
+def _load(place: str) -> ModuleType:
+    if not place.endswith(".py"):
+        return importlib.import_module(place)
+    path = Path(place)
+    spec = importlib.util.spec_from_file_location(path.stem, path)
+    if spec is None or spec.loader is None or not path.is_file():
+        raise FileNotFoundError(f"no such file: {path}")
+    module = importlib.util.module_from_spec(spec)
+    # Dataclasses and pickles inside the file look their module up here.
+    sys.modules[path.stem] = module
+    spec.loader.exec_module(module)
+    return module

@@ -1,0 +1,127 @@
+"""Run episodes on all cores, into a run folder."""
+
+import os
+from collections import Counter, deque
+from collections.abc import Iterable
+from dataclasses import replace
+from datetime import UTC, datetime
+from pathlib import Path
+
+from memorymaze.errors import MemoryMazeError
+from memorymaze.evaluation.episode_worker import EpisodeTask, EpisodeWorker
+from memorymaze.evaluation.plan import RunPlan
+from memorymaze.evaluation.progress import Progress
+from memorymaze.evaluation.provenance import code_stamp
+from memorymaze.evaluation.results import EpisodeResult
+from memorymaze.evaluation.run_folder import RunFolder, RunRecord, open_run_folder
+from memorymaze.evaluation.summary import summarise
+from memorymaze.evaluation.worker_pool import Lost, WorkerPool
+
+__all__ = ["available_cores", "run_plan"]
+
+
+def available_cores() -> int:
+    """Return how many processor cores this process may use."""
+    return len(os.sched_getaffinity(0))
+
+
+def run_plan(
+    plan: RunPlan,
+    folder: str | Path,
+    *,
+    workers: int = 0,
+    resume: bool = False,
+) -> list[EpisodeResult]:
+    """Run all episodes of a plan that have no result yet.
+
+    Results do not depend on the number of workers, nor on the order of episodes, nor
+    on how often the run was broken off. An episode whose worker process dies is tried
+    once more, and then recorded as `crash`.
+
+    Args:
+        plan: What to run.
+        folder: Where results go; each is on the disk before the next is counted.
+        workers: Processes; 0 for one per core.
+        resume: Whether to finish a run that is in the folder already.
+
+    Returns:
+        All results of the run, in the order of episode ids.
+
+    Raises:
+        MemoryMazeError: The folder cannot be used, or no worker can be started.
+        KeyboardInterrupt: Passed on, after all workers have ended.
+    """
+    path = Path(folder)
+    now = datetime.now(UTC).isoformat(timespec="seconds")
+    record = RunRecord(settings=plan.settings, code=code_stamp(), started=now)
+    with open_run_folder(path, record, resume=resume) as run:
+        _check_known(run, plan)
+        waiting = [e for e in plan.episodes if e.id not in run.finished]
+        count = min(workers or available_cores(), max(1, len(waiting)))
+        prepare = EpisodeWorker(plan.settings, plan.sites, path)
+        queue = _Queue(EpisodeTask(episode) for episode in waiting)
+        with (
+            Progress(len(plan.episodes), len(run.finished)) as progress,
+            WorkerPool[EpisodeTask, EpisodeResult](prepare, count) as pool,
+        ):
+            for task, outcome in pool.run(queue.choose):
+                if isinstance(outcome, Lost):
+                    queue.put_back(_next_try(task, outcome))
+                else:
+                    run.add(outcome)
+                    progress.count(outcome)
+        results = [run.finished[key] for key in sorted(run.finished)]
+        run.write_summary(summarise(results, plan.settings))
+    return results
+
+
+def _check_known(run: RunFolder, plan: RunPlan) -> None:
+    unknown = set(run.finished) - {episode.id for episode in plan.episodes}
+    if unknown:
+        raise MemoryMazeError(
+            f"{run.path}: has a result of episode {min(unknown)!r}, which is none of "
+            "this run; choose another folder with --out"
+        )
+
+
+def _next_try(task: EpisodeTask, lost: Lost) -> EpisodeTask:
+    if task.lost:
+        raise MemoryMazeError(
+            f"episode {task.episode.id!r} cannot even be recorded as a crash: "
+            f"{lost.reason}, after {task.lost}"
+        )
+    if task.tries == 0:
+        return replace(task, tries=1)
+    return replace(task, lost=lost.reason)
+
+
+class _Queue:
+    """Tasks by site, so that a worker stays where it has a scene already."""
+
+    def __init__(self, tasks: Iterable[EpisodeTask]) -> None:
+        self._waiting: dict[str, deque[EpisodeTask]] = {}
+        self._place: dict[int, str] = {}
+        for task in tasks:
+            self._of(task).append(task)
+
+    def choose(self, worker: int) -> EpisodeTask | None:
+        """Take a task on the site a worker is on, or on the one least attended to."""
+        open_sites = [site for site, tasks in self._waiting.items() if tasks]
+        if not open_sites:
+            return None
+        site = self._place.get(worker)
+        if site not in open_sites:
+            busy = Counter(self._place.values())
+            site = max(
+                open_sites,
+                key=lambda each: len(self._waiting[each]) / (1 + busy[each]),
+            )
+            self._place[worker] = site
+        return self._waiting[site].popleft()
+
+    def put_back(self, task: EpisodeTask) -> None:
+        """Have a task done next on its site."""
+        self._of(task).appendleft(task)
+
+    def _of(self, task: EpisodeTask) -> deque[EpisodeTask]:
+        return self._waiting.setdefault(task.episode.instruction.site, deque())

@@ -1,0 +1,209 @@
+"""One episode: an agent follows an instruction, and is scored.
+
+Whatever the agent does, there is a result; nothing it raises gets out of here.
+"""
+
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, cast
+
+from memorymaze.agents.agent import Agent, Journal
+from memorymaze.errors import EpisodeOver, LanguageModelError, ProgramError
+from memorymaze.evaluation.arena import Arena
+from memorymaze.evaluation.results import EpisodeResult, StoppedBy
+from memorymaze.evaluation.seeds import episode_generators
+from memorymaze.evaluation.settings import RunSettings
+from memorymaze.evaluation.turns import turns_in_order
+from memorymaze.geometry.trajectory import Trajectory
+from memorymaze.instructions.records import Episode
+from memorymaze.simulation import SimulatedRobot, TraceEvent
+
+__all__ = ["EpisodeRun", "run_episode"]
+
+ERROR_LENGTH = 500
+"""Characters kept of an error's message in a result."""
+
+
+@dataclass(frozen=True, slots=True)
+class EpisodeRun:
+    """What an episode leaves behind."""
+
+    result: EpisodeResult
+    trajectory: Trajectory
+    trace: tuple[dict[str, Any], ...]
+    """Entries in the order of time; see `docs/data_formats.md`."""
+
+
+def run_episode(
+    agent: Agent, episode: Episode, arena: Arena, settings: RunSettings
+) -> EpisodeRun:
+    """Let an agent follow an instruction, and score its walk.
+
+    The first thing that ends the episode counts: a budget that ran out stays `budget`,
+    even where the agent catches what the robot raises and returns as if it had arrived.
+
+    Args:
+        agent: Follows; may raise anything.
+        episode: What to follow, from where.
+        arena: The site of the episode.
+        settings: Of the run; seed, budgets and success distance count here.
+
+    Raises:
+        UndefinedMetricError: The episode's reference path leaves the floor.
+        KeyboardInterrupt: Passed on.
+    """
+    robot_rng, agent_rng = episode_generators(settings.seed, episode.id)
+    trace: list[dict[str, Any]] = [_opening(agent.name, episode, settings)]
+    robot = arena.robot(
+        episode,
+        settings.simulation,
+        robot_rng,
+        lambda event: trace.append(_call(event)),
+    )
+    journal = Journal(listener=lambda entry: trace.append(_note(robot.time, entry)))
+    began = time.perf_counter()
+    ended, error = _follow(agent, episode.instruction.text, robot, journal, agent_rng)
+    wall_s = time.perf_counter() - began
+    walk = robot.trajectory()
+    trace += _closing(robot, walk, ended, error)
+    values = arena.score(episode, walk, settings.success_distance)
+    success = ended == "agent" and values.success == 1.0
+    told = episode.instruction
+    result = EpisodeResult(
+        episode_id=episode.id,
+        instruction_id=told.id,
+        site=told.site,
+        route=told.route,
+        reference_route=told.reference_route,
+        study=told.study,
+        iteration=told.iteration,
+        participant=told.participant,
+        source=told.source,
+        split=told.split,
+        agent=agent.name,
+        stopped_by=ended,
+        success=success,
+        oracle_success=values.oracle_success == 1.0,
+        spd=values.ne,
+        cls=values.cls,
+        spl=values.spl if success else 0.0,
+        ndtw=values.ndtw,
+        sdtw=values.sdtw if success else 0.0,
+        path_length=values.path_length,
+        collisions=len(robot.collisions),
+        turns_in_order=turns_in_order(
+            arena.site, arena.site.route(told.reference_route), walk
+        ),
+        duration_s=robot.time,
+        wall_s=wall_s,
+        api_calls=robot.calls,
+        model_calls=journal.model_calls,
+        tokens=journal.tokens,
+        cost_usd=journal.cost_usd,
+        error=error,
+    )
+    return EpisodeRun(result, walk, tuple(trace))
+
+
+def _follow(
+    agent: Agent,
+    text: str,
+    robot: SimulatedRobot,
+    journal: Journal,
+    rng: Any,
+) -> tuple[StoppedBy, str | None]:
+    """Let the agent follow; return what ended the episode and what went wrong."""
+    ended: StoppedBy
+    try:
+        agent.follow(text, robot, journal, rng)
+    except KeyboardInterrupt:
+        raise
+    except EpisodeOver:
+        return _as_robot_says(robot), None
+    except ProgramError as problem:
+        ended, error = "unsafe" if problem.unsafe else "crash", _described(problem)
+    except LanguageModelError as problem:
+        ended, error = "model_error", _described(problem)
+    except BaseException as problem:
+        ended, error = "crash", _described(problem)
+    else:
+        return _as_robot_says(robot), None
+    if robot.stopped_by is not None:
+        ended = _as_robot_says(robot)
+    return ended, error
+
+
+def _as_robot_says(robot: SimulatedRobot) -> StoppedBy:
+    return cast(StoppedBy, robot.finish())
+
+
+def _described(problem: BaseException) -> str:
+    """Return one line: what was raised, and in a program where."""
+    line = getattr(problem, "line", None)
+    where = f" (line {line} of the program)" if line is not None else ""
+    said = " ".join(str(problem).split()) or "no message"
+    return f"{type(problem).__name__}: {said}{where}"[:ERROR_LENGTH]
+
+
+def _opening(name: str, episode: Episode, settings: RunSettings) -> dict[str, Any]:
+    told = episode.instruction
+    return {
+        "kind": "episode",
+        "episode_id": episode.id,
+        "agent": name,
+        "site": told.site,
+        "route": told.route,
+        "reference_route": told.reference_route,
+        "instruction": told.text,
+        "instruction_source": told.source,
+        "start": episode.start,
+        "goal": episode.goal,
+        "seed": settings.seed,
+    }
+
+
+def _call(event: TraceEvent) -> dict[str, Any]:
+    return {
+        "kind": "call",
+        "time": round(event.time, 3),
+        "pose": _rounded(event.pose),
+        "call": event.call,
+        "arguments": event.arguments,
+        "result": event.result,
+    }
+
+
+def _note(now: float, entry: dict[str, Any]) -> dict[str, Any]:
+    details = {name: part for name, part in entry.items() if name != "kind"}
+    return {"kind": "note", "time": round(now, 3), "about": entry["kind"], **details}
+
+
+def _closing(
+    robot: SimulatedRobot, walk: Trajectory, ended: str, error: str | None
+) -> list[dict[str, Any]]:
+    collisions = [
+        {
+            "kind": "collision",
+            "time": round(touch.time, 3),
+            "pose": _rounded(touch.pose),
+            "with": touch.kind,
+            "object_id": touch.object_id,
+        }
+        for touch in robot.collisions
+    ]
+    poses = [_rounded(pose) for pose in walk.poses]
+    return [
+        *collisions,
+        {
+            "kind": "trajectory",
+            "columns": ["time", "x", "y", "heading"],
+            "poses": poses,
+        },
+        {"kind": "end", "time": robot.time, "stopped_by": ended, "error": error},
+    ]
+
+
+def _rounded(numbers: Sequence[float]) -> list[float]:
+    """Return a pose to the millimetre, which is finer than anything depends on."""
+    return [round(number, 3) for number in numbers]

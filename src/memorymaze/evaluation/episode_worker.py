@@ -1,0 +1,79 @@
+"""What a worker process does with the episodes it is given."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from memorymaze.agents.agent import Journal
+from memorymaze.evaluation.agents_for_runs import build_agent
+from memorymaze.evaluation.arena import Arena
+from memorymaze.evaluation.episode import run_episode
+from memorymaze.evaluation.results import EpisodeResult
+from memorymaze.evaluation.settings import RunSettings
+from memorymaze.evaluation.trace import write_trace
+from memorymaze.instructions.records import Episode
+from memorymaze.robot.api import Robot
+from memorymaze.sites import Site
+
+__all__ = ["EpisodeTask", "EpisodeWorker"]
+
+
+@dataclass(frozen=True, slots=True)
+class EpisodeTask:
+    """An episode to run."""
+
+    episode: Episode
+    tries: int = 0
+    """Times a worker was lost over it."""
+    lost: str | None = None
+    """When set, the episode is not tried again but recorded as a crash, with this."""
+
+
+@dataclass(frozen=True, slots=True)
+class EpisodeWorker:
+    """Makes, in a worker process, the function that runs one episode after another."""
+
+    settings: RunSettings
+    sites: dict[str, Site]
+    folder: Path
+
+    def __call__(self) -> Callable[[EpisodeTask], EpisodeResult]:
+        """Make the agent; return the function.
+
+        Raises:
+            SettingsError: The agent cannot be made.
+        """
+        agent_for = build_agent(self.settings.agent)
+        arenas = {name: Arena(site) for name, site in self.sites.items()}
+
+        def run(task: EpisodeTask) -> EpisodeResult:
+            episode = task.episode
+            agent = agent_for(episode)
+            if task.lost is not None:
+                agent = _LostAgent(agent.name, task.lost)
+            arena = arenas[episode.instruction.site]
+            done = run_episode(agent, episode, arena, self.settings)
+            # Before its result: an episode that counts as done has its trace.
+            write_trace(self.folder, episode.id, done.trace)
+            return done.result
+
+        return run
+
+
+class WorkerLost(Exception):
+    pass
+
+
+@dataclass(frozen=True, slots=True)
+class _LostAgent:
+    """Stands in for an agent over which worker processes were lost twice."""
+
+    name: str
+    reason: str
+
+    def follow(
+        self, instruction: str, robot: Robot, journal: Journal, rng: np.random.Generator
+    ) -> None:
+        raise WorkerLost(self.reason)

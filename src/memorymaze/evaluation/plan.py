@@ -1,0 +1,88 @@
+"""What a run consists of: which agent follows which instructions where, and how."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from memorymaze.evaluation.agents_for_runs import build_agent
+from memorymaze.evaluation.budgets import default_time_budget
+from memorymaze.evaluation.settings import AgentSettings, RunSettings, stamp_file
+from memorymaze.instructions.corpus import BUILTIN_CORPUS, load_instructions
+from memorymaze.instructions.episodes import episodes
+from memorymaze.instructions.records import Episode
+from memorymaze.metrics.success import SUCCESS_DISTANCE
+from memorymaze.simulation.settings import SimulationSettings
+from memorymaze.sites import Site, load_sites
+
+__all__ = ["RunPlan", "plan_run"]
+
+
+@dataclass(frozen=True, slots=True)
+class RunPlan:
+    """All that a run needs."""
+
+    settings: RunSettings
+    episodes: tuple[Episode, ...]
+    sites: dict[str, Site]
+    """Those the episodes are on."""
+
+
+def plan_run(
+    agent: AgentSettings,
+    *,
+    instruction_files: Sequence[str | Path] | None = None,
+    sites_folder: str | Path | None = None,
+    limit: int | None = None,
+    seed: int = 0,
+    success_distance: float = SUCCESS_DISTANCE,
+    time_budget: float | None = None,
+    call_budget: int | None = None,
+    simulation: SimulationSettings | None = None,
+) -> RunPlan:
+    """Load and check everything a run needs, before anything is written.
+
+    Args:
+        agent: Which agent, and its language model.
+        instruction_files: JSONL files; None for the shipped corpus.
+        sites_folder: Folder of site plans; None for the shipped ones.
+        limit: Episodes to run, spread evenly over the instructions; None for all.
+        seed: Of all random numbers.
+        success_distance: Metres.
+        time_budget: Simulated seconds per episode; None for `default_time_budget`.
+        call_budget: Calls of the control API per episode; None for the simulation's.
+        simulation: The robot's abilities; None for the defaults. Budgets above count
+            before those in it.
+
+    Raises:
+        MemoryMazeError: Something that was given cannot be used.
+    """
+    build_agent(agent)
+    files = [BUILTIN_CORPUS] if instruction_files is None else instruction_files
+    all_sites = load_sites(sites_folder)
+    chosen = _spread(episodes(load_instructions(files), all_sites), limit)
+    names = dict.fromkeys(episode.instruction.site for episode in chosen)
+    sites = {name: all_sites[name] for name in names}
+    abilities = simulation or SimulationSettings()
+    routes = [route for site in sites.values() for route in site.routes]
+    abilities = replace(
+        abilities,
+        time_budget=time_budget or default_time_budget(routes, abilities),
+        call_budget=call_budget or abilities.call_budget,
+    )
+    settings = RunSettings(
+        agent=agent,
+        instructions=tuple(stamp_file(path) for path in files),
+        sites=tuple(stamp_file(site.source, name) for name, site in sites.items()),
+        seed=seed,
+        limit=limit,
+        episodes=len(chosen),
+        success_distance=success_distance,
+        simulation=abilities,
+    )
+    return RunPlan(settings, tuple(chosen), sites)
+
+
+def _spread(chosen: list[Episode], limit: int | None) -> list[Episode]:
+    if limit is None or limit >= len(chosen):
+        return chosen
+    return [chosen[index * len(chosen) // limit] for index in range(limit)]

@@ -1,0 +1,117 @@
+"""What determines the results of a run, checked, compared and kept in `run.json`."""
+
+import hashlib
+import math
+from collections.abc import Iterable, Mapping
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+from memorymaze.errors import SettingsError
+from memorymaze.simulation.settings import SimulationSettings
+
+__all__ = [
+    "AgentSettings",
+    "FileStamp",
+    "RunSettings",
+    "differences",
+    "stamp_file",
+]
+
+
+@dataclass(frozen=True, slots=True)
+class FileStamp:
+    """A file as it was when the run began."""
+
+    name: str
+    sha256: str
+
+
+@dataclass(frozen=True, slots=True)
+class AgentSettings:
+    """Which agent follows the instructions, and what it is given."""
+
+    name: str
+    """A name from `AGENTS`, `oracle`, or `module:Class` or `file.py:Class`."""
+    model: str | None = None
+    """Language model; None for the agent's default, or where it needs none."""
+    parser: bool | None = None
+    """Whether instructions are parsed first; None for agents without that choice."""
+    base_url: str | None = None
+    """Server of the language model."""
+    record: str | None = None
+    """File that the model's replies are written to."""
+    replay: str | None = None
+    """File that replies are read from instead of asking a model."""
+
+
+@dataclass(frozen=True, slots=True)
+class RunSettings:
+    """All that determines a run's results, besides the code.
+
+    Raises:
+        SettingsError: A value has no meaning.
+    """
+
+    agent: AgentSettings
+    instructions: tuple[FileStamp, ...]
+    sites: tuple[FileStamp, ...]
+    seed: int
+    limit: int | None
+    """Episodes to run, spread evenly over the files; None for all."""
+    episodes: int
+    """Episodes of the whole run."""
+    success_distance: float
+    """Metres from the goal within which stopping is success."""
+    simulation: SimulationSettings
+    """The robot's abilities, and the budgets of an episode."""
+
+    def __post_init__(self) -> None:
+        """Refuse values without meaning."""
+        _check_whole("seed", self.seed, least=0)
+        if self.limit is not None:
+            _check_whole("limit", self.limit, least=1)
+        if not (math.isfinite(self.success_distance) and self.success_distance > 0):
+            raise SettingsError(
+                "success distance: expected more than 0 metres, got "
+                f"{self.success_distance!r}"
+            )
+
+
+def stamp_file(path: str | Path, name: str | None = None) -> FileStamp:
+    """Return a file's name and fingerprint."""
+    path = Path(path)
+    return FileStamp(name or path.name, hashlib.sha256(path.read_bytes()).hexdigest())
+
+
+NOT_COMPARED = {"agent.base_url", "agent.record", "agent.replay"}
+"""Where replies come from and go to, which does not change what they say."""
+
+
+def differences(old: RunSettings, new: RunSettings) -> list[str]:
+    """Say in which settings two runs differ: `seed: 0 there, 1 here`."""
+    before, after = dict(_flat(asdict(old))), dict(_flat(asdict(new)))
+    names = [f for f in {**before, **after} if f not in NOT_COMPARED]
+    return [
+        f"{name}: {before.get(name)!r} there, {after.get(name)!r} here"
+        for name in names
+        if before.get(name) != after.get(name)
+    ]
+
+
+def _flat(value: Mapping[str, Any], prefix: str = "") -> Iterable[tuple[str, Any]]:
+    for name, part in value.items():
+        if name in {"instructions", "sites"}:
+            for stamp in part:
+                yield f"{prefix}{name}.{stamp['name']}", stamp["sha256"][:12]
+        elif isinstance(part, Mapping):
+            yield from _flat(part, f"{prefix}{name}.")
+        else:
+            yield prefix + name, part
+
+
+def _check_whole(name: str, value: int, *, least: int) -> None:
+    if type(value) is not int or value < least:
+        raise SettingsError(
+            f"{name}: expected a whole number of at least {least}, got {value!r}"
+        )

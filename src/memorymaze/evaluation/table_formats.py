@@ -1,0 +1,213 @@
+"""Tables II and III as aligned text, Markdown and CSV."""
+
+import csv
+import io
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from itertools import groupby
+from typing import Literal
+
+from memorymaze.evaluation.bootstrap import MEASURES, Estimate
+from memorymaze.evaluation.tables import MeasuredRun, TableName, TableRow
+
+__all__ = ["TableFormat", "format_table"]
+
+TableFormat = Literal["text", "md", "csv"]
+
+TITLES = {
+    "II": "Table II: methods on every route, both iterations together",
+    "III": "Table III: first and second iteration on every route",
+}
+
+STUDY_TITLES = {
+    "online": "Online instructions (thinking out loud)",
+    "onsite": "Onsite instructions (from memory)",
+}
+
+SOURCES = {
+    "human": "people",
+    "llm": "a LANGUAGE MODEL, not by people",
+    "synthetic": "a program (synthetic), not by people",
+}
+
+HEADINGS = {"sr": "SR", "osr": "OSR", "spd": "SPD (m)", "cls": "CLS"}
+
+KEY = (
+    "SR success rate, OSR oracle success rate, SPD shortest walk left to the goal, CLS "
+    "coverage\nweighted by length; [95 % interval], bootstrap over participants. The "
+    'mean over routes is\nunweighted. Rows that begin with "paper" are published '
+    "figures on human instructions."
+)
+
+
+def format_table(
+    rows: Sequence[TableRow],
+    runs: Sequence[MeasuredRun],
+    table: TableName,
+    style: TableFormat,
+) -> str:
+    """Write a table, with all that one must know to read it.
+
+    Args:
+        rows: From `table_rows`.
+        runs: The runs shown.
+        table: Which of the paper's tables.
+        style: Text of at most 110 columns, Markdown, or CSV with one row per line and
+            unrounded numbers.
+    """
+    if style == "csv":
+        return _csv(rows, table)
+    return _text(rows, runs, table) if style == "text" else _markdown(rows, runs, table)
+
+
+def run_notes(run: MeasuredRun) -> list[str]:
+    """Say how a run came about: settings, budgets, who wrote the instructions."""
+    settings = run.record.settings
+    counts = Counter(result.source for result in run.results)
+    written = "; ".join(
+        f"{count} written by {SOURCES[source]}" for source, count in counts.items()
+    )
+    files = ", ".join(stamp.name for stamp in settings.instructions)
+    notes = [
+        f"{run.label}: run {run.name}, {len(run.results)} episodes; instructions "
+        f"({files}): {written}.",
+        f"success distance {settings.success_distance:g} m, time budget "
+        f"{settings.simulation.time_budget:g} s, call budget "
+        f"{settings.simulation.call_budget}, seed {settings.seed}, memorymaze "
+        f"{run.record.code.version} ({(run.record.code.commit or 'no commit')[:12]})",
+    ]
+    if settings.limit is not None:
+        notes.append(f"A SAMPLE of {settings.episodes} episodes (--limit).")
+    if run.missing:
+        notes.append(
+            f"INCOMPLETE: {run.missing} of {settings.episodes} episodes are missing; "
+            "finish the run with --resume."
+        )
+    return notes
+
+
+def _text(
+    rows: Sequence[TableRow], runs: Sequence[MeasuredRun], table: TableName
+) -> str:
+    lines = [TITLES[table], ""]
+    for run in runs:
+        first, *others = run_notes(run)
+        lines += [first, *(f"  {note}" for note in others)]
+    lines += ["", KEY]
+    width = max(24, *(len(row.method) + 2 for row in rows))
+    for study, of_study in groupby(rows, lambda row: row.study):
+        heading = _line("", "parser", "n", [HEADINGS[name] for name in MEASURES], width)
+        lines += ["", STUDY_TITLES[study], heading, "-" * len(heading)]
+        for title, group in groupby(of_study, _group_title):
+            lines.append(title)
+            lines += [
+                _line(
+                    "  " + row.method,
+                    _parser(row),
+                    _count(row),
+                    [_shown(row.values[name]) for name in MEASURES],
+                    width,
+                )
+                for row in group
+            ]
+    return "\n".join(line.rstrip() for line in lines) + "\n"
+
+
+def _line(
+    method: str, parser: str, count: str, values: Sequence[str], width: int
+) -> str:
+    columns = "".join(
+        f"  {value:<{20 if index == 2 else 17}}" for index, value in enumerate(values)
+    )
+    return f"{method:<{width}} {parser:<6} {count:>4}{columns}"
+
+
+def _markdown(
+    rows: Sequence[TableRow], runs: Sequence[MeasuredRun], table: TableName
+) -> str:
+    lines = [f"### {TITLES[table]}", ""]
+    for run in runs:
+        first, *others = run_notes(run)
+        lines += [f"- {_escaped(first)}", *(f"  {_escaped(note)}" for note in others)]
+    lines += ["", KEY.replace("\n", " "), ""]
+    columns = ["Study", "Route", "Method", "Parser", "n"]
+    columns += [HEADINGS[name] for name in MEASURES]
+    lines.append("| " + " | ".join(columns) + " |")
+    lines.append("|---|---|---|---|---:|" + "---:|" * len(MEASURES))
+    for row in rows:
+        cells = [row.study, _group_title(row), row.method, _parser(row), _count(row)]
+        cells += [_shown(row.values[name]) for name in MEASURES]
+        lines.append("| " + " | ".join(_escaped(cell) for cell in cells) + " |")
+    return "\n".join(lines) + "\n"
+
+
+def _csv(rows: Iterable[TableRow], table: TableName) -> str:
+    columns = ["table", "study", "site", "route", "iteration", "method", "parser"]
+    columns += ["figures", "run", "episodes", "participants"]
+    for name in MEASURES:
+        columns += [name, f"{name}_low", f"{name}_high"]
+    columns += ["instructions_written_by", "episodes_missing", "seed"]
+    columns += ["success_distance_m", "time_budget_s", "call_budget"]
+    out = io.StringIO()
+    writer = csv.DictWriter(out, columns, lineterminator="\n")
+    writer.writeheader()
+    for row in rows:
+        line: dict[str, object] = {
+            "table": table,
+            "study": row.study,
+            "site": "mean" if row.is_mean else row.places[0].site,
+            "route": "mean" if row.is_mean else row.places[0].route,
+            "iteration": row.iteration,
+            "method": row.method,
+            "parser": row.parser,
+            "figures": "published" if row.run is None else "measured",
+            "episodes": row.episodes,
+            "participants": row.participants,
+            "instructions_written_by": "human",
+        }
+        for name in MEASURES:
+            estimate = row.values[name]
+            line[name] = estimate.mean
+            line[f"{name}_low"], line[f"{name}_high"] = estimate.low, estimate.high
+        if row.run is not None:
+            settings = row.run.record.settings
+            line |= {
+                "run": row.run.name,
+                "instructions_written_by": "+".join(
+                    sorted({result.source for result in row.run.results})
+                ),
+                "episodes_missing": row.run.missing,
+                "seed": settings.seed,
+                "success_distance_m": settings.success_distance,
+                "time_budget_s": settings.simulation.time_budget,
+                "call_budget": settings.simulation.call_budget,
+            }
+        writer.writerow(line)
+    return out.getvalue()
+
+
+def _group_title(row: TableRow) -> str:
+    if row.is_mean:
+        title = f"Mean over {len(row.places)} routes"
+    else:
+        site, route = row.places[0]
+        title = f"{site.replace('_', ' ').title()} {route}"
+    return title if row.iteration is None else f"{title}, iteration {row.iteration}"
+
+
+def _parser(row: TableRow) -> str:
+    return "-" if row.parser is None else "yes" if row.parser else "no"
+
+
+def _count(row: TableRow) -> str:
+    return "" if row.episodes is None else str(row.episodes)
+
+
+def _shown(estimate: Estimate) -> str:
+    if estimate.low is None or estimate.high is None:
+        return f"{estimate.mean:.2f}"
+    return f"{estimate.mean:.2f} [{estimate.low:.2f}, {estimate.high:.2f}]"
+
+
+def _escaped(text: str) -> str:
+    return text.replace("|", "\\|")

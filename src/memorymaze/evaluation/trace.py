@@ -1,0 +1,87 @@
+"""What happened in an episode, entry by entry, as compressed lines of JSON."""
+
+import gzip
+import hashlib
+import json
+import math
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import fields, is_dataclass
+from pathlib import Path
+from typing import Any
+from urllib.parse import quote
+
+import numpy as np
+
+from memorymaze.errors import RunFolderError
+from memorymaze.evaluation.durable_files import write_whole
+
+__all__ = ["read_trace", "trace_path", "write_trace"]
+
+NAME_LIMIT = 150
+"""Longest file stem made of an episode id; longer ones are cut and numbered."""
+
+
+def trace_path(folder: Path, episode_id: str) -> Path:
+    """Return the file of an episode's trace in a run folder.
+
+    Characters that do not belong into file names are written as `%2F`.
+    """
+    stem = quote(episode_id, safe="")
+    if len(stem) > NAME_LIMIT:
+        digest = hashlib.sha256(episode_id.encode()).hexdigest()[:12]
+        stem = f"{stem[:NAME_LIMIT]}-{digest}"
+    return folder / "traces" / f"{stem}.jsonl.gz"
+
+
+def write_trace(
+    folder: Path, episode_id: str, entries: Iterable[Mapping[str, object]]
+) -> None:
+    """Write an episode's trace; it is there in full or not at all.
+
+    Equal entries give equal bytes.
+    """
+    lines = [
+        json.dumps(_plain(entry), ensure_ascii=False, separators=(",", ":"))
+        for entry in entries
+    ]
+    text = "".join(f"{line}\n" for line in lines)
+    content = gzip.compress(text.encode("utf-8", "backslashreplace"), mtime=0)
+    write_whole(trace_path(folder, episode_id), content)
+
+
+def read_trace(folder: Path, episode_id: str) -> Iterator[dict[str, Any]]:
+    """Read an episode's trace, entry by entry.
+
+    Raises:
+        RunFolderError: There is none, or it is damaged.
+    """
+    path = trace_path(folder, episode_id)
+    try:
+        with gzip.open(path, "rt", encoding="utf-8") as file:
+            for line in file:
+                yield json.loads(line)
+    except FileNotFoundError:
+        raise RunFolderError(
+            f"{path}: expected the trace of episode {episode_id!r}, got no such file"
+        ) from None
+    except (OSError, EOFError, ValueError) as error:
+        raise RunFolderError(f"{path}: the trace is damaged ({error})") from None
+
+
+def _plain(value: object) -> Any:
+    """Return a value as JSON knows it; what JSON does not know as its description."""
+    if value is None or isinstance(value, bool | int | str):
+        return value
+    if isinstance(value, float):
+        return value if math.isfinite(value) else repr(value)
+    if isinstance(value, np.generic | np.ndarray):
+        return _plain(value.tolist())
+    if is_dataclass(value) and not isinstance(value, type):
+        return {each.name: _plain(getattr(value, each.name)) for each in fields(value)}
+    if isinstance(value, Mapping):
+        return {str(key): _plain(part) for key, part in value.items()}
+    if isinstance(value, set | frozenset):
+        return [_plain(part) for part in sorted(value, key=repr)]
+    if isinstance(value, Sequence) and not isinstance(value, bytes | bytearray):
+        return [_plain(part) for part in value]
+    return repr(value)
