@@ -12,11 +12,10 @@ from memorymaze.geometry import polyline
 from memorymaze.geometry.pose import Pose, turn_between
 from memorymaze.simulation.clearance import Clearance
 from memorymaze.simulation.detours import SPACING, make_detours
-from memorymaze.simulation.straight_ways import StraightWay
+from memorymaze.simulation.straight_ways import END_GAP, StraightWay
 from memorymaze.simulation.wheeled_base import ROBOT_RADIUS
 
 __all__ = [
-    "END_GAP",
     "MIN_CLEARANCE",
     "Lane",
     "LaneEnd",
@@ -28,8 +27,8 @@ __all__ = [
 LaneEnd = Literal["wall", "obstacle", "done"]
 """What is behind the last station of a lane."""
 
-END_GAP = 0.7
-"""Metres from the robot's centre to the wall at which it halts."""
+SLANTED_END_GAP = 0.45
+"""The same, measured square to a wall that the way meets at a slant."""
 MIN_CLEARANCE = ROBOT_RADIUS + 0.07
 """Least distance in metres from a lane to walls and obstacles."""
 OBSTACLE_GAP = 0.25
@@ -91,11 +90,15 @@ def plan_lane(
         clearance: Distances on this floor.
         max_speed: Metres per second.
     """
-    length = polyline.length(way.points)
-    if length <= END_GAP + 0.01:
+    if way.halt < 0.01:
         here = np.array([pose[:2]])
         return _lane(here, here, np.array([way.courses[0]]), max_speed, "wall")
-    base, courses = _stations_of(way, length - END_GAP)
+    base, courses = _stations_of(way)
+    slanted_end = clearance.to_walls(base) < SLANTED_END_GAP
+    count = (
+        len(base) - int(np.argmin(slanted_end[::-1])) if not slanted_end.all() else 1
+    )
+    base, courses = base[: max(count, 2)], courses[: max(count, 2)]
     normals = _normals(base)
     start_offset = float((np.array(pose[:2]) - base[0]) @ normals[0])
     offsets = _joining_profile(len(base), start_offset)
@@ -109,7 +112,7 @@ def plan_lane(
         offsets, usable = make_detours(base, normals, offsets, needed, clearance)
         if usable < len(base):
             beyond = base[usable : usable + round(1.0 / SPACING)]
-            to_wall = (len(base) - usable) * SPACING + END_GAP
+            to_wall = polyline.length(way.points) - usable * SPACING
             walls_alone = clearance.to_walls(beyond)
             if to_wall > END_OBSTACLE_DEPTH and (walls_alone >= MIN_CLEARANCE).all():
                 end = "obstacle"
@@ -129,10 +132,10 @@ def lane_along(points: FloatArray, max_speed: float) -> Lane:
     return _lane(base, base, _headings(base), max_speed, "done")
 
 
-def _stations_of(way: StraightWay, length: float) -> tuple[FloatArray, FloatArray]:
-    """Return points at even steps along the way's beginning, and its courses there."""
+def _stations_of(way: StraightWay) -> tuple[FloatArray, FloatArray]:
+    """Return points at even steps along the way up to its halt, and its courses."""
     along = polyline.arc_lengths(way.points)
-    at = np.linspace(0.0, length, max(2, math.ceil(length / SPACING) + 1))
+    at = np.linspace(0.0, way.halt, max(2, math.ceil(way.halt / SPACING) + 1))
     points = np.asarray(way.points)
     base = np.column_stack([np.interp(at, along, points[:, k]) for k in (0, 1)])
     piece = np.clip(np.searchsorted(along, at, side="right") - 1, 0, len(points) - 2)

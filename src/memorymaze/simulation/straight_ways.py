@@ -2,31 +2,53 @@
 
 The way follows the centre line of each corridor it is in, carries on over junctions
 into corridors of about the same direction, and crosses open areas in a straight line.
-It ignores obstacles and ends at a wall.
+It ignores obstacles and ends before a wall: 0.7 m from it, or in the turning point of a
+bend, whose wall is too slanted to stop anyone there.
 """
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
+
+import shapely
+from shapely import LineString, Point
 
 from memorymaze.geometry.pose import turn_between
 from memorymaze.simulation.clearance import Clearance
 from memorymaze.sites.records import Corridor, Exit, Site, TurningPoint
 
-__all__ = ["BEND_TOLERANCE", "ENTRY_TOLERANCE", "StraightWay", "StraightWays"]
+__all__ = [
+    "BEND_TOLERANCE",
+    "END_GAP",
+    "ENTRY_TOLERANCE",
+    "Axis",
+    "StraightWay",
+    "StraightWays",
+]
 
 ENTRY_TOLERANCE = math.radians(30)
 """Greatest angle between the robot's course and the corridor it begins to follow."""
-BEND_TOLERANCE = math.radians(18)
-"""Greatest bend from one corridor into the next that still is straight on."""
+BEND_TOLERANCE = math.radians(15)
+"""Greatest bend from one corridor into the next that still is straight on; the same
+as the greatest angle that is called `forward`."""
 TOWARDS_TOLERANCE = math.radians(50)
 """As `ENTRY_TOLERANCE`, for the corridor a turn was made into."""
+ENTRY_DISTANCE = 2.0
+"""Metres before its end at which a corridor that was turned into is followed already."""
 OFFSET_TOLERANCE = 1.2
 """Greatest sideways step in metres between the middles of two corridors in line."""
 GAP_TOLERANCE = 1.0
 """Walls up to this many metres thick, such as pillars, do not end the way."""
 SCAN_STEP = 0.25
 EXIT_PROBE = 3.0
+END_GAP = 0.7
+"""Metres from the robot's centre to the wall at which it halts."""
+EDGE_GAP = 0.3
+"""Metres before the edge of a bend's turning point at which it halts there."""
+BLIND_END = 6.0
+"""Floor behind a turning point that has no exit this way, up to this many metres, is a
+bend's outer side and not a way."""
 LONGEST_WAY = 500.0
 
 XY = tuple[float, float]
@@ -40,6 +62,8 @@ class StraightWay:
     """Vertices, metres; the first is the place nearest to the robot."""
     courses: tuple[float, ...]
     """Heading of the corridor or the open way at each piece, one less than points."""
+    halt: float
+    """Metres along the line at which the robot has to halt."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,7 +113,7 @@ class StraightWays:
         """Take the centre lines of all corridors."""
         self._clearance = clearance
         self._axes = [_axis(corridor) for corridor in site.corridors]
-        self._turning_points = {each.id for each in site.turning_points}
+        self._turning_points = {each.id: each for each in site.turning_points}
 
     def way(
         self,
@@ -128,7 +152,9 @@ class StraightWays:
             if found is None:
                 points.append((place[0] + reach * ux, place[1] + reach * uy))
                 courses.append(course_now)
-                return StraightWay(tuple(points), tuple(courses))
+                return StraightWay(
+                    tuple(points), tuple(courses), self._halt(points, courses)
+                )
             at, axis = found
             followed.add(axis.corridor)
             tolerance = BEND_TOLERANCE
@@ -165,18 +191,43 @@ class StraightWays:
                 outward = axis
         return outward
 
+    def _halt(self, points: Sequence[XY], courses: Sequence[float]) -> float:
+        line = LineString(points)
+        length = line.length
+        halt = length - END_GAP
+        for point in self._turning_points.values():
+            inside = line.intersection(point.polygon)
+            if inside.is_empty:
+                continue
+            leaves = line.project(Point(shapely.get_coordinates(inside)[-1]))
+            if leaves > length - 0.05 or length - leaves > BLIND_END:
+                continue
+            course = courses[_piece_at(points, leaves)]
+            if not any(
+                abs(turn_between(course, each.heading))
+                <= (BEND_TOLERANCE if self._is_corridor(each) else ENTRY_TOLERANCE)
+                for each in point.exits
+            ):
+                halt = min(halt, leaves - EDGE_GAP)
+        return max(halt, 0.0)
+
+    def _is_corridor(self, chosen: Exit) -> bool:
+        return any(axis.corridor == chosen.to for axis in self._axes)
+
     def _corridor_at(
         self, position: XY, course: float, tolerance: float, towards: str | None
     ) -> Axis | None:
         best, least = None, math.inf
         for axis in self._along(course, max(tolerance, TOWARDS_TOLERANCE)):
-            angle = abs(turn_between(course, math.atan2(axis.uy, axis.ux)))
-            if not axis.covers(*position):
-                continue
-            if axis.corridor == towards:
+            along, aside = axis.local(*position)
+            if axis.corridor == towards and (
+                axis.covers(*position)
+                or (-ENTRY_DISTANCE <= along <= 0 and abs(aside) <= OFFSET_TOLERANCE)
+            ):
                 return axis
-            cost = angle + 0.05 * abs(axis.local(*position)[1])
-            if angle <= tolerance and cost < least:
+            angle = abs(turn_between(course, math.atan2(axis.uy, axis.ux)))
+            cost = angle + 0.05 * abs(aside)
+            if angle <= tolerance and cost < least and axis.covers(*position):
                 best, least = axis, cost
         return best
 
@@ -227,6 +278,14 @@ class StraightWays:
                     break
                 at += SCAN_STEP
         return None if best is None else (best[0], best[2])
+
+
+def _piece_at(points: Sequence[XY], s: float) -> int:
+    for piece, (a, b) in enumerate(pairwise(points)):
+        s -= math.dist(a, b)
+        if s <= 0:
+            return piece
+    return len(points) - 2
 
 
 def _transition(

@@ -13,14 +13,14 @@ from memorymaze.robot.api import DIRECTIONS, Direction
 __all__ = ["direction_of", "exit_meant", "parse_direction"]
 
 # Upper end of each sector, degrees to either side.
-FORWARD, SLIGHT, SIDE, SHARP = 25, 60, 120, 160
+FORWARD, SLIGHT, SIDE, SHARP = 15, 60, 120, 160
 
 MEANING: Mapping[str, tuple[float, float, float]] = {
     "forward": (-60, 60, 0),
-    "slight_left": (15, 75, 45),
+    "slight_left": (10, 75, 40),
     "left": (30, 150, 90),
     "sharp_left": (105, 165, 140),
-    "slight_right": (-75, -15, -45),
+    "slight_right": (-75, -10, -40),
     "right": (-150, -30, -90),
     "sharp_right": (-165, -105, -140),
 }
@@ -30,7 +30,7 @@ MEANING: Mapping[str, tuple[float, float, float]] = {
 def direction_of(angle: float) -> Direction | None:
     """Return the word for a way, or None for one that leads back.
 
-    Straight on up to 25 degrees, slight to 60, left or right to 120, sharp to 160.
+    Straight on up to 15 degrees, slight to 60, left or right to 120, sharp to 160.
 
     >>> direction_of(math.radians(-40)), direction_of(math.pi)
     ('slight_right', None)
