@@ -7,7 +7,12 @@ import inspect
 import pytest
 
 from memorymaze.robot import api
-from memorymaze.robot.specification import API_NAMES, api_specification, api_stub
+from memorymaze.robot.specification import (
+    API_NAMES,
+    API_RECORDS,
+    api_specification,
+    api_stub,
+)
 
 RECORDS = (api.MoveResult, api.TurnResult, api.Detection)
 
@@ -70,7 +75,7 @@ def test_each_function_has_the_protocols_parameters_and_result(text: str):
 def test_each_record_has_the_fields_a_result_has(text: str):
     classes = classes_in(text)
 
-    assert set(classes) == {record.__name__ for record in RECORDS}
+    assert tuple(classes) == API_RECORDS == tuple(r.__name__ for r in RECORDS)
     for record in RECORDS:
         told = [
             statement.target.id

@@ -1,1 +1,1 @@
-"""TODO."""
+"""Language models, recorded replies, prompts, and the sandbox for their programs."""

@@ -6,6 +6,7 @@ from it. In both the methods of `Robot` are plain functions: a program calls
 """
 
 import ast
+import dataclasses
 import functools
 import inspect
 from textwrap import indent
@@ -13,12 +14,17 @@ from typing import NamedTuple
 
 from memorymaze.robot import api
 
-__all__ = ["API_NAMES", "api_specification", "api_stub"]
+__all__ = ["API_NAMES", "API_RECORDS", "api_specification", "api_stub"]
 
 API_NAMES: tuple[str, ...] = tuple(
     name for name in vars(api.Robot) if not name.startswith("_")
 )
 """Names of the functions a program can call, in the order of the Protocol."""
+
+API_RECORDS: tuple[str, ...] = tuple(
+    name for name, value in vars(api).items() if dataclasses.is_dataclass(value)
+)
+"""Names of the records that calls return."""
 
 
 @functools.cache

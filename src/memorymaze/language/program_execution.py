@@ -1,0 +1,211 @@
+"""One run of one program, stepped from API call to API call."""
+
+import re
+from collections.abc import Callable
+from typing import Any, TypeGuard
+
+from pydantic_monty import (
+    FunctionSnapshot,
+    FutureSnapshot,
+    MontyComplete,
+    MontySession,
+    MontyTypingError,
+    NameLookupSnapshot,
+    SourceRange,
+    SyncSnapshot,
+)
+
+from memorymaze.errors import CommandError, EpisodeOver, ProgramError
+from memorymaze.language.program_check import (
+    FORBIDDEN_BUILTINS,
+    first_error,
+    read_findings,
+)
+from memorymaze.language.program_limits import ProgramLimits
+from memorymaze.language.sandbox_values import read_arguments, to_sandbox
+from memorymaze.robot.api import Robot
+from memorymaze.robot.specification import API_NAMES
+
+__all__ = ["SOURCE_NAME", "ProgramExecution", "reaching_out"]
+
+SOURCE_NAME = "<python-input-"
+"""How the interpreter names the program's own text, followed by a number."""
+
+_ENDINGS = frozenset({"exit", "quit"})
+_DUNDER = re.compile(r"__\w+__")
+
+
+def _placeholder(name: str) -> Callable[..., None]:
+    """Return a function that stands in the sandbox for a call to halt at."""
+
+    def halt(*_: object) -> None:
+        raise RuntimeError(f"{name} was called on the wrong side of the sandbox")
+
+    halt.__name__ = name
+    return halt
+
+
+_FUNCTIONS = {
+    name: _placeholder(name) for name in (*API_NAMES, *FORBIDDEN_BUILTINS, *_ENDINGS)
+}
+
+
+def reaching_out(what: str, line: int | None) -> ProgramError:
+    """Return the error of a program that reached for something outside the API."""
+    return ProgramError(
+        f"line {line}: the program reaches outside the control API: {what}",
+        line=line,
+        unsafe=True,
+    )
+
+
+class ProgramExecution:
+    """Lets a program run in an interpreter session and makes its calls."""
+
+    def __init__(
+        self,
+        program: str,
+        robot: Robot,
+        limits: ProgramLimits,
+        on_event: Callable[[dict[str, Any]], None],
+    ) -> None:
+        """Prepare a run; the arguments are those of `run_program`."""
+        self._program = program
+        self._encoded = program.encode()
+        self._robot = robot
+        self._limits = limits
+        self._on_event = on_event
+        self._calls = 0
+        self._printed: list[str] = []
+        self._printing_room = limits.printed_characters
+
+    def run(self, session: MontySession) -> None:
+        """Check the program and run it until it ends.
+
+        Raises:
+            EpisodeOver: The robot, `stop()` or a limit ended the episode.
+            ProgramError: The program is refused, or reached outside the API.
+            MontyError: It failed in the interpreter.
+        """
+        try:
+            snapshot: SyncSnapshot | None = self._start(session)
+            while not (snapshot is None or isinstance(snapshot, MontyComplete)):
+                self._tell_printed()
+                snapshot = self._answer(snapshot)
+        finally:
+            self._tell_printed()
+
+    def _start(self, session: MontySession) -> SyncSnapshot:
+        """Check the program and run it to its first halt."""
+        try:
+            snapshot = self._feed(session, check=True)
+            if _asks_for_stubs(snapshot):
+                snapshot = snapshot.resume_not_handled()
+            return snapshot
+        except MontyTypingError as error:
+            findings = read_findings(error.display())
+        refusal = first_error(findings)
+        if refusal is not None:
+            raise refusal
+        if findings:
+            doubts = [f"line {finding.line}: {finding.message}" for finding in findings]
+            self._on_event({"kind": "doubts", "doubts": doubts})
+        return self._feed(session, check=False)
+
+    def _feed(self, session: MontySession, *, check: bool) -> SyncSnapshot:
+        return session.feed_start(
+            self._program,
+            inputs=_FUNCTIONS,
+            print_callback=self._keep_printed,
+            skip_type_check=not check,
+        )
+
+    def _answer(
+        self, snapshot: FunctionSnapshot | NameLookupSnapshot | FutureSnapshot
+    ) -> SyncSnapshot | None:
+        """Do what the program halted for; None when that ends the program."""
+        line = self._line(snapshot.position)
+        if isinstance(snapshot, FutureSnapshot):
+            raise ProgramError(
+                f"line {line}: the program waits for what never comes", line=line
+            )
+        if isinstance(snapshot, NameLookupSnapshot):
+            if _DUNDER.fullmatch(snapshot.variable_name):
+                raise reaching_out(snapshot.variable_name, line)
+            return snapshot.resume()
+        name = snapshot.function_name
+        if snapshot.is_os_function or name in FORBIDDEN_BUILTINS:
+            raise reaching_out(name, line)
+        if name in API_NAMES:
+            return self._call(snapshot, name, line)
+        if name in _ENDINGS:
+            return None
+        return snapshot.resume({
+            "exception": NameError(f"name {name!r} is not defined")
+        })
+
+    def _call(
+        self, snapshot: FunctionSnapshot, name: str, line: int | None
+    ) -> SyncSnapshot:
+        """Make an API call; arguments it does not take are the program's exception."""
+        self._calls += 1
+        if self._calls > self._limits.calls:
+            raise EpisodeOver("budget")
+        try:
+            arguments = read_arguments(
+                name, snapshot.args, snapshot.kwargs, self._limits.text_characters
+            )
+        except (TypeError, ValueError) as error:
+            return self._refuse(snapshot, name, line, error)
+        try:
+            result = getattr(self._robot, name)(**arguments)
+        except CommandError as error:
+            return self._refuse(snapshot, name, line, ValueError(str(error)))
+        if name == "stop":
+            raise EpisodeOver("agent")
+        return snapshot.resume({"return_value": to_sandbox(result)})
+
+    def _refuse(
+        self,
+        snapshot: FunctionSnapshot,
+        name: str,
+        line: int | None,
+        error: TypeError | ValueError,
+    ) -> SyncSnapshot:
+        self._on_event({
+            "kind": "refused_call",
+            "line": line,
+            "call": name,
+            "message": str(error),
+        })
+        return snapshot.resume({"exception": error})
+
+    def _line(self, position: SourceRange) -> int | None:
+        """Return the line of a place in the program; None in text that it made."""
+        if not position.filename.startswith(SOURCE_NAME):
+            return None
+        return self._encoded.count(b"\n", 0, position.start) + 1
+
+    def _keep_printed(self, stream: str, text: str) -> None:
+        """Keep what is printed until the next halt, as far as there is room."""
+        if self._printing_room <= 0:
+            return
+        self._printed.append(text[: self._printing_room])
+        self._printing_room -= len(text)
+        if self._printing_room <= 0:
+            limit = self._limits.printed_characters
+            self._printed.append(f"\n[printing beyond {limit} characters is dropped]\n")
+
+    def _tell_printed(self) -> None:
+        if self._printed:
+            self._on_event({"kind": "print", "text": "".join(self._printed)})
+            self._printed.clear()
+
+
+def _asks_for_stubs(snapshot: SyncSnapshot) -> TypeGuard[FunctionSnapshot]:
+    """Whether the type checker has met a module it does not know."""
+    return (
+        isinstance(snapshot, FunctionSnapshot)
+        and snapshot.is_os_function
+        and snapshot.function_name == "import_stubs"
+    )

@@ -1,0 +1,142 @@
+"""Runs an untrusted program against a robot's control API and nothing else.
+
+The program runs in a process of its own, in an interpreter without files, network or
+operating system (`pydantic-monty`). It halts at each API call; the call is made on
+this side and the program let on, or not: when the episode is over it is simply not
+continued, so nothing in it can catch the end.
+"""
+
+import re
+from collections.abc import Callable
+from typing import Any
+
+from pydantic_monty import (
+    MontyCrashedError,
+    MontyError,
+    MontyRuntimeError,
+    MontySyntaxError,
+    ResourceLimits,
+)
+
+from memorymaze.errors import EpisodeOver, ProgramError
+from memorymaze.language.program_check import FORBIDDEN_BUILTINS
+from memorymaze.language.program_execution import (
+    SOURCE_NAME,
+    ProgramExecution,
+    reaching_out,
+)
+from memorymaze.language.program_limits import DEFAULT_LIMITS, ProgramLimits
+from memorymaze.language.sandbox_workers import open_session
+from memorymaze.robot.api import Robot
+from memorymaze.robot.specification import api_stub
+
+__all__ = ["DEFAULT_LIMITS", "ProgramLimits", "run_program"]
+
+_HIDDEN_ATTRIBUTE = re.compile(r"has no attribute '(__\w+__)'")
+_CALLED_BACK = re.compile(r"external function '(\w+)' cannot suspend")
+_TIME_IS_UP = "time limit exceeded"
+
+
+def run_program(
+    program: str,
+    robot: Robot,
+    limits: ProgramLimits = DEFAULT_LIMITS,
+    on_event: Callable[[dict[str, Any]], None] | None = None,
+) -> None:
+    """Run a program until its last line, or until it calls `exit()`.
+
+    Before it runs it is type-checked against the control API.
+
+    Args:
+        program: Python source in which the API's functions are in scope.
+        robot: What the API's functions drive.
+        limits: How much the program may use.
+        on_event: Told what the robot does not know of, as dicts with a `kind`:
+            `print` (`text`); `refused_call` (`line`, `call`, `message`) for arguments
+            that the API does not take; `doubts` (`doubts`) for what the type checker
+            holds against the program without its being refused for that.
+
+    Raises:
+        EpisodeOver: `agent` when the program called `stop()`; `budget` when it
+            computed for too long or made too many calls; or what the robot said.
+        ProgramError: The program is wrong or failed; `unsafe` when it reached for
+            something outside the API.
+        SettingsError: The interpreter is not installed.
+    """
+    _check_text(program, limits)
+    execution = ProgramExecution(program, robot, limits, on_event or _ignore)
+    interpreter_limits: ResourceLimits = {
+        "max_feed_duration_secs": limits.computing_time,
+        "max_memory": limits.memory,
+        "max_recursion_depth": limits.recursion_depth,
+        # Calls are counted on this side; a few look-ups of names come between them.
+        "max_suspensions": 10 * limits.calls + 1_000,
+    }
+    try:
+        with open_session(interpreter_limits, api_stub()) as session:
+            execution.run(session)
+    except MontyError as error:
+        outcome = _outcome(error)
+        if outcome is not None:
+            raise outcome from None
+
+
+def _ignore(event: dict[str, Any]) -> None:
+    """Take no notice."""
+
+
+def _check_text(program: str, limits: ProgramLimits) -> None:
+    if len(program) > limits.program_characters:
+        raise ProgramError(
+            f"the program has {len(program)} characters; "
+            f"at most {limits.program_characters} are allowed"
+        )
+    try:
+        program.encode()
+    except UnicodeEncodeError as error:
+        line = program.count("\n", 0, error.start) + 1
+        raise ProgramError(
+            f"line {line}: the program holds characters that are no text", line=line
+        ) from None
+
+
+def _outcome(error: MontyError) -> ProgramError | EpisodeOver | None:
+    """Say what an interpreter's error means; None for a program that just exits."""
+    if isinstance(error, MontyCrashedError):
+        if error.timed_out:
+            return EpisodeOver("budget")
+        return ProgramError("the program brought its interpreter down")
+    if not isinstance(error, MontyRuntimeError | MontySyntaxError):
+        return ProgramError(f"the program cannot be run: {error}")
+    cause = error.exception()
+    text = str(cause).partition("\n")[0]
+    lines = [
+        frame.line
+        for frame in error.traceback()
+        if frame.filename.startswith(SOURCE_NAME)
+    ]
+    line = lines[-1] if lines else None
+    if isinstance(cause, SystemExit):
+        return None
+    if isinstance(cause, TimeoutError) and line is None and _TIME_IS_UP in text:
+        return EpisodeOver("budget")
+    outside = _outside(cause, text)
+    if outside is not None:
+        return reaching_out(outside, line)
+    what = f"{type(cause).__name__}: {text}" if text else type(cause).__name__
+    return ProgramError(what if line is None else f"line {line}: {what}", line=line)
+
+
+def _outside(cause: BaseException, text: str) -> str | None:
+    """Return what outside the API a failed program reached for, if it did."""
+    match cause:
+        case ImportError():
+            return text
+        case AttributeError():
+            hidden = _HIDDEN_ATTRIBUTE.search(text)
+            return hidden and hidden[1]
+        case NotImplementedError():
+            called = _CALLED_BACK.search(text)
+            return called[1] if called and called[1] in FORBIDDEN_BUILTINS else None
+        case _:
+            return None
