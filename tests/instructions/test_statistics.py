@@ -63,7 +63,7 @@ def test_the_shipped_corpus_follows_the_published_table_cell_by_cell(
         cell = cells[row.study, row.site, row.route, row.iteration]
         assert cell.words_mean == pytest.approx(row.words_mean, rel=0.05)
         assert cell.words_median == pytest.approx(row.words_median, rel=0.1)
-        assert cell.words_sd == pytest.approx(row.words_sd, rel=0.07)
+        assert cell.words_sd == pytest.approx(row.words_sd, rel=0.1)
         assert cell.failure_rate == pytest.approx(row.failure_rate, abs=1e-3)
         if row.alternative_rate is not None:
             assert cell.alternative_rate == pytest.approx(

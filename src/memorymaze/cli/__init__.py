@@ -1,1 +1,1 @@
-"""TODO."""
+"""The command line: one file per verb, each with `add_parser`; no logic."""

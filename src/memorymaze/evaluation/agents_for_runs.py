@@ -16,7 +16,7 @@ from memorymaze.evaluation.oracle import OracleAgent
 from memorymaze.evaluation.settings import AgentSettings
 from memorymaze.instructions.records import Episode
 
-__all__ = ["AgentFor", "agent_names", "build_agent"]
+__all__ = ["AgentFor", "agent_names", "build_agent", "has_language_model"]
 
 AgentFor = Callable[[Episode], Agent]
 """Gives the agent that follows an episode; only `oracle` looks at the episode."""
@@ -27,6 +27,11 @@ LANGUAGE_MODEL_AGENTS = ("code_generation",)
 def agent_names() -> list[str]:
     """Return the names that `build_agent` knows without a module or file."""
     return sorted([*AGENTS, "oracle"])
+
+
+def has_language_model(name: str) -> bool:
+    """Tell whether the agent of this name asks a language model."""
+    return name in LANGUAGE_MODEL_AGENTS
 
 
 def build_agent(settings: AgentSettings) -> AgentFor:
@@ -41,11 +46,11 @@ def build_agent(settings: AgentSettings) -> AgentFor:
         SettingsError: There is no such agent, it cannot be made, or the settings name
             a language model for an agent that has none.
     """
-    if settings.name not in LANGUAGE_MODEL_AGENTS:
+    if not has_language_model(settings.name):
         _refuse_model(settings)
     if settings.name == "oracle":
         return lambda episode: OracleAgent(episode.reference_path)
-    if settings.name in LANGUAGE_MODEL_AGENTS:
+    if has_language_model(settings.name):
         agent = _language_model_agent(settings)
     elif settings.name in AGENTS:
         agent = AGENTS[settings.name]()

@@ -63,12 +63,12 @@ def plan_run(
     names = dict.fromkeys(episode.instruction.site for episode in chosen)
     sites = {name: all_sites[name] for name in names}
     abilities = simulation or SimulationSettings()
-    routes = [route for site in sites.values() for route in site.routes]
-    abilities = replace(
-        abilities,
-        time_budget=time_budget or default_time_budget(routes, abilities),
-        call_budget=call_budget or abilities.call_budget,
-    )
+    if time_budget is None:
+        routes = [route for site in sites.values() for route in site.routes]
+        time_budget = default_time_budget(routes, abilities)
+    if call_budget is None:
+        call_budget = abilities.call_budget
+    abilities = replace(abilities, time_budget=time_budget, call_budget=call_budget)
     settings = RunSettings(
         agent=agent,
         instructions=tuple(stamp_file(path) for path in files),

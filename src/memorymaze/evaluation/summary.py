@@ -7,8 +7,9 @@ from typing import Any
 
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.settings import RunSettings
+from memorymaze.instructions.records import WRITTEN_BY
 
-__all__ = ["summarise"]
+__all__ = ["summarise", "summary_lines"]
 
 MEANS = (
     "success",
@@ -63,6 +64,30 @@ def summarise(
             for (study, site, route), cell in sorted(cells.items())
         ],
     }
+
+
+def summary_lines(summary: dict[str, Any]) -> list[str]:
+    """Say the main numbers of a summary in a few lines."""
+    mean, total = summary["mean"], summary["sum"]
+    written = ", ".join(
+        f"{count} {'' if index else 'instructions '}written by {WRITTEN_BY[source]}"
+        for index, (source, count) in enumerate(
+            summary["instructions_written_by"].items()
+        )
+    )
+    ends = ", ".join(f"{how} {n}" for how, n in summary["stopped_by"].items())
+    lines = [
+        f"{summary['episodes']} episodes; {written}",
+        f"success {mean['success']:.3f}, oracle success {mean['oracle_success']:.3f}, "
+        f"SPD {mean['spd']:.2f} m, CLS {mean['cls']:.3f} (means over episodes)",
+        f"stopped by: {ends}; collisions: {total['collisions']}",
+    ]
+    if total["model_calls"]:
+        lines.append(
+            f"language model: {total['model_calls']} calls, {total['tokens']} tokens, "
+            f"{total['cost_usd']:.2f} USD"
+        )
+    return lines
 
 
 def _means(results: Sequence[EpisodeResult]) -> dict[str, float]:

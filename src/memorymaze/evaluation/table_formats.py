@@ -8,9 +8,15 @@ from itertools import groupby
 from typing import Literal
 
 from memorymaze.evaluation.bootstrap import MEASURES, Estimate
-from memorymaze.evaluation.tables import MeasuredRun, TableName, TableRow
+from memorymaze.evaluation.tables import (
+    MeasuredRun,
+    TableName,
+    TableRow,
+    table_rows,
+)
+from memorymaze.instructions.records import WRITTEN_BY
 
-__all__ = ["TableFormat", "format_table"]
+__all__ = ["TableFormat", "format_tables"]
 
 TableFormat = Literal["text", "md", "csv"]
 
@@ -24,12 +30,6 @@ STUDY_TITLES = {
     "onsite": "Onsite instructions (from memory)",
 }
 
-SOURCES = {
-    "human": "people",
-    "llm": "a LANGUAGE MODEL, not by people",
-    "synthetic": "a program (synthetic), not by people",
-}
-
 HEADINGS = {"sr": "SR", "osr": "OSR", "spd": "SPD (m)", "cls": "CLS"}
 
 KEY = (
@@ -40,24 +40,20 @@ KEY = (
 )
 
 
-def format_table(
-    rows: Sequence[TableRow],
-    runs: Sequence[MeasuredRun],
-    table: TableName,
-    style: TableFormat,
+def format_tables(
+    runs: Sequence[MeasuredRun], tables: Sequence[TableName], style: TableFormat
 ) -> str:
-    """Write a table, with all that one must know to read it.
+    """Write tables, with all that one must know to read them.
 
     Args:
-        rows: From `table_rows`.
-        runs: The runs shown.
-        table: Which of the paper's tables.
-        style: Text of at most 110 columns, Markdown, or CSV with one row per line and
-            unrounded numbers.
+        runs: From `load_runs`; at least one.
+        tables: Which of the paper's tables.
+        style: Text of at most 115 columns, Markdown, or one CSV with unrounded numbers.
     """
     if style == "csv":
-        return _csv(rows, table)
-    return _text(rows, runs, table) if style == "text" else _markdown(rows, runs, table)
+        return _csv((row, table) for table in tables for row in table_rows(runs, table))
+    write = _text if style == "text" else _markdown
+    return "\n".join(write(table_rows(runs, table), runs, table) for table in tables)
 
 
 def run_notes(run: MeasuredRun) -> list[str]:
@@ -65,7 +61,7 @@ def run_notes(run: MeasuredRun) -> list[str]:
     settings = run.record.settings
     counts = Counter(result.source for result in run.results)
     written = "; ".join(
-        f"{count} written by {SOURCES[source]}" for source, count in counts.items()
+        f"{count} written by {WRITTEN_BY[source]}" for source, count in counts.items()
     )
     files = ", ".join(stamp.name for stamp in settings.instructions)
     notes = [
@@ -141,7 +137,7 @@ def _markdown(
     return "\n".join(lines) + "\n"
 
 
-def _csv(rows: Iterable[TableRow], table: TableName) -> str:
+def _csv(rows: Iterable[tuple[TableRow, TableName]]) -> str:
     columns = ["table", "study", "site", "route", "iteration", "method", "parser"]
     columns += ["figures", "run", "episodes", "participants"]
     for name in MEASURES:
@@ -151,7 +147,7 @@ def _csv(rows: Iterable[TableRow], table: TableName) -> str:
     out = io.StringIO()
     writer = csv.DictWriter(out, columns, lineterminator="\n")
     writer.writeheader()
-    for row in rows:
+    for row, table in rows:
         line: dict[str, object] = {
             "table": table,
             "study": row.study,

@@ -15,7 +15,7 @@ import numpy as np
 from memorymaze.errors import RunFolderError
 from memorymaze.evaluation.durable_files import write_whole
 
-__all__ = ["read_trace", "trace_path", "write_trace"]
+__all__ = ["read_trace", "trace_lines", "trace_path", "write_trace"]
 
 NAME_LIMIT = 150
 """Longest file stem made of an episode id; longer ones are cut and numbered."""
@@ -40,13 +40,18 @@ def write_trace(
 
     Equal entries give equal bytes.
     """
+    content = gzip.compress(trace_lines(entries), mtime=0)
+    write_whole(trace_path(folder, episode_id), content)
+
+
+def trace_lines(entries: Iterable[Mapping[str, object]]) -> bytes:
+    """Return trace entries as lines of JSON; what JSON does not know as its `repr`."""
     lines = [
         json.dumps(_plain(entry), ensure_ascii=False, separators=(",", ":"))
         for entry in entries
     ]
     text = "".join(f"{line}\n" for line in lines)
-    content = gzip.compress(text.encode("utf-8", "backslashreplace"), mtime=0)
-    write_whole(trace_path(folder, episode_id), content)
+    return text.encode("utf-8", "backslashreplace")
 
 
 def read_trace(folder: Path, episode_id: str) -> Iterator[dict[str, Any]]:

@@ -12,7 +12,7 @@ from memorymaze.sites import Route, Site
 
 __all__ = ["TurnTaken", "turns_in_order", "turns_taken"]
 
-LEAST_TURN = np.deg2rad(20)
+LEAST_TURN = np.deg2rad(10)
 """Changes of heading within a turning point from which on they are a turn."""
 
 GREATEST_TURN = np.deg2rad(155)

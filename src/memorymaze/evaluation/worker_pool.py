@@ -192,8 +192,6 @@ def _work(
             task = connection.recv()
             try:
                 outcome = do(task)
-            except MemoryMazeError:
-                raise
             except Exception as error:
                 connection.send(("done", Lost(f"{type(error).__name__}: {error}")))
             else:

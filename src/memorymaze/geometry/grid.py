@@ -204,6 +204,8 @@ class FloorGrid:
         """
         passed = self._checked(nodes)
         tails, heads = passed[:-1], passed[1:]
+        if len(tails) == 0:
+            return np.empty(0)
         steps = np.asarray(self.graph[tails, heads], dtype=np.float64)
         for index in np.flatnonzero((steps == 0) & (tails != heads)):
             row = dijkstra(self.graph, indices=tails[index])

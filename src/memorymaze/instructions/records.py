@@ -5,7 +5,14 @@ from typing import Literal
 
 from memorymaze.geometry.pose import Pose
 
-__all__ = ["Episode", "Failure", "Instruction"]
+__all__ = ["WRITTEN_BY", "Episode", "Failure", "Instruction"]
+
+WRITTEN_BY = {
+    "human": "people",
+    "llm": "a LANGUAGE MODEL, not by people",
+    "synthetic": "a program (synthetic), not by people",
+}
+"""Who wrote an instruction, by its source, as it is said wherever results are shown."""
 
 
 @dataclass(frozen=True, slots=True)

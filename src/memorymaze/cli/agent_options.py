@@ -1,0 +1,99 @@
+"""Options that say which agent acts, and how; shared by `evaluate` and `navigate`."""
+
+import argparse
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from memorymaze.evaluation.settings import AgentSettings
+
+__all__ = [
+    "add_agent_options",
+    "add_episode_options",
+    "agent_settings",
+    "episode_settings",
+]
+
+
+def add_agent_options(parser: argparse.ArgumentParser, default: str | None) -> None:
+    """Add `--agent` and the options of its language model."""
+    parser.add_argument(
+        "--agent",
+        metavar="NAME",
+        default=default,
+        required=default is None,
+        help="rules, code_generation, oracle, stop, or your own as module:Class or "
+        "file.py:Class" + (f" (default: {default})" if default else ""),
+    )
+    model = parser.add_argument_group("language model (code_generation)")
+    model.add_argument("--model", metavar="NAME", help="such as gpt-4o-mini")
+    model.add_argument(
+        "--base-url",
+        metavar="URL",
+        help="an OpenAI-compatible server (default: OpenAI's, or OPENAI_BASE_URL)",
+    )
+    model.add_argument(
+        "--no-parser",
+        action="store_true",
+        help="write the program from the instruction itself, without parsing it first",
+    )
+    model.add_argument(
+        "--record", metavar="FILE", help="keep the model's replies in a file"
+    )
+    model.add_argument(
+        "--replay", metavar="FILE", help="take replies from a file; ask no model"
+    )
+
+
+def add_episode_options(parser: argparse.ArgumentParser) -> None:
+    """Add the options that every episode obeys."""
+    parser.add_argument(
+        "--seed",
+        metavar="N",
+        type=int,
+        default=0,
+        help="of all randomness (default: 0)",
+    )
+    parser.add_argument(
+        "--success-distance",
+        metavar="METRES",
+        type=float,
+        help="stopping nearer than this to the goal is success (default: 3.0)",
+    )
+    parser.add_argument(
+        "--time-budget",
+        metavar="SECONDS",
+        type=float,
+        help="simulated time of an episode (default: three times what a perfect "
+        "follower needs for the longest route)",
+    )
+    parser.add_argument(
+        "--call-budget",
+        metavar="N",
+        type=int,
+        help="calls of the control API in an episode (default: 10000)",
+    )
+
+
+def episode_settings(options: argparse.Namespace) -> dict[str, Any]:
+    """Return what the options say of every episode, defaults left out."""
+    names = ("seed", "success_distance", "time_budget", "call_budget")
+    given = {name: getattr(options, name) for name in names}
+    return {name: value for name, value in given.items() if value is not None}
+
+
+def agent_settings(options: argparse.Namespace) -> "AgentSettings":
+    """Return the agent that the options ask for."""
+    from memorymaze.evaluation.agents_for_runs import has_language_model
+    from memorymaze.evaluation.settings import AgentSettings
+
+    parser: bool | None = None
+    if has_language_model(options.agent) or options.no_parser:
+        parser = not options.no_parser
+    return AgentSettings(
+        name=options.agent,
+        model=options.model,
+        parser=parser,
+        base_url=options.base_url,
+        record=options.record,
+        replay=options.replay,
+    )

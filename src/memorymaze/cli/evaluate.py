@@ -1,0 +1,120 @@
+"""`memorymaze evaluate`: run an agent on instructions, into a run folder."""
+
+import argparse
+import shlex
+import sys
+from datetime import datetime
+from pathlib import Path
+
+from memorymaze.cli.agent_options import (
+    add_agent_options,
+    add_episode_options,
+    agent_settings,
+    episode_settings,
+)
+from memorymaze.cli.verbs import Verbs
+
+__all__ = ["add_parser"]
+
+
+def add_parser(verbs: Verbs) -> None:
+    """Add the verb to the command line."""
+    parser = verbs.add_parser(
+        "evaluate",
+        help="run an agent on many instructions",
+        description="Run an agent on instructions and keep every result in a folder. "
+        "A run that was broken off, however that came, goes on with --resume.",
+        epilog="example: memorymaze evaluate --agent rules --limit 24 --out runs/look",
+    )
+    add_agent_options(parser, default=None)
+    parser.add_argument(
+        "--instructions",
+        metavar="FILE",
+        nargs="+",
+        help="JSONL files (default: the shipped texts, written by a language model)",
+    )
+    parser.add_argument(
+        "--sites",
+        metavar="DIR",
+        help="folder of site plans (default: the three shipped ones)",
+    )
+    parser.add_argument(
+        "--limit",
+        metavar="N",
+        type=int,
+        help="only N episodes, spread evenly over the instructions",
+    )
+    parser.add_argument(
+        "--workers",
+        metavar="N",
+        type=int,
+        default=0,
+        help="processes (default: 0, one per core)",
+    )
+    parser.add_argument(
+        "--out", metavar="DIR", help="run folder (default: runs/AGENT-TIME)"
+    )
+    parser.add_argument(
+        "--resume",
+        action="store_true",
+        help="finish the run that is in --out; begins one where there is none",
+    )
+    add_episode_options(parser)
+    parser.set_defaults(run=_run)
+
+
+def _run(options: argparse.Namespace) -> int:
+    from memorymaze.errors import SettingsError
+    from memorymaze.evaluation.driver import available_cores, run_plan
+    from memorymaze.evaluation.plan import plan_run
+    from memorymaze.evaluation.summary import summarise, summary_lines
+
+    if options.workers < 0:
+        raise SettingsError(
+            f"--workers: expected 0 (one per core) or more, got {options.workers}"
+        )
+    if options.resume and options.out is None:
+        raise SettingsError("--resume: name the run's folder with --out")
+    plan = plan_run(
+        agent_settings(options),
+        instruction_files=options.instructions,
+        sites_folder=options.sites,
+        limit=options.limit,
+        **episode_settings(options),
+    )
+    out = Path(options.out or _default_folder(options.agent))
+    workers = options.workers or available_cores()
+    print(
+        f"{len(plan.episodes)} episodes on {', '.join(plan.sites)}; {workers} workers; "
+        f"time budget {plan.settings.simulation.time_budget:g} s, call budget "
+        f"{plan.settings.simulation.call_budget}; into {out}",
+        file=sys.stderr,
+    )
+    try:
+        results = run_plan(plan, out, workers=workers, resume=options.resume)
+    except KeyboardInterrupt:
+        print(
+            "\nmemorymaze: interrupted; what is finished is kept. To go on:\n  "
+            + _resuming(sys.argv[1:], out),
+            file=sys.stderr,
+        )
+        return 1
+    print(f"run {out}")
+    print("\n".join(summary_lines(summarise(results, plan.settings))))
+    print(f"tables: memorymaze table {shlex.quote(str(out))}")
+    return 0
+
+
+def _default_folder(agent: str) -> Path:
+    name = Path(agent.replace(":", "-")).name.replace(".py", "")
+    return Path("runs") / f"{name}-{datetime.now().strftime('%Y%m%d-%H%M%S')}"
+
+
+def _resuming(arguments: list[str], out: Path) -> str:
+    """Return the command that takes up this run."""
+    again = ["memorymaze", *arguments]
+    if not any(part == "--out" or part.startswith("--out=") for part in arguments):
+        again += ["--out", str(out)]
+    if "--resume" not in arguments:
+        again.append("--resume")
+    return shlex.join(again)

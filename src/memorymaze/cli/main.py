@@ -1,0 +1,91 @@
+"""`memorymaze`: reads the arguments, calls a verb, and turns errors into messages.
+
+Results go to stdout, progress and messages to stderr. Exit codes: 0 done, 1 failed,
+2 wrong usage. Verbs import what they need when they run, so that help comes at once.
+"""
+
+import argparse
+import io
+import os
+import sys
+import traceback
+import warnings
+from collections.abc import Sequence
+
+from memorymaze import __version__
+from memorymaze.cli import evaluate, instructions, navigate, table
+from memorymaze.errors import MemoryMazeError, SettingsError
+
+__all__ = ["main"]
+
+DONE, FAILED, WRONG_USAGE = 0, 1, 2
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the command line.
+
+    Args:
+        arguments: Without the program's name; those of this process when None.
+
+    Returns:
+        Exit code.
+    """
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="backslashreplace")
+    options = _parser().parse_args(arguments)
+    warnings.showwarning = _show_warning
+    try:
+        return options.run(options)
+    except MemoryMazeError as error:
+        _explain(error, options.debug)
+        return WRONG_USAGE if isinstance(error, SettingsError) else FAILED
+    except KeyboardInterrupt:
+        _say("interrupted")
+        return FAILED
+    except BrokenPipeError:
+        # The reader (such as `head`) has seen enough; spare Python's own complaint.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return FAILED
+    except OSError as error:
+        _explain(error, options.debug)
+        return FAILED
+    except Exception as error:
+        _explain(error, options.debug)
+        _say("this is a fault of memorymaze; with --debug it shows where it happened")
+        return FAILED
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="memorymaze",
+        description="Test guide robots that follow route instructions given from "
+        "memory, in simulated public buildings.",
+        epilog="example: memorymaze evaluate --agent rules --out runs/rules && "
+        "memorymaze table runs/rules",
+    )
+    parser.add_argument(
+        "--version", action="version", version=f"memorymaze {__version__}"
+    )
+    parser.add_argument(
+        "--debug", action="store_true", help="show where in the code an error arose"
+    )
+    verbs = parser.add_subparsers(title="verbs", metavar="VERB", required=True)
+    for verb in (navigate, evaluate, table, instructions):
+        verb.add_parser(verbs)
+    return parser
+
+
+def _explain(error: BaseException, debug: bool) -> None:
+    if debug:
+        traceback.print_exception(error)
+    expected = isinstance(error, MemoryMazeError | OSError)
+    _say(str(error) if expected else f"{type(error).__name__}: {error}")
+
+
+def _say(text: str) -> None:
+    print(f"memorymaze: {text}", file=sys.stderr)
+
+
+def _show_warning(message: Warning | str, *_: object) -> None:
+    _say(f"note: {message}")

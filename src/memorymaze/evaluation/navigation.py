@@ -1,0 +1,136 @@
+"""One instruction on one route, looked at closely."""
+
+import json
+from dataclasses import asdict, replace
+from pathlib import Path
+from typing import Any
+
+from memorymaze.errors import RunFolderError, SettingsError
+from memorymaze.evaluation.agents_for_runs import build_agent
+from memorymaze.evaluation.arena import Arena
+from memorymaze.evaluation.budgets import default_time_budget
+from memorymaze.evaluation.durable_files import write_whole
+from memorymaze.evaluation.episode import EpisodeRun, run_episode
+from memorymaze.evaluation.settings import AgentSettings, RunSettings
+from memorymaze.evaluation.trace import trace_lines
+from memorymaze.instructions.episodes import episodes
+from memorymaze.instructions.records import Instruction
+from memorymaze.metrics.success import SUCCESS_DISTANCE
+from memorymaze.simulation import SimulationSettings
+from memorymaze.sites import Route, Site
+
+__all__ = ["find_route", "navigate", "write_navigation"]
+
+
+def find_route(site: Site, name: str) -> Route:
+    """Return a route by its name (`R1`: the reference route) or its id.
+
+    Raises:
+        SettingsError: The site has no such route.
+    """
+    for route in site.routes:
+        if name == route.id or (name == route.route and route.role == "reference"):
+            return route
+    names = [
+        f"{r.route} ({r.id})" if r.role == "reference" else r.id for r in site.routes
+    ]
+    raise SettingsError(
+        f"route: expected one of {', '.join(names) or 'none (the site has no routes)'}, "
+        f"got {name!r}"
+    )
+
+
+def navigate(
+    site: Site,
+    route: Route,
+    text: str,
+    agent: AgentSettings,
+    *,
+    seed: int = 0,
+    success_distance: float = SUCCESS_DISTANCE,
+    time_budget: float | None = None,
+    call_budget: int | None = None,
+) -> EpisodeRun:
+    """Let an agent follow a text from the start of a route.
+
+    Args:
+        site: Where.
+        route: What the text describes; gives start, goal and reference path.
+        text: The instruction.
+        agent: Which agent.
+        seed: Of all random numbers.
+        success_distance: Metres.
+        time_budget: Simulated seconds; None for the default of the site's routes.
+        call_budget: Calls of the control API; None for the default.
+
+    Raises:
+        MemoryMazeError: Something that was given cannot be used.
+    """
+    if not text.strip():
+        raise SettingsError("text: expected an instruction, got nothing")
+    abilities = SimulationSettings()
+    if time_budget is None:
+        time_budget = default_time_budget(site.routes, abilities)
+    if call_budget is None:
+        call_budget = abilities.call_budget
+    settings = RunSettings(
+        agent=agent,
+        instructions=(),
+        sites=(),
+        seed=seed,
+        limit=None,
+        episodes=1,
+        success_distance=success_distance,
+        simulation=replace(abilities, time_budget=time_budget, call_budget=call_budget),
+    )
+    told = Instruction(
+        id=f"{site.name}-{route.id}",
+        site=site.name,
+        route=route.route,
+        study="online",
+        iteration=1,
+        participant="command line",
+        text=text,
+        reference_route=route.id,
+        failures=(),
+        source="human",
+        language="en",
+        split="test",
+    )
+    [episode] = episodes([told], {site.name: site})
+    return run_episode(build_agent(agent)(episode), episode, Arena(site), settings)
+
+
+def write_navigation(run: EpisodeRun, site: Site, route: Route, folder: Path) -> None:
+    """Write `trajectory.json`, `trace.jsonl` and `picture.png` into a folder.
+
+    Raises:
+        RunFolderError: The folder cannot be written.
+    """
+    from memorymaze.sites.drawing import draw_site
+
+    content: dict[str, Any] = {
+        "site": site.name,
+        "route": route.id,
+        "instruction": run.trace[0]["instruction"],
+        "result": asdict(run.result),
+        "columns": ["time", "x", "y", "heading"],
+        "poses": [list(pose) for pose in run.trajectory.poses],
+    }
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        text = json.dumps(content, ensure_ascii=False) + "\n"
+        write_whole(
+            folder / "trajectory.json", text.encode("utf-8", "backslashreplace")
+        )
+        write_whole(folder / "trace.jsonl", trace_lines(run.trace))
+    except OSError as error:
+        raise RunFolderError(
+            f"{folder}: cannot be written ({error.strerror})"
+        ) from None
+    draw_site(
+        site,
+        folder / "picture.png",
+        trajectories=[run.trajectory],
+        routes=[route.id],
+    )
