@@ -119,7 +119,10 @@ def _follow(
         agent.follow(text, robot, journal, rng)
     except KeyboardInterrupt:
         raise
-    except EpisodeOver:
+    except EpisodeOver as over:
+        # A program that computes for ever is over while its robot is not.
+        if over.stopped_by != "agent" and robot.stopped_by is None:
+            return cast(StoppedBy, over.stopped_by), None
         return _as_robot_says(robot), None
     except ProgramError as problem:
         ended, error = "unsafe" if problem.unsafe else "crash", _described(problem)
