@@ -18,8 +18,12 @@ DETOUR_WIDTH = 2.0
 """Greatest sideways distance from the line, metres."""
 RUN_UP = 4.0
 """Metres before and behind an obstacle that a detour may use."""
-BACK_ON_LINE = 0.3
-"""Offset in metres within which the robot counts as on its line."""
+ON_LINE = 0.06
+"""Metres from the wanted offset within which the robot is back on its line."""
+BESIDE_LINE = 0.6
+"""Greatest offset in metres at which a lane may end whose line stays blocked."""
+WORTHWHILE = 1.0
+"""Metres that ending beside the line must gain over halting on it."""
 COMFORT = 0.5
 """Distance in metres to things from which on more room is no better."""
 OFFSET_STEP = 0.1
@@ -97,8 +101,9 @@ def _cheapest(
     cost = np.full(width, np.inf)
     cost[start] = 0.0
     origins = np.zeros((count, width), dtype=np.intp)
-    ends: list[int | None] = [start]
-    on_line = np.abs(lattice) <= BACK_ON_LINE
+    aside = np.abs(lattice[None, :] - wanted[:, None])
+    # The last station reached on the line, and within reach of it, with its column.
+    on_line, beside = (0, start), (0, start)
     columns = np.arange(width)
     for station in range(1, count):
         padded = np.full(width + 2 * MOST_STEPS, np.inf)
@@ -110,20 +115,24 @@ def _cheapest(
         choice = np.argmin(moves, axis=0)
         origins[station] = np.clip(columns + choice - MOST_STEPS, 0, width - 1)
         cost = moves[choice, columns] + price[station]
-        back = np.where(on_line, cost, np.inf)
-        best = int(np.argmin(back))
-        ends.append(best if np.isfinite(back[best]) else None)
         if not np.isfinite(cost).any():
             break
-    last = max(i for i, end in enumerate(ends) if end is not None)
-    column = ends[last]
+        for limit in (ON_LINE, BESIDE_LINE):
+            near = np.where(aside[station] <= limit, cost, np.inf)
+            best = int(np.argmin(near))
+            if np.isfinite(near[best]):
+                if limit == ON_LINE:
+                    on_line = station, best
+                beside = station, best
+    gain = (beside[0] - on_line[0]) * SPACING
+    last, column = beside if gain >= WORTHWHILE else on_line
     chosen = np.zeros(last + 1)
     for station in range(last, -1, -1):
         chosen[station] = lattice[column]
         column = origins[station, column]
     chosen[0] = wanted[0]
-    if last == count - 1:
-        chosen[-1] = wanted[-1]
+    if abs(chosen[-1] - wanted[last]) <= ON_LINE:
+        chosen[-1] = wanted[last]
     return _smoothed(chosen, base, normals, needed, clearance)
 
 

@@ -24,7 +24,7 @@ ARRIVED = 0.015
 """Metres before a lane's end at which the robot brakes for good."""
 BRAKING_SHARE = 0.75
 """Share of the greatest acceleration that planned braking uses."""
-HEADING_TOLERANCE = 0.002
+HEADING_TOLERANCE = 0.004
 """Radians."""
 BLOCKED_TICKS = 16
 """Decisions in a row without motion after which the robot gives up."""
@@ -184,7 +184,7 @@ class Driver:
             error = turn_between(self.pose.heading, heading)
             if abs(error) < HEADING_TOLERANCE and abs(self.base.turn_rate) < 0.1:
                 break
-            rate = min(math.sqrt(2 * braking * abs(error)), 6.0 * abs(error))
+            rate = min(math.sqrt(2 * braking * abs(error)), 10.0 * abs(error))
             self.tick(0.0, math.copysign(rate, error), None)
         self.come_to_rest()
 

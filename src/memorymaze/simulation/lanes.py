@@ -90,15 +90,13 @@ def plan_lane(
         clearance: Distances on this floor.
         max_speed: Metres per second.
     """
-    if way.halt < 0.01:
-        here = np.array([pose[:2]])
-        return _lane(here, here, np.array([way.courses[0]]), max_speed, "wall")
     base, courses = _stations_of(way)
-    slanted_end = clearance.to_walls(base) < SLANTED_END_GAP
-    count = (
-        len(base) - int(np.argmin(slanted_end[::-1])) if not slanted_end.all() else 1
-    )
-    base, courses = base[: max(count, 2)], courses[: max(count, 2)]
+    open_ahead = clearance.to_walls(base) >= SLANTED_END_GAP
+    count = 1 + int(np.flatnonzero(open_ahead)[-1]) if open_ahead.any() else 1
+    if way.halt < 0.01 or count < 2:
+        here = np.array([pose[:2]])
+        return _lane(here, base[:1], courses[:1], max_speed, "wall")
+    base, courses = base[:count], courses[:count]
     normals = _normals(base)
     start_offset = float((np.array(pose[:2]) - base[0]) @ normals[0])
     offsets = _joining_profile(len(base), start_offset)

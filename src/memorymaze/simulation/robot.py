@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from memorymaze.errors import CommandError, EpisodeOver
-from memorymaze.geometry.pose import Pose, turn_between
+from memorymaze.geometry.pose import Pose, turn_between, wrap_angle
 from memorymaze.geometry.trajectory import Trajectory
 from memorymaze.perception.visible_object import CameraView
 from memorymaze.robot.api import (
@@ -41,8 +41,10 @@ __all__ = ["Detector", "SimulatedRobot"]
 
 REPLAN_OFFSET = 0.35
 """Metres beside its lane from which on a robot plans anew."""
-SPIN_FIRST = math.radians(35)
-"""Angle to a lane's beginning from which on the robot first turns on the spot."""
+REPLAN_ANGLE = math.radians(40)
+"""Angle to its lane from which on a robot plans anew."""
+SPIN_FIRST = math.radians(8)
+"""Angle to a new lane's beginning from which on the robot first turns on the spot."""
 BACK_SECTOR = math.radians(35)
 """`around` faces an exit that lies within this angle of a half turn."""
 
@@ -291,7 +293,7 @@ class SimulatedRobot:
         if (
             follower is None
             or abs(follower.offset) > REPLAN_OFFSET
-            or abs(follower.off_course) > SPIN_FIRST
+            or abs(follower.off_course) > REPLAN_ANGLE
         ):
             follower = self._planned()
         how = driver.follow(follower, distance, self.settings.rolling_speed)
@@ -399,7 +401,7 @@ class SimulatedRobot:
 
     def _face(self, course: float, towards: str | None) -> None:
         """Take a new course, from where the robot stands."""
-        self._course = course
+        self._course = wrap_angle(course)
         self._towards = towards
         self._fresh = True
         self._follower = None

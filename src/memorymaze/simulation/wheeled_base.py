@@ -1,7 +1,7 @@
 """The guide robot's body: a suitcase on two driven wheels and two casters.
 
 Differential drive with real contacts: the wheels' friction on the floor moves it, and
-its upright shell, a capsule of 0.25 m radius, is what bumps into walls and obstacles.
+its upright shell, a cylinder of 0.25 m radius, is what bumps into walls and obstacles.
 """
 
 import math
@@ -46,11 +46,8 @@ def add_wheeled_base(spec: mujoco.MjSpec) -> None:
     base.add_freejoint()
     base.add_geom(
         name="shell",
-        type=geom.mjGEOM_CAPSULE,
-        fromto=[
-            *(0, 0, SHELL_BOTTOM + ROBOT_RADIUS),
-            *(0, 0, SHELL_TOP - ROBOT_RADIUS),
-        ],
+        type=geom.mjGEOM_CYLINDER,
+        fromto=[0, 0, SHELL_BOTTOM, 0, 0, SHELL_TOP],
         size=[ROBOT_RADIUS, 0, 0],
         mass=0,
         group=ROBOT_GROUP,
@@ -136,6 +133,7 @@ class WheeledBase:
         self.turn_rate = 0.0
         """Commanded turn rate, radians per second, left positive."""
         self._model = model
+        self._groups = model.geom_group.tolist()
         self._acceleration = settings.max_acceleration
         self._turn_acceleration = settings.max_turn_acceleration
         self._noise = settings.wheel_noise
@@ -189,15 +187,11 @@ class WheeledBase:
 
     def touched_geoms(self) -> list[int]:
         """Return the geoms, other than the floor, that the robot touches now."""
-        data = self.data
-        if data.ncon <= 4:  # wheels and casters on the floor
-            return []
-        pairs = data.contact.geom[: data.ncon].tolist()
-        groups = self._model.geom_group
+        pairs = self.data.contact.geom.tolist()
         return [
-            first if groups[second] == ROBOT_GROUP else second
+            first if self._groups[second] == ROBOT_GROUP else second
             for first, second in pairs
-            if 0 not in (first, second)
+            if first != 0 and second != 0
         ]
 
     def update_view(self) -> None:
