@@ -1,10 +1,13 @@
 """Buildings: floor plans as records, loaded, checked and drawn."""
 
+from memorymaze.sites.checking import check_site
 from memorymaze.sites.loading import (
     BUILTIN_SITE_NAMES,
     builtin_site,
+    builtin_site_path,
     load_site,
     load_sites,
+    plan_paths,
 )
 from memorymaze.sites.problems import SiteProblem
 from memorymaze.sites.records import (
@@ -36,6 +39,9 @@ __all__ = [
     "SiteProblem",
     "TurningPoint",
     "builtin_site",
+    "builtin_site_path",
+    "check_site",
     "load_site",
     "load_sites",
+    "plan_paths",
 ]

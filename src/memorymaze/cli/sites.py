@@ -1,0 +1,205 @@
+"""`memorymaze sites`: list, check and draw site plans."""
+
+import argparse
+import sys
+from collections.abc import Sequence
+from difflib import get_close_matches
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from memorymaze.errors import MemoryMazeError, SettingsError
+from memorymaze.sites import (
+    BUILTIN_SITE_NAMES,
+    Site,
+    builtin_site_path,
+    check_site,
+    load_site,
+    load_sites,
+    plan_paths,
+)
+
+if TYPE_CHECKING:
+    from argparse import _SubParsersAction  # pyright: ignore[reportPrivateUsage]
+
+__all__ = ["add_parser"]
+
+DONE, FAILED, WRONG_USAGE = 0, 1, 2
+
+
+def add_parser(
+    subparsers: "_SubParsersAction[argparse.ArgumentParser]",
+) -> argparse.ArgumentParser:
+    """Add the verb; parsed arguments have `handler`, which returns the exit code."""
+    parser = subparsers.add_parser(
+        "sites",
+        help="list, check and draw site plans",
+        description="List, check and draw site plans (docs/site_plans.md).",
+    )
+    verbs = parser.add_subparsers(dest="sites_verb", metavar="VERB", required=True)
+    _add_list(verbs)
+    _add_check(verbs)
+    _add_draw(verbs)
+    return parser
+
+
+def _add_list(verbs: "_SubParsersAction[argparse.ArgumentParser]") -> None:
+    parser = verbs.add_parser(
+        "list",
+        help="what sites there are, with their routes",
+        description="Show name, title, size, counts and routes of sites.",
+        epilog="example: memorymaze sites list --sites my_buildings",
+    )
+    parser.add_argument(
+        "--sites",
+        metavar="DIR",
+        type=Path,
+        help="a folder with plans (*.geojson); without it, the benchmark's own sites",
+    )
+    parser.set_defaults(handler=_list)
+
+
+def _add_check(verbs: "_SubParsersAction[argparse.ArgumentParser]") -> None:
+    parser = verbs.add_parser(
+        "check",
+        help="find everything wrong with site plans",
+        description=(
+            "Print every problem as one line: file:feature:rule: severity: message. "
+            "The rules are explained in docs/site_plans.md. Exit code 0 when there is "
+            "no error, 1 when there is one; warnings do not count."
+        ),
+        epilog="example: memorymaze sites check my_buildings/annex.geojson",
+    )
+    parser.add_argument(
+        "plans",
+        metavar="FILE|NAME|DIR",
+        nargs="+",
+        help=f"a plan, a site ({', '.join(BUILTIN_SITE_NAMES)}), or a folder of plans",
+    )
+    parser.set_defaults(handler=_check)
+
+
+def _add_draw(verbs: "_SubParsersAction[argparse.ArgumentParser]") -> None:
+    parser = verbs.add_parser(
+        "draw",
+        help="draw a site as PNG, SVG or PDF",
+        description="Draw a site and print the name of the file written.",
+        epilog="example: memorymaze sites draw university --route R1 --out r1.svg",
+    )
+    parser.add_argument(
+        "site",
+        metavar="FILE|NAME",
+        help=f"a plan, or a site ({', '.join(BUILTIN_SITE_NAMES)})",
+    )
+    parser.add_argument(
+        "--out",
+        metavar="FILE",
+        type=Path,
+        help="file to write: .png, .svg or .pdf (default: the site's name.png)",
+    )
+    parser.add_argument(
+        "--route",
+        metavar="ID",
+        action="append",
+        help="draw this route only, by id or by name such as R1; can be repeated",
+    )
+    parser.set_defaults(handler=_draw)
+
+
+def _list(args: argparse.Namespace) -> int:
+    try:
+        sites = load_sites(args.sites)
+    except MemoryMazeError as error:
+        return _complain(error, FAILED)
+    print("\n\n".join(_described(site) for site in sites.values()))
+    return DONE
+
+
+def _check(args: argparse.Namespace) -> int:
+    try:
+        paths = [path for plan in args.plans for path in _plans(plan)]
+    except MemoryMazeError as error:
+        return _complain(error, WRONG_USAGE)
+    problems = [problem for path in paths for problem in check_site(path)]
+    for problem in problems:
+        print(problem.line())
+    errors = sum(problem.severity == "error" for problem in problems)
+    print(
+        f"{_counted(len(paths), 'plan')}: {_counted(errors, 'error')}, "
+        f"{_counted(len(problems) - errors, 'warning')}",
+        file=sys.stderr,
+    )
+    return FAILED if errors else DONE
+
+
+def _draw(args: argparse.Namespace) -> int:
+    # Matplotlib takes a while to load, and no other verb needs it.
+    from memorymaze.sites.drawing import draw_site
+
+    routes: Sequence[str] | bool = args.route or True
+    try:
+        path = _plan(args.site)
+    except MemoryMazeError as error:
+        return _complain(error, WRONG_USAGE)
+    try:
+        site = load_site(path)
+    except MemoryMazeError as error:
+        return _complain(error, FAILED)
+    out: Path = args.out or Path(f"{path.stem}.png")
+    try:
+        draw_site(site, out, routes=routes)
+    except SettingsError as error:
+        return _complain(error, WRONG_USAGE)
+    print(out)
+    return DONE
+
+
+def _plans(plan: str) -> list[Path]:
+    """Return the files that a file's, a site's or a folder's name stands for."""
+    return plan_paths(Path(plan)) if Path(plan).is_dir() else [_plan(plan)]
+
+
+def _plan(plan: str) -> Path:
+    if plan in BUILTIN_SITE_NAMES:
+        return builtin_site_path(plan)
+    if Path(plan).exists():
+        return Path(plan)
+    near = get_close_matches(plan, BUILTIN_SITE_NAMES, n=1)
+    meant = f"; did you mean {near[0]}?" if near else ""
+    raise SettingsError(
+        f"expected a plan's file or one of {', '.join(BUILTIN_SITE_NAMES)}, got "
+        f"{plan!r}: no such file{meant}"
+    )
+
+
+def _complain(error: MemoryMazeError, code: int) -> int:
+    print(f"memorymaze sites: {error}", file=sys.stderr)
+    return code
+
+
+def _described(site: Site) -> str:
+    west, south, east, north = site.walkable_floor.bounds
+    counts = (
+        (len(site.corridors), "corridor"),
+        (len(site.areas), "area"),
+        (len(site.turning_points), "turning point"),
+        (len(site.rooms), "room"),
+        (len(site.doors), "door"),
+        (len(site.landmarks), "landmark"),
+    )
+    lines = [
+        f"{site.name}: {site.title}",
+        f"  {site.floor}, {east - west:.0f} x {north - south:.0f} m, "
+        f"{site.walkable_floor.area:.0f} m2 of floor",
+        "  " + ", ".join(_counted(number, what) for number, what in counts),
+    ]
+    width = max((len(route.id) for route in site.routes), default=0)
+    lines += [
+        f"  {route.route}  {route.id:{width}}  {route.line.length:7.2f} m  "
+        f"{_counted(len(route.turns), 'turn')}, to {route.goal}"
+        for route in site.routes
+    ]
+    return "\n".join(lines)
+
+
+def _counted(number: int, what: str) -> str:
+    return f"{number} {what}{'' if number == 1 else 's'}"
