@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Literal, Protocol
 
 __all__ = ["CameraView", "ObjectDescription", "VisibleObject"]
 
@@ -20,6 +20,8 @@ class ObjectDescription:
     """Proper name people know it by."""
     text: str | None = None
     """Words written on it."""
+    state: Literal["open", "closed"] | None = None
+    """Of a door."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,7 +30,9 @@ class VisibleObject:
 
     description: ObjectDescription
     position: tuple[float, float]
-    """Middle of what is seen of it in the world, metres; for tracking only."""
+    """Middle of the thing in the world, metres; for tracking only."""
+    length: float
+    """Its longer side on the floor, metres; for tracking only."""
     box: tuple[float, float, float, float]
     """Pixels (left, top, right, bottom) of the part in the picture."""
     distance: float

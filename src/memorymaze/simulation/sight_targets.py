@@ -7,6 +7,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import lru_cache
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -66,34 +67,29 @@ class SightTargets:
 @lru_cache(maxsize=8)
 def sight_targets(scene: Scene) -> SightTargets:
     """Return what there is to see in a scene."""
-    descriptions: list[ObjectDescription] = []
-    geoms: list[int] = []
-    tiles: list[tuple[FloatArray, FloatArray, FloatArray, FloatArray]] = []
-    for geom, thing in enumerate(scene.objects):
-        record = thing.record
-        if record is None:
-            continue
-        geoms.append(geom)
-        descriptions.append(
-            describe_door(record, scene.site)
-            if isinstance(record, Door)
-            else describe_landmark(record)
-        )
-        tiles.append(_tiles(scene, geom))
-    counts = [len(points) for points, _, _, _ in tiles]
+    geoms = [
+        geom for geom, thing in enumerate(scene.objects) if thing.record is not None
+    ]
+    tiles = [_NO_TILES, *(_tiles(scene, geom) for geom in geoms)]
     sizes = scene.model.geom_size[geoms].reshape(-1, 3)
     return SightTargets(
-        tuple(descriptions),
+        tuple(_describe(scene, geom) for geom in geoms),
         np.array(geoms, dtype=np.int32),
-        scene.model.geom_pos[geoms].reshape(-1, 3).copy(),
+        scene.model.geom_pos[geoms].reshape(-1, 3),
         2 * sizes[:, :2].max(axis=1, initial=0.0),
-        np.linalg.norm(sizes, axis=1),
-        np.concatenate([[0], np.cumsum(counts, dtype=np.int64)]),
-        *(
-            np.concatenate([each[i] for each in tiles]) if tiles else np.zeros(shape)
-            for i, shape in enumerate([(0, 3), (0, 3), (0, 2, 3), (0,)])
-        ),
+        np.sqrt(np.square(sizes).sum(axis=1)),
+        np.cumsum([len(each.points) for each in tiles], dtype=np.int64),
+        *(np.concatenate(column) for column in zip(*tiles, strict=True)),
     )
+
+
+def _describe(scene: Scene, geom: int) -> ObjectDescription:
+    record = scene.objects[geom].record
+    if isinstance(record, Door):
+        return describe_door(record, scene.site)
+    if isinstance(record, Landmark):
+        return describe_landmark(record)
+    raise TypeError(f"geom {geom}: expected a door or landmark, got {record!r}")
 
 
 def describe_landmark(landmark: Landmark) -> ObjectDescription:
@@ -119,57 +115,61 @@ def describe_door(door: Door, site: Site) -> ObjectDescription:
     )
 
 
-def _tiles(
-    scene: Scene, geom: int
-) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
+class _Tiles(NamedTuple):
+    points: FloatArray
+    normals: FloatArray
+    half_edges: FloatArray
+    areas: FloatArray
+
+
+_NO_TILES = _Tiles(np.zeros((0, 3)), np.zeros((0, 3)), np.zeros((0, 2, 3)), np.zeros(0))
+
+
+def _tiles(scene: Scene, geom: int) -> _Tiles:
     """Cover a box's sides, top and bottom with tiles."""
-    half = scene.model.geom_size[geom]
-    w, _, _, z = scene.model.geom_quat[geom]
-    heading = 2 * math.atan2(z, w)
-    turn = np.array([
-        [math.cos(heading), -math.sin(heading), 0.0],
-        [math.sin(heading), math.cos(heading), 0.0],
-        [0.0, 0.0, 1.0],
-    ])
-    faces = list(_faces(half))
+    faces = list(_faces(scene.model.geom_size[geom]))
     points = np.concatenate([points for points, _, _ in faces])
     normals = np.concatenate([np.tile(n, (len(p), 1)) for p, n, _ in faces])
-    edges = np.concatenate([np.tile(e, (len(p), 1, 1)) for p, _, e in faces])
-    areas = (
-        4 * np.linalg.norm(edges[:, 0], axis=1) * np.linalg.norm(edges[:, 1], axis=1)
-    )
-    return (
-        points @ turn.T + scene.model.geom_pos[geom],
-        normals @ turn.T,
-        edges @ turn.T,
-        areas,
+    half_edges = np.concatenate([np.tile(e, (len(p), 1, 1)) for p, _, e in faces])
+    areas = 4 * np.linalg.norm(half_edges, axis=2).prod(axis=1)
+    w, _, _, z = scene.model.geom_quat[geom]
+    heading = 2 * math.atan2(z, w)
+    to_world = np.array([
+        [math.cos(heading), math.sin(heading), 0.0],
+        [-math.sin(heading), math.cos(heading), 0.0],
+        [0.0, 0.0, 1.0],
+    ])
+    return _Tiles(
+        points @ to_world + scene.model.geom_pos[geom],
+        normals @ to_world,
+        half_edges @ to_world,
+        areas.astype(np.float64),
     )
 
 
 def _faces(half: FloatArray) -> Iterator[tuple[FloatArray, FloatArray, FloatArray]]:
     """Yield points, outward normal and half edges of each face worth looking at."""
-    order = sorted(range(3), key=lambda axis: half[axis])
+    across_largest_face = int(np.argmin(half))
     for axis in range(3):
         first, second = (other for other in range(3) if other != axis)
-        is_largest = axis == order[0]
-        if not is_largest and 2 * min(half[first], half[second]) < THINNEST:
+        is_thin = 2 * min(half[first], half[second]) < THINNEST
+        if is_thin and axis != across_largest_face:
             continue
-        grids = [
-            _middles(half[first], edge := np.zeros((2, 3)), 0, first),
-            _middles(half[second], edge, 1, second),
-        ]
+        rows, columns = _middles(half[first]), _middles(half[second])
+        half_edges = np.zeros((2, 3))
+        half_edges[0, first] = half[first] / len(rows)
+        half_edges[1, second] = half[second] / len(columns)
         for side in (-1.0, 1.0):
-            points = np.zeros((len(grids[0]) * len(grids[1]), 3))
-            points[:, first] = np.repeat(grids[0], len(grids[1]))
-            points[:, second] = np.tile(grids[1], len(grids[0]))
+            points = np.empty((len(rows) * len(columns), 3))
+            points[:, first] = np.repeat(rows, len(columns))
+            points[:, second] = np.tile(columns, len(rows))
             points[:, axis] = side * half[axis]
             normal = np.zeros(3)
             normal[axis] = side
-            yield points, normal, edge
+            yield points, normal, half_edges
 
 
-def _middles(half: float, edges: FloatArray, row: int, axis: int) -> FloatArray:
-    """Cut an edge into equal pieces; note half a piece, return their middles."""
+def _middles(half: float) -> FloatArray:
+    """Cut an edge into equal pieces and return their middles."""
     count = min(max(math.ceil(2 * half / SPACING), FEWEST), MOST)
-    edges[row, axis] = half / count
-    return (np.arange(count) + 0.5) * (2 * half / count) - half
+    return (np.arange(count, dtype=np.float64) + 0.5) * (2 * half / count) - half

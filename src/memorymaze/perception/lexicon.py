@@ -1,0 +1,218 @@
+"""What nouns mean: synonyms and kinds, from WordNet and a table of building terms.
+
+The data are read at the first look-up. How phrases are taken apart and compared is
+in `noun_phrase.py` and `vocabulary.py`.
+"""
+
+import gzip
+from collections.abc import Iterator
+from functools import cache, lru_cache
+from importlib.resources import files
+from typing import NamedTuple
+
+__all__ = ["is_adjective", "is_noun", "kind_distance", "singular", "word_set"]
+
+_PLURAL_ENDINGS = (
+    ("ies", "y"),
+    ("ves", "f"),
+    ("ves", "fe"),
+    ("ches", "ch"),
+    ("shes", "sh"),
+    ("sses", "ss"),
+    ("xes", "x"),
+    ("zes", "z"),
+    ("oes", "o"),
+    ("men", "man"),
+    ("s", ""),
+)
+
+
+class _Senses(NamedTuple):
+    """The meanings of a word."""
+
+    every: frozenset[int]
+    common: frozenset[int]
+    """Those that are likely when nothing else is known."""
+
+
+class _Lexicon:
+    """The data, read once.
+
+    `nouns.txt.gz` is made by `scripts/build_wordnet_nouns.py`: four parts with form
+    feeds between them. Line n of the first lists what meaning n is a kind of.
+    """
+
+    def __init__(self) -> None:
+        data = files("memorymaze.perception") / "data"
+        packed = (data / "nouns.txt.gz").read_bytes()
+        kinds, nouns, plurals, adjectives = (
+            gzip.decompress(packed).decode("ascii").split("\f")
+        )
+        self._kinds = kinds.split("\n")
+        self._nouns = dict(line.split("\t") for line in nouns.split("\n"))
+        self.plurals = dict(line.split("\t") for line in plurals.split("\n"))
+        self.adjectives = frozenset(adjectives.split("\n"))
+        self._own_senses: dict[str, _Senses] = {}
+        self._own_kinds: dict[int, frozenset[int]] = {}
+        self._cuts: dict[int, set[int]] = {}
+        self._natural = frozenset(
+            int(sense.rstrip("*"))
+            for word in ("organism", "body part", "food")
+            for sense in self._nouns[word].split(" ")
+        )
+        self._read_terms((data / "building_terms.txt").read_text(encoding="utf-8"))
+
+    def senses(self, words: str) -> _Senses | None:
+        """Return the meanings of a word or fixed phrase, None when it is unknown."""
+        if own := self._own_senses.get(words):
+            return own
+        line = self._nouns.get(words)
+        if line is None:
+            return None
+        marked = line.split(" ")
+        every = [int(sense.rstrip("*")) for sense in marked]
+        common = [
+            sense
+            for sense, mark in zip(every, marked, strict=True)
+            if mark.endswith("*") or sense == every[0]
+        ]
+        if not self._is_natural(common[0]):
+            common = [sense for sense in common if not self._is_natural(sense)]
+        return _Senses(frozenset(every), frozenset(common))
+
+    def kinds(self, sense: int) -> Iterator[int]:
+        """Return what a meaning is directly a kind of."""
+        cut = self._cuts.get(sense, ())
+        own = self._own_kinds.get(sense, frozenset())
+        if sense < len(self._kinds) and (line := self._kinds[sense]):
+            own = own.union(map(int, line.split(" ")))
+        return (kind for kind in own if kind not in cut)
+
+    def _is_natural(self, sense: int) -> bool:
+        """Tell whether a meaning is an organism, a part of one, or food."""
+        waiting, seen = [sense], {sense}
+        while waiting:
+            new = set(self.kinds(waiting.pop())) - seen
+            seen |= new
+            waiting.extend(new)
+        return not seen.isdisjoint(self._natural)
+
+    def _read_terms(self, text: str) -> None:
+        rules = [
+            line.strip()
+            for line in text.splitlines()
+            if line.strip() and not line.startswith("#")
+        ]
+        broader: list[tuple[_Senses, list[str]]] = []
+        for line in rules:
+            if "!" in line:
+                continue
+            words, _, kinds = line.partition("<")
+            synonyms = [word.strip().replace("'s ", " ") for word in words.split(",")]
+            first = synonyms[0].removeprefix("+")
+            senses = None if synonyms[0].startswith("+") else self.senses(first)
+            if senses is None:
+                new = frozenset({len(self._kinds) + len(broader)})
+                senses = _Senses(new, new)
+            for word in (first, *synonyms[1:]):
+                self._own_senses[word] = senses
+            broader.append((senses, [k.strip() for k in kinds.split(",") if k.strip()]))
+        for senses, kinds in broader:
+            for kind in kinds:
+                for sense in senses.common:
+                    known = self._own_kinds.get(sense, frozenset())
+                    self._own_kinds[sense] = known | self._common(kind)
+        for line in rules:
+            word, cut, kind = (part.strip() for part in line.partition("!"))
+            if cut:
+                for sense in self._common(word):
+                    self._cuts.setdefault(sense, set()).update(self._common(kind))
+
+    def _common(self, words: str) -> frozenset[int]:
+        senses = self.senses(words)
+        if senses is None:
+            raise ValueError(
+                f"building_terms.txt: expected a known noun, got {words!r};"
+                " give it a line of its own above"
+            )
+        return senses.common
+
+
+def word_set(*lines: str) -> frozenset[str]:
+    """Return the words of a table that is written as lines of words."""
+    return frozenset(word for line in lines for word in line.split())
+
+
+@cache
+def _lexicon() -> _Lexicon:
+    return _Lexicon()
+
+
+def is_noun(words: str) -> bool:
+    """Tell whether a word or fixed phrase, in lower case, names a visible thing.
+
+    >>> is_noun("vending machine"), is_noun("windowless")
+    (True, False)
+    """
+    return _lexicon().senses(words) is not None
+
+
+def is_adjective(word: str) -> bool:
+    """Tell whether a word in lower case is more common as an adjective than a noun.
+
+    >>> is_adjective("modern"), is_adjective("coffee")
+    (True, False)
+    """
+    return word in _lexicon().adjectives
+
+
+@lru_cache(maxsize=20_000)
+def singular(word: str) -> str:
+    """Return the singular of a noun in lower case; other words as they are.
+
+    >>> [singular(word) for word in ("shelves", "women", "boxes", "glass", "2347")]
+    ['shelf', 'woman', 'box', 'glass', '2347']
+    """
+    lexicon = _lexicon()
+    if word in lexicon.plurals:
+        return lexicon.plurals[word]
+    if word.endswith("ss") or len(word) < 3:
+        return word
+    for ending, replacement in _PLURAL_ENDINGS:
+        if word.endswith(ending):
+            stem = word[: len(word) - len(ending)] + replacement
+            if stem and lexicon.senses(stem) is not None:
+                return stem
+    if word.endswith("s") and lexicon.senses(word) is None and len(word) > 3:
+        return word[:-1]
+    return word
+
+
+@lru_cache(maxsize=50_000)
+def kind_distance(general: str, special: str) -> int | None:
+    """Tell how many steps a noun is above another, None when it is not.
+
+    0 for the same word or a synonym, 1 where `special` is a kind of `general`, and
+    so on. Rare meanings count for synonyms only, not for kinds.
+
+    >>> kind_distance("couch", "sofa"), kind_distance("furniture", "bench")
+    (0, 2)
+    >>> kind_distance("armchair", "chair") is None
+    True
+    """
+    if general == special:
+        return 0
+    lexicon = _lexicon()
+    upper, lower = lexicon.senses(general), lexicon.senses(special)
+    if upper is None or lower is None:
+        return None
+    if upper.every & lower.common or upper.common & lower.every:
+        return 0
+    level, seen, steps = set(lower.common), set(lower.common), 0
+    while level:
+        if level & upper.common:
+            return steps
+        level = {kind for sense in level for kind in lexicon.kinds(sense)} - seen
+        seen |= level
+        steps += 1
+    return None
