@@ -1,0 +1,80 @@
+"""Whether the agent ended, or ever was, near the goal: NE (SPD), SR and OSR.
+
+All take the shortest distances from the places of the agent's path to the goal, in the
+order walked. Whether the agent itself stopped is for the caller to add.
+"""
+
+from numpy.typing import ArrayLike
+
+from memorymaze.metrics.checks import checked_distances, checked_success_distance
+
+__all__ = ["SUCCESS_DISTANCE", "navigation_error", "oracle_success", "success"]
+
+SUCCESS_DISTANCE = 3.0
+"""Metres; nearer than this to the goal is success (Anderson et al. 2018b)."""
+
+
+def navigation_error(goal_distances: ArrayLike) -> float:
+    """Return the distance left to the goal: NE = d(p_n, goal).
+
+    Called SPD, the shortest path distance, in the Memory-Maze paper. Source: Anderson
+    et al. 2018b, "Vision-and-Language Navigation: Interpreting visually-grounded
+    navigation instructions in real environments", definition of navigation error.
+
+    >>> navigation_error([9.0, 2.0, 4.5])
+    4.5
+
+    Args:
+        goal_distances: d(p_i, goal), metres, shape (n,).
+
+    Returns:
+        Metres, >= 0.
+
+    Raises:
+        UndefinedMetricError: The path is empty or not joined to the goal.
+    """
+    return float(checked_distances(goal_distances, 1)[-1])
+
+
+def success(
+    goal_distances: ArrayLike, success_distance: float = SUCCESS_DISTANCE
+) -> float:
+    """Return 1 when the path ends near the goal, else 0: SR = [NE < th].
+
+    Strict: ending at the threshold itself is no success. Source: Anderson et al. 2018b,
+    definition of success rate.
+
+    >>> success([9.0, 4.5, 2.9]), success([9.0, 4.5, 3.0])
+    (1.0, 0.0)
+
+    Args:
+        goal_distances: d(p_i, goal), metres, shape (n,).
+        success_distance: th, metres, > 0.
+
+    Raises:
+        UndefinedMetricError: The path is empty, not joined to the goal, or th <= 0.
+    """
+    near = checked_success_distance(success_distance)
+    return float(navigation_error(goal_distances) < near)
+
+
+def oracle_success(
+    goal_distances: ArrayLike, success_distance: float = SUCCESS_DISTANCE
+) -> float:
+    """Return 1 when the path ever is near the goal: OSR = [min_i d(p_i, goal) < th].
+
+    Strict as `success`, which it is never below. Source: Anderson et al. 2018b,
+    definition of oracle success rate.
+
+    >>> oracle_success([9.0, 2.9, 4.5]), oracle_success([9.0, 3.0, 4.5])
+    (1.0, 0.0)
+
+    Args:
+        goal_distances: d(p_i, goal), metres, shape (n,).
+        success_distance: th, metres, > 0.
+
+    Raises:
+        UndefinedMetricError: The path is empty, not joined to the goal, or th <= 0.
+    """
+    near = checked_success_distance(success_distance)
+    return float(checked_distances(goal_distances, 1).min() < near)
