@@ -1,0 +1,257 @@
+"""A client for servers that speak OpenAI's chat-completions protocol."""
+
+import os
+import time
+from dataclasses import dataclass
+from typing import Any, NoReturn
+from urllib.parse import urlsplit
+
+import openai
+
+from memorymaze.errors import LanguageModelError, SettingsError
+from memorymaze.language.model import Completion, CompletionRequest, Usage
+
+__all__ = ["OpenAIModel", "TokenPrice"]
+
+LONGEST_REPLY = 200_000
+"""Characters beyond which a reply is taken for garbage."""
+
+LONGEST_DELAY = 60.0
+"""Seconds that are waited at most before an attempt."""
+
+_WORTH_ANOTHER_TRY = frozenset({408, 409, 429})
+
+
+@dataclass(frozen=True, slots=True)
+class TokenPrice:
+    """What a server charges, in US dollars per million tokens."""
+
+    prompt: float
+    completion: float
+
+    def cost(self, prompt_tokens: int, completion_tokens: int) -> float:
+        """Return what a reply cost, US dollars."""
+        return (
+            prompt_tokens * self.prompt + completion_tokens * self.completion
+        ) / 1_000_000
+
+
+class OpenAIModel:
+    """A language model behind an OpenAI-compatible server.
+
+    A full or failing server (408, 409, 429, 5xx), a lost connection and a time-out
+    are tried again, each time after twice the wait, or after the wait the server asks
+    for.
+    """
+
+    def __init__(
+        self,
+        model: str,
+        *,
+        base_url: str | None = None,
+        api_key: str | None = None,
+        timeout: float = 120.0,
+        retries: int = 4,
+        first_delay: float = 1.0,
+        price: TokenPrice | None = None,
+    ) -> None:
+        """Prepare a client; nothing is sent yet.
+
+        Args:
+            model: The server's name for the model.
+            base_url: Address up to and including `/v1`; else MEMORYMAZE_BASE_URL,
+                OPENAI_BASE_URL or OpenAI's own.
+            api_key: Else MEMORYMAZE_API_KEY or OPENAI_API_KEY; a server of one's own
+                needs none.
+            timeout: Seconds to wait for a reply, and for each part of it.
+            retries: Attempts after the first.
+            first_delay: Seconds before the second attempt.
+            price: To work out costs with; None leaves them unknown.
+
+        Raises:
+            SettingsError: OpenAI's own server is meant and there is no key for it, the
+                address is none, or an argument has no meaning.
+        """
+        if not model:
+            raise SettingsError("model: expected the name of a language model, got ''")
+        if timeout <= 0 or retries < 0 or first_delay < 0:
+            raise SettingsError(
+                "expected timeout > 0 s, retries >= 0 and first_delay >= 0 s, got "
+                f"{timeout:g}, {retries} and {first_delay:g}"
+            )
+        base_url = base_url or _from_environment("BASE_URL")
+        api_key = api_key or _from_environment("API_KEY")
+        if api_key is None and base_url is None:
+            raise SettingsError(
+                "no key for the language model: set MEMORYMAZE_API_KEY or "
+                "OPENAI_API_KEY, or give the address of a server that needs none"
+            )
+        self._model = model
+        self._retries = retries
+        self._first_delay = first_delay
+        self._price = price
+        self._limit_name = "max_tokens"
+        self._server = base_url or "OpenAI"
+        self._client = openai.OpenAI(
+            base_url=None if base_url is None else _checked(base_url),
+            api_key=api_key or "none",
+            timeout=timeout,
+            max_retries=0,
+        )
+
+    @property
+    def name(self) -> str:
+        """The server's name for the model."""
+        return self._model
+
+    def complete(self, request: CompletionRequest) -> Completion:
+        """Ask the server.
+
+        Raises:
+            LanguageModelError: No usable answer came, after all retries.
+        """
+        attempt = 0
+        while True:
+            began = time.monotonic()
+            try:
+                return self._read(self._ask(request), time.monotonic() - began)
+            except openai.OpenAIError as error:
+                if self._adapt(error):
+                    continue
+                delay = self._delay(error, attempt)
+                if delay is None:
+                    self._fail(error, attempt + 1)
+            except ValueError as error:
+                # The server said it sent JSON and did not.
+                raise self._unusable(f"not JSON ({_one_line(error)})") from error
+            attempt += 1
+            time.sleep(delay)
+
+    def _ask(self, request: CompletionRequest) -> Any:
+        optional: dict[str, Any] = {self._limit_name: request.max_tokens}
+        if request.seed is not None:
+            optional["seed"] = request.seed
+        create: Any = self._client.chat.completions.create
+        return create(
+            model=self._model,
+            messages=[
+                {"role": message.role, "content": message.content}
+                for message in request.messages
+            ],
+            temperature=request.temperature,
+            **optional,
+        )
+
+    def _adapt(self, error: openai.OpenAIError) -> bool:
+        """Whether asking otherwise helps: newer models renamed the length limit."""
+        renamed = "max_completion_tokens"
+        if (
+            isinstance(error, openai.BadRequestError)
+            and renamed in str(error)
+            and self._limit_name != renamed
+        ):
+            self._limit_name = renamed
+            return True
+        return False
+
+    def _delay(self, error: openai.OpenAIError, attempt: int) -> float | None:
+        """Return the seconds to wait before another attempt; None for no more."""
+        if attempt >= self._retries:
+            return None
+        delay = self._first_delay * 2**attempt
+        if isinstance(error, openai.APIStatusError):
+            retryable = (
+                error.status_code in _WORTH_ANOTHER_TRY or error.status_code >= 500
+            )
+            if not retryable or error.code == "insufficient_quota":
+                return None
+            delay = max(delay, _asked_wait(error))
+        elif not isinstance(error, openai.APIConnectionError):
+            return None
+        return min(delay, LONGEST_DELAY)
+
+    def _fail(self, error: openai.OpenAIError, attempts: int) -> NoReturn:
+        tried = f" ({attempts} attempts)" if attempts > 1 else ""
+        match error:
+            case openai.APITimeoutError():
+                cause = "did not answer in time"
+            case openai.APIConnectionError():
+                cause = f"cannot be reached: {_one_line(error.__cause__ or error)}"
+            case openai.APIStatusError():
+                cause = f"answered {error.status_code}: {_one_line(error)}"
+            case _:
+                cause = _one_line(error)
+        raise LanguageModelError(
+            f"language model {self._model} at {self._server} {cause}{tried}"
+        ) from error
+
+    def _read(self, answer: Any, latency: float) -> Completion:
+        """Return the reply in a server's answer."""
+        choices = getattr(answer, "choices", None)
+        if not isinstance(choices, list) or not choices:
+            raise self._unusable("without a choice in it")
+        text = getattr(getattr(choices[0], "message", None), "content", None)
+        if not isinstance(text, str) or not text.strip():
+            reason = getattr(choices[0], "finish_reason", None)
+            raise self._unusable(f"without text in it (finish_reason {reason})")
+        if len(text) > LONGEST_REPLY:
+            raise self._unusable(
+                f"of {len(text)} characters, more than {LONGEST_REPLY}"
+            )
+        usage = getattr(answer, "usage", None)
+        prompt, completion = (
+            _count(getattr(usage, name, None))
+            for name in ("prompt_tokens", "completion_tokens")
+        )
+        cost = self._price.cost(prompt, completion) if self._price else None
+        model = getattr(answer, "model", None)
+        return Completion(
+            text=text,
+            model=model if isinstance(model, str) and model else self._model,
+            usage=Usage(prompt, completion, cost),
+            latency=latency,
+        )
+
+    def _unusable(self, what: str) -> LanguageModelError:
+        return LanguageModelError(
+            f"language model {self._model} at {self._server} sent an answer {what}"
+        )
+
+
+def _from_environment(name: str) -> str | None:
+    for prefix in ("MEMORYMAZE", "OPENAI"):
+        value = os.environ.get(f"{prefix}_{name}")
+        if value:
+            return value
+    return None
+
+
+def _checked(address: str) -> str:
+    """Return a server's address if it is one."""
+    try:
+        parts = urlsplit(address)
+        good = parts.scheme in {"http", "https"} and parts.hostname and parts.port != 0
+    except ValueError:
+        good = False
+    if not good:
+        raise SettingsError(
+            "language model server: expected an address such as "
+            f"http://localhost:8000/v1, got {address!r}"
+        )
+    return address
+
+
+def _asked_wait(error: openai.APIStatusError) -> float:
+    """Return the seconds a server asks to be left alone."""
+    try:
+        return max(0.0, float(error.response.headers.get("retry-after", "0")))
+    except ValueError:
+        return 0.0
+
+
+def _count(value: object) -> int:
+    return value if isinstance(value, int) and value > 0 else 0
+
+
+def _one_line(error: BaseException) -> str:
+    return " ".join(str(error).split())[:300] or type(error).__name__

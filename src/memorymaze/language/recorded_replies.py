@@ -1,0 +1,183 @@
+"""A store of language models' replies, so that a finished run can be run again.
+
+One SQLite file, keyed by all that determines a reply: the model's name and the whole
+request. Several processes may write to it at once.
+"""
+
+import hashlib
+import json
+import sqlite3
+from collections.abc import Generator
+from contextlib import closing, contextmanager
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+from memorymaze.errors import LanguageModelError, SettingsError
+from memorymaze.language.model import (
+    Completion,
+    CompletionRequest,
+    LanguageModel,
+    Usage,
+)
+
+__all__ = ["RecordingModel", "ReplayingModel", "request_key"]
+
+_BUSY_TIMEOUT = 60.0
+"""Seconds to wait while another process writes."""
+
+_TABLE = """
+CREATE TABLE IF NOT EXISTS replies (
+    key TEXT PRIMARY KEY,
+    model TEXT NOT NULL,
+    request TEXT NOT NULL,
+    completion TEXT NOT NULL
+)
+"""
+
+
+def request_key(model: str, request: CompletionRequest) -> str:
+    """Return the key of a reply: a digest of the model's name and the request."""
+    asked = json.dumps([model, asdict(request)], sort_keys=True)
+    return hashlib.sha256(asked.encode()).hexdigest()
+
+
+class RecordingModel:
+    """Asks a model and keeps its replies; what is kept already is not asked again."""
+
+    def __init__(self, model: LanguageModel, path: Path | str) -> None:
+        """Open or make the file.
+
+        Raises:
+            SettingsError: The file cannot be written, or is something else.
+        """
+        self._model = model
+        self._path = Path(path)
+        try:
+            with _open(self._path, make=True) as database:
+                database.execute(_TABLE)
+        except (sqlite3.Error, OSError) as error:
+            raise SettingsError(
+                f"{self._path}: expected a place for a file of recorded replies ({error})"
+            ) from error
+
+    @property
+    def name(self) -> str:
+        """Name of the model asked."""
+        return self._model.name
+
+    def complete(self, request: CompletionRequest) -> Completion:
+        """Return the reply kept for a request, else ask, keep and return it.
+
+        Where two processes ask the same at once, both return the reply that was kept.
+
+        Raises:
+            LanguageModelError: The model did not answer, or the file failed.
+        """
+        key = request_key(self.name, request)
+        kept = _look_up(self._path, key)
+        if kept is not None:
+            return kept
+        completion = self._model.complete(request)
+        try:
+            with _open(self._path) as database:
+                database.execute(
+                    "INSERT OR IGNORE INTO replies VALUES (?, ?, ?, ?)",
+                    (
+                        key,
+                        self.name,
+                        json.dumps(asdict(request)),
+                        json.dumps(asdict(completion)),
+                    ),
+                )
+        except sqlite3.Error as error:
+            raise LanguageModelError(
+                f"{self._path}: the reply could not be kept ({error})"
+            ) from error
+        return _look_up(self._path, key) or completion
+
+
+class ReplayingModel:
+    """Gives recorded replies and never asks a model."""
+
+    def __init__(self, path: Path | str, *, name: str | None = None) -> None:
+        """Look into the file.
+
+        Args:
+            path: File that a `RecordingModel` has written.
+            name: Name of the model whose replies are wanted; None for the only one
+                there is.
+
+        Raises:
+            SettingsError: There is no such file, it is something else, or which
+                model is meant is not clear; the message names the models it has.
+        """
+        self._path = Path(path)
+        if not self._path.is_file():
+            raise SettingsError(f"{self._path}: there are no recorded replies here")
+        try:
+            with _open(self._path) as database:
+                rows = database.execute("SELECT DISTINCT model FROM replies").fetchall()
+        except sqlite3.Error as error:
+            raise SettingsError(
+                f"{self._path}: expected a file of recorded replies ({error})"
+            ) from error
+        models = sorted(str(model) for (model,) in rows)
+        if name not in models and not (name is None and len(models) == 1):
+            raise SettingsError(
+                f"{self._path}: expected replies of {name or 'a single model'}, "
+                f"got replies of {', '.join(models) or 'none'}"
+            )
+        self._name = name or models[0]
+
+    @property
+    def name(self) -> str:
+        """Name of the model whose replies these are."""
+        return self._name
+
+    def complete(self, request: CompletionRequest) -> Completion:
+        """Return the recorded reply.
+
+        Raises:
+            LanguageModelError: None is recorded for this request.
+        """
+        key = request_key(self._name, request)
+        kept = _look_up(self._path, key)
+        if kept is None:
+            raise LanguageModelError(
+                f"{self._path}: no reply of {self._name} is recorded for this request "
+                f"({key[:12]}); it differs from what was asked when recording"
+            )
+        return kept
+
+
+def _look_up(path: Path, key: str) -> Completion | None:
+    try:
+        with _open(path) as database:
+            row = database.execute(
+                "SELECT completion FROM replies WHERE key = ?", (key,)
+            ).fetchone()
+        return None if row is None else _read(json.loads(row[0]))
+    except (sqlite3.Error, ValueError, KeyError, TypeError) as error:
+        raise LanguageModelError(
+            f"{path}: the recorded replies cannot be read ({error})"
+        ) from error
+
+
+def _read(record: dict[str, Any]) -> Completion:
+    usage = Usage(**record.pop("usage"))
+    return Completion(usage=usage, **record)
+
+
+@contextmanager
+def _open(path: Path, *, make: bool = False) -> Generator[sqlite3.Connection]:
+    """Open the file for one transaction.
+
+    A connection lives no longer: none may be carried into another process. Reading too
+    opens for writing where that is allowed, to undo what a killed process left half
+    written.
+    """
+    address = f"{path.absolute().as_uri()}?mode={'rwc' if make else 'rw'}"
+    connection = sqlite3.connect(address, timeout=_BUSY_TIMEOUT, uri=True)
+    with closing(connection), connection:
+        yield connection

@@ -1,0 +1,299 @@
+"""A client holds its own against servers that are down, slow, busy or talk nonsense."""
+
+import contextlib
+import json
+import socket
+import threading
+from collections.abc import Iterator
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from typing import Any
+
+import pytest
+
+from memorymaze.errors import LanguageModelError, SettingsError
+from memorymaze.language.model import CompletionRequest, Message, Usage
+from memorymaze.language.openai_model import OpenAIModel, TokenPrice
+
+REQUEST = CompletionRequest(
+    (Message("system", "Be brief."), Message("user", "Où aller ?")), max_tokens=77
+)
+
+
+def reply(text: object = "stop()", **more: object) -> dict[str, object]:
+    """A server's good answer."""
+    return {
+        "id": "1",
+        "object": "chat.completion",
+        "created": 1,
+        "model": "small-2024",
+        "choices": [
+            {
+                "index": 0,
+                "finish_reason": "stop",
+                "message": {"role": "assistant", "content": text},
+            }
+        ],
+        "usage": {
+            "prompt_tokens": 1000,
+            "completion_tokens": 200,
+            "total_tokens": 1200,
+        },
+        **more,
+    }
+
+
+def failure(status: int, message: str = "no", **details: object) -> tuple[int, object]:
+    return status, {"error": {"message": message, **details}}
+
+
+CLOSE = object()
+"""An answer: the connection is closed without a word."""
+HANG = object()
+"""An answer: nothing, for longer than the client waits."""
+
+
+class Server:
+    """Gives its answers in turn; the last one again and again."""
+
+    def __init__(self, *answers: Any, headers: dict[str, str] | None = None) -> None:
+        self.answers = list(answers)
+        self.headers = headers or {}
+        self.requests: list[dict[str, Any]] = []
+        self.authorization: list[str | None] = []
+        self.released = threading.Event()
+        server = self
+
+        class Handler(BaseHTTPRequestHandler):
+            def do_POST(self) -> None:
+                length = int(self.headers["content-length"])
+                server.requests.append(json.loads(self.rfile.read(length)))
+                server.authorization.append(self.headers["authorization"])
+                rest = server.answers
+                answer = rest.pop(0) if len(rest) > 1 else rest[0]
+                if answer is HANG:
+                    server.released.wait(5)
+                if answer in (HANG, CLOSE):
+                    self.close_connection = True
+                    self.connection.shutdown(socket.SHUT_RDWR)
+                    return
+                status, body = answer if isinstance(answer, tuple) else (200, answer)
+                kind = "text/html" if body == "<html>" else "application/json"
+                data = (
+                    body.encode()
+                    if isinstance(body, str)
+                    else json.dumps(body).encode()
+                )
+                self.send_response(status)
+                self.send_header("content-type", kind)
+                self.send_header("content-length", str(len(data)))
+                for name, value in server.headers.items():
+                    self.send_header(name, value)
+                self.end_headers()
+                self.wfile.write(data)
+
+            def log_message(self, format: str, *args: object) -> None:
+                """Keep the tests' output clean."""
+
+        self._http = ThreadingHTTPServer(("127.0.0.1", 0), Handler)
+        self._http.daemon_threads = True
+        self.url = f"http://127.0.0.1:{self._http.server_port}/v1"
+        self._thread = threading.Thread(
+            target=self._http.serve_forever, kwargs={"poll_interval": 0.005}
+        )
+
+    def __enter__(self) -> "Server":
+        self._thread.start()
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.released.set()
+        self._http.shutdown()
+        self._thread.join()
+        self._http.server_close()
+
+    def model(self, **options: Any) -> OpenAIModel:
+        options = {"first_delay": 0.001, "timeout": 5.0, **options}
+        return OpenAIModel("small", base_url=self.url, api_key="key", **options)
+
+
+@pytest.fixture(autouse=True)
+def no_settings_from_outside(monkeypatch: pytest.MonkeyPatch) -> None:
+    for prefix in ("MEMORYMAZE", "OPENAI"):
+        for name in ("BASE_URL", "API_KEY"):
+            monkeypatch.delenv(f"{prefix}_{name}", raising=False)
+    monkeypatch.setenv("NO_PROXY", "127.0.0.1")
+
+
+@contextlib.contextmanager
+def unreachable() -> Iterator[str]:
+    """An address nobody listens at."""
+    with socket.socket() as taken:
+        taken.bind(("127.0.0.1", 0))
+        yield f"http://127.0.0.1:{taken.getsockname()[1]}/v1"
+
+
+def test_a_request_goes_out_and_its_reply_comes_back_with_its_cost():
+    with Server(reply("Turn left. é")) as server:
+        completion = server.model(price=TokenPrice(2.5, 10)).complete(REQUEST)
+
+    assert completion.text == "Turn left. é"
+    assert completion.model == "small-2024"
+    assert completion.usage == Usage(1000, 200, 0.0045)
+    assert completion.latency > 0
+    assert server.authorization == ["Bearer key"]
+    assert server.requests == [
+        {
+            "model": "small",
+            "messages": [
+                {"role": "system", "content": "Be brief."},
+                {"role": "user", "content": "Où aller ?"},
+            ],
+            "temperature": 0.0,
+            "max_tokens": 77,
+        }
+    ]
+
+
+def test_without_a_price_the_cost_is_unknown_and_without_usage_nothing_is_counted():
+    with Server(reply(usage=None)) as server:
+        completion = server.model().complete(REQUEST)
+
+    assert completion.usage == Usage(0, 0, None)
+
+
+@pytest.mark.parametrize(
+    "trouble",
+    [failure(429), failure(500), failure(503), failure(408), CLOSE, (502, "<html>")],
+    ids=["busy", "failing", "overloaded", "too slow", "hangs up", "bad gateway"],
+)
+def test_passing_trouble_is_tried_again(trouble: object):
+    with Server(trouble, trouble, reply("at last")) as server:
+        assert server.model().complete(REQUEST).text == "at last"
+
+    assert len(server.requests) == 3
+
+
+def test_a_slow_answer_is_tried_again():
+    with Server(HANG, reply("at last")) as server:
+        assert server.model(timeout=0.05).complete(REQUEST).text == "at last"
+
+
+def test_waits_double_unless_the_server_asks_for_longer(monkeypatch):
+    waits: list[float] = []
+    monkeypatch.setattr("time.sleep", waits.append)
+
+    with Server(failure(500)) as server, pytest.raises(LanguageModelError):
+        server.model(first_delay=2.0).complete(REQUEST)
+    with (
+        Server(failure(429), headers={"retry-after": "7"}) as server,
+        pytest.raises(LanguageModelError),
+    ):
+        server.model(first_delay=2.0, retries=3).complete(REQUEST)
+    with (
+        Server(failure(429), headers={"retry-after": "86400"}) as server,
+        pytest.raises(LanguageModelError),
+    ):
+        server.model(retries=1).complete(REQUEST)
+
+    assert waits == [2, 4, 8, 16, 7, 7, 8, 60]
+
+
+@pytest.mark.parametrize(
+    ("answer", "message"),
+    [
+        (failure(429, "slow down"), "answered 429: .*slow down.* (3 attempts)"),
+        (failure(500, "oh\nno"), "answered 500: .* (3 attempts)"),
+        (CLOSE, "cannot be reached: .* (3 attempts)"),
+        (HANG, "did not answer in time (3 attempts)"),
+        (failure(401, "bad key"), "answered 401: .*bad key"),
+        (failure(404, "no such model"), "answered 404: .*no such model"),
+        (
+            failure(429, "paid up?", code="insufficient_quota"),
+            "answered 429: .*paid up",
+        ),
+        ((200, "{'choices': ["), "sent an answer not JSON"),
+        ((200, "<html>"), "sent an answer without a choice in it"),
+        ((200, "[]"), "sent an answer without a choice in it"),
+        (reply(choices=[]), "sent an answer without a choice in it"),
+        (reply(choices=None), "sent an answer without a choice in it"),
+        (reply(choices=[{}]), "without text in it (finish_reason None)"),
+        (reply(choices=["yes"]), "without text in it"),
+        (reply(None), "without text in it (finish_reason stop)"),
+        (reply(" \n"), "without text in it (finish_reason stop)"),
+        (reply(5), "without text in it"),
+        (reply("x" * 200_001), "of 200001 characters, more than 200000"),
+    ],
+)
+def test_every_failure_is_one_line_with_its_cause(answer: object, message: str):
+    pattern = message.replace("(", r"\(").replace(")", r"\)")
+    with (
+        Server(answer) as server,
+        pytest.raises(LanguageModelError, match=pattern) as caught,
+    ):
+        server.model(retries=2, timeout=0.05 if answer is HANG else 5.0).complete(
+            REQUEST
+        )
+
+    assert str(caught.value).startswith(f"language model small at {server.url} ")
+    assert "\n" not in str(caught.value)
+
+
+def test_what_would_fail_again_is_not_tried_again():
+    for answer in (failure(401), failure(400), reply(choices=[])):
+        with Server(answer) as server, pytest.raises(LanguageModelError):
+            server.model().complete(REQUEST)
+        assert len(server.requests) == 1
+
+
+def test_a_server_that_is_down_is_a_model_error():
+    with unreachable() as url:
+        model = OpenAIModel("small", base_url=url, retries=1, first_delay=0)
+        with pytest.raises(LanguageModelError, match=r"cannot be reached: .*refused"):
+            model.complete(REQUEST)
+
+
+def test_a_server_that_renamed_the_length_limit_is_asked_its_way():
+    complaint = failure(400, "Use 'max_completion_tokens' instead of 'max_tokens'.")
+    with Server(complaint, reply("one"), reply("two")) as server:
+        model = server.model()
+        said = [model.complete(REQUEST).text for _ in range(2)]
+
+    assert said == ["one", "two"]
+    assert ["max_tokens" in request for request in server.requests] == [
+        True,
+        False,
+        False,
+    ]
+    assert server.requests[-1]["max_completion_tokens"] == 77
+
+
+def test_address_and_key_come_from_the_environment(monkeypatch):
+    with Server(reply("x")) as server:
+        monkeypatch.setenv("OPENAI_BASE_URL", "http://127.0.0.1:9/v1")
+        monkeypatch.setenv("MEMORYMAZE_BASE_URL", server.url)
+        monkeypatch.setenv("OPENAI_API_KEY", "other")
+        assert OpenAIModel("small").complete(REQUEST).text == "x"
+        monkeypatch.setenv("MEMORYMAZE_API_KEY", "mine")
+        assert OpenAIModel("small").complete(REQUEST).text == "x"
+
+    assert server.authorization == ["Bearer other", "Bearer mine"]
+
+
+def test_openais_own_server_needs_a_key():
+    with pytest.raises(SettingsError, match="set MEMORYMAZE_API_KEY or OPENAI_API_KEY"):
+        OpenAIModel("gpt-4")
+
+
+@pytest.mark.parametrize(
+    ("model", "options"),
+    [
+        ("", {}),
+        ("m", {"timeout": 0}),
+        ("m", {"retries": -1}),
+        ("m", {"base_url": "::"}),
+    ],
+    ids=["no name", "no time", "negative retries", "no address"],
+)
+def test_settings_without_meaning_are_refused(model: str, options: dict[str, Any]):
+    with pytest.raises(SettingsError):
+        OpenAIModel(model, **{"base_url": "http://127.0.0.1:9/v1", **options})

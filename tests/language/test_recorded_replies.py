@@ -1,0 +1,167 @@
+"""What a model once said can be had again without the model."""
+
+import sqlite3
+import subprocess
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from memorymaze.errors import LanguageModelError, SettingsError
+from memorymaze.language.model import CompletionRequest, Message
+from memorymaze.language.recorded_replies import (
+    RecordingModel,
+    ReplayingModel,
+    request_key,
+)
+from memorymaze.language.scripted_model import ScriptedLanguageModel
+
+REQUEST = CompletionRequest((Message("system", "Be brief."), Message("user", "Go.")))
+
+
+@pytest.fixture
+def store(tmp_path: Path) -> Path:
+    return tmp_path / "replies #1.sqlite"
+
+
+def test_a_recorded_run_replays_without_a_model(store: Path):
+    asked = [REQUEST, replace(REQUEST, temperature=0.7), replace(REQUEST, seed=3)]
+    recording = RecordingModel(ScriptedLanguageModel(["one", "zwei ü", "three"]), store)
+    said = [recording.complete(request) for request in asked]
+
+    replaying = ReplayingModel(store, name="scripted")
+
+    assert [completion.text for completion in said] == ["one", "zwei ü", "three"]
+    assert [replaying.complete(request) for request in reversed(asked)] == said[::-1]
+    assert replaying.name == recording.name == "scripted"
+
+
+def test_what_is_kept_is_not_asked_again(store: Path):
+    model = ScriptedLanguageModel(["once"])
+    recording = RecordingModel(model, store)
+
+    assert recording.complete(REQUEST) == recording.complete(REQUEST)
+    assert len(model.requests) == 1
+    assert RecordingModel(model, store).complete(REQUEST).text == "once"
+
+
+def test_a_request_that_was_not_recorded_is_a_model_error(store: Path):
+    RecordingModel(ScriptedLanguageModel(["x"]), store).complete(REQUEST)
+    replaying = ReplayingModel(store, name="scripted")
+
+    with pytest.raises(LanguageModelError, match="no reply of scripted is recorded"):
+        replaying.complete(replace(REQUEST, max_tokens=5))
+
+
+@pytest.mark.parametrize(
+    "other",
+    [
+        replace(REQUEST, messages=REQUEST.messages[::-1]),
+        replace(REQUEST, messages=(*REQUEST.messages, Message("assistant", ""))),
+        replace(REQUEST, temperature=0.1),
+        replace(REQUEST, max_tokens=1),
+        replace(REQUEST, seed=0),
+    ],
+    ids=["order", "one more", "temperature", "length", "seed"],
+)
+def test_all_of_a_request_is_in_its_key(other: CompletionRequest):
+    assert request_key("m", other) != request_key("m", REQUEST)
+    assert request_key("n", REQUEST) != request_key("m", REQUEST)
+    assert request_key("m", REQUEST) == request_key("m", replace(REQUEST))
+
+
+def test_failures_are_not_recorded(store: Path):
+    recording = RecordingModel(ScriptedLanguageModel([]), store)
+
+    with pytest.raises(LanguageModelError, match="was asked 1 times"):
+        recording.complete(REQUEST)
+    with pytest.raises(SettingsError, match="got replies of none"):
+        ReplayingModel(store, name="scripted")
+
+
+def test_replaying_names_the_models_there_are(store: Path):
+    for name in ("m-1", "m-2"):
+        model = ScriptedLanguageModel([name], name=name)
+        RecordingModel(model, store).complete(REQUEST)
+
+    with pytest.raises(SettingsError, match="replies of m-3, got replies of m-1, m-2"):
+        ReplayingModel(store, name="m-3")
+    with pytest.raises(SettingsError, match="of a single model, got replies of m-1"):
+        ReplayingModel(store)
+    assert ReplayingModel(store, name="m-2").complete(REQUEST).text == "m-2"
+
+
+def test_the_only_model_need_not_be_named(store: Path):
+    RecordingModel(ScriptedLanguageModel(["x"], name="m-1"), store).complete(REQUEST)
+
+    assert ReplayingModel(store).name == "m-1"
+
+
+def test_a_missing_file_is_said_and_not_made(store: Path):
+    with pytest.raises(SettingsError, match="there are no recorded replies here"):
+        ReplayingModel(store, name="scripted")
+
+    assert not store.exists()
+
+
+def test_another_file_is_said_and_left_alone(store: Path):
+    store.write_text("a diary, not a database " * 50, encoding="utf-8")
+
+    with pytest.raises(SettingsError, match="file of recorded replies"):
+        ReplayingModel(store, name="scripted")
+    with pytest.raises(SettingsError, match="file of recorded replies"):
+        RecordingModel(ScriptedLanguageModel(["x"]), store)
+
+    assert store.read_text(encoding="utf-8").startswith("a diary")
+
+
+def test_a_folder_that_is_not_there_is_said(tmp_path: Path):
+    with pytest.raises(SettingsError, match="expected a place for a file"):
+        RecordingModel(ScriptedLanguageModel(["x"]), tmp_path / "no" / "r.sqlite")
+
+
+def test_a_damaged_record_is_a_model_error(store: Path):
+    RecordingModel(ScriptedLanguageModel(["x"]), store).complete(REQUEST)
+    with sqlite3.connect(store) as database:
+        database.execute("UPDATE replies SET completion = '{\"text\": 1}'")
+    database.close()
+
+    with pytest.raises(LanguageModelError, match="cannot be read"):
+        ReplayingModel(store, name="scripted").complete(REQUEST)
+
+
+def test_a_file_that_may_only_be_read_replays(store: Path):
+    RecordingModel(ScriptedLanguageModel(["x"]), store).complete(REQUEST)
+    store.chmod(0o444)
+
+    assert ReplayingModel(store, name="scripted").complete(REQUEST).text == "x"
+    assert [path.name for path in store.parent.iterdir()] == [store.name]
+
+
+def test_several_processes_record_into_one_file(store: Path):
+    script = """
+import sys
+from memorymaze.language.model import CompletionRequest, Message
+from memorymaze.language.recorded_replies import RecordingModel
+from memorymaze.language.scripted_model import ScriptedLanguageModel
+
+me, path = sys.argv[1:]
+recording = RecordingModel(ScriptedLanguageModel(lambda request: me), path)
+for number in range(25):
+    request = CompletionRequest((Message("user", f"question {number}"),))
+    print(recording.complete(request).text)
+"""
+    running = [
+        subprocess.Popen(
+            [sys.executable, "-c", script, name, str(store)],
+            stdout=subprocess.PIPE,
+            text=True,
+        )
+        for name in "abc"
+    ]
+    said = [process.communicate(timeout=60)[0].split() for process in running]
+
+    assert [process.returncode for process in running] == [0, 0, 0]
+    assert len(said[0]) == 25
+    assert said[0] == said[1] == said[2]
