@@ -1,28 +1,16 @@
-"""Confidence intervals that know that one person's instructions belong together."""
+"""Means of results over cells of a table, with participant-bootstrap intervals."""
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from memorymaze.evaluation.results import EpisodeResult
+from memorymaze.metrics.aggregate import Estimate, participant_bootstrap
 
 __all__ = ["MEASURES", "Estimate", "estimate_means"]
 
 MEASURES = ("sr", "osr", "spd", "cls")
 """What the paper's tables show of an episode."""
-
-RESAMPLES = 10_000
-
-
-@dataclass(frozen=True, slots=True)
-class Estimate:
-    """A mean and, where it was measured here, its 95 % interval."""
-
-    mean: float
-    low: float | None = None
-    high: float | None = None
 
 
 def estimate_means(
@@ -31,11 +19,8 @@ def estimate_means(
     """Return the mean of every measure over cells, with participant-bootstrap intervals.
 
     The mean is the unweighted mean of the cells' means, as the paper averages over
-    routes; for one cell it is the cell's mean. For the interval, participants are drawn
-    again with all their episodes, as often as there are: separately among those who
-    contributed to the same cells, so that no cell runs empty. The interval goes from
-    the 2.5th to the 97.5th percentile of 10,000 such draws. Where all episodes agree
-    it has no width, which says nothing of certainty.
+    routes; for one cell it is the cell's mean. The intervals hold 95 % of 10,000 draws;
+    see `metrics.aggregate.participant_bootstrap`.
 
     Args:
         cells: Results that belong together, such as those of one route; none empty.
@@ -49,43 +34,14 @@ def estimate_means(
     """
     if not cells or not all(cells):
         raise ValueError("expected at least one episode in every cell")
-    sums, counts = _tally(cells)
-    means = (sums.sum(axis=0) / counts.sum(axis=0)[:, None]).mean(axis=0)
-    weights = _draws(counts > 0, np.random.default_rng(seed))
-    drawn = np.zeros((RESAMPLES, len(MEASURES)))
-    for cell in range(len(cells)):
-        drawn += (weights @ sums[:, cell]) / (weights @ counts[:, cell])[:, None]
-    low, high = np.percentile(drawn / len(cells), [2.5, 97.5], axis=0)
-    return {
-        name: Estimate(float(means[index]), float(low[index]), float(high[index]))
-        for index, name in enumerate(MEASURES)
-    }
-
-
-def _tally(
-    cells: Sequence[Sequence[EpisodeResult]],
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Return sums (participants, cells, measures) and counts (participants, cells)."""
-    names = sorted({result.participant for cell in cells for result in cell})
-    number: Mapping[str, int] = {name: index for index, name in enumerate(names)}
-    sums = np.zeros((len(names), len(cells), len(MEASURES)))
-    counts = np.zeros((len(names), len(cells)))
-    for index, cell in enumerate(cells):
-        for result in cell:
-            values = (result.success, result.oracle_success, result.spd, result.cls)
-            sums[number[result.participant], index] += values
-            counts[number[result.participant], index] += 1
-    return sums, counts
-
-
-def _draws(
-    contributed: NDArray[np.bool_], rng: np.random.Generator
-) -> NDArray[np.float64]:
-    """Return how often each participant is drawn, shape (draws, participants)."""
-    weights = np.zeros((RESAMPLES, len(contributed)))
-    _, group = np.unique(contributed, axis=0, return_inverse=True)
-    for number in range(int(group.max()) + 1):
-        members = np.flatnonzero(group == number)
-        share = np.full(len(members), 1 / len(members))
-        weights[:, members] = rng.multinomial(len(members), share, size=RESAMPLES)
-    return weights
+    rows = [(result, number) for number, cell in enumerate(cells) for result in cell]
+    estimates = participant_bootstrap(
+        [
+            (result.success, result.oracle_success, result.spd, result.cls)
+            for result, _ in rows
+        ],
+        [result.participant for result, _ in rows],
+        np.random.default_rng(seed),
+        cells=[number for _, number in rows],
+    )
+    return dict(zip(MEASURES, estimates, strict=True))

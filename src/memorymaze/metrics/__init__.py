@@ -4,18 +4,18 @@ from memorymaze.metrics.aggregate import Estimate, mean, participant_bootstrap
 from memorymaze.metrics.graph import NavigationGraph
 from memorymaze.metrics.score import MetricValues, score_path, score_walk
 from memorymaze.metrics.success import SUCCESS_DISTANCE
-from memorymaze.metrics.turns import TurnsTaken, turns_along, turns_taken
+from memorymaze.metrics.turns import Turn, turns_in_order, turns_taken
 
 __all__ = [
     "SUCCESS_DISTANCE",
     "Estimate",
     "MetricValues",
     "NavigationGraph",
-    "TurnsTaken",
+    "Turn",
     "mean",
     "participant_bootstrap",
     "score_path",
     "score_walk",
-    "turns_along",
+    "turns_in_order",
     "turns_taken",
 ]
