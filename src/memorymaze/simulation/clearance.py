@@ -28,7 +28,7 @@ class Clearance:
             for corners in (np.asarray(ring.coords)[:, :2] for ring in rings)
         ]
         self._edges = np.concatenate(pieces)
-        walls = list(shapely.linestrings(self._edges))
+        walls = [LineString(edge) for edge in self._edges]
         self._walls = STRtree(walls)
         self._everything = STRtree([*walls, *obstacles])
 
@@ -48,10 +48,15 @@ class Clearance:
 
     def is_free(self, line: Sequence[tuple[float, float]], radius: float) -> bool:
         """Whether a disc of this radius, metres, can be moved along a line."""
-        path = LineString(line)
-        return self._floor.contains(path) and not len(
-            self._everything.query(path, predicate="dwithin", distance=radius)
+        return self.is_within_walls(line) and not len(
+            self._everything.query(
+                LineString(line), predicate="dwithin", distance=radius
+            )
         )
+
+    def is_within_walls(self, line: Sequence[tuple[float, float]]) -> bool:
+        """Whether a line crosses no wall."""
+        return self._floor.contains(LineString(line))
 
     def wall_crossings(
         self, start: tuple[float, float], direction: tuple[float, float]
@@ -76,7 +81,7 @@ class Clearance:
         return np.sort(at[at > 0]).tolist()
 
     def _distances(self, points: FloatArray, tree: STRtree) -> FloatArray:
-        places = shapely.points(points)
+        places = np.asarray(shapely.points(points))
         near, things = tree.query(places, predicate="dwithin", distance=CLEARANCE_RANGE)
         distances = np.full(len(points), CLEARANCE_RANGE)
         np.minimum.at(

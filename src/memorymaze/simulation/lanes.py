@@ -12,7 +12,7 @@ from memorymaze.geometry import polyline
 from memorymaze.geometry.pose import Pose, turn_between
 from memorymaze.simulation.clearance import Clearance
 from memorymaze.simulation.detours import SPACING, make_detours
-from memorymaze.simulation.straight_ways import END_GAP, StraightWay
+from memorymaze.simulation.straight_ways import StraightWay
 from memorymaze.simulation.wheeled_base import ROBOT_RADIUS
 
 __all__ = [

@@ -1,6 +1,7 @@
 """Driving along a given line, whatever it is; for walks whose way is known."""
 
 import math
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -64,8 +65,4 @@ def _legs(line: FloatArray) -> list[FloatArray]:
         if abs(turn_between(headings[vertex - 1], headings[vertex])) > SHARP_VERTEX
     ]
     bounds = [0, *cuts, len(line) - 1]
-    return [
-        line[first : last + 1]
-        for first, last in zip(bounds[:-1], bounds[1:], strict=True)
-        if last > first
-    ]
+    return [line[first : last + 1] for first, last in pairwise(bounds) if last > first]

@@ -16,13 +16,13 @@ from shapely import LineString, Point
 
 from memorymaze.geometry.pose import turn_between
 from memorymaze.simulation.clearance import Clearance
-from memorymaze.sites.records import Corridor, Exit, Site, TurningPoint
+from memorymaze.simulation.corridor_axes import Axis, corridor_axis
+from memorymaze.sites.records import Exit, Site, TurningPoint
 
 __all__ = [
     "BEND_TOLERANCE",
     "END_GAP",
     "ENTRY_TOLERANCE",
-    "Axis",
     "StraightWay",
     "StraightWays",
 ]
@@ -38,6 +38,10 @@ ENTRY_DISTANCE = 2.0
 """Metres before its end at which a corridor that was turned into is followed already."""
 OFFSET_TOLERANCE = 1.2
 """Greatest sideways step in metres between the middles of two corridors in line."""
+MOUTH_OFFSET = 3.0
+"""As `OFFSET_TOLERANCE`, across an open area from which the way goes on nowhere else."""
+MOUTH_DEPTH = 2.0
+"""Metres before or behind the area's wall within which such a corridor begins."""
 GAP_TOLERANCE = 1.0
 """Walls up to this many metres thick, such as pillars, do not end the way."""
 SCAN_STEP = 0.25
@@ -66,53 +70,13 @@ class StraightWay:
     """Metres along the line at which the robot has to halt."""
 
 
-@dataclass(frozen=True, slots=True)
-class Axis:
-    """A corridor's centre line with its floor."""
-
-    corridor: str
-    x: float
-    y: float
-    ux: float
-    uy: float
-    length: float
-    corners: tuple[XY, ...]
-    """Counter-clockwise."""
-
-    def reversed_if(self, reverse: bool) -> "Axis":
-        """Return the axis that runs the other way, or itself."""
-        if not reverse:
-            return self
-        x, y = self.x + self.length * self.ux, self.y + self.length * self.uy
-        return Axis(self.corridor, x, y, -self.ux, -self.uy, self.length, self.corners)
-
-    def local(self, x: float, y: float) -> XY:
-        """Return metres along the axis and to the left of it."""
-        dx, dy = x - self.x, y - self.y
-        return dx * self.ux + dy * self.uy, dy * self.ux - dx * self.uy
-
-    def at(self, along: float) -> XY:
-        """Return the point of the line at metres along it."""
-        return self.x + along * self.ux, self.y + along * self.uy
-
-    def covers(self, x: float, y: float) -> bool:
-        """Whether a point is on the corridor's floor."""
-        corners = self.corners
-        px, py = corners[-1]
-        for qx, qy in corners:
-            if (qx - px) * (y - py) - (qy - py) * (x - px) < -1e-9:
-                return False
-            px, py = qx, qy
-        return True
-
-
 class StraightWays:
     """Finds straight ways on one site."""
 
     def __init__(self, site: Site, clearance: Clearance) -> None:
         """Take the centre lines of all corridors."""
         self._clearance = clearance
-        self._axes = [_axis(corridor) for corridor in site.corridors]
+        self._axes = [corridor_axis(corridor) for corridor in site.corridors]
         self._turning_points = {each.id: each for each in site.turning_points}
 
     def way(
@@ -138,17 +102,18 @@ class StraightWays:
         followed: set[str] = set()
         if axis is not None:
             place = axis.at(axis.local(*position)[0])
-            course_now = math.atan2(axis.uy, axis.ux)
+            course_now = axis.heading
             tolerance = BEND_TOLERANCE
             followed.add(axis.corridor)
         points, courses = [place], list[float]()
         while True:
             ux, uy = math.cos(course_now), math.sin(course_now)
             reach = self._reach(place, (ux, uy))
-            begin = 0.0 if axis is None else _exit(axis, place, (ux, uy)) - 0.5
+            begin = 0.0 if axis is None else axis.floor_ahead(place) - 0.5
+            begin = max(begin, 0.0)
             found = self._next_corridor(
-                place, course_now, max(begin, 0.0), reach, tolerance, followed
-            )
+                place, course_now, begin, reach, tolerance, followed
+            ) or self._mouth_ahead(place, course_now, begin, reach, followed)
             if found is None:
                 points.append((place[0] + reach * ux, place[1] + reach * uy))
                 courses.append(course_now)
@@ -158,7 +123,7 @@ class StraightWays:
             at, axis = found
             followed.add(axis.corridor)
             tolerance = BEND_TOLERANCE
-            new_course = math.atan2(axis.uy, axis.ux)
+            new_course = axis.heading
             for point, piece_course in _transition(
                 place, course_now, at, axis, new_course
             ):
@@ -166,6 +131,40 @@ class StraightWays:
                     points.append(point)
                     courses.append(piece_course)
             place, course_now = points[-1], new_course
+
+    def _mouth_ahead(
+        self,
+        place: XY,
+        course: float,
+        begin: float,
+        reach: float,
+        followed: set[str],
+    ) -> tuple[float, Axis] | None:
+        """Find a corridor that leaves an open area beside where the line hits its wall.
+
+        One walks through a lobby into the hallway opposite, although it lies a step or
+        two to the side.
+        """
+        ux, uy = math.cos(course), math.sin(course)
+        best: tuple[float, float, Axis] | None = None
+        for axis in self._along(course, BEND_TOLERANCE):
+            at = (axis.x - place[0]) * ux + (axis.y - place[1]) * uy
+            aside = abs(axis.local(place[0] + at * ux, place[1] + at * uy)[1])
+            if (
+                axis.corridor not in followed
+                and reach - MOUTH_DEPTH <= at <= reach + MOUTH_DEPTH
+                and at - begin >= MOUTH_DEPTH
+                and OFFSET_TOLERANCE < aside <= MOUTH_OFFSET
+                and (best is None or aside < best[0])
+            ):
+                leave = at - 2 * aside
+                start = (place[0] + leave * ux, place[1] + leave * uy)
+                if leave >= begin and self._clearance.is_within_walls([
+                    start,
+                    axis.at(0),
+                ]):
+                    best = aside, at - aside, axis
+        return None if best is None else best[1:]
 
     def axis_through(self, point: TurningPoint, chosen: Exit) -> Axis | None:
         """Return the centre line of the corridor an exit leads into, outward.
@@ -182,7 +181,7 @@ class StraightWays:
                 centre.x + EXIT_PROBE * math.cos(chosen.heading),
                 centre.y + EXIT_PROBE * math.sin(chosen.heading),
             )
-            angle = turn_between(chosen.heading, math.atan2(axis.uy, axis.ux))
+            angle = turn_between(chosen.heading, axis.heading)
             if (
                 abs(angle) <= BEND_TOLERANCE
                 and axis.covers(*ahead)
@@ -225,7 +224,7 @@ class StraightWays:
                 or (-ENTRY_DISTANCE <= along <= 0 and abs(aside) <= OFFSET_TOLERANCE)
             ):
                 return axis
-            angle = abs(turn_between(course, math.atan2(axis.uy, axis.ux)))
+            angle = abs(turn_between(course, axis.heading))
             cost = angle + 0.05 * abs(aside)
             if angle <= tolerance and cost < least and axis.covers(*position):
                 best, least = axis, cost
@@ -305,37 +304,3 @@ def _transition(
     start = max(0.0, at - half)
     yield (place[0] + start * ux, place[1] + start * uy), course
     yield axis.at(along - (at - start) + 2 * half), new_course
-
-
-def _exit(axis: Axis, place: XY, direction: XY) -> float:
-    """Return how far a ray from within a corridor stays on its floor, metres."""
-    ux, uy = direction
-    nearest = math.inf
-    px, py = axis.corners[-1]
-    for qx, qy in axis.corners:
-        nx, ny = qy - py, px - qx  # outward normal
-        speed = nx * ux + ny * uy
-        if speed > 1e-12:
-            nearest = min(
-                nearest, (nx * (px - place[0]) + ny * (py - place[1])) / speed
-            )
-        px, py = qx, qy
-    return max(nearest, 0.0)
-
-
-def _axis(corridor: Corridor) -> Axis:
-    (ax, ay), (bx, by) = [point[:2] for point in corridor.centre_line.coords]
-    length = math.hypot(bx - ax, by - ay)
-    ring = corridor.polygon.exterior
-    corners = [(x, y) for x, y, *_ in ring.coords[:-1]]
-    if not ring.is_ccw:
-        corners.reverse()
-    return Axis(
-        corridor.id,
-        ax,
-        ay,
-        (bx - ax) / length,
-        (by - ay) / length,
-        length,
-        tuple(corners),
-    )

@@ -79,7 +79,7 @@ def parse_direction(direction: object) -> Direction:
         CommandError: It is none; the message names those there are.
     """
     for known in DIRECTIONS:
-        if direction == known:
+        if isinstance(direction, str) and direction == known:
             return known
     close = difflib.get_close_matches(str(direction), DIRECTIONS, n=1)
     hint = f" (did you mean {close[0]!r}?)" if close else ""

@@ -45,7 +45,10 @@ class TurningPointVisits:
 
     def __init__(self, site: Site) -> None:
         """Begin outside all turning points."""
-        self._shapes = [_shape(point) for point in site.turning_points]
+        # Called 20 times a simulated second: plain numbers, the boxes first.
+        self._boxes = [
+            (*point.polygon.bounds, _shape(point)) for point in site.turning_points
+        ]
         self._floors = {
             each.id: each.polygon
             for each in (*site.corridors, *site.areas, *site.turning_points)
@@ -75,8 +78,8 @@ class TurningPointVisits:
         """
         visits = self._visits
         nearest, least = None, math.inf
-        for index, shape in enumerate(self._shapes):
-            if shape.covers(x, y):
+        for index, (west, south, east, north, shape) in enumerate(self._boxes):
+            if west <= x <= east and south <= y <= north and shape.covers(x, y):
                 if index not in visits:
                     visits[index] = Visit(
                         shape.point, self._way_back(shape.point, x, y, travel)
@@ -154,17 +157,11 @@ class _Shape:
     """A turning point's polygon as plain numbers."""
 
     point: TurningPoint
-    west: float
-    south: float
-    east: float
-    north: float
     corners: tuple[XY, ...]
     centre_x: float
     centre_y: float
 
     def covers(self, x: float, y: float) -> bool:
-        if not (self.west <= x <= self.east and self.south <= y <= self.north):
-            return False
         px, py = self.corners[-1]
         for qx, qy in self.corners:
             if (qx - px) * (y - py) - (qy - py) * (x - px) < -1e-9:
@@ -179,4 +176,4 @@ def _shape(point: TurningPoint) -> _Shape:
     if not ring.is_ccw:
         corners.reverse()
     centre = point.polygon.centroid
-    return _Shape(point, *point.polygon.bounds, tuple(corners), centre.x, centre.y)
+    return _Shape(point, tuple(corners), centre.x, centre.y)

@@ -1,0 +1,199 @@
+"""What the control API's motions mean: moving on, turning into ways, following a line."""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from memorymaze.geometry.pose import turn_between, wrap_angle
+from memorymaze.robot.api import DIRECTIONS, Direction, MoveEnd, TurnResult
+from memorymaze.simulation.driving import Driver
+from memorymaze.simulation.lanes import plan_lane
+from memorymaze.simulation.path_following import LaneFollower
+from memorymaze.simulation.route_following import follow_line
+from memorymaze.simulation.scene import Scene
+from memorymaze.simulation.settings import SimulationSettings
+from memorymaze.simulation.turning_directions import direction_of, exit_meant
+from memorymaze.simulation.turning_points import Visit, meeting_point
+from memorymaze.simulation.wheeled_base import ROBOT_RADIUS
+from memorymaze.sites.records import Exit
+
+__all__ = ["Pilot"]
+
+REPLAN_OFFSET = 0.35
+"""Metres beside its lane from which on a robot plans anew."""
+REPLAN_ANGLE = math.radians(40)
+"""Angle to its lane from which on a robot plans anew."""
+SPIN_FIRST = math.radians(8)
+"""Angle to a new lane's beginning from which on the robot first turns on the spot."""
+BACK_SECTOR = math.radians(35)
+"""`around` faces an exit that lies within this angle of a half turn."""
+
+
+class Pilot:
+    """Steers one robot through one episode.
+
+    It keeps a course: the heading of the way the robot is on. Directions are told
+    relative to it and not to the heading of the moment, which differs while the robot
+    goes round an obstacle. Every motion raises `TimeIsUp` when the time budget ends.
+    """
+
+    def __init__(
+        self, scene: Scene, driver: Driver, settings: SimulationSettings
+    ) -> None:
+        """Begin with the start heading as the course."""
+        self._scene = scene
+        self._driver = driver
+        self._settings = settings
+        self._course = driver.pose.heading
+        self._fresh = True
+        self._towards: str | None = None
+        self._follower: LaneFollower | None = None
+
+    def come_to_rest(self) -> None:
+        """Brake until the robot stands."""
+        self._driver.come_to_rest(self._follower)
+
+    def move(self, distance: float) -> MoveEnd:
+        """Drive up to some metres along the straight way; return why it ended."""
+        driver = self._driver
+        follower = self._follower
+        if follower is not None:
+            follower.update(driver.pose)
+        if (
+            follower is None
+            or abs(follower.offset) > REPLAN_OFFSET
+            or abs(follower.off_course) > REPLAN_ANGLE
+        ):
+            follower = self._planned()
+        how = driver.follow(follower, distance, self._settings.rolling_speed)
+        self._course = follower.station.course
+        if how == "distance":
+            return "done"
+        if how == "end":
+            return "obstacle" if follower.lane.end == "obstacle" else "wall"
+        self._follower = None
+        return self._what_blocks()
+
+    def _what_blocks(self) -> MoveEnd:
+        collisions = self._driver.collisions
+        hit_thing = bool(collisions) and collisions[-1].kind == "landmark"
+        return "obstacle" if hit_thing else "wall"
+
+    def _planned(self) -> LaneFollower:
+        driver = self._driver
+        self.come_to_rest()
+        pose = driver.pose
+        way = self._scene.straight_ways.way(
+            (pose.x, pose.y), self._course, fresh=self._fresh, towards=self._towards
+        )
+        lane = plan_lane(way, pose, self._scene.clearance, self._settings.max_speed)
+        follower = LaneFollower(lane)
+        follower.update(pose)
+        if lane.length > 0 and abs(follower.off_course) > SPIN_FIRST:
+            driver.spin_to(lane.stations[0].heading)
+            follower.update(driver.pose)
+        self._follower = follower
+        self._fresh = False
+        return follower
+
+    def directions(self) -> list[Direction]:
+        """Return where one can go on from the turning point the robot is in."""
+        visit = self._driver.visits.current
+        if visit is None:
+            return []
+        found = {
+            direction_of(turn_between(self._course, each.heading))
+            for each in visit.onward()
+        }
+        return [direction for direction in DIRECTIONS if direction in found]
+
+    def turn(self, direction: Direction) -> TurnResult:
+        """Face the way that lies in a direction, if there is one."""
+        visit = self._driver.visits.current
+        if direction == "around":
+            return self._turn_around(visit)
+        if visit is None:
+            return TurnResult(
+                False,
+                0.0,
+                "this is not a turning point; only 'around' is possible here",
+            )
+        exits = list(visit.point.exits) if visit.turned else visit.onward()
+        angles = [turn_between(self._course, each.heading) for each in exits]
+        chosen = exit_meant(direction, angles)
+        if chosen is None:
+            there_are = ", ".join((*self.directions(), "around"))
+            return TurnResult(
+                False,
+                0.0,
+                f"no way lies {_in_words(direction)}; there are: {there_are}",
+            )
+        return self._turn_into(visit, exits[chosen], direction)
+
+    def _turn_into(self, visit: Visit, chosen: Exit, direction: str) -> TurnResult:
+        driver = self._driver
+        self.come_to_rest()
+        before = driver.pose.heading
+        place = (driver.pose.x, driver.pose.y)
+        if self._follower is not None:
+            station = self._follower.station
+            place = (station.way_x, station.way_y)
+        meeting = meeting_point(
+            visit.point, chosen, place, self._course, self._scene.straight_ways
+        )
+        if self._scene.clearance.is_free(
+            [driver.pose[:2], meeting], ROBOT_RADIUS + 0.02
+        ):
+            driver.drive_to(*meeting)
+        driver.spin_to(chosen.heading)
+        self._face(chosen.heading, chosen.to)
+        angle = math.degrees(turn_between(before, driver.pose.heading))
+        return TurnResult(
+            True, angle, f"turned {abs(angle):.0f} degrees, {_in_words(direction)}"
+        )
+
+    def _turn_around(self, visit: Visit | None) -> TurnResult:
+        driver = self._driver
+        self.come_to_rest()
+        before = driver.pose.heading
+        back = self._course + math.pi
+        towards = None
+        if visit is not None:
+            behind = min(
+                visit.point.exits,
+                key=lambda each: abs(turn_between(back, each.heading)),
+                default=None,
+            )
+            if (
+                behind is not None
+                and abs(turn_between(back, behind.heading)) <= BACK_SECTOR
+            ):
+                back, towards = behind.heading, behind.to
+        driver.spin_to(back)
+        self._face(back, towards)
+        angle = math.degrees(turn_between(before, driver.pose.heading))
+        return TurnResult(True, angle, "turned around")
+
+    def _face(self, course: float, towards: str | None) -> None:
+        """Take a new course, from where the robot stands."""
+        self._course = wrap_angle(course)
+        self._towards = towards
+        self._fresh = True
+        self._follower = None
+        self._driver.visits.note_turn()
+
+    def follow(self, points: NDArray[np.float64]) -> MoveEnd:
+        """Drive along a given line, (N, 2) metres, to its end."""
+        self._follower = None
+        arrived = follow_line(self._driver, points, self._settings.max_speed)
+        self._face(self._driver.pose.heading, None)
+        return "done" if arrived else self._what_blocks()
+
+
+def _in_words(direction: str) -> str:
+    return {
+        "forward": "straight on",
+        "left": "to the left",
+        "right": "to the right",
+    }.get(direction, direction.replace("_", " "))
