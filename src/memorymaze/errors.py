@@ -4,6 +4,7 @@ __all__ = [
     "CommandError",
     "EpisodeOver",
     "InstructionFileError",
+    "InstructionFileWarning",
     "LanguageModelError",
     "MemoryMazeError",
     "ProgramError",
@@ -26,6 +27,10 @@ class InstructionFileError(MemoryMazeError):
     """An instruction file or record is unusable; names file and line."""
 
 
+class InstructionFileWarning(UserWarning):
+    """An instruction file has something that is not used; names file and line."""
+
+
 class SettingsError(MemoryMazeError):
     """A setting or argument has no meaning here; names it and what is allowed."""
 
@@ -36,6 +41,10 @@ class CommandError(MemoryMazeError, ValueError):
 
 class RunFolderError(MemoryMazeError):
     """A run folder is missing, damaged, or belongs to other settings."""
+
+
+class CaseFileError(MemoryMazeError):
+    """A file of metric cases cannot be read; names file and place."""
 
 
 class UndefinedMetricError(MemoryMazeError):

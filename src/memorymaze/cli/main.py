@@ -14,7 +14,11 @@ from collections.abc import Sequence
 
 from memorymaze import __version__
 from memorymaze.cli import evaluate, instructions, navigate, table
-from memorymaze.errors import MemoryMazeError, SettingsError
+from memorymaze.errors import (
+    InstructionFileWarning,
+    MemoryMazeError,
+    SettingsError,
+)
 
 __all__ = ["main"]
 
@@ -34,9 +38,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="backslashreplace")
     options = _parser().parse_args(arguments)
-    warnings.showwarning = _show_warning
     try:
-        return options.run(options)
+        with warnings.catch_warnings():
+            warnings.filterwarnings("always", category=InstructionFileWarning)
+            warnings.showwarning = _show_warning
+            return options.run(options)
     except MemoryMazeError as error:
         _explain(error, options.debug)
         return WRONG_USAGE if isinstance(error, SettingsError) else FAILED

@@ -6,7 +6,12 @@ from pathlib import Path
 
 from memorymaze.evaluation.agents_for_runs import build_agent
 from memorymaze.evaluation.budgets import default_time_budget
-from memorymaze.evaluation.settings import AgentSettings, RunSettings, stamp_file
+from memorymaze.evaluation.settings import (
+    AgentSettings,
+    RunSettings,
+    check_whole,
+    stamp_file,
+)
 from memorymaze.instructions.corpus import BUILTIN_CORPUS, load_instructions
 from memorymaze.instructions.episodes import episodes
 from memorymaze.instructions.records import Episode
@@ -83,6 +88,9 @@ def plan_run(
 
 
 def _spread(chosen: list[Episode], limit: int | None) -> list[Episode]:
-    if limit is None or limit >= len(chosen):
+    if limit is None:
+        return chosen
+    check_whole("limit", limit, least=1)
+    if limit >= len(chosen):
         return chosen
     return [chosen[index * len(chosen) // limit] for index in range(limit)]

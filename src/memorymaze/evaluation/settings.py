@@ -14,6 +14,7 @@ __all__ = [
     "AgentSettings",
     "FileStamp",
     "RunSettings",
+    "check_whole",
     "differences",
     "stamp_file",
 ]
@@ -68,9 +69,9 @@ class RunSettings:
 
     def __post_init__(self) -> None:
         """Refuse values without meaning."""
-        _check_whole("seed", self.seed, least=0)
+        check_whole("seed", self.seed, least=0)
         if self.limit is not None:
-            _check_whole("limit", self.limit, least=1)
+            check_whole("limit", self.limit, least=1)
         if not (math.isfinite(self.success_distance) and self.success_distance > 0):
             raise SettingsError(
                 "success distance: expected more than 0 metres, got "
@@ -110,7 +111,12 @@ def _flat(value: Mapping[str, Any], prefix: str = "") -> Iterable[tuple[str, Any
             yield prefix + name, part
 
 
-def _check_whole(name: str, value: int, *, least: int) -> None:
+def check_whole(name: str, value: int, *, least: int) -> None:
+    """Refuse what is not a whole number of at least `least`.
+
+    Raises:
+        SettingsError: It is not; names the setting.
+    """
     if type(value) is not int or value < least:
         raise SettingsError(
             f"{name}: expected a whole number of at least {least}, got {value!r}"

@@ -2,6 +2,7 @@
 
 import csv
 import io
+import textwrap
 from collections import Counter
 from collections.abc import Iterable, Sequence
 from itertools import groupby
@@ -19,6 +20,8 @@ from memorymaze.instructions.records import WRITTEN_BY
 __all__ = ["TableFormat", "format_tables"]
 
 TableFormat = Literal["text", "md", "csv"]
+
+TEXT_WIDTH = 118
 
 TITLES = {
     "II": "Table II: methods on every route, both iterations together",
@@ -48,7 +51,7 @@ def format_tables(
     Args:
         runs: From `load_runs`; at least one.
         tables: Which of the paper's tables.
-        style: Text of at most 115 columns, Markdown, or one CSV with unrounded numbers.
+        style: Text of at most 118 columns, Markdown, or one CSV with unrounded numbers.
     """
     if style == "csv":
         return _csv((row, table) for table in tables for row in table_rows(runs, table))
@@ -70,8 +73,10 @@ def run_notes(run: MeasuredRun) -> list[str]:
         f"success distance {settings.success_distance:g} m, time budget "
         f"{settings.simulation.time_budget:g} s, call budget "
         f"{settings.simulation.call_budget}, seed {settings.seed}, memorymaze "
-        f"{run.record.code.version} ({(run.record.code.commit or 'no commit')[:12]})",
+        f"{_code(run)}",
     ]
+    if settings.agent.model is not None:
+        notes.append(f"language model {settings.agent.model}")
     if settings.limit is not None:
         notes.append(f"A SAMPLE of {settings.episodes} episodes (--limit).")
     if run.missing:
@@ -82,13 +87,22 @@ def run_notes(run: MeasuredRun) -> list[str]:
     return notes
 
 
+def _code(run: MeasuredRun) -> str:
+    code = run.record.code
+    if code.commit is None:
+        return code.version
+    edited = "+" if code.commit.endswith("+") else ""
+    return f"{code.version} ({code.commit[:12]}{edited})"
+
+
 def _text(
     rows: Sequence[TableRow], runs: Sequence[MeasuredRun], table: TableName
 ) -> str:
     lines = [TITLES[table], ""]
     for run in runs:
         first, *others = run_notes(run)
-        lines += [first, *(f"  {note}" for note in others)]
+        for note in (first, *(f"  {note}" for note in others)):
+            lines += textwrap.wrap(note, TEXT_WIDTH, subsequent_indent="  ")
     lines += ["", KEY]
     width = max(24, *(len(row.method) + 2 for row in rows))
     for study, of_study in groupby(rows, lambda row: row.study):
@@ -113,7 +127,7 @@ def _line(
     method: str, parser: str, count: str, values: Sequence[str], width: int
 ) -> str:
     columns = "".join(
-        f"  {value:<{20 if index == 2 else 17}}" for index, value in enumerate(values)
+        f"  {value:<{23 if index == 2 else 17}}" for index, value in enumerate(values)
     )
     return f"{method:<{width}} {parser:<6} {count:>4}{columns}"
 

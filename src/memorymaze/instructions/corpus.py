@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from importlib.resources import files
 from pathlib import Path
 
-from memorymaze.errors import InstructionFileError
+from memorymaze.errors import InstructionFileError, InstructionFileWarning
 from memorymaze.instructions.line_format import parse_line
 from memorymaze.instructions.problems import (
     InstructionProblem,
@@ -97,6 +97,7 @@ def read_instruction_file(
     for name, number in unknown.items():
         warnings.warn(
             f"{path}:{number}: field {name!r} is not part of the format and not used",
+            InstructionFileWarning,
             stacklevel=3,
         )
     return instructions, problems

@@ -1,0 +1,40 @@
+"""The command line in this process, and files for it."""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+
+from memorymaze.cli.main import main
+
+TESTS = Path(__file__).parents[1]
+
+
+class Said(NamedTuple):
+    """What a command left."""
+
+    code: int
+    out: str
+    err: str
+
+
+@pytest.fixture
+def memorymaze(capsys: pytest.CaptureFixture[str]) -> Callable[..., Said]:
+    """Run a command; say its exit code, stdout and stderr."""
+
+    def run(*arguments: str | Path) -> Said:
+        try:
+            code = main([str(argument) for argument in arguments])
+        except SystemExit as left:
+            code = int(left.code or 0)
+        return Said(code, *capsys.readouterr())
+
+    return run
+
+
+@pytest.fixture
+def tiny_files() -> list[str]:
+    """Options for twelve instructions on three tiny sites."""
+    instructions, sites = TESTS / "tiny_instructions.jsonl", TESTS / "tiny_sites"
+    return ["--instructions", str(instructions), "--sites", str(sites)]

@@ -1,0 +1,113 @@
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from memorymaze.agents import AGENTS
+from memorymaze.evaluation.run_folder import read_run
+
+Memorymaze = Callable[..., Any]
+
+
+def test_oracle_and_stop_run_from_files_to_tables(
+    memorymaze: Memorymaze, tiny_files: list[str], tmp_path: Path
+) -> None:
+    for agent in ("oracle", "stop"):
+        said = memorymaze(
+            "evaluate", "--agent", agent, *tiny_files, "--out", tmp_path / agent
+        )
+        assert said.code == 0
+        assert "12 instructions written by people" in said.out
+        assert "12 of 12 episodes" in said.err
+        assert "time budget 119 s" in said.err
+    rates = [
+        {result.success for result in read_run(tmp_path / agent)[1]}
+        for agent in ("oracle", "stop")
+    ]
+    assert rates == [{True}, {False}]
+    summary = json.loads((tmp_path / "oracle/summary.json").read_text(encoding="utf-8"))
+    assert summary["mean"]["success"] == 1.0
+    assert len(list((tmp_path / "oracle/traces").iterdir())) == 12
+    said = memorymaze(
+        "table", tmp_path / "oracle", tmp_path / "stop", "--table", "both"
+    )
+    assert said.code == 0
+    assert "Corridor R1, iteration 2" in said.out
+    assert said.err == ""
+
+
+def test_a_limit_spreads_over_the_files_and_can_be_resumed_only_as_it_was(
+    memorymaze: Memorymaze, tiny_files: list[str], tmp_path: Path
+) -> None:
+    command = ["evaluate", "--agent", "stop", *tiny_files, "--out", str(tmp_path)]
+    assert memorymaze(*command, "--limit", "3", "--workers", "1").code == 0
+    assert {result.site for result in read_run(tmp_path)[1]} == {
+        "corridor",
+        "loop",
+        "t_junction",
+    }
+    said = memorymaze(*command, "--limit", "4", "--resume")
+    assert said.code == 1
+    assert "limit: 3 there, 4 here" in said.err
+    said = memorymaze(*command, "--limit", "3")
+    assert said.code == 1
+    assert "add --resume" in said.err
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        pytest.param(["--agent", "rulez"], "expected one of", id="agent"),
+        pytest.param(["--workers", "-1"], "--workers: expected 0", id="workers"),
+        pytest.param(["--seed", "-1"], "seed: expected a whole number", id="seed"),
+        pytest.param(["--limit", "0"], "limit: expected", id="limit"),
+        pytest.param(["--time-budget", "0"], "time_budget", id="time"),
+        pytest.param(["--call-budget", "0"], "call_budget", id="calls"),
+        pytest.param(["--success-distance", "nan"], "success distance", id="distance"),
+        pytest.param(["--resume"], "--resume: name the run's folder", id="resume"),
+        pytest.param(["--model", "gpt"], "asks no language model", id="model"),
+        pytest.param(["--no-parser"], "no parser to leave out", id="parser"),
+    ],
+)
+def test_an_option_without_meaning_gives_code_2_and_one_message(
+    memorymaze: Memorymaze,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    arguments: list[str],
+    said: str,
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    done = memorymaze("evaluate", "--agent", "stop", *arguments)
+    assert done.code == 2
+    assert done.out == ""
+    assert said in done.err
+    assert done.err.startswith("memorymaze: ")
+    assert not any(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(
+    ("option", "content", "said"),
+    [
+        pytest.param("--instructions", "{bad", ":1: expected one JSON", id="line"),
+        pytest.param("--sites", "", "no such folder", id="sites"),
+    ],
+)
+def test_a_bad_file_gives_code_1_and_its_name(
+    memorymaze: Memorymaze, tmp_path: Path, option: str, content: str, said: str
+) -> None:
+    path = tmp_path / "bad"
+    if content:
+        path.write_text(content, encoding="utf-8")
+    out = tmp_path / "out"
+    done = memorymaze("evaluate", "--agent", "stop", option, path, "--out", out)
+    assert done.code == 1
+    assert str(path) in done.err
+    assert said in done.err
+    assert not out.exists()
+
+
+def test_the_help_names_every_agent(memorymaze: Memorymaze) -> None:
+    text = memorymaze("evaluate", "--help").out
+    assert all(name in text for name in [*AGENTS, "oracle"])

@@ -1,0 +1,95 @@
+import subprocess
+import sys
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+
+import memorymaze as package
+from memorymaze.cli import table
+
+Memorymaze = Callable[..., Any]
+
+VERBS = ("navigate", "evaluate", "table", "instructions")
+
+
+def test_the_version_is_told(memorymaze: Memorymaze) -> None:
+    said = memorymaze("--version")
+    assert (said.code, said.out) == (0, f"memorymaze {package.__version__}\n")
+
+
+@pytest.mark.parametrize("verb", VERBS)
+def test_the_help_of_a_verb_shows_an_example(memorymaze: Memorymaze, verb: str) -> None:
+    said = memorymaze(verb, "--help")
+    assert said.code == 0
+    assert f"example: memorymaze {verb}" in " ".join(said.out.split())
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        pytest.param([], id="no verb"),
+        pytest.param(["walk"], id="unknown verb"),
+        pytest.param(["evaluate"], id="no agent"),
+        pytest.param(["evaluate", "--agent", "stop", "--seed", "x"], id="no number"),
+        pytest.param(["table"], id="no run"),
+        pytest.param(["table", "x", "--table", "IV"], id="no such table"),
+    ],
+)
+def test_wrong_usage_gives_code_2_and_the_usage(
+    memorymaze: Memorymaze, arguments: list[str]
+) -> None:
+    said = memorymaze(*arguments)
+    assert said.code == 2
+    assert said.out == ""
+    assert "usage: memorymaze" in said.err
+
+
+def test_help_needs_no_heavy_library() -> None:
+    """Those take longer to import than anyone waits for a help text."""
+    heavy = ["numpy", "scipy", "shapely", "mujoco", "matplotlib", "pydantic", "openai"]
+    check = (
+        "import sys\n"
+        "from memorymaze.cli.main import main\n"
+        "try:\n"
+        "    main(['--help'])\n"
+        "except SystemExit:\n"
+        f"    print('loaded:', [name for name in {heavy} if name in sys.modules])\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", check], capture_output=True, text=True, check=True
+    )
+    assert done.stdout.splitlines()[-1] == "loaded: []"
+
+
+def test_python_dash_m_is_the_same_command() -> None:
+    done = subprocess.run(
+        [sys.executable, "-m", "memorymaze", "--version"],
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert done.stdout == f"memorymaze {package.__version__}\n"
+
+
+def test_a_fault_of_the_program_is_one_line_unless_one_debugs(
+    memorymaze: Memorymaze, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fail(options: object) -> int:
+        raise ZeroDivisionError("by nothing")
+
+    monkeypatch.setattr(table, "_run", fail)
+    said = memorymaze("table", "x")
+    assert said.code == 1
+    assert said.err.splitlines()[0] == "memorymaze: ZeroDivisionError: by nothing"
+    assert "Traceback" not in said.err
+    assert "Traceback" in memorymaze("--debug", "table", "x").err
+
+
+def test_a_reader_that_leaves_early_is_no_fault() -> None:
+    command = f"{sys.executable} -m memorymaze instructions stats | head -n 1"
+    done = subprocess.run(
+        ["bash", "-c", command], capture_output=True, text=True, check=True
+    )
+    assert done.stdout.startswith("Table I")
+    assert done.stderr == ""

@@ -1,0 +1,40 @@
+import csv
+import io
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+Memorymaze = Callable[..., Any]
+
+
+@pytest.fixture
+def run(memorymaze: Memorymaze, tiny_files: list[str], tmp_path: Path) -> Path:
+    """A finished run of three episodes, one of them on a development text."""
+    out = tmp_path / "stop"
+    command = ["evaluate", "--agent", "stop", *tiny_files, "--limit", "3"]
+    assert memorymaze(*command, "--workers", "1", "--out", out).code == 0
+    return out
+
+
+def test_every_format_is_written_to_stdout(memorymaze: Memorymaze, run: Path) -> None:
+    assert memorymaze("table", run).out.startswith("Table II: ")
+    assert memorymaze("table", run, "--format", "md").out.startswith("### Table II")
+    text = memorymaze("table", run, "--format", "csv", "--table", "both").out
+    assert {row["table"] for row in csv.DictReader(io.StringIO(text))} == {"II", "III"}
+
+
+def test_development_texts_are_left_out_on_demand(
+    memorymaze: Memorymaze, run: Path
+) -> None:
+    assert "3 episodes" in memorymaze("table", run).out
+    assert "2 episodes" in memorymaze("table", run, "--exclude-dev").out
+
+
+def test_a_folder_that_is_no_run_gives_code_1(
+    memorymaze: Memorymaze, tmp_path: Path
+) -> None:
+    said = memorymaze("table", tmp_path)
+    assert (said.code, said.out) == (1, "")
+    assert "expected a run folder" in said.err

@@ -1,0 +1,177 @@
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from memorymaze.agents.agent import Journal
+from memorymaze.errors import EpisodeOver, LanguageModelError, ProgramError
+from memorymaze.evaluation.arena import Arena
+from memorymaze.evaluation.episode import EpisodeRun, run_episode
+from memorymaze.evaluation.plan import RunPlan
+from memorymaze.robot.api import Robot
+
+Act = Callable[[Robot, Journal], None]
+Run = Callable[..., EpisodeRun]
+
+
+class Acting:
+    """An agent that does what a test says."""
+
+    name = "acting"
+
+    def __init__(self, act: Act) -> None:
+        self.act = act
+
+    def follow(
+        self, instruction: str, robot: Robot, journal: Journal, rng: np.random.Generator
+    ) -> None:
+        self.act(robot, journal)
+
+
+@pytest.fixture
+def run(tiny_plan: Callable[..., RunPlan]) -> Run:
+    """Run the first episode: 14.5 m along a straight corridor."""
+
+    def first_episode(act: Act, **options: float) -> EpisodeRun:
+        plan = tiny_plan("stop", **options)
+        arena = Arena(plan.sites["corridor"])
+        return run_episode(Acting(act), plan.episodes[0], arena, plan.settings)
+
+    return first_episode
+
+
+def walk(robot: Robot, _: Journal) -> None:
+    robot.move_forward(14.0)
+
+
+def test_returning_near_the_goal_is_success(run: Run) -> None:
+    result = run(walk).result
+    assert (result.stopped_by, result.success, result.error) == ("agent", True, None)
+    assert result.spd == pytest.approx(0.5, abs=0.3)
+    assert result.path_length == pytest.approx(14.0, abs=0.3)
+    assert result.spl > 0.9
+    assert (result.site, result.participant, result.split) == ("corridor", "p1", "dev")
+
+
+def test_stopping_far_from_the_goal_is_no_success(run: Run) -> None:
+    result = run(lambda robot, _: robot.stop()).result
+    assert (result.stopped_by, result.success) == ("agent", False)
+    assert result.spd == pytest.approx(14.5)
+    assert result.path_length == 0.0
+
+
+def test_success_needs_the_agents_own_stop(run: Run) -> None:
+    """At the goal when an error ends the walk: no success, though it was there."""
+
+    def fail_at_the_goal(robot: Robot, journal: Journal) -> None:
+        walk(robot, journal)
+        raise RuntimeError("lost my\nmind")
+
+    result = run(fail_at_the_goal).result
+    assert (result.stopped_by, result.success, result.spl) == ("crash", False, 0.0)
+    assert (result.oracle_success, result.sdtw) == (True, 0.0)
+    assert result.error == "RuntimeError: lost my mind"
+
+
+@pytest.mark.parametrize(
+    ("error", "stopped_by", "said"),
+    [
+        pytest.param(ProgramError("bad", line=3), "crash", "(line 3 of", id="program"),
+        pytest.param(ProgramError("bad", unsafe=True), "unsafe", "bad", id="unsafe"),
+        pytest.param(LanguageModelError("down"), "model_error", "down", id="model"),
+        pytest.param(SystemExit(3), "crash", "SystemExit: 3", id="exit"),
+        pytest.param(MemoryError(), "crash", "MemoryError: no message", id="memory"),
+        pytest.param(ValueError("x" * 9999), "crash", "ValueError: xx", id="long"),
+    ],
+)
+def test_what_an_agent_raises_becomes_the_outcome(
+    run: Run, error: BaseException, stopped_by: str, said: str
+) -> None:
+    def fail(robot: Robot, journal: Journal) -> None:
+        raise error
+
+    result = run(fail).result
+    assert result.stopped_by == stopped_by
+    assert result.error is not None
+    assert said in result.error
+    assert len(result.error) <= 500
+
+
+def test_ctrl_c_passes_through(run: Run) -> None:
+    def interrupt(robot: Robot, journal: Journal) -> None:
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        run(interrupt)
+
+
+def test_a_spent_budget_stays_one_though_the_agent_catches_everything(
+    run: Run,
+) -> None:
+    def deny(robot: Robot, journal: Journal) -> None:
+        while True:
+            try:
+                robot.move_forward(0.5)
+            except EpisodeOver:
+                return
+
+    result = run(deny, time_budget=5.0).result
+    assert (result.stopped_by, result.success) == ("budget", False)
+    assert result.duration_s == pytest.approx(5.0, abs=0.2)
+
+
+def test_returning_when_the_budget_ends_a_move_is_no_stop(run: Run) -> None:
+    result = run(walk, time_budget=14.0, success_distance=5.0).result
+    assert (result.stopped_by, result.success) == ("budget", False)
+    assert result.oracle_success
+
+
+def test_an_error_after_stopping_does_not_undo_the_stop(run: Run) -> None:
+    def stop_then_fail(robot: Robot, journal: Journal) -> None:
+        walk(robot, journal)
+        try:
+            robot.stop()
+        except EpisodeOver:
+            raise RuntimeError("too late") from None
+
+    result = run(stop_then_fail).result
+    assert (result.stopped_by, result.success) == ("agent", True)
+
+
+def test_calls_without_end_spend_the_call_budget(run: Run) -> None:
+    def look_forever(robot: Robot, journal: Journal) -> None:
+        while True:
+            robot.move_forward(0.01)
+            robot.detect_turning_point()
+
+    result = run(look_forever, call_budget=50).result
+    assert (result.stopped_by, result.api_calls) == ("budget", 50)
+
+
+def test_the_trace_has_calls_thoughts_poses_and_the_end(run: Run) -> None:
+    def think_and_go(robot: Robot, journal: Journal) -> None:
+        robot.say("Hello.")
+        journal.note("plan", steps=["go"])
+        robot.move_forward(2.0)
+        journal.model_calls, journal.tokens = 1, 30
+
+    done = run(think_and_go)
+    kinds = [entry["kind"] for entry in done.trace]
+    assert kinds[:4] == ["episode", "call", "note", "call"]
+    assert kinds[-2:] == ["trajectory", "end"]
+    opening, said, note, moved, *_ = done.trace
+    assert opening["instruction"] == "Go to the fourth door on the left."
+    assert opening["instruction_source"] == "human"
+    assert (said["call"], said["arguments"]) == ("say", {"text": "Hello."})
+    assert (note["about"], note["steps"]) == ("plan", ["go"])
+    assert moved["result"]["reason"] == "done"
+    assert done.trace[-2]["poses"][-1][1] == pytest.approx(4.0, abs=0.3)
+    assert (done.result.model_calls, done.result.tokens) == (1, 30)
+
+
+def test_the_same_seed_gives_the_same_walk_step_by_step(run: Run) -> None:
+    first, second, other = run(walk), run(walk), run(walk, seed=1)
+    assert first.trajectory.poses == second.trajectory.poses
+    assert replace(first.result, wall_s=0) == replace(second.result, wall_s=0)
+    assert first.trajectory.poses != other.trajectory.poses

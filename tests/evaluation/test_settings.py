@@ -1,0 +1,48 @@
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from memorymaze.errors import SettingsError
+from memorymaze.evaluation.settings import (
+    FileStamp,
+    RunSettings,
+    differences,
+    stamp_file,
+)
+
+
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        pytest.param({"seed": -1}, "seed: expected a whole number", id="seed"),
+        pytest.param({"seed": 0.5}, "got 0.5", id="half a seed"),
+        pytest.param({"limit": 0}, "limit: expected", id="limit"),
+        pytest.param({"success_distance": 0.0}, "more than 0 metres", id="distance"),
+        pytest.param({"success_distance": float("nan")}, "got nan", id="nan"),
+    ],
+)
+def test_a_value_without_meaning_is_refused(
+    settings: RunSettings, changes: dict[str, Any], said: str
+) -> None:
+    with pytest.raises(SettingsError, match=said):
+        replace(settings, **changes)
+
+
+def test_equal_settings_do_not_differ(settings: RunSettings) -> None:
+    assert differences(settings, replace(settings)) == []
+
+
+def test_one_more_site_is_a_difference(settings: RunSettings) -> None:
+    more = replace(settings, sites=(*settings.sites, FileStamp("annex", "ff")))
+    assert differences(settings, more) == ["sites.annex: None there, 'ff' here"]
+
+
+def test_a_stamp_depends_on_the_content_of_a_file(tmp_path: Path) -> None:
+    path = tmp_path / "some.jsonl"
+    path.write_bytes(b"one")
+    first = stamp_file(path)
+    path.write_bytes(b"two")
+    assert first.name == stamp_file(path).name == "some.jsonl"
+    assert first.sha256 != stamp_file(path).sha256

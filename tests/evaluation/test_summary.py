@@ -1,0 +1,41 @@
+from collections.abc import Callable
+
+import pytest
+
+from memorymaze.evaluation.results import EpisodeResult
+from memorymaze.evaluation.settings import RunSettings
+from memorymaze.evaluation.summary import summarise, summary_lines
+
+Make = Callable[..., EpisodeResult]
+
+
+def test_counts_means_and_sums_equal_those_worked_by_hand(
+    result: Make, settings: RunSettings
+) -> None:
+    results = [
+        result("a-1", collisions=2, spd=1.0),
+        result("b-1", study="onsite", success=False, stopped_by="crash", spd=4.0),
+    ]
+    summary = summarise(results, settings)
+    assert (summary["episodes"], summary["episodes_missing"]) == (2, 0)
+    assert summary["stopped_by"] == {"agent": 1, "crash": 1}
+    assert (summary["mean"]["success"], summary["mean"]["spd"]) == (0.5, 2.5)
+    assert summary["sum"]["collisions"] == 2
+    assert [cell["study"] for cell in summary["by_study_and_route"]] == [
+        "online",
+        "onsite",
+    ]
+
+
+def test_the_lines_say_who_wrote_the_instructions(
+    result: Make, settings: RunSettings
+) -> None:
+    results = [result("a-1"), result("b-1", model_calls=2, tokens=90, cost_usd=0.5)]
+    text = "\n".join(summary_lines(summarise(results, settings)))
+    assert "2 instructions written by a LANGUAGE MODEL, not by people" in text
+    assert "2 calls, 90 tokens, 0.50 USD" in text
+
+
+def test_no_results_are_an_error(settings: RunSettings) -> None:
+    with pytest.raises(ValueError, match="at least one result"):
+        summarise([], settings)

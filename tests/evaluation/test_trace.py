@@ -1,0 +1,66 @@
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from memorymaze.errors import RunFolderError
+from memorymaze.evaluation.trace import read_trace, trace_path, write_trace
+from memorymaze.geometry.pose import Pose
+from memorymaze.robot.api import Detection
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    (tmp_path / "traces").mkdir()
+    return tmp_path
+
+
+def test_entries_come_back_as_json_knows_them(folder: Path) -> None:
+    seen = Detection("door", (0, 0, 1, 1), 0.5, 2.0, -3.0, 1)
+    entry = {
+        "pose": Pose(1.0, 2.0, 0.5),
+        "seen": [seen],
+        "array": np.array([[1, 2]]),
+        "number": np.float64(0.5),
+        "nan": math.nan,
+        "names": {"b", "a"},
+        "odd": {3: b"x", "type": int},
+        "text": "左\ud800",
+    }
+    write_trace(folder, "a-1", [entry, {"kind": "end"}])
+    first, second = read_trace(folder, "a-1")
+    assert second == {"kind": "end"}
+    assert first["pose"] == [1.0, 2.0, 0.5]
+    assert first["seen"][0]["label"] == "door"
+    assert (first["array"], first["number"]) == ([[1, 2]], 0.5)
+    assert (first["nan"], first["names"]) == ("nan", ["a", "b"])
+    assert first["odd"] == {"3": "b'x'", "type": "<class 'int'>"}
+    assert first["text"] == "左\ud800"
+
+
+def test_equal_entries_give_equal_bytes(folder: Path) -> None:
+    write_trace(folder, "a", [{"x": 1}])
+    write_trace(folder, "b", [{"x": 1}])
+    assert trace_path(folder, "a").read_bytes() == trace_path(folder, "b").read_bytes()
+
+
+@pytest.mark.parametrize("name", ["../../etc/x", "a/b", ".", "é" * 300, "a" * 400])
+def test_any_episode_id_makes_a_file_inside_the_folder(folder: Path, name: str) -> None:
+    write_trace(folder, name, [{"id": name}])
+    assert [entry["id"] for entry in read_trace(folder, name)] == [name]
+    assert trace_path(folder, name).parent == folder / "traces"
+
+
+def test_long_ids_that_begin_alike_have_files_of_their_own(folder: Path) -> None:
+    assert trace_path(folder, "a" * 200) != trace_path(folder, "a" * 201)
+
+
+def test_a_missing_and_a_damaged_trace_are_named(folder: Path) -> None:
+    with pytest.raises(RunFolderError, match="trace of episode 'none'"):
+        list(read_trace(folder, "none"))
+    write_trace(folder, "a", [{"x": 1}])
+    path = trace_path(folder, "a")
+    path.write_bytes(path.read_bytes()[:-9])
+    with pytest.raises(RunFolderError, match="damaged"):
+        list(read_trace(folder, "a"))
