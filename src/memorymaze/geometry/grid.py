@@ -6,9 +6,8 @@ straight step stays on the floor, diagonally only where the four sides of the sq
 between them are open too (no corner is cut). Only the largest connected piece is kept.
 """
 
-from collections import OrderedDict
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Self
 
@@ -21,6 +20,7 @@ from shapely import MultiPolygon, Polygon
 
 from memorymaze.errors import UndefinedMetricError
 from memorymaze.geometry import polyline
+from memorymaze.geometry.distance_rows import DistanceRows
 from memorymaze.geometry.floor import Floor
 from memorymaze.geometry.shortest_walk import ShortestWalks
 
@@ -32,9 +32,6 @@ BoolArray = NDArray[np.bool_]
 
 HALF_DIAGONAL = 0.7072
 """Of a cell of size 1, rounded up."""
-
-NUMBERS_KEPT = 20_000_000
-"""Distances remembered between calls, at most (160 MB)."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,9 +56,6 @@ class FloorGrid:
     """Position of every node, metres, shape (N, 2)."""
     graph: csr_array
     """Symmetric step lengths, metres, shape (N, N)."""
-    _rows: OrderedDict[int, FloatArray] = field(
-        default_factory=OrderedDict[int, FloatArray], repr=False
-    )
 
     @classmethod
     def from_polygon(
@@ -168,18 +162,7 @@ class FloorGrid:
         Raises:
             UndefinedMetricError: A node is not in the grid.
         """
-        wanted = self._checked(nodes)
-        distinct, places = np.unique(wanted, return_inverse=True)
-        missing = [node for node in distinct if int(node) not in self._rows]
-        if missing:
-            rows = np.atleast_2d(dijkstra(self.graph, indices=missing))
-            self._rows.update(zip(map(int, missing), rows, strict=True))
-        answer = np.array([self._rows[int(node)] for node in distinct])
-        for node in distinct:
-            self._rows.move_to_end(int(node))
-        while len(self._rows) * len(self) > NUMBERS_KEPT:
-            self._rows.popitem(last=False)
-        return answer[places]
+        return self._rows.rows(self._checked(nodes))
 
     def between(self, starts: ArrayLike, ends: ArrayLike) -> FloatArray:
         """Return the distances from each start node to each end node, metres.
@@ -227,6 +210,10 @@ class FloorGrid:
     def walks(self) -> ShortestWalks:
         """Exact shortest walks on the same floor."""
         return ShortestWalks(self.floor, self.tolerance)
+
+    @cached_property
+    def _rows(self) -> DistanceRows:
+        return DistanceRows(self.graph)
 
     @cached_property
     def _tree(self) -> KDTree:

@@ -5,10 +5,10 @@ from collections.abc import Iterable, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import dijkstra
+from scipy.sparse import coo_array, csr_array
 
 from memorymaze.errors import UndefinedMetricError
+from memorymaze.geometry.distance_rows import DistanceRows
 
 __all__ = ["NavigationGraph"]
 
@@ -24,7 +24,7 @@ class NavigationGraph:
     def __init__(
         self, nodes: Iterable[str], edges: Iterable[tuple[str, str, float]]
     ) -> None:
-        """Compute the distances between all pairs of nodes.
+        """Join the nodes.
 
         Args:
             nodes: Ids.
@@ -47,9 +47,10 @@ class NavigationGraph:
                     f"edge {number} ({start!r} to {end!r}): expected a length >= 0 m, "
                     f"got {metres}"
                 )
-            low, high = sorted((self._index[start], self._index[end]))
-            lengths[low, high] = min(metres, lengths.get((low, high), math.inf))
-        self._distances = _all_pairs(len(self._index), lengths)
+            here, there = self._index[start], self._index[end]
+            shortest = min(metres, lengths.get((here, there), math.inf))
+            lengths[here, there] = lengths[there, here] = shortest
+        self._rows = DistanceRows(_table(len(self._index), lengths))
 
     def between(
         self, starts: Sequence[str], ends: Sequence[str]
@@ -63,7 +64,7 @@ class NavigationGraph:
         """
         # Summed from the ends, which are the agent's places, as the field's reference
         # code does: a distance that rounds to the threshold is then judged alike.
-        return self._distances[np.ix_(self._numbers(ends), self._numbers(starts))].T
+        return self._rows.rows(self._numbers(ends))[:, self._numbers(starts)].T
 
     def along(self, nodes: Sequence[str]) -> NDArray[np.float64]:
         """Return the distances between consecutive nodes, shape (k - 1,), metres.
@@ -74,7 +75,8 @@ class NavigationGraph:
             UndefinedMetricError: A node is not in the graph.
         """
         numbers = self._numbers(nodes)
-        return self._distances[numbers[:-1], numbers[1:]]
+        rows = self._rows.rows(numbers[:-1])
+        return rows[np.arange(len(rows)), numbers[1:]]
 
     def _numbers(self, nodes: Sequence[str]) -> NDArray[np.intp]:
         for place, node in enumerate(nodes):
@@ -85,13 +87,7 @@ class NavigationGraph:
         return np.array([self._index[node] for node in nodes], dtype=np.intp)
 
 
-def _all_pairs(
-    count: int, lengths: dict[tuple[int, int], float]
-) -> NDArray[np.float64]:
-    if not lengths:
-        return np.where(np.eye(count, dtype=bool), 0.0, np.inf)
-    ends = np.array(list(lengths), dtype=np.intp)
+def _table(count: int, lengths: dict[tuple[int, int], float]) -> csr_array:
+    ends = np.array(list(lengths), dtype=np.intp).reshape(-1, 2)
     metres = np.array(list(lengths.values()), dtype=np.float64)
-    # Sparse, because there an edge of length 0 is an edge and not a gap.
-    table = coo_array((metres, (ends[:, 0], ends[:, 1])), shape=(count, count))
-    return np.asarray(dijkstra(table.tocsr(), directed=False), dtype=np.float64)
+    return coo_array((metres, (ends[:, 0], ends[:, 1])), shape=(count, count)).tocsr()

@@ -90,6 +90,12 @@ def score_path(
     """
     _demand_nodes(reference_nodes, agent_nodes)
     distances = source.between(reference_nodes, agent_nodes)
+    apart = np.argwhere(np.isinf(distances))
+    if len(apart):
+        raise UndefinedMetricError(
+            f"no way joins reference node {reference_nodes[apart[0][0]]!r} and agent "
+            f"node {agent_nodes[apart[0][1]]!r}"
+        )
     goal_distances = distances[-1]
     walked = efficiency.path_length(source.along(agent_nodes))
     described = efficiency.path_length(source.along(reference_nodes))
