@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from memorymaze.sites import plan_models as models
-from memorymaze.sites.problems import PLAN, Finding
+from memorymaze.sites.problems import PLAN, Finding, Rule
 from memorymaze.sites.records import Site
 
 __all__ = ["benchmark_findings", "wording_findings"]
@@ -54,7 +54,7 @@ def benchmark_findings(site: Site) -> Iterator[Finding]:
     """Find where a sound site differs in size from the benchmark's floors."""
     expected = PUBLISHED.get(site.name, ANY_FLOOR)
     things = len(site.doors) + len(site.landmarks)
-    for rule, what, least, got in (
+    counts: tuple[tuple[Rule, str, int, int], ...] = (
         (
             "turning-point-count",
             "turning points",
@@ -62,7 +62,8 @@ def benchmark_findings(site: Site) -> Iterator[Finding]:
             len(site.turning_points),
         ),
         ("thing-count", "doors and landmarks", expected.things, things),
-    ):
+    )
+    for rule, what, least, got in counts:
         if got < least:
             yield Finding(
                 PLAN,

@@ -11,7 +11,7 @@ from shapely.validation import explain_validity
 from memorymaze.geometry.pose import wrap_angle
 from memorymaze.sites import plan_models as models
 from memorymaze.sites import records
-from memorymaze.sites.problems import Finding
+from memorymaze.sites.problems import Finding, Rule
 from memorymaze.sites.reading import PlanContent
 
 __all__ = ["site_from_content"]
@@ -29,9 +29,9 @@ CONVEX_SLACK = 1e-6
 class _ShapeError(Exception):
     """A shape breaks a rule."""
 
-    def __init__(self, rule: str, message: str) -> None:
+    def __init__(self, rule: Rule, message: str) -> None:
         super().__init__(message)
-        self.rule = rule
+        self.rule: Rule = rule
 
 
 def site_from_content(

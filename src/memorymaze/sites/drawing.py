@@ -69,8 +69,8 @@ def draw_site(
             to draw.
 
     Raises:
-        SettingsError: The suffix is not one of these, a route is not in the site, or
-            the file cannot be written.
+        SettingsError: The suffix is not one of these, or a route is not in the site.
+        OSError: The file cannot be written.
     """
     path = Path(path)
     if path.suffix.lower() not in DRAWING_SUFFIXES:
@@ -87,19 +87,12 @@ def draw_site(
         "svg.hashsalt": site.name,
     }
     undated = {".svg": {"Date": None}, ".pdf": {"CreationDate": None}}
-    try:
-        with rc_context(style), warnings.catch_warnings():
-            # Characters that no installed font has are drawn as boxes.
-            warnings.filterwarnings("ignore", message="Glyph .* missing from font")
-            _sheet(site, shown, walks).savefig(
-                path,
-                dpi=DOTS_PER_INCH,
-                metadata=undated.get(path.suffix.lower()),
-            )
-    except OSError as error:
-        raise SettingsError(
-            f"{path}: cannot write the drawing there: {error}"
-        ) from None
+    with rc_context(style), warnings.catch_warnings():
+        # Characters that no installed font has are drawn as boxes.
+        warnings.filterwarnings("ignore", message="Glyph .* missing from font")
+        _sheet(site, shown, walks).savefig(
+            path, dpi=DOTS_PER_INCH, metadata=undated.get(path.suffix.lower())
+        )
 
 
 def _chosen_routes(site: Site, routes: bool | Collection[str]) -> list[Route]:

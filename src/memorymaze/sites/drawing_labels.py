@@ -165,7 +165,7 @@ def _thing_words(group: Sequence[Landmark]) -> str:
     if thing.text:
         words = f"{words}: “{thing.text}”"
     if len(words) > LONGEST_LABEL:
-        words = words[: LONGEST_LABEL - 1] + "…"
+        words = words[: LONGEST_LABEL - 1].rstrip() + "…"
     if len(group) > 1:
         words = f"{words} x{len(group)}"
     return _broken(words)
@@ -211,7 +211,7 @@ def _write(axes: Axes, label: PlacedLabel, color: str, style: str) -> None:
         rotation_mode="anchor",
         horizontalalignment="center",
         verticalalignment="center",
-        linespacing=1.0,
+        linespacing=1.1,
         parse_math=False,
         clip_on=True,
         zorder=10,

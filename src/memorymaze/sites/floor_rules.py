@@ -75,12 +75,12 @@ def _seams(site: Site, floor: Polygon) -> Iterator[Finding]:
     for hole in floor.interiors:
         area = Polygon(hole).area
         if SMALLEST_SLIVER < area < SLIVER_AREA:
-            x, y = hole.coords[0][:2]
+            middle = Polygon(hole).centroid
             yield Finding(
                 PLAN,
                 "floor-seams",
                 f"expected holes of at least {SLIVER_AREA} m², got one of {area:.4f} m² "
-                f"at ({x:.2f}, {y:.2f}); let the polygons around it overlap",
+                f"at ({middle.x:.2f}, {middle.y:.2f}); let the polygons around it overlap",
             )
 
 

@@ -17,6 +17,12 @@ Box = tuple[float, float, float, float]
 """West, south, east, north; metres on the plan."""
 
 
+LINE_HEIGHT = 1.3
+"""Of a line of text, as a multiple of the font size."""
+HINTING = 1.08
+"""Small letters in pictures are wider than their outlines by up to this factor."""
+
+
 @dataclass(frozen=True, slots=True)
 class PlacedLabel:
     """A label and where its middle goes."""
@@ -49,7 +55,7 @@ class LabelSpace:
         """Return width and height of a text of one or more lines, metres."""
         lines = text.split("\n")
         width = max(_width(line, font_size) for line in lines)
-        height = 1.25 * font_size * len(lines)
+        height = LINE_HEIGHT * font_size * len(lines)
         return width * self.metres_per_point, height * self.metres_per_point
 
     def is_free(self, box: Box) -> bool:
@@ -186,7 +192,8 @@ def wrapped(text: str) -> list[str]:
 def _width(line: str, font_size: float) -> float:
     """Return the width of a line of text, points."""
     font = FontProperties(size=font_size)
-    return text_to_path.get_text_width_height_descent(line, font, ismath=False)[0]
+    width = text_to_path.get_text_width_height_descent(line, font, ismath=False)[0]
+    return width * HINTING
 
 
 def _spots_around(

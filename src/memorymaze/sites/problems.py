@@ -2,9 +2,60 @@
 
 from typing import Literal, NamedTuple
 
-__all__ = ["PLAN", "Finding", "Severity", "SiteProblem"]
+__all__ = ["PLAN", "Finding", "Rule", "Severity", "SiteProblem"]
 
 Severity = Literal["error", "warning"]
+
+Rule = Literal[
+    "readable",
+    "json",
+    "members",
+    "known-kind",
+    "unique-id",
+    "ring-closed",
+    "polygon-valid",
+    "line-steps",
+    "corridor-four-corners",
+    "corridor-convex",
+    "known-reference",
+    "one-reference",
+    "floor-connected",
+    "floor-free",
+    "route-on-floor",
+    "floor-seams",
+    "turning-point-convex",
+    "exit-touches",
+    "exit-heading",
+    "room-beside-floor",
+    "door-on-wall",
+    "door-at-room",
+    "landmark-on-floor",
+    "landmark-inside-walls",
+    "landmark-on-wall",
+    "landmark-faces-floor",
+    "route-length",
+    "route-clearance",
+    "route-goal",
+    "turn-on-route",
+    "turn-direction",
+    "published-length",
+    "floor-passable",
+    "floor-extent",
+    "corridor-width",
+    "exit-apart",
+    "door-width",
+    "landmark-overhead",
+    "route-start-heading",
+    "turn-bends",
+    "turning-point-count",
+    "thing-count",
+    "route-names",
+    "name-is-stem",
+    "id-snake-case",
+    "known-word",
+    "heading-range",
+]
+"""Names of the rules; `docs/site_plans.md` explains each in this order."""
 
 PLAN = "-"
 """Stands for the plan as a whole where a problem names its feature."""
@@ -17,8 +68,8 @@ class SiteProblem(NamedTuple):
     """Path of the plan."""
     feature: str
     """Id of the feature, `features[3]` for one without an id, or `-` for the plan."""
-    rule: str
-    """Name of the rule in `docs/site_plans.md`, such as `corridor-four-corners`."""
+    rule: Rule
+    """Such as `corridor-four-corners`."""
     severity: Severity
     """`error`: something will go wrong; `warning`: unlike the benchmark's floors."""
     message: str
@@ -34,7 +85,7 @@ class Finding(NamedTuple):
     """A broken rule, not yet tied to a file."""
 
     feature: str
-    rule: str
+    rule: Rule
     message: str
     severity: Severity = "error"
 

@@ -10,7 +10,7 @@ from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
 from memorymaze.sites.plan_models import FEATURE_MODELS, FeatureModel, PlanHeader
-from memorymaze.sites.problems import PLAN, Finding
+from memorymaze.sites.problems import PLAN, Finding, Rule
 
 __all__ = ["PlanContent", "read_plan"]
 
@@ -69,7 +69,7 @@ def read_plan(path: Path) -> PlanContent:
 
 
 def _read_document(path: Path) -> Mapping[str, object] | Finding:
-    def finding(rule: str, message: str) -> Finding:
+    def finding(rule: Rule, message: str) -> Finding:
         return Finding(PLAN, rule, message)
 
     try:
