@@ -105,7 +105,8 @@ class ShortestWalks:
 def _inner_corners(polygon: Polygon | MultiPolygon) -> FloatArray:
     """Return the vertices a walk can bend at: those where the floor turns inward."""
     corners: list[FloatArray] = []
-    for ring in shapely.get_rings(shapely.orient_polygons(polygon)):
+    pieces = shapely.get_parts(shapely.orient_polygons(polygon))
+    for ring in shapely.get_rings(pieces):
         vertices = shapely.get_coordinates(shapely.remove_repeated_points(ring))[:-1]
         before = vertices - np.roll(vertices, 1, axis=0)
         after = np.roll(vertices, -1, axis=0) - vertices
