@@ -36,6 +36,8 @@ class Troubled:
             what = order.read_text()
             if "always" not in what:
                 order.unlink()
+            if "hang" in what:
+                threading.Event().wait()
             if "parent" in what:
                 os.kill(os.getppid(), getattr(signal, what.split()[1]))
                 threading.Event().wait()
@@ -126,6 +128,19 @@ def test_an_episode_whose_worker_is_killed_is_tried_once_more(
         "agent"
     }
     assert list(read_trace(tmp_path / "run", "p6-1"))[-1]["stopped_by"] == "crash"
+
+
+def test_an_episode_that_hangs_is_given_up_and_the_run_goes_on(
+    tmp_path: Path, troubled: str, tiny_plan: Plan
+) -> None:
+    order(tmp_path, "door", "hang always")
+    plan = tiny_plan(troubled, limit=4)
+    results = run_plan(plan, tmp_path / "run", workers=1, wall_limit=1.0)
+    hung = [one for one in results if one.stopped_by == "crash"]
+    assert [one.error for one in hung] == [
+        "WorkerLost: the worker process took longer than the 1 s a task may"
+    ]
+    assert len(results) == 4
 
 
 def test_results_depend_on_neither_workers_nor_order(

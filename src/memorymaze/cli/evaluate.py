@@ -59,13 +59,19 @@ def add_parser(verbs: Verbs) -> None:
         action="store_true",
         help="finish the run that is in --out; begins one where there is none",
     )
+    parser.add_argument(
+        "--wall-limit",
+        metavar="SECONDS",
+        type=float,
+        help="real time after which an episode is given up as a crash (default: 3600)",
+    )
     add_episode_options(parser)
     parser.set_defaults(run=_run)
 
 
 def _run(options: argparse.Namespace) -> int:
     from memorymaze.errors import SettingsError
-    from memorymaze.evaluation.driver import available_cores, run_plan
+    from memorymaze.evaluation.driver import WALL_LIMIT, available_cores, run_plan
     from memorymaze.evaluation.plan import plan_run
     from memorymaze.evaluation.summary import summarise, summary_lines
 
@@ -82,6 +88,7 @@ def _run(options: argparse.Namespace) -> int:
         limit=options.limit,
         **episode_settings(options),
     )
+    wall_limit = WALL_LIMIT if options.wall_limit is None else options.wall_limit
     out = Path(options.out or _default_folder(options.agent))
     workers = options.workers or available_cores()
     print(
@@ -91,7 +98,9 @@ def _run(options: argparse.Namespace) -> int:
         file=sys.stderr,
     )
     try:
-        results = run_plan(plan, out, workers=workers, resume=options.resume)
+        results = run_plan(
+            plan, out, workers=workers, resume=options.resume, wall_limit=wall_limit
+        )
     except KeyboardInterrupt:
         print(
             "\nmemorymaze: interrupted; what is finished is kept. To go on:\n  "

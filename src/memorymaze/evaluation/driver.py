@@ -7,7 +7,7 @@ from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
 
-from memorymaze.errors import MemoryMazeError
+from memorymaze.errors import MemoryMazeError, SettingsError
 from memorymaze.evaluation.episode_worker import EpisodeTask, EpisodeWorker
 from memorymaze.evaluation.plan import RunPlan
 from memorymaze.evaluation.progress import Progress
@@ -17,7 +17,10 @@ from memorymaze.evaluation.run_folder import RunFolder, RunRecord, open_run_fold
 from memorymaze.evaluation.summary import summarise
 from memorymaze.evaluation.worker_pool import Lost, WorkerPool
 
-__all__ = ["available_cores", "run_plan"]
+__all__ = ["WALL_LIMIT", "available_cores", "run_plan"]
+
+WALL_LIMIT = 3600.0
+"""Real seconds an episode may take when nobody says otherwise."""
 
 
 def available_cores() -> int:
@@ -31,6 +34,7 @@ def run_plan(
     *,
     workers: int = 0,
     resume: bool = False,
+    wall_limit: float = WALL_LIMIT,
 ) -> list[EpisodeResult]:
     """Run all episodes of a plan that have no result yet.
 
@@ -43,6 +47,8 @@ def run_plan(
         folder: Where results go; each is on the disk before the next is counted.
         workers: Processes; 0 for one per core.
         resume: Whether to finish a run that is in the folder already.
+        wall_limit: Real seconds after which an episode is given up as `crash`, so that
+            an agent that hangs does not hold up the run.
 
     Returns:
         All results of the run, in the order of episode ids.
@@ -51,6 +57,8 @@ def run_plan(
         MemoryMazeError: The folder cannot be used, or no worker can be started.
         KeyboardInterrupt: Passed on, after all workers have ended.
     """
+    if not wall_limit > 0:
+        raise SettingsError(f"wall limit: expected more than 0 s, got {wall_limit!r}")
     path = Path(folder)
     now = datetime.now(UTC).isoformat(timespec="seconds")
     record = RunRecord(settings=plan.settings, code=code_stamp(), started=now)
@@ -62,7 +70,7 @@ def run_plan(
         queue = _Queue(EpisodeTask(episode) for episode in waiting)
         with (
             Progress(len(plan.episodes), len(run.finished)) as progress,
-            WorkerPool[EpisodeTask, EpisodeResult](prepare, count) as pool,
+            WorkerPool[EpisodeTask, EpisodeResult](prepare, count, wall_limit) as pool,
         ):
             for task, outcome in pool.run(queue.choose):
                 if isinstance(outcome, Lost):
@@ -90,7 +98,7 @@ def _next_try(task: EpisodeTask, lost: Lost) -> EpisodeTask:
             f"episode {task.episode.id!r} cannot even be recorded as a crash: "
             f"{lost.reason}, after {task.lost}"
         )
-    if task.tries == 0:
+    if task.tries == 0 and not lost.overdue:
         return replace(task, tries=1)
     return replace(task, lost=lost.reason)
 

@@ -6,10 +6,12 @@ replaced. It knows nothing of episodes.
 """
 
 import contextlib
+import math
 import multiprocessing
 import os
 import signal
 import threading
+import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from multiprocessing.connection import Connection, wait
@@ -35,7 +37,9 @@ class Lost:
     """A task of which nothing came: its worker died, or the working function raised."""
 
     reason: str
-    """Such as `the worker was killed by SIGKILL`."""
+    """Such as `the worker process was killed by SIGKILL`."""
+    overdue: bool = False
+    """Whether it was ended because it took longer than a task may."""
 
 
 @dataclass
@@ -46,6 +50,8 @@ class _Worker(Generic[Task]):
     """Processes in this place that died in a row before they were ready."""
     ready: bool = False
     task: Task | None = None
+    began: float = 0.0
+    """When it could begin its task, by the monotonic clock."""
 
 
 class WorkerPool(Generic[Task, Outcome]):
@@ -59,14 +65,19 @@ class WorkerPool(Generic[Task, Outcome]):
         prepare: Called once in every process, and makes the function that does tasks
             there; must be picklable. A `MemoryMazeError` it raises ends the run.
         count: Number of processes, at least 1.
+        patience: Real seconds a task may take; then its worker is ended.
     """
 
     def __init__(
-        self, prepare: Callable[[], Callable[[Task], Outcome]], count: int
+        self,
+        prepare: Callable[[], Callable[[Task], Outcome]],
+        count: int,
+        patience: float = math.inf,
     ) -> None:
         """Remember what to start; processes start in `run`."""
         self._prepare = prepare
         self._count = count
+        self._patience = patience
         self._workers: dict[int, _Worker[Task]] = {}
 
     def __enter__(self) -> "WorkerPool[Task, Outcome]":
@@ -110,9 +121,25 @@ class WorkerPool(Generic[Task, Outcome]):
             }
             if not busy:
                 return
-            for connection in wait(list(busy)):
+            for connection in wait(list(busy), self._time_left()):
                 number = busy[connection]  # pyright: ignore[reportArgumentType]
                 yield from self._receive(number)
+            for number, worker in list(self._workers.items()):
+                if worker.task is not None and self._is_overdue(worker):
+                    worker.process.kill()
+                    yield from self._bury(number, worker, worker.task)
+
+    def _time_left(self) -> float | None:
+        """Return the seconds until the first task is overdue; None for never."""
+        began = [
+            w.began for w in self._workers.values() if w.ready and w.task is not None
+        ]
+        if not began or math.isinf(self._patience):
+            return None
+        return max(0.0, min(began) + self._patience - time.monotonic())
+
+    def _is_overdue(self, worker: _Worker[Task]) -> bool:
+        return worker.ready and time.monotonic() - worker.began > self._patience
 
     def _start(self, number: int, deaths: int) -> _Worker[Task]:
         ours, theirs = PROCESSES.Pipe()
@@ -142,6 +169,7 @@ class WorkerPool(Generic[Task, Outcome]):
             return
         if said == "ready":
             worker.ready = True
+            worker.began = time.monotonic()
         elif said == "failed":
             raise content
         else:
@@ -157,7 +185,11 @@ class WorkerPool(Generic[Task, Outcome]):
         reason = _how_it_ended(worker.process.exitcode)
         if worker.ready:
             del self._workers[number]
-            yield task, Lost(f"the worker process {reason}")
+            if self._is_overdue(worker):
+                reason = f"took longer than the {self._patience:g} s a task may"
+                yield task, Lost(f"the worker process {reason}", overdue=True)
+            else:
+                yield task, Lost(f"the worker process {reason}")
             return
         if worker.deaths + 1 == STARTS:
             raise MemoryMazeError(
@@ -169,6 +201,7 @@ class WorkerPool(Generic[Task, Outcome]):
 
 def _give(worker: _Worker[Task], task: Task) -> None:
     worker.task = task
+    worker.began = time.monotonic()
     # A dead worker's end of the pipe is noticed when we read from it.
     with contextlib.suppress(OSError):
         worker.connection.send(task)
