@@ -2,12 +2,11 @@
 
 import argparse
 import sys
-from collections.abc import Sequence
 from difflib import get_close_matches
 from pathlib import Path
-from typing import TYPE_CHECKING
 
-from memorymaze.errors import MemoryMazeError, SettingsError
+from memorymaze.cli.verbs import Verbs
+from memorymaze.errors import SettingsError
 from memorymaze.sites import (
     BUILTIN_SITE_NAMES,
     Site,
@@ -18,31 +17,26 @@ from memorymaze.sites import (
     plan_paths,
 )
 
-if TYPE_CHECKING:
-    from argparse import _SubParsersAction  # pyright: ignore[reportPrivateUsage]
-
 __all__ = ["add_parser"]
 
-DONE, FAILED, WRONG_USAGE = 0, 1, 2
+DONE, FAILED = 0, 1
 
 
-def add_parser(
-    subparsers: "_SubParsersAction[argparse.ArgumentParser]",
-) -> argparse.ArgumentParser:
-    """Add the verb; parsed arguments have `handler`, which returns the exit code."""
-    parser = subparsers.add_parser(
+def add_parser(verbs: Verbs) -> None:
+    """Add the verb to the command line."""
+    parser = verbs.add_parser(
         "sites",
         help="list, check and draw site plans",
         description="List, check and draw site plans (docs/site_plans.md).",
+        epilog="example: memorymaze sites check my_buildings/annex.geojson",
     )
-    verbs = parser.add_subparsers(dest="sites_verb", metavar="VERB", required=True)
-    _add_list(verbs)
-    _add_check(verbs)
-    _add_draw(verbs)
-    return parser
+    parts = parser.add_subparsers(title="verbs", metavar="VERB", required=True)
+    _add_list(parts)
+    _add_check(parts)
+    _add_draw(parts)
 
 
-def _add_list(verbs: "_SubParsersAction[argparse.ArgumentParser]") -> None:
+def _add_list(verbs: Verbs) -> None:
     parser = verbs.add_parser(
         "list",
         help="what sites there are, with their routes",
@@ -55,10 +49,10 @@ def _add_list(verbs: "_SubParsersAction[argparse.ArgumentParser]") -> None:
         type=Path,
         help="a folder with plans (*.geojson); without it, the benchmark's own sites",
     )
-    parser.set_defaults(handler=_list)
+    parser.set_defaults(run=_list)
 
 
-def _add_check(verbs: "_SubParsersAction[argparse.ArgumentParser]") -> None:
+def _add_check(verbs: Verbs) -> None:
     parser = verbs.add_parser(
         "check",
         help="find everything wrong with site plans",
@@ -75,10 +69,10 @@ def _add_check(verbs: "_SubParsersAction[argparse.ArgumentParser]") -> None:
         nargs="+",
         help=f"a plan, a site ({', '.join(BUILTIN_SITE_NAMES)}), or a folder of plans",
     )
-    parser.set_defaults(handler=_check)
+    parser.set_defaults(run=_check)
 
 
-def _add_draw(verbs: "_SubParsersAction[argparse.ArgumentParser]") -> None:
+def _add_draw(verbs: Verbs) -> None:
     parser = verbs.add_parser(
         "draw",
         help="draw a site as PNG, SVG or PDF",
@@ -102,23 +96,17 @@ def _add_draw(verbs: "_SubParsersAction[argparse.ArgumentParser]") -> None:
         action="append",
         help="draw this route only, by id or by name such as R1; can be repeated",
     )
-    parser.set_defaults(handler=_draw)
+    parser.set_defaults(run=_draw)
 
 
 def _list(args: argparse.Namespace) -> int:
-    try:
-        sites = load_sites(args.sites)
-    except MemoryMazeError as error:
-        return _complain(error, FAILED)
+    sites = load_sites(args.sites)
     print("\n\n".join(_described(site) for site in sites.values()))
     return DONE
 
 
 def _check(args: argparse.Namespace) -> int:
-    try:
-        paths = [path for plan in args.plans for path in _plans(plan)]
-    except MemoryMazeError as error:
-        return _complain(error, WRONG_USAGE)
+    paths = [path for plan in args.plans for path in _plans(plan)]
     problems = [problem for path in paths for problem in check_site(path)]
     for problem in problems:
         print(problem.line())
@@ -135,20 +123,10 @@ def _draw(args: argparse.Namespace) -> int:
     # Matplotlib takes a while to load, and no other verb needs it.
     from memorymaze.sites.drawing import draw_site
 
-    routes: Sequence[str] | bool = args.route or True
-    try:
-        path = _plan(args.site)
-    except MemoryMazeError as error:
-        return _complain(error, WRONG_USAGE)
-    try:
-        site = load_site(path)
-    except MemoryMazeError as error:
-        return _complain(error, FAILED)
+    path = _plan(args.site)
+    site = load_site(path)
     out: Path = args.out or Path(f"{path.stem}.png")
-    try:
-        draw_site(site, out, routes=routes)
-    except SettingsError as error:
-        return _complain(error, WRONG_USAGE)
+    draw_site(site, out, routes=args.route or True)
     print(out)
     return DONE
 
@@ -169,11 +147,6 @@ def _plan(plan: str) -> Path:
         f"expected a plan's file or one of {', '.join(BUILTIN_SITE_NAMES)}, got "
         f"{plan!r}: no such file{meant}"
     )
-
-
-def _complain(error: MemoryMazeError, code: int) -> int:
-    print(f"memorymaze sites: {error}", file=sys.stderr)
-    return code
 
 
 def _described(site: Site) -> str:
