@@ -8,7 +8,6 @@ import gzip
 from collections.abc import Iterator
 from functools import cache, lru_cache
 from importlib.resources import files
-from typing import NamedTuple
 
 __all__ = ["is_adjective", "is_noun", "kind_distance", "singular", "word_set"]
 
@@ -24,15 +23,8 @@ _PLURAL_ENDINGS = (
     ("oes", "o"),
     ("men", "man"),
     ("s", ""),
+    ("ses", "s"),
 )
-
-
-class _Senses(NamedTuple):
-    """The meanings of a word."""
-
-    every: frozenset[int]
-    common: frozenset[int]
-    """Those that are likely when nothing else is known."""
 
 
 class _Lexicon:
@@ -52,33 +44,46 @@ class _Lexicon:
         self._nouns = dict(line.split("\t") for line in nouns.split("\n"))
         self.plurals = dict(line.split("\t") for line in plurals.split("\n"))
         self.adjectives = frozenset(adjectives.split("\n"))
-        self._own_senses: dict[str, _Senses] = {}
+        self._own_senses: dict[str, frozenset[int]] = {}
         self._own_kinds: dict[int, frozenset[int]] = {}
-        self._cuts: dict[int, set[int]] = {}
-        self._natural = frozenset(
-            int(sense.rstrip("*"))
-            for word in ("organism", "body part", "food")
-            for sense in self._nouns[word].split(" ")
-        )
+        self._cuts: dict[int, frozenset[int]] = {}
+        self._artifact = self._listed("artifact")
+        self._natural = self._listed("organism", "body part", "food")
         self._read_terms((data / "building_terms.txt").read_text(encoding="utf-8"))
 
-    def senses(self, words: str) -> _Senses | None:
-        """Return the meanings of a word or fixed phrase, None when it is unknown."""
+    def senses(self, words: str) -> frozenset[int]:
+        """Return the likely meanings of a word or fixed phrase; empty when unknown.
+
+        Those marked as common and the first that is a made thing; no organism, part
+        of one or food where the first of all is something else.
+        """
         if own := self._own_senses.get(words):
             return own
         line = self._nouns.get(words)
         if line is None:
-            return None
+            return frozenset()
         marked = line.split(" ")
         every = [int(sense.rstrip("*")) for sense in marked]
-        common = [
-            sense
-            for sense, mark in zip(every, marked, strict=True)
-            if mark.endswith("*") or sense == every[0]
-        ]
-        if not self._is_natural(common[0]):
-            common = [sense for sense in common if not self._is_natural(sense)]
-        return _Senses(frozenset(every), frozenset(common))
+        made = [sense for sense in every if self._is_kind_of(sense, self._artifact)]
+        likely = {every[0], *made[:1]}
+        likely.update(int(sense[:-1]) for sense in marked if sense.endswith("*"))
+        if not self._is_kind_of(every[0], self._natural):
+            likely = {s for s in likely if not self._is_kind_of(s, self._natural)}
+        return frozenset(likely)
+
+    def _listed(self, *words: str) -> frozenset[int]:
+        return frozenset(
+            int(sense.rstrip("*"))
+            for word in words
+            for sense in self._nouns[word].split(" ")
+        )
+
+    def _is_kind_of(self, sense: int, kinds: frozenset[int]) -> bool:
+        level, seen = {sense}, {sense}
+        while level:
+            level = {kind for each in level for kind in self.kinds(each)} - seen
+            seen |= level
+        return not seen.isdisjoint(kinds)
 
     def kinds(self, sense: int) -> Iterator[int]:
         """Return what a meaning is directly a kind of."""
@@ -88,54 +93,48 @@ class _Lexicon:
             own = own.union(map(int, line.split(" ")))
         return (kind for kind in own if kind not in cut)
 
-    def _is_natural(self, sense: int) -> bool:
-        """Tell whether a meaning is an organism, a part of one, or food."""
-        waiting, seen = [sense], {sense}
-        while waiting:
-            new = set(self.kinds(waiting.pop())) - seen
-            seen |= new
-            waiting.extend(new)
-        return not seen.isdisjoint(self._natural)
-
     def _read_terms(self, text: str) -> None:
         rules = [
             line.strip()
             for line in text.splitlines()
             if line.strip() and not line.startswith("#")
         ]
-        broader: list[tuple[_Senses, list[str]]] = []
+        broader: list[tuple[frozenset[int], list[str]]] = []
         for line in rules:
             if "!" in line:
                 continue
             words, _, kinds = line.partition("<")
             synonyms = [word.strip().replace("'s ", " ") for word in words.split(",")]
             first = synonyms[0].removeprefix("+")
-            senses = None if synonyms[0].startswith("+") else self.senses(first)
-            if senses is None:
-                new = frozenset({len(self._kinds) + len(broader)})
-                senses = _Senses(new, new)
+            senses = frozenset[int]() if first != synonyms[0] else self.senses(first)
+            senses = senses or frozenset({len(self._kinds) + len(broader)})
             for word in (first, *synonyms[1:]):
+                if word in self._own_senses:
+                    raise ValueError(
+                        f"building_terms.txt: expected each word once, got {word!r}"
+                        " twice; take one out"
+                    )
                 self._own_senses[word] = senses
             broader.append((senses, [k.strip() for k in kinds.split(",") if k.strip()]))
         for senses, kinds in broader:
-            for kind in kinds:
-                for sense in senses.common:
-                    known = self._own_kinds.get(sense, frozenset())
-                    self._own_kinds[sense] = known | self._common(kind)
+            above = frozenset[int]().union(*map(self._known, kinds))
+            for sense in senses:
+                self._own_kinds[sense] = above | self._own_kinds.get(sense, frozenset())
         for line in rules:
             word, cut, kind = (part.strip() for part in line.partition("!"))
             if cut:
-                for sense in self._common(word):
-                    self._cuts.setdefault(sense, set()).update(self._common(kind))
+                for sense in self._known(word):
+                    known = self._cuts.get(sense, frozenset())
+                    self._cuts[sense] = known | self._known(kind)
 
-    def _common(self, words: str) -> frozenset[int]:
+    def _known(self, words: str) -> frozenset[int]:
         senses = self.senses(words)
-        if senses is None:
+        if not senses:
             raise ValueError(
                 f"building_terms.txt: expected a known noun, got {words!r};"
                 " give it a line of its own above"
             )
-        return senses.common
+        return senses
 
 
 def word_set(*lines: str) -> frozenset[str]:
@@ -148,13 +147,14 @@ def _lexicon() -> _Lexicon:
     return _Lexicon()
 
 
+@lru_cache(maxsize=50_000)
 def is_noun(words: str) -> bool:
     """Tell whether a word or fixed phrase, in lower case, names a visible thing.
 
     >>> is_noun("vending machine"), is_noun("windowless")
     (True, False)
     """
-    return _lexicon().senses(words) is not None
+    return bool(_lexicon().senses(words))
 
 
 def is_adjective(word: str) -> bool:
@@ -181,9 +181,9 @@ def singular(word: str) -> str:
     for ending, replacement in _PLURAL_ENDINGS:
         if word.endswith(ending):
             stem = word[: len(word) - len(ending)] + replacement
-            if stem and lexicon.senses(stem) is not None:
+            if stem and lexicon.senses(stem):
                 return stem
-    if word.endswith("s") and lexicon.senses(word) is None and len(word) > 3:
+    if word.endswith("s") and not lexicon.senses(word) and len(word) > 3:
         return word[:-1]
     return word
 
@@ -193,7 +193,7 @@ def kind_distance(general: str, special: str) -> int | None:
     """Tell how many steps a noun is above another, None when it is not.
 
     0 for the same word or a synonym, 1 where `special` is a kind of `general`, and
-    so on. Rare meanings count for synonyms only, not for kinds.
+    so on. Rare meanings do not count.
 
     >>> kind_distance("couch", "sofa"), kind_distance("furniture", "bench")
     (0, 2)
@@ -204,13 +204,9 @@ def kind_distance(general: str, special: str) -> int | None:
         return 0
     lexicon = _lexicon()
     upper, lower = lexicon.senses(general), lexicon.senses(special)
-    if upper is None or lower is None:
-        return None
-    if upper.every & lower.common or upper.common & lower.every:
-        return 0
-    level, seen, steps = set(lower.common), set(lower.common), 0
-    while level:
-        if level & upper.common:
+    level, seen, steps = set(lower), set(lower), 0
+    while level and upper:
+        if level & upper:
             return steps
         level = {kind for sense in level for kind in lexicon.kinds(sense)} - seen
         seen |= level

@@ -1,15 +1,24 @@
-"""Take apart what someone asks for: "the red door of the library" and the like.
+"""Take noun phrases apart: "red door of the library", "Professor's Office 2347".
 
 This is grammar only; what words mean is in `lexicon.py` and `appearance.py`.
 """
 
 import re
+import unicodedata
 from dataclasses import dataclass
 from functools import lru_cache
 
 from memorymaze.perception.lexicon import is_noun, singular, word_set
 
-__all__ = ["NounPhrase", "head_splits", "parse_name", "parse_request", "words_of"]
+__all__ = [
+    "NounPhrase",
+    "head_splits",
+    "parse_name",
+    "parse_words",
+    "plain_text",
+    "split_words",
+    "words_of",
+]
 
 _DETERMINERS = word_set(
     "a an the this that these those any some all every each another other same",
@@ -18,44 +27,10 @@ _DETERMINERS = word_set(
     "nearest closest my your his her its our their more very really quite rather",
     "just only there here visible certain left right pointing leading going",
 )
-_LEAD_IN = re.compile(
-    r"^(?:(?:please|hey|ok(?:ay)?|robot,|can|could|do|does|did|would|you|i|we|to|now|is|"
-    r"are|was|there|find|detect|locate|see|want|need|try|what|where|which|looks?|like|"
-    r"such|as|for|whether|if|something|anything|visible|"
-    r"(?:look|search|check|show|spot|notice|watch|scan|looking|searching)(?=\s+(?:me|for|"
-    r"if|whether|at|out|a|an|the|any|some)\b)|me|at|out)\b[,:]?\s+)+"
-)
-_PARTITIVE = re.compile(
-    r"\b(?:pairs?|rows?|sets?|groups?|bunch|banks?|lines?|couple|flights?|series|"
-    r"stacks?|piles?|number|collection|kind|sort|type|piece|lots?|cluster) of\b"
-)
-_SAYS = re.compile(
-    r"(?:^|\s)(?:(?:that|which|and)\s+)?(?:"
-    r"says?|saying|reads|that read|inscribed|labell?ed|marked|(?:en)?titled|named|called|"
-    r"numbered|reading(?!\s+(?:room|area|corner|lamp|table|nook))|"
-    r"(?:with|bearing|has|having|showing|displaying)\s+(?:the |a |an )?(?:words?|text|"
-    r"label|sign|name|number|letters?|title|inscription|writing|lettering)"
-    r"(?:\s+(?:that says|that reads|saying|reading|of|for))?"
-    r")(?:\s+(?:as|with|the (?:words?|text|name|number)|something like))*"
-    r"\s*:?(?=\s|$)"
-)
-_WRITTEN_ON = re.compile(
-    r"\s(?:with|has|having) (?P<words>.+?) (?:written|printed|painted|posted|engraved)"
-    r"\s+on (?:it|them)$|\s(?:with|having) (?P<number>\w*\d\w*) on (?:it|them)$"
-)
-_AFTER_WORDS = re.compile(
-    r"\s+(?:(?:written |printed |painted )?on (?:it|them|top|the (?:left|right|wall|door|"
-    r"other side|side))|on (?:your|my|our) (?:left|right)|in (?:red|blue|green|white|black"
-    r"|yellow|big|large|capital|bold) letters?|next to .*|above .*|near .*|beside .*)$"
-)
 _STRAIGHT_QUOTES = str.maketrans("\u2018\u2019\u201c\u201d", "''\"\"")
-_QUOTED = re.compile(r"\"([^\"]+)\"|(?<!\w)'([^']+(?:'s [^']+)*)'(?!\w)")
-_MADE_OF = re.compile(
-    r"\s(?:that|which)\s+(?:is|are|looks?)\s+|\s(?:made|built)\s+(?:out\s+)?(?:of|from)\s+|"
-    r"\s(?:painted|coloured|colored)\s+(?:in\s+)?"
+_COMPLEMENT = word_set(
+    "of for to into towards toward about showing depicting featuring advertising"
 )
-_ALTERNATIVES = re.compile(r"\s*(?:,|/|\bor\b|\band/or\b)\s*")
-_COMPLEMENT = frozenset({"of", "for", "to", "into", "towards", "toward"})
 _SIDES = word_set("left right side end front back rear middle")
 _PLACED = word_set(
     "on in at near next beside besides behind under underneath below above by",
@@ -68,7 +43,7 @@ _IDENTIFIER = re.compile(r"^(?:\d[\w-]*|[a-z]{1,2}-?\d+\w*|[b-z])$")
 _NUMBER_SIGNS = frozenset({"number", "no", "nr"})
 _COUNT = re.compile(r"^\d{1,2}$")
 _ORDINAL = re.compile(r"^\d+(?:st|nd|rd|th)$")
-_WORD = re.compile(r"[a-z0-9]+(?:['-][a-z0-9]+)*")
+_WORD = re.compile(r"[^\W_]+(?:['-][^\W_]+)*")
 _EMPTY_WORDS = word_set(
     "a an the of for to and or in on at with by from is are your you we it please",
 )
@@ -81,7 +56,7 @@ class NounPhrase:
     words: tuple[str, ...]
     """The words up to the head noun, which is the last; no articles."""
     complement: tuple[str, ...] = ()
-    """Words after `of`, `for` or `to`: what it belongs to or shows."""
+    """Words after `of`, `for`, `to` and their like: what it belongs to or shows."""
     inscription: tuple[str, ...] = ()
     """Words that must be written on it."""
     identifiers: frozenset[str] = frozenset()
@@ -100,7 +75,7 @@ def words_of(text: str) -> tuple[str, ...]:
     >>> words_of("The Women's RESTROOMS, 2nd floor")
     ('woman', 'restroom', '2nd', 'floor')
     """
-    words = _split(text)
+    words = split_words(text)
     return tuple(
         singular(word)
         for position, word in enumerate(words)
@@ -116,7 +91,7 @@ def parse_name(name: str) -> NounPhrase:
     NounPhrase(words=('professor', 'office'), complement=(), inscription=(), \
 identifiers=frozenset({'2347'}))
     """
-    return _phrase(_split(name), count_first=False)
+    return parse_words(split_words(name), count_first=False)
 
 
 @lru_cache(maxsize=20_000)
@@ -141,61 +116,37 @@ def head_splits(words: tuple[str, ...]) -> tuple[tuple[str, tuple[str, ...]], ..
     return tuple(splits)
 
 
-@lru_cache(maxsize=4096)
-def parse_request(request: str) -> tuple[NounPhrase, ...]:
-    """Take a request apart into the things it would accept.
+def plain_text(text: str) -> str:
+    """Return a text in lower case, with straight quotes and without accents."""
+    letters = unicodedata.normalize("NFKD", text.translate(_STRAIGHT_QUOTES))
+    bare = "".join(each for each in letters if not unicodedata.combining(each))
+    return bare.lower().strip(" .!?;:")
 
-    >>> [phrase.words for phrase in parse_request("a couch or any red arm chairs")]
-    [('couch',), ('red', 'arm', 'chairs')]
-    >>> parse_request('door labelled "Mail Room"')[0].inscription
-    ('mail', 'room')
+
+def split_words(text: str) -> list[str]:
+    """Cut a text into words: possessives bare, "chest of drawers" in one piece.
+
+    >>> split_words("The professor's chest of drawers")
+    ['the', 'professor', 'chest of drawers']
     """
-    text = _plain(request)
-    text = _PARTITIVE.sub(" ", " " + _LEAD_IN.sub("", text.strip())).strip()
-    said: list[str] = []
-
-    def keep(found: re.Match[str]) -> str:
-        said.append(found[1] or found[2])
-        return " "
-
-    rest = _QUOTED.sub(keep, text)
-    if not said and (found := _WRITTEN_ON.search(rest)):
-        said.append(found["words"] or found["number"])
-        rest = rest[: found.start()]
-    if said:
-        rest = _SAYS.sub(" ", rest)
-    elif (found := _SAYS.search(rest)) and _split(rest[: found.start()]):
-        said.append(_AFTER_WORDS.sub("", rest[found.end() :]))
-        rest = rest[: found.start()]
-    inscription = words_of(" ".join(said))
-    parts = [part for part in _ALTERNATIVES.split(rest) if _split(part)] or [""]
-    phrases = [_phrase(_described_before(part), count_first=True) for part in parts]
-    return tuple(
-        NounPhrase(p.words, p.complement, inscription, p.identifiers) for p in phrases
-    )
-
-
-def _plain(text: str) -> str:
-    return text.translate(_STRAIGHT_QUOTES).lower().strip(" .!?;:")
-
-
-def _split(text: str) -> list[str]:
     words: list[str] = []
-    for word in _WORD.findall(_plain(text).replace("w.c", "wc").replace("_", " ")):
+    for word in _WORD.findall(plain_text(text).replace("w.c", "wc").replace("_", " ")):
         if word.endswith("'s"):
             word = word[:-2]
         words.extend([word] if is_noun(word) else word.replace("'", "").split("-"))
+    for i in range(len(words) - 2, 0, -1):
+        if words[i] == "of" and is_noun(fixed := " ".join(words[i - 1 : i + 2])):
+            words[i - 1 : i + 2] = [fixed]  # "chest of drawers"
     return words
 
 
-def _described_before(text: str) -> list[str]:
-    """Put "that is red", "made of wood" and "painted green" before the noun."""
-    parts = [_split(part) for part in _MADE_OF.split(" " + text)]
-    return [word for part in parts[1:] for word in part] + parts[0]
+def parse_words(words: list[str], *, count_first: bool) -> NounPhrase:
+    """Find the head noun and what is said of it; where it stands is left out.
 
-
-def _phrase(words: list[str], *, count_first: bool) -> NounPhrase:
-    """Find the head noun and what is said of it; where it stands is left out."""
+    Args:
+        words: As `split_words` gives them.
+        count_first: Whether a small number in front counts things ("2 doors").
+    """
     identifiers: set[str] = set()
     before: list[str] = []
     complement: list[str] = []
@@ -226,6 +177,8 @@ def _is_empty(position: int, words: list[str], *, count_first: bool) -> bool:
     """Tell words that say nothing of the thing; "2 doors" from "room 2" too."""
     word = words[position]
     is_last = position == len(words) - 1
+    if not is_last and is_noun(f"{word} {words[position + 1]}"):
+        return False  # "first aid"
     if word in _DETERMINERS or word in _EMPTY_WORDS:
         return True
     if word in _NUMBER_SIGNS and not is_last:

@@ -3,12 +3,16 @@
 import math
 from typing import Protocol
 
+from memorymaze.errors import CommandError
 from memorymaze.perception.tracking import Sighting, Tracker
 from memorymaze.perception.visible_object import CameraView, VisibleObject
 from memorymaze.perception.vocabulary import MATCH_THRESHOLD, match_score
 from memorymaze.robot.api import DETECTION_RANGE, Detection
 
-__all__ = ["Detector", "TruthDetector"]
+__all__ = ["LONGEST_QUERY", "Detector", "TruthDetector"]
+
+LONGEST_QUERY = 300
+"""Characters."""
 
 
 class Detector(Protocol):
@@ -46,7 +50,15 @@ class TruthDetector:
         Args:
             view: One look of the camera.
             query: Any English words; see `docs/perception.md` for how they are read.
+
+        Raises:
+            CommandError: The query is longer than any name of a thing.
         """
+        if len(query) > LONGEST_QUERY:
+            raise CommandError(
+                "detect_from_RGB_image: expected what to look for in a few words, at"
+                f" most {LONGEST_QUERY} characters, got {len(query)} characters"
+            )
         seen = sorted(view.visible_objects(self._range_limit), key=_nearness)
         scores = [match_score(query, each.description) for each in seen]
         found = [
