@@ -4,18 +4,13 @@ import argparse
 import sys
 from difflib import get_close_matches
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from memorymaze.cli.verbs import Verbs
 from memorymaze.errors import SettingsError
-from memorymaze.sites import (
-    BUILTIN_SITE_NAMES,
-    Site,
-    builtin_site_path,
-    check_site,
-    load_site,
-    load_sites,
-    plan_paths,
-)
+
+if TYPE_CHECKING:
+    from memorymaze.sites import Site
 
 __all__ = ["add_parser"]
 
@@ -67,7 +62,7 @@ def _add_check(verbs: Verbs) -> None:
         "plans",
         metavar="FILE|NAME|DIR",
         nargs="+",
-        help=f"a plan, a site ({', '.join(BUILTIN_SITE_NAMES)}), or a folder of plans",
+        help="a plan, a benchmark's site such as university, or a folder of plans",
     )
     parser.set_defaults(run=_check)
 
@@ -82,7 +77,7 @@ def _add_draw(verbs: Verbs) -> None:
     parser.add_argument(
         "site",
         metavar="FILE|NAME",
-        help=f"a plan, or a site ({', '.join(BUILTIN_SITE_NAMES)})",
+        help="a plan, or a benchmark's site such as university",
     )
     parser.add_argument(
         "--out",
@@ -100,12 +95,16 @@ def _add_draw(verbs: Verbs) -> None:
 
 
 def _list(args: argparse.Namespace) -> int:
+    from memorymaze.sites import load_sites
+
     sites = load_sites(args.sites)
     print("\n\n".join(_described(site) for site in sites.values()))
     return DONE
 
 
 def _check(args: argparse.Namespace) -> int:
+    from memorymaze.sites import check_site
+
     paths = [path for plan in args.plans for path in _plans(plan)]
     problems = [problem for path in paths for problem in check_site(path)]
     for problem in problems:
@@ -120,7 +119,7 @@ def _check(args: argparse.Namespace) -> int:
 
 
 def _draw(args: argparse.Namespace) -> int:
-    # Matplotlib takes a while to load, and no other verb needs it.
+    from memorymaze.sites import load_site
     from memorymaze.sites.drawing import draw_site
 
     path = _plan(args.site)
@@ -133,10 +132,14 @@ def _draw(args: argparse.Namespace) -> int:
 
 def _plans(plan: str) -> list[Path]:
     """Return the files that a file's, a site's or a folder's name stands for."""
+    from memorymaze.sites import plan_paths
+
     return plan_paths(Path(plan)) if Path(plan).is_dir() else [_plan(plan)]
 
 
 def _plan(plan: str) -> Path:
+    from memorymaze.sites import BUILTIN_SITE_NAMES, builtin_site_path
+
     if plan in BUILTIN_SITE_NAMES:
         return builtin_site_path(plan)
     if Path(plan).exists():
@@ -149,7 +152,7 @@ def _plan(plan: str) -> Path:
     )
 
 
-def _described(site: Site) -> str:
+def _described(site: "Site") -> str:
     west, south, east, north = site.walkable_floor.bounds
     counts = (
         (len(site.corridors), "corridor"),
