@@ -135,7 +135,11 @@ class SimulatedRobot:
             )
             self._refuse("detect_from_RGB_image", {"object": repr(object)}, error)
             raise error
-        found = self._detector.detect(self.camera_view(), object)
+        try:
+            found = self._detector.detect(self.camera_view(), object)
+        except CommandError as error:
+            self._refuse("detect_from_RGB_image", {"object": object[:80]}, error)
+            raise
         result = [asdict(each) for each in found]
         self._end("detect_from_RGB_image", {"object": object}, result)
         return found
