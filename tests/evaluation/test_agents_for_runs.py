@@ -65,7 +65,7 @@ def test_an_agent_of_ones_own_is_made_from_its_module(
 @pytest.mark.parametrize(
     ("name", "said"),
     [
-        pytest.param("stopp", "did you mean 'stop'", id="misspelt"),
+        pytest.param("stops", "did you mean 'stop'", id="misspelt"),
         pytest.param("no_such_module:X", "ModuleNotFoundError", id="module"),
         pytest.param("none.py:X", "no such file: none.py", id="file"),
         pytest.param("{file}:Theirs", "nothing of this name", id="class"),

@@ -143,7 +143,7 @@ class WorkerPool(Generic[Task, Outcome]):
 
     def _start(self, number: int, deaths: int) -> _Worker[Task]:
         ours, theirs = PROCESSES.Pipe()
-        process = PROCESSES.Process(target=_work, args=(theirs, self._prepare))
+        process = PROCESSES.Process(target=_work, args=(theirs,))
         # Ctrl-C reaches every process of the terminal; the parent decides what it
         # means. A blocked signal stays blocked in the child, from its first moment.
         before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
@@ -157,7 +157,7 @@ class WorkerPool(Generic[Task, Outcome]):
         return worker
 
     def _receive(self, number: int) -> Iterator[tuple[Task, Outcome | Lost]]:
-        """Read what a worker says: that it is ready, or what came of its task."""
+        """Read what a worker says: that it lives, is ready, or has done its task."""
         worker = self._workers[number]
         task = worker.task
         if task is None:
@@ -167,9 +167,13 @@ class WorkerPool(Generic[Task, Outcome]):
         except (EOFError, OSError):
             yield from self._bury(number, worker, task)
             return
-        if said == "ready":
+        if said == "hello":
+            # Sent only now, when the child is there to read it: it may be too much
+            # for the pipe to hold, and others shall start meanwhile.
+            _send(worker, self._prepare)
+        elif said == "ready":
             worker.ready = True
-            worker.began = time.monotonic()
+            _give(worker, task)
         elif said == "failed":
             raise content
         else:
@@ -200,11 +204,17 @@ class WorkerPool(Generic[Task, Outcome]):
 
 
 def _give(worker: _Worker[Task], task: Task) -> None:
+    """Set a worker its task; it begins when it is ready."""
     worker.task = task
     worker.began = time.monotonic()
+    if worker.ready:
+        _send(worker, task)
+
+
+def _send(worker: _Worker[Task], content: object) -> None:
     # A dead worker's end of the pipe is noticed when we read from it.
     with contextlib.suppress(OSError):
-        worker.connection.send(task)
+        worker.connection.send(content)
 
 
 def _how_it_ended(code: int | None) -> str:
@@ -213,13 +223,12 @@ def _how_it_ended(code: int | None) -> str:
     return f"ended with exit code {code}"
 
 
-def _work(
-    connection: Connection, prepare: Callable[[], Callable[[Task], Outcome]]
-) -> None:
+def _work(connection: Connection) -> None:
     """Do the tasks that come; the life of a worker process."""
     threading.Thread(target=_die_with_parent, daemon=True).start()
     try:
-        do = prepare()
+        connection.send(("hello", None))
+        do = connection.recv()()
         connection.send(("ready", None))
         while True:
             task = connection.recv()
