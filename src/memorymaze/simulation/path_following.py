@@ -18,6 +18,8 @@ GAIN_I = 0.15
 """Curvature per square metre of summed offset, 1/m^3."""
 GAIN_D = 2.6
 """Curvature per unit of sideways slope, 1/m."""
+INTEGRAL_REACH = 0.1
+"""Greatest offset in metres that is summed, so that joining a lane winds nothing up."""
 INTEGRAL_LIMIT = 0.4
 """Square metres."""
 
@@ -81,7 +83,7 @@ class LaneFollower:
         advance = s - self._s
         self._s = s
         self.remaining = self.lane.length - s
-        if 0 < advance < 0.2:
+        if 0 < advance < 0.2 and abs(self.offset) < INTEGRAL_REACH:
             integral = self._integral + self.offset * advance
             self._integral = max(-INTEGRAL_LIMIT, min(INTEGRAL_LIMIT, integral))
 

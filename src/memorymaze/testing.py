@@ -1,0 +1,188 @@
+"""Contracts that implementations must keep, for tests of this project and of users.
+
+Each `check_…` function returns None or raises `AssertionError` with what was expected
+and what came.
+"""
+
+from collections.abc import Callable, Sequence
+
+from memorymaze.errors import EpisodeOver
+from memorymaze.robot.api import (
+    DETECTION_RANGE,
+    DIRECTIONS,
+    Detection,
+    MoveResult,
+    Robot,
+    TurnResult,
+)
+
+__all__ = ["check_robot"]
+
+SLACK = 0.05
+"""Metres, and metres per metre, by which odometers and moves may differ."""
+
+
+def check_robot(robot: Robot) -> None:
+    """Check that a robot keeps the contract of the control API.
+
+    It drives half a metre ahead, turns around, and stops, so the episode is over
+    afterwards.
+
+    Args:
+        robot: At the beginning of an episode, with at least a metre of room ahead.
+
+    Raises:
+        AssertionError: It breaks the contract.
+    """
+    _expect(_is_a(Robot, robot), "all functions of the API", type(robot).__name__)
+    _check_looks(robot)
+    _check_move(robot)
+    _check_turn(robot)
+    _check_end(robot)
+
+
+def _check_looks(robot: Robot) -> None:
+    directions = robot.detect_turning_point()
+    _expect(
+        _is_a(list, directions)
+        and set(directions) <= set(DIRECTIONS) - {"around"}
+        and len(set(directions)) == len(directions),
+        "detect_turning_point: a list of different directions, none of them `around`",
+        directions,
+    )
+    number = robot.turning_point_id()
+    _expect(
+        number is None or (type(number) is int and number >= 1),
+        "turning_point_id: None or a number from 1",
+        number,
+    )
+    _expect(
+        number is not None or not directions,
+        "detect_turning_point: nothing outside turning points",
+        directions,
+    )
+    _expect(robot.say("Hello.") is None, "say: None", "something else")
+    first = robot.detect_from_RGB_image("door")
+    _check_detections(first)
+    second = robot.detect_from_RGB_image("door")
+    _expect(
+        [each.track_id for each in first] == [each.track_id for each in second],
+        "detect_from_RGB_image: the same track_ids when nothing has moved",
+        second,
+    )
+    _expect_value_error(
+        lambda: robot.detect_from_RGB_image(""), "detect_from_RGB_image('')"
+    )
+
+
+def _check_detections(found: Sequence[Detection]) -> None:
+    distances = [each.distance for each in found]
+    _expect(
+        distances == sorted(distances),
+        "detect_from_RGB_image: the nearest first",
+        distances,
+    )
+    for each in found:
+        left, top, right, bottom = each.box
+        _expect(
+            0 <= each.distance <= DETECTION_RANGE
+            and 0 <= left <= right <= 640
+            and 0 <= top <= bottom <= 480
+            and 0 <= each.score <= 1
+            and -180 <= each.bearing_deg <= 180
+            and type(each.track_id) is int,
+            "a detection within 4 m and inside the 640x480 picture",
+            each,
+        )
+
+
+def _check_move(robot: Robot) -> None:
+    for nonsense in (0, -1.0, float("nan"), float("inf"), True, "1", None):
+        _expect_value_error(
+            lambda distance=nonsense: robot.move_forward(distance),  # type: ignore[arg-type]
+            f"move_forward({nonsense!r})",
+        )
+    _expect(
+        robot.distance_travelled() == 0,
+        "distance_travelled: 0 before the first move",
+        robot.distance_travelled(),
+    )
+    result = robot.move_forward(0.5)
+    _expect(
+        _is_a(MoveResult, result)
+        and result.reason in ("done", "wall", "obstacle", "budget")
+        and 0 <= result.distance <= 0.5 + SLACK,
+        "move_forward(0.5): a MoveResult of at most 0.5 m",
+        result,
+    )
+    _expect(
+        result.reason != "done" or result.distance >= 0.5 - SLACK,
+        "move_forward(0.5): 0.5 m when it is `done`",
+        result,
+    )
+    driven = robot.distance_travelled()
+    _expect(
+        abs(driven - result.distance) <= SLACK,
+        f"distance_travelled: {result.distance:.3f} m after the first move",
+        driven,
+    )
+
+
+def _check_turn(robot: Robot) -> None:
+    refused = robot.turn("sideways")
+    _expect(
+        _is_a(TurnResult, refused)
+        and not refused.turned
+        and refused.angle_deg == 0
+        and all(direction in refused.message for direction in DIRECTIONS),
+        "turn('sideways'): not turned, and a message with the directions there are",
+        refused,
+    )
+    around = robot.turn("around")
+    _expect(
+        around.turned and 90 <= abs(around.angle_deg) <= 180,
+        "turn('around'): turned, from anywhere",
+        around,
+    )
+
+
+def _check_end(robot: Robot) -> None:
+    _expect_over(robot.stop, "stop()")
+    for name, call in (
+        ("move_forward(0.5)", lambda: robot.move_forward(0.5)),
+        ("detect_turning_point()", robot.detect_turning_point),
+        ("turning_point_id()", robot.turning_point_id),
+        ("turn('around')", lambda: robot.turn("around")),
+        ("detect_from_RGB_image('door')", lambda: robot.detect_from_RGB_image("door")),
+        ("say('Bye.')", lambda: robot.say("Bye.")),
+        ("distance_travelled()", robot.distance_travelled),
+        ("stop()", robot.stop),
+    ):
+        _expect_over(call, f"{name} after stop()")
+
+
+def _is_a(kind: type, value: object) -> bool:
+    # What is checked may be anything, whatever its annotations say.
+    return isinstance(value, kind)
+
+
+def _expect(kept: bool, expected: str, got: object) -> None:
+    if not kept:
+        raise AssertionError(f"expected {expected}; got {got!r}")
+
+
+def _expect_value_error(call: Callable[[], object], name: str) -> None:
+    try:
+        got = call()
+    except ValueError:
+        return
+    raise AssertionError(f"expected {name} to raise ValueError; got {got!r}")
+
+
+def _expect_over(call: Callable[[], object], name: str) -> None:
+    try:
+        got = call()
+    except EpisodeOver as over:
+        _expect(over.stopped_by == "agent", f"{name}: stopped by agent", over)
+        return
+    raise AssertionError(f"expected {name} to raise EpisodeOver; got {got!r}")

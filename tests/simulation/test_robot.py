@@ -1,0 +1,224 @@
+import json
+import math
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from memorymaze.errors import CommandError, EpisodeOver
+from memorymaze.geometry.pose import Pose
+from memorymaze.robot.api import Detection
+from memorymaze.simulation import Scene, SimulatedRobot, TraceEvent, build_scene
+from memorymaze.sites import Site
+from memorymaze.testing import check_robot
+
+PutRobot = Callable[..., SimulatedRobot]
+TINY = [
+    "corridor",
+    "crossing",
+    "l_shape",
+    "loop",
+    "slanted_crossing",
+    "t_junction",
+    "two_rooms",
+]
+
+
+@pytest.mark.parametrize("name", TINY)
+def test_keeps_the_contract_of_the_control_api(
+    scenes: dict[str, Scene], name: str
+) -> None:
+    scene = scenes[name]
+    check_robot(SimulatedRobot(scene, scene.site.routes[0].start))
+
+
+@pytest.mark.parametrize(
+    "nonsense", [0, -0.5, math.nan, math.inf, True, "2", None, [1.0]]
+)
+def test_refuses_distances_without_meaning(
+    scenes: dict[str, Scene], put_robot: PutRobot, nonsense: object
+) -> None:
+    events: list[TraceEvent] = []
+    robot = put_robot(scenes["corridor"], 2, 0, events=events)
+    with pytest.raises(CommandError, match="greater than 0"):
+        robot.move_forward(nonsense)  # type: ignore[arg-type]
+    assert robot.time == 0
+    assert "error" in json.dumps(events[-1].result)
+
+
+def test_a_move_is_as_long_as_asked(
+    scenes: dict[str, Scene], put_robot: PutRobot
+) -> None:
+    robot = put_robot(scenes["corridor"], 2, 0)
+    result = robot.move_forward(3)
+    assert result.reason == "done"
+    assert result.distance == pytest.approx(3, abs=0.01)
+    assert robot.pose.x == pytest.approx(5, abs=0.02)
+
+
+def test_many_short_moves_are_one_long_walk(
+    scenes: dict[str, Scene], put_robot: PutRobot
+) -> None:
+    robot = put_robot(scenes["corridor"], 2, 0)
+    for _ in range(20):
+        assert robot.move_forward(0.5).reason == "done"
+    assert robot.pose.x == pytest.approx(12, abs=0.1)
+    assert robot.distance_travelled() == pytest.approx(10, abs=0.1)
+    assert robot.time < 16, "it must not stop after each of them"
+
+
+def test_no_time_passes_while_it_looks(
+    scenes: dict[str, Scene], put_robot: PutRobot
+) -> None:
+    robot = put_robot(scenes["corridor"], 2, 0)
+    robot.move_forward(1)
+    before = robot.time, robot.pose
+    robot.detect_turning_point()
+    robot.turning_point_id()
+    robot.detect_from_RGB_image("door")
+    robot.say("Hello.")
+    robot.distance_travelled()
+    assert (robot.time, robot.pose) == before
+
+
+def test_stands_still_within_a_few_centimetres_after_stop(
+    scenes: dict[str, Scene], put_robot: PutRobot
+) -> None:
+    robot = put_robot(scenes["corridor"], 2, 0)
+    robot.move_forward(3)
+    with pytest.raises(EpisodeOver) as over:
+        robot.stop()
+    assert over.value.stopped_by == robot.stopped_by == "agent"
+    assert robot.pose.x == pytest.approx(5.1, abs=0.1)
+
+
+def test_sees_the_bench_it_drives_up_to(
+    scenes: dict[str, Scene], put_robot: PutRobot
+) -> None:
+    robot = put_robot(scenes["corridor"], 7.5, 0)
+    (bench,) = robot.detect_from_RGB_image("bench")
+    assert isinstance(bench, Detection)
+    assert bench.bearing_deg < 0
+    assert 1.5 < bench.distance < 2.6
+
+
+def test_the_same_seed_gives_the_same_walk_step_by_step(
+    scenes: dict[str, Scene], put_robot: PutRobot
+) -> None:
+    walks = []
+    for seed in (7, 7, 8):
+        robot = put_robot(scenes["l_shape"], 1, 0.2, seed=seed)
+        robot.move_forward(20)
+        robot.turn("left")
+        robot.move_forward(20)
+        walks.append(robot.trajectory().poses)
+    assert walks[0] == walks[1]
+    assert walks[0] != walks[2]
+
+
+def test_two_robots_in_one_scene_do_not_disturb_each_other(
+    scenes: dict[str, Scene], put_robot: PutRobot
+) -> None:
+    alone = put_robot(scenes["l_shape"], 1, 0)
+    alone.move_forward(4)
+    alone.move_forward(4)
+    first, second = (put_robot(scenes["l_shape"], 1, 0) for _ in range(2))
+    for robot in (first, second, first, second):
+        robot.move_forward(4)
+    assert first.trajectory() == second.trajectory() == alone.trajectory()
+
+
+def test_the_trajectory_is_sampled_evenly_and_after_every_call(
+    scenes: dict[str, Scene], put_robot: PutRobot
+) -> None:
+    robot = put_robot(scenes["corridor"], 2, 0)
+    robot.move_forward(2.1)
+    after_move = robot.pose
+    robot.turn("around")
+    times = np.array([pose.time for pose in robot.trajectory().poses])
+    assert times[0] == 0
+    assert times[-1] == robot.time
+    assert np.diff(times).max() <= 0.2 + 1e-9
+    assert after_move in [pose.pose for pose in robot.trajectory().poses]
+
+
+def test_every_call_leaves_an_event_that_json_can_tell(
+    scenes: dict[str, Scene], put_robot: PutRobot
+) -> None:
+    events: list[TraceEvent] = []
+    robot = put_robot(scenes["corridor"], 7.5, 0, events=events)
+    robot.move_forward(1)
+    robot.turn("left")
+    robot.detect_from_RGB_image("bench")
+    robot.say("A bench.")
+    robot.finish()
+    assert [event.call for event in events] == [
+        "move_forward",
+        "turn",
+        "detect_from_RGB_image",
+        "say",
+        "stop",
+    ]
+    assert events[0].arguments == {"distance": 1.0}
+    assert events[0].pose.x == pytest.approx(8.5, abs=0.02)
+    told = json.loads(json.dumps([[event.arguments, event.result] for event in events]))
+    assert told[0][1]["reason"] == "done"
+    assert told[1][1]["turned"] is False
+    assert told[2][1][0]["label"] == "bench"
+    assert robot.refused_turns == 1
+
+
+def test_follows_a_given_line_to_its_end(
+    l_site: Site, scenes: dict[str, Scene], put_robot: PutRobot
+) -> None:
+    robot = put_robot(scenes["l_shape"], 1, 0)
+    line = l_site.routes[0].line
+    result = robot.follow(line.coords)
+    assert result.reason == "done"
+    assert math.dist(robot.pose[:2], line.coords[-1]) < 0.05
+    assert robot.collisions == ()
+
+
+@pytest.mark.parametrize("line", [[1.0, 2.0], [[1.0]], [[math.nan, 0.0]]])
+def test_refuses_lines_without_meaning(
+    scenes: dict[str, Scene], put_robot: PutRobot, line: object
+) -> None:
+    robot = put_robot(scenes["corridor"], 2, 0)
+    with pytest.raises(CommandError, match="follow"):
+        robot.follow(line)  # type: ignore[arg-type]
+
+
+def test_follows_every_route_of_the_benchmark_without_a_touch(
+    builtin_sites: dict[str, Site],
+) -> None:
+    for site in builtin_sites.values():
+        scene = build_scene(site)
+        for route in site.routes:
+            robot = SimulatedRobot(scene, route.start)
+            robot.follow(route.line.coords)
+            where = f"{site.name} {route.id}"
+            walked = robot.trajectory()
+            assert robot.collisions == (), where
+            assert math.dist(robot.pose[:2], route.line.coords[-1]) < 0.3, where
+            assert walked.length == pytest.approx(route.length, rel=0.01), where
+
+
+@settings(max_examples=40, deadline=None)
+@given(
+    y=st.floats(-0.9, 0.9),
+    degrees=st.floats(-30, 30),
+    seed=st.integers(0, 1000),
+)
+def test_finds_the_middle_from_anywhere_in_a_corridor(
+    scenes: dict[str, Scene], y: float, degrees: float, seed: int
+) -> None:
+    robot = SimulatedRobot(
+        scenes["corridor"],
+        Pose(2, y, math.radians(degrees)),
+        rng=np.random.default_rng(seed),
+    )
+    robot.move_forward(6)
+    assert abs(robot.pose.y) < 0.15
+    assert robot.collisions == ()

@@ -1,0 +1,33 @@
+from typing import Any
+
+import pytest
+
+from memorymaze.errors import SettingsError
+from memorymaze.simulation import SimulationSettings
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        {"max_speed": 0},
+        {"max_speed": float("nan")},
+        {"max_acceleration": float("inf")},
+        {"time_budget": "10"},
+        {"call_budget": 10.5},
+        {"stuck_limit": True},
+        {"control_period": 0.055},
+        {"rolling_speed": 2.0},
+        {"wheel_noise": -0.1},
+    ],
+    ids=lambda wrong: next(iter(wrong)),
+)
+def test_settings_without_meaning_are_named(wrong: dict[str, Any]) -> None:
+    with pytest.raises(SettingsError, match=next(iter(wrong))):
+        SimulationSettings(**wrong)
+
+
+def test_there_may_be_no_time_budget_and_no_noise() -> None:
+    settings = SimulationSettings(
+        time_budget=float("inf"), wheel_noise=0, rolling_speed=0
+    )
+    assert settings.max_speed == 1.0
