@@ -38,7 +38,7 @@ def own_agents(tmp_path: Path) -> Path:
 
 
 def test_all_names_are_known_and_the_oracle_is_one_of_them() -> None:
-    assert set(agent_names()) == {*AGENTS, "oracle"}
+    assert set(agent_names()) == {*AGENTS, "code_generation", "oracle"}
 
 
 def test_the_oracle_is_made_for_its_episode(tiny_plan: Callable[..., RunPlan]) -> None:

@@ -12,6 +12,7 @@ from typing import Any, cast
 from memorymaze.agents import AGENTS
 from memorymaze.agents.agent import Agent
 from memorymaze.errors import SettingsError
+from memorymaze.evaluation.language_models import build_language_model
 from memorymaze.evaluation.oracle import OracleAgent
 from memorymaze.evaluation.settings import AgentSettings
 from memorymaze.instructions.records import Episode
@@ -26,7 +27,7 @@ LANGUAGE_MODEL_AGENTS = ("code_generation",)
 
 def agent_names() -> list[str]:
     """Return the names that `build_agent` knows without a module or file."""
-    return sorted([*AGENTS, "oracle"])
+    return sorted({*AGENTS, *LANGUAGE_MODEL_AGENTS, "oracle"})
 
 
 def has_language_model(name: str) -> bool:
@@ -74,7 +75,10 @@ def _refuse_model(settings: AgentSettings) -> None:
 
 
 def _language_model_agent(settings: AgentSettings) -> Agent:
-    raise NotImplementedError
+    from memorymaze.agents.code_generation import CodeGenerationAgent
+
+    model = build_language_model(settings)
+    return CodeGenerationAgent(model, parser=settings.parser is not False)
 
 
 def _users_agent(name: str) -> Agent:

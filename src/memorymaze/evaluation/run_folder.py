@@ -155,7 +155,8 @@ def _begin(path: Path, record: RunRecord, *, resume: bool) -> None:
         raise RunFolderError(
             f"{path}: cannot resume, because the run there was made differently:\n  "
             + "\n  ".join(found)
-            + "\nUse the same settings and code, or choose another folder with --out"
+            + "\nUse the same settings and code, choose another folder with --out, or delete "
+            "this one"
         )
 
 

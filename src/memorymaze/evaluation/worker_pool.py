@@ -32,6 +32,10 @@ STARTS = 3
 """Processes that may die in a row before they are ready; then the run ends."""
 
 
+LEAVING_TIME = 5.0
+"""Seconds that an idle worker has for closing what it opened."""
+
+
 @dataclass(frozen=True, slots=True)
 class Lost:
     """A task of which nothing came: its worker died, or the working function raised."""
@@ -85,10 +89,15 @@ class WorkerPool(Generic[Task, Outcome]):
         return self
 
     def __exit__(self, *_: object) -> None:
-        """End all processes at once, whatever they are doing."""
+        """End all processes: those with a task at once, idle ones in their own way."""
         for worker in self._workers.values():
+            if worker.task is None:
+                worker.connection.close()
+            else:
+                worker.process.kill()
+        for worker in self._workers.values():
+            worker.process.join(LEAVING_TIME)
             worker.process.kill()
-        for worker in self._workers.values():
             worker.process.join()
             worker.connection.close()
         self._workers.clear()
