@@ -10,7 +10,7 @@ from memorymaze.robot.api import Detection, Direction, MoveResult, TurnResult
 
 
 class PaperRobot:
-    """Records its calls; a wall stands 20 m ahead, a crossing is always at hand."""
+    """Records its calls; from 5 m on it is in a junction, at 20 m is a wall."""
 
     def __init__(self, call_budget: int = 200) -> None:
         self.calls: list[tuple[str, object]] = []
@@ -36,7 +36,7 @@ class PaperRobot:
 
     def detect_turning_point(self) -> list[Direction]:
         self._record("detect_turning_point")
-        return ["left", "forward"]
+        return ["left", "forward"] if self._distance >= 5 else []
 
     def turning_point_id(self) -> int | None:
         self._record("turning_point_id")

@@ -176,14 +176,14 @@ def test_careless_but_working_programs_run_with_their_doubts_told(robot):
     told: list[dict[str, object]] = []
     program = """
 nearest: Detection = None
-steps: int = 1.5
+steps: int = 5.5
+move_forward(steps)
 for door in detect_from_RGB_image("door"):
     if nearest is None or door.distance < nearest.distance:
         nearest = door
 say(nearest.label)
 direction = detect_turning_point()[0] if detect_turning_point() else None
 turn(direction)
-move_forward(steps)
 if turning_point_id() != 3:
     say(str(getattr(nearest, "score", 0)))
 def count(number: int) -> bool:
@@ -197,6 +197,7 @@ count(0.5)
     (doubts,) = told
     assert doubts["kind"] == "doubts"
     assert "line 3" in str(doubts["doubts"])
+    assert ("turn", "left") in robot.calls
 
 
 def test_a_crash_names_the_line_of_the_call_inside_a_function(robot):

@@ -1,0 +1,27 @@
+"""The prompts: text files in `prompts/`, with slots in braces and capitals."""
+
+import re
+from importlib.resources import files
+
+__all__ = ["load_prompt"]
+
+_SLOT = re.compile(r"\{([A-Z_]+)\}")
+
+
+def load_prompt(name: str, **slots: str) -> str:
+    """Return a prompt with its slots filled.
+
+    Args:
+        name: File name in `prompts/` without `.txt`.
+        **slots: Text for each slot, by its name in lower case.
+
+    Raises:
+        FileNotFoundError: There is no such prompt.
+        KeyError: A slot is left unfilled.
+    """
+    text = (
+        (files("memorymaze.language") / "prompts" / f"{name}.txt")
+        .read_text(encoding="utf-8")
+        .strip()
+    )
+    return _SLOT.sub(lambda slot: slots[slot[1].lower()], text)

@@ -1,0 +1,152 @@
+"""Steps and programs are found however a model lays its reply out."""
+
+import pytest
+
+from memorymaze.errors import LanguageModelError
+from memorymaze.language.reply_reading import read_program, read_steps
+
+GOOD_STEPS = """Thought: left, then 2. maybe right.
+First steps:
+1. Go straight.
+2. Turn right.
+Second thought: it is left.
+Refined steps:
+1. Go straight.
+2. Turn left.
+3. Stop.
+"""
+
+
+@pytest.mark.parametrize(
+    ("reply", "steps"),
+    [
+        pytest.param(
+            GOOD_STEPS, ["Go straight.", "Turn left.", "Stop."], id="as asked"
+        ),
+        pytest.param(
+            GOOD_STEPS.replace("\n", "\r\n"),
+            ["Go straight.", "Turn left.", "Stop."],
+            id="other line ends",
+        ),
+        pytest.param("1) Go.\n2) Stop.", ["Go.", "Stop."], id="only a list"),
+        pytest.param(
+            "**Refined Steps:**\n\n**1.** Go.\n\n**2.** Stop.\n\nGood luck!",
+            ["Go.", "Stop."],
+            id="in bold, with gaps and a wish",
+        ),
+        pytest.param(
+            "### Refined steps\n1. Go to the end,\n   past the desk.\n2. Stop.",
+            ["Go to the end, past the desk.", "Stop."],
+            id="over two lines",
+        ),
+        pytest.param(
+            "Refined steps:\n1. Go.\n   1. slowly\n   - past a desk\n2. Stop.",
+            ["Go. 1. slowly - past a desk", "Stop."],
+            id="with points below",
+        ),
+        pytest.param(
+            "First steps:\n1. A.\n2. B.\nRefined output:\n1. C.",
+            ["C."],
+            id="other heading",
+        ),
+        pytest.param(
+            "First list\n1. A.\n2. B.\n\nBetter list\n1. C.\n2. D.",
+            ["C.", "D."],
+            id="no heading",
+        ),
+        pytest.param(
+            "1. Go 3.\n5 m on.\n2. Stop", ["Go 3. 5 m on.", "Stop"], id="numbers"
+        ),
+    ],
+)
+def test_the_last_list_of_steps_counts(reply: str, steps: list[str]):
+    assert read_steps(reply) == steps
+
+
+@pytest.mark.parametrize(
+    "reply",
+    [
+        "I am sorry, I can't help.",
+        "- Go\n- Stop",
+        "2. Go",
+        "Refined steps:\n",
+        "\n" * 10**5,
+    ],
+    ids=["a refusal", "bullets", "no beginning", "nothing after", "emptiness"],
+)
+def test_a_reply_without_steps_is_a_model_error(reply: str):
+    with pytest.raises(LanguageModelError, match="no numbered list of steps"):
+        read_steps(reply)
+
+
+GOOD_PROGRAM = """Thought: short.
+First program:
+```python
+move_forward(1)
+```
+Second thought: too short.
+Refined program:
+```python
+move_forward(2)
+stop()
+```
+"""
+
+
+@pytest.mark.parametrize(
+    ("reply", "program"),
+    [
+        pytest.param(GOOD_PROGRAM, "move_forward(2)\nstop()\n", id="as asked"),
+        pytest.param(
+            GOOD_PROGRAM.replace("\n", "\r\n"),
+            "move_forward(2)\nstop()\n",
+            id="other line ends",
+        ),
+        pytest.param("```\nstop()\n```", "stop()\n", id="no language"),
+        pytest.param("~~~py\nstop()\n~~~", "stop()\n", id="tildes"),
+        pytest.param("```Python title=a.py\nstop()\n```", "stop()\n", id="a title"),
+        pytest.param("```python\nstop()", "stop()\n", id="not closed"),
+        pytest.param(
+            "1. Here:\n   ```python\n   if True:\n       stop()\n   ```\n",
+            "if True:\n    stop()\n",
+            id="indented",
+        ),
+        pytest.param(
+            "```python\nstop()\n```\nOutput:\n```text\nThe robot stops.\n```\n"
+            "```bash\nrm -r .\n```\n```python\n\n```",
+            "stop()\n",
+            id="other blocks after it",
+        ),
+        pytest.param("stop()", "stop()\n", id="nothing but a call"),
+        pytest.param(
+            "# Go.\nfor i in range(3):\n    move_forward(1)\n",
+            "# Go.\nfor i in range(3):\n    move_forward(1)\n",
+            id="nothing but a program",
+        ),
+        pytest.param(
+            "Thought: x\nRefined program:\ndef go():\n    move_forward(1)\ngo()",
+            "def go():\n    move_forward(1)\ngo()\n",
+            id="under its heading without a fence",
+        ),
+    ],
+)
+def test_the_last_program_counts(reply: str, program: str):
+    assert read_program(reply) == program
+
+
+@pytest.mark.parametrize(
+    "reply",
+    [
+        "I cannot write programs.",
+        "```python\n```",
+        "```json\n{}\n```",
+        "You would call\nmove_forward(1)\nand then stop.",
+        "Refined program:\nnone, sorry",
+        "~" * 10**5,
+        "``` " * 10**4,
+    ],
+    ids=["a refusal", "empty", "data", "prose", "no program", "tildes", "ticks"],
+)
+def test_a_reply_without_a_program_is_a_model_error(reply: str):
+    with pytest.raises(LanguageModelError, match="no program in it: '"):
+        read_program(reply)
