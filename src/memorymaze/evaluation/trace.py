@@ -46,11 +46,7 @@ def write_trace(
 
 def trace_lines(entries: Iterable[Mapping[str, object]]) -> bytes:
     """Return trace entries as lines of JSON; what JSON does not know as its `repr`."""
-    lines = [
-        json.dumps(_plain(entry), ensure_ascii=False, separators=(",", ":"))
-        for entry in entries
-    ]
-    text = "".join(f"{line}\n" for line in lines)
+    text = "".join(f"{_line(entry)}\n" for entry in entries)
     return text.encode("utf-8", "backslashreplace")
 
 
@@ -73,6 +69,14 @@ def read_trace(folder: Path, episode_id: str) -> Iterator[dict[str, Any]]:
         raise RunFolderError(f"{path}: the trace is damaged ({error})") from None
 
 
+def _line(entry: Mapping[str, object]) -> str:
+    try:
+        return _ENCODER.encode(entry)
+    except (TypeError, ValueError):
+        # Odd keys and numbers that are not finite are rare; looking for them is slow.
+        return _ENCODER.encode(_plain(entry))
+
+
 def _plain(value: object) -> Any:
     """Return a value as JSON knows it; what JSON does not know as its description."""
     if value is None or isinstance(value, bool | int | str):
@@ -90,3 +94,8 @@ def _plain(value: object) -> Any:
     if isinstance(value, Sequence) and not isinstance(value, bytes | bytearray):
         return [_plain(part) for part in value]
     return repr(value)
+
+
+_ENCODER = json.JSONEncoder(
+    ensure_ascii=False, allow_nan=False, separators=(",", ":"), default=_plain
+)
