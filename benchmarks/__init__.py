@@ -1,0 +1,10 @@
+"""What the project measures of itself, beside named baselines in the same run.
+
+`python -m benchmarks` runs all, `python -m benchmarks --only NAME` one. A benchmark is
+a file here with `run() -> list[Row]` and one line in `BENCHMARKS`.
+"""
+
+BENCHMARKS: dict[str, str] = {
+    "metrics": "benchmarks.metrics",
+}
+"""Modules by name; imported only when they run."""
