@@ -35,15 +35,27 @@ class DistanceRows:
 
         Infinite where no way joins the two.
         """
-        distinct, places = np.unique(nodes, return_inverse=True)
-        missing = [int(node) for node in distinct if int(node) not in self._kept]
+        return self.between(nodes, None)
+
+    def between(
+        self, starts: NDArray[np.intp], ends: NDArray[np.intp] | None
+    ) -> NDArray[np.float64]:
+        """Return the distances from each start to each end, shape (k, m), metres.
+
+        Infinite where no way joins the two. The ends are all nodes when None.
+        """
+        wanted = [int(node) for node in starts]
+        missing = sorted({node for node in wanted if node not in self._kept})
         if missing:
             found = np.atleast_2d(dijkstra(self._graph, indices=missing))
-            self._kept.update(zip(missing, found, strict=True))
-        answer = np.empty((len(distinct), self._count))
-        for index, node in enumerate(map(int, distinct)):
-            answer[index] = self._kept[node]
+            # Copies, because a view would keep all of `found` in memory.
+            self._kept.update((node, found[i].copy()) for i, node in enumerate(missing))
+        count = self._count if ends is None else len(ends)
+        answer = np.empty((len(wanted), count))
+        for index, node in enumerate(wanted):
+            row = self._kept[node]
+            answer[index] = row if ends is None else row[ends]
             self._kept.move_to_end(node)
         while len(self._kept) * self._count > NUMBERS_KEPT:
             self._kept.popitem(last=False)
-        return answer[places]
+        return answer

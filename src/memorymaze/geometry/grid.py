@@ -177,7 +177,7 @@ class FloorGrid:
         Raises:
             UndefinedMetricError: A node is not in the grid.
         """
-        return self.distances_from(starts)[:, self._checked(ends)]
+        return self._rows.between(self._checked(starts), self._checked(ends))
 
     def along(self, nodes: ArrayLike) -> FloatArray:
         """Return the distances between consecutive nodes, shape (k - 1,), metres.

@@ -64,7 +64,7 @@ class NavigationGraph:
         """
         # Summed from the ends, which are the agent's places, as the field's reference
         # code does: a distance that rounds to the threshold is then judged alike.
-        return self._rows.rows(self._numbers(ends))[:, self._numbers(starts)].T
+        return self._rows.between(self._numbers(ends), self._numbers(starts)).T
 
     def along(self, nodes: Sequence[str]) -> NDArray[np.float64]:
         """Return the distances between consecutive nodes, shape (k - 1,), metres.
