@@ -159,7 +159,7 @@ def adjective_lines(adjectives: dict[str, Lemma], nouns: dict[str, Lemma]) -> li
 
 def main() -> int:
     """Write the data file; return an exit code."""
-    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
     parser.add_argument("wordnet", type=Path, help="folder with data.noun, index.noun")
     folder: Path = parser.parse_args().wordnet
     synsets = read_synsets(folder / "data.noun")

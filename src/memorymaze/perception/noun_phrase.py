@@ -42,7 +42,7 @@ _PLACED = word_set(
 _IDENTIFIER = re.compile(r"^(?:\d[\w-]*|[a-z]{1,2}-?\d+\w*|[b-z])$")
 _NUMBER_SIGNS = frozenset({"number", "no", "nr"})
 _COUNT = re.compile(r"^\d{1,2}$")
-_ORDINAL = re.compile(r"^\d+(?:st|nd|rd|th)$")
+_ORDINAL = re.compile(r"^\d+(?:st|[nr]d|th)$")
 _WORD = re.compile(r"[^\W_]+(?:['-][^\W_]+)*")
 _EMPTY_WORDS = word_set(
     "a an the of for to and or in on at with by from is are your you we it please",
