@@ -1,0 +1,253 @@
+"""The rules agent: reads the description, walks, doubts, goes back, arrives."""
+
+import math
+
+import numpy as np
+
+from memorymaze.agents.agent import Journal
+from memorymaze.agents.rules.alignment import Aligner, Branch, Ending, Standing
+from memorymaze.agents.rules.arriving import Arrivals, approach
+from memorymaze.agents.rules.evidence import choices_at
+from memorymaze.agents.rules.floor_map import Sighting
+from memorymaze.agents.rules.walker import Walker
+from memorymaze.language.route_description import RoutePlan, parse_route_description
+from memorymaze.robot.api import Robot
+
+__all__ = ["RulesAgent"]
+
+METRE_BACK = 0.012
+"""Nats for each metre to walk back to another hypothesis."""
+RIVALS = 3.0
+"""Hypotheses that cost so much more than the best one are not looked for."""
+FRONTIER = 300
+"""Hypotheses kept at a time."""
+FEWEST_METRES, MOST_METRES = 120.0, 300.0
+"""Bounds of the walk after which the agent stops at the best place it knows."""
+LEG_METRES = 15.0
+"""Expected length of a leg whose length was not said."""
+
+
+class RulesAgent:
+    """Follows route descriptions by rules alone; deterministic, without any model.
+
+    The description becomes a plan. At each turning point the plan and the walk are
+    aligned in all sensible ways, each with a cost; the robot walks on with the
+    cheapest and goes back to another when it becomes cheaper.
+    """
+
+    name = "rules"
+
+    def follow(
+        self,
+        instruction: str,
+        robot: Robot,
+        journal: Journal,
+        rng: np.random.Generator,
+    ) -> None:
+        """Drive the robot as the instruction says, and stop."""
+        plan = parse_route_description(instruction)
+        journal.note("plan", plan=str(plan))
+        _Search(plan, Walker(robot), journal).run()
+        robot.stop()
+
+
+class _Search:
+    """The walk of one episode."""
+
+    def __init__(self, plan: RoutePlan, walker: Walker, journal: Journal) -> None:
+        self._plan = plan
+        self._walker = walker
+        self._journal = journal
+        self._aligner = Aligner(plan, walker.map)
+        self._arrivals = Arrivals(plan, walker.map)
+        self._frontier: list[Branch] = []
+        self._endings: list[Ending] = []
+        self._best_known: dict[tuple[int, int, int], list[float]] = {}
+        self._limit = _walk_limit(plan)
+
+    def run(self) -> None:
+        """Walk until arrived."""
+        start = self._walker.at
+        standing = Standing(
+            start, 0.0, 0, line=(self._walker.map.crossings[start].place,)
+        )
+        if start == 0:
+            self._frontier.append(Branch(standing, 0))
+        else:
+            self._branch_out(standing)
+        for _ in range(400):
+            self._walk_in_mind()
+            branch = self._best_branch()
+            ending = self._best_ending()
+            if ending is not None and (
+                branch is None or self._ending_cost(ending) <= self._branch_cost(branch)
+            ):
+                self._finish(ending)
+                return
+            if branch is None or self._walker.travelled > self._limit:
+                if ending is not None:
+                    self._finish(ending)
+                return
+            if self._walk(branch):
+                return
+
+    # -- choosing
+
+    def _branch_cost(self, branch: Branch) -> float:
+        return self._aligner.outlook(branch.standing) + METRE_BACK * self._away(
+            branch.standing.at
+        )
+
+    def _ending_cost(self, ending: Ending) -> float:
+        return ending.cost + METRE_BACK * (self._away(ending.at) + ending.distance)
+
+    def _away(self, crossing: int) -> float:
+        return self._distances.get(crossing, math.inf)
+
+    def _best_branch(self) -> Branch | None:
+        self._distances = self._walker.map.distances_from(self._walker.at)
+        return min(self._frontier, key=self._branch_cost, default=None)
+
+    def _best_ending(self) -> Ending | None:
+        best = min(self._endings, key=self._ending_cost, default=None)
+        return best
+
+    # -- hypotheses
+
+    def _walk_in_mind(self) -> None:
+        """Carry hypotheses along stretches that are known already."""
+        stretches = self._walker.map.stretches
+        while True:
+            known = [b for b in self._frontier if (b.standing.at, b.exit) in stretches]
+            if not known:
+                break
+            self._frontier = [
+                b for b in self._frontier if (b.standing.at, b.exit) not in stretches
+            ]
+            for branch in known:
+                stretch = stretches[branch.standing.at, branch.exit]
+                self._endings.extend(self._arrivals.on_stretch(branch, stretch))
+                standing = self._aligner.advance(branch, stretch)
+                self._branch_out(standing)
+        self._frontier = [b for b in self._frontier if not self._is_closed(b)]
+        if len(self._frontier) > FRONTIER:
+            self._frontier.sort(key=lambda b: self._aligner.outlook(b.standing))
+            del self._frontier[FRONTIER:]
+
+    def _branch_out(self, standing: Standing) -> None:
+        if len(standing.line) > 25 or standing.cost > 25:
+            return
+        crossing = self._walker.map.crossings[standing.at]
+        choices = choices_at(crossing.exits, crossing.closed, standing.heading)
+        self._endings.extend(
+            self._arrivals.at_crossing(standing, goes_on=choices.forward is not None)
+        )
+        for branch in self._aligner.branches(standing):
+            key = (branch.standing.at, branch.exit, branch.standing.leg)
+            costs = self._best_known.setdefault(key, [])
+            cost = self._aligner.outlook(branch.standing)
+            if sum(known <= cost + 1e-9 for known in costs) >= 2:
+                continue
+            costs.append(cost)
+            self._frontier.append(branch)
+
+    def _is_closed(self, branch: Branch) -> bool:
+        return branch.exit in self._walker.map.crossings[branch.standing.at].closed
+
+    # -- walking
+
+    def _walk(self, branch: Branch) -> bool:
+        """Walk the stretch a hypothesis leads to; True when arrived on the way."""
+        walker = self._walker
+        self._journal.note(
+            "decision",
+            at=branch.standing.at,
+            exit=branch.exit,
+            cost=round(self._aligner.outlook(branch.standing), 2),
+            legs_done=branch.standing.leg,
+            because=list(branch.standing.story[-2:]),
+        )
+        if not walker.go_to(branch.standing.at):
+            self._frontier.remove(branch)
+            return False
+        rivals = self._rivals(branch)
+        others = [b for b in self._frontier if b not in rivals]
+        alternative = min(map(self._branch_cost, others), default=math.inf)
+        begin = walker.travelled
+        found: list[Sighting] = []
+
+        def arrived(seen: list[Sighting]) -> bool:
+            for rival in rivals:
+                best = self._arrivals.best_now(rival, seen, walker.travelled - begin)
+                if best is not None and best[0] <= alternative + 0.5:
+                    found.append(best[1])
+                    return True
+            return False
+
+        walker.follow_exit(branch.exit, self._phrases(rivals), arrived)
+        if found:
+            self._journal.note("arrival", reason=f"{found[0].phrase} seen")
+            approach(walker, found[0], enter=self._enters())
+            return True
+        return False
+
+    def _rivals(self, branch: Branch) -> list[Branch]:
+        """Hypotheses that go the same way and are about as good, the best first."""
+        cost = self._aligner.outlook(branch.standing)
+        same = [
+            b
+            for b in self._frontier
+            if b.standing.at == branch.standing.at
+            and b.exit == branch.exit
+            and self._aligner.outlook(b.standing) <= cost + RIVALS
+        ]
+        return sorted(same, key=lambda b: self._aligner.outlook(b.standing))[:5]
+
+    def _phrases(self, rivals: list[Branch]) -> list[str]:
+        phrases: list[str] = list(self._arrivals.phrases)
+        legs = self._plan.legs
+        for rival in rivals:
+            first = rival.standing.leg
+            for leg in legs[max(first - 1, 0) : first + 2]:
+                phrases.extend(m.phrase for m in leg.mentions)
+                phrases.extend(leg.too_far)
+            if first >= len(legs) - 1:
+                phrases.extend(m.phrase for m in self._plan.arrival.mentions)
+        return list(dict.fromkeys(phrases))
+
+    def _enters(self) -> bool:
+        return True
+
+    def _finish(self, ending: Ending) -> None:
+        """Go to the place of an ending."""
+        walker = self._walker
+        self._journal.note(
+            "arrival",
+            reason=ending.reason,
+            cost=round(ending.cost, 2),
+            because=list(ending.story),
+        )
+        if not walker.go_to(ending.at) or ending.exit is None:
+            return
+        if not walker.face(ending.exit):
+            return
+        goal = ending.distance
+        phrases = self._arrivals.phrases
+        while goal > 0.2:
+            seen = [s for s in walker.look(phrases) if s.distance < goal + 3.0]
+            if seen and ending.reason.endswith("seen"):
+                approach(walker, seen[0], enter=self._enters())
+                return
+            step = min(goal, 0.8)
+            if not walker.step(step):
+                return
+            goal -= step
+
+
+def _walk_limit(plan: RoutePlan) -> float:
+    """Metres after which to stop at the best place known."""
+    expected = sum(
+        leg.length.metres if leg.length is not None else LEG_METRES for leg in plan.legs
+    )
+    expected += plan.arrival.length.metres if plan.arrival.length else LEG_METRES
+    return min(max(FEWEST_METRES, 2.2 * expected), MOST_METRES)

@@ -1,0 +1,295 @@
+"""Which part of the plan belongs to which part of the walk.
+
+A hypothesis says: the robot stands at this crossing, and so many legs of the plan are
+done. At each crossing it branches into what the speaker may have meant there. The
+costs of `evidence.py` add up along a branch, so that a later surprise speaks against
+every decision before it.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+from memorymaze.agents.rules.evidence import (
+    Choices,
+    choices_at,
+    junction_cost,
+    length_cost,
+    mentions_cost,
+    ordinal_cost,
+    passings_cost,
+    too_far_cost,
+    way_cost,
+)
+from memorymaze.agents.rules.floor_map import FloorMap, Point, Stretch
+from memorymaze.language.route_description import Leg, Length, RoutePlan
+
+__all__ = ["Aligner", "Branch", "Ending", "Standing"]
+
+UNSAID_TURN = 4.0
+"""Cost of a turn that the description leaves out where one could go on."""
+UNSAID_CHOICE = 2.6
+"""The same where one cannot go on and must choose."""
+UNSAID_BEND = 0.15
+"""The same where there is but one way and it is slanted."""
+UNSAID_CORNER = 0.7
+"""The same where there is but one way."""
+LEFT_OUT = 3.2
+"""Cost of a described turn that does not exist."""
+BEND_LEFT_OUT = 0.5
+"""The same where the way was said to bend by itself, or only slightly."""
+STILL_AHEAD = 0.45
+"""What a leg costs when all is right, about: expected for each leg not yet done."""
+UNTOLD_WAY_ON = 0.05
+"""Going straight on past an opening."""
+
+
+@dataclass(frozen=True, slots=True)
+class Standing:
+    """A hypothesis: the robot is at a crossing, with some legs of the plan done."""
+
+    at: int
+    heading: float
+    leg: int
+    """Legs done; as many as the plan has when only the arrival is left."""
+    walked: float = 0.0
+    """Metres since the last turn of the plan."""
+    left: int = 0
+    """Openings passed on the left since then."""
+    right: int = 0
+    crossings: int = 0
+    """Junctions passed since then."""
+    line: tuple[Point, ...] = ()
+    """Corners of the walk since then."""
+    asked: frozenset[str] | None = None
+    """What was looked for all along since then; None before the first stretch."""
+    lead: float = 0.0
+    """Metres of legs that were left out and add to the present one."""
+    cost: float = 0.0
+    story: tuple[str, ...] = ()
+    """The decisions so far, in words."""
+
+
+@dataclass(frozen=True, slots=True)
+class Branch:
+    """A hypothesis that leaves a crossing by an exit."""
+
+    standing: Standing
+    exit: int
+
+    @property
+    def cost(self) -> float:
+        """What speaks against it so far."""
+        return self.standing.cost
+
+
+@dataclass(frozen=True, slots=True)
+class Ending:
+    """A hypothesis that the destination is here."""
+
+    at: int
+    """Crossing to start from."""
+    exit: int | None
+    """Exit to leave it by; None when the place is the crossing."""
+    distance: float
+    """Metres from the crossing."""
+    cost: float
+    reason: str
+    story: tuple[str, ...]
+
+
+class Aligner:
+    """Branches hypotheses of one plan."""
+
+    def __init__(self, plan: RoutePlan, floor: FloorMap) -> None:
+        """Take the plan and the map that the walk draws."""
+        self.plan = plan
+        self._floor = floor
+
+    def begin(self) -> Standing:
+        """Return the hypothesis that all begin with."""
+        start = self._floor.crossings[0]
+        return Standing(0, 0.0, 0, line=(start.place,))
+
+    def outlook(self, standing: Standing) -> float:
+        """Return the cost so far and the least that must come."""
+        left = len(self.plan.legs) - standing.leg
+        ahead = STILL_AHEAD * left
+        leg = self._leg(standing)
+        if leg is not None:
+            length = _with_lead(leg.length, standing.lead)
+            if length is not None and standing.walked > length.metres:
+                ahead += length_cost(length, standing.walked)
+            turn = leg.turn
+            if turn.ordinal is not None and turn.ordinal > 0:
+                met = min(self._on_side(standing, leg), standing.crossings) + 1
+                ahead += min(1.4 * max(met - turn.ordinal, 0), 3.0)
+        return standing.cost + ahead
+
+    def advance(self, branch: Branch, stretch: Stretch) -> Standing:
+        """Return the hypothesis after a stretch was walked."""
+        before = branch.standing
+        end = self._floor.crossings[stretch.end]
+        asked = stretch.asked if before.asked is None else before.asked & stretch.asked
+        return replace(
+            before,
+            at=stretch.end,
+            heading=stretch.arrival,
+            walked=before.walked + stretch.length,
+            line=(*before.line, end.place),
+            asked=asked,
+        )
+
+    def branches(self, standing: Standing) -> Iterator[Branch]:
+        """Yield what may be meant at the crossing where a hypothesis stands."""
+        crossing = self._floor.crossings[standing.at]
+        choices = choices_at(crossing.exits, crossing.closed, standing.heading)
+        yield from self._ways_on(standing, choices)
+        yield from self._turns(standing, choices)
+
+    # -- going on without using up a leg
+
+    def _ways_on(self, standing: Standing, choices: Choices) -> Iterator[Branch]:
+        ahead = choices.forward
+        junction = len(choices.ways) > 1
+        passed = replace(
+            standing,
+            left=standing.left + bool(choices.on("left")),
+            right=standing.right + bool(choices.on("right")),
+            crossings=standing.crossings + junction,
+        )
+        leg = self._leg(standing)
+        for index, angle in choices.ways:
+            if ahead is not None and index == ahead[0]:
+                cost = UNTOLD_WAY_ON * junction + UNSAID_BEND * (abs(angle) > 0.3)
+                if leg is None:
+                    cost += 0.3 * junction
+                elif self._plain_turn_fits(leg, choices):
+                    cost += 0.9
+                yield Branch(replace(passed, cost=standing.cost + cost), index)
+                continue
+            if not junction:
+                cost, word = UNSAID_CORNER, "follow the only way"
+            elif ahead is None:
+                cost, word = UNSAID_CHOICE, "choose a way nobody told of"
+            else:
+                cost, word = UNSAID_TURN, "turn though nobody said so"
+            if leg is None:
+                cost *= self._final_turn_factor(angle)
+            yield Branch(
+                replace(
+                    passed,
+                    cost=standing.cost + cost,
+                    story=(*standing.story, f"{word} at {standing.at} (+{cost:.1f})"),
+                ),
+                index,
+            )
+
+    def _plain_turn_fits(self, leg: Leg, choices: Choices) -> bool:
+        """Tell whether a turn about which nothing else was said could be here."""
+        turn = leg.turn
+        if turn.ordinal is not None or turn.at_end or turn.junction or turn.forced:
+            return False
+        if leg.length is not None and leg.length.unit != "vague":
+            return False
+        if leg.passings or any(
+            m.place in {"turn", "before_turn"} and not m.weak for m in leg.mentions
+        ):
+            return False
+        return turn.way in {"left", "right"} and bool(choices.on(turn.way))
+
+    def _final_turn_factor(self, angle: float) -> float:
+        """`The glass door is on the right` may well mean to turn right at the end."""
+        side = self.plan.arrival.side
+        if side == "left" and angle > 0 or side == "right" and angle < 0:
+            return 0.4
+        return 0.8
+
+    # -- using up legs
+
+    def _turns(self, standing: Standing, choices: Choices) -> Iterator[Branch]:
+        skipped = 0.0
+        lead = standing.lead
+        story = standing.story
+        for number in range(standing.leg, min(standing.leg + 3, len(self.plan.legs))):
+            leg = self.plan.legs[number]
+            base = skipped + self._place_cost(standing, leg, lead, choices)
+            for index, angle in choices.ways:
+                way = way_cost(leg.turn, angle)
+                if way >= 4.0 and len(choices.ways) > 1 and skipped:
+                    continue
+                cost = base + way
+                told = f"leg {number + 1} {leg.turn.way} at {standing.at} (+{cost:.1f})"
+                yield Branch(
+                    Standing(
+                        standing.at,
+                        standing.heading,
+                        number + 1,
+                        line=(self._floor.crossings[standing.at].place,),
+                        cost=standing.cost + cost,
+                        story=(*story, told),
+                    ),
+                    index,
+                )
+            skip = self._skip_cost(number)
+            skipped += skip
+            lead += leg.length.metres if leg.length else 0.0
+            story = (*story, f"leave out leg {number + 1} (+{skip:.1f})")
+
+    def _skip_cost(self, number: int) -> float:
+        turn = self.plan.legs[number].turn
+        if turn.forced or turn.way.startswith("slight") or turn.way == "forward":
+            return BEND_LEFT_OUT
+        cost = LEFT_OUT - 1.2 * turn.doubt
+        leg = self.plan.legs[number]
+        if number > 0 and not (leg.length or leg.mentions or leg.passings):
+            before = self.plan.legs[number - 1].turn.way
+            cost -= 1.0 if before == turn.way else 0.3
+        return cost
+
+    def _place_cost(
+        self, standing: Standing, leg: Leg, lead: float, choices: Choices
+    ) -> float:
+        """Compare a crossing with all that was said about the end of a leg."""
+        crossing = self._floor.crossings[standing.at]
+        turn = leg.turn
+        junction = len(choices.ways) > 1
+        cost = length_cost(_with_lead(leg.length, lead), standing.walked)
+        cost += junction_cost(turn, choices)
+        cost += ordinal_cost(
+            turn,
+            self._on_side(standing, leg) + 1,
+            standing.crossings + junction,
+            choices,
+        )
+        cost += passings_cost(
+            leg.passings, standing.left, standing.right, standing.crossings
+        )
+        cost += mentions_cost(
+            leg.mentions,
+            self._floor,
+            standing.line,
+            crossing.place,
+            standing.asked or frozenset(),
+        )
+        cost += too_far_cost(leg.too_far, self._floor, standing.line, crossing.place)
+        return cost
+
+    def _on_side(self, standing: Standing, leg: Leg) -> int:
+        way = leg.turn.way
+        if way.endswith("left"):
+            return standing.left
+        if way.endswith("right"):
+            return standing.right
+        return standing.crossings
+
+    def _leg(self, standing: Standing) -> Leg | None:
+        if standing.leg < len(self.plan.legs):
+            return self.plan.legs[standing.leg]
+        return None
+
+
+def _with_lead(length: Length | None, lead: float) -> Length | None:
+    """Add the length of legs that were left out."""
+    if length is None or not lead:
+        return length
+    return Length(length.metres + lead, length.unit)

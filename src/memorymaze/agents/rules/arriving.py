@@ -1,0 +1,217 @@
+"""Where the destination may be, and how to come close to it."""
+
+import math
+import re
+from collections.abc import Iterator
+
+from memorymaze.agents.rules.alignment import Branch, Ending, Standing
+from memorymaze.agents.rules.evidence import (
+    distance_to_line,
+    length_cost,
+    mentions_cost,
+    passings_cost,
+)
+from memorymaze.agents.rules.floor_map import FloorMap, Sighting, Stretch
+from memorymaze.agents.rules.walker import Walker
+from memorymaze.language.route_description import RoutePlan, is_common
+
+__all__ = ["Arrivals", "approach"]
+
+POORLY_SEEN = 1.0
+"""Nats lost, times one minus the score, by stopping at something seen."""
+COMMON = 1.3
+"""Nats lost when it is a thing that is everywhere, such as a door."""
+SECOND_NAME = 0.4
+"""Nats lost when it is not the likeliest of the names for the destination."""
+UNSEEN = 4.0
+"""Nats lost by stopping without having seen the destination."""
+UNSEEN_COMMON = 1.8
+"""The same when only things that are everywhere are known of it."""
+UNNAMED = 0.5
+"""The same when nothing is known of it."""
+SIGN_SEEN = 2.0
+"""Nats gained then by a sign near by that names it."""
+LEG_TO_COME = 2.4
+"""Nats lost for each leg that the description still has."""
+CLOSE = 2.2
+"""Metres from the destination at which to stop."""
+SIGN_NEAR = 9.0
+"""Metres within which a sign that names the destination speaks for a place."""
+INSIDE = 2.0
+"""Metres to walk on into a place through its door."""
+
+_OPENS = re.compile(r"automatic|sliding|revolving|gate|entrance")
+
+
+class Arrivals:
+    """Finds the places where the walk of a plan may end."""
+
+    def __init__(self, plan: RoutePlan, floor: FloorMap) -> None:
+        """Take the plan and the map that the walk draws."""
+        self._plan = plan
+        self._floor = floor
+
+    @property
+    def phrases(self) -> tuple[str, ...]:
+        """What to look for."""
+        return self._plan.arrival.destinations
+
+    def on_stretch(self, branch: Branch, stretch: Stretch) -> Iterator[Ending]:
+        """Yield the endings on a stretch walked by a hypothesis."""
+        standing = branch.standing
+        to_come = len(self._plan.legs) - standing.leg
+        if to_come > 2:
+            return
+        start = self._floor.crossings[stretch.start].place
+        end = self._floor.crossings[stretch.end].place
+        base = standing.cost + LEG_TO_COME * to_come
+        for loss, sighting in self._sightings():
+            if self._only_names(sighting) or distance_to_line(sighting.place, (start, end)) > 4.5:
+                continue
+            along = _along(sighting, start, end)
+            cost = base + loss + self._fit(standing, along, to_come)
+            cost += self._side_cost(sighting)
+            yield Ending(
+                stretch.start,
+                stretch.exit,
+                along,
+                cost,
+                f"{sighting.phrase} seen",
+                standing.story,
+            )
+        length = self._plan.arrival.length
+        if to_come == 0 and length is not None:
+            rest = length.metres - standing.walked
+            if 0.0 < rest < stretch.length:
+                unseen = self._unseen + self._fit(standing, rest, 0)
+                yield Ending(
+                    stretch.start,
+                    stretch.exit,
+                    rest,
+                    base + unseen,
+                    f"{length.metres:.0f} m walked",
+                    standing.story,
+                )
+
+    def at_crossing(self, standing: Standing, *, goes_on: bool) -> Iterator[Ending]:
+        """Yield the ending at a crossing where all legs are done."""
+        if standing.leg < len(self._plan.legs) or not standing.walked:
+            return
+        cost = standing.cost + self._unseen + self._fit(standing, 0.0, 0)
+        arrival = self._plan.arrival
+        if goes_on:
+            cost += 1.0 if arrival.length is None or arrival.at_end else 0.3
+        elif arrival.at_end:
+            cost -= 0.5
+        place = self._floor.crossings[standing.at].place
+        if any(
+            self._only_names(s) and math.dist(s.place, place) <= SIGN_NEAR
+            for _, s in self._sightings()
+        ):
+            cost -= min(SIGN_SEEN, self._unseen)
+        yield Ending(
+            standing.at, None, 0.0, cost, "end of the way", standing.story
+        )
+
+    def best_now(
+        self, branch: Branch, seen: list[Sighting], walked: float
+    ) -> tuple[float, Sighting] | None:
+        """Return the cost of stopping at something just seen, and what it is."""
+        standing = branch.standing
+        to_come = len(self._plan.legs) - standing.leg
+        if to_come > 2:
+            return None
+        best: tuple[float, Sighting] | None = None
+        for sighting in seen:
+            if sighting.phrase not in self.phrases or self._only_names(sighting):
+                continue
+            cost = standing.cost + LEG_TO_COME * to_come + self._loss(sighting)
+            cost += self._fit(standing, walked + sighting.distance, to_come)
+            cost += self._side_cost(sighting)
+            if best is None or cost < best[0]:
+                best = (cost, sighting)
+        return best
+
+    def _sightings(self) -> Iterator[tuple[float, Sighting]]:
+        for phrase in self.phrases:
+            for sighting in self._floor.seen(phrase):
+                yield self._loss(sighting), sighting
+
+    def _loss(self, sighting: Sighting) -> float:
+        loss = POORLY_SEEN * (1.0 - min(sighting.score, 1.0))
+        if is_common(sighting.phrase):
+            loss += COMMON
+        if self.phrases.index(sighting.phrase) > 0:
+            loss += SECOND_NAME
+        return loss
+
+    @property
+    def _unseen(self) -> float:
+        if not self.phrases:
+            return UNNAMED
+        return UNSEEN_COMMON if all(map(is_common, self.phrases)) else UNSEEN
+
+    def _only_names(self, sighting: Sighting) -> bool:
+        """A sign that says `Library` is not the library."""
+        return _is_sign(sighting.label) and not _is_sign(sighting.phrase)
+
+    def _fit(self, standing: Standing, further: float, to_come: int) -> float:
+        if to_come:
+            return 0.0
+        arrival = self._plan.arrival
+        walked = standing.walked + further
+        cost = 0.7 * length_cost(arrival.length, walked)
+        cost += passings_cost(
+            arrival.passings, standing.left, standing.right, standing.crossings
+        )
+        line = standing.line
+        others = [m for m in arrival.mentions if m.phrase not in self.phrases]
+        cost += 0.5 * mentions_cost(
+            others, self._floor, line, line[-1], standing.asked or frozenset()
+        )
+        return cost
+
+    def _side_cost(self, sighting: Sighting) -> float:
+        side = self._plan.arrival.side
+        if side in {"left", "right"} and sighting.side in {"left", "right"}:
+            return 0.0 if side == sighting.side else 0.7
+        return 0.0
+
+
+def approach(walker: Walker, sighting: Sighting, *, enter: bool) -> None:
+    """Walk up to a thing just seen; into the place behind it when it is a door.
+
+    Args:
+        walker: The robot, facing the thing.
+        sighting: The thing.
+        enter: Whether to walk on through a door that stands open ahead.
+    """
+    for _ in range(14):
+        seen = [s for s in walker.look((sighting.phrase,)) if s.track == sighting.track]
+        if not seen:
+            break
+        sighting = seen[0]
+        rest = sighting.distance - CLOSE
+        if rest <= 0.1 or not walker.step(min(rest, 0.8)):
+            break
+    if enter and _OPENS.search(sighting.label):
+        dx = sighting.place[0] - walker.place[0]
+        dy = sighting.place[1] - walker.place[1]
+        rest = dx * math.cos(walker.heading) + dy * math.sin(walker.heading) + INSIDE
+        while rest > 0.2 and walker.step(min(rest, 1.0)):
+            rest -= 1.0
+
+
+def _along(sighting: Sighting, start: tuple[float, float], end: tuple[float, float]) -> float:
+    length = math.dist(start, end)
+    if length == 0.0:
+        return 0.0
+    dx, dy = end[0] - start[0], end[1] - start[1]
+    along = (
+        (sighting.place[0] - start[0]) * dx + (sighting.place[1] - start[1]) * dy
+    ) / length
+    return min(max(along, 0.0), length)
+
+
+def _is_sign(words: str) -> bool:
+    return any(word in {"sign", "board", "signboard", "poster"} for word in words.split())

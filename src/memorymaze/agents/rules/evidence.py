@@ -1,0 +1,253 @@
+"""How well what the robot met fits what was said: costs in nats, 0 for what is usual.
+
+A cost is the negative logarithm of how likely a right-minded speaker, whose memory of
+lengths is off by a third or more and whose landmarks may be made up, says so at such a
+place. Negative costs are evidence for a place.
+"""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from memorymaze.agents.rules.floor_map import FloorMap, Point
+from memorymaze.geometry.pose import wrap_angle
+from memorymaze.language.route_description import (
+    Length,
+    Mention,
+    Passing,
+    Turn,
+    is_common,
+)
+
+__all__ = [
+    "Choices",
+    "distance_to_line",
+    "junction_cost",
+    "length_cost",
+    "mentions_cost",
+    "ordinal_cost",
+    "passings_cost",
+    "too_far_cost",
+    "way_cost",
+]
+
+SPREAD = {"metres": 0.4, "steps": 0.45, "time": 0.6, "vague": 0.9}
+"""Standard deviation of the logarithm of a length from memory, by what was counted."""
+GREATEST = {"metres": 3.5, "steps": 3.2, "time": 2.4, "vague": 1.6}
+"""A length that is wrong altogether costs this."""
+
+FORWARD, SLIGHT, BACK = math.radians(15), math.radians(60), math.radians(160)
+NEAR = 6.0
+"""Metres within which a thing is at a turn."""
+BESIDE = 5.0
+"""Metres from the line of a leg within which a thing is on it."""
+
+@dataclass(frozen=True, slots=True)
+class Choices:
+    """The ways out of a crossing, seen by someone who comes in by a heading."""
+
+    ways: tuple[tuple[int, float], ...]
+    """Index of the exit and its angle, radians, left positive; without the way back."""
+
+    @property
+    def forward(self) -> tuple[int, float] | None:
+        """The way that goes on, if one does."""
+        best = min(self.ways, key=lambda way: abs(way[1]), default=None)
+        return best if best is not None and abs(best[1]) <= SLIGHT else None
+
+    def on(self, side: str) -> list[tuple[int, float]]:
+        """The ways to a side; slanted ones count when there is another way on."""
+        sign = 1 if side == "left" else -1
+        ahead = self.forward
+        return [
+            way
+            for way in self.ways
+            if way[1] * sign > FORWARD
+            and (abs(way[1]) > SLIGHT or (ahead is not None and way is not ahead))
+        ]
+
+
+def choices_at(
+    exits: Sequence[float], closed: set[int], heading: float
+) -> Choices:
+    """Return the ways out of a crossing for someone who arrives with a heading."""
+    return Choices(
+        tuple(
+            (index, angle)
+            for index, each in enumerate(exits)
+            if index not in closed
+            and abs(angle := wrap_angle(each - heading)) <= BACK
+        )
+    )
+
+
+def length_cost(length: Length | None, walked: float) -> float:
+    """Compare a stated length with metres walked."""
+    if length is None:
+        return 0.0
+    ratio = math.log(max(walked, 1.0) / max(length.metres, 1.0))
+    slack = 2.0 / max(length.metres, 2.0)
+    off = max(abs(ratio) - slack, 0.0) / SPREAD[length.unit]
+    return min(0.5 * off * off, GREATEST[length.unit])
+
+
+def way_cost(turn: Turn, angle: float) -> float:
+    """Compare the direction of a turn with the angle of a way out."""
+    if turn.way == "forward_or_side":
+        return 0.3 if abs(angle) > FORWARD else 1.5
+    if turn.way == "forward":
+        return 0.0 if abs(angle) <= SLIGHT else 3.0
+    right = turn.way.endswith("right")
+    if right:
+        angle = -angle
+    if angle < math.radians(-20):
+        return 4.0
+    if turn.way.startswith("slight"):
+        return 0.0 if FORWARD < angle <= SLIGHT else 0.6 if angle <= FORWARD else 1.2
+    if angle <= FORWARD:
+        return 3.5
+    if angle <= SLIGHT:
+        return 0.5 if turn.forced else 1.0
+    return 0.0 if angle <= math.radians(125) else 0.5
+
+
+def junction_cost(turn: Turn, choices: Choices) -> float:
+    """Compare the kind of junction with what was said of it."""
+    goes_on = choices.forward is not None
+    cost = 0.0
+    if turn.at_end:
+        cost += 2.2 if goes_on else 0.0
+    if turn.junction == "t":
+        if goes_on:
+            cost += 1.0 if turn.at_end else 1.8
+        elif len(choices.ways) < 2:
+            cost += 0.4
+    elif turn.junction == "crossing":
+        if len(choices.ways) < 2:
+            cost += 1.0
+        elif not goes_on:
+            cost += 0.5
+    elif turn.junction == "corner" and goes_on and len(choices.ways) > 1:
+        cost += 0.6
+    if turn.forced and len(choices.ways) > 1:
+        cost += 1.0 if goes_on else 0.5
+    return cost
+
+
+def ordinal_cost(turn: Turn, on_side: int, of_all: int, choices: Choices) -> float:
+    """Compare `the second left` with the openings met, this one included.
+
+    Args:
+        turn: The turn.
+        on_side: Openings met on the side of the turn.
+        of_all: Junctions met.
+        choices: The ways at this place.
+    """
+    if turn.ordinal == -1:
+        return 1.2 if choices.forward is not None else 0.0
+    if turn.ordinal is not None:
+        off = min(abs(on_side - turn.ordinal), abs(of_all - turn.ordinal) + 0.3)
+        return min(1.4 * off, 3.0)
+    return 0.0
+
+
+def passings_cost(
+    passings: Sequence[Passing], left: int, right: int, crossings: int
+) -> float:
+    """Compare the openings that were to be left alone with those left alone.
+
+    Args:
+        passings: What was said.
+        left: Openings on the left that were passed.
+        right: Openings on the right.
+        crossings: Junctions of any kind.
+    """
+    cost = 0.0
+    told: dict[str | None, int] = {}
+    for passing in passings:
+        if passing.count is not None:
+            told[passing.side] = told.get(passing.side, 0) + passing.count
+    for side, count in told.items():
+        met = left if side == "left" else right if side == "right" else crossings
+        missing = count - met
+        cost += 0.7 * missing if missing > 0 else -0.25 * missing
+    return min(cost, 2.4)
+
+
+def mentions_cost(
+    mentions: Sequence[Mention],
+    floor: FloorMap,
+    line: Sequence[Point],
+    place: Point,
+    asked: frozenset[str],
+) -> float:
+    """Compare the things named on a leg with those seen.
+
+    Args:
+        mentions: What was named.
+        floor: The map with all sightings.
+        line: Corners of the leg walked, its end included.
+        place: Where the turn would be.
+        asked: Phrases that were looked for all along the leg.
+    """
+    total = 0.0
+    for mention in mentions:
+        total += _mention_cost(mention, floor, line, place, asked)
+    return max(min(total, 3.0), -4.0)
+
+
+def _mention_cost(
+    mention: Mention,
+    floor: FloorMap,
+    line: Sequence[Point],
+    place: Point,
+    asked: frozenset[str],
+) -> float:
+    weight = 0.4 if mention.weak else 0.5 if is_common(mention.phrase) else 1.0
+    at_turn = mention.place in {"turn", "before_turn", "after_turn"}
+    best = 0.0
+    for sighting in floor.seen(mention.phrase):
+        from_turn = math.dist(sighting.place, place)
+        beside = distance_to_line(sighting.place, line)
+        if at_turn:
+            gain = 1.5 if from_turn <= NEAR else 0.4 if beside <= BESIDE else 0.0
+        else:
+            gain = 0.9 if beside <= BESIDE else 0.0
+        if gain and mention.side in {"left", "right"} and sighting.side != "ahead":
+            gain *= 1.1 if sighting.side == mention.side else 0.4
+        best = max(best, gain * min(sighting.score + 0.2, 1.0))
+    if best:
+        return -best * weight
+    if mention.phrase in asked:
+        return weight * (0.6 if at_turn else 0.25)
+    return 0.0
+
+
+def too_far_cost(
+    too_far: Sequence[str], floor: FloorMap, line: Sequence[Point], place: Point
+) -> float:
+    """Charge for things that are met only after missing the turn."""
+    cost = 0.0
+    for phrase in too_far:
+        if is_common(phrase):
+            continue
+        for sighting in floor.seen(phrase):
+            passed = distance_to_line(sighting.place, line) <= BESIDE
+            if passed and math.dist(sighting.place, place) > NEAR:
+                cost = 2.0
+    return cost
+
+
+def distance_to_line(point: Point, line: Sequence[Point]) -> float:
+    """Return the distance from a point to a line of straight pieces, metres."""
+    best = min(math.dist(point, corner) for corner in line)
+    for (ax, ay), (bx, by) in zip(line, line[1:], strict=False):
+        dx, dy = bx - ax, by - ay
+        square = dx * dx + dy * dy
+        if square == 0.0:
+            continue
+        along = ((point[0] - ax) * dx + (point[1] - ay) * dy) / square
+        if 0.0 < along < 1.0:
+            foot = (ax + along * dx, ay + along * dy)
+            best = min(best, math.dist(point, foot))
+    return best

@@ -1,0 +1,162 @@
+"""What the rules agent has seen of a building: crossings, ways, things.
+
+A sketch map in the agent's own frame: metres from where it started, the start heading
+is 0. Nothing here comes from a site plan.
+"""
+
+import heapq
+import math
+from dataclasses import dataclass, field
+
+from memorymaze.geometry.pose import wrap_angle
+
+__all__ = ["Crossing", "FloorMap", "Point", "Sighting", "Stretch"]
+
+Point = tuple[float, float]
+
+SAME_EXIT = math.radians(35)
+"""Exits of a crossing that differ by less are one."""
+
+
+@dataclass(frozen=True, slots=True)
+class Sighting:
+    """A thing that was looked for and seen."""
+
+    phrase: str
+    """The words it was looked for with."""
+    label: str
+    """What the detector calls it."""
+    score: float
+    place: Point
+    """Where it is, about."""
+    seen_from: Point
+    distance: float
+    """Metres from there."""
+    track: int
+    side: str
+    """`left`, `right` or `ahead` of the way the robot went."""
+
+
+@dataclass
+class Crossing:
+    """A place where one can choose: a turning point, the start, or a dead end."""
+
+    number: int
+    """The robot's number of a turning point; 0 for the start; negative for dead ends."""
+    place: Point
+    exits: list[float] = field(default_factory=list[float])
+    """Headings of the ways out, radians; known by their index."""
+    closed: set[int] = field(default_factory=set[int])
+    """Exits that turned out to lead nowhere."""
+
+    def add_exit(self, heading: float) -> int:
+        """Note a way out, unless it is noted; return its index."""
+        known = self.find_exit(heading)
+        if known is None:
+            self.exits.append(heading)
+            return len(self.exits) - 1
+        return known
+
+    def find_exit(self, heading: float, tolerance: float = SAME_EXIT) -> int | None:
+        """Return the index of the exit nearest to a heading, None when none is near."""
+        best, least = None, tolerance
+        for index, each in enumerate(self.exits):
+            angle = abs(wrap_angle(each - heading))
+            if angle <= least:
+                best, least = index, angle
+        return best
+
+
+@dataclass(frozen=True, slots=True)
+class Stretch:
+    """A way walked from one crossing to the next."""
+
+    start: int
+    exit: int
+    """Index of the exit of the start it leaves by."""
+    end: int
+    arrival: float
+    """Heading in which it arrives, radians."""
+    length: float
+    asked: frozenset[str]
+    """Phrases that were looked for all along it."""
+
+
+class FloorMap:
+    """All crossings, stretches and sightings of one walk."""
+
+    def __init__(self) -> None:
+        """Begin with the start alone."""
+        self.crossings: dict[int, Crossing] = {0: Crossing(0, (0.0, 0.0), [0.0])}
+        self.stretches: dict[tuple[int, int], Stretch] = {}
+        self._sightings: dict[str, dict[int, Sighting]] = {}
+        self._dead_ends = 0
+
+    def new_dead_end(self, place: Point) -> Crossing:
+        """Note a place where a way ends."""
+        self._dead_ends += 1
+        crossing = Crossing(-self._dead_ends, place)
+        self.crossings[crossing.number] = crossing
+        return crossing
+
+    def add_stretch(self, stretch: Stretch) -> None:
+        """Note a way walked, and the way back along it."""
+        self.stretches[stretch.start, stretch.exit] = stretch
+        end = self.crossings[stretch.end]
+        back = end.add_exit(wrap_angle(stretch.arrival + math.pi))
+        heading = self.crossings[stretch.start].exits[stretch.exit]
+        self.stretches.setdefault(
+            (stretch.end, back),
+            Stretch(
+                stretch.end,
+                back,
+                stretch.start,
+                wrap_angle(heading + math.pi),
+                stretch.length,
+                frozenset(),
+            ),
+        )
+
+    def note(self, sighting: Sighting) -> None:
+        """Keep a sighting; of one thing the one from nearest counts."""
+        seen = self._sightings.setdefault(sighting.phrase, {})
+        known = seen.get(sighting.track)
+        if known is None or sighting.distance < known.distance:
+            seen[sighting.track] = sighting
+
+    def seen(self, phrase: str) -> list[Sighting]:
+        """Return everything seen for a phrase, each thing once."""
+        return list(self._sightings.get(phrase, {}).values())
+
+    def distances_from(self, start: int) -> dict[int, float]:
+        """Return the metres along walked stretches from one crossing to all others."""
+        return {number: cost for number, (cost, _) in self._paths(start).items()}
+
+    def path(self, start: int, goal: int) -> list[Stretch] | None:
+        """Return the shortest way between two crossings along walked stretches."""
+        paths = self._paths(start)
+        if goal not in paths:
+            return None
+        way: list[Stretch] = []
+        stretch = paths[goal][1]
+        while stretch is not None:
+            way.append(stretch)
+            stretch = paths[stretch.start][1]
+        return way[::-1]
+
+    def _paths(self, start: int) -> dict[int, tuple[float, Stretch | None]]:
+        by_start: dict[int, list[Stretch]] = {}
+        for stretch in self.stretches.values():
+            by_start.setdefault(stretch.start, []).append(stretch)
+        best: dict[int, tuple[float, Stretch | None]] = {start: (0.0, None)}
+        queue = [(0.0, start)]
+        while queue:
+            cost, at = heapq.heappop(queue)
+            if cost > best[at][0]:
+                continue
+            for stretch in by_start.get(at, ()):
+                total = cost + stretch.length
+                if total < best.get(stretch.end, (math.inf, None))[0]:
+                    best[stretch.end] = (total, stretch)
+                    heapq.heappush(queue, (total, stretch.end))
+        return best

@@ -1,0 +1,267 @@
+"""Driving the robot from crossing to crossing, with eyes open."""
+
+import math
+from collections.abc import Callable, Iterable
+
+from memorymaze.agents.rules.floor_map import Crossing, FloorMap, Point, Sighting, Stretch
+from memorymaze.geometry.pose import wrap_angle
+from memorymaze.robot.api import Direction, Robot
+
+__all__ = ["Walker", "direction_angle"]
+
+STRIDE = 0.8
+"""Metres between two looks."""
+LONG_STRIDE = 1.2
+"""Metres between two looks for turning points alone; they are 1.5 m long or more."""
+IN_PLACE = math.radians(12)
+"""A way that differs less from the heading needs no turn."""
+BACK = math.radians(155)
+"""A way that differs more from the heading is the way back."""
+ENTRY = 1.0
+"""Metres from the rim of a turning point to its middle, before it is known better."""
+
+_ANGLES: dict[Direction, float] = {
+    "forward": 0.0,
+    "slight_left": math.radians(40),
+    "slight_right": math.radians(-40),
+    "left": math.radians(90),
+    "right": math.radians(-90),
+    "sharp_left": math.radians(140),
+    "sharp_right": math.radians(-140),
+    "around": math.pi,
+}
+
+
+def direction_angle(direction: Direction) -> float:
+    """Return the middle angle of a direction, radians, left positive."""
+    return _ANGLES[direction]
+
+
+class Walker:
+    """Keeps track of where the robot is and draws the map while it walks."""
+
+    def __init__(self, robot: Robot) -> None:
+        """Begin where the robot stands."""
+        self.map = FloorMap()
+        self._robot = robot
+        self.place: Point = (0.0, 0.0)
+        self.heading = 0.0
+        self.at = 0
+        """Number of the crossing the robot is at."""
+        self.travelled = 0.0
+        self._asked: set[str] | None = None
+        number = robot.turning_point_id()
+        if number is not None:
+            self._arrive_in(number)
+
+    # -- walking
+
+    def follow_exit(
+        self,
+        exit: int,
+        phrases: Iterable[str],
+        until: Callable[[list[Sighting]], bool] | None = None,
+    ) -> Stretch | None:
+        """Leave the crossing by an exit and walk to the next crossing.
+
+        Args:
+            exit: Index of the exit.
+            phrases: What to look for on the way.
+            until: Told what is seen at each look; True makes the robot stay there.
+
+        Returns:
+            The stretch walked, or None when `until` stopped the robot on the way or the
+            exit is closed.
+        """
+        start = self.map.crossings[self.at]
+        if not self.face(exit):
+            start.closed.add(exit)
+            return None
+        exit_heading = self.heading
+        begin = self.travelled
+        wanted = list(dict.fromkeys(phrases))
+        outside = self._robot.turning_point_id() != start.number
+        while True:
+            seen = self.look(wanted)
+            if until is not None and until(seen):
+                return None
+            result = self._robot.move_forward(STRIDE if wanted else LONG_STRIDE)
+            self._advance(result.distance)
+            number = self._robot.turning_point_id()
+            if number is None:
+                outside = True
+            elif number != start.number or (outside and start.number > 0):
+                self._arrive_in(number)
+                self.look(wanted)
+                break
+            if result.reason != "done":
+                if number == start.number and not outside:
+                    start.closed.add(exit)
+                    return None
+                dead_end = self.map.new_dead_end(self.place)
+                self.at = dead_end.number
+                break
+        start.exits[exit] = exit_heading
+        stretch = Stretch(
+            start.number,
+            exit,
+            self.at,
+            self.heading,
+            max(self.travelled - begin, 0.1),
+            frozenset(wanted),
+        )
+        self.map.add_stretch(stretch)
+        return stretch
+
+    def go_to(self, goal: int) -> bool:
+        """Walk back along known stretches; False when there is no way."""
+        while self.at != goal:
+            way = self.map.path(self.at, goal)
+            if not way:
+                return False
+            if not self._repeat(way[0]):
+                return False
+        return True
+
+    def _repeat(self, stretch: Stretch) -> bool:
+        """Walk a known stretch with long strides."""
+        start = self.map.crossings[self.at]
+        if not self.face(stretch.exit):
+            start.closed.add(stretch.exit)
+            self.map.stretches.pop((stretch.start, stretch.exit), None)
+            return False
+        walked = 0.0
+        left = False
+        while True:
+            rest = stretch.length - 1.5 - walked
+            result = self._robot.move_forward(max(rest, 0.8))
+            walked += result.distance
+            self._advance(result.distance)
+            number = self._robot.turning_point_id()
+            left = left or number != start.number
+            if number is not None and left:
+                self._arrive_in(number)
+                break
+            reached = walked >= stretch.length - 0.3
+            if stretch.end <= 0 and (reached or result.reason != "done"):
+                self.at = stretch.end
+                self.place = self.map.crossings[stretch.end].place
+                break
+            if result.reason != "done" or walked > stretch.length + 8.0:
+                dead_end = self.map.new_dead_end(self.place)
+                self.at = dead_end.number
+                self.map.stretches.pop((stretch.start, stretch.exit), None)
+                dead_end.add_exit(wrap_angle(self.heading + math.pi))
+                self.map.add_stretch(
+                    Stretch(
+                        start.number,
+                        stretch.exit,
+                        dead_end.number,
+                        self.heading,
+                        max(walked, 0.1),
+                        frozenset(),
+                    )
+                )
+                break
+        return True
+
+    def step(self, distance: float) -> bool:
+        """Walk a little on; False when something is in the way."""
+        result = self._robot.move_forward(distance)
+        self._advance(result.distance)
+        return result.reason == "done"
+
+    def _advance(self, distance: float) -> None:
+        x, y = self.place
+        self.place = (
+            x + distance * math.cos(self.heading),
+            y + distance * math.sin(self.heading),
+        )
+        self.travelled += distance
+
+    def _arrive_in(self, number: int) -> None:
+        """Take note of a turning point and of the ways out of it."""
+        known = self.map.crossings.get(number)
+        if known is None:
+            x, y = self.place
+            middle = (
+                x + ENTRY * math.cos(self.heading),
+                y + ENTRY * math.sin(self.heading),
+            )
+            known = Crossing(number, middle)
+            self.map.crossings[number] = known
+        else:
+            self.place = known.place
+        self.at = number
+        for direction in self._robot.detect_turning_point():
+            known.add_exit(wrap_angle(self.heading + direction_angle(direction)))
+
+    # -- turning
+
+    def face(self, exit: int) -> bool:
+        """Face an exit of the crossing; False when the robot finds no way there."""
+        crossing = self.map.crossings[self.at]
+        angle = wrap_angle(crossing.exits[exit] - self.heading)
+        if abs(angle) <= IN_PLACE:
+            return True
+        if abs(angle) >= BACK or crossing.number <= 0:
+            return self._turn("around")
+        offered = self._robot.detect_turning_point()
+        words = sorted(
+            offered, key=lambda word: abs(wrap_angle(direction_angle(word) - angle))
+        )
+        if not words or abs(wrap_angle(direction_angle(words[0]) - angle)) > 1.1:
+            return self._turn("around") if abs(angle) > 2.2 else False
+        if words[0] == "forward":
+            return True
+        turned = self._turn(words[0])
+        if turned:
+            crossing.exits[exit] = self.heading
+        return turned
+
+    def _turn(self, direction: Direction) -> bool:
+        before = self._robot.distance_travelled()
+        result = self._robot.turn(direction)
+        moved = self._robot.distance_travelled() - before
+        if result.turned and direction != "around" and self.at > 0:
+            self._advance(min(moved, 6.0))
+            self.map.crossings[self.at].place = self.place
+        self.heading = wrap_angle(self.heading + math.radians(result.angle_deg))
+        return result.turned
+
+    def turn_around(self) -> None:
+        """Turn back on the spot."""
+        self._turn("around")
+
+    # -- looking
+
+    def look(self, phrases: Iterable[str]) -> list[Sighting]:
+        """Look for things; what is seen goes on the map."""
+        seen: list[Sighting] = []
+        for phrase in phrases:
+            for found in self._robot.detect_from_RGB_image(phrase):
+                bearing = math.radians(found.bearing_deg)
+                angle = self.heading + bearing
+                side = (
+                    "ahead"
+                    if abs(bearing) < math.radians(12)
+                    else "left"
+                    if bearing > 0
+                    else "right"
+                )
+                sighting = Sighting(
+                    phrase,
+                    found.label,
+                    found.score,
+                    (
+                        self.place[0] + found.distance * math.cos(angle),
+                        self.place[1] + found.distance * math.sin(angle),
+                    ),
+                    self.place,
+                    found.distance,
+                    found.track_id,
+                    side,
+                )
+                self.map.note(sighting)
+                seen.append(sighting)
+        return seen

@@ -1,0 +1,95 @@
+"""Which of the things named is the destination."""
+
+import re
+
+from memorymaze.language.route_description.assembly import Draft
+from memorymaze.language.route_description.chunks import Chunk
+from memorymaze.language.route_description.plan import Mention, Side
+from memorymaze.language.route_description.things import is_common, thing_phrase
+
+__all__ = ["find_destinations"]
+
+_ANNOUNCED = re.compile(
+    r"(?:(?:way|route|directions?|get|go|going|guide|bring|take you|looking|head|walk|want|lead)s?"
+    r"(?: you| them)? (?:to|for|into) (?:the |a )?|(?:arrive[ds]?|arriving) (?:at|to|in)? ?(?:the )?"
+    r"|(?:destination|goal)(?: is|:)? (?:the )?|finish(?:es)? (?:at|in) (?:the )?"
+    r"|where (?:the |your )?)$"
+)
+_ENTERED = re.compile(
+    r"(?:that's|that is|this is|it's|there's|here is|here's|there is|then is|you're (?:at|in|on)"
+    r"|you are (?:at|in|on|now on)|means|find|reach|see|to|into) (?:the |your |a |now on the )*$"
+)
+_MAX = 3
+
+
+def find_destinations(
+    last: Draft, drafts: list[Draft], chunks: list[Chunk], text: str
+) -> tuple[tuple[str, ...], Side | None]:
+    """Return words for the destination, the likeliest first, and its side.
+
+    Things named on the last stretch are weighed by how they are named: announced as
+    the destination, said to be ahead or on a side, named last or more than once.
+
+    Args:
+        last: The stretch after the last turn.
+        drafts: All stretches.
+        chunks: Chunks of the whole text.
+        text: The normalised text.
+    """
+    scores: dict[str, float] = {}
+    sides: dict[str, Side | None] = {}
+    named = _weights_in_text(chunks, text)
+    candidates = list(last.mentions)
+    if not candidates and drafts:
+        candidates = [m for m in drafts[-1].mentions if m.place in {"target", "along"}]
+    passed = {m.phrase for m in last.mentions if m.side == "behind"}
+    for order, mention in enumerate(candidates):
+        if mention.phrase in passed or mention.ignored:
+            continue
+        score = _score(mention) + named.get(mention.phrase, 0.0)
+        score += 1.0 * (order + 1) / len(candidates)
+        if score > scores.get(mention.phrase, -9.0):
+            scores[mention.phrase] = score
+            sides[mention.phrase] = mention.side or sides.get(mention.phrase)
+    for phrase, weight in named.items():
+        if weight >= 3.0:
+            scores[phrase] = max(scores.get(phrase, 0.0), weight)
+    if not scores:
+        return (), None
+    if not all(map(is_common, scores)):
+        scores = {p: score - 3.0 * is_common(p) for p, score in scores.items()}
+    ranked = sorted(scores, key=lambda phrase: -scores[phrase])
+    best = scores[ranked[0]]
+    kept = tuple(p for p in ranked if scores[p] >= best - 1.6)[:_MAX]
+    return kept, sides.get(kept[0])
+
+
+def _score(mention: Mention) -> float:
+    score = 0.0
+    if mention.side is not None:
+        score += 0.7
+    if mention.place in {"turn", "target"}:
+        score += 0.5
+    if mention.place in {"before_turn", "after_turn"}:
+        score -= 1.0
+    return score
+
+
+def _weights_in_text(chunks: list[Chunk], text: str) -> dict[str, float]:
+    """Weigh every name by the words before it and by how often it is said."""
+    weights: dict[str, float] = {}
+    for chunk in chunks:
+        if chunk.kind != "N":
+            continue
+        phrase = thing_phrase(chunk.text)
+        if not phrase:
+            continue
+        before = text[max(0, chunk.start - 40) : chunk.start]
+        weight = weights.get(phrase, -0.4) + 0.4
+        share = chunk.start / max(len(text), 1)
+        if _ANNOUNCED.search(before):
+            weight += 3.0 if share < 0.25 or share > 0.8 else 1.0
+        elif share > 0.7 and _ENTERED.search(before):
+            weight += 1.0
+        weights[phrase] = weight
+    return weights

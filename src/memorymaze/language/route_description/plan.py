@@ -1,0 +1,126 @@
+"""What a route description says, as immutable records.
+
+`Leg`s are the compound actions of MARCO (MacMahon, Stankiewicz and Kuipers, AAAI 2006):
+a stretch of walking with all that is said about it, and the turn that ends it.
+"""
+
+from dataclasses import dataclass, field
+from typing import Literal
+
+__all__ = [
+    "Arrival",
+    "Junction",
+    "Leg",
+    "Length",
+    "Mention",
+    "Passing",
+    "Place",
+    "RoutePlan",
+    "Side",
+    "Turn",
+    "Way",
+]
+
+Way = Literal[
+    "left", "right", "slight_left", "slight_right", "forward", "forward_or_side"
+]
+"""Where a described turn leads; `forward_or_side` when only "turn" was said."""
+
+Side = Literal["left", "right", "ahead", "behind"]
+
+Junction = Literal["t", "crossing", "corner"]
+"""Kinds of junction that speakers name: a wall ahead, four ways, one way on."""
+
+Place = Literal["turn", "before_turn", "after_turn", "along", "target"]
+"""Where on a leg a thing is said to be.
+
+`turn` at the place of the turn, `before_turn` met shortly before it, `after_turn` the
+turn comes before the thing, `along` anywhere on the leg, `target` what the turn leads
+to.
+"""
+
+
+@dataclass(frozen=True, slots=True)
+class Length:
+    """How far a leg is said to be."""
+
+    metres: float
+    unit: Literal["metres", "steps", "time", "vague"]
+    """What the speaker counted in; it tells how far to trust the number."""
+
+
+@dataclass(frozen=True, slots=True)
+class Mention:
+    """A thing that is said to be on the way."""
+
+    phrase: str
+    """The words for it, such as `red and blue vending machines`."""
+    place: Place
+    side: Side | None = None
+    weak: bool = False
+    """True for names of ways and rooms, which a camera may have nothing to show for."""
+    ignored: bool = False
+    """True when it is to be left alone: on the way, but never the destination."""
+
+
+@dataclass(frozen=True, slots=True)
+class Passing:
+    """Openings or junctions that are said to be left alone."""
+
+    count: int | None
+    """None when all there are."""
+    side: Literal["left", "right"] | None
+
+
+@dataclass(frozen=True, slots=True)
+class Turn:
+    """A change of direction."""
+
+    way: Way
+    ordinal: int | None = None
+    """1 for the first possibility; -1 for the last; None when nothing was said."""
+    at_end: bool = False
+    """True when one cannot go straight on there."""
+    junction: Junction | None = None
+    immediate: bool = False
+    """True when it follows the turn before at once (`a quick right-left`)."""
+    forced: bool = False
+    """True when the way is said to bend by itself."""
+    doubt: float = 0.0
+    """0 for a plain statement up to 1 for `maybe`, `I think`."""
+
+
+@dataclass(frozen=True, slots=True)
+class Leg:
+    """A stretch of walking and the turn that ends it."""
+
+    turn: Turn
+    length: Length | None = None
+    mentions: tuple[Mention, ...] = ()
+    passings: tuple[Passing, ...] = ()
+    too_far: tuple[str, ...] = ()
+    """Things that one meets only after missing the turn."""
+
+
+@dataclass(frozen=True, slots=True)
+class Arrival:
+    """The last stretch of walking and what ends it."""
+
+    destinations: tuple[str, ...] = ()
+    """Words for the destination, the most likely first."""
+    side: Side | None = None
+    length: Length | None = None
+    at_end: bool = False
+    mentions: tuple[Mention, ...] = ()
+    passings: tuple[Passing, ...] = ()
+    too_far: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class RoutePlan:
+    """A whole description, in the order of the walk."""
+
+    legs: tuple[Leg, ...] = ()
+    arrival: Arrival = field(default_factory=Arrival)
+    skipped: tuple[str, ...] = ()
+    """Clauses from which nothing was taken, as said."""
