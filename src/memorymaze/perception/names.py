@@ -1,5 +1,6 @@
 """Proper names and inscriptions: is a thing what it is called, or what it says?"""
 
+import re
 from dataclasses import replace
 
 from memorymaze.perception.appearance import appearance_score, is_appearance_word
@@ -25,6 +26,7 @@ __all__ = [
     "bearer_score",
     "leads_to",
     "name_score",
+    "points_elsewhere",
     "words_on",
 ]
 
@@ -44,8 +46,22 @@ _SIGN_WORDS = word_set(
     "banner notice board panel",
 )
 
+_POINTING = re.compile(
+    r"[\u2190-\u21ff\u27a1\u2b05-\u2b07]|->|<-|\b(?:to the|on (?:the|your)|turn) "
+    r"(?:left|right)\b|\bstraight\b|\d ?m\b",
+    re.IGNORECASE,
+)
 _ROOM_WORDS = word_set("room hall area space zone section place door sign entrance")
 """Words that people add to names: "first aid room" for "First Aid"."""
+
+
+def points_elsewhere(inscription: str) -> bool:
+    """Tell a sign that says where a place is from one that says it is here.
+
+    >>> points_elsewhere("Terrace \u2192"), points_elsewhere("Terrace")
+    (True, False)
+    """
+    return _POINTING.search(inscription) is not None
 
 
 def words_on(thing: ObjectDescription) -> frozenset[str]:
@@ -69,6 +85,8 @@ def name_score(phrase: NounPhrase, thing: ObjectDescription) -> float:
     for said, score in ((thing.name, BY_NAME), (thing.text, BY_WORDS)):
         words = words_of(said) if said else ()
         if not words or (said == thing.text and phrase.inscription):
+            continue
+        if points_elsewhere(said or ""):
             continue
         if (set(words) <= asked and asked - {*words} <= _ROOM_WORDS) or (
             may_name_a_room

@@ -17,6 +17,7 @@ from memorymaze.perception.names import (
     bearer_score,
     leads_to,
     name_score,
+    points_elsewhere,
     words_on,
 )
 from memorymaze.perception.noun_phrase import (
@@ -60,7 +61,7 @@ def match_score(request: str, description: ObjectDescription) -> float:
     whole = words_of(without_lead_in(request))
     if len(whole) > 1:
         for known in (description.name, description.text):
-            if known and words_of(known) == whole:
+            if known and words_of(known) == whole and not points_elsewhere(known):
                 return 1.0
     return max(_phrase_score(phrase, description) for phrase in parse_request(request))
 
