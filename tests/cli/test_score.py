@@ -164,3 +164,15 @@ def test_no_file_is_wrong_usage(capsys: pytest.CaptureFixture[str]) -> None:
         main(["score"])
     assert stop.value.code == 2
     assert "--cases" in capsys.readouterr().err
+
+
+def test_the_example_in_the_documentation_prints_what_it_says(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    page = Path(__file__).parents[2] / "docs" / "metrics.md"
+    text = page.read_text(encoding="utf-8")
+    example = text.split("`FILE` is JSON:")[1].split("Graphs are undirected")[0]
+    [shown] = [line for line in text.splitlines() if '{"id": "c1", "success"' in line]
+    code, [line], _ = score(capsys, tmp_path, example)
+    assert code == 0
+    assert line == pytest.approx(json.loads(shown))

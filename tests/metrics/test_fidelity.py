@@ -35,7 +35,7 @@ def length(line: np.ndarray) -> float:
         pytest.param([0, 3, 6], [0, 3, 6], 1, 1, id="the path itself"),
         pytest.param([0, 3, 6], [6, 3, 0], 1, 1, id="backwards"),
         pytest.param([0, 3], [0], (1 + E_1) / 2, (1 + E_1) / 4, id="stands at start"),
-        pytest.param([0, 3], [0, 3, 0, 3], 1, 1 / 3, id="to and fro"),
+        pytest.param([0, 3], [0, 3, 0, 3], 1, 1 / 3, id="there, back and there again"),
         pytest.param([0, 0], [0, 0], 1, 1, id="nothing to walk, nothing walked"),
         pytest.param([0], [0, 3], 1, 0, id="nothing to walk, but walked"),
         pytest.param([0], [3], E_1, 1, id="nothing walked, elsewhere"),
