@@ -10,7 +10,7 @@ from memorymaze.cli import table
 
 Memorymaze = Callable[..., Any]
 
-VERBS = ("navigate", "evaluate", "table", "instructions")
+VERBS = ("navigate", "evaluate", "table", "score", "instructions", "sites")
 
 
 def test_the_version_is_told(memorymaze: Memorymaze) -> None:

@@ -36,7 +36,7 @@ def test_equal_settings_do_not_differ(settings: RunSettings) -> None:
 
 def test_one_more_site_is_a_difference(settings: RunSettings) -> None:
     more = replace(settings, sites=(*settings.sites, FileStamp("annex", "ff")))
-    assert differences(settings, more) == ["sites.annex: None there, 'ff' here"]
+    assert differences(settings, more) == ["sites[1]: None there, 'annex ff' here"]
 
 
 def test_a_stamp_depends_on_the_content_of_a_file(tmp_path: Path) -> None:
@@ -46,3 +46,11 @@ def test_a_stamp_depends_on_the_content_of_a_file(tmp_path: Path) -> None:
     path.write_bytes(b"two")
     assert first.name == stamp_file(path).name == "some.jsonl"
     assert first.sha256 != stamp_file(path).sha256
+
+
+def test_files_of_one_name_are_told_apart(settings: RunSettings) -> None:
+    pair = (FileStamp("some.jsonl", "1"), FileStamp("some.jsonl", "2"))
+    other = (FileStamp("some.jsonl", "3"), FileStamp("some.jsonl", "2"))
+    assert differences(
+        replace(settings, instructions=pair), replace(settings, instructions=other)
+    ) == ["instructions[0]: 'some.jsonl 1' there, 'some.jsonl 3' here"]

@@ -103,8 +103,8 @@ def differences(old: RunSettings, new: RunSettings) -> list[str]:
 def _flat(value: Mapping[str, Any], prefix: str = "") -> Iterable[tuple[str, Any]]:
     for name, part in value.items():
         if name in {"instructions", "sites"}:
-            for stamp in part:
-                yield f"{prefix}{name}.{stamp['name']}", stamp["sha256"][:12]
+            for number, stamp in enumerate(part):
+                yield f"{name}[{number}]", f"{stamp['name']} {stamp['sha256'][:12]}"
         elif isinstance(part, Mapping):
             yield from _flat(part, f"{prefix}{name}.")
         else:

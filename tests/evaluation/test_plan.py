@@ -1,0 +1,57 @@
+from collections.abc import Callable
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+
+from memorymaze.errors import MemoryMazeError, SettingsError
+from memorymaze.evaluation.budgets import default_time_budget
+from memorymaze.evaluation.plan import RunPlan, plan_run
+from memorymaze.evaluation.settings import AgentSettings
+from memorymaze.simulation import SimulationSettings
+
+Plan = Callable[..., RunPlan]
+
+
+def test_a_plan_has_the_sites_of_its_instructions_and_no_others(
+    tiny_plan: Plan,
+) -> None:
+    plan = tiny_plan("stop")
+    assert len(plan.episodes) == plan.settings.episodes == 12
+    assert set(plan.sites) == {"corridor", "loop", "t_junction"}
+    assert [stamp.name for stamp in plan.settings.sites] == list(plan.sites)
+
+
+def test_the_time_budget_is_that_of_these_sites_unless_it_is_given(
+    tiny_plan: Plan,
+) -> None:
+    plan = tiny_plan("stop")
+    routes = [route for site in plan.sites.values() for route in site.routes]
+    budget = default_time_budget(routes, SimulationSettings())
+    assert plan.settings.simulation.time_budget == budget
+    assert tiny_plan("stop", time_budget=7.5).settings.simulation.time_budget == 7.5
+
+
+@pytest.mark.parametrize("limit", [1, 5, 11, 12, 99])
+def test_a_limit_takes_episodes_evenly_from_first_to_last(
+    tiny_plan: Plan, limit: int
+) -> None:
+    everything = [episode.id for episode in tiny_plan("stop").episodes]
+    chosen = [episode.id for episode in tiny_plan("stop", limit=limit).episodes]
+    places = [everything.index(name) for name in chosen]
+    assert len(chosen) == min(limit, 12)
+    assert places[0] == 0
+    gaps = {after - before for before, after in pairwise(places)}
+    assert max(gaps, default=0) - min(gaps, default=0) <= 1
+
+
+def test_nothing_is_planned_for_an_agent_that_does_not_exist(tmp_path: Path) -> None:
+    with pytest.raises(SettingsError, match="expected one of"):
+        plan_run(AgentSettings("nobody"), instruction_files=[tmp_path / "none"])
+
+
+def test_the_shipped_instructions_need_the_shipped_sites(
+    tiny_sites_folder: Path,
+) -> None:
+    with pytest.raises(MemoryMazeError, match=r"role_played\.jsonl:1: field 'site'"):
+        plan_run(AgentSettings("stop"), sites_folder=tiny_sites_folder)
