@@ -13,7 +13,7 @@ _SHOWING = word_set(
     "model statue sculpture bust skeleton skull replica figure picture painting",
     "poster photo photograph mural exhibit display sign signboard banner panel",
     "board panel box cabinet case station unit dispenser machine plaque plate",
-    "window",
+    "window module mockup prototype specimen",
 )
 """Heads of compounds whose first part is what people see: "whale skeleton"."""
 
