@@ -210,8 +210,8 @@ def test_passes_an_obstacle_and_returns_to_the_middle(
 def test_halts_before_a_gap_that_is_too_narrow(plans: Any, put_robot: PutRobot) -> None:
     site = plans.site(
         plans.corridor("way", 0, -1, 20, 1),
-        plans.thing("north", 10, 0.65, size=(0.7, 0.5, 1.0)),
-        plans.thing("south", 10, -0.65, size=(0.7, 0.5, 1.0)),
+        plans.thing("north", 10, 0.65, size=(0.8, 0.5, 1.0)),
+        plans.thing("south", 10, -0.65, size=(0.8, 0.5, 1.0)),
     )
     robot = put_robot(build_scene(site), 1, 0)
     result = robot.move_forward(16)

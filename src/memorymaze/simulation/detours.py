@@ -1,6 +1,6 @@
 """Ways round obstacles: the cheapest sideways steps beside a line, found by a lattice.
 
-The lattice has a station every 20 cm along the line and offsets every 10 cm across it.
+The lattice has a station every 20 cm along the line and offsets every 5 cm across it.
 Dynamic programming over it weighs distance from the line, sideways steps and nearness
 to things; every detour leaves the line and comes back to it.
 """
@@ -26,8 +26,11 @@ WORTHWHILE = 1.0
 """Metres that ending beside the line must gain over halting on it."""
 COMFORT = 0.5
 """Distance in metres to things from which on more room is no better."""
-OFFSET_STEP = 0.1
-MOST_STEPS = 2
+TIGHTEST = 0.02
+"""Metres by which a detour may fall short of the clearance needed, rather than none."""
+OFFSET_STEP = 0.05
+MOST_STEPS = 4
+"""Offsets from one station to the next at most; 45 degrees."""
 
 FloatArray = NDArray[np.float64]
 
@@ -97,7 +100,8 @@ def _cheapest(
     room = clearance.to_anything(places.reshape(-1, 2)).reshape(count, width)
     price = (lattice[None, :] - wanted[:, None]) ** 2
     price += 20.0 * np.maximum(COMFORT - room, 0.0) ** 2
-    price[room < needed[:, None]] = np.inf
+    price[room < needed[:, None]] += 100.0
+    price[room < needed[:, None] - TIGHTEST] = np.inf
     cost = np.full(width, np.inf)
     cost[start] = 0.0
     origins = np.zeros((count, width), dtype=np.intp)
@@ -109,7 +113,7 @@ def _cheapest(
         padded = np.full(width + 2 * MOST_STEPS, np.inf)
         padded[MOST_STEPS:-MOST_STEPS] = cost
         moves = np.stack([
-            padded[k : k + width] + 2.0 * (k - MOST_STEPS) ** 2 * OFFSET_STEP
+            padded[k : k + width] + 20.0 * ((k - MOST_STEPS) * OFFSET_STEP) ** 2
             for k in range(2 * MOST_STEPS + 1)
         ])
         choice = np.argmin(moves, axis=0)
@@ -145,8 +149,12 @@ def _smoothed(
 ) -> FloatArray:
     """Round the lattice's steps off, where there is room for it."""
     count = len(offsets)
-    smooth = offsets.copy()
-    for _ in range(4):
-        smooth[1:-1] = (smooth[:-2] + 2 * smooth[1:-1] + smooth[2:]) / 4
-    room = clearance.to_anything(base[:count] + smooth[:, None] * normals[:count])
-    return offsets if (room < needed[:count] - 0.02).any() else smooth
+    base, normals, result = base[:count], normals[:count], offsets.copy()
+    room = clearance.to_anything(base + result[:, None] * normals)
+    kept = np.minimum(room, needed[:count])
+    for _ in range(6):
+        smooth = result.copy()
+        smooth[1:-1] = (result[:-2] + 2 * result[1:-1] + result[2:]) / 4
+        room = clearance.to_anything(base + smooth[:, None] * normals)
+        result = np.where(room >= kept - 1e-9, smooth, result)
+    return result

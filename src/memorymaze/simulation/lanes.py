@@ -31,6 +31,8 @@ SLANTED_END_GAP = 0.45
 """The same, measured square to a wall that the way meets at a slant."""
 MIN_CLEARANCE = ROBOT_RADIUS + 0.07
 """Least distance in metres from a lane to walls and obstacles."""
+TIGHT_SPEED = 0.4
+"""Metres per second where there is less room than `MIN_CLEARANCE`."""
 OBSTACLE_GAP = 0.25
 """Metres left between the robot's shell and an obstacle it cannot pass, at least."""
 END_OBSTACLE_DEPTH = 1.2
@@ -53,7 +55,7 @@ class Station(NamedTuple):
     s: float
     """Metres from the lane's start."""
     speed: float
-    """Greatest speed at which its curvature can be driven, metres per second."""
+    """Greatest speed for its curvature and the room beside it, metres per second."""
     course: float
     """Heading of the straight way beside it, radians."""
     way_x: float
@@ -95,7 +97,7 @@ def plan_lane(
     count = 1 + int(np.flatnonzero(open_ahead)[-1]) if open_ahead.any() else 1
     if way.halt < 0.01 or count < 2:
         here = np.array([pose[:2]])
-        return _lane(here, base[:1], courses[:1], max_speed, "wall")
+        return _lane(here, base[:1], courses[:1], np.array([max_speed]), "wall")
     base, courses = base[:count], courses[:count]
     normals = _normals(base)
     start_offset = float((np.array(pose[:2]) - base[0]) @ normals[0])
@@ -115,8 +117,10 @@ def plan_lane(
             if to_wall > END_OBSTACLE_DEPTH and (walls_alone >= MIN_CLEARANCE).all():
                 end = "obstacle"
             usable = max(1, usable - round(OBSTACLE_GAP / SPACING))
-    driven = base + offsets[:, None] * normals
-    return _lane(driven[:usable], base[:usable], courses[:usable], max_speed, end)
+    driven = (base + offsets[:, None] * normals)[:usable]
+    room = clearance.to_anything(driven)
+    speeds = np.where(room < MIN_CLEARANCE - 1e-6, TIGHT_SPEED, max_speed)
+    return _lane(driven, base[:usable], courses[:usable], speeds, end)
 
 
 def lane_along(points: FloatArray, max_speed: float) -> Lane:
@@ -127,7 +131,8 @@ def lane_along(points: FloatArray, max_speed: float) -> Lane:
         max_speed: Metres per second.
     """
     base = _rounded(polyline.resample(points, SPACING), 2)
-    return _lane(base, base, _headings(base), max_speed, "done")
+    speeds = np.full(len(base), max_speed)
+    return _lane(base, base, _headings(base), speeds, "done")
 
 
 def _stations_of(way: StraightWay) -> tuple[FloatArray, FloatArray]:
@@ -174,24 +179,23 @@ def _lane(
     driven: FloatArray,
     base: FloatArray,
     courses: FloatArray,
-    max_speed: float,
+    speeds: FloatArray,
     end: LaneEnd,
 ) -> Lane:
     if len(driven) == 1:
         (x, y), (way_x, way_y) = driven[0].tolist(), base[0].tolist()
-        course = float(courses[0])
-        return Lane(
-            (Station(x, y, course, 0.0, 0.0, max_speed, course, way_x, way_y),), end
-        )
+        course, speed = float(courses[0]), float(speeds[0])
+        station = Station(x, y, course, 0.0, 0.0, speed, course, way_x, way_y)
+        return Lane((station,), end)
     headings = _headings(driven)
     s = polyline.arc_lengths(driven)
     bends = np.array([turn_between(a, b) for a, b in pairwise(headings.tolist())])
     curvature = np.append(bends / np.diff(s), 0.0)
     tightness = np.maximum(np.abs(curvature), np.abs(np.roll(curvature, 1)))
-    speed = np.sqrt(SIDEWAYS_ACCELERATION / np.maximum(tightness, 1e-6))
+    in_bends = np.sqrt(SIDEWAYS_ACCELERATION / np.maximum(tightness, 1e-6))
     columns = (
         *(driven[:, 0], driven[:, 1], headings, curvature, s),
-        *(np.minimum(speed, max_speed), courses, base[:, 0], base[:, 1]),
+        *(np.minimum(in_bends, speeds), courses, base[:, 0], base[:, 1]),
     )
     rows = zip(*(column.tolist() for column in columns), strict=True)
     return Lane(tuple(Station(*row) for row in rows), end)
