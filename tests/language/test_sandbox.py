@@ -240,8 +240,12 @@ def state_of(pid: int) -> str:
 
 @pytest.mark.parametrize(
     ("how", "outcome"),
-    [(signal.SIGKILL, ProgramError), (signal.SIGSTOP, EpisodeOver)],
-    ids=["killed", "hanging"],
+    [
+        (signal.SIGKILL, ProgramError),
+        (signal.SIGSTOP, EpisodeOver),
+        (signal.SIGTERM, KeyboardInterrupt),
+    ],
+    ids=["killed", "hanging", "ended from outside"],
 )
 def test_a_worker_that_dies_or_hangs_ends_only_its_own_program(
     how, outcome, robot, monkeypatch
@@ -261,6 +265,35 @@ def test_a_worker_that_dies_or_hangs_ends_only_its_own_program(
     run_program("move_forward(1)", robot)
 
     assert robot.names == ["move_forward"]
+
+
+def test_an_interrupt_of_all_processes_is_for_the_host_to_handle():
+    done = run_script(
+        """
+import os, signal
+from memorymaze.language.sandbox import run_program
+
+class Walker:
+    def say(self, text):
+        os.killpg(0, signal.SIGINT)
+    def stop(self):
+        print("stopped")
+
+os.setpgid(0, 0)
+signal.signal(signal.SIGINT, lambda *_: print("interrupted"))
+try:
+    run_program("say('x'); stop()", Walker())
+except Exception as error:
+    print(error)
+"""
+    )
+
+    assert done.stderr == ""
+    assert done.stdout.splitlines() == [
+        "interrupted",
+        "stopped",
+        "the episode is over (stopped by agent)",
+    ]
 
 
 def run_script(script: str) -> subprocess.CompletedProcess[str]:

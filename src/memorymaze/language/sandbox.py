@@ -34,6 +34,7 @@ __all__ = ["DEFAULT_LIMITS", "ProgramLimits", "run_program"]
 
 _HIDDEN_ATTRIBUTE = re.compile(r"has no attribute '(__\w+__)'")
 _CALLED_BACK = re.compile(r"external function '(\w+)' cannot suspend")
+_INTERRUPTED = re.compile(r"SIGINT|SIGTERM|SIGHUP")
 _TIME_IS_UP = "time limit exceeded"
 
 
@@ -61,7 +62,9 @@ def run_program(
             computed for too long or made too many calls; or what the robot said.
         ProgramError: The program is wrong or failed; `unsafe` when it reached for
             something outside the API.
-        SettingsError: The interpreter is not installed.
+        SettingsError: The interpreter is not installed, or this process was forked
+            from one that had used it.
+        KeyboardInterrupt: Somebody ended the interpreter's process.
     """
     _check_text(program, limits)
     execution = ProgramExecution(program, robot, limits, on_event or _ignore)
@@ -100,11 +103,13 @@ def _check_text(program: str, limits: ProgramLimits) -> None:
         ) from None
 
 
-def _outcome(error: MontyError) -> ProgramError | EpisodeOver | None:
-    """Say what an interpreter's error means; None for a program that just exits."""
+def _outcome(error: MontyError) -> BaseException | None:
+    """Return what an interpreter's error means; None for a program that just exits."""
     if isinstance(error, MontyCrashedError):
         if error.timed_out:
             return EpisodeOver("budget")
+        if _INTERRUPTED.search(str(error)):
+            return KeyboardInterrupt()
         return ProgramError("the program brought its interpreter down")
     if not isinstance(error, MontyRuntimeError | MontySyntaxError):
         return ProgramError(f"the program cannot be run: {error}")

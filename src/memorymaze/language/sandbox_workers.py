@@ -7,6 +7,10 @@ a process forked after its parent has used the sandbox is refused, rather than h
 import atexit
 import functools
 import os
+import signal
+import threading
+from collections.abc import Generator
+from contextlib import contextmanager
 from datetime import UTC, datetime
 
 from pydantic_monty import Monty, MontySession, ResourceLimits
@@ -69,7 +73,8 @@ def _pool() -> Monty:
             request_timeout=LONGEST_TURN,
             feed_duration_limit_grace=GRACE,
         )
-        pool.__enter__()
+        with _interrupts_ignored():
+            pool.__enter__()
     except FileNotFoundError as error:
         raise SettingsError(
             f"the program sandbox has no interpreter ({error}); "
@@ -83,6 +88,23 @@ def _pool() -> Monty:
 def _process_of_the_pool() -> int:
     """Return the process that first asked for the pool; a forked child inherits it."""
     return os.getpid()
+
+
+@contextmanager
+def _interrupts_ignored() -> Generator[None]:
+    """Have processes that are started here take no notice of Ctrl-C.
+
+    It reaches every process of the terminal; what it means is ours to decide. Only a
+    main thread can see to that; elsewhere an interrupted worker ends like ours does.
+    """
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    before = signal.signal(signal.SIGINT, signal.SIG_IGN)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)
 
 
 def _close(pool: Monty, process: int) -> None:
