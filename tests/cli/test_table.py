@@ -29,7 +29,9 @@ def test_development_texts_are_left_out_on_demand(
     memorymaze: Memorymaze, run: Path
 ) -> None:
     assert "3 episodes" in memorymaze("table", run).out
-    assert "2 episodes" in memorymaze("table", run, "--exclude-dev").out
+    said = memorymaze("table", run, "--exclude-dev").out
+    assert "2 episodes" in said
+    assert "1 episodes on development texts are left out" in said
 
 
 def test_a_folder_that_is_no_run_gives_code_1(

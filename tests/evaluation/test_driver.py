@@ -36,6 +36,9 @@ class Troubled:
             what = order.read_text()
             if "always" not in what:
                 order.unlink()
+            if "child" in what and os.fork() == 0:
+                signal.alarm(20)
+                signal.pause()
             if "hang" in what:
                 threading.Event().wait()
             if "parent" in what:
@@ -114,7 +117,7 @@ def test_an_episode_whose_worker_is_killed_is_tried_once_more(
     tmp_path: Path, troubled: str, tiny_plan: Plan
 ) -> None:
     order(tmp_path, "door", "once")
-    order(tmp_path, "block", "always")
+    order(tmp_path, "block", "always, and leave a child")
     plan = tiny_plan(troubled)
     results = {
         one.episode_id: one for one in run_plan(plan, tmp_path / "run", workers=1)

@@ -77,6 +77,8 @@ def run_notes(run: MeasuredRun) -> list[str]:
     ]
     if settings.agent.model is not None:
         notes.append(f"language model {settings.agent.model}")
+    if run.left_out:
+        notes.append(f"{run.left_out} episodes on development texts are left out.")
     if settings.limit is not None:
         notes.append(f"A SAMPLE of {settings.episodes} episodes (--limit).")
     if run.missing:

@@ -50,6 +50,8 @@ class MeasuredRun:
     record: RunRecord
     results: tuple[EpisodeResult, ...]
     """Those shown, in the order of episode ids."""
+    left_out: int
+    """Results on development texts that are not shown."""
     missing: int
     """Episodes of the run that have no result yet."""
 
@@ -105,6 +107,7 @@ def load_runs(
                 parser=record.settings.agent.parser,
                 record=record,
                 results=tuple(shown),
+                left_out=len(results) - len(shown),
                 missing=record.settings.episodes - len(results),
             )
         )

@@ -32,6 +32,10 @@ STARTS = 3
 """Processes that may die in a row before they are ready; then the run ends."""
 
 
+LOOKING_PERIOD = 1.0
+"""Seconds between looks at whether workers live: where a child of a dead worker holds
+its pipe open, nothing else tells."""
+
 LEAVING_TIME = 5.0
 """Seconds that an idle worker has for closing what it opened."""
 
@@ -125,27 +129,20 @@ class WorkerPool(Generic[Task, Outcome]):
                     if task is not None:
                         worker = worker or self._start(number, deaths=0)
                         _give(worker, task)
-            busy = {
-                w.connection: n for n, w in self._workers.items() if w.task is not None
-            }
+            busy = [w for w in self._workers.values() if w.task is not None]
             if not busy:
                 return
-            for connection in wait(list(busy), self._time_left()):
-                number = busy[connection]  # pyright: ignore[reportArgumentType]
-                yield from self._receive(number)
+            wait([worker.connection for worker in busy], LOOKING_PERIOD)
             for number, worker in list(self._workers.items()):
-                if worker.task is not None and self._is_overdue(worker):
+                if worker.task is None:
+                    continue
+                if worker.connection.poll():
+                    yield from self._receive(number, worker, worker.task)
+                elif not worker.process.is_alive():
+                    yield from self._bury(number, worker, worker.task)
+                elif self._is_overdue(worker):
                     worker.process.kill()
                     yield from self._bury(number, worker, worker.task)
-
-    def _time_left(self) -> float | None:
-        """Return the seconds until the first task is overdue; None for never."""
-        began = [
-            w.began for w in self._workers.values() if w.ready and w.task is not None
-        ]
-        if not began or math.isinf(self._patience):
-            return None
-        return max(0.0, min(began) + self._patience - time.monotonic())
 
     def _is_overdue(self, worker: _Worker[Task]) -> bool:
         return worker.ready and time.monotonic() - worker.began > self._patience
@@ -165,12 +162,10 @@ class WorkerPool(Generic[Task, Outcome]):
         self._workers[number] = worker
         return worker
 
-    def _receive(self, number: int) -> Iterator[tuple[Task, Outcome | Lost]]:
+    def _receive(
+        self, number: int, worker: _Worker[Task], task: Task
+    ) -> Iterator[tuple[Task, Outcome | Lost]]:
         """Read what a worker says: that it lives, is ready, or has done its task."""
-        worker = self._workers[number]
-        task = worker.task
-        if task is None:
-            return
         try:
             said, content = worker.connection.recv()
         except (EOFError, OSError):
