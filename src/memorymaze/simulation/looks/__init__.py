@@ -1,0 +1,1 @@
+"""How floors, walls and things look: meshes and pictures made by code, no renderer."""
