@@ -81,6 +81,11 @@ def test_what_is_no_python_is_told_first_and_then_what_is_unsafe():
         assert error.unsafe == (line == 2)
 
 
+def test_what_a_message_quotes_does_not_break_it_up(robot):
+    with pytest.raises(ProgramError, match=r"^line 2: "):
+        run_program("move_forward(1)\nsay(\x85\u2028)", robot)
+
+
 def test_warnings_do_not_count():
     warning = diagnostic("unresolved-reference", "Name `x`", severity="warning")
 

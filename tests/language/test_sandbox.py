@@ -239,16 +239,16 @@ def state_of(pid: int) -> str:
 
 
 @pytest.mark.parametrize(
-    ("how", "outcome"),
+    ("how", "outcome", "limits"),
     [
-        (signal.SIGKILL, ProgramError),
-        (signal.SIGSTOP, EpisodeOver),
-        (signal.SIGTERM, KeyboardInterrupt),
+        (signal.SIGKILL, ProgramError, ProgramLimits()),
+        (signal.SIGSTOP, EpisodeOver, ProgramLimits(computing_time=0.2)),
+        (signal.SIGTERM, KeyboardInterrupt, ProgramLimits()),
     ],
     ids=["killed", "hanging", "ended from outside"],
 )
 def test_a_worker_that_dies_or_hangs_ends_only_its_own_program(
-    how, outcome, robot, monkeypatch
+    how, outcome, limits, robot, monkeypatch
 ):
     def harm(text: str) -> None:
         for pid in workers():
@@ -259,9 +259,7 @@ def test_a_worker_that_dies_or_hangs_ends_only_its_own_program(
     monkeypatch.setattr(robot, "say", harm)
 
     with pytest.raises(outcome):
-        run_program(
-            "say('x')\nmove_forward(1)", robot, ProgramLimits(computing_time=0.2)
-        )
+        run_program("say('x')\nmove_forward(1)", robot, limits)
     run_program("move_forward(1)", robot)
 
     assert robot.names == ["move_forward"]

@@ -67,7 +67,8 @@ class Finding:
 
 def read_findings(diagnostics: str) -> list[Finding]:
     """Judge the type checker's diagnostics: one JSON object per line."""
-    entries = map(json.loads, filter(str.strip, diagnostics.splitlines()))
+    # Not splitlines(): messages quote the program, with what else may end a line.
+    entries = map(json.loads, filter(str.strip, diagnostics.split("\n")))
     return [_judge(entry) for entry in entries if entry["severity"] == "error"]
 
 
