@@ -26,8 +26,6 @@ WORTHWHILE = 1.0
 """Metres that ending beside the line must gain over halting on it."""
 COMFORT = 0.5
 """Distance in metres to things from which on more room is no better."""
-TIGHTEST = 0.02
-"""Metres by which a detour may fall short of the clearance needed, rather than none."""
 OFFSET_STEP = 0.05
 MOST_STEPS = 4
 """Offsets from one station to the next at most; 45 degrees."""
@@ -39,7 +37,8 @@ def make_detours(
     base: FloatArray,
     normals: FloatArray,
     offsets: FloatArray,
-    needed: FloatArray,
+    needed: float,
+    least: FloatArray,
     clearance: Clearance,
 ) -> tuple[FloatArray, int]:
     """Change offsets from a line so that it keeps clear of everything.
@@ -48,7 +47,8 @@ def make_detours(
         base: Stations of the line, metres, shape (N, 2), `SPACING` apart.
         normals: Unit vectors to the left, shape (N, 2).
         offsets: Wanted metres to the left, shape (N,); the first is kept.
-        needed: Clearance that each station must have, metres, shape (N,).
+        needed: Clearance that every station should have, metres.
+        least: Clearance that each station must have, metres, shape (N,).
         clearance: Distances on this floor.
 
     Returns:
@@ -63,7 +63,7 @@ def make_detours(
         room = clearance.to_anything(
             base[begin:] + result[begin:, None] * normals[begin:]
         )
-        tight = np.flatnonzero(room < needed[begin:]) + begin
+        tight = np.flatnonzero(room < needed) + begin
         if not len(tight):
             break
         first = max(int(tight[0]) - margin, begin)
@@ -75,7 +75,7 @@ def make_detours(
         stop = min(last + margin + 1, len(base))
         piece = slice(first, stop)
         found = _cheapest(
-            base[piece], normals[piece], result[piece], needed[piece], clearance
+            base[piece], normals[piece], result[piece], needed, least[piece], clearance
         )
         result[first : first + len(found)] = found
         if len(found) < stop - first:
@@ -88,7 +88,8 @@ def _cheapest(
     base: FloatArray,
     normals: FloatArray,
     wanted: FloatArray,
-    needed: FloatArray,
+    needed: float,
+    least: FloatArray,
     clearance: Clearance,
 ) -> FloatArray:
     """Return the offsets of the cheapest way, as far as there is one."""
@@ -100,8 +101,8 @@ def _cheapest(
     room = clearance.to_anything(places.reshape(-1, 2)).reshape(count, width)
     price = (lattice[None, :] - wanted[:, None]) ** 2
     price += 20.0 * np.maximum(COMFORT - room, 0.0) ** 2
-    price[room < needed[:, None]] += 100.0
-    price[room < needed[:, None] - TIGHTEST] = np.inf
+    price[room < needed] += 100.0
+    price[room < least[:, None]] = np.inf
     cost = np.full(width, np.inf)
     cost[start] = 0.0
     origins = np.zeros((count, width), dtype=np.intp)
@@ -135,8 +136,9 @@ def _cheapest(
         chosen[station] = lattice[column]
         column = origins[station, column]
     chosen[0] = wanted[0]
-    if abs(chosen[-1] - wanted[last]) <= ON_LINE:
-        chosen[-1] = wanted[last]
+    if last == count - 1 and abs(chosen[-1] - wanted[-1]) <= ON_LINE:
+        end = clearance.to_anything(base[-1:] + wanted[-1] * normals[-1:])
+        chosen[-1] = wanted[-1] if end[0] >= needed else chosen[-1]
     return _smoothed(chosen, base, normals, needed, clearance)
 
 
@@ -144,14 +146,14 @@ def _smoothed(
     offsets: FloatArray,
     base: FloatArray,
     normals: FloatArray,
-    needed: FloatArray,
+    needed: float,
     clearance: Clearance,
 ) -> FloatArray:
     """Round the lattice's steps off, where there is room for it."""
     count = len(offsets)
     base, normals, result = base[:count], normals[:count], offsets.copy()
     room = clearance.to_anything(base + result[:, None] * normals)
-    kept = np.minimum(room, needed[:count])
+    kept = np.minimum(room, needed)
     for _ in range(6):
         smooth = result.copy()
         smooth[1:-1] = (result[:-2] + 2 * result[1:-1] + result[2:]) / 4

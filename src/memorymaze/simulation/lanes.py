@@ -30,7 +30,9 @@ LaneEnd = Literal["wall", "obstacle", "done"]
 SLANTED_END_GAP = 0.45
 """The same, measured square to a wall that the way meets at a slant."""
 MIN_CLEARANCE = ROBOT_RADIUS + 0.07
-"""Least distance in metres from a lane to walls and obstacles."""
+"""Distance in metres that a lane keeps from walls and obstacles wherever it can."""
+LEAST_CLEARANCE = ROBOT_RADIUS + 0.05
+"""Distance in metres that a lane keeps from them everywhere."""
 TIGHT_SPEED = 0.4
 """Metres per second where there is less room than `MIN_CLEARANCE`."""
 OBSTACLE_GAP = 0.25
@@ -105,11 +107,13 @@ def plan_lane(
     end: LaneEnd = "wall"
     usable = len(base)
     room = clearance.to_anything(base + offsets[:, None] * normals)
-    needed = np.full(usable, MIN_CLEARANCE)
-    # Whoever starts in a tight place may leave it as tightly.
-    needed[:8] = min(MIN_CLEARANCE, max(float(room[0]), ROBOT_RADIUS) - 0.01)
-    if (room < needed).any():
-        offsets, usable = make_detours(base, normals, offsets, needed, clearance)
+    if (room < MIN_CLEARANCE).any():
+        least = np.full(usable, LEAST_CLEARANCE)
+        # Whoever starts in a tight place may leave it as tightly.
+        least[:8] = min(LEAST_CLEARANCE, max(float(room[0]) - 1e-3, ROBOT_RADIUS))
+        offsets, usable = make_detours(
+            base, normals, offsets, MIN_CLEARANCE, least, clearance
+        )
         if usable < len(base):
             beyond = base[usable : usable + round(1.0 / SPACING)]
             to_wall = polyline.length(way.points) - usable * SPACING
