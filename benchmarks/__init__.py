@@ -6,5 +6,6 @@ a file here with `run() -> list[Row]` and one line in `BENCHMARKS`.
 
 BENCHMARKS: dict[str, str] = {
     "metrics": "benchmarks.metrics",
+    "simulation": "benchmarks.simulation",
 }
 """Modules by name; imported only when they run."""
