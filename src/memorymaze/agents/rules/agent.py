@@ -84,7 +84,7 @@ class _Search:
             ):
                 self._finish(ending)
                 return
-            if branch is None or self._walker.travelled > self._limit:
+            if branch is None or self._too_far_for(branch, ending):
                 if ending is not None:
                     self._finish(ending)
                 return
@@ -92,6 +92,12 @@ class _Search:
                 return
 
     # -- choosing
+
+    def _too_far_for(self, branch: Branch, ending: Ending | None) -> bool:
+        """Tell whether after one more stretch there is no time to come back."""
+        back = 0.0 if ending is None else self._away(ending.at) + ending.distance
+        further = self._away(branch.standing.at) + LEG_METRES
+        return self._walker.travelled + further + back > self._limit
 
     def _branch_cost(self, branch: Branch) -> float:
         return self._aligner.outlook(branch.standing) + METRE_BACK * self._away(

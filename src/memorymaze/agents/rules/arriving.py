@@ -118,15 +118,14 @@ class Arrivals:
     ) -> tuple[float, Sighting] | None:
         """Return the cost of stopping at something just seen, and what it is."""
         standing = branch.standing
-        to_come = len(self._plan.legs) - standing.leg
-        if to_come > 2:
+        if standing.leg < len(self._plan.legs):
             return None
         best: tuple[float, Sighting] | None = None
         for sighting in seen:
             if sighting.phrase not in self.phrases or self._only_names(sighting):
                 continue
-            cost = standing.cost + LEG_TO_COME * to_come + self._loss(sighting)
-            cost += self._fit(standing, walked + sighting.distance, to_come)
+            cost = standing.cost + self._loss(sighting)
+            cost += self._fit(standing, walked + sighting.distance, 0)
             cost += self._side_cost(sighting)
             if best is None or cost < best[0]:
                 best = (cost, sighting)

@@ -116,10 +116,10 @@ def junction_cost(turn: Turn, choices: Choices) -> float:
     goes_on = choices.forward is not None
     cost = 0.0
     if turn.at_end:
-        cost += 2.2 if goes_on else 0.0
+        cost += 1.6 if goes_on else 0.0
     if turn.junction == "t":
         if goes_on:
-            cost += 1.0 if turn.at_end else 1.8
+            cost += 0.6 if turn.at_end else 1.6
         elif len(choices.ways) < 2:
             cost += 0.4
     elif turn.junction == "crossing":
@@ -193,7 +193,7 @@ def mentions_cost(
     total = 0.0
     for mention in mentions:
         total += _mention_cost(mention, floor, line, place, asked)
-    return max(min(total, 3.0), -4.0)
+    return max(min(total, 1.5), -4.0)
 
 
 def _mention_cost(

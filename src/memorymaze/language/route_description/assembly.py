@@ -99,11 +99,14 @@ class _Assembly:
         elif kind in {"sentence", "clause", "then"}:
             self._side = None
             if kind == "sentence":
+                if self._way is not None and self._way.taken:
+                    self._settle_way()
                 self._restating = self._restating_all = False
             self._way_age += 1
             if self._way_age > 3:
                 self._settle_way()
         elif kind == "length" and event.length is not None:
+            self._settle_likely_way()
             target = self._done[-1] if event.back and self._done else self._draft
             target.lengths.append(event.length)
         elif kind == "thing":
@@ -273,11 +276,16 @@ class _Assembly:
         side = way.side if way.side in {"left", "right"} else None
         self._draft.passings.append(Passing(1, side))  # type: ignore[arg-type]
 
+    def _settle_likely_way(self) -> None:
+        """What is said next is about the way behind an opening that is surely taken."""
+        if self._way is not None and self._way.likely and self._way_age:
+            self._settle_way()
+
     def _settle_way(self) -> None:
         way, self._way = self._way, None
         if way is None:
             return
-        if way.likely and way.side in {"left", "right"}:
+        if (way.likely and way.side in {"left", "right"}) or way.taken:
             self._turn_into(way)
         elif way.side in {"left", "right"}:
             self._leave(way)
@@ -337,6 +345,7 @@ class _Assembly:
             self._last[-1] = replace(self._last[-1], side=event.side)
 
     def _add_end(self, event: Event, at: int) -> None:
+        self._settle_likely_way()
         if event.back or (
             event.relation == "at" and self._ends_the_turn(replace(event, relation="at"), at)
         ):

@@ -46,6 +46,15 @@ def apply_corrections(chunks: list[Chunk]) -> list[Chunk]:
 
 def _without_adverbs(chunks: list[Chunk]) -> list[Chunk]:
     """Drop `right` from `right after the desk, turn left`."""
+    kept: list[Chunk] = []
+    for chunk in chunks:
+        contrast = "".join(c.kind for c in kept[-5:] if c.kind != "f")
+        if chunk.kind == "L" and re.search("L,XL,$", contrast):
+            lefts = [c for c in kept[-6:] if c.kind == "L"]
+            if lefts[0].way == chunk.way != lefts[-1].way:
+                continue
+        kept.append(chunk)
+    chunks = kept
     kinds = "".join("f" if chunk.kind in "hir" else chunk.kind for chunk in chunks)
     adverbs = {
         match.start(1)

@@ -5,7 +5,11 @@ import re
 from memorymaze.language.route_description.assembly import Draft
 from memorymaze.language.route_description.chunks import Chunk
 from memorymaze.language.route_description.plan import Mention, Side
-from memorymaze.language.route_description.things import is_common, thing_phrase
+from memorymaze.language.route_description.things import (
+    is_common,
+    place_on_sign,
+    thing_phrase,
+)
 
 __all__ = ["find_destinations"]
 
@@ -51,6 +55,12 @@ def find_destinations(
         if score > scores.get(mention.phrase, -9.0):
             scores[mention.phrase] = score
             sides[mention.phrase] = mention.side or sides.get(mention.phrase)
+    for phrase in list(scores):
+        place = place_on_sign(phrase)
+        if place is not None:
+            score = scores.pop(phrase)
+            if place:
+                scores[place] = max(scores.get(place, 0.0), score)
     for phrase, weight in named.items():
         if weight >= 3.0:
             scores[phrase] = max(scores.get(phrase, 0.0), weight)

@@ -54,6 +54,8 @@ class Event:
     """True when it was said after a turn in the same clause and belongs to it."""
     likely: bool = False
     """For `way`: true when it sounds like the one to take."""
+    taken: bool = False
+    """For `way`: said to be taken, only its side is still to come."""
     doubt: float = 0.0
     forced: bool = False
     at_once: bool = False

@@ -326,6 +326,8 @@ class ClauseReader:
             return False
         last = before[-1:]
         if chunk.kind == "S" and _is_aside(chunk) and last == "G":
+            if chunk.text.endswith(("side", "sides")) or "N" in before:
+                return False
             verb = self._chunks[len(before) - 1].text
             return re.match(r"(?:keep|leav|stay)", verb) is None and not after[:1] == "B"
         if last == "K" and _is_aside(chunk) and "side" in chunk.text:
@@ -358,8 +360,10 @@ class ClauseReader:
     def _is_turn_to_side(self, chunk: Chunk, before: str, after: str) -> bool:
         if ("G" in before and not _is_aside(chunk)) or "K" in before:
             return re.search("[NJ]", before) is None and not after.startswith("BN")
-        if _TOWARDS.match(chunk.text) and re.fullmatch(".*[AU]N+", before):
-            return re.search("[BV]", before) is None
+        bound = re.search("([AU])N+$", before)
+        if _TOWARDS.match(chunk.text) and bound is not None:
+            loose = self._chunks[bound.start()].text.startswith(("with", "among"))
+            return re.search("[BV]", before) is None and not loose
         if re.search("TN$", before) and not re.match("[BN]", after):
             return True
         if before or re.match("[BN]", after):
@@ -496,12 +500,14 @@ class ClauseReader:
         elif side is not None and (stated or self._takes(before, noun, ordinal, after, start)):
             self._turn(Event("turn", way=side, ordinal=ordinal, forced=self._bends(start)))
         elif side is None and ("T" in before or "t" in before) and "V" not in before:
-            self._turn(Event("turn", ordinal=ordinal))
+            self._add(Event("way", ordinal=ordinal, likely=True, taken=True))
+            self._turned = True
         elif side is None and re.search("[AU]$", before):
             self._add(Event("way", ordinal=ordinal, likely=True, back=self._turned))
         else:
             exists = re.match("B", after) is not None
-            likely = not before and ordinal is not None and not exists
+            bare = "L" in self._kinds[start:at]
+            likely = not before and ordinal is not None and (bare or not exists)
             self._add(Event("way", side=side, ordinal=ordinal, likely=likely))
         return at
 

@@ -11,6 +11,10 @@ _OVERVIEW = re.compile(
     r"|altogether|the whole (?:thing|way|walk|route)|the general idea|to sum up|summary"
     r"|think of it|the idea|zig ?zag|the shape|essentially|shortly)\b"
 )
+_DETAIL = re.compile(
+    r"\b(?:in (?:more )?detail|the details?(?: are| is|:)|step by step|more (?:exactly|precisely)"
+    r"|to be (?:exact|precise))\b"
+)
 
 
 def without_overviews(sentences: list[tuple[str, list[Event]]]) -> list[Event]:
@@ -22,13 +26,14 @@ def without_overviews(sentences: list[tuple[str, list[Event]]]) -> list[Event]:
     Args:
         sentences: Words and events of each sentence.
     """
+    sentences = _after_outline(sentences)
     turns = [[e.way for e in events if e.kind == "turn"] for _, events in sentences]
     kept: list[Event] = []
     for at, (words, events) in enumerate(sentences):
         others = [way for ways in turns[at + 1 :] for way in ways]
         if at <= 1 and _OVERVIEW.search(words) and len(others) >= 2:
             said = [e for e in events if e.kind == "turn"]
-            if len(said) == 1 and not said[0].commanded:
+            if not said or (len(said) == 1 and not said[0].commanded):
                 continue
             if len(said) >= 4 and len(others) < len(said) and _within(others, turns[at]):
                 return [*kept, *events, *sentences[-1][1]]
@@ -41,6 +46,20 @@ def without_overviews(sentences: list[tuple[str, list[Event]]]) -> list[Event]:
                 continue
         kept.extend(events)
     return _without_recaps(kept)
+
+
+def _after_outline(
+    sentences: list[tuple[str, list[Event]]],
+) -> list[tuple[str, list[Event]]]:
+    """Keep what follows `in detail:`, when the way is told there."""
+    for at, (words, events) in enumerate(sentences):
+        found = _DETAIL.search(words)
+        if found is None or at > len(sentences) * 0.6:
+            continue
+        later = [e for _, said in sentences[at:] for e in said if e.kind == "turn"]
+        if len(later) >= 2:
+            return sentences[at:]
+    return sentences
 
 
 def _without_recaps(events: list[Event]) -> list[Event]:

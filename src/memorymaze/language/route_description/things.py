@@ -4,7 +4,7 @@ import re
 
 from memorymaze.language.route_description.words import FILLERS, SURFACES, UNSEEN
 
-__all__ = ["is_common", "is_lane", "thing_phrase"]
+__all__ = ["is_common", "is_lane", "place_on_sign", "thing_phrase"]
 
 _KEPT_ING = {
     "painting", "building", "vending", "recycling", "reading", "meeting", "parking",
@@ -16,9 +16,19 @@ _KEPT_ING = {
 _COMMON = frozenset(
     """door doors window windows wall walls sign signs plant plants bench benches seat
     seats chair chairs screen screens poster posters picture pictures board boards light
-    lights box boxes room rooms exit exits opening entrance""".split()
+    lights box boxes room rooms office offices classroom classrooms exit exits opening
+    entrance end""".split()
 )
 """Things that are everywhere and tell little."""
+_SIGNS = frozenset({"sign", "signs", "board", "signboard", "arrow", "screen", "poster"})
+_BINDERS = frozenset({"that", "says", "which", "reading", "saying", "with", "for", "hanging"})
+_PLAIN = SURFACES | frozenset(
+    """automatic sliding double big large small little tall heavy huge wide open closed
+    left right red blue green yellow orange white black brown grey gray pink purple
+    silver golden dark light clear bright old new second first third next last pair of
+    number brass steel metal""".split()
+)
+"""Words before a common thing that do not make it special."""
 _LANES = re.compile(
     r"\b(?:corridor|hallway|passage|passageway|walkway|way|street|path|lane|road|aisle"
     r"|alley|row)$"
@@ -41,6 +51,8 @@ def thing_phrase(words: str) -> str:
 
 
 def _is_idle(token: str) -> bool:
+    if token in {"guy", "fellow", "lady", "dude", "thing", "things", "stuff", "bit", "part"}:
+        return True
     if token in {"of", "that", "with", "marked", "called", "about", "saying", "named"}:
         return True
     return token.endswith("ing") and token not in _KEPT_ING and len(token) > 5
@@ -53,5 +65,14 @@ def is_lane(phrase: str) -> bool:
 
 def is_common(phrase: str) -> bool:
     """Tell whether a thing is of a kind that is everywhere and has no name."""
+    *before, head = phrase.split()
+    return head in _COMMON and all(word in _PLAIN for word in before)
+
+
+def place_on_sign(phrase: str) -> str | None:
+    """Return what a sign names: `library` for `green library sign`; None for no sign."""
     words = phrase.split()
-    return words[-1] in _COMMON and len(words) <= 2
+    if not any(word in _SIGNS for word in words):
+        return None
+    rest = [w for w in words if w not in _SIGNS and w not in _PLAIN and w not in _BINDERS]
+    return " ".join(rest)

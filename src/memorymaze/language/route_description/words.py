@@ -38,8 +38,8 @@ PATTERNS: tuple[tuple[str, str], ...] = (
     (".", r"[.!?;\n]+"),
     (",", r"[,:()\[\]\"/=|…]+|--+|\s[-–—]+\s"),
     # -- fillers that contain words of other kinds
-    ("f", r"(?:all right|alright|right,? so\b|right then(?=,)|right, okay|ok right|that's right|yes,? right|let me get this right|is that right|to be right)\b(?!\s+(?:turn|hand))"),
-    ("f", r"(?<=[.!?] )that's right(?= *[.!?,])"),
+    ("f", r"(?:all right|alright|(?<![\s\S])right,? (?:so|okay|ok|then|well|um|uh)\b|ok right|that's right|yes,? right|let me get this right|is that right|to be right)\b(?!\s+(?:turn|hand))"),
+    ("f", r"(?<=[.!?]\s)that's right(?= *[.!?])"),
     ("f", r"right (?=(?:in front|ahead|opposite|next to|beside|across from|behind|underneath|above|in the middle|out of your)\b)(?!right in the)"),
     ("f", r"by the way|a long way|the whole way|on the way(?: (?:there|back))?|in the way|some way|any ?way|no way to miss|ways? off|each way|one way or another|the way (?:the|it|i)\b"),
     ("f", r"(?:this|that|the other) one\b"),
@@ -61,7 +61,7 @@ PATTERNS: tuple[tuple[str, str], ...] = (
     ("D", r"only(?= (?:left|right)\b)"),
     # -- ends of a way
     ("E", r"(?:at|to|till|until|'til|up to|towards?|reach|near|by) (?:the |it's |its |that |this )?(?:very |far |other )*(?:end|ends|finish|dead ?end)\b(?: of (?:the |this |that |it|its|your )?(?:whole )?(?:\w+ ){0,2}?(?:corridor|hallway|hall|passage(?:way)?|way|street|path|lane|road|aisle|alley|it|that|this|row|bridge|link|carpet)\b)?(?: is reached)?"),
-    ("E", r"(?:when|where|until|till|once|before|as|because)? ?(?:it|this|that|the \w+|the \w+ \w+|corridor|hallway|path|lane|road|passage|he|there)(?:'s| is| has| are)? ?(?:just |simply |all )?\b(?:ends?|ended|stops?|stopped|finish(?:es)?|finished|is over|over|done|runs out|comes to an end|closed)\b(?: (?:in|at|with) (?:a |the )?wall)?"),
+    ("E", r"(?:when|where|until|till|once|before|as|because)? ?(?:it|this|that|the (?!glass|carpet|tile|tiles|brick|bricks|wood|floor|lino|wall|walls|concrete)\w+|the \w+ (?!glass|carpet|tile|tiles|brick|bricks|wood|floor|lino|wall|walls|concrete)\w+|corridor|hallway|path|lane|road|passage|he|there)(?:'s| is| has| are)? ?(?:just |simply |all )?\b(?:ends?|ended|stops?|stopped|finish(?:es)?|finished|is over|over|done|runs out|comes to an end|closed)\b(?: (?:in|at|with) (?:a |the )?wall)?"),
     ("E", r"(?:when|where|until|till) (?:it|this|that|the \w+)(?:'s)? (?:splits?|forks?|divides?|branches)\b(?: (?:in|into|to))?(?: (?:the )?left (?:and|or) (?:the )?right| two\b)?"),
     ("E", r"(?:until|till|to where|so far|as far as|when|where)? ?(?:you|one|we|it|i)? ?(?:can(?:'t|not| not)?|could ?n[o']t|are not able to|cannot) (?:not |no longer |only )?(?:go|walk|move|continue|get)?(?: straight| on| forward| ahead| further| any ?further| farther)+(?: any ?more| any ?further| ahead)?"),
     ("E", r"no (?:more|further) (?:straight|forward|ahead|corridor)|as far as (?:it|you|this|that|the \w+) (?:goes?|can(?: go)?|will go)"),
@@ -98,7 +98,7 @@ PATTERNS: tuple[tuple[str, str], ...] = (
     # -- taking what was named
     ("Y", r"(?:take|use|enter|go in(?:to)?|go for|want|turn(?: in)?(?: to)?|follow|choose) (?:it|this|that|this one|that one|there|here|in there)\b(?! (?:way|path|corridor|hallway|street|road|passage|lane|hall|opening|to the end|until|all|round|along|for|\w+ until))|(?:that|this|it)(?:'s| is| will be| would be) (?:the one|yours|your (?:one|turn|way)|you|ours|us|where you (?:turn|go)|the turn(?:ing)?)\b(?! (?:are|'re|go))|(?:is|'s) (?:yours|ours|the one|you want)\b|go in(?= *[.,;]| and| there)|go inside|(?:you )?enter(?= *[.,;])|you take(?= *[.,;])|you want(?= *[.,;])|(?:take|use)(?= *[.,;]|$)|go that way"),
     # -- curves
-    ("K", r"(?:path|way|corridor|hallway|hall|it|passage|lane|road|he|street|gallery|floor|which|that|robot)?(?: will| just| then| simply| also| only)? ?(?:bends?|curves?|curls?|winds|wraps|goes round|goes around|bending|curving|(?:it|path|corridor|hallway|hall|lane|road|way|street|passage|which|that) (?:just |then |simply |only |will |also )*(?:turns?|goes|go|leads?|makes?|takes you|brings you|veers?|swings?))\b(?: you)?(?: (?:a (?:bit|little)|little|slightly|round|around|gently|again|slight|off|only|then|just))*"),
+    ("K", r"(?:path|way|corridor|hallway|hall|it|passage|lane|road|he|street|gallery|floor|which|that|robot)?(?: will| just| then| simply| also| only)? ?(?:bends?|curves?|curls?|winds|wraps|goes round|goes around|bending|curving|(?:it|path|corridor|hallway|hall|lane|road|way|street|passage|which|that) (?:just |then |simply |only |will |also )*(?:turns?|goes|go|leads?|makes?|takes you|brings you|veers?|swings?))\b(?: you)?(?: (?:round|around|again|off|only|then|just))*"),
     ("K", r"(?:small|slight|gentle|little|a|the|soft)? ?(?:curve|bend|jog|zig ?zag|chicane)\b(?= (?:to|left|right))"),
     ("K", r"(?:follow|go|walk|come|goes|keep)(?:ing|s)? (?:it|this|that|the \w+|the path \w+|with it|yourself)? ?(?:round|around)\b(?! (?:them|him|here|\d|it|two|the))"),
     ("K", r"(?:round|around) (?:the|a|this|that) (?:corner|bend|curve)\b"),
@@ -178,7 +178,7 @@ knock knocks notice gets become becomes changes turns turned starts begin begins
 follows keeps keeping moves moving carry carries carrying brings seems runs says read reads written write
 opposite apart alongside upstairs downstairs overhead underfoot beneath above nearby
 exactly roughly approximately around maybe perhaps probably
-phew wow haha yay bravo tbh btw congrats congratulations ta hurray voila main key me myself husband wife niece brother sister friend friends
+misses knows loves cleans boom phew wow haha yay bravo tbh btw congrats congratulations ta hurray voila main key me myself husband wife niece brother sister friend friends
 minute minutes second seconds metre metres meter meters step steps pace paces foot feet
 north south east west northern southern eastern western
 called named marked labelled labeled
