@@ -25,7 +25,7 @@ from memorymaze.sites import (
     load_site,
 )
 
-PHYSICS_ALONE = "mj_step alone, the robot driving to and fro"
+PHYSICS_ALONE = "mj_step alone, the robot driving back and forth"
 REPEATS = 3
 
 

@@ -1,6 +1,7 @@
 import json
 import math
 from collections.abc import Callable
+from contextlib import suppress
 
 import numpy as np
 import pytest
@@ -10,7 +11,13 @@ from hypothesis import strategies as st
 from memorymaze.errors import CommandError, EpisodeOver
 from memorymaze.geometry.pose import Pose
 from memorymaze.robot.api import Detection
-from memorymaze.simulation import Scene, SimulatedRobot, TraceEvent, build_scene
+from memorymaze.simulation import (
+    Scene,
+    SimulatedRobot,
+    SimulationSettings,
+    TraceEvent,
+    build_scene,
+)
 from memorymaze.sites import Site
 from memorymaze.testing import check_robot
 
@@ -222,3 +229,25 @@ def test_finds_the_middle_from_anywhere_in_a_corridor(
     robot.move_forward(6)
     assert abs(robot.pose.y) < 0.15
     assert robot.collisions == ()
+
+
+@pytest.mark.parametrize("name", ["museum_5f", "museum_7f", "university"])
+def test_a_random_walker_touches_nothing_and_is_always_told_the_truth(
+    builtin_sites: dict[str, Site], name: str
+) -> None:
+    site = builtin_sites[name]
+    scene = build_scene(site)
+    rng = np.random.default_rng(3)
+    robot = SimulatedRobot(
+        scene, site.routes[0].start, SimulationSettings(time_budget=300), rng
+    )
+    with suppress(EpisodeOver):
+        while True:
+            ways = robot.detect_turning_point()
+            if ways and rng.random() < 0.3:
+                assert robot.turn(str(rng.choice(ways))).turned or robot.stopped_by
+            if robot.move_forward(float(rng.uniform(0.3, 5))).reason != "done":
+                robot.turn(str(rng.choice([*robot.detect_turning_point(), "around"])))
+    assert robot.stopped_by == "budget"
+    assert robot.collisions == ()
+    assert scene.clearance.to_anything(robot.trajectory().points).min() > 0.27

@@ -50,6 +50,8 @@ END_GAP = 0.7
 """Metres from the robot's centre to the wall at which it halts."""
 EDGE_GAP = 0.3
 """Metres before the edge of a bend's turning point at which it halts there."""
+LEAST_CROSSING = 1.0
+"""Metres of a turning point that the way must cross for that."""
 BLIND_END = 6.0
 """Floor behind a turning point that has no exit this way, up to this many metres, is a
 bend's outer side and not a way."""
@@ -196,7 +198,7 @@ class StraightWays:
         halt = length - END_GAP
         for point in self._turning_points.values():
             inside = line.intersection(point.polygon)
-            if inside.is_empty:
+            if inside.length < LEAST_CROSSING:
                 continue
             leaves = line.project(Point(shapely.get_coordinates(inside)[-1]))
             if leaves > length - 0.05 or length - leaves > BLIND_END:
