@@ -5,6 +5,7 @@ a file here with `run() -> list[Row]` and one line in `BENCHMARKS`.
 """
 
 BENCHMARKS: dict[str, str] = {
+    "lidar": "benchmarks.lidar",
     "metrics": "benchmarks.metrics",
     "simulation": "benchmarks.simulation",
 }

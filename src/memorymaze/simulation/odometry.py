@@ -1,0 +1,133 @@
+"""Wheel odometry: where the robot believes it is, from how it really moved."""
+
+import math
+from dataclasses import dataclass, fields
+
+import numpy as np
+
+from memorymaze.errors import SettingsError
+from memorymaze.geometry.pose import Pose, turn_between, wrap_angle
+
+__all__ = ["Odometry", "OdometrySettings"]
+
+
+@dataclass(frozen=True, slots=True)
+class OdometrySettings:
+    """How far odometry is off; the defaults are exact.
+
+    Raises:
+        SettingsError: A value has no meaning; the message names it and the range.
+    """
+
+    scale_error: float = 0.0
+    """Relative error of every distance: 0.01 measures 1.01 m for each metre."""
+    heading_drift: float = 0.0
+    """Radians of heading gained per metre driven, left positive."""
+    turn_scale_error: float = 0.0
+    """Relative error of every change of heading."""
+    distance_noise: float = 0.0
+    """Standard deviation of the error over one metre, metres; grows with the square
+    root of the distance."""
+    heading_noise: float = 0.0
+    """Standard deviation of the heading's error over one metre, radians; grows the same
+    way."""
+
+    def __post_init__(self) -> None:
+        """Check every value."""
+        for each in fields(self):
+            value = getattr(self, each.name)
+            lowest = {"scale_error": -1, "turn_scale_error": -1, "heading_drift": None}
+            bound = lowest.get(each.name, 0)
+            if (
+                not isinstance(value, int | float)
+                or isinstance(value, bool)
+                or not math.isfinite(value)
+                or (bound is not None and value < bound)
+            ):
+                expected = "a number" if bound is None else f"a number >= {bound}"
+                raise SettingsError(
+                    f"odometry setting {each.name}: expected {expected}, got {value!r}"
+                )
+
+
+class Odometry:
+    """Adds up motions; its frame has the start at the origin, facing along +x."""
+
+    def __init__(
+        self,
+        start: Pose,
+        settings: OdometrySettings | None = None,
+        rng: np.random.Generator | None = None,
+    ) -> None:
+        """Begin at the origin.
+
+        Args:
+            start: True pose at the start.
+            settings: How far it is off; exact when None.
+            rng: Source of noise; needed when there is any.
+
+        Raises:
+            SettingsError: There is noise and no source of it.
+        """
+        self.settings = settings or OdometrySettings()
+        """How far it is off."""
+        self._noisy = (
+            self.settings.distance_noise > 0 or self.settings.heading_noise > 0
+        )
+        if self._noisy and rng is None:
+            raise SettingsError(
+                "odometry with noise: expected a random generator, got None"
+            )
+        self._rng = rng
+        self._exact = self.settings == OdometrySettings()
+        self._start = start
+        self._truth = start
+        self._pose = Pose(0.0, 0.0, 0.0)
+
+    @property
+    def pose(self) -> Pose:
+        """Where the robot believes it is, metres and radians from the start pose."""
+        return self._pose
+
+    def update(self, truth: Pose) -> Pose:
+        """Take note of a motion.
+
+        Args:
+            truth: Where the robot really is now.
+
+        Returns:
+            Where it believes it is.
+        """
+        before, self._truth = self._truth, truth
+        if self._exact:
+            self._pose = _seen_from(self._start, truth)
+            return self._pose
+        moved = _seen_from(before, truth)
+        distance = math.hypot(moved.x, moved.y)
+        settings = self.settings
+        scale = 1.0 + settings.scale_error
+        turn = turn_between(before.heading, truth.heading)
+        turn = turn * (1.0 + settings.turn_scale_error)
+        turn += settings.heading_drift * distance
+        if self._noisy and self._rng is not None and distance > 0:
+            along, about = self._rng.normal(0.0, math.sqrt(distance), 2).tolist()
+            scale += settings.distance_noise * along / distance
+            turn += settings.heading_noise * about
+        here = self._pose
+        cosine, sine = math.cos(here.heading), math.sin(here.heading)
+        self._pose = Pose(
+            here.x + scale * (moved.x * cosine - moved.y * sine),
+            here.y + scale * (moved.x * sine + moved.y * cosine),
+            wrap_angle(here.heading + turn),
+        )
+        return self._pose
+
+
+def _seen_from(origin: Pose, pose: Pose) -> Pose:
+    dx, dy = pose.x - origin.x, pose.y - origin.y
+    cosine, sine = math.cos(origin.heading), math.sin(origin.heading)
+    return Pose(
+        dx * cosine + dy * sine,
+        dy * cosine - dx * sine,
+        turn_between(origin.heading, pose.heading),
+    )
