@@ -193,7 +193,7 @@ class _Search:
         walker.follow_exit(branch.exit, self._phrases(rivals), arrived)
         if found:
             self._journal.note("arrival", reason=f"{found[0].phrase} seen")
-            approach(walker, found[0], enter=self._enters())
+            approach(walker, found[0], self._plan.arrival.side)
             return True
         return False
 
@@ -221,9 +221,6 @@ class _Search:
                 phrases.extend(m.phrase for m in self._plan.arrival.mentions)
         return list(dict.fromkeys(phrases))
 
-    def _enters(self) -> bool:
-        return True
-
     def _finish(self, ending: Ending) -> None:
         """Go to the place of an ending."""
         walker = self._walker
@@ -242,7 +239,7 @@ class _Search:
         while goal > 0.2:
             seen = [s for s in walker.look(phrases) if s.distance < goal + 3.0]
             if seen and ending.reason.endswith("seen"):
-                approach(walker, seen[0], enter=self._enters())
+                approach(walker, seen[0], self._plan.arrival.side)
                 return
             step = min(goal, 0.8)
             if not walker.step(step):

@@ -13,7 +13,7 @@ from memorymaze.agents.rules.evidence import (
 )
 from memorymaze.agents.rules.floor_map import FloorMap, Sighting, Stretch
 from memorymaze.agents.rules.walker import Walker
-from memorymaze.language.route_description import RoutePlan, is_common
+from memorymaze.language.route_description import RoutePlan, Side, is_common
 
 __all__ = ["Arrivals", "approach"]
 
@@ -50,6 +50,7 @@ class Arrivals:
         """Take the plan and the map that the walk draws."""
         self._plan = plan
         self._floor = floor
+        self._doors: list[int] = []
 
     @property
     def phrases(self) -> tuple[str, ...]:
@@ -124,12 +125,30 @@ class Arrivals:
         for sighting in seen:
             if sighting.phrase not in self.phrases or self._only_names(sighting):
                 continue
+            if is_common(sighting.phrase) and not self._is_the_one(
+                sighting, standing.walked + walked
+            ):
+                continue
             cost = standing.cost + self._loss(sighting)
             cost += self._fit(standing, walked + sighting.distance, 0)
             cost += self._side_cost(sighting)
             if best is None or cost < best[0]:
                 best = (cost, sighting)
         return best
+
+    def _is_the_one(self, sighting: Sighting, walked: float) -> bool:
+        """Tell one door from the next by its side, its number and how far it is."""
+        arrival = self._plan.arrival
+        if arrival.side in {"left", "right"}:
+            if sighting.side != arrival.side:
+                return False
+            if sighting.track not in self._doors:
+                self._doors.append(sighting.track)
+            if arrival.nth is not None and arrival.nth > 0:
+                return self._doors.index(sighting.track) + 1 >= arrival.nth
+        if arrival.length is not None:
+            return walked + sighting.distance >= 0.6 * arrival.length.metres
+        return walked + sighting.distance >= 3.0
 
     def _sightings(self) -> Iterator[tuple[float, Sighting]]:
         for phrase in self.phrases:
@@ -177,28 +196,42 @@ class Arrivals:
         return 0.0
 
 
-def approach(walker: Walker, sighting: Sighting, *, enter: bool) -> None:
+def approach(walker: Walker, sighting: Sighting, side: Side | None) -> None:
     """Walk up to a thing just seen; into the place behind it when it is a door.
 
     Args:
         walker: The robot, facing the thing.
         sighting: The thing.
-        enter: Whether to walk on through a door that stands open ahead.
+        side: Where the description says it is; a way in on that side is taken.
     """
     for _ in range(14):
         seen = [s for s in walker.look((sighting.phrase,)) if s.track == sighting.track]
         if not seen:
             break
         sighting = seen[0]
+        opens = _OPENS.search(sighting.label) is not None
+        if opens and sighting.side == side and walker.turn_in(side):
+            _walk_on(walker, 2 * INSIDE)
+            return
         rest = sighting.distance - CLOSE
+        if opens:
+            rest = _ahead(walker, sighting)
         if rest <= 0.1 or not walker.step(min(rest, 0.8)):
             break
-    if enter and _OPENS.search(sighting.label):
-        dx = sighting.place[0] - walker.place[0]
-        dy = sighting.place[1] - walker.place[1]
-        rest = dx * math.cos(walker.heading) + dy * math.sin(walker.heading) + INSIDE
-        while rest > 0.2 and walker.step(min(rest, 1.0)):
-            rest -= 1.0
+    if _OPENS.search(sighting.label):
+        _walk_on(walker, _ahead(walker, sighting) + INSIDE)
+
+
+def _walk_on(walker: Walker, distance: float) -> None:
+    while distance > 0.2 and walker.step(min(distance, 1.0)):
+        distance -= 1.0
+
+
+def _ahead(walker: Walker, sighting: Sighting) -> float:
+    """Metres to walk until the thing is abreast."""
+    dx = sighting.place[0] - walker.place[0]
+    dy = sighting.place[1] - walker.place[1]
+    return dx * math.cos(walker.heading) + dy * math.sin(walker.heading)
 
 
 def _along(sighting: Sighting, start: tuple[float, float], end: tuple[float, float]) -> float:

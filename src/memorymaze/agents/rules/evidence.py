@@ -219,7 +219,8 @@ def _mention_cost(
     if best:
         return -best * weight
     if mention.phrase in asked:
-        return weight * (0.6 if at_turn else 0.25)
+        ordered = at_turn or mention.place == "passed"
+        return weight * (0.6 if ordered else 0.25)
     return 0.0
 
 

@@ -233,6 +233,15 @@ class Walker:
         """Turn back on the spot."""
         self._turn("around")
 
+    def turn_in(self, side: str) -> bool:
+        """Turn into a way on a side, if the robot has come to where there is one."""
+        if self._robot.turning_point_id() == self.at:
+            return False
+        for direction in self._robot.detect_turning_point():
+            if direction.endswith(side):
+                return self._turn(direction)
+        return False
+
     # -- looking
 
     def look(self, phrases: Iterable[str]) -> list[Sighting]:

@@ -8,6 +8,7 @@ from memorymaze.language.route_description.plan import (
     Mention,
     Passing,
     RoutePlan,
+    Side,
     Turn,
 )
 from memorymaze.language.route_description.things import is_common
@@ -19,6 +20,7 @@ __all__ = [
     "Mention",
     "Passing",
     "RoutePlan",
+    "Side",
     "Turn",
     "is_common",
     "parse_route_description",

@@ -42,6 +42,10 @@ class Draft:
     forced: bool = False
     straight: bool = False
     turn: Turn | None = None
+    def things_passed(self) -> bool:
+        """Tell whether something was named that lies before what is said next."""
+        return any(m.place in {"passed", "before_turn"} for m in self.mentions)
+
     plain_last: bool = False
     """True when the turn was one bare word after a thing named in its sentence."""
 
@@ -161,7 +165,9 @@ class _Assembly:
             if way is None and side is None:
                 way = self._passed_side()
             if side is None or side == way:
-                ordinal = ordinal or self._way.ordinal
+                if ordinal is None:
+                    ordinal = self._way.ordinal
+                    event = replace(event, nearest=self._way.nearest)
                 self._way = None
             else:
                 self._settle_way()
@@ -172,6 +178,8 @@ class _Assembly:
         if way is None and self._draft_is_new() and self._done:
             return
         draft = self._draft
+        if event.nearest and (draft.things_passed() or draft.lengths or draft.passings):
+            ordinal = None
         at_once = draft.at_once or event.at_once
         if at_once and not draft.lengths and not draft.mentions and self._done:
             draft.lengths.append(_IMMEDIATE)
@@ -312,6 +320,7 @@ class _Assembly:
             _place(event, back),
             side=self._side,
             weak=event.relation == "into",
+            nth=event.ordinal,
             ignored=event.ignored,
         )
         self._side = None
@@ -374,6 +383,8 @@ def _place(event: Event, back: bool) -> Place:
         return "after_turn"
     if event.relation == "into":
         return "target"
+    if event.relation == "past":
+        return "passed"
     return "along" if not back else "turn"
 
 
@@ -389,11 +400,14 @@ def leg_of(draft: Draft) -> Leg:
     )
 
 
-def arrival_of(draft: Draft, destinations: tuple[str, ...], side: Side | None) -> Arrival:
+def arrival_of(
+    draft: Draft, destinations: tuple[str, ...], side: Side | None, nth: int | None
+) -> Arrival:
     """Return the last stretch, to one of the destinations."""
     return Arrival(
         destinations=destinations,
         side=side,
+        nth=nth,
         length=combine_lengths(draft.lengths),
         at_end=draft.at_end,
         mentions=tuple(draft.mentions),

@@ -28,8 +28,9 @@ _MAX = 3
 
 def find_destinations(
     last: Draft, drafts: list[Draft], chunks: list[Chunk], text: str
-) -> tuple[tuple[str, ...], Side | None]:
-    """Return words for the destination, the likeliest first, and its side.
+) -> tuple[tuple[str, ...], Side | None, int | None]:
+    """Return words for the destination, the likeliest first, its side, and which
+    one of its kind it is.
 
     Things named on the last stretch are weighed by how they are named: announced as
     the destination, said to be ahead or on a side, named last or more than once.
@@ -65,13 +66,19 @@ def find_destinations(
         if weight >= 3.0:
             scores[phrase] = max(scores.get(phrase, 0.0), weight)
     if not scores:
-        return (), None
+        scores = {p: w + text.rfind(p) / len(text) for p, w in named.items() if p}
+    if not scores:
+        return (), None, None
     if not all(map(is_common, scores)):
         scores = {p: score - 3.0 * is_common(p) for p, score in scores.items()}
     ranked = sorted(scores, key=lambda phrase: -scores[phrase])
     best = scores[ranked[0]]
     kept = tuple(p for p in ranked if scores[p] >= best - 1.6)[:_MAX]
-    return kept, sides.get(kept[0])
+    nth = next((m.nth for m in last.mentions if m.nth is not None), None)
+    side = sides.get(kept[0])
+    if side is None:
+        side = next((m.side for m in last.mentions if is_common(m.phrase) and m.side), None)
+    return kept, side, nth
 
 
 def _score(mention: Mention) -> float:

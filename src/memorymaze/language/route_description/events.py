@@ -52,6 +52,8 @@ class Event:
     """For `thing`: to be left alone."""
     back: bool = False
     """True when it was said after a turn in the same clause and belongs to it."""
+    nearest: bool = False
+    """For an ordinal: said as `next`, counted from where the sentence has come to."""
     likely: bool = False
     """For `way`: true when it sounds like the one to take."""
     taken: bool = False

@@ -19,8 +19,8 @@ def parse_route_description(text: str) -> RoutePlan:
     events = without_overviews(_sentences(split_clauses(chunks), words))
     drafts = assemble(events)
     legs = tuple(leg_of(draft) for draft in drafts[:-1])
-    destinations, side = find_destinations(drafts[-1], drafts[:-1], chunks, words)
-    return RoutePlan(legs, arrival_of(drafts[-1], destinations, side))
+    destinations, side, nth = find_destinations(drafts[-1], drafts[:-1], chunks, words)
+    return RoutePlan(legs, arrival_of(drafts[-1], destinations, side, nth))
 
 
 def _sentences(clauses: list[list[Chunk]], text: str) -> list[tuple[str, list[Event]]]:

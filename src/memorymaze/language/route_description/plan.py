@@ -31,12 +31,12 @@ Side = Literal["left", "right", "ahead", "behind"]
 Junction = Literal["t", "crossing", "corner"]
 """Kinds of junction that speakers name: a wall ahead, four ways, one way on."""
 
-Place = Literal["turn", "before_turn", "after_turn", "along", "target"]
+Place = Literal["turn", "before_turn", "after_turn", "along", "passed", "target"]
 """Where on a leg a thing is said to be.
 
 `turn` at the place of the turn, `before_turn` met shortly before it, `after_turn` the
-turn comes before the thing, `along` anywhere on the leg, `target` what the turn leads
-to.
+turn comes before the thing, `along` anywhere on the leg, `passed` before the turn is
+reached, `target` what the turn leads to.
 """
 
 
@@ -59,6 +59,8 @@ class Mention:
     side: Side | None = None
     weak: bool = False
     """True for names of ways and rooms, which a camera may have nothing to show for."""
+    nth: int | None = None
+    """2 for `the second door`."""
     ignored: bool = False
     """True when it is to be left alone: on the way, but never the destination."""
 
@@ -109,6 +111,8 @@ class Arrival:
     destinations: tuple[str, ...] = ()
     """Words for the destination, the most likely first."""
     side: Side | None = None
+    nth: int | None = None
+    """2 when it is the second of its kind."""
     length: Length | None = None
     at_end: bool = False
     mentions: tuple[Mention, ...] = ()

@@ -425,7 +425,11 @@ class ClauseReader:
             return
         relation = self._relation(at)
         back = self._turned and relation in {"at", "before", "after"}
-        self._add(Event("thing", phrase=phrase, relation=relation, back=back))
+        before = self._chunks[at - 1] if at else None
+        nth = int(before.number or 1) if before is not None and before.kind == "O" else None
+        self._add(
+            Event("thing", phrase=phrase, relation=relation, back=back, ordinal=nth)
+        )
 
     def _relation(self, at: int) -> Relation:
         """What binds a thing to its clause: the nearest binding word before it."""
@@ -462,12 +466,13 @@ class ClauseReader:
         count: int | None = None
         noun: str | None = None
         side: Side | None = None
-        stated = False
+        stated = nearest = False
         while at < end:
             chunk = self._chunks[at]
             if chunk.kind == "O" and ordinal is None and noun is None:
                 ordinal = int(chunk.number or 1)
                 noun = None if chunk.text.split()[-1] in ORDINALS else chunk.text
+                nearest = chunk.text.endswith(("next", "nearest"))
             elif chunk.kind == "n" and noun is None and count is None:
                 count = int(chunk.number or 1)
             elif chunk.kind == "J" or (
@@ -498,17 +503,25 @@ class ClauseReader:
         elif side is None and ordinal is None:
             self._read_bare_way(noun or "", junction, before, after, count)
         elif side is not None and (stated or self._takes(before, noun, ordinal, after, start)):
-            self._turn(Event("turn", way=side, ordinal=ordinal, forced=self._bends(start)))
+            self._turn(
+                Event(
+                    "turn",
+                    way=side,
+                    ordinal=ordinal,
+                    nearest=nearest,
+                    forced=self._bends(start),
+                )
+            )
         elif side is None and ("T" in before or "t" in before) and "V" not in before:
-            self._add(Event("way", ordinal=ordinal, likely=True, taken=True))
+            self._add(Event("way", ordinal=ordinal, nearest=nearest, likely=True, taken=True))
             self._turned = True
         elif side is None and re.search("[AU]$", before):
-            self._add(Event("way", ordinal=ordinal, likely=True, back=self._turned))
+            self._add(Event("way", ordinal=ordinal, nearest=nearest, likely=True, back=self._turned))
         else:
             exists = re.match("B", after) is not None
             bare = "L" in self._kinds[start:at]
             likely = not before and ordinal is not None and (bare or not exists)
-            self._add(Event("way", side=side, ordinal=ordinal, likely=likely))
+            self._add(Event("way", side=side, ordinal=ordinal, nearest=nearest, likely=likely))
         return at
 
     def _takes(
@@ -571,7 +584,7 @@ def _junction_of(noun: str) -> Junction | None:
 
 
 def _bond(word: str) -> Relation:
-    return "from" if word == "from" else "see" if word in _LOOSE else "at"
+    return "from" if word.startswith(("from", "out", "away", "off")) else "see" if word in _LOOSE else "at"
 
 
 def clause_texts(clauses: list[list[Chunk]]) -> Iterator[str]:

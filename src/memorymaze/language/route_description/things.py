@@ -6,6 +6,11 @@ from memorymaze.language.route_description.words import FILLERS, SURFACES, UNSEE
 
 __all__ = ["is_common", "is_lane", "place_on_sign", "thing_phrase"]
 
+_NUMBERS = {
+    "one": "1", "two": "2", "three": "3", "four": "4", "five": "5", "six": "6",
+    "seven": "7", "eight": "8", "nine": "9", "ten": "10", "eleven": "11",
+    "twelve": "12",
+}  # fmt: skip
 _KEPT_ING = {
     "painting", "building", "vending", "recycling", "reading", "meeting", "parking",
     "ceiling", "landing", "drilling", "dining", "waiting", "drinking", "tutoring",
@@ -44,6 +49,8 @@ def thing_phrase(words: str) -> str:
         tokens.pop(0)
     if not tokens:
         return ""
+    if len(tokens) > 1 and tokens[-1] in _NUMBERS:
+        tokens[-1] = _NUMBERS[tokens[-1]]
     content = [t for t in tokens if t not in FILLERS and t not in SURFACES and t not in UNSEEN]
     if not content:
         return ""

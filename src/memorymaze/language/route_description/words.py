@@ -81,7 +81,7 @@ PATTERNS: tuple[tuple[str, str], ...] = (
     ("L", r"(?:slight(?:ly)?|half|soft|gentle|gently|a bit|a little|bit|little|diagonally)(?: to (?:the |your )?)?[- ](?:to (?:the )?)?(?:left|right)\b"),
     ("L", r"(?:left|right)[- ]hand(?= (?:turn|turning|opening|corridor|one|passage))|(?:left|right)(?:wards?)?\b"),
     ("i", r"straight ?away|right ?away|immediately|at once|directly(?! (?:in|ahead|opposite))|in (?:one|a single) (?:go|move(?:ment)?|turn|curve)|as (?:one|a single) (?:go|move(?:ment)?|turn|curve)|in quick succession|quick(?:ly)?|(?:almost |nearly )?(?:together|straight after)|very soon|soon(?: after)?|at the same time|instantly|one after the other|like one (?:curve|turn|move)|almost one curve|really one"),
-    ("H", r"(?:straight(?:forward)?|str(?:ai|ia)gth|forwards?|ahead|fwd|foward|dead ahead|onwards?|front)\b(?: (?:on|ahead|forward|along|through|across|out|up|down|over))*"),
+    ("H", r"(?:straight(?:forward)?|str(?:ai|ia)gth|forwards?|ahead|fwd|foward|dead ahead|onwards?|front)\b(?: (?:on|ahead|forward|along|through|across|up|down|over))*"),
     # -- lengths are read by their own pattern before this table; ordinals
     ("O", r"(?:opening|turning|turn|junction|crossing|corridor|passage|way|street|decision|intersection) (?:number |no\.? ?|#)?(?:one|two|three|four|five|six|seven|eight|[1-9])\b(?! ?(?:m|met(?:er|re)s?|steps?|and|to|or)\b)|number (?:one|two|three|four|five|six|seven|eight|[1-9])\b"),
     ("O", r"(?:very )?(?:first|second|third|fourth|fifth|sixth|seventh|eighth|1st|2nd|3rd|[4-8]th|next|nearest|last|final)\b(?! (?:time|of all|thing|aid|floor|class|iteration|minute|week|year|then|week|to))"),
@@ -113,6 +113,7 @@ PATTERNS: tuple[tuple[str, str], ...] = (
     ("B", r"(?:starts?|begins?|opens?|continues|leads)(?= (?:to|towards|on) (?:the |your )?(?:left|right))|(?:there(?:'s| is| are|'ll be| will be| should be| may be| comes| hangs| stands)|you(?:'ve| have)(?: got)?|here(?:'s| is)|(?:hangs?|stands?|comes?|lies?|sits?|appears?|follows|hums?|buzz(?:es)?|starts?|begins?) (?=on|at|to)|is|are|was|will be|would be|should be|be|'s|'re|being|should|must be|might be|may be|could be|has to be)\b"),
     ("Z", r"(?:it|that|this)(?:'s| is| will be| would be| should be| must be|'ll be)\b(?: (?:a|the|again))*|then (?:it|comes|there)(?:'s| is| comes)\b"),
     ("t", r"(?:into|onto|across(?! from)|through|over|along|down)\b"),
+    ("A", r"(?:out of|out from|away from|off the)\b"),
     ("A", r"(?:at|in(?! (?:front|between|total|all|which|order|general|detail|fact|case)\b)|inside|near|next to|beside|opposite(?: of| to)?|across(?: from)?|facing|in front of|under(?:neath)?|below|when|where|as soon as|alongside|close to|by|once|between|among|from|towards?|level with|with|around)\b"),
     ("Q", r"(?:just |right |shortly |immediately |directly |only |until |a (?:bit|little) |soon )*(?:before|after|behind)\b"),
     ("U", r"(?:until|untill|till|'til|up to|as far as|so that|to)\b"),
