@@ -1,0 +1,9 @@
+"""Turning points found by LiDAR and odometry alone."""
+
+from memorymaze.perception.turning_points.finder import (
+    SensedTurningPoint,
+    TurningPointFinder,
+)
+from memorymaze.perception.turning_points.ways import SensedWay
+
+__all__ = ["SensedTurningPoint", "SensedWay", "TurningPointFinder"]
