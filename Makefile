@@ -4,12 +4,14 @@ VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 WORKERS ?= 0
+# Results belong to the code that made them, so each version has a run folder of its own.
+RUN ?= runs/rules-$(shell git rev-parse --short HEAD 2>/dev/null || echo release)
 
 .PHONY: benchmark test check bench setup clean
 
 benchmark: setup
-	$(BIN)/memorymaze evaluate --agent rules --workers $(WORKERS) --out runs/rules --resume
-	$(BIN)/memorymaze table runs/rules
+	$(BIN)/memorymaze evaluate --agent rules --workers $(WORKERS) --out $(RUN) --resume
+	$(BIN)/memorymaze table $(RUN)
 
 test: setup
 	$(BIN)/pytest -n auto
