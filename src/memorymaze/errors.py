@@ -8,6 +8,7 @@ __all__ = [
     "LanguageModelError",
     "MemoryMazeError",
     "ProgramError",
+    "RenderingError",
     "RunFolderError",
     "SettingsError",
     "SitePlanError",
@@ -41,6 +42,10 @@ class CommandError(MemoryMazeError, ValueError):
 
 class RunFolderError(MemoryMazeError):
     """A run folder is missing, damaged, or belongs to other settings."""
+
+
+class RenderingError(MemoryMazeError):
+    """No picture can be drawn on this machine; says what to install or to set."""
 
 
 class CaseFileError(MemoryMazeError):

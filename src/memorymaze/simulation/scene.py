@@ -1,7 +1,7 @@
 """A physics model of a building, made from its site plan; nothing moves in here.
 
-Geom groups: 0 floor and ceiling, 1 walls, 2 doors, 3 landmarks, 5 the robot. Only
-walls and obstacles touch the robot; everything is seen by rays. No OpenGL is needed.
+Geom groups: 0 floor and ceiling, 1 walls, 2 doors, 3 landmarks, 4 things and people
+whose places an episode sets, 5 the robot. Only walls and obstacles touch the robot; everything is seen by rays. No OpenGL is needed.
 """
 
 import math
@@ -16,6 +16,11 @@ from shapely.geometry.polygon import orient
 
 from memorymaze.simulation.clearance import Clearance
 from memorymaze.simulation.furnishing import Solid, door_solid, landmark_solid
+from memorymaze.simulation.obstacles.bodies import add_movables
+from memorymaze.simulation.obstacles.kinds import Movable, people, things
+from memorymaze.simulation.obstacles.placing import stretches
+from memorymaze.simulation.obstacles.settings import ObstacleSettings
+from memorymaze.simulation.obstacles.walks import Walks
 from memorymaze.simulation.straight_ways import StraightWays
 from memorymaze.simulation.walls import walls_around
 from memorymaze.simulation.wheeled_base import (
@@ -38,9 +43,11 @@ BALUSTRADE_HEIGHT = 1.1
 class SceneObject:
     """What a geom of the model stands for."""
 
-    kind: Literal["floor", "ceiling", "wall", "door", "landmark", "robot"]
-    record: Door | Landmark | None
-    """Its record in the site plan; None for kinds that have none."""
+    kind: Literal[
+        "floor", "ceiling", "wall", "door", "landmark", "thing", "person", "robot"
+    ]
+    record: Door | Landmark | Movable | None
+    """Its record, of doors and landmarks from the site plan; None for other kinds."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,15 +59,38 @@ class Scene:
     """Compiled; never changed after."""
     objects: tuple[SceneObject, ...]
     """What each geom is, by geom id."""
+    obstacles: ObstacleSettings | None = None
+    """What the building is filled with beyond its plan; None for nothing."""
 
     @cached_property
     def geom_ids(self) -> Mapping[str, int]:
-        """Geom id of each door and landmark by its id in the plan."""
+        """Geom id of each door, landmark, thing and person by its id."""
         return {
             each.record.id: number
             for number, each in enumerate(self.objects)
             if each.record is not None
         }
+
+    @cached_property
+    def movables(self) -> tuple[Movable, ...]:
+        """Things and people that an episode may place."""
+        return tuple(
+            each.record for each in self.objects if isinstance(each.record, Movable)
+        )
+
+    @cached_property
+    def mocap_ids(self) -> Mapping[str, int]:
+        """Row of each thing and person in the physics' mocap arrays, by its id."""
+        bodies = self.model.body_mocapid
+        return {
+            each.id: int(bodies[self.model.geom_bodyid[self.geom_ids[each.id]]])
+            for each in self.movables
+        }
+
+    @cached_property
+    def walks(self) -> Walks:
+        """Ways on which people walk."""
+        return Walks(self.site)
 
     @cached_property
     def clearance(self) -> Clearance:
@@ -74,7 +104,7 @@ class Scene:
         return StraightWays(self.site, self.clearance)
 
 
-def build_scene(site: Site) -> Scene:
+def build_scene(site: Site, obstacles: ObstacleSettings | None = None) -> Scene:
     """Build the physics model of a site, with one robot in it.
 
     Walls stand on the boundary of the walkable floor, up to the ceiling; round a hole
@@ -83,6 +113,7 @@ def build_scene(site: Site) -> Scene:
 
     Args:
         site: A building that passed the checks of `memorymaze.sites`.
+        obstacles: Things and people to have at hand; each episode places them anew.
     """
     spec = mujoco.MjSpec()
     spec.modelname = site.name
@@ -112,7 +143,7 @@ def build_scene(site: Site) -> Scene:
     )
     objects.append(SceneObject("ceiling", None))
 
-    open_rings = _rings_with_things_above(site)
+    open_rings = rings_with_things_above(site)
     for wall in walls_around(site.walkable_floor):
         height = site.ceiling_height
         if wall.ring in open_rings:
@@ -137,6 +168,12 @@ def build_scene(site: Site) -> Scene:
         _add_box(world, solid, LANDMARK_GROUP, touches=landmark.obstacle)
         objects.append(SceneObject("landmark", landmark))
 
+    movables = [] if obstacles is None else _movables(site, obstacles)
+    add_movables(spec, movables)
+    objects += [
+        SceneObject("person" if each.is_person else "thing", each) for each in movables
+    ]
+
     add_wheeled_base(spec)
     model = spec.compile()
     robot = SceneObject("robot", None)
@@ -146,10 +183,19 @@ def build_scene(site: Site) -> Scene:
         for i, each in enumerate(objects)
     ):
         raise RuntimeError("the physics engine reordered the scene's geoms")
-    return Scene(site, model, tuple(objects))
+    return Scene(site, model, tuple(objects), obstacles)
 
 
-def _rings_with_things_above(site: Site) -> set[int]:
+def _movables(site: Site, obstacles: ObstacleSettings) -> list[Movable]:
+    length = sum(each.line.length for each in stretches(site))
+    return [
+        *things(obstacles.things_on(length), obstacles.kinds),
+        *people(obstacles.people_on(site.walkable_floor.area)),
+    ]
+
+
+def rings_with_things_above(site: Site) -> set[int]:
+    """Return the holes of the floor (1 is the first) over which something hangs."""
     hanging = [each.position for each in site.landmarks if each.mount == "ceiling"]
     holes = orient(site.walkable_floor).interiors
     return {
