@@ -11,6 +11,12 @@ import numpy as np
 
 from memorymaze.geometry.pose import Pose, turn_between
 from memorymaze.geometry.trajectory import TimedPose, Trajectory
+from memorymaze.simulation.obstacles.surroundings import Surroundings
+from memorymaze.simulation.obstacles.yielding import (
+    LANE_STEP,
+    Hindrance,
+    find_hindrance,
+)
 from memorymaze.simulation.path_following import LaneFollower
 from memorymaze.simulation.scene import Scene
 from memorymaze.simulation.settings import TIMESTEP, SimulationSettings
@@ -18,7 +24,7 @@ from memorymaze.simulation.trace import Collision
 from memorymaze.simulation.turning_points import TurningPointVisits
 from memorymaze.simulation.wheeled_base import WheeledBase
 
-__all__ = ["Driver", "TimeIsUp"]
+__all__ = ["DriveEnd", "Driver", "TimeIsUp"]
 
 ARRIVED = 0.015
 """Metres before a lane's end at which the robot brakes for good."""
@@ -31,7 +37,12 @@ BLOCKED_TICKS = 16
 SAME_TOUCH = 1.0
 """Seconds within which touching the same thing again is the same collision."""
 
-DriveEnd = Literal["distance", "end", "blocked"]
+HELD_SPEED = 0.06
+"""Speed in metres per second below which a robot that yields is waiting."""
+PLACES_AHEAD = 18
+"""Places of the lane, `LANE_STEP` apart, that are watched for people."""
+
+DriveEnd = Literal["distance", "end", "blocked", "held"]
 
 
 class TimeIsUp(Exception):
@@ -48,7 +59,7 @@ class Driver:
         settings: SimulationSettings,
         rng: np.random.Generator,
     ) -> None:
-        """Put the robot at rest on its start pose."""
+        """Put the robot at rest on its start pose, with nobody around."""
         self.base = WheeledBase(scene.model, start, settings, rng)
         self.pose = self.base.pose
         """Where the robot is now."""
@@ -56,6 +67,14 @@ class Driver:
         self.collisions: list[Collision] = []
         self.distance = 0.0
         """Metres driven, backwards as well."""
+        self.surroundings: Surroundings | None = None
+        """What there is beyond the plan; None for nothing, which costs nothing."""
+        self.waiting_time = 0.0
+        """Seconds spent waiting for people."""
+        self.held_for = 0.0
+        """Seconds the robot has been waiting since it last got on."""
+        self.hindrance: Hindrance | None = None
+        """Who was in the way when the robot last looked."""
         self._scene = scene
         self._settings = settings
         self._period = settings.control_period
@@ -63,6 +82,7 @@ class Driver:
         self._samples = [TimedPose(0.0, *start)]
         self._sample_due = settings.sampling_period
         self._touches: dict[int, float] = {}
+        self._moved_until = 0.0
         self.visits.update(start.x, start.y, start.heading)
 
     @property
@@ -111,6 +131,8 @@ class Driver:
         self.distance += moved
         if travel is not None:
             self.visits.update(self.pose.x, self.pose.y, travel)
+        if self.surroundings is not None:
+            self._let_others_move(self.surroundings, moved)
         touched = base.touched_geoms()
         if touched:
             self._note_touches(touched)
@@ -119,7 +141,11 @@ class Driver:
         return moved
 
     def follow(
-        self, follower: LaneFollower, distance: float, end_speed: float
+        self,
+        follower: LaneFollower,
+        distance: float,
+        end_speed: float,
+        patience: float = math.inf,
     ) -> DriveEnd:
         """Drive along a lane.
 
@@ -127,10 +153,11 @@ class Driver:
             follower: On the lane to drive.
             distance: Metres to drive at most.
             end_speed: Greatest speed after that distance, metres per second.
+            patience: Seconds of waiting for people after which to return.
 
         Returns:
-            Why it ended: the distance is driven, the lane is at its end, or the robot
-            pushed against something and did not move.
+            Why it ended: the distance is driven, the lane is at its end, the robot
+            pushed against something and did not move, or it has been held by people.
         """
         braking = BRAKING_SHARE * self._settings.max_acceleration
         driven, idle = 0.0, 0
@@ -149,6 +176,10 @@ class Driver:
             )
             if abs(follower.off_course) > 0.6:
                 speed = min(speed, 0.3)
+            if self.surroundings is not None:
+                speed = min(speed, self._yielding_speed(_places_ahead(follower)))
+                if self.hindrance is not None and self.held_for >= patience:
+                    return "held"
             steps = self._steps
             if self.base.speed > 0 and left < 1:
                 steps = min(steps, max(1, round(left / (self.base.speed * TIMESTEP))))
@@ -166,6 +197,7 @@ class Driver:
 
     def come_to_rest(self, follower: LaneFollower | None = None) -> None:
         """Brake until the robot stands, steering along a lane if there is one."""
+        self.hindrance = None
         base = self.base
         travel = None if follower is None else follower.station.course
         while abs(base.speed) > 1e-6 or abs(base.turn_rate) > 1e-6:
@@ -177,8 +209,17 @@ class Driver:
         while abs(self._measured_speed()) > 0.002:
             self.tick(0.0, 0.0, travel)
 
+    def wait(self, seconds: float) -> None:
+        """Stand and let time pass; counts as waiting for people."""
+        self.come_to_rest()
+        begin = self.time
+        while self.time - begin < seconds - 1e-9:
+            self.tick(0.0, 0.0, None)
+        self.waiting_time += self.time - begin
+
     def spin_to(self, heading: float) -> None:
         """Turn on the spot until the robot faces a heading, radians."""
+        self.hindrance = None
         braking = BRAKING_SHARE * self._settings.max_turn_acceleration
         while True:
             error = turn_between(self.pose.heading, heading)
@@ -188,8 +229,14 @@ class Driver:
             self.tick(0.0, math.copysign(rate, error), None)
         self.come_to_rest()
 
-    def drive_to(self, x: float, y: float) -> None:
-        """Drive straight to a point, backing up to it when it is close behind."""
+    def drive_to(self, x: float, y: float, patience: float = math.inf) -> None:
+        """Drive straight to a point, backing up to it when it is close behind.
+
+        Args:
+            x: Metres.
+            y: Metres.
+            patience: Seconds of waiting for people after which it gives up.
+        """
         distance = math.hypot(x - self.pose.x, y - self.pose.y)
         if distance < 0.05:
             return
@@ -211,10 +258,46 @@ class Driver:
             aside = (y - self.pose.y) * ux - (x - self.pose.x) * uy
             error = turn_between(self.pose.heading, facing)
             speed = min(self._settings.max_speed, math.sqrt(2 * braking * left))
+            if self.surroundings is not None:
+                count = 2 + math.ceil(left / LANE_STEP)
+                places = [
+                    (
+                        self.pose.x + k * LANE_STEP * ux,
+                        self.pose.y + k * LANE_STEP * uy,
+                        bearing,
+                    )
+                    for k in range(count)
+                ]
+                speed = min(speed, self._yielding_speed(places))
+                if self.held_for >= patience:
+                    break
             turn_rate = 2.0 * error + 2.0 * speed * sign * aside
             moved = self.tick(sign * speed, turn_rate, bearing)
             idle = idle + 1 if moved < 0.1 * abs(self.base.speed) * self._period else 0
         self.come_to_rest()
+
+    def _yielding_speed(self, places: list[tuple[float, float, float]]) -> float:
+        """Return the greatest speed that lets people pass; notes who is in the way."""
+        surroundings = self.surroundings
+        crowd = None if surroundings is None else surroundings.crowd
+        self.hindrance = None
+        if crowd is not None:
+            self.hindrance = find_hindrance(crowd, places, abs(self.base.speed))
+        if self.hindrance is None:
+            return math.inf
+        braking = BRAKING_SHARE * self._settings.max_acceleration
+        return math.sqrt(2 * braking * self.hindrance.ahead)
+
+    def _let_others_move(self, surroundings: Surroundings, moved: float) -> None:
+        duration = self.time - self._moved_until
+        self._moved_until = self.time
+        vx, vy = self.base.data.qvel[:2].tolist()
+        surroundings.advance(self.time, self.pose, (vx, vy))
+        if moved > HELD_SPEED * duration:
+            self.held_for = 0.0
+        elif self.hindrance is not None:
+            self.held_for += duration
+            self.waiting_time += duration
 
     def _measured_speed(self) -> float:
         vx, vy = self.base.data.qvel[:2].tolist()
@@ -230,3 +313,9 @@ class Driver:
                     Collision(self.time, self.pose, thing.kind, name)
                 )
             self._touches[geom] = self.time
+
+
+def _places_ahead(follower: LaneFollower) -> list[tuple[float, float, float]]:
+    return [
+        (each.x, each.y, each.heading) for each in follower.stations_ahead(PLACES_AHEAD)
+    ]

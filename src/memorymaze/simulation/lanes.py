@@ -21,6 +21,7 @@ __all__ = [
     "LaneEnd",
     "Station",
     "lane_along",
+    "lane_round_things",
     "plan_lane",
 ]
 
@@ -137,6 +138,39 @@ def lane_along(points: FloatArray, max_speed: float) -> Lane:
     base = _rounded(polyline.resample(points, SPACING), 2)
     speeds = np.full(len(base), max_speed)
     return _lane(base, base, _headings(base), speeds, "done")
+
+
+def lane_round_things(
+    points: FloatArray, max_speed: float, clearance: Clearance
+) -> Lane:
+    """Return the lane along a given line, but round what stands on it.
+
+    It ends as `obstacle` where the rest of the line cannot be reached.
+
+    Args:
+        points: Vertices, metres, shape (N, 2), N >= 2.
+        max_speed: Metres per second.
+        clearance: Distances to everything that stands.
+    """
+    base = _rounded(polyline.resample(points, SPACING), 2)
+    room = clearance.to_anything(base)
+    if len(base) < 3 or (room >= MIN_CLEARANCE).all():
+        return lane_along(points, max_speed)
+    normals = _normals(base)
+    # Lines may lead along walls more closely than lanes do; there they are kept to.
+    tolerated = np.minimum(LEAST_CLEARANCE, clearance.to_walls(base) - 1e-3)
+    tolerated[:8] = np.minimum(tolerated[:8], max(float(room[0]) - 1e-3, ROBOT_RADIUS))
+    offsets, usable = make_detours(
+        base, normals, np.zeros(len(base)), MIN_CLEARANCE, tolerated, clearance
+    )
+    end: LaneEnd = "done"
+    if usable < len(base):
+        end = "obstacle"
+        usable = max(2, usable - round(OBSTACLE_GAP / SPACING))
+    driven = (base + offsets[:, None] * normals)[:usable]
+    room = clearance.to_anything(driven)
+    speeds = np.where(room < MIN_CLEARANCE - 1e-6, TIGHT_SPEED, max_speed)
+    return _lane(driven, base[:usable], _headings(base)[:usable], speeds, end)
 
 
 def _stations_of(way: StraightWay) -> tuple[FloatArray, FloatArray]:

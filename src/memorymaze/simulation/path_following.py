@@ -56,6 +56,10 @@ class LaneFollower:
         stations, i = self.lane.stations, self._index
         return min(station.speed for station in stations[i : i + 3])
 
+    def stations_ahead(self, count: int) -> tuple[Station, ...]:
+        """Return the station last passed and those after it, `count` at most."""
+        return self.lane.stations[self._index : self._index + count]
+
     def update(self, pose: Pose) -> None:
         """Find the robot's place beside the lane."""
         stations = self.lane.stations

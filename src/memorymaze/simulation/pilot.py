@@ -7,8 +7,10 @@ from numpy.typing import NDArray
 
 from memorymaze.geometry.pose import turn_between, wrap_angle
 from memorymaze.robot.api import DIRECTIONS, Direction, MoveEnd, TurnResult
-from memorymaze.simulation.driving import Driver
-from memorymaze.simulation.lanes import plan_lane
+from memorymaze.simulation.clearance import Clearance
+from memorymaze.simulation.driving import DriveEnd, Driver
+from memorymaze.simulation.lanes import Lane, plan_lane
+from memorymaze.simulation.obstacles.surroundings import Surroundings
 from memorymaze.simulation.path_following import LaneFollower
 from memorymaze.simulation.route_following import follow_line
 from memorymaze.simulation.scene import Scene
@@ -28,6 +30,10 @@ SPIN_FIRST = math.radians(8)
 """Angle to a new lane's beginning from which on the robot first turns on the spot."""
 BACK_SECTOR = math.radians(35)
 """`around` faces an exit that lies within this angle of a half turn."""
+LOOK_AROUND = 1.5
+"""Seconds of waiting from one look for a way round people who stand to the next."""
+GETS_PAST = 1.5
+"""Metres that a way round people must lead on for the robot to take it."""
 
 
 class Pilot:
@@ -45,6 +51,9 @@ class Pilot:
         self._scene = scene
         self._driver = driver
         self._settings = settings
+        around = driver.surroundings
+        self._clearance = scene.clearance if around is None else around.clearance
+        self._patience = math.inf if around is None else around.patience
         self._course = driver.pose.heading
         self._fresh = True
         self._towards: str | None = None
@@ -66,10 +75,18 @@ class Pilot:
             or abs(follower.off_course) > REPLAN_ANGLE
         ):
             follower = self._planned()
-        how = driver.follow(follower, distance, self._settings.rolling_speed)
+        if driver.surroundings is None:
+            how = driver.follow(follower, distance, self._settings.rolling_speed)
+        else:
+            how, follower = self._move_among_people(
+                follower, distance, driver.surroundings
+            )
         self._course = follower.station.course
         if how == "distance":
             return "done"
+        if how == "held":
+            self._follower = None
+            return "obstacle"
         if how == "end":
             return "obstacle" if follower.lane.end == "obstacle" else "wall"
         self._follower = None
@@ -77,8 +94,48 @@ class Pilot:
 
     def _what_blocks(self) -> MoveEnd:
         collisions = self._driver.collisions
-        hit_thing = bool(collisions) and collisions[-1].kind == "landmark"
+        things = ("landmark", "thing", "person")
+        hit_thing = bool(collisions) and collisions[-1].kind in things
         return "obstacle" if hit_thing else "wall"
+
+    def _move_among_people(
+        self, follower: LaneFollower, distance: float, surroundings: Surroundings
+    ) -> tuple[DriveEnd, LaneFollower]:
+        """Drive on; wait for people, or go round those who stand, as patience lasts."""
+        driver = self._driver
+        until = driver.distance + distance
+        driver.held_for = 0.0
+        while True:
+            left = max(until - driver.distance, 1e-3)
+            how = driver.follow(
+                follower,
+                left,
+                self._settings.rolling_speed,
+                min(driver.held_for + LOOK_AROUND, surroundings.patience),
+            )
+            if how != "held":
+                return how, follower
+            if driver.held_for >= surroundings.patience:
+                self.come_to_rest()
+                return how, follower
+            clearance = surroundings.clearance_now(driver.pose[:2])
+            if clearance is not None:
+                follower = self._round_people(follower, clearance)
+
+    def _round_people(
+        self, follower: LaneFollower, clearance: Clearance
+    ) -> LaneFollower:
+        """Return a lane round those who stand; the old one where there is no way."""
+        pose = self._driver.pose
+        way = self._scene.straight_ways.way(
+            (pose.x, pose.y), self._course, fresh=self._fresh, towards=self._towards
+        )
+        lane = plan_lane(way, pose, clearance, self._settings.max_speed)
+        hindrance = self._driver.hindrance
+        past = GETS_PAST + (0.0 if hindrance is None else hindrance.ahead)
+        if lane.length < min(past, follower.remaining):
+            return follower
+        return self._joined(lane)
 
     def _planned(self) -> LaneFollower:
         driver = self._driver
@@ -87,14 +144,20 @@ class Pilot:
         way = self._scene.straight_ways.way(
             (pose.x, pose.y), self._course, fresh=self._fresh, towards=self._towards
         )
-        lane = plan_lane(way, pose, self._scene.clearance, self._settings.max_speed)
+        lane = plan_lane(way, pose, self._clearance, self._settings.max_speed)
+        follower = self._joined(lane)
+        self._fresh = False
+        return follower
+
+    def _joined(self, lane: Lane) -> LaneFollower:
+        """Begin a lane, facing along it."""
+        driver = self._driver
         follower = LaneFollower(lane)
-        follower.update(pose)
+        follower.update(driver.pose)
         if lane.length > 0 and abs(follower.off_course) > SPIN_FIRST:
             driver.spin_to(lane.stations[0].heading)
             follower.update(driver.pose)
         self._follower = follower
-        self._fresh = False
         return follower
 
     def directions(self) -> list[Direction]:
@@ -142,10 +205,8 @@ class Pilot:
         meeting = meeting_point(
             visit.point, chosen, place, self._course, self._scene.straight_ways
         )
-        if self._scene.clearance.is_free(
-            [driver.pose[:2], meeting], ROBOT_RADIUS + 0.02
-        ):
-            driver.drive_to(*meeting)
+        if self._clearance.is_free([driver.pose[:2], meeting], ROBOT_RADIUS + 0.02):
+            driver.drive_to(*meeting, patience=self._patience)
         driver.spin_to(chosen.heading)
         self._face(chosen.heading, chosen.to)
         angle = math.degrees(turn_between(before, driver.pose.heading))
@@ -186,9 +247,11 @@ class Pilot:
     def follow(self, points: NDArray[np.float64]) -> MoveEnd:
         """Drive along a given line, (N, 2) metres, to its end."""
         self._follower = None
-        arrived = follow_line(self._driver, points, self._settings.max_speed)
+        how = follow_line(self._driver, points, self._settings.max_speed)
         self._face(self._driver.pose.heading, None)
-        return "done" if arrived else self._what_blocks()
+        if how == "blocked":
+            return self._what_blocks()
+        return "done" if how == "arrived" else "obstacle"
 
 
 def _in_words(direction: str) -> str:

@@ -1,7 +1,7 @@
 """`SimulatedRobot`: the guide robot's control API on a simulated building."""
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import asdict
 
@@ -22,6 +22,8 @@ from memorymaze.robot.api import (
 )
 from memorymaze.simulation.call_log import CallLog
 from memorymaze.simulation.driving import Driver, TimeIsUp
+from memorymaze.simulation.obstacles.closeness import NearMiss
+from memorymaze.simulation.obstacles.surroundings import Surroundings
 from memorymaze.simulation.pilot import Pilot
 from memorymaze.simulation.scene import Scene
 from memorymaze.simulation.settings import SimulationSettings
@@ -51,6 +53,8 @@ class SimulatedRobot:
         on_event: Callable[[TraceEvent], None] | None = None,
         *,
         detector: Detector | None = None,
+        obstacles_rng: np.random.Generator | None = None,
+        keep_free: Sequence[tuple[float, float]] = (),
     ) -> None:
         """Put a robot into a building.
 
@@ -63,6 +67,12 @@ class SimulatedRobot:
             on_event: Called after each call of the control API.
             detector: Eyes of `detect_from_RGB_image`; None knows what the camera
                 really sees.
+            obstacles_rng: Source of where things stand and how people walk, in a scene
+                that has them; None seeds one with the seed of its settings.
+            keep_free: Points besides the start where nothing may stand, metres.
+
+        Raises:
+            SettingsError: There are to be people, and the package for them is missing.
         """
         self.scene = scene
         """The building it is in."""
@@ -71,6 +81,14 @@ class SimulatedRobot:
         self._driver = Driver(
             scene, start, self.settings, rng or np.random.default_rng(0)
         )
+        if scene.obstacles is not None:
+            self._driver.surroundings = Surroundings(
+                scene,
+                self._driver.base.data,
+                start,
+                keep_free,
+                obstacles_rng or np.random.default_rng(scene.obstacles.seed),
+            )
         self._pilot = Pilot(scene, self._driver, self.settings)
         self._log = CallLog(self.settings, on_event)
         self._detector = detector or TruthDetector()
@@ -186,7 +204,8 @@ class SimulatedRobot:
     def follow(self, line: ArrayLike) -> MoveResult:
         """Drive along a given line to its end; privileged, for the oracle.
 
-        Obstacles are not looked at. It stops and turns on the spot where the line bends
+        The plan's own obstacles are not looked at; it goes round things that were left
+        in the way, and round people or waits for them. It stops and turns on the spot where the line bends
         by more than 25 degrees.
 
         Args:
@@ -235,6 +254,23 @@ class SimulatedRobot:
     def collisions(self) -> tuple[Collision, ...]:
         """Every time its body touched something."""
         return tuple(self._driver.collisions)
+
+    @property
+    def surroundings(self) -> Surroundings | None:
+        """Things and people around it; None in a building that is as in its plan."""
+        return self._driver.surroundings
+
+    @property
+    def near_misses(self) -> tuple[NearMiss, ...]:
+        """Every time a person and its body were closer than 0.3 m."""
+        around = self._driver.surroundings
+        closeness = None if around is None else around.closeness
+        return () if closeness is None else tuple(closeness.near_misses)
+
+    @property
+    def waiting_time(self) -> float:
+        """Simulated seconds it stood because people were in the way."""
+        return self._driver.waiting_time
 
     @property
     def refused_turns(self) -> int:

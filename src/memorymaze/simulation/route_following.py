@@ -2,16 +2,19 @@
 
 import math
 from itertools import pairwise
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
+from memorymaze.geometry import polyline
 from memorymaze.geometry.pose import turn_between
 from memorymaze.simulation.driving import Driver
-from memorymaze.simulation.lanes import lane_along
+from memorymaze.simulation.lanes import lane_along, lane_round_things
+from memorymaze.simulation.obstacles.surroundings import Surroundings
 from memorymaze.simulation.path_following import LaneFollower
 
-__all__ = ["follow_line"]
+__all__ = ["FollowEnd", "follow_line"]
 
 SHARP_VERTEX = math.radians(25)
 """Bend from which on the robot stops at a vertex and turns on the spot."""
@@ -19,10 +22,20 @@ ALIGNED = math.radians(2)
 NEAR = 0.05
 """Metres within which two places are the same here."""
 
+LOOK_AROUND = 1.5
+"""Seconds of waiting from one look for a way round people who stand to the next."""
+LONGEST_WAIT = 60.0
+"""Seconds without getting on after which it gives up."""
+GOT_ON = 0.3
+"""Metres that count as getting on."""
+
 FloatArray = NDArray[np.float64]
+FollowEnd = Literal["arrived", "blocked", "obstacle"]
 
 
-def follow_line(driver: Driver, points: FloatArray, max_speed: float = 1.0) -> bool:
+def follow_line(
+    driver: Driver, points: FloatArray, max_speed: float = 1.0
+) -> FollowEnd:
     """Drive to a line's first point, along it and to its end, and come to rest there.
 
     Args:
@@ -31,20 +44,69 @@ def follow_line(driver: Driver, points: FloatArray, max_speed: float = 1.0) -> b
         max_speed: Metres per second.
 
     Returns:
-        Whether it arrived; False when it pushed against something and gave up.
+        `arrived`; `blocked` when it pushed against something and gave up, and where
+        things or people stand that it cannot get past `obstacle`.
     """
     here = np.array([driver.pose[:2]])
     line = _without_repeats(np.concatenate([here, points]))
+    surroundings = driver.surroundings
     for leg in _legs(line):
+        if surroundings is not None:
+            how = _follow_among_people(driver, leg, max_speed, surroundings)
+            if how != "arrived":
+                return how
+            continue
         follower = LaneFollower(lane_along(leg, max_speed))
         heading = follower.station.heading
         if abs(turn_between(driver.pose.heading, heading)) > ALIGNED:
             driver.come_to_rest()
             driver.spin_to(heading)
         if driver.follow(follower, math.inf, 0.0) == "blocked":
-            return False
+            return "blocked"
     driver.come_to_rest()
-    return True
+    return "arrived"
+
+
+def _follow_among_people(
+    driver: Driver, leg: FloatArray, max_speed: float, surroundings: Surroundings
+) -> FollowEnd:
+    """Drive along a straight leg, round things; wait for people or go round them."""
+    clearance = surroundings.clearance
+    driver.held_for = 0.0
+    until = driver.time + LONGEST_WAIT
+    while True:
+        rest = _rest_of(leg, driver.pose[:2])
+        if len(rest) < 2:
+            return "arrived"
+        before = driver.distance
+        lane = lane_round_things(rest, max_speed, clearance)
+        follower = LaneFollower(lane)
+        heading = follower.station.heading
+        if abs(turn_between(driver.pose.heading, heading)) > ALIGNED:
+            driver.come_to_rest()
+            driver.spin_to(heading)
+        how = driver.follow(follower, math.inf, 0.0, driver.held_for + LOOK_AROUND)
+        if how == "blocked":
+            return "blocked"
+        if how == "end" and lane.end == "done":
+            return "arrived"
+        if driver.distance - before > GOT_ON:
+            until = driver.time + LONGEST_WAIT
+        elif driver.time > until:
+            driver.come_to_rest()
+            return "obstacle"
+        if how == "end":
+            driver.wait(LOOK_AROUND)
+        clearance = (
+            surroundings.clearance_now(driver.pose[:2]) or surroundings.clearance
+        )
+
+
+def _rest_of(leg: FloatArray, here: tuple[float, float]) -> FloatArray:
+    """Return what is left of a leg, from where the robot is."""
+    s = polyline.project(leg, here).s
+    along = polyline.arc_lengths(leg)
+    return _without_repeats(np.concatenate([[here], leg[along > s + NEAR]]))
 
 
 def _without_repeats(points: FloatArray) -> FloatArray:

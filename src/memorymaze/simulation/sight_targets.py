@@ -1,22 +1,32 @@
-"""What there is to see in a scene: doors and landmarks, named and covered with points.
+"""What there is to see in a scene: doors, landmarks, things and people.
+
+They are named and covered with points.
 
 Whether they are seen from somewhere is decided in `visibility.py`.
 """
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import NamedTuple
 
+import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
 from memorymaze.perception.visible_object import ObjectDescription
+from memorymaze.simulation.obstacles.kinds import Movable
 from memorymaze.simulation.scene import Scene
 from memorymaze.sites.records import Door, Landmark, Site
 
-__all__ = ["SightTargets", "describe_door", "describe_landmark", "sight_targets"]
+__all__ = [
+    "SightTargets",
+    "describe_door",
+    "describe_landmark",
+    "movable_targets",
+    "sight_targets",
+]
 
 FloatArray = NDArray[np.float64]
 
@@ -41,7 +51,7 @@ _DOOR_MATERIAL = {
 
 @dataclass(frozen=True, eq=False)
 class SightTargets:
-    """Doors and landmarks of a scene, n of them, covered with N points in all."""
+    """Things of a scene that can be seen, n of them, covered with N points in all."""
 
     descriptions: tuple[ObjectDescription, ...]
     geoms: NDArray[np.int32]
@@ -66,21 +76,95 @@ class SightTargets:
 
 @lru_cache(maxsize=8)
 def sight_targets(scene: Scene) -> SightTargets:
-    """Return what there is to see in a scene."""
+    """Return what there is to see of a site: its doors and landmarks."""
     geoms = [
-        geom for geom, thing in enumerate(scene.objects) if thing.record is not None
+        geom
+        for geom, thing in enumerate(scene.objects)
+        if isinstance(thing.record, Door | Landmark)
     ]
-    tiles = [_NO_TILES, *(_tiles(scene, geom) for geom in geoms)]
-    sizes = scene.model.geom_size[geoms].reshape(-1, 3)
+    return _targets(
+        scene,
+        geoms,
+        scene.model.geom_pos[geoms].reshape(-1, 3),
+        [_tiles(scene, geom) for geom in geoms],
+    )
+
+
+def movable_targets(
+    scene: Scene, data: mujoco.MjData, eye: FloatArray, reach: float
+) -> SightTargets:
+    """Return the things and people to be seen near a point, where they are now.
+
+    Args:
+        scene: The building.
+        data: Physics state with up-to-date geom poses.
+        eye: Metres, (3,).
+        reach: Metres from there to their middles.
+    """
+    geoms = _movable_geoms(scene)
+    distances = np.linalg.norm(data.geom_xpos[geoms].reshape(-1, 3) - eye, axis=1)
+    near = [geom for geom, d in zip(geoms, distances, strict=True) if d <= reach]
+    return _targets(
+        scene,
+        near,
+        data.geom_xpos[near].reshape(-1, 3),
+        [
+            _moved(tiles, data.geom_xmat[geom].reshape(3, 3), data.geom_xpos[geom])
+            for geom in near
+            for tiles in [_local_tiles(scene, geom)]
+        ],
+    )
+
+
+@lru_cache(maxsize=8)
+def _movable_geoms(scene: Scene) -> list[int]:
+    return [
+        geom
+        for geom, thing in enumerate(scene.objects)
+        if isinstance(thing.record, Movable)
+    ]
+
+
+@lru_cache(maxsize=2048)
+def _local_tiles(scene: Scene, geom: int) -> "_Tiles":
+    """Return the tiles of a movable in its own frame, which is its body's."""
+    return _tiles(scene, geom)
+
+
+def _moved(tiles: "_Tiles", turn: FloatArray, place: FloatArray) -> "_Tiles":
+    return _Tiles(
+        tiles.points @ turn.T + place,
+        tiles.normals @ turn.T,
+        tiles.half_edges @ turn.T,
+        tiles.areas,
+    )
+
+
+def _targets(
+    scene: Scene,
+    geoms: Sequence[int],
+    centres: FloatArray,
+    tiles_of: "Sequence[_Tiles]",
+) -> SightTargets:
+    tiles = [_NO_TILES, *tiles_of]
+    sizes = np.array([_half_size(scene, geom) for geom in geoms]).reshape(-1, 3)
     return SightTargets(
         tuple(_describe(scene, geom) for geom in geoms),
         np.array(geoms, dtype=np.int32),
-        scene.model.geom_pos[geoms].reshape(-1, 3),
+        centres,
         2 * sizes[:, :2].max(axis=1, initial=0.0),
         np.sqrt(np.square(sizes).sum(axis=1)),
         np.cumsum([len(each.points) for each in tiles], dtype=np.int64),
         *(np.concatenate(column) for column in zip(*tiles, strict=True)),
     )
+
+
+def _half_size(scene: Scene, geom: int) -> FloatArray:
+    """Return half the extent of a box, or of the box around an upright cylinder."""
+    size = scene.model.geom_size[geom]
+    if scene.model.geom_type[geom] == mujoco.mjtGeom.mjGEOM_CYLINDER:
+        return np.array([size[0], size[0], size[1]])
+    return np.array(size)
 
 
 def _describe(scene: Scene, geom: int) -> ObjectDescription:
@@ -89,7 +173,9 @@ def _describe(scene: Scene, geom: int) -> ObjectDescription:
         return describe_door(record, scene.site)
     if isinstance(record, Landmark):
         return describe_landmark(record)
-    raise TypeError(f"geom {geom}: expected a door or landmark, got {record!r}")
+    if isinstance(record, Movable):
+        return ObjectDescription(record.category, color=record.color, text=record.text)
+    raise TypeError(f"geom {geom}: expected something to see, got {record!r}")
 
 
 def describe_landmark(landmark: Landmark) -> ObjectDescription:
@@ -127,7 +213,7 @@ _NO_TILES = _Tiles(np.zeros((0, 3)), np.zeros((0, 3)), np.zeros((0, 2, 3)), np.z
 
 def _tiles(scene: Scene, geom: int) -> _Tiles:
     """Cover a box's sides, top and bottom with tiles."""
-    faces = list(_faces(scene.model.geom_size[geom]))
+    faces = list(_faces(_half_size(scene, geom)))
     points = np.concatenate([points for points, _, _ in faces])
     normals = np.concatenate([np.tile(n, (len(p), 1)) for p, n, _ in faces])
     half_edges = np.concatenate([np.tile(e, (len(p), 1, 1)) for p, _, e in faces])

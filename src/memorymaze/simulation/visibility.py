@@ -6,7 +6,6 @@ them. Rooms are not things: one sees their doors and signs.
 """
 
 import math
-from functools import cached_property
 
 import mujoco
 import numpy as np
@@ -14,7 +13,11 @@ from numpy.typing import NDArray
 
 from memorymaze.perception.visible_object import VisibleObject
 from memorymaze.simulation.scene import Scene
-from memorymaze.simulation.sight_targets import SightTargets, sight_targets
+from memorymaze.simulation.sight_targets import (
+    SightTargets,
+    movable_targets,
+    sight_targets,
+)
 from memorymaze.simulation.wheeled_base import ROBOT_GROUP
 
 __all__ = [
@@ -43,6 +46,8 @@ LEAST_PIXELS = 8.0
 
 TOUCH = 0.03
 """A ray that ends within so many metres of a point has reached it."""
+LARGEST_MOVABLE = 2.0
+"""Metres from the middle of a thing or person to its farthest part, at most."""
 NEAREST = 0.05
 """Depth in metres below which nothing is seen."""
 
@@ -66,18 +71,24 @@ class RayCamera:
         self._ahead = np.array([math.cos(heading), math.sin(heading), 0.0])
         self._left = np.array([-math.sin(heading), math.cos(heading), 0.0])
 
-    @cached_property
-    def _targets(self) -> SightTargets:
-        return sight_targets(self._scene)
-
     def visible_objects(self, range_limit: float) -> list[VisibleObject]:
         """Return the things seen whose nearest seen part is within the limit.
 
         Args:
             range_limit: Metres from the lens.
         """
-        targets = self._targets
-        near = self._candidates(range_limit)
+        seen = self._seen_of(sight_targets(self._scene), range_limit)
+        if self._scene.movables:
+            reach = range_limit + LARGEST_MOVABLE
+            nearby = movable_targets(self._scene, self._data, self._eye, reach)
+            seen += self._seen_of(nearby, range_limit)
+        return seen
+
+    def _seen_of(
+        self, targets: SightTargets, range_limit: float
+    ) -> list[VisibleObject]:
+        """Return which of some targets are seen; everything may hide them."""
+        near = self._candidates(targets, range_limit)
         if not near:
             return []
         numbers = np.concatenate([
@@ -121,6 +132,7 @@ class RayCamera:
         )
         found = [
             self._seen_thing(
+                targets,
                 near[i],
                 numbers[seen & (owners == i)],
                 min(float(unhidden[i] / inside[i]), 1.0),
@@ -131,9 +143,8 @@ class RayCamera:
             each for each in found if each is not None and each.distance <= range_limit
         ]
 
-    def _candidates(self, range_limit: float) -> list[int]:
+    def _candidates(self, targets: SightTargets, range_limit: float) -> list[int]:
         """Return things near enough and not behind the lens, by their round hulls."""
-        targets = self._targets
         offsets = targets.centres - self._eye
         reach = range_limit + targets.radii
         near = (
@@ -176,10 +187,13 @@ class RayCamera:
         )
 
     def _seen_thing(
-        self, target: int, numbers: NDArray[np.int64], fraction: float
+        self,
+        targets: SightTargets,
+        target: int,
+        numbers: NDArray[np.int64],
+        fraction: float,
     ) -> VisibleObject | None:
         """Measure a thing by its seen tiles; None where it is too small to tell."""
-        targets = self._targets
         edges = targets.half_edges[numbers]
         middles = targets.points[numbers] - self._eye
         corners = np.concatenate([

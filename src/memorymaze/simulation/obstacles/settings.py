@@ -1,0 +1,136 @@
+"""How much stands in the way and how many people walk about in a run."""
+
+import math
+from dataclasses import dataclass, replace
+
+from memorymaze.errors import SettingsError
+from memorymaze.simulation.obstacles.kinds import THING_KINDS
+
+__all__ = ["LEVELS", "ObstacleSettings", "parse_obstacles"]
+
+
+LARGEST = 1000.0
+
+
+def _is_number(value: object) -> bool:
+    return (
+        isinstance(value, int | float)
+        and not isinstance(value, bool)
+        and math.isfinite(value)
+    )
+
+
+def _is_count(value: object) -> bool:
+    return isinstance(value, int) and not isinstance(value, bool) and value >= 0
+
+
+@dataclass(frozen=True, slots=True)
+class ObstacleSettings:
+    """What a building is filled with beyond its plan.
+
+    Raises:
+        SettingsError: A value has no meaning; the message names it and the range.
+    """
+
+    things_per_100m: float = 4.0
+    """Things left standing, per 100 m of corridor."""
+    people_per_100m2: float = 1.0
+    """People walking about, per 100 square metres of floor."""
+    people: int | None = None
+    """Number of people, whatever the size of the floor; None goes by the density."""
+    kinds: tuple[str, ...] = tuple(THING_KINDS)
+    """Kinds of things, by their names in `THING_KINDS`; they take turns."""
+    patience: float = 15.0
+    """Seconds a move waits for people before it reports an obstacle."""
+    seed: int = 0
+    """Of where things stand and how people walk; apart from the seed of the run."""
+
+    def __post_init__(self) -> None:
+        """Check every value."""
+        for name in ("things_per_100m", "people_per_100m2", "patience"):
+            value = getattr(self, name)
+            if not _is_number(value) or not 0 <= value <= LARGEST:
+                raise SettingsError(
+                    f"obstacle setting {name}: expected a number from 0 to "
+                    f"{LARGEST:g}, got {value!r}"
+                )
+        for name in ("people", "seed"):
+            value = getattr(self, name)
+            if (name == "people" and value is None) or _is_count(value):
+                continue
+            raise SettingsError(
+                f"obstacle setting {name}: expected a whole number of at least 0, got "
+                f"{value!r}"
+            )
+        unknown = [kind for kind in self.kinds if kind not in THING_KINDS]
+        if unknown or not self.kinds:
+            raise SettingsError(
+                f"obstacle setting kinds: expected some of {', '.join(THING_KINDS)}, "
+                f"got {', '.join(map(repr, unknown)) or 'none'}"
+            )
+
+    def things_on(self, length: float) -> int:
+        """Return how many things stand along so many metres."""
+        return round(self.things_per_100m * length / 100)
+
+    def people_on(self, area: float) -> int:
+        """Return how many people walk about on so many square metres."""
+        if self.people is not None:
+            return self.people
+        return round(self.people_per_100m2 * area / 100)
+
+
+LEVELS = {
+    "light": ObstacleSettings(things_per_100m=2.0, people_per_100m2=0.5),
+    "medium": ObstacleSettings(),
+    "heavy": ObstacleSettings(things_per_100m=8.0, people_per_100m2=2.0),
+}
+"""Settings that have a name."""
+
+_SHORT_NAMES = {
+    "things": "things_per_100m",
+    "density": "people_per_100m2",
+    "people": "people",
+    "patience": "patience",
+    "seed": "seed",
+    "kinds": "kinds",
+}
+
+
+def parse_obstacles(text: str) -> ObstacleSettings:
+    """Read settings as the command line gives them.
+
+    A level, or settings joined by commas, or both: `light`, `heavy,seed=3`,
+    `things=4,people=12,kinds=cart+suitcase`. `density` is people per 100 square
+    metres, `people` their number; what is left out is as in `medium`.
+
+    Raises:
+        SettingsError: A part is neither a level nor a setting.
+    """
+    settings = LEVELS["medium"]
+    for number, part in enumerate(text.split(",")):
+        name, equals, value = (piece.strip() for piece in part.partition("="))
+        if not equals and number == 0 and name in LEVELS:
+            settings = LEVELS[name]
+        elif equals and name in _SHORT_NAMES:
+            settings = replace(settings, **{_SHORT_NAMES[name]: _value(name, value)})
+        else:
+            raise SettingsError(
+                f"obstacles: expected a level ({', '.join(LEVELS)}) or settings such "
+                f"as things=4,people=12,seed=1 (there are {', '.join(_SHORT_NAMES)}), "
+                f"got {part!r}"
+            )
+    return settings
+
+
+def _value(name: str, value: str) -> object:
+    if name == "kinds":
+        return tuple(each.strip() for each in value.split("+"))
+    whole = name in {"people", "seed"}
+    try:
+        return int(value) if whole else float(value)
+    except ValueError:
+        raise SettingsError(
+            f"obstacles: expected a {'whole ' if whole else ''}number for {name}, got "
+            f"{value!r}"
+        ) from None
