@@ -15,7 +15,15 @@ from memorymaze.simulation.looks.pictograms import (
 )
 from memorymaze.simulation.looks.signposts import Signpost, signposts
 
-__all__ = ["Pixels", "blank", "exit_board", "pictogram_board", "pixels_of", "sign_board"]
+__all__ = [
+    "Pixels",
+    "blank",
+    "exit_board",
+    "pictogram_board",
+    "pixels_of",
+    "sign_board",
+    "whole",
+]
 
 Pixels = NDArray[np.uint8]
 
@@ -93,14 +101,20 @@ def exit_board(width: float, height: float, text: str, ground: Rgb = GREEN) -> P
         man = Field(field.left, field.top, field.right, middle)
         words = Field(field.left, middle, field.right, field.bottom)
     draw_pictogram(image, man, "running", WHITE)
-    for part, post in zip(_shares(words, signposts(text)), signposts(text), strict=True):
+    for part, post in zip(
+        _shares(words, signposts(text)), signposts(text), strict=True
+    ):
         _draw_post(image, part, post, WHITE)
     return pixels_of(image)
 
 
 @cache
 def pictogram_board(
-    width: float, height: float, text: str, pictograms: tuple[Pictogram, ...], ground: Rgb
+    width: float,
+    height: float,
+    text: str,
+    pictograms: tuple[Pictogram, ...],
+    ground: Rgb,
 ) -> Pixels:
     """Return a sign of pictograms side by side over its words."""
     image = blank(width, height, ground)

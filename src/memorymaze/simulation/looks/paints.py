@@ -5,10 +5,23 @@ from functools import cache
 import numpy as np
 from numpy.typing import NDArray
 
-from memorymaze.simulation.looks.colours import Rgb, ink_on, shade
+from memorymaze.simulation.looks.colours import Rgb, rgb255
 from memorymaze.simulation.looks.object_model import Material
 
-__all__ = ["contrasting", "glass", "glow", "grain", "metal", "paint", "picture", "wood"]
+__all__ = [
+    "POLISHED",
+    "glass",
+    "glow",
+    "grain",
+    "metal",
+    "paint",
+    "palette",
+    "picture",
+    "wood",
+]
+
+POLISHED = 0.5
+"""Shininess from which a surface counts as polished."""
 
 
 @cache
@@ -20,6 +33,16 @@ def paint(colour: Rgb, shininess: float = 0.1) -> Material:
 def metal(colour: Rgb) -> Material:
     """Return a polished surface."""
     return paint(colour, 0.6)
+
+
+@cache
+def palette(colours: tuple[Rgb, ...], polished: bool) -> Material:
+    """Return a surface whose picture is a row of colours, the n-th at (n + 0.5) / N."""
+    row = np.repeat(np.array([rgb255(colour) for colour in colours]), 4, axis=0)
+    pixels = np.repeat(row[None].astype(np.uint8), 4, axis=0)
+    pixels.flags.writeable = False
+    shininess = POLISHED if polished else 0.1
+    return Material((1.0, 1.0, 1.0, 1.0), pixels, shininess=shininess)
 
 
 @cache
@@ -59,8 +82,3 @@ def grain(colour: Rgb) -> NDArray[np.uint8]:
     seams = (np.arange(128) % 64 < 1)[:, None] * 0.18
     pixels = np.array(colour) * (tone - seams)[:, :, None]
     return (255 * np.clip(pixels, 0, 1)).astype(np.uint8)
-
-
-def contrasting(colour: Rgb) -> Rgb:
-    """Return a darker trim for a light colour and a lighter one for a dark colour."""
-    return shade(colour, 0.55) if ink_on(colour)[0] < 0.5 else shade(colour, 1.3)

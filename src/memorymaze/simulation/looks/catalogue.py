@@ -1,0 +1,285 @@
+"""Which thing looks how: from the words of a site plan to a model.
+
+A category is looked up as it stands, then without its first words (`antique corner
+sofa` is a sofa), then without what follows `of`, `with` or `for` (`statue of a bear`).
+What remains unknown gets a box with its name on it.
+"""
+
+import re
+import zlib
+from collections.abc import Callable
+from functools import cache
+
+from memorymaze.simulation.looks import (
+    animals,
+    appliances,
+    bins,
+    figures,
+    fixtures,
+    globes,
+    machines,
+    obstacles,
+    panels,
+    panes,
+    plants,
+    racks,
+    safety,
+    science,
+    screens,
+    seats,
+    spaceflight,
+    storage,
+    tables,
+    water,
+    wheels,
+)
+from memorymaze.simulation.looks.assembly import Assembly, Order
+from memorymaze.simulation.looks.object_model import ObjectModel
+from memorymaze.simulation.looks.windows import is_window, window_model
+from memorymaze.sites.records import Landmark, Mount
+
+__all__ = ["ARCHETYPES", "archetype_of", "model_for_landmark", "model_of"]
+
+VARIANTS = 6
+"""Things of one kind, size, colour and text come in at most so many looks."""
+
+ARCHETYPES: dict[str, tuple[Callable[[Order], Assembly], tuple[str, ...]]] = {
+    "A-frame": (panels.a_frame, ("sandwich board", "pavement sign")),
+    "AED": (safety.aed_box, ("AED box", "defibrillator")),
+    "animal": (animals.animal, ("polar bear", "bear", "horse", "dog", "lion", "tiger", "elephant", "cow", "deer", "wolf")),
+    "aquarium": (water.aquarium, ("fish tank", "terrarium")),
+    "aquarium window": (water.aquarium_window, ()),
+    "armchair": (seats.armchair, ("easy chair", "lounge chair", "massage chair")),
+    "banner": (panels.banner, ("pennant", "tapestry", "wall hanging")),
+    "bench": (seats.bench, ("pew", "seating", "seat")),
+    "bicycle": (wheels.bicycle, ("bike", "motorcycle")),
+    "bookshelf": (storage.bookshelf, ("bookcase", "book shelf", "shelving", "shelves", "book rack")),
+    "brochure rack": (racks.brochure_rack, ("leaflet rack", "postcard rack", "newspaper rack", "magazine rack", "leaflet stand", "rack")),
+    "bust": (figures.bust, ("head",)),
+    "cabinet": (storage.cabinet, ("cupboard", "wardrobe", "closet", "locker", "dresser", "sideboard")),
+    "call button panel": (safety.call_button_panel, ("lift buttons", "elevator buttons", "intercom", "doorbell", "button panel", "card reader", "keypad")),
+    "capsule toy machine": (machines.capsule_machine, ("gumball machine", "toy machine", "gashapon")),
+    "car": (wheels.car, ("vehicle", "van", "taxi", "truck")),
+    "cardboard boxes": (obstacles.cardboard_boxes, ("cardboard box", "carton", "box", "crate", "parcel", "stack of boxes")),
+    "chair": (seats.chair, ("office chair", "folding chair")),
+    "chessboard table": (tables.chess_table, ("chess table", "game table", "chessboard")),
+    "city model": (science.city_model, ("architectural model", "building model", "scale model", "diorama", "model railway")),
+    "clock": (fixtures.clock, ("wall clock",)),
+    "cloud chamber": (science.cloud_chamber, ()),
+    "coat rack": (racks.coat_rack, ("coat stand", "clothes rack", "hat stand", "cloakroom")),
+    "coffee machine": (machines.coffee_machine, ("espresso machine", "kettle", "coffee maker")),
+    "coffee table": (tables.coffee_table, ("low table",)),
+    "coin lockers": (storage.coin_lockers, ("luggage lockers", "parcel lockers", "parcel locker", "coin locker")),
+    "computer terminal": (screens.computer_terminal, ("computer", "catalog terminal", "terminal", "workstation", "self checkout")),
+    "core sample": (science.core_sample, ("rock cores", "drill core")),
+    "counter": (tables.counter, ("reception counter", "cafe counter", "buffet counter", "cashier counter", "information desk", "reception desk", "front desk", "help desk", "service desk", "reception", "bar", "checkout", "ticket desk")),
+    "desk": (tables.desk, ("writing desk",)),
+    "detector model": (science.detector_tube, ("photomultiplier", "light detector", "light bulb")),
+    "digital sign": (screens.screen, ("digital signage", "departure board", "display", "monitor", "screen", "interactive screen", "television", "tv", "projector screen", "signage")),
+    "dinosaur skull": (animals.skull, ("skull", "fossil")),
+    "display case": (storage.display_case, ("trophy case", "showcase", "glass case", "vitrine", "display cabinet", "case", "exhibit")),
+    "DNA model": (science.dna_model, ("double helix", "helix")),
+    "drill head": (science.drill_head, ("drill", "drill bit")),
+    "drinking fountain": (appliances.drinking_fountain, ("water fountain", "fountain")),
+    "drop box": (storage.drop_box, ("book return box", "book return", "donation box", "mailbox", "post box", "suggestion box", "letter box", "ballot box", "return box")),
+    "escalator": (fixtures.escalator, ("moving walkway",)),
+    "exercise bike": (wheels.exercise_bike, ("treadmill",)),
+    "exhibit panel": (panels.exhibit_panel, ("lectern", "reading rail")),
+    "exit sign": (panels.exit_sign, ("emergency exit sign", "emergency sign")),
+    "eyewash station": (appliances.eyewash_station, ("eye wash", "emergency shower", "eyewash")),
+    "filing cabinet": (storage.filing_cabinet, ("drawers", "chest of drawers", "file cabinet", "drawer cabinet", "card catalog")),
+    "fire extinguisher": (safety.fire_extinguisher, ("extinguisher",)),
+    "fire hydrant box": (safety.fire_hydrant_box, ("fire hose", "fire hose cabinet", "hydrant box", "hose reel", "fire alarm", "hydrant")),
+    "flag": (panels.flag, ()),
+    "floor lamp": (fixtures.floor_lamp, ("lamp", "standing lamp", "street lamp")),
+    "floor map": (panels.floor_map, ("floor plan", "map", "site map", "evacuation plan", "directory map", "tactile map", "plan", "floor guide")),
+    "foosball table": (tables.foosball_table, ("table football", "pool table", "ping pong table", "table tennis table")),
+    "framed photos": (panels.framed_photos, ("photos", "photo wall", "portraits", "photographs")),
+    "globe": (globes.globe, ("earth",)),
+    "grand piano": (fixtures.grand_piano, ()),
+    "grandfather clock": (fixtures.grandfather_clock, ("longcase clock",)),
+    "hand sanitizer": (appliances.hand_sanitizer, ("soap dispenser", "sanitizer", "hand dryer", "dispenser", "towel dispenser")),
+    "hand sanitizer stand": (appliances.sanitizer_stand, ("sanitizer stand",)),
+    "hanging planets": (globes.hanging_planets, ("hanging sculpture", "mobile", "orrery", "solar system", "chandelier")),
+    "hanging sign": (panels.hanging_sign, ("overhead sign", "wayfinding sign")),
+    "high table": (tables.high_table, ("bar table", "standing table", "standing desk")),
+    "information panel": (panels.information_panel, ("photo panel", "timeline panel", "panel", "info board", "information board", "sea chart", "chart", "wall text", "diagram", "periodic table", "timeline")),
+    "kiosk": (screens.kiosk, ("information kiosk", "check-in kiosk", "info point", "atm", "cash machine")),
+    "kitchen counter": (tables.kitchen_counter, ("kitchenette", "worktop", "washing machine", "stove", "oven", "dishwasher")),
+    "ladder": (racks.ladder, ("step ladder", "stepladder")),
+    "listening horn": (science.listening_horn, ("horn", "loudspeaker", "speaker", "megaphone")),
+    "lockers": (storage.lockers, ("coat lockers", "gym lockers")),
+    "mailboxes": (storage.mailboxes, ("pigeonholes", "letter boxes")),
+    "menu board": (panels.menu_board, ("menu", "chalkboard", "blackboard", "directory board", "directory", "price list", "letter board")),
+    "microwave": (appliances.microwave, ("microwave oven", "toaster")),
+    "mirror": (panels.mirror, ()),
+    "mural": (panels.mural, ("graffiti", "mosaic", "fresco")),
+    "notice board": (panels.notice_board, ("bulletin board", "pinboard", "cork board", "message board", "board")),
+    "painting": (panels.painting, ("picture", "artwork", "portrait", "photo", "photograph", "drawing", "print")),
+    "paper shelf": (racks.paper_shelf, ("pigeon holes", "paper rack", "cubby holes", "shoe rack")),
+    "parasol table": (tables.parasol_table, ("parasol", "umbrella table")),
+    "person": (figures.person, ("man", "woman", "pedestrian", "walking person", "guard", "mannequin", "people")),
+    "photocopier": (machines.photocopier, ("copier", "copy machine", "scanner")),
+    "piano": (fixtures.piano, ("upright piano", "organ")),
+    "pillar": (fixtures.pillar, ("column", "post", "bollard")),
+    "planet model": (globes.planet_model, ("planet", "moon", "moon model", "sun model")),
+    "planter": (plants.planter, ("flower bed", "flower box", "hedge")),
+    "poster": (panels.poster, ("placard", "advertisement", "flyer")),
+    "potted plant": (plants.potted_plant, ("plant", "tree", "palm", "ficus", "bush", "flower pot", "flowers", "bamboo", "cactus")),
+    "printer": (machines.printer, ("fax machine", "fax", "shredder", "3d printer")),
+    "queue barrier": (obstacles.queue_barrier, ("barrier", "stanchion", "rope barrier", "railing", "crowd barrier", "turnstile", "ticket gate")),
+    "recycling bin": (bins.recycling_bin, ("bin", "recycling container")),
+    "recycling bins": (bins.recycling_bins, ("bins", "waste station", "recycling station", "sorting bins")),
+    "refrigerator": (appliances.refrigerator, ("fridge", "freezer")),
+    "restroom sign": (panels.restroom_sign, ("toilet sign", "bathroom sign", "washroom sign", "wc sign")),
+    "robot": (figures.robot, ("humanoid robot", "android", "guide robot")),
+    "robot arm": (science.robot_arm, ("industrial robot", "crane")),
+    "rock": (science.rock, ("meteorite", "stone", "boulder", "mineral", "crystal")),
+    "rocket": (spaceflight.rocket, ("rocket model", "model rocket", "launcher", "missile", "space shuttle")),
+    "rocket engine": (spaceflight.rocket_engine, ("jet engine", "turbine", "engine")),
+    "room number sign": (panels.room_number_sign, ("door plate", "name plate", "door sign", "plaque", "nameplate", "room number", "room sign")),
+    "round table": (tables.round_table, ("cafe table", "bistro table", "small table")),
+    "sculpture": (figures.sculpture, ("installation", "monument", "totem", "abstract sculpture")),
+    "seismograph": (science.seismograph, ("drum recorder", "phonograph", "gramophone")),
+    "shop window": (panes.shop_window, ("shop front", "storefront", "display window")),
+    "sign": (panels.sign, ("signboard", "library sign", "floor number sign", "label", "floor sign", "logo", "arrow", "door number", "neon sign")),
+    "sink": (appliances.sink, ("wash basin", "washbasin", "basin", "hand basin")),
+    "skeleton": (animals.skeleton, ("dinosaur skeleton", "dinosaur", "t-rex", "fossil skeleton")),
+    "sofa": (seats.sofa, ("couch", "settee", "love seat")),
+    "space station module": (spaceflight.space_station_module, ("space station", "space capsule", "satellite", "airlock", "module")),
+    "space suit": (figures.space_suit, ("astronaut", "spacesuit", "diving suit")),
+    "stacked chairs": (seats.stacked_chairs, ("stack of chairs", "chair stack")),
+    "statue": (figures.statue, ("figure", "memorial")),
+    "stool": (seats.stool, ("bar stool", "ottoman", "pouf")),
+    "stroller rack": (racks.stroller_rack, ("strollers", "stroller", "pram", "pushchair", "buggy", "pushchairs")),
+    "submersible": (water.submersible, ("submarine", "diving bell", "bathyscaphe", "boat")),
+    "suitcase": (wheels.suitcase, ("luggage", "bag", "trolley case")),
+    "sundial": (science.sundial, ("bird bath",)),
+    "switch board": (safety.switch_board, ("electrical box", "fuse box", "switchboard", "electrical panel", "electrical cabinet", "control panel", "meter box")),
+    "table": (tables.table, ("dining table", "side table", "work table", "trestle table", "picnic table")),
+    "telescope": (spaceflight.telescope, ("binoculars", "viewer", "microscope", "camera")),
+    "ticket machine": (machines.ticket_machine, ("vending kiosk", "payment machine", "change machine", "machine", "parking meter", "photo booth", "arcade machine")),
+    "touch screen": (screens.touch_screen, ("touchscreen", "interactive table", "game station")),
+    "traffic cone": (obstacles.traffic_cone, ("cone", "wet floor sign", "caution cone")),
+    "trash can": (bins.trash_can, ("waste bin", "garbage can", "rubbish bin", "wastebasket", "waste basket", "trash bin", "litter bin", "garbage bin", "ashtray", "bucket", "dustbin")),
+    "tray rack": (racks.tray_rack, ("tray return", "tray stand", "tray cart")),
+    "trolley": (racks.trolley, ("service trolley", "cart", "cleaning cart", "luggage cart", "book cart", "wagon", "shopping cart", "janitor cart", "hand truck")),
+    "umbrella stand": (racks.umbrella_stand, ("umbrella rack",)),
+    "vending machine": (machines.vending_machine, ("snack machine", "drinks machine", "drink machine", "soda machine", "beverage machine")),
+    "video wall": (screens.video_wall, ("led wall", "projection")),
+    "viewing window": (panes.viewing_window, ("observation window",)),
+    "wall shelf": (storage.wall_shelf, ("shelf", "ledge")),
+    "water cooler": (appliances.water_cooler, ("water dispenser", "cooler")),
+    "wave tank": (water.wave_tank, ("water tank", "water table", "tank", "flow tank", "water basin")),
+    "weather mast": (science.anemometer, ("anemometer", "weather station", "wind vane", "weather vane", "antenna")),
+    "whale skeleton": (animals.whale_skeleton, ("fish skeleton", "hanging skeleton")),
+    "wheelchair": (wheels.wheelchair, ("mobility scooter",)),
+    "whiteboard": (panels.whiteboard, ("flip chart", "flipchart", "white board")),
+    "window": (panes.window, ("large window", "skylight")),
+    "world map": (panels.world_map, ("globe map",)),
+}  # fmt: skip
+"""Name of each archetype: what builds it, and the other categories that look so."""
+
+
+def archetype_of(category: str) -> str | None:
+    """Return the archetype of a category of a site plan.
+
+    Args:
+        category: Such as `old wooden bench`.
+
+    Returns:
+        Its name, a key of `ARCHETYPES`; None for a category that nothing is known of,
+        which is shown as a box with its name.
+    """
+    names = _names()
+    for phrase in _phrases(category):
+        for form in (phrase, _singular(phrase)):
+            if form in names:
+                return names[form]
+    return None
+
+
+def model_for_landmark(landmark: Landmark) -> ObjectModel:
+    """Return how a landmark looks.
+
+    Landmarks that differ in nothing one sees share one model.
+    """
+    if is_window(landmark):
+        return window_model(landmark)
+    return model_of(
+        landmark.category,
+        landmark.size,
+        colour_words=landmark.color,
+        text=landmark.text,
+        name=landmark.name,
+        mount=landmark.mount,
+        variant=zlib.crc32(landmark.id.encode()) % VARIANTS,
+    )
+
+
+@cache
+def model_of(
+    category: str,
+    size: tuple[float, float, float],
+    *,
+    colour_words: str | None = None,
+    text: str | None = None,
+    name: str | None = None,
+    mount: Mount = "floor",
+    variant: int = 0,
+) -> ObjectModel:
+    """Return how a thing looks that no plan has, such as a box left in the way.
+
+    Args:
+        category: Common English noun.
+        size: Length across the front, depth, height; metres.
+        colour_words: As in site plans; unknown words give its usual colour.
+        text: Words written on it.
+        name: Proper name, which may say what it shows.
+        mount: `floor`, `wall` or `ceiling`.
+        variant: Which of several looks.
+    """
+    length, depth, height = size
+    order = Order(
+        category, length, depth, height, colour_words, text, name, mount, variant
+    )
+    return _builder(order)(order).model(length, depth, height)
+
+
+def _builder(order: Order) -> Callable[[Order], Assembly]:
+    archetype = archetype_of(order.category)
+    if archetype is None:
+        return obstacles.placeholder
+    if archetype == "sign" and order.mount == "ceiling":
+        return panels.hanging_sign
+    if archetype == "sign" and order.mount == "floor" and order.depth > 0.2:
+        return panels.a_frame
+    return ARCHETYPES[archetype][0]
+
+
+@cache
+def _names() -> dict[str, str]:
+    """Return the archetype of each known category, in lower case."""
+    return {
+        category.lower(): archetype
+        for archetype, (_, others) in ARCHETYPES.items()
+        for category in (archetype, *others)
+    }
+
+
+def _phrases(category: str) -> list[str]:
+    """Return a category, then what is left as words are taken away, best first."""
+    words = re.sub(r"[_\s]+", " ", category).strip().lower().split()
+    phrases = [" ".join(words[start:]) for start in range(len(words))]
+    for word in ("of", "with", "for", "in", "on", "and"):
+        if word in words[1:]:
+            phrases += _phrases(" ".join(words[: words.index(word, 1)]))
+    return phrases
+
+
+def _singular(phrase: str) -> str:
+    if phrase.endswith("ches") or phrase.endswith("shes") or phrase.endswith("xes"):
+        return phrase[:-2]
+    if phrase.endswith("shelves"):
+        return phrase[:-3] + "f"
+    return phrase[:-1] if phrase.endswith("s") and not phrase.endswith("ss") else phrase
