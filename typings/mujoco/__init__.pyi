@@ -35,7 +35,9 @@ class MjsActuator:
     def set_to_velocity(self, kv: float) -> None: ...
 
 class MjsBody:
-    def add_body(self, *, name: str = ..., pos: _Numbers = ...) -> MjsBody: ...
+    def add_body(
+        self, *, name: str = ..., pos: _Numbers = ..., mocap: bool = ...
+    ) -> MjsBody: ...
     def add_freejoint(self) -> MjsJoint: ...
     def add_joint(
         self, *, name: str = ..., type: int = ..., axis: _Numbers = ..., armature: float
@@ -96,6 +98,9 @@ class MjModel:
     geom_pos: _Floats
     geom_quat: _Floats
     geom_contype: _Ints
+    geom_type: _Ints
+    geom_bodyid: _Ints
+    body_mocapid: _Ints
     jnt_qposadr: _Ints
     def body(self, name: str) -> _ModelBody: ...
 
@@ -112,6 +117,10 @@ class MjData:
     ctrl: _Floats
     ncon: int
     contact: _Contacts
+    geom_xpos: _Floats
+    geom_xmat: _Floats
+    mocap_pos: _Floats
+    mocap_quat: _Floats
     def __init__(self, model: MjModel) -> None: ...
     def cam(self, name: str) -> _DataCamera: ...
 

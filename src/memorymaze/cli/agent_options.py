@@ -72,13 +72,27 @@ def add_episode_options(parser: argparse.ArgumentParser) -> None:
         type=int,
         help="calls of the control API in an episode (default: 10000)",
     )
+    parser.add_argument(
+        "--obstacles",
+        metavar="SETTINGS",
+        nargs="?",
+        const="medium",
+        help="leave things in the way and let people walk about: light, medium or "
+        "heavy, or settings such as things=4,density=1,seed=1 (alone: medium; "
+        "default: none). Results are a track of their own",
+    )
 
 
 def episode_settings(options: argparse.Namespace) -> dict[str, Any]:
     """Return what the options say of every episode, defaults left out."""
     names = ("seed", "success_distance", "time_budget", "call_budget")
     given = {name: getattr(options, name) for name in names}
-    return {name: value for name, value in given.items() if value is not None}
+    settings = {name: value for name, value in given.items() if value is not None}
+    if options.obstacles is not None:
+        from memorymaze.simulation.obstacles import parse_obstacles
+
+        settings["obstacles"] = parse_obstacles(options.obstacles)
+    return settings
 
 
 def agent_settings(options: argparse.Namespace) -> "AgentSettings":

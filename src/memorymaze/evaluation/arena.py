@@ -5,6 +5,7 @@ from functools import cached_property
 
 import numpy as np
 
+from memorymaze.evaluation.seeds import obstacle_generator
 from memorymaze.geometry.grid import FloorGrid
 from memorymaze.geometry.trajectory import Trajectory
 from memorymaze.instructions.records import Episode
@@ -16,6 +17,7 @@ from memorymaze.simulation import (
     TraceEvent,
     build_scene,
 )
+from memorymaze.simulation.obstacles import ObstacleSettings
 from memorymaze.sites import Site
 
 __all__ = ["Arena"]
@@ -27,14 +29,20 @@ class Arena:
     What is costly is made once, when it is first needed.
     """
 
-    def __init__(self, site: Site) -> None:
-        """Stand for a site; nothing is built yet."""
+    def __init__(self, site: Site, obstacles: ObstacleSettings | None = None) -> None:
+        """Stand for a site; nothing is built yet.
+
+        Args:
+            site: The building.
+            obstacles: Things in the way and people that every episode is to have.
+        """
         self.site = site
+        self.obstacles = obstacles
 
     @cached_property
     def scene(self) -> Scene:
         """The physics model."""
-        return build_scene(self.site)
+        return build_scene(self.site, self.obstacles)
 
     @cached_property
     def grid(self) -> FloorGrid:
@@ -49,7 +57,18 @@ class Arena:
         on_event: Callable[[TraceEvent], None],
     ) -> SimulatedRobot:
         """Put a robot at the start of an episode."""
-        return SimulatedRobot(self.scene, episode.start, settings, rng, on_event)
+        placing = None
+        if self.obstacles is not None:
+            placing = obstacle_generator(self.obstacles.seed, episode.id)
+        return SimulatedRobot(
+            self.scene,
+            episode.start,
+            settings,
+            rng,
+            on_event,
+            obstacles_rng=placing,
+            keep_free=episode.reference_path,
+        )
 
     def score(
         self, episode: Episode, walk: Trajectory, success_distance: float

@@ -66,6 +66,7 @@ def run_episode(
     ended, error = _follow(agent, episode.instruction.text, robot, journal, agent_rng)
     wall_s = time.perf_counter() - began
     walk = robot.trajectory()
+    trace += _beyond_the_plan(robot)
     trace += _closing(robot, walk, ended, error)
     values = arena.score(episode, walk, settings.success_distance)
     success = ended == "agent" and values.success == 1.0
@@ -102,6 +103,9 @@ def run_episode(
         tokens=journal.tokens,
         cost_usd=journal.cost_usd,
         error=error,
+        person_collisions=sum(each.kind == "person" for each in robot.collisions),
+        near_misses=len(robot.near_misses),
+        waiting_s=robot.waiting_time,
     )
     return EpisodeRun(result, walk, tuple(trace))
 
@@ -180,6 +184,31 @@ def _call(event: TraceEvent) -> dict[str, Any]:
 def _note(now: float, entry: dict[str, Any]) -> dict[str, Any]:
     details = {name: part for name, part in entry.items() if name != "kind"}
     return {"kind": "note", "time": round(now, 3), "about": entry["kind"], **details}
+
+
+def _beyond_the_plan(robot: SimulatedRobot) -> list[dict[str, Any]]:
+    """Say what stood in the way and who came close; nothing in the default track."""
+    if robot.surroundings is None:
+        return []
+    things = [
+        {
+            "object_id": each.record.id,
+            "category": each.record.category,
+            "pose": _rounded(each.pose),
+        }
+        for each in robot.surroundings.things
+    ]
+    near = [
+        {
+            "kind": "near_miss",
+            "time": round(each.time, 3),
+            "pose": _rounded(each.pose),
+            "object_id": each.person,
+            "gap": round(each.gap, 3),
+        }
+        for each in robot.near_misses
+    ]
+    return [{"kind": "things", "things": things}, *near]
 
 
 def _closing(

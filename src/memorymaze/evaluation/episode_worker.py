@@ -46,7 +46,8 @@ class EpisodeWorker:
             SettingsError: The agent cannot be made.
         """
         agent_for = build_agent(self.settings.agent)
-        arenas = {name: Arena(site) for name, site in self.sites.items()}
+        obstacles = self.settings.obstacles
+        arenas = {name: Arena(site, obstacles) for name, site in self.sites.items()}
 
         def run(task: EpisodeTask) -> EpisodeResult:
             episode = task.episode

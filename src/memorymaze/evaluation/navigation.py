@@ -17,6 +17,7 @@ from memorymaze.instructions.episodes import episodes
 from memorymaze.instructions.records import Instruction
 from memorymaze.metrics.success import SUCCESS_DISTANCE
 from memorymaze.simulation import SimulationSettings
+from memorymaze.simulation.obstacles import ObstacleSettings
 from memorymaze.sites import Route, Site
 
 __all__ = ["find_route", "navigate", "write_navigation"]
@@ -50,6 +51,7 @@ def navigate(
     success_distance: float = SUCCESS_DISTANCE,
     time_budget: float | None = None,
     call_budget: int | None = None,
+    obstacles: ObstacleSettings | None = None,
 ) -> EpisodeRun:
     """Let an agent follow a text from the start of a route.
 
@@ -62,6 +64,7 @@ def navigate(
         success_distance: Metres.
         time_budget: Simulated seconds; None for the default of the site's routes.
         call_budget: Calls of the control API; None for the default.
+        obstacles: Things in the way and people; None for none.
 
     Raises:
         MemoryMazeError: Something that was given cannot be used.
@@ -82,6 +85,7 @@ def navigate(
         episodes=1,
         success_distance=success_distance,
         simulation=replace(abilities, time_budget=time_budget, call_budget=call_budget),
+        obstacles=obstacles,
     )
     told = Instruction(
         id=f"{site.name}-{route.id}",
@@ -98,7 +102,8 @@ def navigate(
         split="test",
     )
     [episode] = episodes([told], {site.name: site})
-    return run_episode(build_agent(agent)(episode), episode, Arena(site), settings)
+    arena = Arena(site, obstacles)
+    return run_episode(build_agent(agent)(episode), episode, arena, settings)
 
 
 def write_navigation(run: EpisodeRun, site: Site, route: Route, folder: Path) -> None:

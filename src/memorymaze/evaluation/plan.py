@@ -16,6 +16,7 @@ from memorymaze.instructions.corpus import BUILTIN_CORPUS, load_instructions
 from memorymaze.instructions.episodes import episodes
 from memorymaze.instructions.records import Episode
 from memorymaze.metrics.success import SUCCESS_DISTANCE
+from memorymaze.simulation.obstacles import ObstacleSettings
 from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.sites import Site, load_sites
 
@@ -43,6 +44,7 @@ def plan_run(
     time_budget: float | None = None,
     call_budget: int | None = None,
     simulation: SimulationSettings | None = None,
+    obstacles: ObstacleSettings | None = None,
 ) -> RunPlan:
     """Load and check everything a run needs, before anything is written.
 
@@ -57,6 +59,7 @@ def plan_run(
         call_budget: Calls of the control API per episode; None for the simulation's.
         simulation: The robot's abilities; None for the defaults. Budgets above count
             before those in it.
+        obstacles: Things in the way and people; None for none.
 
     Raises:
         MemoryMazeError: Something that was given cannot be used.
@@ -83,6 +86,7 @@ def plan_run(
         episodes=len(chosen),
         success_distance=success_distance,
         simulation=abilities,
+        obstacles=obstacles,
     )
     return RunPlan(settings, tuple(chosen), sites)
 

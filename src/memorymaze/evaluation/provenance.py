@@ -3,9 +3,10 @@
 import hashlib
 import subprocess
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import cache
-from importlib.metadata import version
+from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from platform import python_version
 
@@ -15,6 +16,8 @@ __all__ = ["CodeStamp", "code_stamp"]
 
 PACKAGES = ("mujoco", "numpy", "pydantic-monty", "scipy", "shapely")
 """Packages whose version can change a result."""
+OPTIONAL_PACKAGES = ("navground",)
+"""Those that may be missing."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,8 +62,16 @@ def code_stamp() -> CodeStamp:
         sha256=digest.hexdigest(),
         commit=_commit(root),
         python=python_version(),
-        packages={name: version(name) for name in PACKAGES},
+        packages=_versions(),
     )
+
+
+def _versions() -> dict[str, str]:
+    found = {name: version(name) for name in PACKAGES}
+    for name in OPTIONAL_PACKAGES:
+        with suppress(PackageNotFoundError):
+            found[name] = version(name)
+    return found
 
 
 def _commit(root: Path) -> str | None:

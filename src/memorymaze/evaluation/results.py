@@ -16,7 +16,10 @@ StoppedBy = Literal["agent", "budget", "stuck", "crash", "unsafe", "model_error"
 
 @dataclass(frozen=True, slots=True)
 class EpisodeResult:
-    """What came of one episode; one line of `episodes.jsonl`."""
+    """What came of one episode; one line of `episodes.jsonl`.
+
+    Fields with a default are not in the lines of runs by older versions.
+    """
 
     episode_id: str
     instruction_id: str
@@ -59,6 +62,12 @@ class EpisodeResult:
     cost_usd: float
     error: str | None
     """One line on what went wrong, for the endings that are errors."""
+    person_collisions: int = 0
+    """Of the collisions those with people."""
+    near_misses: int = 0
+    """Times a person and the robot were closer than 0.3 m."""
+    waiting_s: float = 0.0
+    """Simulated seconds the robot stood because people were in the way."""
 
 
 _RESULT = TypeAdapter(EpisodeResult)

@@ -4,7 +4,7 @@ import hashlib
 
 import numpy as np
 
-__all__ = ["episode_generators"]
+__all__ = ["episode_generators", "obstacle_generator"]
 
 
 def episode_generators(
@@ -15,7 +15,21 @@ def episode_generators(
     They depend on the run's seed and the episode's id alone, so neither the number of
     workers nor the order of episodes changes a result.
     """
-    digest = hashlib.sha256(episode_id.encode()).digest()
-    root = np.random.SeedSequence([seed, int.from_bytes(digest[:16], "big")])
-    robot, agent = root.spawn(2)
+    robot, agent = _root(seed, episode_id).spawn(2)
     return np.random.default_rng(robot), np.random.default_rng(agent)
+
+
+def obstacle_generator(seed: int, episode_id: str) -> np.random.Generator:
+    """Return the generator of an episode's things and people.
+
+    Args:
+        seed: Of the obstacle settings; the seed of the run has no part in it, so that
+            every agent and every repetition meets the same.
+        episode_id: Of the episode.
+    """
+    return np.random.default_rng(_root(seed, episode_id))
+
+
+def _root(seed: int, episode_id: str) -> np.random.SeedSequence:
+    digest = hashlib.sha256(episode_id.encode()).digest()
+    return np.random.SeedSequence([seed, int.from_bytes(digest[:16], "big")])

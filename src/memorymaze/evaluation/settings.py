@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from memorymaze.errors import SettingsError
+from memorymaze.simulation.obstacles import ObstacleSettings
 from memorymaze.simulation.settings import SimulationSettings
 
 __all__ = [
@@ -66,6 +67,8 @@ class RunSettings:
     """Metres from the goal within which stopping is success."""
     simulation: SimulationSettings
     """The robot's abilities, and the budgets of an episode."""
+    obstacles: ObstacleSettings | None = None
+    """Things in the way and people; None for buildings as in their plans."""
 
     def __post_init__(self) -> None:
         """Refuse values without meaning."""

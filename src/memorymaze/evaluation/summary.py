@@ -2,10 +2,12 @@
 
 from collections import Counter
 from collections.abc import Sequence
+from dataclasses import asdict
 from statistics import fmean
 from typing import Any
 
 from memorymaze.evaluation.results import EpisodeResult
+from memorymaze.evaluation.safety import safety
 from memorymaze.evaluation.settings import RunSettings
 from memorymaze.instructions.records import WRITTEN_BY
 
@@ -24,8 +26,21 @@ MEANS = (
     "turns_in_order",
     "duration_s",
     "wall_s",
+    "person_collisions",
+    "near_misses",
+    "waiting_s",
 )
-SUMS = ("collisions", "model_calls", "tokens", "cost_usd", "duration_s", "wall_s")
+SUMS = (
+    "collisions",
+    "person_collisions",
+    "near_misses",
+    "waiting_s",
+    "model_calls",
+    "tokens",
+    "cost_usd",
+    "duration_s",
+    "wall_s",
+)
 
 
 def summarise(
@@ -47,11 +62,13 @@ def summarise(
         key = (result.study, result.site, result.route)
         cells.setdefault(key, []).append(result)
     return {
+        "track": "obstacles" if settings.obstacles is not None else "default",
         "episodes": len(results),
         "episodes_missing": settings.episodes - len(results),
         "instructions_written_by": dict(Counter(r.source for r in results)),
         "stopped_by": dict(Counter(r.stopped_by for r in results)),
         "mean": _means(results),
+        "safety": asdict(safety(results)),
         "sum": {name: sum(getattr(r, name) for r in results) for name in SUMS},
         "by_study_and_route": [
             {
@@ -82,6 +99,14 @@ def summary_lines(summary: dict[str, Any]) -> list[str]:
         f"SPD {mean['spd']:.2f} m, CLS {mean['cls']:.3f} (means over episodes)",
         f"stopped by: {ends}; collisions: {total['collisions']}",
     ]
+    if summary["track"] == "obstacles":
+        rates = summary["safety"]
+        lines.append(
+            f"with obstacles, per 100 m driven: {rates['collisions']:.3f} collisions, "
+            f"{rates['person_collisions']:.3f} of them with people, "
+            f"{rates['near_misses']:.2f} near misses; waiting "
+            f"{rates['waiting_s']:.1f} s per episode"
+        )
     if total["model_calls"]:
         lines.append(
             f"language model: {total['model_calls']} calls, {total['tokens']} tokens, "

@@ -9,6 +9,8 @@ from itertools import groupby
 from typing import Literal
 
 from memorymaze.evaluation.bootstrap import MEASURES, Estimate
+from memorymaze.evaluation.results import EpisodeResult
+from memorymaze.evaluation.safety import PER_DISTANCE, safety
 from memorymaze.evaluation.tables import (
     MeasuredRun,
     TableName,
@@ -16,6 +18,7 @@ from memorymaze.evaluation.tables import (
     table_rows,
 )
 from memorymaze.instructions.records import WRITTEN_BY
+from memorymaze.simulation.obstacles import ObstacleSettings
 
 __all__ = ["TableFormat", "format_tables"]
 
@@ -75,6 +78,8 @@ def run_notes(run: MeasuredRun) -> list[str]:
         f"{settings.simulation.call_budget}, seed {settings.seed}, memorymaze "
         f"{_code(run)}",
     ]
+    if settings.obstacles is not None:
+        notes += _obstacle_notes(settings.obstacles, run.results)
     if settings.agent.model is not None:
         notes.append(f"language model {settings.agent.model}")
     if run.left_out:
@@ -87,6 +92,24 @@ def run_notes(run: MeasuredRun) -> list[str]:
             "finish the run with --resume."
         )
     return notes
+
+
+def _obstacle_notes(
+    obstacles: ObstacleSettings, results: Sequence[EpisodeResult]
+) -> list[str]:
+    """Say that a run is of the obstacle track, and how safely the robot drove."""
+    crowd = f"{obstacles.people_per_100m2:g} people per 100 m2"
+    if obstacles.people is not None:
+        crowd = f"{obstacles.people} people"
+    found = safety(results)
+    return [
+        "TRACK WITH OBSTACLES AND PEOPLE, not comparable with runs without: "
+        f"{obstacles.things_per_100m:g} things per 100 m, {crowd}, obstacle seed "
+        f"{obstacles.seed}.",
+        f"per 100 m driven: {found.collisions:.3f} collisions, "
+        f"{found.person_collisions:.3f} of them with people, {found.near_misses:.2f} "
+        f"near misses; waiting {found.waiting_s:.1f} s per episode.",
+    ]
 
 
 def _code(run: MeasuredRun) -> str:
@@ -159,7 +182,9 @@ def _csv(rows: Iterable[tuple[TableRow, TableName]]) -> str:
     for name in MEASURES:
         columns += [name, f"{name}_low", f"{name}_high"]
     columns += ["instructions_written_by", "episodes_missing", "seed"]
-    columns += ["success_distance_m", "time_budget_s", "call_budget"]
+    columns += ["success_distance_m", "time_budget_s", "call_budget", "track"]
+    columns += ["things_per_100m", "people_per_100m2", "people", "obstacle_seed"]
+    columns += [f"{name}_per_100m" for name in PER_DISTANCE] + ["waiting_s_per_episode"]
     out = io.StringIO()
     writer = csv.DictWriter(out, columns, lineterminator="\n")
     writer.writeheader()
@@ -193,7 +218,20 @@ def _csv(rows: Iterable[tuple[TableRow, TableName]]) -> str:
                 "success_distance_m": settings.success_distance,
                 "time_budget_s": settings.simulation.time_budget,
                 "call_budget": settings.simulation.call_budget,
+                "track": "default" if settings.obstacles is None else "obstacles",
             }
+            if settings.obstacles is not None:
+                found = safety(row.results)
+                line |= {
+                    "things_per_100m": settings.obstacles.things_per_100m,
+                    "people_per_100m2": settings.obstacles.people_per_100m2,
+                    "people": settings.obstacles.people,
+                    "obstacle_seed": settings.obstacles.seed,
+                    "waiting_s_per_episode": found.waiting_s,
+                }
+                line |= {
+                    f"{name}_per_100m": getattr(found, name) for name in PER_DISTANCE
+                }
         writer.writerow(line)
     return out.getvalue()
 

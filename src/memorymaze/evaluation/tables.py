@@ -76,6 +76,8 @@ class TableRow:
     participants: int | None
     values: dict[str, Estimate]
     """By the names in `MEASURES`."""
+    results: tuple[EpisodeResult, ...] = ()
+    """The episodes shown here; none for the paper's figures."""
 
 
 def load_runs(
@@ -173,6 +175,7 @@ def _measured(
             episodes=len(everyone),
             participants=len({result.participant for result in everyone}),
             values=estimate_means(list(filled.values())),
+            results=tuple(everyone),
         )
     ]
 
@@ -213,4 +216,5 @@ def _place(row: PublishedResult) -> Place:
 
 def _label(record: RunRecord, results: Iterable[EpisodeResult]) -> str:
     names = {result.agent for result in results}
-    return ", ".join(sorted(names)) or record.settings.agent.name
+    name = ", ".join(sorted(names)) or record.settings.agent.name
+    return name if record.settings.obstacles is None else f"{name}, with obstacles"

@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+import numpy as np
 import shapely
 from shapely import LineString, Polygon, STRtree, box
 
@@ -112,8 +113,8 @@ class Avoidance:
             period: Seconds until the next decision.
         """
         core = self._core
-        mind.position = (me.x, me.y)
-        mind.velocity = (me.vx, me.vy)
+        mind.position = np.array([me.x, me.y], dtype=np.float32)
+        mind.velocity = np.array([me.vx, me.vy], dtype=np.float32)
         state: Any = mind.environment_state
         state.line_obstacles = self._walls_near(me.x, me.y)
         state.neighbors = [

@@ -37,7 +37,7 @@ ON_WAY = 0.5
 """Metres beside the way from which on a person looks out for walls."""
 AGILITY = 5.0
 """Greatest change of velocity, metres per second squared."""
-ROBOT_MARGIN = 0.16
+ROBOT_MARGIN = 0.28
 """Metres people keep from the robot's shell, besides the margin they keep anyway."""
 LEAST_GAP = 0.04
 """Metres before the robot's shell at which people stop whatever they want."""
@@ -148,7 +148,7 @@ class Crowd:
             ]
             if math.dist((person.x, person.y), robot[:2]) <= ATTENTION:
                 others.append(machine)
-            if others or aside > ON_WAY:
+            if others or aside > ON_WAY or person.in_tight_place:
                 vx, vy = self._avoidance.decide(
                     self._minds[number], discs[number], (vx, vy), others, PERIOD
                 )
@@ -186,7 +186,9 @@ class Crowd:
         goals = self._walks.goals
         apart = [each for each in goals if math.dist(each, here) > NEXT_GOAL]
         goal = (apart or goals)[int(person.rng.integers(len(apart or goals)))]
-        person.take(self._way(here, goal, person.rng), goal)
+        way = self._way(here, goal, person.rng)
+        tight = self._clearance.to_anything(way) < LEAST_ROOM
+        person.take(way, tight, goal)
         person.progress_at = self._time
 
     def _way(

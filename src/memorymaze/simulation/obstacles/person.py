@@ -36,6 +36,8 @@ class Person:
     goal: tuple[float, float] = (0.0, 0.0)
     way: NDArray[np.float64] = field(default_factory=lambda: np.zeros((1, 2)))
     """Points to walk along, (N, 2)."""
+    tight: NDArray[np.bool_] = field(default_factory=lambda: np.zeros(1, dtype=bool))
+    """Whether walls or things are close beside each of these points, (N,)."""
     reached: int = 0
     """Number of the way's point that is nearest."""
     stands_until: float = -math.inf
@@ -55,9 +57,19 @@ class Person:
         """Metres per second at this moment."""
         return math.hypot(self.vx, self.vy)
 
-    def take(self, way: NDArray[np.float64], goal: tuple[float, float]) -> None:
+    @property
+    def in_tight_place(self) -> bool:
+        """Whether walls or things are close here or a few steps ahead."""
+        return bool(self.tight[self.reached : self.reached + LOOK_AHEAD + 1].any())
+
+    def take(
+        self,
+        way: NDArray[np.float64],
+        tight: NDArray[np.bool_],
+        goal: tuple[float, float],
+    ) -> None:
         """Begin a way."""
-        self.way, self.goal = way, goal
+        self.way, self.tight, self.goal = way, tight, goal
         self.reached = self.progress = 0
 
     def wanted(self) -> tuple[float, float, float]:
