@@ -17,6 +17,8 @@ from memorymaze.geometry.pose import Pose, turn_between, wrap_angle
 from memorymaze.perception.turning_points.local_map import LocalMap
 from memorymaze.perception.turning_points.walls import WallDirections
 from memorymaze.perception.turning_points.ways import (
+    REACH,
+    Mouth,
     SensedWay,
     Surroundings,
     crossing,
@@ -45,6 +47,14 @@ MEMORY = 0.9
 """Share of a sighting's weight that is left at the next sighting."""
 SURE = 1.5
 """Weight of sightings from which on a turning point is told of."""
+WALLS_NEAR = 2.5
+"""Metres around a way's mouth within which walls tell its direction; more where it is
+wider."""
+SAME_DEPTH = 0.7
+"""Share of the greatest depth that a direction must have to be thought of."""
+WIDEST = math.radians(130)
+ROOM = 1.0
+THROUGH = 0.8
 TRAIL_SPACING = 0.2
 TRAIL = 100
 """Kept places of the trail: the last 20 m."""
@@ -178,17 +188,16 @@ class TurningPointFinder:
         cell = self._map.cell(pose.x, pose.y)
         middle = surroundings.middle(cell)
         centre = self._map.place(*middle)
-        ways: list[SensedWay] = []
-        for mouth in surroundings.mouths(middle):
-            x, y = self._map.place(mouth.x, mouth.y)
-            heading = self._walls.along(x, y, max(2.5, mouth.width), mouth.bearing)
-            ways.append(
-                SensedWay(
-                    x, y, mouth.bearing if heading is None else heading, mouth.width
-                )
-            )
-        x, y = crossing(ways, centre)
         radius = float(surroundings.room[middle])
+        mouths = surroundings.mouths(middle)
+        if any(each.spread > WIDEST for each in mouths):
+            return
+        ways = _one_per_heading([
+            way
+            for mouth in mouths
+            if (way := self._way(surroundings, mouth, radius)) is not None
+        ])
+        x, y = crossing(ways, centre)
         seen = _Junction(x, y, radius)
         seen.see(x, y, radius, ways, 1.0)
         known = min(
@@ -203,6 +212,27 @@ class TurningPointFinder:
             self._junctions.append(known)
         weight = 1.0 if seen.holds(pose.x, pose.y, MARGIN) else FROM_AFAR
         known.see(x, y, radius, ways, weight)
+
+    def _way(
+        self, surroundings: Surroundings, mouth: Mouth, radius: float
+    ) -> SensedWay | None:
+        """Look along a way; None where it does not lead on.
+
+        It runs along its walls, and where these differ along those that lead farthest.
+        """
+        x, y = self._map.place(mouth.x, mouth.y)
+        headings = self._walls.along(x, y, max(WALLS_NEAR, mouth.width), mouth.bearing)
+        if not len(headings):
+            headings = np.array([mouth.bearing])
+        depths = surroundings.depths(mouth, headings)
+        best = int((depths >= SAME_DEPTH * depths.max()).argmax())
+        if depths[best] < max(REACH, radius * ROOM) and not self._came_through(x, y):
+            return None
+        return SensedWay(x, y, wrap_angle(float(headings[best])), mouth.width)
+
+    def _came_through(self, x: float, y: float) -> bool:
+        """Whether the robot drove through the middle of a mouth."""
+        return any(math.dist(place, (x, y)) < THROUGH for place in self._trail)
 
     def _settle(self, pose: Pose) -> None:
         """Decide which turning point the robot is in."""
@@ -249,6 +279,17 @@ class TurningPointFinder:
             if math.hypot(dx, dy) > junction.radius + 0.2:
                 return math.atan2(dy, dx)
         return self._start_back
+
+
+def _one_per_heading(ways: Sequence[SensedWay]) -> list[SensedWay]:
+    """Return ways without narrower ones beside them, as left and right of a pillar."""
+    kept: list[SensedWay] = []
+    for way in sorted(ways, key=lambda each: -each.width):
+        if all(
+            abs(turn_between(way.heading, each.heading)) > SAME_WAY for each in kept
+        ):
+            kept.append(way)
+    return kept
 
 
 def _is_turning_point(ways: Sequence[SensedWay]) -> bool:

@@ -15,8 +15,8 @@ BoolArray = NDArray[np.bool_]
 
 CELL = 0.15
 """Side of a cell, metres."""
-SIDE = 160
-"""Cells along a side of the map: 24 m."""
+SIDE = 128
+"""Cells along a side of the map: 19 m."""
 RECENTRE = 2.0
 """Metres from the map's middle at which the map moves along with the robot."""
 HIT = 3.0

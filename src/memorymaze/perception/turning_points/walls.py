@@ -6,7 +6,7 @@ from collections import deque
 import numpy as np
 from numpy.typing import NDArray
 
-from memorymaze.geometry.pose import Pose, turn_between
+from memorymaze.geometry.pose import Pose
 
 __all__ = ["WallDirections"]
 
@@ -25,6 +25,8 @@ STRAIGHT = 0.06
 SECTOR = math.radians(40)
 """Greatest angle between a way as it seems at first and its walls."""
 BIN = math.radians(3)
+BINS = np.arange(-SECTOR, SECTOR + BIN / 2, BIN)
+MOST_DIRECTIONS = 3
 LEAST_WALL = 1.5
 """Metres of wall, seen once or several times, that tell a direction."""
 
@@ -57,8 +59,8 @@ class WallDirections:
             np.stack([x[good], y[good], np.arctan2(dy[good], dx[good]), length[good]])
         )
 
-    def along(self, x: float, y: float, radius: float, heading: float) -> float | None:
-        """Return the direction of the walls around a place that is nearest to a heading.
+    def along(self, x: float, y: float, radius: float, heading: float) -> FloatArray:
+        """Return the directions of the walls around a place that are near a heading.
 
         Args:
             x: Metres.
@@ -67,7 +69,8 @@ class WallDirections:
             heading: Radians.
 
         Returns:
-            Radians, or None where no walls run near to the heading.
+            Radians, the one with most wall first, shape (N,); N is 0 where no walls
+            run near the heading.
         """
         if self._all is None:
             self._all = np.concatenate(self._scans, axis=1)
@@ -75,11 +78,15 @@ class WallDirections:
         near = (hits[0] - x) ** 2 + (hits[1] - y) ** 2 < radius * radius
         off = (hits[2][near] - heading + math.pi / 2) % math.pi - math.pi / 2
         length = hits[3][near]
-        weights = np.histogram(off, bins=np.arange(-SECTOR, SECTOR + BIN, BIN), weights=length)[0]
+        weights, _ = np.histogram(off, BINS, weights=length)
         weights = np.convolve(weights, [0.5, 1.0, 0.5], mode="same")
-        middles = -SECTOR + BIN * (np.arange(len(weights)) + 0.5)
-        best = int((weights * (1 - np.abs(middles) / (1.5 * SECTOR))).argmax())
-        if weights[best] < LEAST_WALL:
-            return None
-        close = np.abs(off - middles[best]) < 2 * BIN
-        return heading + float(np.average(off[close], weights=length[close]))
+        found: list[float] = []
+        while len(found) < MOST_DIRECTIONS:
+            best = int(weights.argmax())
+            if weights[best] < LEAST_WALL:
+                break
+            middle = (BINS[best] + BINS[best + 1]) / 2
+            close = np.abs(off - middle) < 2 * BIN
+            found.append(heading + float(np.average(off[close], weights=length[close])))
+            weights[max(best - 3, 0) : best + 4] = 0
+        return np.array(found)

@@ -22,9 +22,12 @@ RING_GAP = 0.4
 """Metres from the largest free circle around a place to where its ways begin."""
 RING = 0.6
 """Metres of a way's beginning that tell where it lies."""
-REACH = 3.3
-"""Metres beyond that circle that a way leads on at least; nooks are less deep."""
-FARTHEST_MIDDLE = 3.5
+REACH = 1.5
+"""Metres from its mouth that a robot can drive into a way at least; nooks are less
+deep."""
+FARTHEST_REACH = 5.0
+"""Metres from its mouth up to which a way is looked along."""
+FARTHEST_MIDDLE = 1.0
 """Metres from the robot to the middle of the ways it is in."""
 SMOOTHING = 1.5
 """Cells; small bays and bulges of the walls draw no middle to them."""
@@ -46,6 +49,8 @@ class Mouth(NamedTuple):
     """Seen from the middle, radians."""
     width: float
     """Metres."""
+    spread: float
+    """Angle under which it is seen from the middle, radians."""
 
 
 class SensedWay(NamedTuple):
@@ -103,43 +108,66 @@ class Surroundings:
         """Return where ways begin around a middle.
 
         They are the connected pieces of a narrow ring just outside the largest free
-        circle, as far as they lead on to a circle `REACH` farther out.
+        circle.
         """
         cx, cy = middle
         inner = self.room[middle] + RING_GAP
-        outer = self.room[middle] + REACH
-        cells = int(outer / CELL) + 2
+        cells = int((inner + RING) / CELL) + 2
         left, low = max(cx - cells, 0), max(cy - cells, 0)
         room = self.room[left : cx + cells + 1, low : cy + cells + 1]
         dx = (np.arange(room.shape[0]) + left - cx)[:, np.newaxis] * CELL
         dy = (np.arange(room.shape[1]) + low - cy)[np.newaxis, :] * CELL
         distance = np.hypot(dx, dy)
-        passable = room > HALF_BODY
-        disc = _pieces(passable & (distance <= inner + RING))
+        disc = _pieces((room > HALF_BODY) & (distance <= inner + RING))
         own = disc[cx - left, cy - low]
         if own == 0:
             return []
-        near = _pieces((disc == own) & (distance >= inner))
-        beyond = _pieces(passable & (distance >= inner) & (distance <= outer))
-        reaching = np.unique(beyond[distance > outer - RING])
+        ring = _pieces((disc == own) & (distance >= inner))
         found: list[Mouth] = []
-        for piece in range(1, int(near.max()) + 1):
-            x, y = np.nonzero(near == piece)
-            if beyond[x[0], y[0]] not in reaching:
-                continue
+        for piece in range(1, int(ring.max()) + 1):
+            x, y = np.nonzero(ring == piece)
             weights = room[x, y] ** 2
             weights /= weights.sum()
             east = float(dx[x, 0] @ weights)
             north = float(dy[0, y] @ weights)
+            bearing = math.atan2(north, east)
+            off = np.arctan2(dy[0, y], dx[x, 0]) - bearing
             found.append(
                 Mouth(
                     cx + east / CELL,
                     cy + north / CELL,
-                    math.atan2(north, east),
+                    bearing,
                     2 * float(room[x, y].max()),
+                    float(np.ptp((off + math.pi) % (2 * math.pi))),
                 )
             )
         return found
+
+    def depths(self, mouth: Mouth, headings: FloatArray) -> FloatArray:
+        """Return how far a robot can drive straight into a way, metres.
+
+        Args:
+            mouth: Where it begins; from there or up to a quarter of the width aside.
+            headings: Radians, shape (N,).
+
+        Returns:
+            Shape (N,), at most `FARTHEST_REACH`.
+        """
+        steps = np.arange(1, int(FARTHEST_REACH / CELL) + 1)
+        aside = np.linspace(-0.25, 0.25, 5) * mouth.width / CELL
+        ux, uy = np.cos(headings), np.sin(headings)
+        # Shape (headings, offsets aside, steps ahead).
+        x = mouth.x + np.multiply.outer(ux, steps)[:, np.newaxis, :]
+        y = mouth.y + np.multiply.outer(uy, steps)[:, np.newaxis, :]
+        x = x - np.multiply.outer(uy, aside)[:, :, np.newaxis]
+        y = y + np.multiply.outer(ux, aside)[:, :, np.newaxis]
+        side = len(self.room) - 1
+        column = np.clip(np.rint(x), 0, side).astype(np.intp)
+        row = np.clip(np.rint(y), 0, side).astype(np.intp)
+        driven = np.logical_and.accumulate(
+            self.room[column, row] > HALF_BODY, axis=2
+        ).sum(axis=2)
+        return driven.max(axis=1) * CELL
 
 
 def crossing(
