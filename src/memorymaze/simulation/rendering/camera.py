@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from memorymaze.errors import RenderingError, SettingsError
 from memorymaze.geometry.pose import Pose
-from memorymaze.simulation.rendering.open_gl import open_context
+from memorymaze.simulation.rendering.open_gl import filter_fast, open_context
 from memorymaze.simulation.rendering.visual_scene import (
     HIDDEN_GROUP,
     LARGEST_PICTURE,
@@ -118,6 +118,9 @@ class RenderedCamera:
         self._drawn = mujoco.MjvScene(scene.model, maxgeom=scene.model.ngeom + 8)
         self._drawn.flags[mujoco.mjtRndFlag.mjRND_SHADOW] = 0
         self._drawn.flags[mujoco.mjtRndFlag.mjRND_REFLECTION] = 0
+        self._drawn.flags[mujoco.mjtRndFlag.mjRND_HAZE] = 0
+        if not multisamples:
+            filter_fast(self._buffers)
         self._options = mujoco.MjvOption()
         self._options.geomgroup[:] = 0
         self._options.geomgroup[SHOWN_GROUP] = 1
@@ -146,14 +149,11 @@ class RenderedCamera:
         # The decals come last in the scene; without them it has only what is solid.
         solid = shown[: np.searchsorted(shown, self._scene.first_decal)]
         self._drawn.ngeom = len(solid)
-        depth, numbers = self._depth_and_ids()
-        owners = np.concatenate([[NOTHING], self._scene.geom_objects[solid]])
-        return CameraFrame(
-            rgb,
-            depth,
-            np.take(owners.astype(np.int32), numbers),
-            self._scene.objects,
-        )
+        geoms = self._drawn.geoms
+        for place, owner in enumerate(self._scene.geom_objects[solid].tolist()):
+            geoms[place].segid = owner
+        depth, instances = self._depth_and_ids()
+        return CameraFrame(rgb, depth, instances, self._scene.objects)
 
     def picture(
         self, pose: Pose, height: float = CAMERA_HEIGHT, pitch: float = 0.0
@@ -196,6 +196,9 @@ class RenderedCamera:
         scene = self._scene
         self._context.make_current()
         seen = self._may_be_seen(pose, pitch)
+        # The sky costs as much as the building, so it is drawn only where it shows.
+        outlets = scene.outlet_geoms
+        self._drawn.flags[mujoco.mjtRndFlag.mjRND_SKYBOX] = bool(seen[outlets].any())
         scene.model.geom_group[:] = np.where(seen, SHOWN_GROUP, HIDDEN_GROUP)
         mujoco.mjv_updateScene(
             scene.model,
@@ -244,8 +247,8 @@ class RenderedCamera:
         mujoco.mjr_readPixels(self._pixels, None, self._rect, self._buffers)
         return np.ascontiguousarray(self._pixels[::-1])
 
-    def _depth_and_ids(self) -> tuple[NDArray[np.float32], NDArray[np.uint16]]:
-        """Draw numbers instead of colours; 0 is nothing, n + 1 the n-th geom shown."""
+    def _depth_and_ids(self) -> tuple[NDArray[np.float32], NDArray[np.int32]]:
+        """Draw each geom's number plus 1 instead of its colours; 0 is nothing."""
         flags = self._drawn.flags
         flags[mujoco.mjtRndFlag.mjRND_SEGMENT] = 1
         flags[mujoco.mjtRndFlag.mjRND_IDCOLOR] = 1
@@ -258,10 +261,11 @@ class RenderedCamera:
             depth = 1 / (stored * span + np.float32(1 / self.far))
         depth[stored <= 0] = np.inf
         flipped = self._pixels[::-1]
-        numbers = flipped[:, :, 1].astype(np.uint16)
-        numbers <<= 8
-        numbers |= flipped[:, :, 0]
-        return depth, numbers
+        instances = flipped[:, :, 1].astype(np.int32)
+        instances <<= 8
+        instances |= flipped[:, :, 0]
+        instances -= 1
+        return depth, instances
 
 
 def _check(

@@ -7,9 +7,11 @@ import ctypes
 import os
 from typing import Literal, Protocol
 
+import mujoco
+
 from memorymaze.errors import RenderingError
 
-__all__ = ["Backend", "DrawingContext", "choose_backend", "open_context"]
+__all__ = ["Backend", "DrawingContext", "choose_backend", "filter_fast", "open_context"]
 
 Backend = Literal["egl", "osmesa"]
 
@@ -88,6 +90,30 @@ def open_context(width: int, height: int) -> DrawingContext:
         raise RenderingError(
             f"cannot draw with {backend}: {error}; {HOW_TO_INSTALL}"
         ) from error
+
+
+def filter_fast(buffers: mujoco.MjrContext) -> None:
+    """Read each texture from one of its sizes instead of mixing two.
+
+    In software this takes an eighth off a picture's time, and hardly shows.
+
+    Args:
+        buffers: Of the current context.
+    """
+    from OpenGL import GL
+
+    for texture, kind in zip(
+        buffers.texture[: buffers.ntexture],
+        buffers.textureType[: buffers.ntexture],
+        strict=True,
+    ):
+        if kind == mujoco.mjtTexture.mjTEXTURE_2D:
+            GL.glBindTexture(GL.GL_TEXTURE_2D, int(texture))
+            GL.glTexParameteri(
+                GL.GL_TEXTURE_2D,
+                GL.GL_TEXTURE_MIN_FILTER,
+                GL.GL_LINEAR_MIPMAP_NEAREST,
+            )
 
 
 def _egl_has_a_device() -> bool:

@@ -88,6 +88,7 @@ class Outlook:
         shown = around.copy()
         inside = np.flatnonzero(
             ~around
+            & (needed <= self.reach.max())
             & (bearing + half >= self.bearings[0])
             & (bearing - half <= self.bearings[-1])
         )

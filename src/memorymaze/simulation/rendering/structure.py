@@ -55,6 +55,8 @@ class Slice:
 
     points: NDArray[np.float64]
     """Corners of what it covers on the plan, (N, 2) metres."""
+    shows_sky: bool = False
+    """Whether one may see the sky through it or over it."""
     builders: dict[tuple[Kind, Material], MeshBuilder] = field(
         default_factory=lambda: defaultdict(MeshBuilder)
     )
@@ -125,6 +127,7 @@ def _floor_and_ceiling(part: FloorPart, polygon: Polygon, height: float) -> Slic
     key: tuple[Kind, Material] = ("floor", surfaces.floor(part.floor_material))
     made.builders[key].polygon(wide, 0.0, pattern, up=True)
     if part.open_air:
+        made.shows_sky = True
         return made
     kind = "slats" if height >= HIGH_CEILING else "panels"
     made.builders["ceiling", surfaces.ceiling(kind)].polygon(
@@ -365,6 +368,7 @@ def _reveal_and_view(
     behind, depth = surroundings.behind(x, y, face.heading + math.pi)
     reveal = surfaces.solid(0.74, 0.73, 0.70)
     if behind == "outdoors":
+        made.shows_sky = True
         _box_inside(
             made, face, (low, high), (bottom, top), 0.12, reveal, reveal, reveal
         )

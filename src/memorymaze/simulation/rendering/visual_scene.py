@@ -61,6 +61,8 @@ class VisualScene:
     """Radius of each geom's circle on the plan, metres."""
     first_decal: int
     """From this geom on, geoms are mere shades, without depth or id."""
+    outlet_geoms: NDArray[np.intp]
+    """Geoms through or beside which one may see the sky."""
     sightlines: Sightlines
     """The walls that hide things."""
 
@@ -78,11 +80,14 @@ def build_visual_scene(site: Site) -> VisualScene:
     structure = structure_of(site)
     things = _things(site)
     builder = _Builder(SpecAssembler(spec))
+    outlets: list[int] = []
     for transparent in (False, True):
         for made in structure.slices:
             centre, radius = _circle(made.points)
             for kind, part in made.meshes():
                 if kind != "decal":
+                    if made.shows_sky:
+                        outlets.append(builder.assembler.geom_count)
                     builder.add(
                         PlacedMeshes((part,)),
                         _OWNERS[kind],
@@ -109,6 +114,7 @@ def build_visual_scene(site: Site) -> VisualScene:
         np.array(builder.centres).reshape(-1, 2),
         np.array(builder.radii),
         first_decal,
+        np.array(sorted({min(each, first_decal - 1) for each in outlets}), dtype=np.intp),
         Sightlines(structure.hiding),
     )
 
