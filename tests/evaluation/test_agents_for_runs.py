@@ -1,3 +1,4 @@
+import sys
 from collections.abc import Callable
 from pathlib import Path
 
@@ -26,6 +27,31 @@ class Empty:
 class Demanding:
     def __init__(self, wish):
         pass
+
+class Plain:
+    name = "plain"
+
+    def follow(self, instruction, robot, journal, rng):
+        robot.stop()
+
+class Numbered(Plain):
+    name = 5
+
+class TwoLined(Plain):
+    name = "one\\ntwo"
+
+class Faceless(Plain):
+    @property
+    def name(self):
+        raise RuntimeError("no name")
+
+class Deaf(Plain):
+    def follow(self, instruction, robot):
+        pass
+
+class Leaving:
+    def __init__(self):
+        raise SystemExit("not today")
 """
 
 
@@ -71,6 +97,11 @@ def test_an_agent_of_ones_own_is_made_from_its_module(
         pytest.param("{file}:Theirs", "nothing of this name", id="class"),
         pytest.param("{file}:Empty", "with `name` and `follow", id="no agent"),
         pytest.param("{file}:Demanding", "without arguments", id="arguments"),
+        pytest.param("{file}:Numbered", "one line of text, got 5", id="number"),
+        pytest.param("{file}:TwoLined", "one line of text", id="two lines"),
+        pytest.param("{file}:Faceless", "no name", id="no name"),
+        pytest.param("{file}:Deaf", r"got follow\(instruction, robot\)", id="deaf"),
+        pytest.param("{file}:Leaving", "SystemExit: not today", id="leaves"),
     ],
 )
 def test_an_agent_that_cannot_be_made_is_explained(
@@ -78,6 +109,50 @@ def test_an_agent_that_cannot_be_made_is_explained(
 ) -> None:
     with pytest.raises(SettingsError, match=said):
         build_agent(AgentSettings(name.format(file=own_agents)))
+
+
+@pytest.mark.parametrize(
+    ("content", "said"),
+    [
+        pytest.param("import sys\nsys.exit('bye')", "SystemExit: bye", id="exit"),
+        pytest.param("\n1 / 0", r"zero \(broken\.py, line 2\)", id="failure"),
+        pytest.param("class A", r"\(broken\.py, line 1\)", id="syntax"),
+    ],
+)
+def test_a_file_that_fails_is_explained_by_its_line(
+    tmp_path: Path, content: str, said: str
+) -> None:
+    path = tmp_path / "broken.py"
+    path.write_text(content, encoding="utf-8")
+    with pytest.raises(SettingsError, match=said):
+        build_agent(AgentSettings(f"{path}:A"))
+
+
+def test_a_file_hides_no_library_and_sees_what_lies_beside_it(
+    tmp_path: Path, tiny_plan: Callable[..., RunPlan], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sys, "path", [*sys.path])
+    (tmp_path / "beside_it.py").write_text("NAME = 'with friends'\n", encoding="utf-8")
+    (tmp_path / "json.py").write_text(
+        "import beside_it\n"
+        "from memorymaze.agents import StopAgent\n"
+        "class Mine(StopAgent):\n"
+        "    name = beside_it.NAME\n",
+        encoding="utf-8",
+    )
+    agent_for = build_agent(AgentSettings(f"{tmp_path / 'json.py'}:Mine"))
+    assert agent_for(tiny_plan("stop").episodes[0]).name == "with friends"
+    assert "JSONDecoder" in dir(sys.modules["json"])
+
+
+def test_a_module_is_found_in_the_current_folder(
+    tmp_path: Path, tiny_plan: Callable[..., RunPlan], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sys, "path", [*sys.path])
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "found_here.py").write_text(OWN_AGENT, encoding="utf-8")
+    agent_for = build_agent(AgentSettings("found_here:Mine"))
+    assert agent_for(tiny_plan("stop").episodes[0]).name == "mine"
 
 
 @pytest.mark.parametrize("option", ["model", "base_url", "record", "replay"])

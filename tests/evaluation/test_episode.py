@@ -71,7 +71,8 @@ def test_success_needs_the_agents_own_stop(run: Run) -> None:
     result = run(fail_at_the_goal).result
     assert (result.stopped_by, result.success, result.spl) == ("crash", False, 0.0)
     assert (result.oracle_success, result.sdtw) == (True, 0.0)
-    assert result.error == "RuntimeError: lost my mind"
+    assert result.error is not None
+    assert result.error.startswith("RuntimeError: lost my mind (test_episode.py, line ")
 
 
 @pytest.mark.parametrize(
@@ -147,6 +148,23 @@ def test_calls_without_end_spend_the_call_budget(run: Run) -> None:
 
     result = run(look_forever, call_budget=50).result
     assert (result.stopped_by, result.api_calls) == ("budget", 50)
+
+
+def test_an_agent_cannot_invent_an_ending(run: Run) -> None:
+    def declare(robot: Robot, journal: Journal) -> None:
+        raise EpisodeOver("victory")
+
+    assert run(declare).result.stopped_by == "agent"
+
+
+def test_the_trace_says_where_an_agent_failed(run: Run) -> None:
+    def fail(robot: Robot, journal: Journal) -> None:
+        raise RuntimeError("lost")
+
+    *_, note, _, _ = run(fail).trace
+    assert (note["kind"], note["about"]) == ("note", "traceback")
+    assert note["lines"][-1] == "RuntimeError: lost"
+    assert any("in fail" in line for line in note["lines"])
 
 
 def test_the_trace_has_calls_thoughts_poses_and_the_end(run: Run) -> None:

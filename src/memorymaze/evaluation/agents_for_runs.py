@@ -3,6 +3,7 @@
 import difflib
 import importlib
 import importlib.util
+import inspect
 import sys
 from collections.abc import Callable
 from pathlib import Path
@@ -12,6 +13,7 @@ from typing import Any, cast
 from memorymaze.agents import AGENTS
 from memorymaze.agents.agent import Agent
 from memorymaze.errors import SettingsError
+from memorymaze.evaluation.agent_failures import failure_line
 from memorymaze.evaluation.language_models import build_language_model
 from memorymaze.evaluation.oracle import OracleAgent
 from memorymaze.evaluation.settings import AgentSettings
@@ -40,7 +42,8 @@ def build_agent(settings: AgentSettings) -> AgentFor:
 
     Besides the names of `agent_names`, `package.module:Class` and `path/to/file.py:Class`
     are understood: anything that can be called without arguments and returns an
-    `Agent`. One agent follows all the episodes of a process, so it must not carry
+    `Agent`. What lies beside the file, or for a module in the current folder, can be
+    imported too. One agent follows all the episodes of a process, so it must not carry
     anything from one to the next.
 
     Raises:
@@ -92,10 +95,9 @@ def _users_agent(name: str) -> Agent:
         )
     try:
         module = _load(place)
-    except Exception as error:
+    except (Exception, SystemExit) as error:
         raise SettingsError(
-            f"agent {name!r}: {place!r} cannot be imported "
-            f"({type(error).__name__}: {error})"
+            f"agent {name!r}: {place!r} cannot be imported ({failure_line(error)})"
         ) from error
     factory = getattr(module, attribute, None)
     if not callable(factory):
@@ -104,29 +106,57 @@ def _users_agent(name: str) -> Agent:
             f"{'nothing of this name' if factory is None else repr(factory)}"
         )
     try:
-        agent = cast(Any, factory())
-    except Exception as error:
+        return _checked(name, cast(Any, factory()))
+    except SettingsError:
+        raise
+    except (Exception, SystemExit) as error:
         raise SettingsError(
-            f"agent {name!r}: cannot be made without arguments "
-            f"({type(error).__name__}: {error})"
+            f"agent {name!r}: cannot be made without arguments ({failure_line(error)})"
         ) from error
-    if not (callable(getattr(agent, "follow", None)) and hasattr(agent, "name")):
+
+
+def _checked(name: str, agent: Any) -> Agent:
+    """Refuse now what would fail in every episode."""
+    follow = getattr(agent, "follow", None)
+    if not (callable(follow) and hasattr(agent, "name")):
         raise SettingsError(
             f"agent {name!r}: expected an agent with `name` and `follow(instruction, "
             f"robot, journal, rng)`, got {type(agent).__name__}"
         )
+    called = agent.name
+    if not (isinstance(called, str) and called.strip() and called.isprintable()):
+        raise SettingsError(
+            f"agent {name!r}: expected its `name` to be one line of text, got {called!r}"
+        )
+    signature = inspect.signature(follow)
+    try:
+        signature.bind("the text", "the robot", "the journal", "the rng")
+    except TypeError:
+        raise SettingsError(
+            f"agent {name!r}: expected follow(instruction, robot, journal, rng), got "
+            f"follow{signature}"
+        ) from None
     return agent
 
 
 def _load(place: str) -> ModuleType:
     if not place.endswith(".py"):
+        _look_also_in(Path.cwd())
         return importlib.import_module(place)
-    path = Path(place)
-    spec = importlib.util.spec_from_file_location(path.stem, path)
+    path = Path(place).absolute()
+    # Not its bare name: a user's random.py must not stand in for the library's.
+    spec = importlib.util.spec_from_file_location(f"own_agent_{path.stem}", path)
     if spec is None or spec.loader is None or not path.is_file():
-        raise FileNotFoundError(f"no such file: {path}")
+        raise FileNotFoundError(f"no such file: {place}")
+    _look_also_in(path.parent)
     module = importlib.util.module_from_spec(spec)
     # Dataclasses and pickles inside the file look their module up here.
-    sys.modules[path.stem] = module
+    sys.modules[module.__name__] = module
     spec.loader.exec_module(module)
     return module
+
+
+def _look_also_in(folder: Path) -> None:
+    """Let imports find what lies beside a user's agent, after all that is installed."""
+    if str(folder) not in sys.path:
+        sys.path.append(str(folder))

@@ -10,6 +10,7 @@ from typing import Any, cast
 
 from memorymaze.agents.agent import Agent, Journal
 from memorymaze.errors import EpisodeOver, LanguageModelError, ProgramError
+from memorymaze.evaluation.agent_failures import failure_line, failure_traceback
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.results import EpisodeResult, StoppedBy
 from memorymaze.evaluation.seeds import episode_generators
@@ -20,9 +21,6 @@ from memorymaze.instructions.records import Episode
 from memorymaze.simulation import SimulatedRobot, TraceEvent
 
 __all__ = ["EpisodeRun", "run_episode"]
-
-ERROR_LENGTH = 500
-"""Characters kept of an error's message in a result."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -125,15 +123,14 @@ def _follow(
         raise
     except EpisodeOver as over:
         # A program that computes for ever is over while its robot is not.
-        if over.stopped_by != "agent" and robot.stopped_by is None:
+        if over.stopped_by in {"budget", "stuck"} and robot.stopped_by is None:
             return cast(StoppedBy, over.stopped_by), None
         return _as_robot_says(robot), None
-    except ProgramError as problem:
-        ended, error = "unsafe" if problem.unsafe else "crash", _described(problem)
-    except LanguageModelError as problem:
-        ended, error = "model_error", _described(problem)
     except BaseException as problem:
-        ended, error = "crash", _described(problem)
+        ended, error = _outcome(problem), failure_line(problem, agent)
+        where = failure_traceback(problem)
+        if where:
+            journal.note("traceback", lines=where)
     else:
         return _as_robot_says(robot), None
     if robot.stopped_by is not None:
@@ -141,16 +138,14 @@ def _follow(
     return ended, error
 
 
+def _outcome(problem: BaseException) -> StoppedBy:
+    if isinstance(problem, LanguageModelError):
+        return "model_error"
+    return "unsafe" if isinstance(problem, ProgramError) and problem.unsafe else "crash"
+
+
 def _as_robot_says(robot: SimulatedRobot) -> StoppedBy:
     return cast(StoppedBy, robot.finish())
-
-
-def _described(problem: BaseException) -> str:
-    """Return one line: what was raised, and in a program where."""
-    line = getattr(problem, "line", None)
-    where = f" (line {line} of the program)" if line is not None else ""
-    said = " ".join(str(problem).split()) or "no message"
-    return f"{type(problem).__name__}: {said}{where}"[:ERROR_LENGTH]
 
 
 def _opening(name: str, episode: Episode, settings: RunSettings) -> dict[str, Any]:

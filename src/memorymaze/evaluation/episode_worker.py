@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from memorymaze.agents.agent import Journal
+from memorymaze.evaluation.agent_failures import WorkerLost
 from memorymaze.evaluation.agents_for_runs import build_agent
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.episode import run_episode
@@ -61,10 +62,6 @@ class EpisodeWorker:
             return done.result
 
         return run
-
-
-class WorkerLost(Exception):
-    pass
 
 
 @dataclass(frozen=True, slots=True)
