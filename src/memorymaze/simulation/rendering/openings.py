@@ -12,13 +12,15 @@ from memorymaze.simulation.looks.doors import is_seen_through as door_is_seen_th
 from memorymaze.simulation.looks.windows import is_window
 from memorymaze.sites.records import Site
 
-__all__ = ["Behind", "Opening", "Surroundings", "openings_of"]
+__all__ = ["DOUBLE_WALL", "Behind", "Opening", "Surroundings", "openings_of"]
 
 Behind = Literal["outdoors", "room"]
 
 DEEPEST = 2.6
 """Metres that a room is seen deep."""
 SHALLOWEST = 0.12
+DOUBLE_WALL = 0.8
+"""Between floors nearer than this there is wall, not open air, metres."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,6 +101,6 @@ class Surroundings:
             way = crossed.distance(Point(x, y))
         if any(room.contains(near) for room in self._rooms):
             return "room", max(SHALLOWEST, min(DEEPEST, way - 0.12))
-        if way < DEEPEST + 2.0:
+        if way < DOUBLE_WALL:
             return "room", max(SHALLOWEST, min(DEEPEST, way - 0.12))
         return "outdoors", way

@@ -73,7 +73,7 @@ def _face(
     picture = np.where(ground[:, :, None], meadow, picture)
     trees = outline[column, 2]
     wood = (rise < trees) & (rise > -0.10)
-    green = np.array([0.27, 0.36, 0.23]) + 0.05 * np.sin(azimuth * 5000)[:, :, None]
+    green = np.array([0.27, 0.36, 0.23]) + 0.03 * np.sin(azimuth * 700 + 60 * rise)[:, :, None]
     picture = np.where(wood[:, :, None], green * 0.75 + HORIZON * 0.22, picture)
     return np.round(np.clip(picture, 0, 1) * 255).astype(np.uint8)
 
@@ -91,7 +91,7 @@ def _skyline(rng: np.random.Generator) -> Floats:
             width = int(rng.integers(narrow, wide))
             outline[at : at + width, layer] = lowest + spread * rng.random() ** 2
             at += width
-    crowns = gaussian_filter(rng.standard_normal(columns), 5, mode="wrap")
+    crowns = gaussian_filter(rng.standard_normal(columns), 9, mode="wrap")
     outline[:, 2] = -0.005 + 0.025 * crowns / crowns.std()
     return outline
 

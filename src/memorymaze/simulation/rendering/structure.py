@@ -20,7 +20,7 @@ from memorymaze.simulation.rendering.floor_parts import (
     sliced,
 )
 from memorymaze.simulation.rendering.meshes import MeshBuilder
-from memorymaze.simulation.rendering.openings import Surroundings, openings_of
+from memorymaze.simulation.rendering.openings import DOUBLE_WALL, Surroundings, openings_of
 from memorymaze.simulation.rendering.sight import hiding_segments
 from memorymaze.simulation.rendering.wall_faces import WallFace, wall_faces
 from memorymaze.simulation.scene import BALUSTRADE_HEIGHT, rings_with_things_above
@@ -438,13 +438,15 @@ def _outside(
     holes: list[Hole],
     surroundings: Surroundings,
 ) -> None:
-    """Add the outer face of a wall that has the open air behind it."""
-    x, y = face.at(face.length / 2)
-    if surroundings.behind(x, y, face.heading + math.pi)[0] != "outdoors":
+    """Add the outer face of a wall; one sees it from other windows."""
+    inwards = face.heading + math.pi
+    if surroundings.behind(*face.at(face.length / 2), inwards)[1] < DOUBLE_WALL:
         return
     builder = made.builders["beyond", surfaces.solid(0.70, 0.67, 0.62)]
     shifted = [
-        (a, b, z0 - OUTSIDE_BOTTOM, z1 - OUTSIDE_BOTTOM) for a, b, z0, z1 in holes
+        (a, b, z0 - OUTSIDE_BOTTOM, z1 - OUTSIDE_BOTTOM)
+        for a, b, z0, z1 in holes
+        if surroundings.behind(*face.at((a + b) / 2), inwards)[0] == "outdoors"
     ]
     whole = height + OUTSIDE_TOP - OUTSIDE_BOTTOM
     for low, high, bottom, top in _solid_of(face.length, whole, shifted):
