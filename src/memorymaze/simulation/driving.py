@@ -21,7 +21,10 @@ from memorymaze.simulation.path_following import LaneFollower
 from memorymaze.simulation.scene import Scene
 from memorymaze.simulation.settings import TIMESTEP, SimulationSettings
 from memorymaze.simulation.trace import Collision
-from memorymaze.simulation.turning_points import TurningPointVisits
+from memorymaze.simulation.turning_point_source import (
+    AnnotatedTurningPoints,
+    TurningPointSource,
+)
 from memorymaze.simulation.wheeled_base import WheeledBase
 
 __all__ = ["DriveEnd", "Driver", "TimeIsUp"]
@@ -63,7 +66,8 @@ class Driver:
         self.base = WheeledBase(scene.model, start, settings, rng)
         self.pose = self.base.pose
         """Where the robot is now."""
-        self.visits = TurningPointVisits(scene.site)
+        self.turning_points: TurningPointSource = AnnotatedTurningPoints(scene)
+        """What it knows of turning points."""
         self.collisions: list[Collision] = []
         self.distance = 0.0
         """Metres driven, backwards as well."""
@@ -83,7 +87,7 @@ class Driver:
         self._sample_due = settings.sampling_period
         self._touches: dict[int, float] = {}
         self._moved_until = 0.0
-        self.visits.update(start.x, start.y, start.heading)
+        self.turning_points.update(start, start.heading, 0.0)
 
     @property
     def time(self) -> float:
@@ -129,8 +133,7 @@ class Driver:
         before, self.pose = self.pose, base.pose
         moved = math.hypot(self.pose.x - before.x, self.pose.y - before.y)
         self.distance += moved
-        if travel is not None:
-            self.visits.update(self.pose.x, self.pose.y, travel)
+        self.turning_points.update(self.pose, travel, base.time)
         if self.surroundings is not None:
             self._let_others_move(self.surroundings, moved)
         touched = base.touched_geoms()

@@ -16,9 +16,8 @@ from memorymaze.simulation.route_following import follow_line
 from memorymaze.simulation.scene import Scene
 from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.simulation.turning_directions import direction_of, exit_meant
-from memorymaze.simulation.turning_points import Visit, meeting_point
+from memorymaze.simulation.turning_point_source import Stay
 from memorymaze.simulation.wheeled_base import ROBOT_RADIUS
-from memorymaze.sites.records import Exit
 
 __all__ = ["Pilot"]
 
@@ -162,27 +161,27 @@ class Pilot:
 
     def directions(self) -> list[Direction]:
         """Return where one can go on from the turning point the robot is in."""
-        visit = self._driver.visits.current
-        if visit is None:
+        stay = self._driver.turning_points.current
+        if stay is None:
             return []
         found = {
             direction_of(turn_between(self._course, each.heading))
-            for each in visit.onward()
+            for each in stay.onward()
         }
         return [direction for direction in DIRECTIONS if direction in found]
 
     def turn(self, direction: Direction) -> TurnResult:
         """Face the way that lies in a direction, if there is one."""
-        visit = self._driver.visits.current
+        stay = self._driver.turning_points.current
         if direction == "around":
-            return self._turn_around(visit)
-        if visit is None:
+            return self._turn_around(stay)
+        if stay is None:
             return TurnResult(
                 False,
                 0.0,
                 "this is not a turning point; only 'around' is possible here",
             )
-        exits = list(visit.point.exits) if visit.turned else visit.onward()
+        exits = stay.choices()
         angles = [turn_between(self._course, each.heading) for each in exits]
         chosen = exit_meant(direction, angles)
         if chosen is None:
@@ -192,9 +191,9 @@ class Pilot:
                 0.0,
                 f"no way lies {_in_words(direction)}; there are: {there_are}",
             )
-        return self._turn_into(visit, exits[chosen], direction)
+        return self._turn_into(stay, chosen, direction)
 
-    def _turn_into(self, visit: Visit, chosen: Exit, direction: str) -> TurnResult:
+    def _turn_into(self, stay: Stay, chosen: int, direction: str) -> TurnResult:
         driver = self._driver
         self.come_to_rest()
         before = driver.pose.heading
@@ -202,35 +201,33 @@ class Pilot:
         if self._follower is not None:
             station = self._follower.station
             place = (station.way_x, station.way_y)
-        meeting = meeting_point(
-            visit.point, chosen, place, self._course, self._scene.straight_ways
-        )
+        way = stay.choices()[chosen]
+        meeting = stay.meeting_point(chosen, place, self._course)
         if self._clearance.is_free([driver.pose[:2], meeting], ROBOT_RADIUS + 0.02):
             driver.drive_to(*meeting, patience=self._patience)
-        driver.spin_to(chosen.heading)
-        self._face(chosen.heading, chosen.to)
+        driver.spin_to(way.heading)
+        self._face(way.heading, way.to)
         angle = math.degrees(turn_between(before, driver.pose.heading))
         return TurnResult(
             True, angle, f"turned {abs(angle):.0f} degrees, {_in_words(direction)}"
         )
 
-    def _turn_around(self, visit: Visit | None) -> TurnResult:
+    def _turn_around(self, stay: Stay | None) -> TurnResult:
         driver = self._driver
         self.come_to_rest()
         before = driver.pose.heading
         back = self._course + math.pi
         towards = None
-        if visit is not None:
-            behind = min(
-                visit.point.exits,
-                key=lambda each: abs(turn_between(back, each.heading)),
-                default=None,
-            )
-            if (
-                behind is not None
-                and abs(turn_between(back, behind.heading)) <= BACK_SECTOR
-            ):
-                back, towards = behind.heading, behind.to
+        behind = min(
+            () if stay is None else stay.everywhere(),
+            key=lambda each: abs(turn_between(back, each.heading)),
+            default=None,
+        )
+        if (
+            behind is not None
+            and abs(turn_between(back, behind.heading)) <= BACK_SECTOR
+        ):
+            back, towards = behind.heading, behind.to
         driver.spin_to(back)
         self._face(back, towards)
         angle = math.degrees(turn_between(before, driver.pose.heading))
@@ -242,7 +239,7 @@ class Pilot:
         self._towards = towards
         self._fresh = True
         self._follower = None
-        self._driver.visits.note_turn()
+        self._driver.turning_points.note_turn()
 
     def follow(self, points: NDArray[np.float64]) -> MoveEnd:
         """Drive along a given line, (N, 2) metres, to its end."""

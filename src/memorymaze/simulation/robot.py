@@ -22,8 +22,11 @@ from memorymaze.robot.api import (
 )
 from memorymaze.simulation.call_log import CallLog
 from memorymaze.simulation.driving import Driver, TimeIsUp
+from memorymaze.simulation.lidar import Lidar, LidarScan, LidarSettings
+from memorymaze.simulation.lidar_turning_points import LidarTurningPoints
 from memorymaze.simulation.obstacles.closeness import NearMiss
 from memorymaze.simulation.obstacles.surroundings import Surroundings
+from memorymaze.simulation.odometry import Odometry, OdometrySettings
 from memorymaze.simulation.pilot import Pilot
 from memorymaze.simulation.scene import Scene
 from memorymaze.simulation.settings import SimulationSettings
@@ -55,6 +58,8 @@ class SimulatedRobot:
         detector: Detector | None = None,
         obstacles_rng: np.random.Generator | None = None,
         keep_free: Sequence[tuple[float, float]] = (),
+        lidar: LidarSettings | None = None,
+        odometry: OdometrySettings | None = None,
     ) -> None:
         """Put a robot into a building.
 
@@ -70,6 +75,10 @@ class SimulatedRobot:
             obstacles_rng: Source of where things stand and how people walk, in a scene
                 that has them; None seeds one with the seed of its settings.
             keep_free: Points besides the start where nothing may stand, metres.
+            lidar: What its LiDAR measures and how well; the defaults when None. A
+                child of `rng` gives the noise.
+            odometry: How far its odometry is off, for `turning_points="lidar"`; exact
+                when None. Another child of `rng` gives the noise.
 
         Raises:
             SettingsError: There are to be people, and the package for them is missing.
@@ -78,9 +87,8 @@ class SimulatedRobot:
         """The building it is in."""
         self.settings = settings or SimulationSettings()
         """Its abilities and the limits of the episode."""
-        self._driver = Driver(
-            scene, start, self.settings, rng or np.random.default_rng(0)
-        )
+        rng = rng or np.random.default_rng(0)
+        self._driver = Driver(scene, start, self.settings, rng)
         if scene.obstacles is not None:
             self._driver.surroundings = Surroundings(
                 scene,
@@ -88,6 +96,12 @@ class SimulatedRobot:
                 start,
                 keep_free,
                 obstacles_rng or np.random.default_rng(scene.obstacles.seed),
+            )
+        lidar_rng, odometry_rng = rng.spawn(2)
+        self._lidar = Lidar(scene, self._driver.base.data, lidar, lidar_rng)
+        if self.settings.turning_points == "lidar":
+            self._driver.turning_points = LidarTurningPoints(
+                self._lidar, Odometry(start, odometry, odometry_rng), start
             )
         self._pilot = Pilot(scene, self._driver, self.settings)
         self._log = CallLog(self.settings, on_event)
@@ -125,7 +139,7 @@ class SimulatedRobot:
     def turning_point_id(self) -> int | None:
         """See `Robot.turning_point_id`."""
         self._log.begin()
-        number = self._driver.visits.number
+        number = self._driver.turning_points.number
         self._end("turning_point_id", {}, number)
         return number
 
@@ -234,6 +248,10 @@ class SimulatedRobot:
         result = MoveResult(self._driver.distance - before, reason)
         self._end("follow", {"line": points.tolist()}, asdict(result))
         return result
+
+    def lidar_scan(self) -> LidarScan:
+        """Return what the LiDAR measures from where the robot is."""
+        return self._lidar.scan(self.pose, self.time)
 
     def camera_view(self) -> CameraView:
         """Return what the camera sees from where the robot is."""

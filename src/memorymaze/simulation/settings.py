@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass, fields
+from typing import Literal, get_args
 
 from memorymaze.errors import SettingsError
 
@@ -9,6 +10,9 @@ __all__ = ["TIMESTEP", "SimulationSettings"]
 
 TIMESTEP = 0.01
 """Seconds of a physics step."""
+
+TurningPoints = Literal["annotated", "lidar"]
+"""Where turning points come from: the site plan, or the robot's LiDAR and odometry."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,10 +46,19 @@ class SimulationSettings:
     """Calls of the control API after which the episode ends as `budget`."""
     stuck_limit: int = 40
     """Calls in a row with neither motion nor anything new that end it as `stuck`."""
+    turning_points: TurningPoints = "annotated"
+    """Where `detect_turning_point` and `turn` know turning points from."""
 
     def __post_init__(self) -> None:
         """Check every value."""
+        if self.turning_points not in get_args(TurningPoints):
+            raise SettingsError(
+                "simulation setting turning_points: expected one of "
+                f"{', '.join(get_args(TurningPoints))}; got {self.turning_points!r}"
+            )
         for each in fields(self):
+            if each.name == "turning_points":
+                continue
             value = getattr(self, each.name)
             lowest_is_meant = each.name in ("rolling_speed", "wheel_noise")
             whole = each.name in ("call_budget", "stuck_limit")

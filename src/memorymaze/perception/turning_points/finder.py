@@ -99,7 +99,12 @@ class _Junction:
         return [each.way for each in self.beliefs if each.weight > 0.5 * self.weight]
 
     def see(
-        self, x: float, y: float, radius: float, ways: Sequence[SensedWay], weight: float
+        self,
+        x: float,
+        y: float,
+        radius: float,
+        ways: Sequence[SensedWay],
+        weight: float,
     ) -> None:
         self.weight = self.weight * MEMORY + weight
         share = weight / self.weight

@@ -52,7 +52,9 @@ class LocalMap:
             math.floor(y / CELL) - self._corner[1],
         )
 
-    def add(self, pose: Pose, angles: FloatArray, ranges: FloatArray, moved: float) -> None:
+    def add(
+        self, pose: Pose, angles: FloatArray, ranges: FloatArray, moved: float
+    ) -> None:
         """Take note of a scan.
 
         Args:

@@ -35,6 +35,7 @@ class WallDirections:
     """Hits with the direction of the wall they lie on, in the odometry's frame."""
 
     def __init__(self) -> None:
+        """Begin knowing no walls."""
         self._scans: deque[FloatArray] = deque(maxlen=SCANS)
         self._last: Pose | None = None
         self._all: FloatArray | None = None
@@ -52,7 +53,9 @@ class WallDirections:
             dx = np.roll(x, -NEIGHBOURS) - np.roll(x, NEIGHBOURS)
             dy = np.roll(y, -NEIGHBOURS) - np.roll(y, NEIGHBOURS)
             length = np.hypot(dx, dy)
-            aside = np.abs((x - np.roll(x, NEIGHBOURS)) * dy - (y - np.roll(y, NEIGHBOURS)) * dx)
+            aside = np.abs(
+                (x - np.roll(x, NEIGHBOURS)) * dy - (y - np.roll(y, NEIGHBOURS)) * dx
+            )
             good = (length < LONGEST) & (aside < STRAIGHT * length)
         good &= np.isfinite(ranges)
         self._scans.append(

@@ -209,5 +209,6 @@ def reach_along(way: SensedWay, ways: Sequence[SensedWay], radius: float) -> flo
 
 
 def _pieces(mask: BoolArray) -> NDArray[np.int32]:
-    labels, _ = ndimage.label(mask, EVERY_NEIGHBOUR)
-    return np.asarray(labels, dtype=np.int32)
+    pieces = np.zeros(mask.shape, dtype=np.int32)
+    ndimage.label(mask, EVERY_NEIGHBOUR, output=pieces)
+    return pieces
