@@ -4,6 +4,8 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import asdict
+from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -33,6 +35,11 @@ from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.simulation.trace import Collision, TraceEvent
 from memorymaze.simulation.turning_directions import parse_direction
 from memorymaze.simulation.visibility import RayCamera
+
+if TYPE_CHECKING:
+    from memorymaze.simulation.rendering.camera import CameraFrame
+    from memorymaze.simulation.rendering.panorama import PanoramaFrame
+    from memorymaze.simulation.rendering.robot_eyes import RobotEyes
 
 __all__ = ["SimulatedRobot"]
 
@@ -257,6 +264,41 @@ class SimulatedRobot:
         """Return what the camera sees from where the robot is."""
         self._driver.base.update_view()
         return RayCamera(self.scene, self._driver.base.data)
+
+    def camera_frame(
+        self, width: int = 640, height: int = 480, horizontal_fov: float = math.pi / 2
+    ) -> "CameraFrame":
+        """Draw what the camera sees from where the robot is: colours, depth, ids.
+
+        The first call builds the building's looks, which takes seconds.
+
+        Args:
+            width: Pixels.
+            height: Pixels.
+            horizontal_fov: Radians.
+
+        Raises:
+            RenderingError: This machine cannot draw; says what to install.
+        """
+        return self._eyes.frame(self.pose, width, height, horizontal_fov)
+
+    def panorama(self, width: int = 1024) -> "PanoramaFrame":
+        """Draw the view all round from the camera's place.
+
+        Args:
+            width: Pixels, even; the picture is half as high.
+
+        Raises:
+            RenderingError: This machine cannot draw; says what to install.
+        """
+        return self._eyes.panorama(self.pose, width)
+
+    @cached_property
+    def _eyes(self) -> "RobotEyes":
+        # Runs that never draw load neither OpenGL nor the looks of things.
+        from memorymaze.simulation.rendering.robot_eyes import RobotEyes
+
+        return RobotEyes(self.scene, self._driver.base.data)
 
     @property
     def pose(self) -> Pose:

@@ -31,7 +31,14 @@ from memorymaze.simulation.wheeled_base import (
 )
 from memorymaze.sites.records import Door, Landmark, Site
 
-__all__ = ["BALUSTRADE_HEIGHT", "FLOOR_GROUP", "Scene", "SceneObject", "build_scene"]
+__all__ = [
+    "BALUSTRADE_HEIGHT",
+    "FLOOR_GROUP",
+    "Scene",
+    "SceneObject",
+    "build_scene",
+    "rings_with_things_above",
+]
 
 FLOOR_GROUP, WALL_GROUP, DOOR_GROUP, LANDMARK_GROUP = 0, 1, 2, 3
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from memorymaze.simulation.looks.object_model import Material, MeshPart
 
-__all__ = ["PlacedMeshes", "SpecAssembler"]
+__all__ = ["OPAQUE_FROM", "PlacedMeshes", "SpecAssembler"]
 
 PALETTE_EDGE = 64
 """Colours along an edge of the palette."""
@@ -29,6 +29,9 @@ class PlacedMeshes:
     y: float = 0.0
     z: float = 0.0
     heading: float = 0.0
+    body: mujoco.MjsBody | None = None
+    """What carries them; None is the ground. Bodies must be filled in the order in
+    which they were made, the ground first."""
 
 
 @dataclass(eq=False)
@@ -111,7 +114,8 @@ class SpecAssembler:
     def _geom(
         self, part: MeshPart, material: str, placed: PlacedMeshes, group: int
     ) -> None:
-        self.spec.worldbody.add_geom(
+        body = placed.body or self.spec.worldbody
+        body.add_geom(
             type=mujoco.mjtGeom.mjGEOM_MESH,
             meshname=self._mesh(part),
             material=material,

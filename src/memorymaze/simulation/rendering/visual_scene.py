@@ -1,7 +1,7 @@
 """What a building looks like, as a MuJoCo model of its own; made only for cameras."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import mujoco
@@ -9,13 +9,18 @@ import numpy as np
 from numpy.typing import NDArray
 from shapely import Point, prepare
 
+from memorymaze.geometry.pose import Pose
 from memorymaze.simulation.furnishing import door_solid, landmark_solid
 from memorymaze.simulation.looks import surfaces
-from memorymaze.simulation.looks.catalogue import model_for_landmark
+from memorymaze.simulation.looks.catalogue import model_for_landmark, model_of
 from memorymaze.simulation.looks.doors import model_for_door
 from memorymaze.simulation.looks.object_model import MeshPart
-from memorymaze.simulation.looks.windows import is_window, window_model
-from memorymaze.simulation.rendering.assembling import PlacedMeshes, SpecAssembler
+from memorymaze.simulation.obstacles.kinds import Movable
+from memorymaze.simulation.rendering.assembling import (
+    OPAQUE_FROM,
+    PlacedMeshes,
+    SpecAssembler,
+)
 from memorymaze.simulation.rendering.meshes import MeshBuilder
 from memorymaze.simulation.rendering.sight import Sightlines
 from memorymaze.simulation.rendering.sky import FACES, sky_faces
@@ -41,6 +46,8 @@ _OWNERS = {
 
 SHADOW_HEIGHT = 0.006
 SHADOW_MARGIN = 0.16
+NOWHERE = (1e9, 1e9)
+"""Where nothing is ever seen."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,13 +72,38 @@ class VisualScene:
     """Geoms through or beside which one may see the sky."""
     sightlines: Sightlines
     """The walls that hide things."""
+    movable_geoms: Mapping[str, NDArray[np.intp]]
+    """Geoms of each thing or person that an episode places, and of its shadow."""
+
+    def place(self, places: Mapping[str, Pose]) -> None:
+        """Put things and people where they are now, for the pictures that follow.
+
+        Args:
+            places: Where each is by its id; those not named are nowhere.
+
+        Raises:
+            KeyError: The scene was built without a thing of this id.
+        """
+        for name, geoms in self.movable_geoms.items():
+            if name not in places:
+                self.centres[geoms] = NOWHERE
+        for name, pose in places.items():
+            self.centres[self.movable_geoms[name]] = (pose.x, pose.y)
+            half = pose.heading / 2
+            for part, height in ((name, 0.0), (_shadow_of(name), SHADOW_HEIGHT)):
+                body = self.model.body_mocapid[self.model.body(part).id]
+                self.data.mocap_pos[body] = (pose.x, pose.y, height)
+                self.data.mocap_quat[body] = (math.cos(half), 0, 0, math.sin(half))
+        if self.movable_geoms:
+            mujoco.mj_kinematics(self.model, self.data)
 
 
-def build_visual_scene(site: Site) -> VisualScene:
+def build_visual_scene(site: Site, movables: Sequence[Movable] = ()) -> VisualScene:
     """Build what a site looks like. Takes a second or two; OpenGL is not needed.
 
     Args:
         site: A building that passed the checks of `memorymaze.sites`.
+        movables: Things and people that `VisualScene.place` will place.
     """
     spec = mujoco.MjSpec()
     spec.modelname = f"{site.name}_looks"
@@ -86,7 +118,8 @@ def build_visual_scene(site: Site) -> VisualScene:
             centre, radius = _circle(made.points)
             for kind, part in made.meshes():
                 if kind != "decal":
-                    if made.shows_sky:
+                    # One geom stands for its slice; without any it adds none.
+                    if made.shows_sky and bool(transparent) == _is_clear(part):
                         outlets.append(builder.assembler.geom_count)
                     builder.add(
                         PlacedMeshes((part,)),
@@ -97,26 +130,40 @@ def build_visual_scene(site: Site) -> VisualScene:
                     )
         for number, (_, placed, centre, radius) in enumerate(things, start=WALL + 1):
             builder.add(placed, number, centre, radius, transparent=transparent)
+    movable_geoms = _add_movables(builder, movables, len(things) + WALL + 1)
     first_decal = builder.assembler.geom_count
     _add_decals(builder, structure, site)
+    for each, geoms in zip(movables, movable_geoms, strict=True):
+        geoms.append(builder.assembler.geom_count)
+        _add_shadow_of(builder, each)
     builder.assembler.finish()
     model = spec.compile()
     data = mujoco.MjData(model)
-    mujoco.mj_kinematics(model, data)
-    named = [SceneObject("floor", None), SceneObject("ceiling", None)]
-    named.append(SceneObject("wall", None))
-    return VisualScene(
+    scene = VisualScene(
         site,
         model,
         data,
-        (*named, *(thing for thing, _, _, _ in things)),
+        (
+            SceneObject("floor", None),
+            SceneObject("ceiling", None),
+            SceneObject("wall", None),
+            *(thing for thing, _, _, _ in things),
+            *(SceneObject("person" if m.is_person else "thing", m) for m in movables),
+        ),
         np.array(builder.owners, dtype=np.int32),
         np.array(builder.centres).reshape(-1, 2),
         np.array(builder.radii),
         first_decal,
-        np.array(sorted({min(each, first_decal - 1) for each in outlets}), dtype=np.intp),
+        np.array(outlets, dtype=np.intp),
         Sightlines(structure.hiding),
+        {
+            each.id: np.array(geoms, dtype=np.intp)
+            for each, geoms in zip(movables, movable_geoms, strict=True)
+        },
     )
+    scene.place({})
+    mujoco.mj_kinematics(model, data)
+    return scene
 
 
 class _Builder:
@@ -164,21 +211,63 @@ def _things(site: Site) -> list[_Thing]:
     for landmark in site.landmarks:
         solid = landmark_solid(landmark, site)
         x, y, z = solid.position
-        made = window_model if is_window(landmark) else model_for_landmark
         placed = PlacedMeshes(
-            made(landmark).parts, x, y, z - solid.half_size[2], solid.heading
+            model_for_landmark(landmark).parts, x, y, z - solid.half_size[2], solid.heading
         )
         radius = math.hypot(solid.half_size[0], solid.half_size[1])
         things.append((SceneObject("landmark", landmark), placed, (x, y), radius))
     return things
 
 
+def _add_movables(
+    builder: _Builder, movables: Sequence[Movable], first_owner: int
+) -> list[list[int]]:
+    """Add a body for each, and return the geoms of each."""
+    world = builder.assembler.spec.worldbody
+    geoms: list[list[int]] = []
+    for number, each in enumerate(movables):
+        model = model_of(
+            each.category,
+            each.size,
+            colour_words=each.color,
+            text=each.text,
+            variant=number,
+        )
+        body = world.add_body(name=each.id, mocap=True)
+        before = builder.assembler.geom_count
+        builder.add(
+            PlacedMeshes(model.parts, body=body),
+            first_owner + number,
+            NOWHERE,
+            math.hypot(each.size[0], each.size[1]) / 2,
+        )
+        geoms.append(list(range(before, builder.assembler.geom_count)))
+    return geoms
+
+
+def _add_shadow_of(builder: _Builder, movable: Movable) -> None:
+    half_x, half_y = movable.size[1] / 2, movable.size[0] / 2
+    part = _shadow(half_x + SHADOW_MARGIN, half_y + SHADOW_MARGIN)
+    name = _shadow_of(movable.id)
+    body = builder.assembler.spec.worldbody.add_body(name=name, mocap=True)
+    radius = math.hypot(half_x, half_y) + SHADOW_MARGIN
+    builder.add(PlacedMeshes((part,), body=body), FLOOR, NOWHERE, radius)
+
+
+def _shadow_of(name: str) -> str:
+    return f"{name}/shadow"
+
+
 def _add_decals(builder: _Builder, structure: Structure, site: Site) -> None:
+    # A body of their own, for the compiler sorts geoms by body, the ground's first.
+    ground = builder.assembler.spec.worldbody.add_body(name="decals")
     for made in structure.slices:
         centre, radius = _circle(made.points)
         for kind, part in made.meshes():
             if kind == "decal":
-                builder.add(PlacedMeshes((part,)), FLOOR, centre, radius)
+                builder.add(
+                    PlacedMeshes((part,), body=ground), FLOOR, centre, radius
+                )
     for landmark in site.landmarks:
         solid = landmark_solid(landmark, site)
         x, y, z = solid.position
@@ -187,7 +276,7 @@ def _add_decals(builder: _Builder, structure: Structure, site: Site) -> None:
             continue
         part = _shadow(hx + SHADOW_MARGIN, hy + SHADOW_MARGIN)
         radius = math.hypot(hx + SHADOW_MARGIN, hy + SHADOW_MARGIN)
-        placed = PlacedMeshes((part,), x, y, SHADOW_HEIGHT, solid.heading)
+        placed = PlacedMeshes((part,), x, y, SHADOW_HEIGHT, solid.heading, ground)
         builder.add(placed, FLOOR, (x, y), radius)
 
 
@@ -200,6 +289,10 @@ def _shadow(half_x: float, half_y: float) -> MeshPart:
         (-half_x, half_y, 0.0),
     ])
     return mesh.part(surfaces.blob_shadow())
+
+
+def _is_clear(part: MeshPart) -> bool:
+    return part.material.rgba[3] < OPAQUE_FROM
 
 
 def _circle(points: NDArray[np.float64]) -> tuple[tuple[float, float], float]:
