@@ -146,6 +146,41 @@ def test_an_episode_that_hangs_is_given_up_and_the_run_goes_on(
     assert len(results) == 4
 
 
+BAD_GUEST = """
+import os
+
+class BadGuest:
+    name = "bad guest"
+
+    def follow(self, instruction, robot, journal, rng):
+        print("I am here")
+        os.write(1, b"and here")
+        os.chdir("/")
+        raise KeyboardInterrupt
+"""
+
+
+def test_what_an_agent_does_to_its_process_stays_there(
+    tmp_path: Path,
+    tiny_plan: Plan,
+    monkeypatch: pytest.MonkeyPatch,
+    capfd: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("bad_guest.py").write_text(BAD_GUEST, encoding="utf-8")
+    plan = tiny_plan("bad_guest.py:BadGuest", limit=2)
+    results = run_plan(plan, "run", workers=1)
+    assert [one.error for one in results] == [
+        "WorkerLost: KeyboardInterrupt: no message (bad_guest.py, line 11)"
+    ] * 2
+    assert len(list(Path("run/traces").iterdir())) == 2
+    out, err = capfd.readouterr()
+    assert out == ""
+    assert "I am here" in err
+    assert "and here" in err
+    assert "Traceback" not in err
+
+
 def test_results_depend_on_neither_workers_nor_order(
     tmp_path: Path, troubled: str, tiny_plan: Plan
 ) -> None:

@@ -18,4 +18,4 @@ def test_equal_code_does_not_differ_whatever_the_commit() -> None:
 def test_edited_code_differs() -> None:
     stamp = code_stamp()
     [said] = stamp.differences(replace(stamp, sha256="ff", commit="c0ffee"))
-    assert said.endswith(f"{memorymaze.__version__}, c0ffee here")
+    assert said.endswith(f"{memorymaze.__version__}, commit c0ffee, files ff here")

@@ -34,6 +34,7 @@ def test_a_number_that_is_not_finite_is_refused(result: Make, number: float) -> 
         pytest.param({"stopped_by": "wind"}, "stopped_by", id="unknown ending"),
         pytest.param({"success": 1}, "success", id="number for a flag"),
         pytest.param({"site": None}, "site", id="nothing for a text"),
+        pytest.param({"spd": math.nan}, "spd", id="not finite"),
     ],
 )
 def test_a_line_with_a_wrong_field_is_refused_with_its_place(

@@ -154,9 +154,10 @@ def test_where_replies_are_kept_makes_no_other_run(
     ("content", "said"),
     [
         pytest.param("{", "cannot be read", id="no json"),
-        pytest.param("[]", "is wrong", id="list"),
+        pytest.param("[" * 99_999, "cannot be read", id="nested"),
+        pytest.param("[]", "the whole is wrong", id="list"),
         pytest.param('{"format": 2}', "expected format 1, got 2", id="later format"),
-        pytest.param('{"format": 1}', "'settings' is wrong", id="empty"),
+        pytest.param('{"format": 1}', "settings is wrong", id="empty"),
     ],
 )
 def test_a_damaged_run_json_is_named(
@@ -185,6 +186,9 @@ def test_a_folder_that_is_no_run_is_named(tmp_path: Path) -> None:
         read_run(tmp_path)
     with pytest.raises(RunFolderError, match="no such folder"):
         read_run(tmp_path / "none")
+    (tmp_path / "file").write_text("", encoding="utf-8")
+    with pytest.raises(RunFolderError, match="got a file"):
+        read_run(tmp_path / "file")
 
 
 def test_results_without_run_json_are_not_written_to(
@@ -210,5 +214,5 @@ def test_a_folder_that_cannot_be_made_is_named(
     tmp_path: Path, record: RunRecord
 ) -> None:
     (tmp_path / "file").write_text("", encoding="utf-8")
-    with pytest.raises(RunFolderError, match="cannot be used"):
+    with pytest.raises(RunFolderError, match="cannot be read or written"):
         write(tmp_path / "file" / "run", record)

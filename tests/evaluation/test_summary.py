@@ -36,6 +36,18 @@ def test_the_lines_say_who_wrote_the_instructions(
     assert "2 calls, 90 tokens, 0.50 USD" in text
 
 
+def test_the_lines_say_what_went_wrong_most_often(
+    result: Make, settings: RunSettings
+) -> None:
+    results = [
+        result(f"{name}-1", stopped_by="crash", success=False, error=error)
+        for name, error in zip("abcd", ("rare", "often", "often", None), strict=True)
+    ]
+    summary = summarise(results, settings)
+    assert summary["errors"] == {"often": 2, "rare": 1}
+    assert "3 ended with an error, 2 of them with: often" in summary_lines(summary)
+
+
 def test_no_results_are_an_error(settings: RunSettings) -> None:
     with pytest.raises(ValueError, match="at least one result"):
         summarise([], settings)

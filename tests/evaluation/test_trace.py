@@ -39,6 +39,26 @@ def test_entries_come_back_as_json_knows_them(folder: Path) -> None:
     assert first["text"] == "左\ud800"
 
 
+class Undescribed:
+    def __repr__(self) -> str:
+        raise RuntimeError("no words")
+
+
+def test_circles_depths_and_things_without_words_are_written_as_far_as_they_go(
+    folder: Path,
+) -> None:
+    circle: dict[str, object] = {}
+    circle["again"] = circle
+    deep: list[object] = []
+    for _ in range(3000):
+        deep = [deep]
+    write_trace(folder, "a", [{"circle": circle}, {"deep": deep}, {"x": Undescribed()}])
+    first, second, third = read_trace(folder, "a")
+    assert "dict nested too deep" in str(first)
+    assert "list nested too deep" in str(second)
+    assert third == {"x": "<Undescribed without a description: RuntimeError>"}
+
+
 def test_equal_entries_give_equal_bytes(folder: Path) -> None:
     write_trace(folder, "a", [{"x": 1}])
     write_trace(folder, "b", [{"x": 1}])

@@ -66,7 +66,8 @@ def run_plan(
         _check_known(run, plan)
         waiting = [e for e in plan.episodes if e.id not in run.finished]
         count = min(workers or available_cores(), max(1, len(waiting)))
-        prepare = EpisodeWorker(plan.settings, plan.sites, path)
+        # Absolute, because an agent may change its process's folder.
+        prepare = EpisodeWorker(plan.settings, plan.sites, path.absolute())
         queue = _Queue(EpisodeTask(episode) for episode in waiting)
         with (
             Progress(len(plan.episodes), len(run.finished)) as progress,

@@ -42,10 +42,15 @@ class CodeStamp:
             if self.packages.get(name) != now
         ]
         if self.sha256 != new.sha256:
-            there = f"{self.version}, {self.commit or self.sha256[:12]}"
-            here = f"{new.version}, {new.commit or new.sha256[:12]}"
+            there, here = self._named(), new._named()
             found.insert(0, f"memorymaze's code: {there} there, {here} here")
         return found
+
+    def _named(self) -> str:
+        commit = "" if self.commit is None else f"commit {self.commit[:12]}"
+        edited = "+" if self.commit and self.commit.endswith("+") else ""
+        files = f"files {self.sha256[:12]}"
+        return ", ".join(filter(None, [self.version, f"{commit}{edited}", files]))
 
 
 @cache

@@ -4,7 +4,7 @@ import json
 from dataclasses import asdict, dataclass
 from typing import Literal
 
-from pydantic import TypeAdapter, ValidationError
+from pydantic import FiniteFloat, TypeAdapter, ValidationError
 
 from memorymaze.errors import RunFolderError
 
@@ -39,34 +39,34 @@ class EpisodeResult:
     """Stopped by itself, nearer to the goal than the success distance."""
     oracle_success: bool
     """Was at any moment nearer to the goal than the success distance."""
-    spd: float
+    spd: FiniteFloat
     """Shortest walk from where the robot stands at the end to the goal, metres."""
-    cls: float
+    cls: FiniteFloat
     """Coverage weighted by length score, 0 to 1."""
-    spl: float
-    ndtw: float
-    sdtw: float
-    path_length: float
+    spl: FiniteFloat
+    ndtw: FiniteFloat
+    sdtw: FiniteFloat
+    path_length: FiniteFloat
     """Metres driven."""
     collisions: int
-    turns_in_order: float
+    turns_in_order: FiniteFloat
     """Share of the reference route's turns that were taken, in their order, 0 to 1."""
-    duration_s: float
+    duration_s: FiniteFloat
     """Simulated seconds."""
-    wall_s: float
+    wall_s: FiniteFloat
     """Real seconds; the only field that differs between equal runs."""
     api_calls: int
     """Calls of the robot's control API."""
     model_calls: int
     tokens: int
-    cost_usd: float
+    cost_usd: FiniteFloat
     error: str | None
     """One line on what went wrong, for the endings that are errors."""
     person_collisions: int = 0
     """Of the collisions those with people."""
     near_misses: int = 0
     """Times a person and the robot were closer than 0.3 m."""
-    waiting_s: float = 0.0
+    waiting_s: FiniteFloat = 0.0
     """Simulated seconds the robot stood because people were in the way."""
 
 
@@ -99,5 +99,5 @@ def result_from_line(line: str, place: str) -> EpisodeResult:
         field = ".".join(str(part) for part in first["loc"]) or "the line"
         raise RunFolderError(
             f"{place}: expected an episode's result, got one where {field} is wrong "
-            f"({first['msg']})"
+            f"({first['msg']}); delete the line, and --resume runs the episode again"
         ) from None

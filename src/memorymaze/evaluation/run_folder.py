@@ -124,7 +124,9 @@ def read_run(path: str | Path) -> tuple[RunRecord, list[EpisodeResult]]:
     """
     path = Path(path)
     if not (path / "run.json").is_file():
-        there = "a folder without run.json" if path.is_dir() else "no such folder"
+        there = "a file" if path.exists() else "no such folder"
+        if path.is_dir():
+            there = "a folder without run.json"
         raise RunFolderError(
             f"{path}: expected a run folder, as `memorymaze evaluate --out` makes "
             f"them, got {there}"
@@ -172,12 +174,12 @@ def _read_record(path: Path) -> RunRecord:
         return _RECORD.validate_python(content)
     except ValidationError as error:
         first = error.errors()[0]
-        field = ".".join(str(part) for part in first["loc"])
-        raise RunFolderError(
-            f"{place}: field {field!r} is wrong ({first['msg']})"
-        ) from None
-    except (OSError, ValueError, SettingsError) as error:
-        raise RunFolderError(f"{place}: cannot be read ({error})") from None
+        field = ".".join(str(part) for part in first["loc"]) or "the whole"
+        raise _damaged(place, f"{field} is wrong ({first['msg']})") from None
+    except OSError as error:
+        raise _refused(path, error) from None
+    except (ValueError, RecursionError, SettingsError) as error:
+        raise _damaged(place, f"it cannot be read ({error})") from None
 
 
 def _repaired_results(path: Path) -> dict[str, EpisodeResult]:
@@ -214,7 +216,7 @@ def _read_results(path: Path) -> tuple[dict[str, EpisodeResult], bytes]:
             if result.episode_id in results:
                 raise RunFolderError(
                     f"{place}: expected one result per episode, got a second one of "
-                    f"{result.episode_id!r}"
+                    f"{result.episode_id!r}; delete one of the two lines"
                 )
             results[result.episode_id] = result
         sound += len(line) + len(ends)
@@ -225,6 +227,16 @@ def _pretty(content: Mapping[str, Any]) -> bytes:
     return (json.dumps(content, indent=2, ensure_ascii=False) + "\n").encode()
 
 
+def _damaged(place: Path, what: str) -> RunFolderError:
+    return RunFolderError(
+        f"{place}: expected the settings of a run, got a damaged file: {what}; bring it "
+        "back, or run again into another folder"
+    )
+
+
 def _refused(path: Path, error: OSError) -> RunFolderError:
     reason = error.strerror or str(error)
-    return RunFolderError(f"{error.filename or path}: cannot be used ({reason})")
+    return RunFolderError(
+        f"{error.filename or path}: cannot be read or written ({reason}); is {path} the "
+        "right folder?"
+    )

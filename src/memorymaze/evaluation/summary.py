@@ -67,6 +67,7 @@ def summarise(
         "episodes_missing": settings.episodes - len(results),
         "instructions_written_by": dict(Counter(r.source for r in results)),
         "stopped_by": dict(Counter(r.stopped_by for r in results)),
+        "errors": dict(Counter(r.error for r in results if r.error).most_common()),
         "mean": _means(results),
         "safety": asdict(safety(results)),
         "sum": {name: sum(getattr(r, name) for r in results) for name in SUMS},
@@ -99,6 +100,10 @@ def summary_lines(summary: dict[str, Any]) -> list[str]:
         f"SPD {mean['spd']:.2f} m, CLS {mean['cls']:.3f} (means over episodes)",
         f"stopped by: {ends}; collisions: {total['collisions']}",
     ]
+    if summary["errors"]:
+        error, count = next(iter(summary["errors"].items()))
+        failed = sum(summary["errors"].values())
+        lines.append(f"{failed} ended with an error, {count} of them with: {error}")
     if summary["track"] == "obstacles":
         rates = summary["safety"]
         lines.append(

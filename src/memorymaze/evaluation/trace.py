@@ -20,6 +20,9 @@ __all__ = ["read_trace", "trace_lines", "trace_path", "write_trace"]
 NAME_LIMIT = 150
 """Longest file stem made of an episode id; longer ones are cut and numbered."""
 
+DEEPEST = 50
+"""Lists and objects inside one another that are written; circles end here."""
+
 
 def trace_path(folder: Path, episode_id: str) -> Path:
     """Return the file of an episode's trace in a run folder.
@@ -72,28 +75,40 @@ def read_trace(folder: Path, episode_id: str) -> Iterator[dict[str, Any]]:
 def _line(entry: Mapping[str, object]) -> str:
     try:
         return _ENCODER.encode(entry)
-    except (TypeError, ValueError):
-        # Odd keys and numbers that are not finite are rare; looking for them is slow.
+    except (TypeError, ValueError, RecursionError):
+        # Odd keys, numbers that are not finite and circles are rare, and looking for
+        # them is slow.
         return _ENCODER.encode(_plain(entry))
 
 
-def _plain(value: object) -> Any:
+def _plain(value: object, depth: int = 0) -> Any:
     """Return a value as JSON knows it; what JSON does not know as its description."""
+    if depth > DEEPEST:
+        return f"<{type(value).__name__} nested too deep to write down>"
+    depth += 1
     if value is None or isinstance(value, bool | int | str):
         return value
     if isinstance(value, float):
         return value if math.isfinite(value) else repr(value)
     if isinstance(value, np.generic | np.ndarray):
-        return _plain(value.tolist())
+        return _plain(value.tolist(), depth)
     if is_dataclass(value) and not isinstance(value, type):
-        return {each.name: _plain(getattr(value, each.name)) for each in fields(value)}
+        parts = ((each.name, getattr(value, each.name)) for each in fields(value))
+        return {name: _plain(part, depth) for name, part in parts}
     if isinstance(value, Mapping):
-        return {str(key): _plain(part) for key, part in value.items()}
+        return {str(key): _plain(part, depth) for key, part in value.items()}
     if isinstance(value, set | frozenset):
-        return [_plain(part) for part in sorted(value, key=repr)]
+        return [_plain(part, depth) for part in sorted(value, key=_described)]
     if isinstance(value, Sequence) and not isinstance(value, bytes | bytearray):
-        return [_plain(part) for part in value]
-    return repr(value)
+        return [_plain(part, depth) for part in value]
+    return _described(value)
+
+
+def _described(value: object) -> str:
+    try:
+        return repr(value)
+    except Exception as error:
+        return f"<{type(value).__name__} without a description: {type(error).__name__}>"
 
 
 _ENCODER = json.JSONEncoder(

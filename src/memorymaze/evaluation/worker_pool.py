@@ -19,6 +19,7 @@ from multiprocessing.process import BaseProcess
 from typing import Generic, TypeVar
 
 from memorymaze.errors import MemoryMazeError
+from memorymaze.evaluation.agent_failures import failure_line
 
 __all__ = ["Lost", "WorkerPool"]
 
@@ -229,6 +230,9 @@ def _how_it_ended(code: int | None) -> str:
 
 def _work(connection: Connection) -> None:
     """Do the tasks that come; the life of a worker process."""
+    # What is printed while working is no result of the parent's.
+    with contextlib.suppress(OSError):
+        os.dup2(2, 1)
     threading.Thread(target=_die_with_parent, daemon=True).start()
     try:
         connection.send(("hello", None))
@@ -238,8 +242,8 @@ def _work(connection: Connection) -> None:
             task = connection.recv()
             try:
                 outcome = do(task)
-            except Exception as error:
-                connection.send(("done", Lost(f"{type(error).__name__}: {error}")))
+            except BaseException as error:
+                connection.send(("done", Lost(failure_line(error))))
             else:
                 connection.send(("done", outcome))
     except MemoryMazeError as error:
