@@ -114,16 +114,23 @@ class _Placer:
 
     def place(self, thing: Movable) -> Pose | None:
         for _ in range(TRIES):
-            pose = self._candidate(thing)
-            if pose is not None and self._suits(thing, pose):
+            found = self._candidate(thing)
+            if found is None:
+                continue
+            pose, across = found
+            if self._suits(thing, pose, across):
                 self._free = self._free.difference(footprint(thing, pose))
                 shapely.prepare(self._free)
                 self._standing.append(Point(pose.x, pose.y))
                 return pose
         return None
 
-    def _candidate(self, thing: Movable) -> Pose | None:
-        """Choose a place along a stretch, at a wall or in the middle."""
+    def _candidate(self, thing: Movable) -> tuple[Pose, float] | None:
+        """Choose a place along a stretch, at a wall or in the middle.
+
+        Returns:
+            The pose, and the heading square to the stretch.
+        """
         rng = self._rng
         stretch = self._stretches[int(rng.choice(len(self._shares), p=self._shares))]
         at = float(rng.uniform(0, stretch.line.length))
@@ -137,7 +144,7 @@ class _Placer:
         across = along + side * math.pi / 2
         if middle:
             x, y = x + aside * math.cos(across), y + aside * math.sin(across)
-            return Pose(x, y, math.remainder(along + math.pi, 2 * math.pi))
+            return Pose(x, y, math.remainder(along + math.pi, 2 * math.pi)), across
         ray = LineString([
             (x, y),
             (x + 30 * math.cos(across), y + 30 * math.sin(across)),
@@ -155,9 +162,10 @@ class _Placer:
         if out <= 0:
             return None
         facing = math.remainder(across + math.pi, 2 * math.pi)
-        return Pose(x + out * math.cos(across), y + out * math.sin(across), facing)
+        x, y = x + out * math.cos(across), y + out * math.sin(across)
+        return Pose(x, y, facing), across
 
-    def _suits(self, thing: Movable, pose: Pose) -> bool:
+    def _suits(self, thing: Movable, pose: Pose, across: float) -> bool:
         covers = footprint(thing, pose)
         here = Point(pose.x, pose.y)
         return (
@@ -166,8 +174,31 @@ class _Placer:
             and all(covers.distance(each) >= DOOR_GAP for each in self._doors)
             and all(covers.distance(each) >= KEPT_FREE for each in self._kept)
             and all(here.distance(each) >= APART for each in self._standing)
+            and self._leaves_room_beside(covers, here, across)
             and self._leaves_a_way(covers, here)
         )
+
+    def _leaves_room_beside(self, covers: Polygon, here: Point, across: float) -> bool:
+        """Whether a passage is left on one side of the thing, along its full length."""
+        ux, uy = math.cos(across), math.sin(across)
+        corners = shapely.get_coordinates(covers) - (here.x, here.y)
+        reach = float(np.abs(corners @ (ux, uy)).max()) + 0.01
+        half = float(np.abs(corners @ (-uy, ux)).max())
+        free = self._free.difference(covers)
+        for side in (1.0, -1.0):
+            strip = [
+                LineString([
+                    (
+                        here.x + side * out * ux - along * uy,
+                        here.y + side * out * uy + along * ux,
+                    )
+                    for out in (reach, reach + PASSAGE)
+                ])
+                for along in (-half, 0.0, half)
+            ]
+            if all(free.covers(line) for line in strip):
+                return True
+        return False
 
     def _leaves_a_way(self, covers: Polygon, here: Point) -> bool:
         """Whether the floor around hangs together as it did without the thing."""

@@ -14,6 +14,9 @@ LANE_STEP = 0.2
 """Metres between the places of a lane that are looked at."""
 KEPT = 0.2
 """Metres kept between the robot's shell and people, while it goes towards them."""
+STAND_OFF = 0.6
+"""Metres before the first place too close at which the robot halts; from nearer it
+could not go round."""
 FORESIGHT = 1.6
 """Seconds ahead to which people's motion is foretold."""
 MOMENT = 0.2
@@ -79,6 +82,6 @@ def _conflict(
             continue
         if dx * math.cos(heading) + dy * math.sin(heading) <= 0:
             continue
-        found = max(0.0, (number - 1) * LANE_STEP)
+        found = max(0.0, (number - 1) * LANE_STEP - STAND_OFF)
         break
     return found
