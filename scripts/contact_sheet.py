@@ -1,191 +1,172 @@
 """Draw contact sheets: one picture of every category that the shipped plans name.
 
-Each thing is seen from 3 m, or from where all of it is in the picture, a little from
-its left, lit as in the simulated buildings. Needs OpenGL (`MUJOCO_GL=egl` or `osmesa`
-without a screen).
+Each thing stands in a hall, drawn as a robot's camera sees it, from 3 m or from where
+all of it is in the picture, a little from its left. Things that no plan has follow.
 
-    MUJOCO_GL=egl python scripts/contact_sheet.py --out docs/images
+    python scripts/contact_sheet.py --out docs/images
 """
 
 import argparse
 import math
+from collections.abc import Iterator
 from pathlib import Path
 
-import mujoco
-import numpy as np
-from memorymaze.simulation.looks.catalogue import model_for_landmark, model_of
-from memorymaze.simulation.looks.object_model import MeshPart, ObjectModel
-from memorymaze.sites import load_sites
-from memorymaze.sites.records import Landmark
 from PIL import Image, ImageDraw
+from shapely import Point
+from shapely import box as rectangle
 
-CELL = 220
-"""Pixels of a picture's side."""
-LABEL = 16
-COLUMNS, ROWS = 8, 7
-FIELD_OF_VIEW_DEG = 42.0
-NEAREST = 3.0
-"""Metres from the camera to the thing's front."""
-AZIMUTH_DEG = -28.0
+from memorymaze.geometry.pose import Pose
+from memorymaze.simulation.furnishing import landmark_solid
+from memorymaze.simulation.rendering.camera import RenderedCamera
+from memorymaze.simulation.rendering.visual_scene import build_visual_scene
+from memorymaze.sites import load_sites
+from memorymaze.sites.records import Area, Landmark, Mount, Site
+
+CELL, LABEL, GAP = 168, 15, 3
+"""Pixels of a picture's side, of the line under it, and between pictures."""
+COLUMNS, ROWS = 9, 7
+PIXELS = 720
+"""Side of the pictures before they are cut to the thing, pixels."""
+FIELD_OF_VIEW = math.radians(50)
 EYE_HEIGHT = 1.25
-LIGHTS = (
-    ((0, 0, -1), 0.42), ((0, 0, 1), 0.2), ((-1, 0.3, -0.5), 0.34),
-    ((1, -0.3, -0.5), 0.24), ((0.3, 1, -0.5), 0.28), ((-0.3, -1, -0.5), 0.24),
-)  # fmt: skip
-EXTRAS = (
-    ("mystery contraption", (1.0, 0.6, 1.2), "floor"),
-    ("standing person", (0.55, 0.4, 1.72), "floor"),
-    ("walking person", (0.55, 0.85, 1.72), "floor"),
-    ("chair", (0.5, 0.55, 0.85), "floor"),
-    ("stool", (0.4, 0.4, 0.5), "floor"),
-    ("desk", (1.4, 0.7, 0.74), "floor"),
-    ("cabinet", (1.0, 0.45, 1.9), "floor"),
-    ("dinosaur skeleton", (4.0, 1.2, 2.4), "floor"),
-    ("bicycle", (1.7, 0.55, 1.05), "floor"),
-    ("car", (3.9, 1.7, 1.45), "floor"),
-    ("suitcase", (0.45, 0.28, 1.05), "floor"),
-    ("cardboard boxes", (0.6, 0.5, 0.8), "floor"),
-    ("queue barrier", (1.8, 0.34, 0.95), "floor"),
-    ("traffic cone", (0.36, 0.36, 0.7), "floor"),
-    ("cart", (0.9, 0.5, 1.0), "floor"),
+NEAREST = 3.0
+"""Metres from the camera to the thing."""
+SIDEWAYS = math.radians(26)
+"""How far from straight ahead things are looked at."""
+BAY = 16.0
+"""Metres of hall for each thing."""
+DEPTH = 24.0
+CEILING = 9.0
+MARGIN = 1.25
+"""Of the picture, as a multiple of the thing."""
+EXTRAS: tuple[tuple[str, tuple[float, float, float]], ...] = (
+    ("mystery contraption", (1.0, 0.6, 1.2)),
+    ("standing person", (0.55, 0.4, 1.72)),
+    ("walking person", (0.55, 0.85, 1.72)),
+    ("chair", (0.5, 0.55, 0.85)),
+    ("stool", (0.4, 0.4, 0.5)),
+    ("desk", (1.4, 0.7, 0.74)),
+    ("cabinet", (1.0, 0.45, 1.9)),
+    ("dinosaur skeleton", (4.0, 1.2, 2.4)),
+    ("bicycle", (1.7, 0.55, 1.05)),
+    ("car", (3.9, 1.7, 1.45)),
+    ("suitcase", (0.45, 0.28, 1.05)),
+    ("cardboard boxes", (0.6, 0.5, 0.8)),
+    ("queue barrier", (1.8, 0.34, 0.95)),
+    ("traffic cone", (0.36, 0.36, 0.7)),
+    ("cart", (0.9, 0.5, 1.0)),
 )
-"""Things that no shipped plan has: left in the way, walking, or unknown."""
+"""Things that no shipped plan has: unknown, walking, or left in the way."""
 
 
 def main() -> None:
     """Draw all sheets and print their names."""
-    parser = argparse.ArgumentParser(description="Draw contact sheets of all categories.")
+    parser = argparse.ArgumentParser(
+        description="Draw contact sheets of all categories."
+    )
     parser.add_argument("--out", type=Path, default=Path("docs/images"), metavar="DIR")
-    parser.add_argument("--only", metavar="WORDS", help="categories that have this in their name")
+    parser.add_argument(
+        "--only", default="", metavar="WORDS", help="categories with this in their name"
+    )
     args = parser.parse_args()
     args.out.mkdir(parents=True, exist_ok=True)
-    subjects = [each for each in _subjects() if (args.only or "") in each[0]]
-    pictures = [_labelled(_picture(*each[1:]), each[0]) for each in subjects]
+    examples = [each for each in _examples() if args.only in each.category]
+    pictures = list(_pictures(examples))
     step = COLUMNS * ROWS
     for number, start in enumerate(range(0, len(pictures), step), start=1):
         path = args.out / f"contact_sheet_{number}.png"
-        _sheet(pictures[start : start + step]).save(path, optimize=True)
+        sheet = _sheet(pictures[start : start + step])
+        sheet.save(path, optimize=True)
         print(path)
 
 
-def _subjects() -> list[tuple[str, ObjectModel, float]]:
-    """Return category, model and height over the floor, one of each category."""
-    examples: dict[str, Landmark] = {}
+def _examples() -> list[Landmark]:
+    """Return one thing of each category, one with words where there is one."""
+    found: dict[str, Landmark] = {}
     for site in load_sites(None).values():
         for thing in site.landmarks:
-            known = examples.get(thing.category)
+            known = found.get(thing.category)
             if known is None or (known.text is None and thing.text):
-                examples[thing.category] = thing
-    found = [
-        (category, model_for_landmark(thing), _bottom(thing.mount, thing.size[2], thing.obstacle))
-        for category, thing in sorted(examples.items(), key=lambda each: each[0].lower())
-    ]
-    return found + [(category, model_of(category, size), 0.0) for category, size, _ in EXTRAS]
+                found[thing.category] = thing
+    examples = sorted(found.values(), key=lambda each: each.category.lower())
+    return examples + [_extra(category, size) for category, size in EXTRAS]
 
 
-def _bottom(mount: str, height: float, obstacle: bool) -> float:
-    if mount == "floor" or obstacle:
-        return 0.0
-    return 2.3 if mount == "ceiling" else max(0.1, 1.5 - height / 2)
-
-
-def _picture(model: ObjectModel, bottom: float) -> Image.Image:
-    spec = mujoco.MjSpec()
-    spec.stat.extent = 1.0
-    spec.visual.map.znear = 0.02
-    spec.visual.map.zfar = 80.0
-    spec.visual.headlight.ambient = [0.6, 0.6, 0.6]
-    spec.visual.headlight.diffuse = [0.1, 0.1, 0.1]
-    spec.visual.headlight.specular = [0.0, 0.0, 0.0]
-    spec.visual.global_.offwidth = spec.visual.global_.offheight = 2 * CELL
-    for direction, strength in LIGHTS:
-        spec.worldbody.add_light(
-            type=mujoco.mjtLightType.mjLIGHT_DIRECTIONAL,
-            dir=direction,
-            diffuse=[strength] * 3,
-            specular=[0.1] * 3,
-            castshadow=False,
-        )
-    spec.worldbody.add_geom(
-        type=mujoco.mjtGeom.mjGEOM_PLANE, size=[30, 30, 1], rgba=[0.72, 0.7, 0.67, 1]
+def _extra(category: str, size: tuple[float, float, float]) -> Landmark:
+    mount: Mount = "floor"
+    return Landmark(
+        category, Point(0, 0), category, None, None, None, 0.0, size, mount, True
     )
-    wall = model.bounds()[0][0] - 0.03
-    spec.worldbody.add_geom(
-        type=mujoco.mjtGeom.mjGEOM_BOX, size=[0.02, 30, 10], pos=[wall - 0.02, 0, 0], rgba=[0.88, 0.86, 0.82, 1]
-    )
-    for number, part in enumerate(model.parts):
-        _add_part(spec, part, number, bottom)
-    low, high = model.bounds()
-    middle = np.array([high[0], 0.0, bottom + high[2] / 2])
-    size = high - low
-    reach = 0.5 * math.hypot(size[0] + size[1], size[2])
-    away = max(NEAREST, reach * 1.12 / math.tan(math.radians(FIELD_OF_VIEW_DEG / 2)))
-    turn = math.radians(AZIMUTH_DEG)
-    eye = middle + away * np.array([math.cos(turn), -math.sin(turn), 0.0])
-    eye[2] = max(EYE_HEIGHT, 0.35 * away) if middle[2] < 1.2 else EYE_HEIGHT
-    # Zoomed in where the thing is small, so that the cell shows it as one looks at it.
-    zoom = math.degrees(2 * math.atan(1.12 * reach / float(np.linalg.norm(eye - middle))))
-    spec.worldbody.add_camera(
-        name="eye",
-        pos=eye.tolist(),
-        fovy=min(FIELD_OF_VIEW_DEG, max(zoom, 10.0)),
-        xyaxes=_looking(eye, middle),
-    )
-    compiled = spec.compile()
-    data = mujoco.MjData(compiled)
-    mujoco.mj_forward(compiled, data)
-    with mujoco.Renderer(compiled, 2 * CELL, 2 * CELL) as renderer:
-        renderer.update_scene(data, "eye")
-        return Image.fromarray(renderer.render()).reduce(2)
 
 
-def _looking(eye: np.ndarray, target: np.ndarray) -> list[float]:
-    forward = (target - eye) / np.linalg.norm(target - eye)
-    right = np.cross(forward, (0, 0, 1))
-    right /= np.linalg.norm(right)
-    return [*right, *np.cross(right, forward)]
+def _pictures(examples: list[Landmark]) -> Iterator[Image.Image]:
+    """Draw each thing in its own bay of one long hall."""
+    placed = [_in_bay(thing, number) for number, thing in enumerate(examples)]
+    hall = Area(
+        "hall",
+        rectangle(-BAY, 0.0, BAY * (len(examples) + 1), DEPTH),
+        None,
+        "linoleum",
+        "plaster",
+        False,
+    )
+    site = Site(
+        "contact_sheet", "", "", CEILING, "", None,
+        (), (hall,), (), (), (), tuple(placed), (),
+    )  # fmt: skip
+    with RenderedCamera(
+        build_visual_scene(site),
+        PIXELS,
+        PIXELS,
+        FIELD_OF_VIEW,
+        multisamples=4,
+    ) as camera:
+        for thing in placed:
+            yield _labelled(_picture(camera, thing, site), thing.category)
 
 
-def _add_part(spec: mujoco.MjSpec, part: MeshPart, number: int, bottom: float) -> None:
-    name = f"part{number}"
-    material = spec.add_material(
-        name=name,
-        rgba=part.material.rgba,
-        emission=part.material.emission,
-        shininess=part.material.shininess,
-        specular=0.3 * part.material.shininess,
+def _in_bay(thing: Landmark, number: int) -> Landmark:
+    depth = thing.size[1]
+    off_wall = depth / 2 if thing.mount == "wall" else depth / 2 + 0.25
+    return Landmark(
+        f"{thing.id}_{number}",
+        Point(number * BAY, off_wall),
+        thing.category,
+        thing.color,
+        thing.name,
+        thing.text,
+        math.pi / 2,
+        thing.size,
+        thing.mount,
+        thing.obstacle,
     )
-    if part.material.texture is not None:
-        height, width, channels = part.material.texture.shape
-        spec.add_texture(
-            name=name,
-            type=mujoco.mjtTexture.mjTEXTURE_2D,
-            width=width,
-            height=height,
-            nchannel=channels,
-            data=part.material.texture.ravel(),
-        )
-        material.textures[mujoco.mjtTextureRole.mjTEXROLE_RGB] = name
-    mesh = spec.add_mesh(
-        name=name,
-        uservert=part.vertices.ravel(),
-        userface=part.faces.ravel(),
-        inertia=mujoco.mjtMeshInertia.mjMESH_INERTIA_SHELL,
+
+
+def _picture(camera: RenderedCamera, thing: Landmark, site: Site) -> Image.Image:
+    length, depth, height = thing.size
+    middle = landmark_solid(thing, site).position
+    across = length * math.cos(SIDEWAYS) + depth * math.sin(SIDEWAYS)
+    reach = 0.5 * MARGIN * max(across, height + 0.3 * depth)
+    away = max(NEAREST, reach / math.tan(FIELD_OF_VIEW / 2)) + depth / 2
+    eye_height = max(EYE_HEIGHT, 0.28 * away) if middle[2] < 1.4 else EYE_HEIGHT
+    x, y = middle[0] - away * math.sin(SIDEWAYS), middle[1] + away * math.cos(SIDEWAYS)
+    pitch = math.atan2(middle[2] - eye_height, away)
+    heading = math.atan2(middle[1] - y, middle[0] - x)
+    pixels = camera.picture(Pose(x, y, heading), eye_height, pitch)
+    distance = math.hypot(away, middle[2] - eye_height)
+    half = PIXELS / 2 * reach / distance / math.tan(FIELD_OF_VIEW / 2)
+    centre = PIXELS / 2
+    corners = (centre - half, centre - half, centre + half, centre + half)
+    return Image.fromarray(pixels).resize(
+        (CELL, CELL), Image.Resampling.LANCZOS, box=_inside(corners)
     )
-    if part.normals is not None:
-        mesh.usernormal = part.normals.ravel()
-        mesh.userfacenormal = part.faces.ravel()
-    if part.uv is not None:
-        mesh.usertexcoord = part.uv.ravel()
-        mesh.userfacetexcoord = part.faces.ravel()
-    spec.worldbody.add_geom(
-        type=mujoco.mjtGeom.mjGEOM_MESH,
-        meshname=name,
-        material=name,
-        pos=[0, 0, bottom],
-        contype=0,
-        conaffinity=0,
-    )
+
+
+def _inside(
+    corners: tuple[float, float, float, float],
+) -> tuple[float, float, float, float]:
+    left, top, right, bottom = (min(max(each, 0.0), PIXELS) for each in corners)
+    return left, top, right, bottom
 
 
 def _labelled(picture: Image.Image, words: str) -> Image.Image:
@@ -198,10 +179,10 @@ def _labelled(picture: Image.Image, words: str) -> Image.Image:
 def _sheet(pictures: list[Image.Image]) -> Image.Image:
     columns = min(COLUMNS, len(pictures))
     rows = math.ceil(len(pictures) / columns)
-    sheet = Image.new("RGB", (columns * (CELL + 4), rows * (CELL + LABEL + 4)), (255, 255, 255))
+    wide, tall = CELL + GAP, CELL + LABEL + GAP
+    sheet = Image.new("RGB", (columns * wide, rows * tall), (255, 255, 255))
     for place, picture in enumerate(pictures):
-        column, row = place % columns, place // columns
-        sheet.paste(picture, (column * (CELL + 4), row * (CELL + LABEL + 4)))
+        sheet.paste(picture, (place % columns * wide, place // columns * tall))
     return sheet
 
 

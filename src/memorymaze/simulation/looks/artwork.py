@@ -38,23 +38,29 @@ def landscape(image: Image.Image, field: Field, colour: Rgb, variant: int) -> No
     """Draw hills under a sky with a sun into a field of a picture."""
     rng = np.random.default_rng(variant + 71)
     width, height = int(field.width), int(field.height)
+    left, top = int(field.left), int(field.top)
+    high, low = np.array(shade(colour, 1.35)), np.array(shade(colour, 1.8))
     rows = np.linspace(0, 1, height)[:, None, None]
-    top, low = np.array(shade(colour, 1.35)), np.array(shade(colour, 1.8))
-    sky = np.broadcast_to(top * (1 - rows) + low * rows, (height, width, 3)).copy()
-    across = np.linspace(0, 1, width)
-    y, x = np.mgrid[0:height, 0:width]
-    sun = np.hypot(x - width * rng.uniform(0.2, 0.8), y - height * 0.28)
-    sky[sun < 0.1 * min(width, height)] = (1.0, 0.93, 0.7)
+    sky = Image.fromarray((255 * (high * (1 - rows) + low * rows)).astype(np.uint8))
+    image.paste(sky.resize((width, height)), (left, top))
+    draw = ImageDraw.Draw(image)
+    r = 0.1 * min(width, height)
+    x, y = left + width * rng.uniform(0.2, 0.8), top + height * 0.28
+    draw.ellipse([x - r, y - r, x + r, y + r], rgb255((1.0, 0.93, 0.7)))
+    across = np.linspace(0, 1, 60)
     for layer in range(4):
-        waves = sum(
-            rng.uniform(0.02, 0.06)
-            * np.sin(across * rng.uniform(3, 11) + rng.uniform(0, 6))
-            for _ in range(3)
+        line = np.full_like(across, 0.42 + 0.15 * layer)
+        for _ in range(3):
+            swing, pace, phase = rng.uniform((0.02, 3, 0), (0.06, 11, 6))
+            line += swing * np.sin(pace * across + phase)
+        crest = zip(
+            (left + across * (width - 1)).tolist(),
+            (top + np.clip(line, 0, 1) * (height - 1)).tolist(),
+            strict=True,
         )
-        line = (0.42 + 0.15 * layer + waves) * height
-        sky[y > line[None, :]] = shade(colour, 1.15 - 0.22 * layer)
-    pixels = (255 * np.clip(sky, 0, 1)).astype(np.uint8)
-    image.paste(Image.fromarray(pixels), (int(field.left), int(field.top)))
+        bottom = top + height - 1
+        outline = [(left, bottom), *crest, (left + width - 1, bottom)]
+        draw.polygon(outline, rgb255(shade(colour, 1.15 - 0.22 * layer)))
 
 
 def scene_into(image: Image.Image, field: Field, colour: Rgb, variant: int) -> None:

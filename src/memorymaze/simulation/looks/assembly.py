@@ -6,7 +6,7 @@ import numpy as np
 
 from memorymaze.simulation.looks.colours import Rgb, colours_of, is_wooden, shade
 from memorymaze.simulation.looks.object_model import Material, MeshPart, ObjectModel
-from memorymaze.simulation.looks.paints import POLISHED, paint, palette, wood
+from memorymaze.simulation.looks.paints import paint, wood
 from memorymaze.simulation.looks.primitives import Span
 from memorymaze.simulation.looks.shape import Floats, Shape, joined
 from memorymaze.sites.records import Mount
@@ -108,7 +108,7 @@ class Assembly:
         """
         whole = {
             material: joined(*(_with_uv(shape, material) for shape in shapes))
-            for material, shapes in _by_palette(self.shapes).items()
+            for material, shapes in self.shapes.items()
         }
         lows = [shape.vertices.min(axis=0) for shape in whole.values()]
         highs = [shape.vertices.max(axis=0) for shape in whole.values()]
@@ -121,41 +121,6 @@ class Assembly:
             for material, shape in whole.items()
         ]
         return ObjectModel(tuple(parts))
-
-
-def _by_palette(shapes: dict[Material, list[Shape]]) -> dict[Material, list[Shape]]:
-    """Give plain paints of like polish one material, whose picture is their colours.
-
-    A renderer pays for each part, hardly for its triangles.
-    """
-    merged: dict[Material, list[Shape]] = {}
-    plain: dict[bool, list[Material]] = {}
-    for material in shapes:
-        if _is_plain(material):
-            plain.setdefault(material.shininess >= POLISHED, []).append(material)
-        else:
-            merged[material] = shapes[material]
-    for polished, paints in plain.items():
-        if len(paints) == 1:
-            merged[paints[0]] = shapes[paints[0]]
-            continue
-        material = palette(tuple(each.rgba[:3] for each in paints), polished)
-        merged[material] = [
-            Shape(
-                shape.vertices,
-                shape.faces,
-                shape.normals,
-                np.full((len(shape.vertices), 2), ((place + 0.5) / len(paints), 0.5)),
-            )
-            for place, each in enumerate(paints)
-            for shape in shapes[each]
-        ]
-    return merged
-
-
-def _is_plain(material: Material) -> bool:
-    opaque = material.rgba[3] == 1
-    return opaque and material.texture is None and material.emission == 0
 
 
 def _with_uv(shape: Shape, material: Material) -> Shape:

@@ -1,6 +1,7 @@
 """Pictures of signs: words, arrows and pictograms on a coloured ground."""
 
 from functools import cache
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -72,13 +73,13 @@ def sign_board(
     ink = ink_on(ground)
     field = whole(image).inset(0.07)
     if framed:
-        line = max(2, image.height // 40)
+        line = max(2, min(image.size) // 40)
         ImageDraw.Draw(image).rectangle(
             [2 * line, 2 * line, image.width - 2 * line, image.height - 2 * line],
             outline=rgb255(ink),
             width=line,
         )
-        field = whole(image).inset(0.14)
+        field = whole(image).inset(5.5 * line / min(image.size))
     posts = signposts(text)
     for part, post in zip(_shares(field, posts), posts, strict=True):
         _draw_post(image, part, post, ink)
@@ -145,7 +146,7 @@ def _shares(field: Field, posts: tuple[Signpost, ...]) -> list[Field]:
         ends = field.left + np.cumsum([0.0, *weights]) / sum(weights) * field.width
         return [
             Field(left + 2, field.top, right - 2, field.bottom)
-            for left, right in zip(ends[:-1], ends[1:], strict=True)
+            for left, right in pairwise(ends)
         ]
     step = field.height / len(posts)
     return [
@@ -176,7 +177,7 @@ def _draw_post(image: Image.Image, field: Field, post: Signpost, ink: Rgb) -> No
 
 def _rule_between(image: Image.Image, fields: list[Field], colour: Rgb) -> None:
     draw = ImageDraw.Draw(image)
-    for before, after in zip(fields, fields[1:], strict=False):
+    for before, after in pairwise(fields):
         if after.left > before.left:
             x = (before.right + after.left) / 2
             draw.line([x, before.top, x, before.bottom], rgb255(colour), 2)

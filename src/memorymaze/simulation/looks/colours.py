@@ -16,6 +16,7 @@ NAMED: dict[str, Rgb] = {
     "black": (0.09, 0.09, 0.10),
     "blue": (0.13, 0.36, 0.75),
     "brass": (0.76, 0.62, 0.28),
+    "beech": (0.80, 0.62, 0.42),
     "bronze": (0.48, 0.34, 0.20),
     "brown": (0.45, 0.29, 0.17),
     "chrome": (0.78, 0.79, 0.82),
@@ -37,6 +38,7 @@ NAMED: dict[str, Rgb] = {
     "oak": (0.74, 0.56, 0.36),
     "olive": (0.42, 0.44, 0.18),
     "orange": (0.93, 0.49, 0.11),
+    "pine": (0.80, 0.64, 0.42),
     "pink": (0.93, 0.56, 0.68),
     "purple": (0.44, 0.22, 0.58),
     "red": (0.79, 0.13, 0.13),
@@ -44,6 +46,7 @@ NAMED: dict[str, Rgb] = {
     "steel": (0.68, 0.70, 0.72),
     "stone": (0.62, 0.60, 0.56),
     "tan": (0.78, 0.64, 0.46),
+    "teak": (0.55, 0.36, 0.20),
     "teal": (0.07, 0.48, 0.50),
     "terracotta": (0.72, 0.38, 0.25),
     "turquoise": (0.13, 0.66, 0.66),
@@ -55,7 +58,7 @@ NAMED: dict[str, Rgb] = {
     "yellow": (0.96, 0.79, 0.13),
 }
 TONES = {"dark": 0.55, "deep": 0.7, "light": 1.45, "pale": 1.6, "bright": 1.15}
-WOODS = frozenset({"wood", "wooden", "oak", "walnut", "brown", "cork", "pine", "beech"})
+WOODS = frozenset({"wood", "wooden", "oak", "walnut", "brown", "pine", "beech", "teak"})
 
 
 @cache

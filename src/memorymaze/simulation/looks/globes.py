@@ -25,9 +25,9 @@ def globe(order: Order) -> Assembly:
     width = min(order.length, order.depth)
     if order.mount == "ceiling" or order.height < 1.1 * width:
         radius = order.height / 2
-        assembly.add(surface, ball(radius, 40, 18).moved(z=radius))
+        assembly.add(surface, ball(radius, 36, 18).moved(z=radius))
         return assembly
-    radius = width / 2 - 0.03
+    radius = width / 2 - min(0.03, 0.1 * width)
     middle = order.height - radius - 0.03
     axis = 23.4
     assembly.add(surface, ball(radius * 0.94, 32, 16).turned("x", axis).moved(z=middle))
@@ -91,7 +91,7 @@ def hanging_planets(order: Order) -> Assembly:
     tall = order.height
     hub = metal(order.colour((0.83, 0.65, 0.22)))
     sun = min(0.28 * tall, 0.2 * reach)
-    assembly.add(hub, ball(sun, 16, 10).moved(z=tall * 0.5))
+    assembly.add(hub, ball(sun, 12, 8).moved(z=tall * 0.5))
     assembly.add(hub, cylinder(0.02, (0, tall - 0.5 * tall), 6).moved(z=tall * 0.5))
     tones: tuple[Rgb, ...] = (
         (0.6, 0.58, 0.55),
@@ -111,24 +111,22 @@ def hanging_planets(order: Order) -> Assembly:
         x, y = way * math.cos(angle), way * math.sin(angle)
         z = tall * (0.3 + 0.3 * ((place * 7) % 5) / 5)
         surface: Material = paint(tone, 0.4)
-        assembly.add(surface, ball(size, 12, 8).moved(x, y, z))
+        assembly.add(surface, ball(size, 9, 6).moved(x, y, z))
         assembly.add(metal(STEEL), tube([(x, y, z), (x, y, tall)], 0.006, 4))
         if place == 5:
             assembly.add(
                 paint((0.85, 0.75, 0.5)),
                 _hoop(size * 1.6, 0.02, upright=False).turned("y", 20).moved(x, y, z),
             )
-    for radius in (0.55 * reach, reach):
-        assembly.add(
-            hub, _hoop(radius - 0.014, 0.014, upright=False).moved(z=tall * 0.97)
-        )
+    hoop = _hoop(reach - 0.014, 0.014, upright=False)
+    assembly.add(hub, hoop.moved(z=tall * 0.97))
     return assembly
 
 
 def _hoop(radius: float, thick: float, *, upright: bool) -> Shape:
     points: list[Point3] = []
-    for step in range(28):
-        a = math.tau * step / 28
+    for step in range(22):
+        a = math.tau * step / 22
         c, s = radius * math.cos(a), radius * math.sin(a)
         points.append((0.0, c, s) if upright else (c, s, 0.0))
-    return tube(points, thick, 6, closed=True)
+    return tube(points, thick, 5, closed=True)

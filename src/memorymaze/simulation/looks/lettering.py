@@ -15,7 +15,12 @@ __all__ = ["Field", "Lines", "fitted", "write"]
 
 REFERENCE_SIZE = 100
 """Pixels of the font in which widths are measured."""
-LINE_STEP = 1.06
+SPACE = 35.0
+"""Width of a space at the reference size, pixels."""
+ABOVE, BELOW = 0.77, 0.23
+"""How far letters rise over their line and hang below it, shares of the size."""
+DESCENDING = frozenset("gjpqy,;()[]{}|/Q@_")
+LINE_STEP = 1.04
 """Distance of two lines as a share of the font's size."""
 NARROWEST = 0.78
 """Narrower than this, letters become hard to read; smaller ones are better."""
@@ -80,7 +85,8 @@ def fitted(text: str, width: int, height: int, *, most_lines: int = 8) -> Lines:
     for count in range(1, min(most_lines, longest) + 1):
         lines = tuple(line for words in fixed for line in _broken(tuple(words), count))
         widest = max(_width(line) for line in lines) / REFERENCE_SIZE
-        tall = height / (1.0 + LINE_STEP * (len(lines) - 1) + 0.12)
+        below = BELOW if DESCENDING & set(lines[-1]) else 0.0
+        tall = height / (ABOVE + below + LINE_STEP * (len(lines) - 1))
         size = min(tall, width / (NARROWEST * widest))
         squeeze = min(1.0, width / (size * widest))
         setting = Lines(lines, max(SMALLEST, int(size)), squeeze)
@@ -171,10 +177,15 @@ def _broken(words: tuple[str, ...], count: int) -> tuple[str, ...]:
     return tuple(" ".join(words[start:end]) for start, end in pairwise(cuts))
 
 
-@cache
 def _width(line: str) -> float:
-    left, _, right, _ = _font(REFERENCE_SIZE, True).getbbox(line)
-    return max(1.0, right - left)
+    """Return pixels at the reference size; spaces add up, kerning across them not."""
+    words = line.split()
+    return sum(map(_word_width, words)) + SPACE * (len(words) - 1)
+
+
+@cache
+def _word_width(word: str) -> float:
+    return max(1.0, _font(REFERENCE_SIZE, True).getlength(word))
 
 
 @cache

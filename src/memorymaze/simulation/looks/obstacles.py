@@ -1,5 +1,7 @@
 """Things left in the way, and the placeholder for what nobody has modelled."""
 
+from itertools import pairwise
+
 from memorymaze.simulation.looks.assembly import Assembly, Order
 from memorymaze.simulation.looks.boards import sign_board
 from memorymaze.simulation.looks.colours import Rgb, shade
@@ -92,7 +94,7 @@ def traffic_cone(order: Order) -> Assembly:
     orange = paint(order.colour((0.95, 0.4, 0.05)), 0.1)
     assembly.add(orange, box(order.x, order.y, (0, 0.04), 0.01))
     marks = (0.04, 0.3 * h, 0.48 * h, 0.62 * h, 0.76 * h, h)
-    for place, (low, high) in enumerate(zip(marks, marks[1:], strict=False)):
+    for place, (low, high) in enumerate(pairwise(marks)):
         a, b = (r * (1 - 0.88 * each / h) for each in (low, high))
         tone = orange if place % 2 == 0 else paint((0.96, 0.96, 0.95))
         assembly.add(tone, lathed([(a, low), (b, high)], 18))

@@ -5,44 +5,36 @@ from functools import cache
 import numpy as np
 from numpy.typing import NDArray
 
-from memorymaze.simulation.looks.colours import Rgb, rgb255
+from memorymaze.simulation.looks.colours import Rgb
 from memorymaze.simulation.looks.object_model import Material
 
 __all__ = [
-    "POLISHED",
     "glass",
     "glow",
     "grain",
     "metal",
     "paint",
-    "palette",
     "picture",
     "wood",
 ]
 
-POLISHED = 0.5
-"""Shininess from which a surface counts as polished."""
+DULL, POLISHED = 0.1, 0.5
+"""The two degrees of shininess of paints: few, so that they can be drawn at once."""
+
+
+def paint(colour: Rgb, shininess: float = DULL) -> Material:
+    """Return a plain painted surface, dull or polished, whichever is nearer."""
+    return _paint(colour, POLISHED if shininess >= 0.3 else DULL)
 
 
 @cache
-def paint(colour: Rgb, shininess: float = 0.1) -> Material:
-    """Return a plain painted surface."""
+def _paint(colour: Rgb, shininess: float) -> Material:
     return Material((*colour, 1.0), shininess=shininess)
 
 
 def metal(colour: Rgb) -> Material:
     """Return a polished surface."""
-    return paint(colour, 0.6)
-
-
-@cache
-def palette(colours: tuple[Rgb, ...], polished: bool) -> Material:
-    """Return a surface whose picture is a row of colours, the n-th at (n + 0.5) / N."""
-    row = np.repeat(np.array([rgb255(colour) for colour in colours]), 4, axis=0)
-    pixels = np.repeat(row[None].astype(np.uint8), 4, axis=0)
-    pixels.flags.writeable = False
-    shininess = POLISHED if polished else 0.1
-    return Material((1.0, 1.0, 1.0, 1.0), pixels, shininess=shininess)
+    return paint(colour, POLISHED)
 
 
 @cache

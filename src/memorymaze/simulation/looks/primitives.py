@@ -7,7 +7,7 @@ from itertools import pairwise, product
 
 import numpy as np
 
-from memorymaze.simulation.looks.shape import Axis, Floats, Ints, Shape
+from memorymaze.simulation.looks.shape import Axis, Floats, Ints, Shape, crossed
 from memorymaze.simulation.looks.triangulation import triangles_of
 
 __all__ = ["Span", "ball", "box", "cylinder", "extruded", "lathed", "plate", "tapered"]
@@ -15,6 +15,8 @@ __all__ = ["Span", "ball", "box", "cylinder", "extruded", "lathed", "plate", "ta
 Span = tuple[float, float]
 """From and to along an axis, metres."""
 
+THINNEST = 1e-4
+"""Metres of material that even a box without thickness has."""
 SOFT_BEND_DEG = 40.0
 """Bends of an outline up to this angle look round, sharper ones like an edge."""
 
@@ -28,7 +30,7 @@ def box(x: Span, y: Span, z: Span, bevel: float = 0.0) -> Shape:
         z: From the bottom to the top.
         bevel: Metres taken off its edges, shaded round; at most half its smallest side.
     """
-    low, high = np.array([x, y, z], dtype=float).T
+    low, high = _corners(x, y, z)
     half = (high - low) / 2
     if bevel <= 0:
         signs, normals, faces = _box_template()
@@ -42,15 +44,14 @@ def box(x: Span, y: Span, z: Span, bevel: float = 0.0) -> Shape:
 def tapered(x: Span, y: Span, z: Span, top_x: Span, top_y: Span) -> Shape:
     """Return a block whose top is another rectangle than its bottom, with flat faces."""
     signs, _, faces = _box_template()
-    points = np.empty_like(signs)
-    for axis, (bottom, top) in enumerate(((x, top_x), (y, top_y))):
-        up, out = signs[:, 2] > 0, signs[:, axis] > 0
-        points[:, axis] = np.where(
-            up, np.where(out, top[1], top[0]), np.where(out, bottom[1], bottom[0])
-        )
-    points[:, 2] = np.where(signs[:, 2] > 0, z[1], z[0])
+    low, high = _corners(x, y, z)
+    top_low, top_high = _corners(top_x, top_y, z)
+    up = signs[:, 2:] > 0
+    points = np.where(
+        signs > 0, np.where(up, top_high, high), np.where(up, top_low, low)
+    )
     a, b, c = (points[faces[:, corner]] for corner in range(3))
-    across = np.cross(b - a, c - a)
+    across = crossed(b - a, c - a)
     across /= np.linalg.norm(across, axis=1, keepdims=True)
     normals = np.empty_like(points)
     for corner in range(3):
@@ -71,7 +72,7 @@ def plate(
         roof: The top shows it and not the front, readable from the front.
     """
     signs, normals, faces = _box_template()
-    low, high = np.array([x, y, z], dtype=float).T
+    low, high = _corners(x, y, z)
     points = (low + high) / 2 + signs * (high - low) / 2
     uv = np.full((len(points), 2), 0.004)
     right, top = (signs[:, 1] + 1) / 2, (signs[:, 2] + 1) / 2
@@ -97,7 +98,13 @@ def lathed(profile: Sequence[tuple[float, float]], sides: int = 16) -> Shape:
             closed with flat ends where it does not start or end on the axis.
         sides: Corners of its circles.
     """
-    points = [(float(r), float(z)) for r, z in profile]
+    return _lathed(tuple((float(r), float(z)) for r, z in profile), sides)
+
+
+@cache
+def _lathed(profile: tuple[tuple[float, float], ...], sides: int) -> Shape:
+    points = [profile[0]]
+    points += [b for a, b in pairwise(profile) if math.dist(a, b) > 1e-9]
     if points[0][0] > 0:
         points.insert(0, (0.0, points[0][1]))
     if points[-1][0] > 0:
@@ -121,12 +128,14 @@ def lathed(profile: Sequence[tuple[float, float]], sides: int = 16) -> Shape:
             rings.append((ring, normals, uv))
             if position:
                 faces.append(_band(start, sides, points[run[position - 1]][0], radius))
-    return Shape(
+    shape = Shape(
         np.concatenate([ring for ring, _, _ in rings]),
         np.concatenate(faces),
         np.concatenate([normals for _, normals, _ in rings]),
         np.concatenate([uv for _, _, uv in rings]),
     )
+    shape.vertices.flags.writeable = False
+    return shape
 
 
 def cylinder(
@@ -202,6 +211,13 @@ def extruded(outline: Sequence[tuple[float, float]], span: Span, along: Axis) ->
     return Shape(points[:, order], faces, normals[:, order])
 
 
+def _corners(x: Span, y: Span, z: Span) -> tuple[Floats, Floats]:
+    """Return the lowest and the highest corner; spans may be given either way round."""
+    ends = np.array([x, y, z], dtype=float)
+    low, high = ends.min(axis=1), ends.max(axis=1)
+    return low, np.maximum(high, low + THINNEST)
+
+
 def _runs(points: list[tuple[float, float]]) -> list[list[int]]:
     """Split a profile at its sharp bends, which both neighbours share."""
     runs = [[0]]
@@ -240,7 +256,7 @@ def _band(start: int, sides: int, below: float, above: float) -> Ints:
         triangles.append(np.column_stack([low, high + 1, high]))
     if below > 0 and above <= 0:
         triangles = [np.column_stack([low, low + 1, high])]
-    return np.concatenate(triangles)
+    return np.concatenate([np.empty((0, 3), dtype=np.int64), *triangles])
 
 
 @cache

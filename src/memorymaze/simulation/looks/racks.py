@@ -1,23 +1,13 @@
-"""Open frames that hold or carry things: racks, stands, ladders, trolleys."""
+"""Open frames that hold things: racks, stands, ladders."""
 
 from memorymaze.simulation.looks.assembly import Assembly, Order
-from memorymaze.simulation.looks.boards import sign_board
-from memorymaze.simulation.looks.colours import Rgb, shade
-from memorymaze.simulation.looks.paints import metal, paint, picture
-from memorymaze.simulation.looks.primitives import ball, box, cylinder, lathed, plate
-from memorymaze.simulation.looks.storage import header
-from memorymaze.simulation.looks.tubes import limb, tube
+from memorymaze.simulation.looks.captions import header
+from memorymaze.simulation.looks.colours import Rgb
+from memorymaze.simulation.looks.paints import metal, paint
+from memorymaze.simulation.looks.primitives import ball, box, lathed
+from memorymaze.simulation.looks.tubes import tube
 
-__all__ = [
-    "brochure_rack",
-    "coat_rack",
-    "ladder",
-    "paper_shelf",
-    "stroller_rack",
-    "tray_rack",
-    "trolley",
-    "umbrella_stand",
-]
+__all__ = ["brochure_rack", "coat_rack", "ladder", "tray_rack", "umbrella_stand"]
 
 STEEL: Rgb = (0.7, 0.71, 0.73)
 DARK: Rgb = (0.15, 0.15, 0.16)
@@ -69,34 +59,6 @@ def brochure_rack(order: Order) -> Assembly:
                 ),
             )
     header(assembly, order, (order.height - 0.19, order.height), back + 0.02)
-    return assembly
-
-
-def paper_shelf(order: Order) -> Assembly:
-    """Build open pigeonholes with reams of paper."""
-    assembly = Assembly()
-    back, front = order.x
-    body = order.body((0.72, 0.54, 0.35))
-    assembly.add(body, box((back, back + 0.015), order.y, order.z))
-    columns, rows = max(2, round(order.length / 0.4)), max(2, round(order.height / 0.3))
-    for column in range(columns + 1):
-        y = order.y[0] + (order.length - 0.025) * column / columns
-        assembly.add(body, box((back, front), (y, y + 0.025), order.z))
-    for row in range(rows + 1):
-        z = (order.height - 0.025) * row / rows
-        assembly.add(body, box((back, front - 0.003), order.y, (z, z + 0.025)))
-    rng = order.rng()
-    wide, rise = order.length / columns, order.height / rows
-    for column in range(columns):
-        for row in range(rows):
-            y = order.y[0] + column * wide + 0.05
-            z = 0.025 + row * rise * 0.99
-            tall = rise * float(rng.uniform(0.2, 0.65))
-            tone = (0.96, 0.96, 0.94) if rng.random() < 0.7 else PRINTS[row % 5]
-            assembly.add(
-                paint(tone),
-                box((back + 0.03, front - 0.02), (y, y + wide - 0.085), (z, z + tall)),
-            )
     return assembly
 
 
@@ -182,56 +144,6 @@ def umbrella_stand(order: Order) -> Assembly:
     return assembly
 
 
-def stroller_rack(order: Order) -> Assembly:
-    """Build folded and open push-chairs side by side under a sign."""
-    assembly = Assembly()
-    count = max(2, round(order.length / 0.5))
-    cloths = ((0.85, 0.7, 0.15), (0.2, 0.35, 0.6), (0.65, 0.15, 0.2))
-    for place in range(count):
-        y = order.y[0] + order.length * (place + 0.5) / count
-        one = _stroller(
-            order.depth,
-            min(0.42, order.length / count - 0.04),
-            order.height * 0.96,
-            cloths[place % 3],
-        )
-        assembly.include(one, y=y)
-    rail = metal(order.colour(STEEL))
-    assembly.add(
-        rail,
-        tube(
-            [
-                (order.x[0] + 0.02, order.y[0], 0.3),
-                (order.x[0] + 0.02, order.y[1], 0.3),
-            ],
-            0.018,
-            6,
-        ),
-    )
-    if order.text:
-        half, tall = order.length * 0.36, 0.24
-        pixels = sign_board(
-            2 * half, tall, order.text, shade(order.colour(STEEL), 0.35)
-        )
-        back = order.x[0]
-        assembly.add(
-            picture(pixels),
-            plate(
-                (back, back + 0.03), (-half, half), (order.height - tall, order.height)
-            ),
-        )
-        for side in (-1, 1):
-            assembly.add(
-                rail,
-                box(
-                    (back, back + 0.02),
-                    (side * half * 0.8 - 0.01, side * half * 0.8 + 0.01),
-                    (0, order.height - tall),
-                ),
-            )
-    return assembly
-
-
 def tray_rack(order: Order) -> Assembly:
     """Build a trolley with rows of trays on rails, its words on top."""
     assembly = Assembly()
@@ -302,115 +214,5 @@ def ladder(order: Order) -> Assembly:
         )
     assembly.add(
         stiles, box((-0.08, 0.08), (-narrow - 0.02, narrow + 0.02), (top - 0.03, top))
-    )
-    return assembly
-
-
-def trolley(order: Order) -> Assembly:
-    """Build a cart of two shelves on castors with a handle."""
-    assembly = Assembly()
-    back, front = order.x
-    left, right = order.y
-    steel = metal(order.colour(STEEL))
-    deck = order.height * 0.82
-    for x in (back + 0.03, front - 0.03):
-        for y in (left + 0.03, right - 0.03):
-            assembly.add(steel, tube([(x, y, 0.1), (x, y, deck)], 0.014, 6))
-            wheel = (
-                cylinder(0.05, (-0.015, 0.015), 10).turned("x", 90).moved(x, y, 0.05)
-            )
-            assembly.add(paint(DARK), wheel)
-    for z in (0.14, deck * 0.55, deck):
-        assembly.add(steel, box(order.x, (left, right - 0.02), (z - 0.025, z), 0.006))
-    assembly.add(
-        steel,
-        tube(
-            [
-                (back + 0.03, right - 0.03, deck),
-                (back + 0.03, right - 0.012, order.height - 0.012),
-                (front - 0.03, right - 0.012, order.height - 0.012),
-                (front - 0.03, right - 0.03, deck),
-            ],
-            0.012,
-            6,
-        ),
-    )
-    load = ((0.85, 0.85, 0.8), (0.55, 0.4, 0.25), (0.3, 0.45, 0.6))
-    for place, tone in enumerate(load):
-        y = left + order.length * (0.22 + 0.26 * place)
-        z = deck * 0.55
-        assembly.add(
-            paint(tone),
-            box(
-                (back + 0.08, front - 0.08),
-                (y - 0.08, y + 0.08),
-                (z, z + 0.12 + 0.03 * place),
-            ),
-        )
-    if order.text:
-        pixels = sign_board(order.length * 0.8, 0.14, order.text, (0.93, 0.93, 0.92))
-        assembly.add(
-            picture(pixels),
-            plate(
-                (front - 0.01, front),
-                (left * 0.8, right * 0.8),
-                (deck - 0.18, deck - 0.04),
-            ),
-        )
-    return assembly
-
-
-def _stroller(depth: float, width: float, height: float, cloth: Rgb) -> Assembly:
-    """Build one push-chair that faces +x."""
-    assembly = Assembly()
-    back, front = -depth / 2, depth / 2
-    frame = metal((0.3, 0.3, 0.33))
-    wheel = 0.09 * min(1.0, height)
-    for side in (-1, 1):
-        y = side * width / 2 * 0.88
-        assembly.add(
-            frame,
-            tube(
-                [
-                    (front - wheel, y, wheel),
-                    (back * 0.2, y, height * 0.5),
-                    (back + 0.04, y, height),
-                ],
-                0.014,
-                6,
-            ),
-            tube(
-                [(back + wheel, y, wheel), (front * 0.25, y, height * 0.42)], 0.012, 6
-            ),
-        )
-        for x in (back + wheel, front - wheel):
-            assembly.add(
-                paint(DARK),
-                cylinder(wheel, (-0.02, 0.02), 12).turned("x", 90).moved(x, y, wheel),
-            )
-    half = width * 0.42
-    assembly.add(
-        frame,
-        tube([(back + 0.04, -half, height), (back + 0.04, half, height)], 0.016, 6),
-    )
-    assembly.add(
-        paint(cloth, 0.02),
-        box(
-            (back * 0.35, front * 0.45),
-            (-half, half),
-            (height * 0.4, height * 0.46),
-            0.02,
-        ),
-        limb(
-            [(back * 0.3, 0, height * 0.46), (back * 0.55, 0, height * 0.72)],
-            half * 0.55,
-            8,
-        ).scaled(1, 1.7, 1),
-        lathed(
-            [(half, 0), (half * 0.98, half * 0.3), (half * 0.6, half * 0.8), (0, half)],
-            12,
-        )
-        .scaled(1.1, 1.0, 0.9)
-        .moved(back * 0.3, 0, height * 0.66),
     )
     return assembly

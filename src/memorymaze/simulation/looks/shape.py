@@ -7,7 +7,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Axis", "Floats", "Ints", "Shape", "joined", "smoothed"]
+__all__ = ["Axis", "Floats", "Ints", "Shape", "crossed", "joined", "smoothed"]
 
 Axis = Literal["x", "y", "z"]
 Floats = NDArray[np.float64]
@@ -29,7 +29,9 @@ class Shape:
 
     def moved(self, x: float = 0.0, y: float = 0.0, z: float = 0.0) -> "Shape":
         """Return it shifted."""
-        return Shape(self.vertices + (x, y, z), self.faces, self.normals, self.uv)
+        return Shape(
+            self.vertices + np.array((x, y, z)), self.faces, self.normals, self.uv
+        )
 
     def turned(self, axis: Axis, degrees: float) -> "Shape":
         """Return it turned about an axis through the origin, by the right-hand rule."""
@@ -67,6 +69,12 @@ def joined(*shapes: Shape) -> Shape:
     )
 
 
+def crossed(first: Floats, second: Floats) -> Floats:
+    """Return the cross products of rows; `numpy.cross` is slow on few of them."""
+    (a, b, c), (d, e, f) = first.T, second.T
+    return np.column_stack([b * f - c * e, c * d - a * f, a * e - b * d])
+
+
 def smoothed(vertices: Floats, faces: Ints) -> Shape:
     """Return a shape whose normals are the area-weighted means of the faces' normals.
 
@@ -77,12 +85,14 @@ def smoothed(vertices: Floats, faces: Ints) -> Shape:
         faces: (M, 3), counter-clockwise from outside.
     """
     a, b, c = (vertices[faces[:, corner]] for corner in range(3))
-    across = np.cross(b - a, c - a)
+    across = crossed(b - a, c - a)
     sound = np.einsum("ij,ij->i", across, across) > 1e-18
     faces, across = faces[sound], across[sound]
     normals = np.zeros_like(vertices)
-    for corner in range(3):
-        np.add.at(normals, faces[:, corner], across)
+    for axis in range(3):
+        normals[:, axis] = np.bincount(
+            faces.ravel(), np.repeat(across[:, axis], 3), len(vertices)
+        )
     lengths = np.linalg.norm(normals, axis=1, keepdims=True)
     normals = np.where(lengths > 0, normals / np.maximum(lengths, 1e-12), (0, 0, 1))
     return Shape(vertices, faces, normals)

@@ -50,14 +50,16 @@ def signposts(text: str) -> tuple[Signpost, ...]:
             _with_arrow(piece) for part in parts for piece in _one_arrow_each(part)
         )
     clauses = [clause.strip() for clause in re.split(r"[,;]", text)]
-    pointing = [_spoken(clause) for clause in clauses]
-    if all(pointing):
-        return tuple(
-            Signpost(arrow, clause, arrow != "right")
-            for arrow, clause in zip(pointing, clauses, strict=True)
-        )
+    pointing: list[Arrow | None] = [_spoken(clause) for clause in clauses]
+    if None not in pointing:
+        return tuple(map(_spoken_post, pointing, clauses))
     arrow = _spoken(text)
-    return (Signpost(arrow, " ".join(text.split()), arrow != "right"),)
+    lines = "\n".join(" ".join(line.split()) for line in text.splitlines())
+    return (_spoken_post(arrow, lines),)
+
+
+def _spoken_post(arrow: Arrow | None, words: str) -> Signpost:
+    return Signpost(arrow, words, arrow != "right")
 
 
 def _spoken(clause: str) -> Arrow | None:

@@ -1,14 +1,13 @@
-"""Rockets, engines, station modules, telescopes."""
+"""Rockets, engines, station modules."""
 
 import math
 
 from memorymaze.simulation.looks.assembly import Assembly, Order
 from memorymaze.simulation.looks.boards import sign_board
+from memorymaze.simulation.looks.captions import plinth
 from memorymaze.simulation.looks.colours import Rgb, shade
-from memorymaze.simulation.looks.figures import plinth
 from memorymaze.simulation.looks.paints import metal, paint, picture
 from memorymaze.simulation.looks.primitives import (
-    ball,
     box,
     cylinder,
     extruded,
@@ -17,7 +16,7 @@ from memorymaze.simulation.looks.primitives import (
 )
 from memorymaze.simulation.looks.tubes import tube
 
-__all__ = ["rocket", "rocket_engine", "space_station_module", "telescope"]
+__all__ = ["rocket", "rocket_engine", "space_station_module"]
 
 WHITE: Rgb = (0.93, 0.93, 0.93)
 STEEL: Rgb = (0.7, 0.71, 0.73)
@@ -97,7 +96,7 @@ def rocket_engine(order: Order) -> Assembly:
         (r * 0.36, low + 0.66 * tall),
         (r * 0.3, low + 0.7 * tall),
     ]
-    assembly.add(bell, lathed(wall, 28))
+    assembly.add(bell, lathed(wall, 22))
     for z, out in ((0.02, 1.0), (0.12, 0.9), (0.21, 0.78), (0.3, 0.64), (0.38, 0.5)):
         hoop = lathed(
             [
@@ -106,7 +105,7 @@ def rocket_engine(order: Order) -> Assembly:
                 (r * out + 0.02, low + (z + 0.015) * tall),
                 (r * out * 0.98, low + (z + 0.015) * tall),
             ],
-            24,
+            15,
         )
         assembly.add(metal((0.45, 0.4, 0.36)), hoop)
     copper = metal((0.72, 0.43, 0.28))
@@ -178,11 +177,11 @@ def space_station_module(order: Order) -> Assembly:
         (r * 0.5, half),
     ]
     flat = order.depth / (2 * r)
-    cylinder_ = lathed(profile, 28).turned("x", 90).scaled(flat, 1, 1).moved(z=middle)
+    cylinder_ = lathed(profile, 22).turned("x", 90).scaled(flat, 1, 1).moved(z=middle)
     assembly.add(skin, cylinder_)
     rib = paint((0.72, 0.73, 0.75), 0.2)
-    for place in range(5):
-        y = half * (-0.7 + 0.35 * place)
+    for place in range(3):
+        y = half * (-0.74 + 0.74 * place)
         hoop = lathed(
             [(r * 0.99, -0.03), (r * 1.02, -0.03), (r * 1.02, 0.03), (r * 0.99, 0.03)],
             28,
@@ -210,12 +209,12 @@ def space_station_module(order: Order) -> Assembly:
         )
         assembly.add(paint((0.06, 0.12, 0.3), 0.9), pane)
         rail = [
-            (front * 0.96, y - 0.3, middle - 0.3 * r),
+            (front * 0.92, y - 0.3, middle - 0.3 * r),
             (front * 1.01, y - 0.3, middle - 0.3 * r),
             (front * 1.01, y + 0.3, middle - 0.3 * r),
-            (front * 0.96, y + 0.3, middle - 0.3 * r),
+            (front * 0.92, y + 0.3, middle - 0.3 * r),
         ]
-        assembly.add(paint((0.9, 0.75, 0.1)), tube(rail, 0.02, 6))
+        assembly.add(paint((0.9, 0.75, 0.1)), tube(rail, 0.016, 5))
     door = 0.26 * half
     assembly.add(
         paint((0.25, 0.27, 0.3)),
@@ -244,77 +243,4 @@ def space_station_module(order: Order) -> Assembly:
         assembly.add(
             paint((0.3, 0.3, 0.33)), extruded(cradle, (y - 0.06, y + 0.06), "y")
         )
-    return assembly
-
-
-def telescope(order: Order) -> Assembly:
-    """Build a telescope on a tripod, or a coin-operated one on a pillar."""
-    assembly = Assembly()
-    reach = min(order.length, order.depth) / 2
-    body = paint(order.colour(WHITE), 0.5)
-    dark = paint(DARK)
-    pivot = order.height * 0.72
-    words = order.text
-    if words:
-        assembly.add(
-            metal((0.5, 0.52, 0.55)),
-            lathed(
-                [
-                    (reach * 0.8, 0),
-                    (reach * 0.8, 0.03),
-                    (0.07, 0.05),
-                    (0.055, pivot - 0.1),
-                ],
-                14,
-            ),
-        )
-        box_low = pivot - 0.34
-        assembly.add(
-            body, box((-0.1, 0.1), (-0.13, 0.13), (box_low, pivot - 0.02), 0.03)
-        )
-        pixels = sign_board(0.24, 0.2, words, (0.12, 0.2, 0.4))
-        assembly.add(
-            picture(pixels),
-            plate((0.08, 0.115), (-0.12, 0.12), (box_low + 0.04, box_low + 0.26)),
-        )
-    else:
-        for place in range(3):
-            a = math.tau * place / 3 + math.pi
-            assembly.add(
-                paint((0.45, 0.3, 0.18)),
-                tube(
-                    [
-                        (reach * 0.96 * math.cos(a), reach * 0.96 * math.sin(a), 0.0),
-                        (0, 0, pivot - 0.04),
-                    ],
-                    0.022,
-                    6,
-                ),
-            )
-        assembly.add(dark, cylinder(0.05, (pivot - 0.1, pivot), 10))
-    length = min(2.2 * reach, 1.0)
-    barrel = lathed(
-        [
-            (0.03, -0.55 * length),
-            (0.035, -0.42 * length),
-            (0.05, -0.4 * length),
-            (0.055, 0.2 * length),
-            (0.085, 0.22 * length),
-            (0.09, 0.55 * length),
-            (0.075, 0.55 * length),
-            (0.07, 0.5 * length),
-            (0, 0.5 * length),
-        ],
-        16,
-    )
-    assembly.add(body, barrel.turned("y", 62).moved(0, 0, pivot + 0.1))
-    eye = lathed([(0.036, -0.56 * length), (0.036, -0.44 * length)], 12).turned("y", 62)
-    lens = lathed([(0.07, 0.505 * length), (0.0, 0.52 * length)], 14).turned("y", 62)
-    assembly.add(dark, eye.moved(0, 0, pivot + 0.1))
-    assembly.add(paint((0.15, 0.3, 0.5), 0.9), lens.moved(0, 0, pivot + 0.1))
-    assembly.add(dark, ball(0.05, 10, 8).moved(0, 0, pivot + 0.04))
-    finder = lathed([(0.014, -0.15 * length), (0.018, 0.15 * length)], 8).turned(
-        "y", 62
-    )
-    assembly.add(dark, finder.moved(-0.06, 0, pivot + 0.1 + 0.11))
     return assembly

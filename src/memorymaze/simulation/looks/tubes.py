@@ -5,7 +5,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from memorymaze.simulation.looks.shape import Floats, Shape, joined, smoothed
+from memorymaze.simulation.looks.shape import Floats, Shape, crossed, joined, smoothed
 
 __all__ = ["Point3", "leaves", "limb", "lofted", "ring", "tube"]
 
@@ -33,7 +33,7 @@ def tube(
 def limb(
     path: Sequence[Point3], radius: float | Sequence[float], sides: int = 8
 ) -> Shape:
-    """Return a tube with round ends, which lie a radius beyond the path's ends."""
+    """Return a tube with round ends, which lie 3/4 radius beyond the path's ends."""
     return _round_path(path, radius, sides, closed=False, round_ends=True)
 
 
@@ -106,9 +106,9 @@ def leaves(
         thickness: How far the rib is raised, as a share of the width.
     """
     along = tips - bases
-    sideways = np.cross((0.0, 0.0, 1.0), along)
+    sideways = np.column_stack([-along[:, 1], along[:, 0], np.zeros(len(along))])
     sideways /= np.linalg.norm(sideways, axis=1, keepdims=True)
-    upwards = np.cross(along, sideways)
+    upwards = crossed(along, sideways)
     upwards /= np.linalg.norm(upwards, axis=1, keepdims=True)
     half = widths[:, None] / 2
     middle = bases + along * 0.45
@@ -148,29 +148,30 @@ def _round_path(
         points, radii, tangents, stretch = _with_round_ends(
             points, radii, tangents, stretch
         )
-    first = np.cross(tangents[0], _least_along(tangents[0]))
-    normal = first / np.linalg.norm(first)
+    last = tangents[0]
+    normal = _least_along(last)
+    normal = normal - last * (normal @ last)
+    normal /= math.sqrt(normal @ normal)
+    normals = np.empty_like(points)
+    for place, tangent in enumerate(tangents):
+        # The least turn that takes the last direction to this one.
+        turned = normal @ tangent / max(1 + last @ tangent, 1e-6)
+        normal = normal - (last + tangent) * turned
+        normals[place] = normal
+        last = tangent
+    others = crossed(tangents, normals)
+    radii = radii * (1 + (stretch - 1) * 0.5)
     angles = np.arange(sides) * (2 * math.pi / sides)
-    rings: list[Floats] = []
-    for point, reach, tangent, wide in zip(
-        points, radii, tangents, stretch, strict=True
-    ):
-        normal = normal - tangent * np.dot(normal, tangent)
-        normal = normal / np.linalg.norm(normal)
-        other = np.cross(tangent, normal)
-        reach = reach * (1 + (wide - 1) * 0.5)
-        rings.append(
-            point
-            + reach * np.outer(np.cos(angles), normal)
-            + reach * np.outer(np.sin(angles), other)
-        )
-    return lofted(rings, round_ends=round_ends, closed=closed)
+    across = np.cos(angles)[:, None] * normals[:, None]
+    across = across + np.sin(angles)[:, None] * others[:, None]
+    rings = points[:, None] + radii[:, None, None] * across
+    return lofted(list(rings), round_ends=round_ends, closed=closed)
 
 
 def _with_round_ends(
     points: Floats, radii: Floats, tangents: Floats, stretch: Floats
 ) -> tuple[Floats, Floats, Floats, Floats]:
-    steps = ((0.98, 0.2), (0.7, 0.7))
+    steps = ((0.75, 0.66),)
     head = [points[0] - tangents[0] * radii[0] * out for out, _ in steps]
     tail = [points[-1] + tangents[-1] * radii[-1] * out for out, _ in reversed(steps)]
     narrow = [share for _, share in steps]
@@ -181,8 +182,8 @@ def _with_round_ends(
             radii,
             radii[-1] * np.array(narrow[::-1]),
         ]),
-        np.vstack([tangents[[0, 0]], tangents, tangents[[-1, -1]]]),
-        np.concatenate([[1, 1], stretch, [1, 1]]),
+        np.vstack([tangents[:1], tangents, tangents[-1:]]),
+        np.concatenate([[1], stretch, [1]]),
     )
 
 

@@ -1,4 +1,4 @@
-"""Things on wheels: wheelchairs, exercise bikes, bicycles, cars, suitcases."""
+"""Things that people push: wheelchairs, strollers, trolleys."""
 
 import math
 
@@ -6,15 +6,175 @@ from memorymaze.simulation.looks.assembly import Assembly, Order
 from memorymaze.simulation.looks.boards import sign_board
 from memorymaze.simulation.looks.colours import Rgb, shade
 from memorymaze.simulation.looks.object_model import Material
-from memorymaze.simulation.looks.paints import glow, metal, paint, picture
-from memorymaze.simulation.looks.primitives import box, cylinder, extruded, plate
+from memorymaze.simulation.looks.paints import metal, paint, picture
+from memorymaze.simulation.looks.primitives import box, cylinder, lathed, plate
 from memorymaze.simulation.looks.shape import Shape
 from memorymaze.simulation.looks.tubes import Point3, limb, tube
 
-__all__ = ["bicycle", "car", "exercise_bike", "suitcase", "wheelchair"]
+__all__ = ["spoked_wheel", "stroller_rack", "trolley", "wheelchair"]
 
 STEEL: Rgb = (0.72, 0.73, 0.75)
 DARK: Rgb = (0.09, 0.09, 0.1)
+
+
+def stroller_rack(order: Order) -> Assembly:
+    """Build folded and open push-chairs side by side under a sign."""
+    assembly = Assembly()
+    count = max(2, round(order.length / 0.5))
+    cloths = ((0.85, 0.7, 0.15), (0.2, 0.35, 0.6), (0.65, 0.15, 0.2))
+    for place in range(count):
+        y = order.y[0] + order.length * (place + 0.5) / count
+        one = _stroller(
+            order.depth,
+            min(0.42, order.length / count - 0.04),
+            order.height * 0.96,
+            cloths[place % 3],
+        )
+        assembly.include(one, y=y)
+    rail = metal(order.colour(STEEL))
+    assembly.add(
+        rail,
+        tube(
+            [
+                (order.x[0] + 0.02, order.y[0], 0.3),
+                (order.x[0] + 0.02, order.y[1], 0.3),
+            ],
+            0.018,
+            6,
+        ),
+    )
+    if order.text:
+        half, tall = order.length * 0.36, 0.24
+        pixels = sign_board(
+            2 * half, tall, order.text, shade(order.colour(STEEL), 0.35)
+        )
+        back = order.x[0]
+        assembly.add(
+            picture(pixels),
+            plate(
+                (back, back + 0.03), (-half, half), (order.height - tall, order.height)
+            ),
+        )
+        for side in (-1, 1):
+            assembly.add(
+                rail,
+                box(
+                    (back, back + 0.02),
+                    (side * half * 0.8 - 0.01, side * half * 0.8 + 0.01),
+                    (0, order.height - tall),
+                ),
+            )
+    return assembly
+
+
+def trolley(order: Order) -> Assembly:
+    """Build a cart of two shelves on castors with a handle."""
+    assembly = Assembly()
+    back, front = order.x
+    left, right = order.y
+    steel = metal(order.colour(STEEL))
+    deck = order.height * 0.82
+    for x in (back + 0.03, front - 0.03):
+        for y in (left + 0.03, right - 0.03):
+            assembly.add(steel, tube([(x, y, 0.1), (x, y, deck)], 0.014, 6))
+            wheel = (
+                cylinder(0.05, (-0.015, 0.015), 10).turned("x", 90).moved(x, y, 0.05)
+            )
+            assembly.add(paint(DARK), wheel)
+    for z in (0.14, deck * 0.55, deck):
+        assembly.add(steel, box(order.x, (left, right - 0.02), (z - 0.025, z), 0.006))
+    assembly.add(
+        steel,
+        tube(
+            [
+                (back + 0.03, right - 0.03, deck),
+                (back + 0.03, right - 0.012, order.height - 0.012),
+                (front - 0.03, right - 0.012, order.height - 0.012),
+                (front - 0.03, right - 0.03, deck),
+            ],
+            0.012,
+            6,
+        ),
+    )
+    load = ((0.85, 0.85, 0.8), (0.55, 0.4, 0.25), (0.3, 0.45, 0.6))
+    for place, tone in enumerate(load):
+        y = left + order.length * (0.22 + 0.26 * place)
+        z = deck * 0.55
+        assembly.add(
+            paint(tone),
+            box(
+                (back + 0.08, front - 0.08),
+                (y - 0.08, y + 0.08),
+                (z, z + 0.12 + 0.03 * place),
+            ),
+        )
+    if order.text:
+        pixels = sign_board(order.length * 0.8, 0.14, order.text, (0.93, 0.93, 0.92))
+        assembly.add(
+            picture(pixels),
+            plate(
+                (front - 0.01, front),
+                (left * 0.8, right * 0.8),
+                (deck - 0.18, deck - 0.04),
+            ),
+        )
+    return assembly
+
+
+def _stroller(depth: float, width: float, height: float, cloth: Rgb) -> Assembly:
+    """Build one push-chair that faces +x."""
+    assembly = Assembly()
+    back, front = -depth / 2, depth / 2
+    frame = metal((0.3, 0.3, 0.33))
+    wheel = 0.09 * min(1.0, height)
+    for side in (-1, 1):
+        y = side * width / 2 * 0.88
+        assembly.add(
+            frame,
+            tube(
+                [
+                    (front - wheel, y, wheel),
+                    (back * 0.2, y, height * 0.5),
+                    (back + 0.04, y, height),
+                ],
+                0.014,
+                4,
+            ),
+            tube(
+                [(back + wheel, y, wheel), (front * 0.25, y, height * 0.42)], 0.012, 6
+            ),
+        )
+        for x in (back + wheel, front - wheel):
+            assembly.add(
+                paint(DARK),
+                cylinder(wheel, (-0.02, 0.02), 8).turned("x", 90).moved(x, y, wheel),
+            )
+    half = width * 0.42
+    assembly.add(
+        frame,
+        tube([(back + 0.04, -half, height), (back + 0.04, half, height)], 0.016, 6),
+    )
+    assembly.add(
+        paint(cloth, 0.02),
+        box(
+            (back * 0.35, front * 0.45),
+            (-half, half),
+            (height * 0.4, height * 0.46),
+            0.02,
+        ),
+        limb(
+            [(back * 0.3, 0, height * 0.46), (back * 0.55, 0, height * 0.72)],
+            half * 0.55,
+            6,
+        ).scaled(1, 1.7, 1),
+        lathed(
+            [(half, 0), (half * 0.98, half * 0.3), (half * 0.6, half * 0.8), (0, half)],
+            8,
+        )
+        .scaled(1.1, 1.0, 0.9)
+        .moved(back * 0.3, 0, height * 0.66),
+    )
+    return assembly
 
 
 def wheelchair(order: Order) -> Assembly:
@@ -39,7 +199,7 @@ def wheelchair(order: Order) -> Assembly:
     assembly.add(cloth, rest)
     for side in (-1, 1):
         y = side * (half - 0.035)
-        _wheel(assembly, (axle, y, r), r, rubber, frame)
+        spoked_wheel(assembly, (axle, y, r), r, rubber, frame)
         p = side * inner
         assembly.add(
             frame,
@@ -102,229 +262,7 @@ def wheelchair(order: Order) -> Assembly:
     return assembly
 
 
-def exercise_bike(order: Order) -> Assembly:
-    """Build a stationary bicycle, its side to the front, with a lamp and its words."""
-    assembly = Assembly()
-    half, h = order.length / 2, order.height
-    frame = paint(order.colour((0.79, 0.13, 0.13)), 0.4)
-    dark = paint(DARK)
-    for y in (-half * 0.72, half * 0.72):
-        assembly.add(dark, box(order.x, (y - 0.05, y + 0.05), (0, 0.07), 0.02))
-    assembly.add(
-        frame, tube([(0, -half * 0.72, 0.07), (0, half * 0.72, 0.07)], 0.035, 8)
-    )
-    wheel = (0.0, half * 0.45, 0.36)
-    disc = cylinder(0.26, (-0.04, 0.04), 24).turned("y", 90)
-    assembly.add(metal(STEEL), disc.moved(*wheel))
-    assembly.add(frame, cylinder(0.19, (-0.05, 0.05), 20).turned("y", 90).moved(*wheel))
-    crank = (0.0, -0.02, 0.34)
-    assembly.add(dark, cylinder(0.11, (-0.06, 0.06), 16).turned("y", 90).moved(*crank))
-    assembly.add(
-        frame,
-        tube([crank, (0, half * 0.55, h * 0.72), (0, half * 0.5, h - 0.12)], 0.035, 8),
-        tube([crank, (0, -half * 0.52, h * 0.66)], 0.035, 8),
-        tube([crank, (0, 0, 0.08)], 0.04, 8),
-    )
-    saddle = [(-0.1, -0.02), (0.1, -0.02), (0.05, 0.24), (-0.05, 0.24)]
-    assembly.add(
-        dark,
-        extruded([(x, y - half * 0.62) for x, y in saddle], (h * 0.67, h * 0.73), "z"),
-    )
-    bar: list[Point3] = [
-        (-0.22, half * 0.32, h - 0.04),
-        (-0.2, half * 0.5, h - 0.1),
-        (0.2, half * 0.5, h - 0.1),
-        (0.22, half * 0.32, h - 0.04),
-    ]
-    assembly.add(dark, tube(bar, 0.022, 7))
-    for side in (-1, 1):
-        pedal = (side * 0.16, -0.02, 0.34 + side * 0.16)
-        assembly.add(
-            metal(STEEL),
-            tube(
-                [(side * 0.07, crank[1], crank[2]), (side * 0.09, crank[1], pedal[2])],
-                0.014,
-                6,
-            ),
-        )
-        assembly.add(
-            dark,
-            box(
-                (pedal[0] - 0.06, pedal[0] + 0.06),
-                (pedal[1] - 0.05, pedal[1] + 0.05),
-                (pedal[2] - 0.015, pedal[2] + 0.015),
-            ),
-        )
-    assembly.add(
-        glow((1.0, 0.92, 0.6), 0.9),
-        limb([(0, half * 0.8, h - 0.22), (0, half * 0.8, h - 0.1)], [0.04, 0.08], 10),
-    )
-    assembly.add(
-        metal(STEEL),
-        tube([(0, half * 0.8, 0.07), (0, half * 0.8, h - 0.24)], 0.018, 6),
-        box((-0.02, 0.02), (-half, half), (0, 0.02)),
-    )
-    if order.text:
-        pixels = sign_board(order.length * 0.7, 0.2, order.text, (0.96, 0.96, 0.94))
-        wide = order.length * 0.35
-        front = order.x[1]
-        assembly.add(
-            picture(pixels), plate((front - 0.03, front), (-wide, wide), (0.08, 0.28))
-        )
-    return assembly
-
-
-def bicycle(order: Order) -> Assembly:
-    """Build a bicycle along its longer side."""
-    assembly = Assembly()
-    long_way = max(order.length, order.depth)
-    h = order.height
-    r = min(0.34, 0.33 * h, 0.2 * long_way)
-    frame = paint(order.colour((0.13, 0.36, 0.75)), 0.5)
-    rear, fore = -long_way / 2 + r, long_way / 2 - r
-    for x in (rear, fore):
-        _wheel(assembly, (x, 0.0, r), r, paint(DARK), metal(STEEL))
-    crank, seat, head = (
-        (rear * 0.15, 0.0, r * 0.9),
-        (rear * 0.42, 0.0, 0.78 * h),
-        (fore * 0.62, 0.0, 0.8 * h),
-    )
-    for a, b in (
-        (crank, seat),
-        (crank, head),
-        (seat, head),
-        (crank, (rear, 0.0, r)),
-        (seat, (rear, 0.0, r)),
-        (head, (fore, 0.0, r)),
-    ):
-        assembly.add(frame, tube([a, b], 0.018, 6))
-    top = (fore * 0.56, 0.0, h - 0.03)
-    assembly.add(
-        metal(STEEL),
-        tube([head, top], 0.015, 6),
-        tube(
-            [
-                (top[0] - 0.1, -0.25, h - 0.02),
-                (top[0], 0.0, h - 0.03),
-                (top[0] - 0.1, 0.25, h - 0.02),
-            ],
-            0.014,
-            6,
-        ),
-    )
-    assembly.add(
-        paint(DARK),
-        box(
-            (seat[0] - 0.14, seat[0] + 0.12),
-            (-0.08, 0.08),
-            (seat[2], seat[2] + 0.06),
-            0.025,
-        ),
-    )
-    assembly.add(
-        paint(DARK), cylinder(0.09, (-0.02, 0.02), 14).turned("x", 90).moved(*crank)
-    )
-    return assembly.turned(90) if order.length > order.depth else assembly
-
-
-def car(order: Order) -> Assembly:
-    """Build a small car along its longer side."""
-    assembly = Assembly()
-    long_way, across = max(order.length, order.depth), min(order.length, order.depth)
-    half, h = long_way / 2, order.height
-    body = paint(order.colour((0.2, 0.4, 0.7)), 0.6)
-    r = 0.22 * h
-    low, belt = 0.18 * h, 0.58 * h
-    lower = [
-        (-half, low),
-        (half, low),
-        (half, belt * 0.82),
-        (half * 0.5, belt),
-        (-half * 0.95, belt),
-        (-half, belt * 0.9),
-    ]
-    upper = [
-        (half * 0.45, belt - 0.01),
-        (half * 0.12, h),
-        (-half * 0.55, h),
-        (-half * 0.85, belt - 0.01),
-    ]
-    y = across / 2
-    assembly.add(body, extruded(lower, (-y, y), "y"))
-    assembly.add(
-        paint((0.12, 0.16, 0.2), 0.9), extruded(upper, (-y * 0.86, y * 0.86), "y")
-    )
-    assembly.add(
-        body,
-        box((-half * 0.52, half * 0.1), (-y * 0.84, y * 0.84), (h - 0.03, h + 0.01)),
-    )
-    for x in (-half * 0.6, half * 0.6):
-        for side in (-1, 1):
-            tyre = (
-                cylinder(r, (-0.09, 0.09), 18)
-                .turned("x", 90)
-                .moved(x, side * (y - 0.08), r)
-            )
-            hub = (
-                cylinder(r * 0.55, (-0.1, 0.1), 14)
-                .turned("x", 90)
-                .moved(x, side * (y - 0.08), r)
-            )
-            assembly.add(paint(DARK), tyre)
-            assembly.add(metal(STEEL), hub)
-    for side in (-1, 1):
-        assembly.add(
-            glow((1.0, 0.97, 0.85), 0.6),
-            box(
-                (half - 0.04, half + 0.01),
-                (side * y * 0.7 - 0.14, side * y * 0.7 + 0.14),
-                (belt * 0.58, belt * 0.75),
-            ),
-        )
-        assembly.add(
-            paint((0.7, 0.08, 0.08), 0.5),
-            box(
-                (-half - 0.01, -half + 0.04),
-                (side * y * 0.7 - 0.14, side * y * 0.7 + 0.14),
-                (belt * 0.6, belt * 0.8),
-            ),
-        )
-    return assembly.turned(90) if order.length > order.depth else assembly
-
-
-def suitcase(order: Order) -> Assembly:
-    """Build a suitcase on wheels with its handle out."""
-    assembly = Assembly()
-    back, front = order.x
-    colour = order.colour((0.25, 0.28, 0.35))
-    top = order.height * 0.72
-    assembly.add(paint(colour, 0.3), box((back, front), order.y, (0.05, top), 0.04))
-    for place in range(5):
-        y = order.y[0] + order.length * (place + 0.5) / 5
-        assembly.add(
-            paint(shade(colour, 0.75), 0.3),
-            box(
-                (front - 0.02, front + 0.006), (y - 0.012, y + 0.012), (0.1, top - 0.05)
-            ),
-        )
-    reach = order.length * 0.25
-    grip: list[Point3] = [
-        (back + 0.04, -reach, top),
-        (back + 0.04, -reach, order.height - 0.01),
-        (back + 0.04, reach, order.height - 0.01),
-        (back + 0.04, reach, top),
-    ]
-    assembly.add(metal(STEEL), tube(grip, 0.012, 6))
-    for x in (back + 0.05, front - 0.05):
-        for y in (order.y[0] + 0.05, order.y[1] - 0.05):
-            assembly.add(
-                paint(DARK),
-                cylinder(0.03, (-0.012, 0.012), 8).turned("x", 90).moved(x, y, 0.03),
-            )
-    return assembly
-
-
-def _wheel(
+def spoked_wheel(
     assembly: Assembly, hub: Point3, radius: float, tyre: Material, spokes: Material
 ) -> None:
     """Add a spoked wheel that rolls along x."""
