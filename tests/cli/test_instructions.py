@@ -49,6 +49,9 @@ def test_every_problem_of_every_file_is_listed(
     lines += [good, good | {"id": "z", "mood": "glad"}]
     bad.write_text("\n".join(json.dumps(line) for line in lines), encoding="utf-8")
     missing = tmp_path / "missing.jsonl"
+    assert memorymaze("instructions", "check", missing, *sites).err == (
+        "0 good instructions, 1 problem\n"
+    )
     said = memorymaze("instructions", "check", file, bad, missing, *sites)
     assert said.code == 1
     places = [line.partition(" ")[0] for line in said.out.splitlines()]

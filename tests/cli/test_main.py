@@ -86,6 +86,31 @@ def test_a_fault_of_the_program_is_one_line_unless_one_debugs(
     assert "Traceback" in memorymaze("--debug", "table", "x").err
 
 
+@pytest.mark.parametrize(
+    ("error", "said"),
+    [
+        pytest.param(
+            OSError(28, "No space left on device", "x.png"),
+            "x.png: cannot be read or written (No space left on device)",
+            id="file",
+        ),
+        pytest.param(OSError("odd"), "OSError: odd", id="no file"),
+        pytest.param(MemoryError(), "not enough memory: no more", id="memory"),
+    ],
+)
+def test_what_the_machine_refuses_is_no_fault_of_the_program(
+    memorymaze: Memorymaze, monkeypatch: pytest.MonkeyPatch, error: Exception, said: str
+) -> None:
+    def fail(options: object) -> int:
+        raise error
+
+    monkeypatch.setattr(table, "_run", fail)
+    done = memorymaze("table", "x")
+    assert done.code == 1
+    assert done.err.startswith(f"memorymaze: {said}")
+    assert "fault" not in done.err
+
+
 def test_a_reader_that_leaves_early_is_no_fault() -> None:
     command = f"{sys.executable} -m memorymaze instructions stats | head -n 1"
     done = subprocess.run(

@@ -37,9 +37,16 @@ def test_a_walk_leaves_trajectory_trace_and_picture(
 @pytest.mark.parametrize(
     ("arguments", "code", "said"),
     [
-        pytest.param(["nowhere", "R1", "Go."], 1, "university", id="site"),
-        pytest.param(["none.geojson", "R1", "Go."], 1, "none.geojson", id="file"),
+        pytest.param(["nowhere", "R1", "Go."], 2, "university", id="site"),
+        pytest.param(
+            ["universty", "R1", "Go."], 2, "did you mean university?", id="misspelt"
+        ),
+        pytest.param(["", "R1", "Go."], 2, "got ''", id="no site"),
+        pytest.param(["none.geojson", "R1", "Go."], 2, "none.geojson", id="file"),
         pytest.param(["university", "R9", "Go."], 2, "R1 (route_r1_", id="route"),
+        pytest.param(
+            ["university", "r1", "Go."], 2, "did you mean 'R1'?", id="small letter"
+        ),
         pytest.param(
             ["university", "R1", " "], 2, "expected an instruction", id="text"
         ),
@@ -60,3 +67,56 @@ def test_wrong_input_gives_one_message_and_nothing_else(
     assert said in done.err
     assert "Traceback" not in done.err
     assert not any(tmp_path.iterdir())
+
+
+def test_a_folder_that_cannot_be_written_is_refused_before_the_walk(
+    memorymaze: Memorymaze, tiny_sites_folder: Path, tmp_path: Path
+) -> None:
+    agent = tmp_path / "proud.py"
+    agent.write_text("raise RuntimeError('I was asked')", encoding="utf-8")
+    plan = tiny_sites_folder / "loop.geojson"
+    done = memorymaze(
+        *("navigate", plan, "R1", "Go."),
+        *("--agent", f"{agent}:Proud", "--out", agent / "walk"),
+    )
+    assert (done.code, done.out) == (1, "")
+    assert f"expected a folder to write to, got a file at {agent}" in done.err
+
+
+def test_what_an_agent_prints_is_no_result(
+    memorymaze: Memorymaze, tiny_sites_folder: Path, tmp_path: Path
+) -> None:
+    agent = tmp_path / "loud.py"
+    agent.write_text(
+        "from memorymaze.agents import StopAgent\n"
+        "print('HELLO')\n"
+        "class Loud(StopAgent):\n"
+        "    def follow(self, *told):\n"
+        "        print('HERE I AM')\n",
+        encoding="utf-8",
+    )
+    plan = tiny_sites_folder / "loop.geojson"
+    done = memorymaze(
+        *("navigate", plan, "R1", "Go."),
+        *("--agent", f"{agent}:Loud", "--out", tmp_path / "walk"),
+    )
+    assert done.code == 0
+    assert done.out.startswith("did not arrive; stopped by agent")
+    assert done.err == "HELLO\nHERE I AM\n"
+
+
+def test_the_folder_made_by_default_lies_in_runs_whatever_a_plan_is_called(
+    memorymaze: Memorymaze,
+    tiny_sites_folder: Path,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    text = (tiny_sites_folder / "loop.geojson").read_text(encoding="utf-8")
+    plan = tmp_path / "odd"
+    odd = text.replace('"name": "loop"', f'"name": "../../{"x" * 300}"')
+    plan.write_text(odd, encoding="utf-8")
+    done = memorymaze("navigate", "odd", "R1", "Go.", "--agent", "stop")
+    assert done.code == 0
+    assert {path.name for path in tmp_path.iterdir()} == {"odd", "runs"}
+    assert len(list((tmp_path / "runs").iterdir())) == 1

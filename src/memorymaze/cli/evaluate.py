@@ -1,6 +1,7 @@
 """`memorymaze evaluate`: run an agent on instructions, into a run folder."""
 
 import argparse
+import contextlib
 import shlex
 import sys
 from datetime import datetime
@@ -13,6 +14,7 @@ from memorymaze.cli.agent_options import (
     episode_settings,
 )
 from memorymaze.cli.verbs import Verbs
+from memorymaze.cli.wording import counted
 
 __all__ = ["add_parser"]
 
@@ -81,18 +83,21 @@ def _run(options: argparse.Namespace) -> int:
         )
     if options.resume and options.out is None:
         raise SettingsError("--resume: name the run's folder with --out")
-    plan = plan_run(
-        agent_settings(options),
-        instruction_files=options.instructions,
-        sites_folder=options.sites,
-        limit=options.limit,
-        **episode_settings(options),
-    )
+    # What a user's agent prints while it is made is no result.
+    with contextlib.redirect_stdout(sys.stderr):
+        plan = plan_run(
+            agent_settings(options),
+            instruction_files=options.instructions,
+            sites_folder=options.sites,
+            limit=options.limit,
+            **episode_settings(options),
+        )
     wall_limit = WALL_LIMIT if options.wall_limit is None else options.wall_limit
     out = Path(options.out or _default_folder(options.agent))
     workers = options.workers or available_cores()
     print(
-        f"{len(plan.episodes)} episodes on {', '.join(plan.sites)}; {workers} workers; "
+        f"{counted(len(plan.episodes), 'episode')} on {', '.join(plan.sites)}; "
+        f"{counted(workers, 'worker')}; "
         f"time budget {plan.settings.simulation.time_budget:g} s, call budget "
         f"{plan.settings.simulation.call_budget}; into {out}",
         file=sys.stderr,

@@ -4,6 +4,7 @@ import argparse
 import sys
 
 from memorymaze.cli.verbs import Verbs
+from memorymaze.cli.wording import counted
 
 __all__ = ["add_parser"]
 
@@ -67,6 +68,6 @@ def _check(options: argparse.Namespace) -> int:
     count, problems = check_instruction_files(options.files, load_sites(options.sites))
     for problem in problems:
         print(problem)
-    verdict = f"{len(problems)} problems" if problems else "no problems"
-    print(f"{count} good instructions, {verdict}", file=sys.stderr)
+    verdict = counted(len(problems), "problem") if problems else "no problems"
+    print(f"{counted(count, 'good instruction')}, {verdict}", file=sys.stderr)
     return 1 if problems else 0

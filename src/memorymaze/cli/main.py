@@ -53,7 +53,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         # The reader (such as `head`) has seen enough; spare Python's own complaint.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return FAILED
-    except OSError as error:
+    except (OSError, MemoryError) as error:
         _explain(error, options.debug)
         return FAILED
     except Exception as error:
@@ -85,8 +85,15 @@ def _parser() -> argparse.ArgumentParser:
 def _explain(error: BaseException, debug: bool) -> None:
     if debug:
         traceback.print_exception(error)
-    expected = isinstance(error, MemoryMazeError | OSError)
-    _say(str(error) if expected else f"{type(error).__name__}: {error}")
+    match error:
+        case MemoryMazeError():
+            _say(str(error))
+        case OSError(filename=file, strerror=reason) if file and reason:
+            _say(f"{file}: cannot be read or written ({reason})")
+        case MemoryError():
+            _say(f"not enough memory: {str(error) or 'no more could be had'}")
+        case _:
+            _say(f"{type(error).__name__}: {error}")
 
 
 def _say(text: str) -> None:

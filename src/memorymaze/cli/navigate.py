@@ -1,8 +1,11 @@
 """`memorymaze navigate`: one instruction, with a picture of the walk."""
 
 import argparse
+import contextlib
+import sys
 from datetime import datetime
 from pathlib import Path
+from urllib.parse import quote
 
 from memorymaze.cli.agent_options import (
     add_agent_options,
@@ -10,6 +13,7 @@ from memorymaze.cli.agent_options import (
     agent_settings,
     episode_settings,
 )
+from memorymaze.cli.plan_argument import plan_path
 from memorymaze.cli.verbs import Verbs
 
 __all__ = ["add_parser"]
@@ -40,23 +44,26 @@ def add_parser(verbs: Verbs) -> None:
 
 def _run(options: argparse.Namespace) -> int:
     from memorymaze.evaluation.navigation import (
+        check_folder,
         find_route,
         navigate,
         write_navigation,
     )
-    from memorymaze.sites import BUILTIN_SITE_NAMES, builtin_site, load_site
+    from memorymaze.sites import load_site
 
-    if options.site in BUILTIN_SITE_NAMES or not Path(options.site).suffix:
-        site = builtin_site(options.site)
-    else:
-        site = load_site(options.site)
+    site = load_site(plan_path(options.site))
     route = find_route(site, options.route)
-    run = navigate(
-        site, route, options.text, agent_settings(options), **episode_settings(options)
-    )
-    now = datetime.now().strftime("%Y%m%d-%H%M%S")
-    folder = Path(options.out or f"runs/navigate-{site.name}-{route.id}-{now}")
-    write_navigation(run, site, route, folder)
+    folder = Path(options.out or _default_folder(site.name, route.id))
+    check_folder(folder)
+    # What a user's agent prints is no result.
+    with contextlib.redirect_stdout(sys.stderr):
+        run = navigate(
+            site,
+            route,
+            options.text,
+            agent_settings(options),
+            **episode_settings(options),
+        )
     result = run.result
     outcome = "arrived" if result.success else "did not arrive"
     print(f"{outcome}; stopped by {result.stopped_by}")
@@ -68,6 +75,12 @@ def _run(options: argparse.Namespace) -> int:
         f"{result.path_length:.2f} m in {result.duration_s:.1f} s simulated, "
         f"{result.collisions} collisions, turns in order {result.turns_in_order:.2f}"
     )
-    for name in ("trajectory.json", "trace.jsonl", "picture.png"):
-        print(folder / name)
+    for path in write_navigation(run, site, route, folder):
+        print(path)
     return 0
+
+
+def _default_folder(site: str, route: str) -> Path:
+    # A plan may be called anything, also `../../x`.
+    names = quote(f"{site}-{route}", safe="")[:100]
+    return Path("runs") / f"navigate-{names}-{datetime.now():%Y%m%d-%H%M%S}"

@@ -2,12 +2,12 @@
 
 import argparse
 import sys
-from difflib import get_close_matches
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from memorymaze.cli.plan_argument import plan_path
 from memorymaze.cli.verbs import Verbs
-from memorymaze.errors import SettingsError
+from memorymaze.cli.wording import counted
 
 if TYPE_CHECKING:
     from memorymaze.sites import Site
@@ -111,8 +111,8 @@ def _check(args: argparse.Namespace) -> int:
         print(problem.line())
     errors = sum(problem.severity == "error" for problem in problems)
     print(
-        f"{_counted(len(paths), 'plan')}: {_counted(errors, 'error')}, "
-        f"{_counted(len(problems) - errors, 'warning')}",
+        f"{counted(len(paths), 'plan')}: {counted(errors, 'error')}, "
+        f"{counted(len(problems) - errors, 'warning')}",
         file=sys.stderr,
     )
     return FAILED if errors else DONE
@@ -122,7 +122,7 @@ def _draw(args: argparse.Namespace) -> int:
     from memorymaze.sites import load_site
     from memorymaze.sites.drawing import draw_site
 
-    path = _plan(args.site)
+    path = plan_path(args.site)
     site = load_site(path)
     out: Path = args.out or Path(f"{path.stem}.png")
     draw_site(site, out, routes=args.route or True)
@@ -134,22 +134,7 @@ def _plans(plan: str) -> list[Path]:
     """Return the files that a file's, a site's or a folder's name stands for."""
     from memorymaze.sites import plan_paths
 
-    return plan_paths(Path(plan)) if Path(plan).is_dir() else [_plan(plan)]
-
-
-def _plan(plan: str) -> Path:
-    from memorymaze.sites import BUILTIN_SITE_NAMES, builtin_site_path
-
-    if plan in BUILTIN_SITE_NAMES:
-        return builtin_site_path(plan)
-    if Path(plan).exists():
-        return Path(plan)
-    near = get_close_matches(plan, BUILTIN_SITE_NAMES, n=1)
-    meant = f"; did you mean {near[0]}?" if near else ""
-    raise SettingsError(
-        f"expected a plan's file or one of {', '.join(BUILTIN_SITE_NAMES)}, got "
-        f"{plan!r}: no such file{meant}"
-    )
+    return plan_paths(Path(plan)) if plan and Path(plan).is_dir() else [plan_path(plan)]
 
 
 def _described(site: "Site") -> str:
@@ -166,16 +151,12 @@ def _described(site: "Site") -> str:
         f"{site.name}: {site.title}",
         f"  {site.floor}, {east - west:.0f} x {north - south:.0f} m, "
         f"{site.walkable_floor.area:.0f} m2 of floor",
-        "  " + ", ".join(_counted(number, what) for number, what in counts),
+        "  " + ", ".join(counted(number, what) for number, what in counts),
     ]
     width = max((len(route.id) for route in site.routes), default=0)
     lines += [
         f"  {route.route}  {route.id:{width}}  {route.line.length:7.2f} m  "
-        f"{_counted(len(route.turns), 'turn')}, to {route.goal}"
+        f"{counted(len(route.turns), 'turn')}, to {route.goal}"
         for route in site.routes
     ]
     return "\n".join(lines)
-
-
-def _counted(number: int, what: str) -> str:
-    return f"{number} {what}{'' if number == 1 else 's'}"

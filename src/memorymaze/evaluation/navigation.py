@@ -1,6 +1,8 @@
 """One instruction on one route, looked at closely."""
 
+import difflib
 import json
+import os
 from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any
@@ -20,7 +22,9 @@ from memorymaze.simulation import SimulationSettings
 from memorymaze.simulation.obstacles import ObstacleSettings
 from memorymaze.sites import Route, Site
 
-__all__ = ["find_route", "navigate", "write_navigation"]
+__all__ = ["check_folder", "find_route", "navigate", "write_navigation"]
+
+FILES = ("trajectory.json", "trace.jsonl", "picture.png")
 
 
 def find_route(site: Site, name: str) -> Route:
@@ -32,13 +36,36 @@ def find_route(site: Site, name: str) -> Route:
     for route in site.routes:
         if name == route.id or (name == route.route and route.role == "reference"):
             return route
+    if not site.routes:
+        raise SettingsError(
+            f"route: expected a site with routes, got {site.name}, which has none"
+        )
     names = [
         f"{r.route} ({r.id})" if r.role == "reference" else r.id for r in site.routes
     ]
-    raise SettingsError(
-        f"route: expected one of {', '.join(names) or 'none (the site has no routes)'}, "
-        f"got {name!r}"
+    known = [each for r in site.routes for each in (r.route, r.id)]
+    near = difflib.get_close_matches(name.upper(), known, n=1) or (
+        difflib.get_close_matches(name, known, n=1)
     )
+    meant = f"; did you mean {near[0]!r}?" if near else ""
+    raise SettingsError(
+        f"route: expected one of {', '.join(names)}, got {name!r}{meant}"
+    )
+
+
+def check_folder(folder: Path) -> None:
+    """Refuse a folder that cannot be written, before an episode is run for it.
+
+    Raises:
+        RunFolderError: It is something else, or the folder above it is not ours.
+    """
+    there = next(each for each in (folder, *folder.absolute().parents) if each.exists())
+    if not there.is_dir() or not os.access(there, os.W_OK | os.X_OK):
+        what = "a folder without leave to write" if there.is_dir() else "a file"
+        raise RunFolderError(
+            f"{folder}: expected a folder to write to, got {what} at {there}; choose "
+            "another one with --out"
+        )
 
 
 def navigate(
@@ -106,8 +133,13 @@ def navigate(
     return run_episode(build_agent(agent)(episode), episode, arena, settings)
 
 
-def write_navigation(run: EpisodeRun, site: Site, route: Route, folder: Path) -> None:
+def write_navigation(
+    run: EpisodeRun, site: Site, route: Route, folder: Path
+) -> list[Path]:
     """Write `trajectory.json`, `trace.jsonl` and `picture.png` into a folder.
+
+    Returns:
+        The files.
 
     Raises:
         RunFolderError: The folder cannot be written.
@@ -122,20 +154,15 @@ def write_navigation(run: EpisodeRun, site: Site, route: Route, folder: Path) ->
         "columns": ["time", "x", "y", "heading"],
         "poses": [list(pose) for pose in run.trajectory.poses],
     }
+    files = [folder / name for name in FILES]
     try:
         folder.mkdir(parents=True, exist_ok=True)
         text = json.dumps(content, ensure_ascii=False) + "\n"
-        write_whole(
-            folder / "trajectory.json", text.encode("utf-8", "backslashreplace")
-        )
-        write_whole(folder / "trace.jsonl", trace_lines(run.trace))
+        write_whole(files[0], text.encode("utf-8", "backslashreplace"))
+        write_whole(files[1], trace_lines(run.trace))
+        draw_site(site, files[2], trajectories=[run.trajectory], routes=[route.id])
     except OSError as error:
         raise RunFolderError(
             f"{folder}: cannot be written ({error.strerror})"
         ) from None
-    draw_site(
-        site,
-        folder / "picture.png",
-        trajectories=[run.trajectory],
-        routes=[route.id],
-    )
+    return files
