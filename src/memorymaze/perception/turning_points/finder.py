@@ -8,12 +8,19 @@ of a skeleton (WanderGuide).
 import math
 from collections import deque
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from memorymaze.geometry.pose import Pose, turn_between, wrap_angle
+from memorymaze.perception.turning_points.junction import (
+    SAME_PLACE,
+    SAME_WAY,
+    Junction,
+    is_turning_point,
+    is_worth_telling,
+)
 from memorymaze.perception.turning_points.local_map import LocalMap
 from memorymaze.perception.turning_points.walls import WallDirections
 from memorymaze.perception.turning_points.ways import (
@@ -22,29 +29,22 @@ from memorymaze.perception.turning_points.ways import (
     SensedWay,
     Surroundings,
     crossing,
-    reach_along,
 )
 
 __all__ = ["SensedTurningPoint", "TurningPointFinder"]
 
 FloatArray = NDArray[np.float64]
 
-BEND = math.radians(15)
-"""A way that bends less goes straight on: alone it makes no turning point."""
-SAME_WAY = math.radians(35)
-"""Ways seen at less than this angle from each other are one."""
-SAME_PLACE = 2.0
-"""Metres between two sightings of one turning point."""
 WAY_BACK = math.radians(75)
 """Greatest angle between a way and where the robot was for it to be the way it came."""
 MARGIN = 0.3
 """Metres a turning point reaches beyond where its ways' edges cross."""
 LINGER = 0.3
 """Further metres within which a robot that was in it is in it still."""
-FROM_AFAR = 0.25
-"""Weight of what is seen from outside against what is seen from inside."""
-MEMORY = 0.9
-"""Share of a sighting's weight that is left at the next sighting."""
+CLOSE = 1.0
+"""Metres from where ways meet at which a sighting counts a third of one from there."""
+FROM_AFAR = 0.1
+"""Weight of a sighting from farther off."""
 SURE = 1.5
 """Weight of sightings from which on a turning point is told of."""
 WALLS_NEAR = 2.5
@@ -53,9 +53,14 @@ wider."""
 SAME_DEPTH = 0.7
 """Share of the greatest depth that a direction must have to be thought of."""
 WIDEST = math.radians(130)
-ROOM = 1.0
+"""Angle under which a mouth is seen from which on the place is open on that side, and
+tells no ways."""
+WEDGE = 1.5
+"""Metres by which two ways lead farther than the direction between them."""
 THROUGH = 0.8
+"""Metres beside the middle of a mouth at which the robot drove through it."""
 TRAIL_SPACING = 0.2
+"""Metres from one kept place of the trail to the next."""
 TRAIL = 100
 """Kept places of the trail: the last 20 m."""
 
@@ -76,74 +81,6 @@ class SensedTurningPoint:
     """The way it came by; None when there is none."""
 
 
-@dataclass(slots=True)
-class _Belief:
-    """A way as the sightings so far tell it."""
-
-    way: SensedWay
-    weight: float
-
-
-@dataclass(slots=True)
-class _Junction:
-    """A turning point, or what may become one."""
-
-    x: float
-    y: float
-    radius: float
-    weight: float = 0.0
-    beliefs: list[_Belief] = field(default_factory=list[_Belief])
-    number: int | None = None
-
-    def ways(self) -> list[SensedWay]:
-        return [each.way for each in self.beliefs if each.weight > 0.5 * self.weight]
-
-    def see(
-        self,
-        x: float,
-        y: float,
-        radius: float,
-        ways: Sequence[SensedWay],
-        weight: float,
-    ) -> None:
-        self.weight = self.weight * MEMORY + weight
-        share = weight / self.weight
-        self.x += share * (x - self.x)
-        self.y += share * (y - self.y)
-        self.radius += share * (radius - self.radius)
-        for each in self.beliefs:
-            each.weight *= MEMORY
-        left = list(self.beliefs)
-        for way in ways:
-            same = min(
-                left,
-                key=lambda each: abs(turn_between(each.way.heading, way.heading)),
-                default=None,
-            )
-            if (
-                same is None
-                or abs(turn_between(same.way.heading, way.heading)) > SAME_WAY
-            ):
-                self.beliefs.append(_Belief(way, weight))
-                continue
-            left.remove(same)
-            same.weight += weight
-            same.way = same.way.moved_towards(way, weight / same.weight)
-        self.beliefs = [each for each in self.beliefs if each.weight > 0.05]
-
-    def holds(self, x: float, y: float, margin: float) -> bool:
-        """Whether a place lies where the ways' strips cross."""
-        ways = self.ways()
-        dx, dy = x - self.x, y - self.y
-        if math.hypot(dx, dy) > SAME_PLACE + self.radius:
-            return False
-        return all(
-            dx * math.cos(way.heading) + dy * math.sin(way.heading)
-            <= reach_along(way, ways, self.radius) + margin
-            for way in ways
-        )
-
-
 class TurningPointFinder:
     """Finds turning points as a robot drives; scans and odometry in, ways out."""
 
@@ -151,11 +88,11 @@ class TurningPointFinder:
         """Begin knowing nothing."""
         self._map = LocalMap()
         self._walls = WallDirections()
-        self._junctions: list[_Junction] = []
+        self._junctions: list[Junction] = []
         self._numbers = 0
         self._pose: Pose | None = None
         self._trail: deque[tuple[float, float]] = deque(maxlen=TRAIL)
-        self._inside: _Junction | None = None
+        self._inside: Junction | None = None
         self._came_from = 0.0
         self._start_back = 0.0
         self._current: SensedTurningPoint | None = None
@@ -198,42 +135,49 @@ class TurningPointFinder:
         if any(each.spread > WIDEST for each in mouths):
             return
         ways = _one_per_heading([
-            way
-            for mouth in mouths
-            if (way := self._way(surroundings, mouth, radius)) is not None
+            way for mouth in mouths for way in self._ways(surroundings, mouth, radius)
         ])
         x, y = crossing(ways, centre)
-        seen = _Junction(x, y, radius)
-        seen.see(x, y, radius, ways, 1.0)
         known = min(
             self._junctions,
             key=lambda each: math.hypot(each.x - x, each.y - y),
             default=None,
         )
         if known is None or math.hypot(known.x - x, known.y - y) > SAME_PLACE:
-            if not _is_turning_point(ways):
+            if not is_turning_point(ways):
                 return
-            known = _Junction(x, y, radius)
+            known = Junction(x, y, radius)
             self._junctions.append(known)
-        weight = 1.0 if seen.holds(pose.x, pose.y, MARGIN) else FROM_AFAR
+        off = math.hypot(x - centre[0], y - centre[1])
+        weight = max(math.exp(-((off / CLOSE) ** 2)), FROM_AFAR)
         known.see(x, y, radius, ways, weight)
 
-    def _way(
+    def _ways(
         self, surroundings: Surroundings, mouth: Mouth, radius: float
-    ) -> SensedWay | None:
-        """Look along a way; None where it does not lead on.
+    ) -> list[SensedWay]:
+        """Look along what begins at a mouth: no way, one, or two at a slant.
 
-        It runs along its walls, and where these differ along those that lead farthest.
+        A way runs along the walls there. Of several directions that lead about as far
+        it is the one with most wall; a second is another way when what lies between
+        them is blocked.
         """
         x, y = self._map.place(mouth.x, mouth.y)
         headings = self._walls.along(x, y, max(WALLS_NEAR, mouth.width), mouth.bearing)
         if not len(headings):
             headings = np.array([mouth.bearing])
         depths = surroundings.depths(mouth, headings)
-        best = int((depths >= SAME_DEPTH * depths.max()).argmax())
-        if depths[best] < max(REACH, radius * ROOM) and not self._came_through(x, y):
-            return None
-        return SensedWay(x, y, wrap_angle(float(headings[best])), mouth.width)
+        first = int((depths >= SAME_DEPTH * depths.max()).argmax())
+        enough = max(REACH, radius)
+        if depths[first] < enough and not self._came_through(x, y):
+            return []
+        ways = [SensedWay(x, y, wrap_angle(float(headings[first])), mouth.width)]
+        between = (headings + headings[first]) / 2
+        wedge = depths - surroundings.depths(mouth, between)
+        for other in np.flatnonzero((depths >= enough) & (wedge > WEDGE)):
+            if abs(headings[other] - headings[first]) > SAME_WAY:
+                heading = wrap_angle(float(headings[other]))
+                ways.append(SensedWay(x, y, heading, mouth.width))
+        return ways
 
     def _came_through(self, x: float, y: float) -> bool:
         """Whether the robot drove through the middle of a mouth."""
@@ -246,7 +190,7 @@ class TurningPointFinder:
             margin = MARGIN + (LINGER if each is self._inside else 0.0)
             if (
                 each.weight >= SURE
-                and _is_turning_point(each.ways())
+                and is_turning_point(each.ways())
                 and each.holds(pose.x, pose.y, margin)
                 and (
                     inside is None
@@ -273,12 +217,12 @@ class TurningPointFinder:
         if abs(turn_between(self._came_from, back.heading)) > WAY_BACK:
             back = None
         onward = tuple(way for way in ways if way is not back)
-        if _is_onward(onward, back):
+        if is_worth_telling(onward, back):
             self._current = SensedTurningPoint(
                 inside.number, inside.x, inside.y, onward, back
             )
 
-    def _direction_of_trail(self, junction: _Junction) -> float:
+    def _direction_of_trail(self, junction: Junction) -> float:
         for x, y in reversed(self._trail):
             dx, dy = x - junction.x, y - junction.y
             if math.hypot(dx, dy) > junction.radius + 0.2:
@@ -295,19 +239,3 @@ def _one_per_heading(ways: Sequence[SensedWay]) -> list[SensedWay]:
         ):
             kept.append(way)
     return kept
-
-
-def _is_turning_point(ways: Sequence[SensedWay]) -> bool:
-    """Whether ways are more than one that leads straight on, and more than an end."""
-    if len(ways) != 2:
-        return len(ways) > 2
-    bend = turn_between(ways[0].heading + math.pi, ways[1].heading)
-    return abs(bend) > BEND
-
-
-def _is_onward(onward: Sequence[SensedWay], back: SensedWay | None) -> bool:
-    if not onward:
-        return False
-    if len(onward) > 1 or back is None:
-        return True
-    return abs(turn_between(back.heading + math.pi, onward[0].heading)) > BEND

@@ -25,8 +25,10 @@ STRAIGHT = 0.06
 SECTOR = math.radians(40)
 """Greatest angle between a way as it seems at first and its walls."""
 BIN = math.radians(3)
+"""Directions that differ by less are one wall's."""
 BINS = np.arange(-SECTOR, SECTOR + BIN / 2, BIN)
 MOST_DIRECTIONS = 3
+"""Directions that are told at most; more are no longer walls."""
 LEAST_WALL = 1.5
 """Metres of wall, seen once or several times, that tell a direction."""
 
@@ -41,7 +43,13 @@ class WallDirections:
         self._all: FloatArray | None = None
 
     def add(self, pose: Pose, angles: FloatArray, ranges: FloatArray) -> None:
-        """Take note of a scan; see `LocalMap.add`."""
+        """Take note of a scan, if the robot has driven on since the last one kept.
+
+        Args:
+            pose: Of the robot, in the odometry's frame.
+            angles: As for `LocalMap.add`.
+            ranges: As for `LocalMap.add`.
+        """
         last = self._last
         if last is not None and math.dist(last[:2], pose[:2]) < SCAN_SPACING:
             return
