@@ -193,7 +193,7 @@ class _Search:
         walker.follow_exit(branch.exit, self._phrases(rivals), arrived)
         if found:
             self._journal.note("arrival", reason=f"{found[0].phrase} seen")
-            approach(walker, found[0], self._plan.arrival.side)
+            approach(walker, found[0])
             return True
         return False
 
@@ -236,10 +236,12 @@ class _Search:
             return
         goal = ending.distance
         phrases = self._arrivals.phrases
-        while goal > 0.2:
+        while goal > -0.5:
             seen = [s for s in walker.look(phrases) if s.distance < goal + 3.0]
             if seen and ending.reason.endswith("seen"):
-                approach(walker, seen[0], self._plan.arrival.side)
+                approach(walker, seen[0])
+                return
+            if goal <= 0.2:
                 return
             step = min(goal, 0.8)
             if not walker.step(step):

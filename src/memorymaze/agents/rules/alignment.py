@@ -37,8 +37,10 @@ LEFT_OUT = 3.2
 """Cost of a described turn that does not exist."""
 BEND_LEFT_OUT = 0.5
 """The same where the way was said to bend by itself, or only slightly."""
-STILL_AHEAD = 0.45
+STILL_AHEAD = 0.8
 """What a leg costs when all is right, about: expected for each leg not yet done."""
+UNSEEN_YET = 0.6
+"""Share of the cost of things not seen that counts while they may still come."""
 UNTOLD_WAY_ON = 0.05
 """Going straight on past an opening."""
 
@@ -119,6 +121,17 @@ class Aligner:
             length = _with_lead(leg.length, standing.lead)
             if length is not None and standing.walked > length.metres:
                 ahead += length_cost(length, standing.walked)
+            if standing.walked > 6.0 and standing.asked:
+                ahead += UNSEEN_YET * max(
+                    mentions_cost(
+                        [m for m in leg.mentions if m.place in {"along", "passed"}],
+                        self._floor,
+                        standing.line,
+                        standing.line[-1],
+                        standing.asked,
+                    ),
+                    0.0,
+                )
             turn = leg.turn
             if turn.ordinal is not None and turn.ordinal > 0:
                 met = min(self._on_side(standing, leg), standing.crossings) + 1
@@ -192,7 +205,10 @@ class Aligner:
         if leg.length is not None and leg.length.unit != "vague":
             return False
         if leg.passings or any(
-            m.place in {"turn", "before_turn"} and not m.weak for m in leg.mentions
+            m.place in {"turn", "before_turn", "passed"}
+            and not m.weak
+            and not self._floor.seen(m.phrase)
+            for m in leg.mentions
         ):
             return False
         return turn.way in {"left", "right"} and bool(choices.on(turn.way))

@@ -6,14 +6,13 @@ from collections.abc import Iterator
 
 from memorymaze.agents.rules.alignment import Branch, Ending, Standing
 from memorymaze.agents.rules.evidence import (
-    distance_to_line,
     length_cost,
     mentions_cost,
     passings_cost,
 )
-from memorymaze.agents.rules.floor_map import FloorMap, Sighting, Stretch
+from memorymaze.agents.rules.floor_map import FloorMap, Point, Sighting, Stretch
 from memorymaze.agents.rules.walker import Walker
-from memorymaze.language.route_description import RoutePlan, Side, is_common
+from memorymaze.language.route_description import RoutePlan, is_common
 
 __all__ = ["Arrivals", "approach"]
 
@@ -21,7 +20,7 @@ POORLY_SEEN = 1.0
 """Nats lost, times one minus the score, by stopping at something seen."""
 COMMON = 1.3
 """Nats lost when it is a thing that is everywhere, such as a door."""
-SECOND_NAME = 0.4
+SECOND_NAME = 1.5
 """Nats lost when it is not the likeliest of the names for the destination."""
 UNSEEN = 4.0
 """Nats lost by stopping without having seen the destination."""
@@ -51,11 +50,14 @@ class Arrivals:
         self._plan = plan
         self._floor = floor
         self._doors: list[int] = []
+        names = plan.arrival.destinations
+        self._first = frozenset(_variants(names[0])) if names else frozenset[str]()
+        self._names = tuple(dict.fromkeys([*self._first, *names]))
 
     @property
     def phrases(self) -> tuple[str, ...]:
         """What to look for."""
-        return self._plan.arrival.destinations
+        return self._names
 
     def on_stretch(self, branch: Branch, stretch: Stretch) -> Iterator[Ending]:
         """Yield the endings on a stretch walked by a hypothesis."""
@@ -67,9 +69,11 @@ class Arrivals:
         end = self._floor.crossings[stretch.end].place
         base = standing.cost + LEG_TO_COME * to_come
         for loss, sighting in self._sightings():
-            if self._only_names(sighting) or distance_to_line(sighting.place, (start, end)) > 4.5:
+            if sighting.stretch != (stretch.start, stretch.exit):
                 continue
-            along = _along(sighting, start, end)
+            if self._only_names(sighting):
+                continue
+            along = _along(sighting.seen_from, start, end)
             cost = base + loss + self._fit(standing, along, to_come)
             cost += self._side_cost(sighting)
             yield Ending(
@@ -123,7 +127,7 @@ class Arrivals:
             return None
         best: tuple[float, Sighting] | None = None
         for sighting in seen:
-            if sighting.phrase not in self.phrases or self._only_names(sighting):
+            if sighting.phrase not in self._first or self._only_names(sighting):
                 continue
             if is_common(sighting.phrase) and not self._is_the_one(
                 sighting, standing.walked + walked
@@ -146,6 +150,8 @@ class Arrivals:
                 self._doors.append(sighting.track)
             if arrival.nth is not None and arrival.nth > 0:
                 return self._doors.index(sighting.track) + 1 >= arrival.nth
+        elif sighting.side != "ahead":
+            return False
         if arrival.length is not None:
             return walked + sighting.distance >= 0.6 * arrival.length.metres
         return walked + sighting.distance >= 3.0
@@ -159,7 +165,7 @@ class Arrivals:
         loss = POORLY_SEEN * (1.0 - min(sighting.score, 1.0))
         if is_common(sighting.phrase):
             loss += COMMON
-        if self.phrases.index(sighting.phrase) > 0:
+        if sighting.phrase not in self._first:
             loss += SECOND_NAME
         return loss
 
@@ -196,13 +202,12 @@ class Arrivals:
         return 0.0
 
 
-def approach(walker: Walker, sighting: Sighting, side: Side | None) -> None:
+def approach(walker: Walker, sighting: Sighting) -> None:
     """Walk up to a thing just seen; into the place behind it when it is a door.
 
     Args:
         walker: The robot, facing the thing.
         sighting: The thing.
-        side: Where the description says it is; a way in on that side is taken.
     """
     for _ in range(14):
         seen = [s for s in walker.look((sighting.phrase,)) if s.track == sighting.track]
@@ -210,7 +215,7 @@ def approach(walker: Walker, sighting: Sighting, side: Side | None) -> None:
             break
         sighting = seen[0]
         opens = _OPENS.search(sighting.label) is not None
-        if opens and sighting.side == side and walker.turn_in(side):
+        if opens and sighting.side != "ahead" and walker.turn_in(sighting.side):
             _walk_on(walker, 2 * INSIDE)
             return
         rest = sighting.distance - CLOSE
@@ -220,6 +225,12 @@ def approach(walker: Walker, sighting: Sighting, side: Side | None) -> None:
             break
     if _OPENS.search(sighting.label):
         _walk_on(walker, _ahead(walker, sighting) + INSIDE)
+
+
+def _variants(phrase: str) -> list[str]:
+    """Return a name, and its head alone: `robot` for `robot of human shape`."""
+    head = re.split(r" (?:of|with|that|for) ", phrase)[0]
+    return [phrase] if head == phrase or is_common(head) else [phrase, head]
 
 
 def _walk_on(walker: Walker, distance: float) -> None:
@@ -234,14 +245,13 @@ def _ahead(walker: Walker, sighting: Sighting) -> float:
     return dx * math.cos(walker.heading) + dy * math.sin(walker.heading)
 
 
-def _along(sighting: Sighting, start: tuple[float, float], end: tuple[float, float]) -> float:
+def _along(place: Point, start: Point, end: Point) -> float:
+    """Return how far along a straight piece a place lies, metres."""
     length = math.dist(start, end)
     if length == 0.0:
         return 0.0
     dx, dy = end[0] - start[0], end[1] - start[1]
-    along = (
-        (sighting.place[0] - start[0]) * dx + (sighting.place[1] - start[1]) * dy
-    ) / length
+    along = ((place[0] - start[0]) * dx + (place[1] - start[1]) * dy) / length
     return min(max(along, 0.0), length)
 
 

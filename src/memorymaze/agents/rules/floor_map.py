@@ -33,6 +33,8 @@ class Sighting:
     distance: float
     """Metres from there."""
     track: int
+    stretch: tuple[int, int]
+    """Crossing and exit of the stretch on which it was seen."""
     side: str
     """`left`, `right` or `ahead` of the way the robot went."""
 

@@ -49,7 +49,7 @@ class Walker:
         self.at = 0
         """Number of the crossing the robot is at."""
         self.travelled = 0.0
-        self._asked: set[str] | None = None
+        self._stretch = (0, 0)
         number = robot.turning_point_id()
         if number is not None:
             self._arrive_in(number)
@@ -78,6 +78,7 @@ class Walker:
             start.closed.add(exit)
             return None
         exit_heading = self.heading
+        self._stretch = (start.number, exit)
         begin = self.travelled
         wanted = list(dict.fromkeys(phrases))
         outside = self._robot.turning_point_id() != start.number
@@ -269,6 +270,7 @@ class Walker:
                     self.place,
                     found.distance,
                     found.track_id,
+                    self._stretch,
                     side,
                 )
                 self.map.note(sighting)

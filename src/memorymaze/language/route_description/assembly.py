@@ -245,9 +245,21 @@ class _Assembly:
         for earlier in reversed(self._events[:at]):
             if earlier.kind in {"sentence", "turn", "then"}:
                 return False
+            if earlier.kind == "arrive":
+                return True
+            if earlier.kind == "thing" and earlier.relation not in {"see", "into", "at"}:
+                return False
             if earlier.kind == "thing":
-                return earlier.relation in {"see", "into"}
+                named = earlier.relation != "at"
+                return named or any(e.kind == "arrive" for e in self._sentence(at))
         return False
+
+    def _sentence(self, at: int) -> list[Event]:
+        """The events of the sentence up to an index."""
+        start = at
+        while start > 0 and self._events[start - 1].kind != "sentence":
+            start -= 1
+        return self._events[start:at]
 
     def _passed_side(self) -> Way | None:
         """`Skip the first left and take the second`: the side is said once."""

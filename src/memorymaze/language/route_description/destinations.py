@@ -23,6 +23,7 @@ _ENTERED = re.compile(
     r"(?:that's|that is|this is|it's|there's|here is|here's|there is|then is|you're (?:at|in|on)"
     r"|you are (?:at|in|on|now on)|means|find|reach|see|to|into) (?:the |your |a |now on the )*$"
 )
+_ASIDE = re.compile(r" (?:is|comes|are|was) (?:just )?(?:before|after|opposite|across|first|behind)\b")
 _MAX = 3
 
 
@@ -52,7 +53,7 @@ def find_destinations(
         if mention.phrase in passed or mention.ignored:
             continue
         score = _score(mention) + named.get(mention.phrase, 0.0)
-        score += 1.0 * (order + 1) / len(candidates)
+        score += 1.2 * (order + 1) / len(candidates)
         if score > scores.get(mention.phrase, -9.0):
             scores[mention.phrase] = score
             sides[mention.phrase] = mention.side or sides.get(mention.phrase)
@@ -83,12 +84,16 @@ def find_destinations(
 
 def _score(mention: Mention) -> float:
     score = 0.0
-    if mention.side is not None:
-        score += 0.7
+    if mention.side == "ahead":
+        score += 1.2
+    elif mention.side is not None:
+        score += 0.6
     if mention.place in {"turn", "target"}:
-        score += 0.5
-    if mention.place in {"before_turn", "after_turn"}:
+        score += 0.6
+    if mention.place in {"before_turn", "after_turn", "passed"}:
         score -= 1.0
+    if re.search(r"\d", mention.phrase):
+        score += 0.4
     return score
 
 
@@ -102,7 +107,10 @@ def _weights_in_text(chunks: list[Chunk], text: str) -> dict[str, float]:
         if not phrase:
             continue
         before = text[max(0, chunk.start - 40) : chunk.start]
-        weight = weights.get(phrase, -0.4) + 0.4
+        weight = min(weights.get(phrase, -0.4) + 0.4, 4.0)
+        after = text[chunk.start + len(chunk.text) :]
+        if _ASIDE.match(after):
+            weight -= 1.5
         share = chunk.start / max(len(text), 1)
         if _ANNOUNCED.search(before):
             weight += 3.0 if share < 0.25 or share > 0.8 else 1.0

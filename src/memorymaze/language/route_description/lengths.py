@@ -64,7 +64,7 @@ _UNIT = (
 _ODD = r"(?:[- ]?odd|[- ]?ish|or so|more(?: like)?|good|small|little|quick|normal|slow)"
 LENGTH = (
     rf"(?P<low>{NUMBER})(?:\s*(?:-|to|or|,|, or|, maybe|maybe)\s*(?P<high>{NUMBER}))?"
-    rf"(?:\s*{_ODD})?\s*-?(?P<unit>{_UNIT})\b(?: and a (?P<extra>half|bit|quarter)\b)?"
+    rf"(?:\s*{_ODD})?(?:(?<=\d)\s*-?|\s+|-)(?P<unit>{_UNIT})\b(?: and a (?P<extra>half|bit|quarter)\b)?"
     r"(?:-ish| or so| ish)?"
 )
 """Pattern of a distance: groups `low`, `high`, `unit` and `extra`."""

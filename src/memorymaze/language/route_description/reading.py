@@ -18,6 +18,7 @@ __all__ = ["read_clauses", "split_clauses"]
 
 _DOOR = re.compile(r"^(?:hand )?(?:door|wall|window|room)s?\b")
 _LOOSE = {"with", "among", "in", "inside", "between"}
+_AHEAD = re.compile(r"(?:straight |dead |right )?(?:ahead|front)\b")
 _ROUND = re.compile(r"round|around|bend|curve|curl|wind")
 _STARTS = re.compile(r"(?:start|begin|open|continue|lead)")
 _OPENING = re.compile(r"opening|turn|gap|exit|fork|branch")
@@ -249,7 +250,9 @@ class ClauseReader:
         kind = chunk.kind
         if kind in "OJ" or (kind == "n" and self._kinds[at + 1 : at + 2] == "J"):
             return self._read_way(at, end)
-        if kind in "2d" and self._both_sides(at):
+        if kind == "d" and self._kinds[at - 1 : at] == "N" and "front" in chunk.text:
+            self._turn(Event("turn", way=chunk.way))
+        elif kind in "2d" and self._both_sides(at):
             pass
         elif kind in "2d":
             self._turn(Event("turn", way=chunk.way))
@@ -285,6 +288,8 @@ class ClauseReader:
             self._add(Event("take"))
         elif kind == "R":
             self._add(Event("arrive"))
+        elif kind == "H" and self._kinds[at - 1 : at] == "N" and _AHEAD.match(chunk.text):
+            self._add(Event("side", side="ahead"))
         elif kind == "H":
             self._add(Event("straight"))
         elif kind == "K" and _ROUND.search(chunk.text):

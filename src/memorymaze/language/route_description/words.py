@@ -92,7 +92,7 @@ PATTERNS: tuple[tuple[str, str], ...] = (
     # -- conditions
     ("c", r"(?:if|should (?=you|the|it|a|robot)|in case|otherwise|or else|unless|in the event)\b"),
     # -- arrival
-    ("R", r"(?:you(?:'ve| have| are|'re|'ll be| will be| should be)? ?(?:now |already |then |there )?(?:arriv(?:e|ed|ing)(?: (?:to|at|in|by))?|reach(?:ed)? (?=your|the destination|the goal)|made it|got there|there(?: now)?(?= *[.,!]))|(?:we|you) arrive(?: (?:to|at|in))?|arriv(?:e|ed|es|ing)(?: (?:to|at|in))?|(?:that|this|it|here|there)(?:'s| is| will be| would be)? (?:your |the )?(?:destination|goal|target|it(?= *[.,!]))|welcome(?: to)?|your destination(?: is)?|the destination(?: is)?|the goal(?: is)?|(?:is )?the one you(?: are|'re) looking for|the place(?= *[.]))\b"),
+    ("R", r"(?:you(?:'ve| have| are|'re|'ll be| will be| should be)? ?(?:now |already |then |there )?(?:arriv(?:e|ed|ing)(?: (?:to|at|in|by))?|reach(?:ed)? (?=your|the destination|the goal)|made it|got there|there(?: now)?(?= *[.,!]))|(?:we|you) arrive(?: (?:to|at|in))?|arriv(?:e|ed|es|ing)(?: (?:to|at|in))?|(?:that|this|it|here|there)(?:'s| is| will be| would be)? (?:your |the )?(?:destination|goal|target|it(?= *[.,!]))|welcome(?: to)?|stop(?: there| here)?(?= *[.,!]| at| in front| by)|your destination(?: is)?|the destination(?: is)?|the goal(?: is)?|(?:is )?the one you(?: are|'re) looking for|the place(?= *[.]))\b"),
     ("B", r"comes?(?= (?:a|an|the|one|my|your|first|second|third|next|on the|at the|another)\b)"),
     ("G", r"come(?:s)? (?:out|off|in)\b(?: of| from)?"),
     # -- taking what was named
@@ -179,7 +179,8 @@ knock knocks notice gets become becomes changes turns turned starts begin begins
 follows keeps keeping moves moving carry carries carrying brings seems runs says read reads written write
 opposite apart alongside upstairs downstairs overhead underfoot beneath above nearby
 exactly roughly approximately around maybe perhaps probably
-misses knows loves cleans boom phew wow haha yay bravo tbh btw congrats congratulations ta hurray voila main key me myself husband wife niece brother sister friend friends
+slide slides sliding-open whoosh whooshes hiss hisses speaks speak rattles chatter talking alltogether bounce
+touch touches sit sits sitting longer shorter squeaks squeak echoey talks mind bother waits waiting meet meets misses knows loves cleans boom phew wow haha yay bravo tbh btw congrats congratulations ta hurray voila main key me myself husband wife niece brother sister friend friends
 minute minutes second seconds metre metres meter meters step steps pace paces foot feet
 north south east west northern southern eastern western
 called named marked labelled labeled
