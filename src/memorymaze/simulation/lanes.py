@@ -141,32 +141,38 @@ def lane_along(points: FloatArray, max_speed: float) -> Lane:
 
 
 def lane_round_things(
-    points: FloatArray, max_speed: float, clearance: Clearance
+    points: FloatArray,
+    place: tuple[float, float],
+    max_speed: float,
+    clearance: Clearance,
 ) -> Lane:
-    """Return the lane along a given line, but round what stands on it.
+    """Return the lane from a place back to a given line, and round what stands on it.
 
     It ends as `obstacle` where the rest of the line cannot be reached.
 
     Args:
-        points: Vertices, metres, shape (N, 2), N >= 2.
+        points: Vertices of the line, metres, shape (N, 2), N >= 2.
+        place: Where the robot is, beside the line's beginning; metres.
         max_speed: Metres per second.
         clearance: Distances to everything that stands.
     """
     base = _rounded(polyline.resample(points, SPACING), 2)
-    room = clearance.to_anything(base)
-    if len(base) < 3 or (room >= MIN_CLEARANCE).all():
-        return lane_along(points, max_speed)
     normals = _normals(base)
-    # Lines may lead along walls more closely than lanes do; there they are kept to.
-    tolerated = np.minimum(LEAST_CLEARANCE, clearance.to_walls(base) - 1e-3)
-    tolerated[:8] = np.minimum(tolerated[:8], max(float(room[0]) - 1e-3, ROBOT_RADIUS))
-    offsets, usable = make_detours(
-        base, normals, np.zeros(len(base)), MIN_CLEARANCE, tolerated, clearance
-    )
+    aside = float((np.array(place) - base[0]) @ normals[0])
+    offsets = _joining_profile(len(base), aside)
+    room = clearance.to_anything(base + offsets[:, None] * normals)
     end: LaneEnd = "done"
-    if usable < len(base):
-        end = "obstacle"
-        usable = max(2, usable - round(OBSTACLE_GAP / SPACING))
+    usable = len(base)
+    if (room < MIN_CLEARANCE).any():
+        # Lines may lead along walls more closely than lanes do; there they are kept to.
+        least = np.minimum(LEAST_CLEARANCE, clearance.to_walls(base) - 1e-3)
+        least[:8] = np.minimum(least[:8], max(float(room[0]) - 1e-3, ROBOT_RADIUS))
+        offsets, usable = make_detours(
+            base, normals, offsets, MIN_CLEARANCE, least, clearance
+        )
+        if usable < len(base):
+            end = "obstacle"
+            usable = max(1, usable - round(OBSTACLE_GAP / SPACING))
     driven = (base + offsets[:, None] * normals)[:usable]
     room = clearance.to_anything(driven)
     speeds = np.where(room < MIN_CLEARANCE - 1e-6, TIGHT_SPEED, max_speed)

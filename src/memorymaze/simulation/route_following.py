@@ -9,8 +9,9 @@ from numpy.typing import NDArray
 
 from memorymaze.geometry import polyline
 from memorymaze.geometry.pose import turn_between
+from memorymaze.simulation.clearance import Clearance
 from memorymaze.simulation.driving import Driver
-from memorymaze.simulation.lanes import lane_along, lane_round_things
+from memorymaze.simulation.lanes import Lane, lane_along, lane_round_things
 from memorymaze.simulation.obstacles.surroundings import Surroundings
 from memorymaze.simulation.path_following import LaneFollower
 
@@ -26,6 +27,8 @@ LOOK_AROUND = 1.5
 """Seconds of waiting from one look for a way round people who stand to the next."""
 LONGEST_WAIT = 60.0
 """Seconds without getting on after which it gives up."""
+GETS_PAST = 1.5
+"""Metres that a way round people must lead on for the robot to take it."""
 GOT_ON = 0.3
 """Metres that count as getting on."""
 
@@ -71,42 +74,62 @@ def _follow_among_people(
     driver: Driver, leg: FloatArray, max_speed: float, surroundings: Surroundings
 ) -> FollowEnd:
     """Drive along a straight leg, round things; wait for people or go round them."""
-    clearance = surroundings.clearance
     driver.held_for = 0.0
-    until = driver.time + LONGEST_WAIT
+    lane = _rest_of(leg, driver, max_speed, surroundings.clearance)
+    if lane is None:
+        return "arrived"
+    follower = _joined(driver, lane)
+    before, until = driver.distance, driver.time + LONGEST_WAIT
     while True:
-        rest = _rest_of(leg, driver.pose[:2])
-        if len(rest) < 2:
-            return "arrived"
-        before = driver.distance
-        lane = lane_round_things(rest, max_speed, clearance)
-        follower = LaneFollower(lane)
-        heading = follower.station.heading
-        if abs(turn_between(driver.pose.heading, heading)) > ALIGNED:
-            driver.come_to_rest()
-            driver.spin_to(heading)
         how = driver.follow(follower, math.inf, 0.0, driver.held_for + LOOK_AROUND)
         if how == "blocked":
             return "blocked"
-        if how == "end" and lane.end == "done":
+        if how == "end" and follower.lane.end == "done":
             return "arrived"
         if driver.distance - before > GOT_ON:
-            until = driver.time + LONGEST_WAIT
+            before, until = driver.distance, driver.time + LONGEST_WAIT
         elif driver.time > until:
             driver.come_to_rest()
             return "obstacle"
+        clearance = surroundings.clearance_now(driver.pose[:2])
+        needed = follower.remaining
         if how == "end":
             driver.wait(LOOK_AROUND)
-        clearance = (
-            surroundings.clearance_now(driver.pose[:2]) or surroundings.clearance
-        )
+            clearance, needed = clearance or surroundings.clearance, GETS_PAST
+        elif driver.hindrance is not None:
+            needed = min(needed, driver.hindrance.ahead + GETS_PAST)
+        if clearance is not None:
+            lane = _rest_of(leg, driver, max_speed, clearance)
+            if lane is None:
+                return "arrived"
+            if lane.length >= needed or (how == "end" and lane.end == "done"):
+                follower = _joined(driver, lane)
 
 
-def _rest_of(leg: FloatArray, here: tuple[float, float]) -> FloatArray:
-    """Return what is left of a leg, from where the robot is."""
+def _joined(driver: Driver, lane: Lane) -> LaneFollower:
+    """Begin a lane, facing along it."""
+    follower = LaneFollower(lane)
+    heading = follower.station.heading
+    if abs(turn_between(driver.pose.heading, heading)) > ALIGNED:
+        driver.come_to_rest()
+        driver.spin_to(heading)
+    return follower
+
+
+def _rest_of(
+    leg: FloatArray, driver: Driver, max_speed: float, clearance: Clearance
+) -> Lane | None:
+    """Return the lane along what is left of a leg; None where nothing is left."""
+    here = driver.pose[:2]
     s = polyline.project(leg, here).s
     along = polyline.arc_lengths(leg)
-    return _without_repeats(np.concatenate([[here], leg[along > s + NEAR]]))
+    if along[-1] - s < NEAR and math.dist(here, leg[-1]) < GOT_ON:
+        return None
+    begin = polyline.point_at(leg, min(s, float(along[-1]) - NEAR))
+    rest = np.concatenate([[begin], leg[along > s + NEAR / 2]])
+    if len(rest) < 2:
+        rest = np.array([begin, leg[-1]])
+    return lane_round_things(rest, here, max_speed, clearance)
 
 
 def _without_repeats(points: FloatArray) -> FloatArray:
