@@ -15,6 +15,7 @@ class mjtGeom:
     mjGEOM_SPHERE: int
     mjGEOM_CYLINDER: int
     mjGEOM_BOX: int
+    mjGEOM_MESH: int
 
 class mjtJoint:
     mjJNT_HINGE: int
@@ -28,6 +29,20 @@ class mjtIntegrator:
 class MjsJoint: ...
 class MjsGeom: ...
 class MjsCamera: ...
+class MjsLight: ...
+
+class MjsMesh:
+    inertia: int
+
+class MjsMaterial:
+    rgba: _Numbers
+    emission: float
+    specular: float
+    shininess: float
+    textures: dict[int, str]
+
+class MjsTexture:
+    data: bytes
 
 class MjsActuator:
     forcelimited: bool
@@ -51,7 +66,10 @@ class MjsBody:
         pos: _Numbers = ...,
         quat: _Numbers = ...,
         fromto: _Numbers = ...,
+        meshname: str = ...,
+        material: str = ...,
         mass: float = ...,
+        density: float = ...,
         group: int = ...,
         contype: int = ...,
         conaffinity: int = ...,
@@ -59,6 +77,16 @@ class MjsBody:
         priority: int = ...,
         friction: _Numbers = ...,
     ) -> MjsGeom: ...
+    def add_light(
+        self,
+        *,
+        type: int,
+        dir: _Numbers,
+        diffuse: _Numbers,
+        ambient: _Numbers,
+        specular: _Numbers,
+        castshadow: bool,
+    ) -> MjsLight: ...
     def add_camera(
         self, *, name: str, pos: _Numbers, xyaxes: _Numbers, fovy: float
     ) -> MjsCamera: ...
@@ -71,8 +99,25 @@ class _Map:
     znear: float
     zfar: float
 
+class _Headlight:
+    active: int
+    ambient: _Numbers
+    diffuse: _Numbers
+    specular: _Numbers
+
+class _Global:
+    offwidth: int
+    offheight: int
+
+class _Quality:
+    offsamples: int
+    shadowsize: int
+
 class _Visual:
     map: _Map
+    headlight: _Headlight
+    global_: _Global
+    quality: _Quality
 
 class _Statistic:
     extent: float
@@ -85,12 +130,29 @@ class MjSpec:
     worldbody: MjsBody
     def __init__(self) -> None: ...
     def add_actuator(self, *, name: str, target: str, trntype: int) -> MjsActuator: ...
+    def add_mesh(
+        self,
+        *,
+        name: str,
+        uservert: _Floats,
+        userface: _Ints,
+        usernormal: _Floats,
+        userfacenormal: _Ints,
+        usertexcoord: _Floats,
+        userfacetexcoord: _Ints,
+    ) -> MjsMesh: ...
+    def add_material(self, *, name: str) -> MjsMaterial: ...
+    def add_texture(
+        self, *, name: str, type: int, width: int, height: int, nchannel: int
+    ) -> MjsTexture: ...
     def compile(self) -> MjModel: ...
 
 class _ModelBody:
+    id: int
     jntadr: _Ints
 
 class MjModel:
+    vis: _Visual
     ngeom: int
     nbody: int
     geom_group: _Ints

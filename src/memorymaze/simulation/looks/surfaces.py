@@ -195,7 +195,9 @@ def _grain(rng: np.random.Generator, size: float) -> Floats:
 def _clouds(rng: np.random.Generator, cells: int) -> Floats:
     """Large soft spots in about [-1, 1] that repeat."""
     coarse = rng.standard_normal((cells, cells))
-    noise = zoom(coarse, PIXELS // cells, order=3, mode="grid-wrap", grid_mode=True)
+    noise = np.asarray(
+        zoom(coarse, PIXELS // cells, order=3, mode="grid-wrap", grid_mode=True)
+    )
     return noise / (3 * noise.std())
 
 

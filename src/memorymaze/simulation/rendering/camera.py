@@ -258,7 +258,7 @@ class RenderedCamera:
         stored = self._depth[::-1]
         span = np.float32(1 / self.near - 1 / self.far)
         with np.errstate(divide="ignore"):
-            depth = 1 / (stored * span + np.float32(1 / self.far))
+            depth = np.float32(1) / (stored * span + np.float32(1 / self.far))
         depth[stored <= 0] = np.inf
         flipped = self._pixels[::-1]
         instances = flipped[:, :, 1].astype(np.int32)

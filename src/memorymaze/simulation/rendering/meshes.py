@@ -74,7 +74,7 @@ class MeshBuilder:
         """
         triangles = shapely.constrained_delaunay_triangles(polygon)
         for triangle in triangles.geoms:
-            points = np.array(triangle.exterior.coords)[:3, :2]
+            points = shapely.get_coordinates(triangle)[:3]
             first, second = points[1] - points[0], points[2] - points[0]
             if (first[0] * second[1] - first[1] * second[0] > 0) != up:
                 points = points[::-1]

@@ -32,7 +32,7 @@ class Opening:
     y: float
     """Middle, metres."""
     heading: float
-    """Out of the wall, into the walkable floor, radians."""
+    """Across the wall, to either side, radians."""
     half_width: float
     """Metres."""
     bottom: float

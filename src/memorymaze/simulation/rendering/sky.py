@@ -73,7 +73,10 @@ def _face(
     picture = np.where(ground[:, :, None], meadow, picture)
     trees = outline[column, 2]
     wood = (rise < trees) & (rise > -0.10)
-    green = np.array([0.27, 0.36, 0.23]) + 0.03 * np.sin(azimuth * 700 + 60 * rise)[:, :, None]
+    green = (
+        np.array([0.27, 0.36, 0.23])
+        + 0.03 * np.sin(azimuth * 700 + 60 * rise)[:, :, None]
+    )
     picture = np.where(wood[:, :, None], green * 0.75 + HORIZON * 0.22, picture)
     return np.round(np.clip(picture, 0, 1) * 255).astype(np.uint8)
 
@@ -97,8 +100,8 @@ def _skyline(rng: np.random.Generator) -> Floats:
 
 
 def _clouds(rng: np.random.Generator) -> Floats:
-    noise = sum(
-        size * gaussian_filter(rng.standard_normal((256, 256)), size, mode="wrap")
-        for size in (3.0, 8.0, 20.0)
-    )
+    noise = np.zeros((256, 256))
+    for size in (3.0, 8.0, 20.0):
+        spots = gaussian_filter(rng.standard_normal(noise.shape), size, mode="wrap")
+        noise += size * spots
     return np.clip((noise / noise.std() - 0.2) * 0.5, 0, 0.85)

@@ -26,7 +26,7 @@ from memorymaze.simulation.rendering.sight import Sightlines
 from memorymaze.simulation.rendering.sky import FACES, sky_faces
 from memorymaze.simulation.rendering.structure import Structure, structure_of
 from memorymaze.simulation.scene import SceneObject
-from memorymaze.sites.records import Door, Landmark, Site
+from memorymaze.sites.records import Site
 
 __all__ = ["HIDDEN_GROUP", "SHOWN_GROUP", "VisualScene", "build_visual_scene"]
 
@@ -212,7 +212,11 @@ def _things(site: Site) -> list[_Thing]:
         solid = landmark_solid(landmark, site)
         x, y, z = solid.position
         placed = PlacedMeshes(
-            model_for_landmark(landmark).parts, x, y, z - solid.half_size[2], solid.heading
+            model_for_landmark(landmark).parts,
+            x,
+            y,
+            z - solid.half_size[2],
+            solid.heading,
         )
         radius = math.hypot(solid.half_size[0], solid.half_size[1])
         things.append((SceneObject("landmark", landmark), placed, (x, y), radius))
@@ -265,9 +269,7 @@ def _add_decals(builder: _Builder, structure: Structure, site: Site) -> None:
         centre, radius = _circle(made.points)
         for kind, part in made.meshes():
             if kind == "decal":
-                builder.add(
-                    PlacedMeshes((part,), body=ground), FLOOR, centre, radius
-                )
+                builder.add(PlacedMeshes((part,), body=ground), FLOOR, centre, radius)
     for landmark in site.landmarks:
         solid = landmark_solid(landmark, site)
         x, y, z = solid.position

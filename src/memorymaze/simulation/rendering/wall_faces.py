@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 from shapely import LineString, Point, Polygon, STRtree
 from shapely.geometry.polygon import orient
@@ -35,6 +36,9 @@ class WallFace:
     """The floor beside it."""
     ring: int
     """0 on the floor's outer boundary, n on that of its n-th hole."""
+    starts_at_corner: bool
+    """Whether the wall bends where it begins."""
+    ends_at_corner: bool
     holes: tuple[tuple[float, float, float, float], ...]
     """Openings: from and to along it, bottom and top, metres; within its length."""
 
@@ -65,7 +69,7 @@ def wall_faces(
     turned = orient(floor)
     for number, ring in enumerate([turned.exterior, *turned.interiors]):
         corners = [(x, y) for x, y, *_ in ring.coords]
-        for (ax, ay), (bx, by) in zip(corners, corners[1:], strict=False):
+        for (ax, ay), (bx, by) in pairwise(corners):
             length = math.hypot(bx - ax, by - ay)
             if length < SHORTEST:
                 continue
@@ -86,7 +90,7 @@ def _holes(
         dx, dy = each.x - ax, each.y - ay
         along, out = dx * ux + dy * uy, -dx * uy + dy * ux
         facing = -math.cos(each.heading) * uy + math.sin(each.heading) * ux
-        if abs(out) > NEAR_WALL or facing < 0.95:
+        if abs(out) > NEAR_WALL or abs(facing) < 0.95:
             continue
         low = max(along - each.half_width, 0.0)
         high = min(along + each.half_width, length)
@@ -118,7 +122,7 @@ def _pieces(
                 for x, y in (piece.coords[0], piece.coords[-1]):
                     cuts.add(min(max((x - ax) * ux + (y - ay) * uy, 0.0), length))
     ends = _merged(sorted(cuts))
-    for low, high in zip(ends, ends[1:], strict=False):
+    for low, high in pairwise(ends):
         count = max(1, math.ceil((high - low) / SLICE))
         middle = (low + high) / 2
         beside = Point(ax + ux * middle - uy * STEP, ay + uy * middle + ux * STEP)
@@ -134,6 +138,8 @@ def _pieces(
                 end - start,
                 part,
                 ring,
+                start == 0.0,
+                end == length,
                 tuple(
                     (max(a, start) - start, min(b, end) - start, z0, z1)
                     for a, b, z0, z1 in holes
