@@ -22,7 +22,7 @@ from memorymaze.simulation.rendering.visual_scene import build_visual_scene
 from memorymaze.sites import load_sites
 from memorymaze.sites.records import Area, Landmark, Mount, Site
 
-CELL, LABEL, GAP = 168, 15, 3
+CELL, LABEL, GAP = 180, 15, 3
 """Pixels of a picture's side, of the line under it, and between pictures."""
 COLUMNS, ROWS = 9, 7
 PIXELS = 720
@@ -76,7 +76,8 @@ def main() -> None:
     for number, start in enumerate(range(0, len(pictures), step), start=1):
         path = args.out / f"contact_sheet_{number}.png"
         sheet = _sheet(pictures[start : start + step])
-        sheet.save(path, optimize=True)
+        palette = sheet.quantize(256, method=Image.Quantize.MAXCOVERAGE, kmeans=2)
+        palette.save(path, optimize=True)
         print(path)
 
 

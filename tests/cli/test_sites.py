@@ -1,4 +1,5 @@
 import argparse
+import json
 from collections.abc import Callable
 from pathlib import Path
 
@@ -119,3 +120,31 @@ def test_incomplete_commands_are_wrong_usage(
     with pytest.raises(SystemExit) as caught:
         command(*arguments)
     assert caught.value.code == 2
+
+
+def test_check_warns_of_things_that_have_no_look_of_their_own(
+    command: Command,
+    tiny_sites_folder: Path,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+):
+    plan = json.loads(next(tiny_sites_folder.glob("*.geojson")).read_text("utf-8"))
+    for feature in plan["features"]:
+        if feature["properties"]["kind"] == "landmark":
+            feature["properties"]["category"] = "flux capacitor"
+    path = tmp_path / f"{plan['name']}.geojson"
+    path.write_text(json.dumps(plan), "utf-8")
+    assert command("check", path) == 0
+    warnings = [
+        line for line in capsys.readouterr().out.splitlines() if ":known-look:" in line
+    ]
+    assert len(warnings) == 1
+    assert "got 'flux capacitor', shown as a box with its name" in warnings[0]
+
+
+@pytest.mark.parametrize("name", ["university", "museum_5f", "museum_7f"])
+def test_everything_on_the_benchmarks_floors_has_a_look(
+    command: Command, name: str, capsys: pytest.CaptureFixture[str]
+):
+    command("check", name)
+    assert "known-look" not in capsys.readouterr().out

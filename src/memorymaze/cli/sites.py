@@ -11,6 +11,7 @@ from memorymaze.cli.wording import counted
 
 if TYPE_CHECKING:
     from memorymaze.sites import Site
+    from memorymaze.sites.problems import SiteProblem
 
 __all__ = ["add_parser"]
 
@@ -106,7 +107,12 @@ def _check(args: argparse.Namespace) -> int:
     from memorymaze.sites import check_site
 
     paths = [path for plan in args.plans for path in _plans(plan)]
-    problems = [problem for path in paths for problem in check_site(path)]
+    problems = [
+        problem
+        for path in paths
+        for found in [check_site(path)]
+        for problem in (*found, *_without_a_look(path, found))
+    ]
     for problem in problems:
         print(problem.line())
     errors = sum(problem.severity == "error" for problem in problems)
@@ -116,6 +122,33 @@ def _check(args: argparse.Namespace) -> int:
         file=sys.stderr,
     )
     return FAILED if errors else DONE
+
+
+def _without_a_look(path: Path, found: "list[SiteProblem]") -> "list[SiteProblem]":
+    """Return a warning for each category of a sound plan that nothing looks like."""
+    from memorymaze.simulation.looks.catalogue import archetype_of
+    from memorymaze.sites import load_site
+    from memorymaze.sites.problems import SiteProblem
+
+    if any(problem.severity == "error" for problem in found):
+        return []
+    unknown = {
+        thing.category: thing.id
+        for thing in reversed(load_site(path).landmarks)
+        if archetype_of(thing.category) is None
+    }
+    return [
+        SiteProblem(
+            str(path),
+            feature,
+            "known-look",
+            "warning",
+            f"expected a category that has a look, got {category!r}, shown as a box "
+            "with its name; use a common noun such as bench, or end with one "
+            "(reading bench)",
+        )
+        for category, feature in reversed(unknown.items())
+    ]
 
 
 def _draw(args: argparse.Namespace) -> int:

@@ -54,6 +54,7 @@ Rule = Literal[
     "id-snake-case",
     "known-word",
     "heading-range",
+    "known-look",
 ]
 """Names of the rules; `docs/site_plans.md` explains each in this order."""
 

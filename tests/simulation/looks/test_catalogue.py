@@ -1,6 +1,7 @@
 import itertools
 import math
 from collections import Counter
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -202,6 +203,18 @@ def pictures_of(model: ObjectModel) -> list[np.ndarray]:
         for part in model.parts
         if part.material.texture is not None
     ]
+
+
+def test_words_of_the_plan_are_on_their_things(landmarks: list[Landmark]):
+    for landmark in landmarks:
+        if landmark.text:
+            shown = model_for_landmark(landmark)
+            other = model_for_landmark(replace(landmark, text="Qwertyuiop"))
+            assert pixels_of(shown) != pixels_of(other), landmark
+
+
+def pixels_of(model: ObjectModel) -> set[bytes]:
+    return {picture.tobytes() for picture in pictures_of(model)}
 
 
 def test_unknown_colours_give_the_usual_one():

@@ -1,10 +1,11 @@
 """Skulls and skeletons."""
 
 from memorymaze.simulation.looks.assembly import Assembly, Order
+from memorymaze.simulation.looks.boards import sign_board
 from memorymaze.simulation.looks.captions import plinth
 from memorymaze.simulation.looks.colours import Rgb
-from memorymaze.simulation.looks.paints import metal, paint
-from memorymaze.simulation.looks.primitives import ball, box
+from memorymaze.simulation.looks.paints import metal, paint, picture
+from memorymaze.simulation.looks.primitives import ball, box, plate
 from memorymaze.simulation.looks.tubes import limb, tube
 
 __all__ = ["skeleton", "skull", "whale_skeleton"]
@@ -102,7 +103,17 @@ def whale_skeleton(order: Order) -> Assembly:
     assembly = Assembly()
     bone = paint(order.colour(BONE), 0.1)
     half, tall = order.length / 2, order.height
-    deep = order.depth
+    deep = order.depth * 0.94
+    pixels = sign_board(
+        order.length, order.height * 0.16, order.text or "", (0.1, 0.2, 0.34)
+    )
+    back = order.x[0]
+    strip = 0.16 * tall if order.text else 0.0
+    assembly.add(
+        paint((0.1, 0.2, 0.34)), box((back, back + 0.02), order.y, (strip, tall))
+    )
+    if order.text:
+        assembly.add(picture(pixels), plate((back, back + 0.02), order.y, (0, strip)))
     spine = 0.66 * tall
     path = [
         (0.0, -half * 0.5, spine),
@@ -169,7 +180,7 @@ def whale_skeleton(order: Order) -> Assembly:
         arm = [
             (side * deep * 0.34, -half * 0.38, spine - 0.24 * tall),
             (side * deep * 0.44, -half * 0.3, spine - 0.46 * tall),
-            (side * deep * 0.4, -half * 0.18, 0.02 * tall),
+            (side * deep * 0.4, -half * 0.18, 0.2 * tall),
         ]
         assembly.add(bone, tube(arm, [0.035 * tall, 0.028 * tall, 0.01 * tall], 6))
     wire = metal((0.5, 0.5, 0.52))

@@ -216,9 +216,11 @@ def listening_horn(order: Order) -> Assembly:
         (0, 0.5 * deep),
     ]
     assembly.add(brass, lathed(horn, 28).turned("y", 90).moved(back, 0, z))
-    assembly.add(
-        paint(DARK), cylinder(0.24 * r, (0, 0.03), 16).turned("y", 90).moved(back, 0, z)
-    )
+    # Rings in its throat, as lamps alone do not show how deep it is.
+    for share, at, tone in ((0.8, 0.9, 0.8), (0.5, 0.91, 0.55), (0.25, 0.92, 0.2)):
+        ring = cylinder(share * r, (at * deep, (at + 0.02) * deep), 24)
+        colour = shade(order.colour((0.83, 0.65, 0.22)), tone)
+        assembly.add(paint(colour), ring.turned("y", 90).moved(back, 0, z))
     if order.text:
         wide = order.length * 0.94
         pixels = sign_board(wide, label * 0.9, order.text, (0.12, 0.12, 0.14))

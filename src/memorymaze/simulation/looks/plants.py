@@ -105,26 +105,26 @@ def potted_plant(order: Order) -> Assembly:
 
 
 def planter(order: Order) -> Assembly:
-    """Build a long trough with a hedge and flowers."""
+    """Build a long tub with a hedge and flowers."""
     assembly = Assembly()
     rng = order.rng()
     back, front = order.x
-    trough = order.height * 0.48
+    tub = order.height * 0.48
     body = paint(order.colour((0.72, 0.38, 0.25)))
-    assembly.add(body, box(order.x, order.y, (0, trough), 0.02))
+    assembly.add(body, box(order.x, order.y, (0, tub), 0.02))
     assembly.add(
         paint(SOIL, 0.0),
         box(
             (back + 0.04, front - 0.04),
             (order.y[0] + 0.04, order.y[1] - 0.04),
-            (trough - 0.02, trough + 0.01),
+            (tub - 0.02, tub + 0.01),
         ),
     )
     reach = order.depth / 2
     count = max(2, round(order.length / order.depth))
     for place in range(count):
         y = order.y[0] + order.length * (place + 0.5) / count
-        bush = _bush(rng, 34, trough, order.height, reach)
+        bush = _bush(rng, 34, tub, order.height, reach)
         assembly.add(paint(GREENS[place % 3], 0.2), bush.moved(y=y))
         for flower in range(3):
             angle = 2.1 * flower + place

@@ -29,8 +29,8 @@ def drinking_fountain(order: Order) -> Assembly:
     colour = order.colour(STEEL)
     steel = metal(colour)
     rim = order.height * 0.9
-    trough = min(0.16, 0.2 * order.height)
-    low = rim - trough
+    tub = min(0.16, 0.2 * order.height)
+    low = rim - tub
     assembly.add(
         paint(shade(colour, 0.62), 0.3),
         box((back, front - 0.1), (left * 0.8, right * 0.8), (0.06, low)),
