@@ -111,3 +111,24 @@ def test_a_bad_file_gives_code_1_and_its_name(
 def test_the_help_names_every_agent(memorymaze: Memorymaze) -> None:
     text = memorymaze("evaluate", "--help").out
     assert all(name in text for name in [*AGENTS, "oracle"])
+
+
+def test_obstacles_are_settings_of_a_run(
+    memorymaze: Memorymaze, tiny_files: list[str], tmp_path: Path
+) -> None:
+    command = ["evaluate", "--agent", "stop", *tiny_files, "--limit", "2"]
+    command += ["--workers", "1", "--obstacles"]
+    said = memorymaze(*command, "--out", tmp_path / "bare")
+    assert said.code == 0
+    assert "with obstacles" in said.out
+    assert memorymaze(*command, "people=1,seed=3", "--out", tmp_path / "own").code == 0
+    bare, own = (
+        read_run(tmp_path / name)[0].settings.obstacles for name in ("bare", "own")
+    )
+    assert bare is not None
+    assert own is not None
+    assert (bare.things_per_100m, bare.seed) == (4.0, 0)
+    assert (own.people, own.seed) == (1, 3)
+    said = memorymaze(*command, "many", "--out", tmp_path / "none")
+    assert "light, medium, heavy" in said.err
+    assert said.code != 0
