@@ -7,6 +7,8 @@ a file here with `run() -> list[Row]` and one line in `BENCHMARKS`.
 BENCHMARKS: dict[str, str] = {
     "lidar": "benchmarks.lidar",
     "metrics": "benchmarks.metrics",
+    "rendering": "benchmarks.rendering",
     "simulation": "benchmarks.simulation",
+    "turning_points": "benchmarks.turning_points",
 }
 """Modules by name; imported only when they run."""

@@ -137,20 +137,27 @@ class TurningPointFinder:
         ways = _one_per_heading([
             way for mouth in mouths for way in self._ways(surroundings, mouth, radius)
         ])
-        x, y = crossing(ways, centre)
-        known = min(
+        meeting = crossing(ways, centre)
+        known = self._known_near(meeting)
+        if is_turning_point(ways):
+            if known is None:
+                known = Junction(*meeting, radius)
+                self._junctions.append(known)
+            weight = math.exp(-((math.dist(meeting, centre) / CLOSE) ** 2))
+            known.see(*meeting, radius, ways, max(weight, FROM_AFAR))
+        elif known is not None and math.dist((known.x, known.y), centre) < CLOSE:
+            # Where the lines of a straight way meet tells nothing of a place.
+            known.see(known.x, known.y, known.radius, ways, 1.0)
+
+    def _known_near(self, place: tuple[float, float]) -> Junction | None:
+        nearest = min(
             self._junctions,
-            key=lambda each: math.hypot(each.x - x, each.y - y),
+            key=lambda each: math.dist((each.x, each.y), place),
             default=None,
         )
-        if known is None or math.hypot(known.x - x, known.y - y) > SAME_PLACE:
-            if not is_turning_point(ways):
-                return
-            known = Junction(x, y, radius)
-            self._junctions.append(known)
-        off = math.hypot(x - centre[0], y - centre[1])
-        weight = max(math.exp(-((off / CLOSE) ** 2)), FROM_AFAR)
-        known.see(x, y, radius, ways, weight)
+        if nearest is None or math.dist((nearest.x, nearest.y), place) > SAME_PLACE:
+            return None
+        return nearest
 
     def _ways(
         self, surroundings: Surroundings, mouth: Mouth, radius: float
