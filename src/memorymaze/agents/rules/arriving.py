@@ -39,6 +39,8 @@ SIGN_NEAR = 9.0
 INSIDE = 2.0
 """Metres to walk on into a place through its door."""
 
+_ROOMS = frozenset({"room", "office", "classroom"})
+"""Of a room without a name a camera sees the door."""
 _OPENS = re.compile(r"automatic|sliding|revolving|gate|entrance")
 
 
@@ -51,6 +53,8 @@ class Arrivals:
         self._floor = floor
         self._doors: list[int] = []
         names = plan.arrival.destinations
+        if names and names[0].split()[-1] in _ROOMS and is_common(names[0]):
+            names = ("door", *names)
         self._first = frozenset(_variants(names[0])) if names else frozenset[str]()
         self._names = tuple(dict.fromkeys([*self._first, *names]))
 

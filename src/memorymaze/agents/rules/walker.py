@@ -116,13 +116,33 @@ class Walker:
 
     def go_to(self, goal: int) -> bool:
         """Walk back along known stretches; False when there is no way."""
+        tries = 0
         while self.at != goal:
             way = self.map.path(self.at, goal)
             if not way:
                 return False
-            if not self._repeat(way[0]):
-                return False
+            if not self._repeat(way[0]) or self.at != way[0].end:
+                self._recover()
+                tries += 1
+                if tries > 2:
+                    return False
         return True
+
+    def _recover(self) -> None:
+        """After losing the way in an open area, look for any turning point."""
+        for _ in range(2):
+            if self._robot.turning_point_id() is not None:
+                return
+            self._turn("around")
+            for _ in range(25):
+                result = self._robot.move_forward(LONG_STRIDE)
+                self._advance(result.distance)
+                number = self._robot.turning_point_id()
+                if number is not None:
+                    self._arrive_in(number)
+                    return
+                if result.reason != "done":
+                    break
 
     def _repeat(self, stretch: Stretch) -> bool:
         """Walk a known stretch with long strides."""

@@ -14,10 +14,10 @@ from memorymaze.language.route_description.things import (
 __all__ = ["find_destinations"]
 
 _ANNOUNCED = re.compile(
-    r"(?:(?:way|route|directions?|get|go|going|guide|bring|take you|looking|head|walk|want|lead)s?"
-    r"(?: you| them)? (?:to|for|into) (?:the |a )?|(?:arrive[ds]?|arriving) (?:at|to|in)? ?(?:the )?"
-    r"|(?:destination|goal)(?: is|:)? (?:the )?|finish(?:es)? (?:at|in) (?:the )?"
-    r"|where (?:the |your )?)$"
+    r"(?:(?:way|route|directions?|looking|trying to (?:get|go)|want(?:s|ed)? to (?:get|go)"
+    r"|guide you|take you|bring you|goal|trip)(?: is)? (?:to|for|into) (?:the |a |your )?"
+    r"|arriv(?:e|ed|es|ing) (?:at|to|in)? ?(?:the )?"
+    r"|(?:destination|goal)(?: is|:)? (?:the )?|finish(?:es)? (?:at|in) (?:the )?)$"
 )
 _ENTERED = re.compile(
     r"(?:that's|that is|this is|it's|there's|here is|here's|there is|then is|you're (?:at|in|on)"

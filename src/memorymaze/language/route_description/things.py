@@ -52,7 +52,7 @@ def thing_phrase(words: str) -> str:
     if len(tokens) > 1 and tokens[-1] in _NUMBERS:
         tokens[-1] = _NUMBERS[tokens[-1]]
     content = [t for t in tokens if t not in FILLERS and t not in SURFACES and t not in UNSEEN]
-    if not content:
+    if not any(t not in _PLAIN or t in _COMMON for t in content):
         return ""
     return " ".join(tokens)
 
