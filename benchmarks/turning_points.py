@@ -89,11 +89,13 @@ class Stay:
 
     def directions(self, course: float) -> Directions:
         """Return the directions told most of the time, seen from a course."""
-        told = Counter(
-            frozenset(direction_of(turn_between(course, each)) for each in headings)
-            - {None}
-            for headings in self.answers
-        )
+        told: Counter[Directions] = Counter()
+        for headings in self.answers:
+            words: set[Direction | None] = {
+                direction_of(turn_between(course, each)) for each in headings
+            }
+            words.discard(None)
+            told[frozenset(words)] += 1
         return told.most_common(1)[0][0]
 
 
@@ -239,22 +241,22 @@ def failures(walk: Walk) -> Iterator[str]:
     for truth, sensed in walk.pairs:
         if id(truth) not in right:
             yield (
-                f"{where}: {truth.name}: {words(truth.directions(truth.course))}, "
-                f"sensed {words(sensed.directions(truth.course))}"
+                f"{where}: {truth.name}: {in_words(truth.directions(truth.course))}, "
+                f"sensed {in_words(sensed.directions(truth.course))}"
             )
     for truth in walk.annotated:
         if id(truth) not in found:
-            yield f"{where}: {truth.name} missed: {words(truth.directions(truth.course))}"
+            yield f"{where}: {truth.name} missed: {in_words(truth.directions(truth.course))}"
     for sensed in walk.sensed:
         if id(sensed) not in found:
             place = sensed.place
             yield (
                 f"{where}: none at ({place.x:.1f}, {place.y:.1f}), sensed "
-                f"{words(sensed.directions(sensed.course))}"
+                f"{in_words(sensed.directions(sensed.course))}"
             )
 
 
-def words(directions: Iterable[Direction | None]) -> str:
+def in_words(directions: Iterable[Direction | None]) -> str:
     return ", ".join(sorted(str(each) for each in directions))
 
 
