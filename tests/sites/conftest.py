@@ -65,5 +65,27 @@ def changed(
     return write
 
 
+@pytest.fixture
+def enlarged(
+    plan: Callable[[str], Plan], write_plan: Callable[..., Path]
+) -> Callable[[str, float], Path]:
+    """Write a tiny plan with all its positions multiplied, and return the path."""
+
+    def write(name: str, factor: float) -> Path:
+        content = plan(name)
+        for feature in content["features"]:
+            geometry = feature["geometry"]
+            geometry["coordinates"] = _times(geometry["coordinates"], factor)
+        return write_plan(content, name)
+
+    return write
+
+
+def _times(coordinates: Any, factor: float) -> Any:
+    if isinstance(coordinates, list):
+        return [_times(each, factor) for each in coordinates]
+    return coordinates * factor
+
+
 def _feature(content: Plan, identity: str) -> Plan:
     return next(each for each in content["features"] if each["id"] == identity)

@@ -5,11 +5,14 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
+from matplotlib.figure import Figure
+from matplotlib.patches import Rectangle
 
 from memorymaze.errors import SettingsError
 from memorymaze.geometry.trajectory import TimedPose, Trajectory
-from memorymaze.sites import Site
+from memorymaze.sites import Site, load_site
 from memorymaze.sites.drawing import draw_site
+from memorymaze.sites.drawing_margin import draw_scale_and_north
 
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -64,6 +67,32 @@ def test_a_drawing_names_places_things_and_routes(
         "N",
     ):
         assert name in found
+
+
+@pytest.mark.parametrize("scale", [0.004, 0.03, 0.2, 0.25, 0.29, 0.31, 0.34, 0.36])
+def test_the_scale_bar_is_as_long_as_it_says_and_whole(
+    l_site: Site, scale: float
+) -> None:
+    figure = Figure(figsize=(9, 6))
+    draw_scale_and_north(figure, l_site, scale, 9, 6)
+    [corner] = figure.axes
+    bars = [each for each in corner.patches if isinstance(each, Rectangle)]
+    west = min(each.get_x() for each in bars)
+    east = max(each.get_x() + each.get_width() for each in bars)
+    said = [text.get_text() for text in corner.texts]
+    assert f"{round((east - west) / scale)} m" in said
+    assert (east - west) / scale == pytest.approx(round((east - west) / scale))
+    assert corner.get_xlim()[0] < west
+    assert east < corner.get_xlim()[1]
+
+
+def test_a_vast_building_is_drawn_on_a_sheet_that_can_be_looked_at(
+    enlarged: Callable[[str, float], Path], tmp_path: Path
+):
+    draw_site(load_site(enlarged("l_shape", 100)), tmp_path / "vast.svg")
+    root = ElementTree.parse(tmp_path / "vast.svg").getroot()
+    inches = float(root.attrib["height"].removesuffix("pt")) / 72
+    assert 50 < inches < 65
 
 
 def test_equal_things_beside_each_other_share_a_label(

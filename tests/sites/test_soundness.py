@@ -22,6 +22,8 @@ BROKEN = [
     ("members", "loop", "-", {"features": ...}),
     ("members", "loop", "-", {"ceiling_height_m": NAN}),
     ("members", "loop", "-", {"anchor": "Tokyo"}),
+    ("members", "loop", "-", {"title": "half a character: \ud800"}),
+    ("members", "loop", "box", {"properties.text": "\udfff"}),
     ("members", "loop", "box", {"properties.size_m": [1, 2]}),
     ("members", "loop", "box", {"properties.size_m": [1, 2, -3]}),
     ("members", "loop", "box", {"properties.obstacle": "yes"}),
@@ -143,6 +145,14 @@ def test_a_floor_in_two_pieces_is_refused_with_the_place_of_the_gap(changed: Cha
     path = changed("two_rooms", "passage", {SHAPE: [ring]})
     message = _refused(path, "west_hall", "floor-connected")
     assert "36.00 m² at (3.00, 3.00), 0.500 m from the rest" in message
+
+
+def test_a_plan_in_millimetres_is_told_that_metres_are_wanted(
+    enlarged: Callable[[str, float], Path],
+):
+    message = _refused(enlarged("l_shape", 1000), "-", "floor-size")
+    assert "at most 2000 m across, got 13000 m" in message
+    assert "millimetres" in message
 
 
 def test_a_floor_that_obstacles_cover_wholly_is_refused(changed: Changed):

@@ -36,6 +36,8 @@ LONGEST_SIDE = 21.0
 """Inches."""
 SCALES = (0.2, 0.36)
 """Inches per metre, at least and at most."""
+LARGEST_SHEET = 60.0
+"""Inches; a building for which the least scale would need more is drawn smaller."""
 DOTS_PER_INCH = 130
 NARROWEST = 9.0
 """Inches of paper that title and legend need."""
@@ -136,6 +138,7 @@ def _sheet(
     east, north = table[:, 2:].max(axis=0) + MARGIN
     wide, high = east - west, north - south
     scale = float(np.clip(LONGEST_SIDE / max(wide, high), *SCALES))
+    scale = min(scale, LARGEST_SHEET / max(wide, high))
     sheet_wide = max(wide * scale, NARROWEST)
     sheet_high = high * scale + HEAD + FOOT
     figure = Figure(figsize=(sheet_wide, sheet_high), facecolor="white")

@@ -18,6 +18,12 @@ HEAD = 0.9
 """Inches above the plan."""
 FOOT = 1.25
 """Inches below the plan."""
+BAR_LENGTHS = (1, 2, 5, 10, 20, 50, 100, 200, 500)
+"""Metres that a scale bar may stand for."""
+LONGEST_BAR = 3.0
+"""Inches."""
+CORNER = 4.0
+"""Inches across the corner that holds scale bar and north arrow."""
 
 
 def write_head(figure: Figure, site: Site, sheet_high: float) -> None:
@@ -55,16 +61,17 @@ def draw_scale_and_north(
         sheet_high: Inches.
     """
     corner = figure.add_axes((
-        1 - 3.0 / sheet_wide,
+        1 - CORNER / sheet_wide,
         1 - 0.85 / sheet_high,
-        3.0 / sheet_wide,
+        CORNER / sheet_wide,
         0.85 / sheet_high,
     ))
-    corner.set_xlim(0, 3.0)
+    corner.set_xlim(0, CORNER)
     corner.set_ylim(0, 0.85)
     corner.set_axis_off()
-    metres = 10 if scale < 0.35 else 5
-    start, end = 2.2 - metres * scale, 2.2
+    metres = max(each for each in BAR_LENGTHS if each * scale <= LONGEST_BAR)
+    end = CORNER - 0.8
+    start = end - metres * scale
     for part in range(5):
         corner.add_patch(
             Rectangle(
@@ -80,7 +87,7 @@ def draw_scale_and_north(
     corner.text(end, 0.44, f"{metres} m", fontsize=8, ha="center")
     bearing = site.anchor.bearing if site.anchor else 0.0
     north = np.array([-np.sin(bearing), np.cos(bearing)])
-    middle = np.array([2.72, 0.36])
+    middle = np.array([CORNER - 0.28, 0.36])
     corner.annotate(
         "",
         xy=tuple(middle + 0.22 * north),

@@ -6,7 +6,8 @@ records made from them.
 
 from typing import Annotated, Literal
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field
+from pydantic_core import PydanticCustomError
 
 __all__ = [
     "FEATURE_MODELS",
@@ -25,9 +26,21 @@ __all__ = [
 FARTHEST = 100_000.0
 """No coordinate of a building is farther than this many metres from the origin."""
 
+
+def _writable(text: str) -> str:
+    try:
+        text.encode()
+    except UnicodeEncodeError:
+        raise PydanticCustomError(
+            "writable", "text without halves of characters"
+        ) from None
+    return text
+
+
 Coordinate = Annotated[float, Field(ge=-FARTHEST, le=FARTHEST)]
 Position = Annotated[list[Coordinate], Field(min_length=2)]
-Text = Annotated[str, Field(min_length=1)]
+AnyText = Annotated[str, AfterValidator(_writable)]
+Text = Annotated[AnyText, Field(min_length=1)]
 Identity = Annotated[str, Field(pattern=r"^[^\p{C}]+$")]
 """Any text without control characters, so that a message about it is one line."""
 Degrees = Annotated[float, Field(ge=-360_000, le=360_000)]
@@ -57,7 +70,7 @@ class PlanHeader(_Model):
     floor: Text
     ceiling_height_m: Annotated[float, Field(ge=1.0, le=100.0)]
     anchor: AnchorModel | None
-    description: str
+    description: AnyText
 
 
 class _PolygonGeometry(_Model):
@@ -88,7 +101,7 @@ class FeatureModel(_Model):
 
 
 class _FloorProperties(_Model):
-    name: str | None
+    name: AnyText | None
     floor_material: Text
     wall_material: Text
 
@@ -117,7 +130,7 @@ class _ExitModel(_Model):
 
 
 class _TurningPointProperties(_Model):
-    name: str | None
+    name: AnyText | None
     shape: Literal["corner", "t_junction", "crossing", "opening", "dead_end"]
     exits: Annotated[list[_ExitModel], Field(min_length=1)]
 
@@ -130,7 +143,7 @@ class TurningPointFeature(FeatureModel):
 
 
 class _RoomProperties(_Model):
-    name: str
+    name: AnyText
     use: Text
 
 
@@ -142,10 +155,10 @@ class RoomFeature(FeatureModel):
 
 
 class _DoorProperties(_Model):
-    room: str | None
+    room: AnyText | None
     style: Text
     color: Text
-    label: str | None
+    label: AnyText | None
     state: Literal["closed", "open"]
 
 
@@ -158,9 +171,9 @@ class DoorFeature(FeatureModel):
 
 class _LandmarkProperties(_Model):
     category: Text
-    color: str | None
-    name: str | None
-    text: str | None
+    color: AnyText | None
+    name: AnyText | None
+    text: AnyText | None
     heading_deg: Degrees
     size_m: Annotated[list[Size], Field(min_length=3, max_length=3)]
     mount: Literal["floor", "wall", "ceiling"]
@@ -187,7 +200,7 @@ class _RouteProperties(_Model):
     goal_landmark: Identity
     length_m: Annotated[float, Field(gt=0, le=FARTHEST)]
     turns: list[_TurnModel]
-    note: str
+    note: AnyText
 
 
 class RouteFeature(FeatureModel):

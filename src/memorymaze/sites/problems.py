@@ -19,6 +19,7 @@ Rule = Literal[
     "corridor-convex",
     "known-reference",
     "one-reference",
+    "floor-size",
     "floor-connected",
     "floor-free",
     "route-on-floor",

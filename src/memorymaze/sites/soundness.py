@@ -10,10 +10,11 @@ from memorymaze.sites.records import Site
 
 __all__ = ["FLOOR_RULES", "floor_is_complete", "soundness_findings"]
 
-
 SMALLEST_FREE_FLOOR = 0.01
 """Square metres."""
-FLOOR_RULES = frozenset({"floor-connected", "floor-free"})
+FLOOR_ACROSS = 2000.0
+"""Metres along the longer side of the floor's bounding box, at most."""
+FLOOR_RULES = frozenset({"floor-size", "floor-connected", "floor-free"})
 """Rules whose breach leaves no floor to judge anything else by."""
 
 
@@ -110,6 +111,16 @@ def _floor(site: Site) -> Iterator[Finding]:
     named = (*site.corridors, *site.areas, *site.turning_points)
     if not named:
         yield Finding(PLAN, "floor-connected", "expected corridors or areas, got none")
+        return
+    west, south, east, north = union_all([each.polygon for each in named]).bounds
+    across = max(east - west, north - south)
+    if across > FLOOR_ACROSS:
+        yield Finding(
+            PLAN,
+            "floor-size",
+            f"expected a floor at most {FLOOR_ACROSS:.0f} m across, got {across:.0f} m; "
+            "coordinates are metres, not centimetres, millimetres or feet",
+        )
         return
     main, *others = floor_pieces([each.polygon for each in named])
     for piece in others:
