@@ -1,6 +1,7 @@
 import numpy as np
 import pytest
 from scipy.sparse import coo_array
+from scipy.sparse.csgraph import dijkstra
 
 from memorymaze.geometry import distance_rows
 from memorymaze.geometry.distance_rows import DistanceRows
@@ -30,6 +31,25 @@ def test_forgetting_rows_changes_no_answer(monkeypatch: pytest.MonkeyPatch) -> N
     first = line.rows(every)
     assert line.rows(every).tolist() == first.tolist()
     assert line.rows(np.array([1])).tolist() == [[1, 0, 2]]
+
+
+def test_a_large_question_is_answered_in_pieces_that_fit_into_memory(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    asked: list[int] = []
+
+    def counted(graph: object, indices: list[int]) -> object:
+        asked.append(len(indices))
+        return dijkstra(graph, indices=indices)
+
+    monkeypatch.setattr(distance_rows, "NUMBERS_KEPT", 12)
+    monkeypatch.setattr(distance_rows, "dijkstra", counted)
+    line = chain([1.0] * 5)
+    every = np.arange(6)
+    assert line.between(every, every[:2]).tolist() == [
+        [abs(here - there) for there in (0, 1)] for here in range(6)
+    ]
+    assert asked == [2, 2, 2]
 
 
 def test_an_answer_is_the_callers_to_change() -> None:

@@ -78,7 +78,10 @@ def test_a_line_separator_inside_a_text_does_not_end_the_line(
             id="failure without detail",
         ),
         pytest.param({"source": "gpt"}, "'human', 'llm' or 'synthetic'", id="source"),
-        pytest.param({"text": "\ud800"}, r"got '\ud800'", id="lone surrogate"),
+        pytest.param(
+            {"text": "\ud800"}, r"halves of characters, got '\ud800'", id="surrogate"
+        ),
+        pytest.param({"split": "DEV"}, "a name in small letters", id="capital split"),
     ],
 )
 def test_a_wrong_field_is_named_with_what_was_expected(

@@ -221,6 +221,7 @@ def test_waits_double_unless_the_server_asks_for_longer(monkeypatch):
         (reply(None), "without text in it (finish_reason stop)"),
         (reply(" \n"), "without text in it (finish_reason stop)"),
         (reply(5), "without text in it"),
+        (reply("left \ud800"), "with halves of characters in it"),
         (reply("x" * 200_001), "of 200001 characters, more than 200000"),
     ],
 )

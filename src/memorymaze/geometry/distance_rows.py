@@ -44,18 +44,22 @@ class DistanceRows:
 
         Infinite where no way joins the two. The ends are all nodes when None.
         """
-        wanted = [int(node) for node in starts]
-        missing = sorted({node for node in wanted if node not in self._kept})
+        answer = np.empty((len(starts), self._count if ends is None else len(ends)))
+        at_once = max(1, NUMBERS_KEPT // max(1, self._count))
+        for first in range(0, len(starts), at_once):
+            wanted = [int(node) for node in starts[first : first + at_once]]
+            self._find(wanted)
+            for index, node in enumerate(wanted, start=first):
+                row = self._kept[node]
+                answer[index] = row if ends is None else row[ends]
+                self._kept.move_to_end(node)
+            while len(self._kept) > at_once:
+                self._kept.popitem(last=False)
+        return answer
+
+    def _find(self, nodes: list[int]) -> None:
+        missing = sorted({node for node in nodes if node not in self._kept})
         if missing:
             found = np.atleast_2d(dijkstra(self._graph, indices=missing))
             # Copies, because a view would keep all of `found` in memory.
             self._kept.update((node, found[i].copy()) for i, node in enumerate(missing))
-        count = self._count if ends is None else len(ends)
-        answer = np.empty((len(wanted), count))
-        for index, node in enumerate(wanted):
-            row = self._kept[node]
-            answer[index] = row if ends is None else row[ends]
-            self._kept.move_to_end(node)
-        while len(self._kept) * self._count > NUMBERS_KEPT:
-            self._kept.popitem(last=False)
-        return answer

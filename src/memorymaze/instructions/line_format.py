@@ -58,7 +58,9 @@ class _InstructionLine(BaseModel):
         description="'human', 'llm' or 'synthetic'"
     )
     language: Text = Field(description="a language code such as en")
-    split: Text = Field(default="test", description="'dev' or 'test'")
+    split: Annotated[str, StringConstraints(pattern=r"^[a-z0-9_]+$")] = Field(
+        default="test", description="a name in small letters such as 'dev' or 'test'"
+    )
     original_text: str | None = Field(default=None, description="a text or null")
 
 
@@ -158,6 +160,8 @@ def _explain(error: ValidationError) -> list[str]:
             said.append(f"field {name!r} is missing: expected {expected}")
         else:
             got = _shown(detail["input"])
+            if detail["type"] == "string_unicode":
+                expected = "text without halves of characters"
             said.append(f"field {name!r}: expected {expected}, got {got}")
     return said
 

@@ -198,6 +198,8 @@ class OpenAIModel:
             raise self._unusable(
                 f"of {len(text)} characters, more than {LONGEST_REPLY}"
             )
+        if any("\ud800" <= each <= "\udfff" for each in text):
+            raise self._unusable("with halves of characters in it")
         usage = getattr(answer, "usage", None)
         prompt, completion = (
             _count(getattr(usage, name, None))
