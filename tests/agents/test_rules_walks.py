@@ -1,0 +1,263 @@
+"""Walks of the rules agent through the tiny sites, with the simulated robot."""
+
+import math
+from collections.abc import Callable
+from types import SimpleNamespace
+from typing import Any, NamedTuple, cast
+
+import numpy as np
+import pytest
+
+from memorymaze.agents import Journal, RulesAgent
+from memorymaze.errors import EpisodeOver
+from memorymaze.geometry.pose import Pose
+from memorymaze.robot.api import Robot
+from memorymaze.robot.specification import API_NAMES
+from memorymaze.simulation import (
+    Scene,
+    SimulatedRobot,
+    SimulationSettings,
+    TraceEvent,
+    build_scene,
+)
+from memorymaze.sites import Site
+
+STARTS = {
+    "corridor": (2.0, 0.0, 0.0),
+    "l_shape": (1.0, 0.0, 0.0),
+    "t_junction": (0.0, -9.0, 90.0),
+    "crossing": (-10.0, 0.0, 0.0),
+    "slanted_crossing": (-10.0, 0.0, 0.0),
+    "loop": (1.0, 4.0, 90.0),
+    "loop, the other way": (1.0, 4.0, -90.0),
+    "two_rooms": (1.5, 3.0, 0.0),
+}
+"""Where walks begin: x, y, and degrees."""
+
+NEAR = 3.0
+"""Metres from the place meant that count as there."""
+
+
+class Walk(NamedTuple):
+    """How a walk went."""
+
+    end: tuple[float, float]
+    points: tuple[tuple[float, float], ...]
+    metres: float
+    stopped_by: str
+    calls: tuple[str, ...]
+    journal: Journal
+
+    def ends_near(self, x: float, y: float) -> bool:
+        return math.dist(self.end, (x, y)) <= NEAR
+
+    def came_by(self, x: float, y: float) -> bool:
+        return any(math.dist(point, (x, y)) <= NEAR for point in self.points)
+
+    def notes(self, kind: str) -> list[dict[str, Any]]:
+        return [note for note in self.journal.notes if note["kind"] == kind]
+
+
+TakeWalk = Callable[..., Walk]
+
+
+@pytest.fixture(scope="module")
+def scenes(tiny_sites: dict[str, Site]) -> dict[str, Scene]:
+    return {name: build_scene(site) for name, site in tiny_sites.items()}
+
+
+@pytest.fixture
+def take_walk(scenes: dict[str, Scene]) -> TakeWalk:
+    """Walk as told: `take_walk(start, text, seed=…, as_seen=…)`."""
+
+    def walk(
+        start: str,
+        text: str,
+        *,
+        seed: int = 0,
+        as_seen: Callable[[Robot], Robot] = lambda robot: robot,
+    ) -> Walk:
+        x, y, degrees = STARTS[start]
+        events: list[TraceEvent] = []
+        robot = SimulatedRobot(
+            scenes[start.partition(",")[0]],
+            Pose(x, y, math.radians(degrees)),
+            SimulationSettings(),
+            np.random.default_rng(0),
+            events.append,
+        )
+        journal = Journal()
+        with pytest.raises(EpisodeOver) as over:
+            RulesAgent().follow(
+                text, as_seen(robot), journal, np.random.default_rng(seed)
+            )
+        return Walk(
+            (robot.pose.x, robot.pose.y),
+            tuple((at[0], at[1]) for at in robot.trajectory().points),
+            robot.trajectory().length,
+            over.value.stopped_by,
+            tuple(event.call for event in events),
+            journal,
+        )
+
+    return walk
+
+
+@pytest.mark.parametrize(
+    ("start", "text", "goal"),
+    [
+        ("corridor", "Walk to the end of the corridor.", (19.3, 0)),
+        ("corridor", "Stop at the bench on your right.", (10, 0)),
+        ("l_shape", "Go to the end and turn left.", (11, 11)),
+        ("l_shape", "Go left at the corner. Stop before the red vending machine.", (11, 6)),
+        ("t_junction", "Turn left at the T junction and go to the end.", (-11, 0)),
+        ("t_junction", "Turn right at the end. The lift is at the end.", (11, 0)),
+        ("t_junction", "Turn left and walk up to the clock.", (-4, 0)),
+        ("t_junction", "Turn left, sorry, I mean right, and walk to the red chair.", (4, 0)),
+        ("crossing", "Turn left at the crossing and walk to the end.", (0, 11)),
+        ("crossing", "Turn right at the crossing.", (0, -11)),
+        ("crossing", "Go straight on.", (11, 0)),
+        ("crossing", "Stop at the white statue.", (-5, 0)),
+        ("crossing", "Pass the statue, turn left and walk to the kitchen.", (0, 11)),
+        ("slanted_crossing", "Bear left and walk to the piano.", (7, 8.4)),
+        ("slanted_crossing", "Turn right.", (0, -11)),
+        ("loop", "Turn right at the corner and walk to the drinking fountain.", (6, 13)),
+        ("loop", "Go to the drinking fountain.", (6, 13)),
+        ("two_rooms", "Go through the passage and stop at the sofa.", (16, 3)),
+    ],
+)  # fmt: skip
+def test_simple_instructions_lead_to_their_goal(
+    take_walk: TakeWalk, start: str, text: str, goal: tuple[float, float]
+) -> None:
+    walk = take_walk(start, text)
+    assert walk.ends_near(*goal)
+    assert walk.stopped_by == "agent"
+
+
+def test_opposite_words_lead_to_opposite_ends(take_walk: TakeWalk) -> None:
+    left = take_walk("t_junction", "At the end turn left.")
+    right = take_walk("t_junction", "At the end turn right.")
+    assert left.ends_near(-11, 0)
+    assert right.ends_near(11, 0)
+
+
+def test_a_corner_that_was_not_told_is_taken_where_there_is_no_choice(
+    take_walk: TakeWalk,
+) -> None:
+    walk = take_walk("l_shape", "Walk until you see the vending machine.")
+    assert walk.ends_near(11, 6)
+
+
+def test_the_long_way_round_is_taken_when_it_is_the_one_told(
+    take_walk: TakeWalk,
+) -> None:
+    walk = take_walk(
+        "loop, the other way",
+        "Turn left, then left again, then left again. Stop at the drinking fountain.",
+    )
+    assert walk.ends_near(8, 13)
+    assert walk.came_by(13, 1)
+    assert not walk.came_by(1, 13)
+
+
+@pytest.mark.parametrize(
+    ("start", "text"),
+    [
+        *((start, "") for start in STARTS),
+        ("crossing", "Colourless green ideas sleep furiously."),
+        ("corridor", "🙂 12 %% 右に曲がる"),
+        ("loop", "🙂 12 %% 右に曲がる"),
+    ],
+)
+def test_a_walk_that_nothing_is_said_about_ends_by_itself(
+    take_walk: TakeWalk, start: str, text: str
+) -> None:
+    walk = take_walk(start, text)
+    assert walk.stopped_by == "agent"
+    assert walk.metres < 150
+
+
+@pytest.mark.parametrize(
+    ("start", "text"),
+    [
+        ("corridor", "Turn left, then turn right."),
+        ("corridor", "Take the ninth corridor on the right."),
+        ("crossing", "Take the first slight right."),
+    ],
+)
+def test_a_turn_that_does_not_exist_does_not_keep_it_from_walking_on(
+    take_walk: TakeWalk, start: str, text: str
+) -> None:
+    walk = take_walk(start, text)
+    assert walk.metres > 8
+    assert walk.stopped_by == "agent"
+
+
+def test_the_corner_there_is_is_taken_when_the_turn_told_does_not_exist(
+    take_walk: TakeWalk,
+) -> None:
+    walk = take_walk("l_shape", "Turn right and walk to the vending machine.")
+    assert walk.ends_near(11, 6)
+
+
+def test_it_comes_back_from_a_dead_end_that_does_not_fit_what_was_said(
+    take_walk: TakeWalk,
+) -> None:
+    walk = take_walk(
+        "slanted_crossing", "Turn right at the crossing and walk to the piano."
+    )
+    assert walk.came_by(0, -11)
+    assert walk.ends_near(7, 8.4)
+
+
+def test_it_comes_back_for_a_turn_when_there_is_no_later_one(
+    take_walk: TakeWalk,
+) -> None:
+    walk = take_walk("crossing", "Take the third left.")
+    assert walk.came_by(11, 0)
+    assert walk.ends_near(0, 11)
+
+
+WITH_DOUBTS = ("slanted_crossing", "Turn right at the crossing and walk to the piano.")
+"""A walk with a wrong way, looks and turns."""
+
+
+def test_the_same_words_give_the_same_walk_whatever_the_seed(
+    take_walk: TakeWalk,
+) -> None:
+    first = take_walk(*WITH_DOUBTS, seed=0)
+    second = take_walk(*WITH_DOUBTS, seed=1)
+    assert first.points == second.points
+    assert first.calls == second.calls
+    assert first.journal.notes == second.journal.notes
+
+
+def test_the_journal_tells_the_plan_each_decision_and_why_it_stopped(
+    take_walk: TakeWalk,
+) -> None:
+    walk = take_walk(*WITH_DOUBTS)
+    (plan,) = walk.notes("plan")
+    assert walk.journal.notes[0] is plan
+    assert "piano" in plan["plan"]
+    assert len(walk.notes("decision")) >= 2
+    assert all({"at", "exit", "cost"} <= set(note) for note in walk.notes("decision"))
+    (arrival,) = walk.notes("arrival")
+    assert walk.journal.notes[-1] is arrival
+    assert "piano" in arrival["reason"]
+
+
+def test_it_spends_nothing_on_language_models(take_walk: TakeWalk) -> None:
+    journal = take_walk("crossing", "Turn left.").journal
+    assert (journal.model_calls, journal.tokens, journal.cost_usd) == (0, 0, 0.0)
+
+
+def test_the_functions_of_the_control_api_are_all_that_it_needs(
+    take_walk: TakeWalk,
+) -> None:
+    def api_alone(robot: Robot) -> Robot:
+        functions = {name: getattr(robot, name) for name in API_NAMES}
+        return cast("Robot", SimpleNamespace(**functions))
+
+    alone = take_walk(*WITH_DOUBTS, as_seen=api_alone)
+    assert alone.points == take_walk(*WITH_DOUBTS).points
+    assert set(alone.calls) <= set(API_NAMES)
