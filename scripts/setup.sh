@@ -19,3 +19,5 @@ version=$("$python" -c 'import sys; print("%d.%d" % sys.version_info[:2])') || {
 "$venv/bin/python" -m pip install --quiet --disable-pip-version-check --upgrade "pip>=25.1"
 "$venv/bin/python" -m pip install --quiet --disable-pip-version-check \
     --constraint constraints.txt --editable . --group dev
+# Only cameras need OpenGL; whatever keeps it out must not keep the rest from working.
+bash scripts/setup_graphics.sh || echo "setup: going on without graphics" >&2

@@ -1,4 +1,5 @@
 import math
+import os
 import subprocess
 import sys
 from typing import Any
@@ -222,7 +223,15 @@ def test_the_default_benchmark_loads_neither_opengl_nor_looks() -> None:
         "          or '.looks' in m and m.startswith('memorymaze')]\n"
         "print(loaded)"
     )
+    # MuJoCo itself loads OpenGL at import where this asks it to.
+    environment = {
+        key: value for key, value in os.environ.items() if key != "MUJOCO_GL"
+    }
     done = subprocess.run(
-        [sys.executable, "-c", code], capture_output=True, text=True, check=True
+        [sys.executable, "-c", code],
+        capture_output=True,
+        text=True,
+        check=True,
+        env=environment,
     )
     assert done.stdout.strip() == "[]"

@@ -1,0 +1,91 @@
+"""Draw one picture of every kind of corridor, and a panorama, of the shipped plans.
+
+A kind is a floor and a wall material; the longest corridor of each kind is shown, seen
+by a robot that stands at its beginning. Open-air areas follow.
+
+    python scripts/corridor_views.py --out docs/images
+"""
+
+import argparse
+import math
+from collections.abc import Iterator
+from pathlib import Path
+
+from memorymaze.geometry.pose import Pose
+from memorymaze.simulation.rendering import (
+    PanoramaCamera,
+    RenderedCamera,
+    VisualScene,
+    build_visual_scene,
+)
+from memorymaze.sites import Site, load_sites
+from PIL import Image, ImageDraw
+
+WIDTH, HEIGHT, LABEL = 320, 240, 16
+COLUMNS = 3
+FROM_THE_END = 1.6
+"""Metres from a corridor's end to the camera."""
+SHRINK = 2
+"""Pictures are drawn so many times larger, then reduced."""
+PANORAMA_WIDTH = 960
+COLOURS = 256
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--out", type=Path, default=Path("docs/images"), metavar="DIR")
+    out: Path = parser.parse_args().out
+    out.mkdir(parents=True, exist_ok=True)
+    for name, site in load_sites().items():
+        scene = build_visual_scene(site)
+        save(sheet(scene, list(views(site))), out / f"{name}_views.png")
+        with PanoramaCamera(scene, SHRINK * PANORAMA_WIDTH, multisamples=4) as camera:
+            route = site.reference_route("R1").line
+            middle = route.interpolate(0.5, normalized=True)
+            frame = camera.frame(Pose(middle.x, middle.y, 0.0))
+        panorama = Image.fromarray(frame.rgb).reduce(SHRINK)
+        save(panorama, out / f"{name}_panorama.png")
+
+
+def views(site: Site) -> Iterator[tuple[str, Pose]]:
+    """Yield the name and the pose of each picture."""
+    shown: set[tuple[str, str]] = set()
+    for corridor in sorted(site.corridors, key=lambda each: -each.length):
+        kind = (corridor.floor_material, corridor.wall_material)
+        if kind in shown:
+            continue
+        shown.add(kind)
+        (ax, ay), (bx, by) = corridor.centre_line.coords
+        heading = math.atan2(by - ay, bx - ax)
+        share = min(FROM_THE_END / corridor.length, 0.3)
+        pose = Pose(ax + (bx - ax) * share, ay + (by - ay) * share, heading)
+        yield f"{corridor.id}: {kind[0]} floor, {kind[1]} walls", pose
+    for area in site.areas:
+        if area.open_air:
+            place = area.polygon.representative_point()
+            yield f"{area.id}: in the open air", Pose(place.x, place.y, 2.2)
+
+
+def sheet(scene: VisualScene, wanted: list[tuple[str, Pose]]) -> Image.Image:
+    """Return all pictures side by side, each with its name below."""
+    rows = math.ceil(len(wanted) / COLUMNS)
+    image = Image.new("RGB", (COLUMNS * WIDTH, rows * (HEIGHT + LABEL)), "white")
+    pen = ImageDraw.Draw(image)
+    size = (SHRINK * WIDTH, SHRINK * HEIGHT)
+    with RenderedCamera(scene, *size, multisamples=4) as camera:
+        for number, (name, pose) in enumerate(wanted):
+            row, column = divmod(number, COLUMNS)
+            x, y = column * WIDTH, row * (HEIGHT + LABEL)
+            picture = Image.fromarray(camera.picture(pose)).reduce(SHRINK)
+            image.paste(picture, (x, y))
+            pen.text((x + 4, y + HEIGHT + 2), name, "black")
+    return image
+
+
+def save(image: Image.Image, path: Path) -> None:
+    image.quantize(COLOURS).save(path, optimize=True)
+    print(path, f"{path.stat().st_size / 1e3:.0f} kB")
+
+
+if __name__ == "__main__":
+    main()
