@@ -9,7 +9,11 @@ by a robot that stands at its beginning. Open-air areas follow.
 import argparse
 import math
 from collections.abc import Iterator
+from itertools import combinations
 from pathlib import Path
+
+from PIL import Image, ImageDraw
+from shapely import LineString
 
 from memorymaze.geometry.pose import Pose
 from memorymaze.simulation.rendering import (
@@ -19,7 +23,6 @@ from memorymaze.simulation.rendering import (
     build_visual_scene,
 )
 from memorymaze.sites import Site, load_sites
-from PIL import Image, ImageDraw
 
 WIDTH, HEIGHT, LABEL = 320, 240, 16
 COLUMNS = 3
@@ -32,6 +35,7 @@ COLOURS = 256
 
 
 def main() -> None:
+    """Draw all of them."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--out", type=Path, default=Path("docs/images"), metavar="DIR")
     out: Path = parser.parse_args().out
@@ -62,8 +66,14 @@ def views(site: Site) -> Iterator[tuple[str, Pose]]:
         yield f"{corridor.id}: {kind[0]} floor, {kind[1]} walls", pose
     for area in site.areas:
         if area.open_air:
-            place = area.polygon.representative_point()
-            yield f"{area.id}: in the open air", Pose(place.x, place.y, 2.2)
+            inner = area.polygon.buffer(-1.0)
+            ways = [LineString(ends) for ends in combinations(inner.exterior.coords, 2)]
+            way = max(
+                (each for each in ways if inner.covers(each)), key=lambda w: w.length
+            )
+            (ax, ay), (bx, by) = way.coords
+            heading = math.atan2(by - ay, bx - ax)
+            yield f"{area.id}: in the open air", Pose(ax, ay, heading)
 
 
 def sheet(scene: VisualScene, wanted: list[tuple[str, Pose]]) -> Image.Image:
@@ -83,6 +93,7 @@ def sheet(scene: VisualScene, wanted: list[tuple[str, Pose]]) -> Image.Image:
 
 
 def save(image: Image.Image, path: Path) -> None:
+    """Write a picture with few colours, which keeps it small."""
     image.quantize(COLOURS).save(path, optimize=True)
     print(path, f"{path.stat().st_size / 1e3:.0f} kB")
 

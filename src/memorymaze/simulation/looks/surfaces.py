@@ -21,6 +21,7 @@ __all__ = [
     "ceiling",
     "dim_view",
     "dim_wall",
+    "facade",
     "floor",
     "foot_shade",
     "solid",
@@ -129,6 +130,27 @@ def blob_shadow() -> Material:
     pixels = np.zeros((64, 64, 4))
     pixels[:, :, 3] = alpha
     return Material((1, 1, 1, 0.99), _bytes(pixels), 0.0, 0.0)
+
+
+@cache
+def facade() -> Material:
+    """Return an outer wall: a storey's height of it, with a window in the middle."""
+    rng = np.random.default_rng(15)
+    picture = _colour(0.78, 0.75, 0.70) + 0.02 * _grain(rng, 1.0)[:, :, None]
+    for joint in range(0, PIXELS, PIXELS // 4):
+        picture[:, joint : joint + 2] *= 0.86
+        picture[joint : joint + 2] *= 0.86
+    low, high = int(0.24 * PIXELS), int(0.70 * PIXELS)
+    left, right = int(0.22 * PIXELS), int(0.78 * PIXELS)
+    picture[low - 10 : high + 14, left - 10 : right + 10] = (0.34, 0.35, 0.37)
+    sky = np.linspace(0.78, 0.46, high - low)[:, None, None]
+    picture[low:high, left:right] = sky * np.array([0.80, 0.93, 1.0])
+    blind = int(low + 0.3 * (high - low))
+    picture[low:blind, left : (left + right) // 2] = (0.80, 0.79, 0.75)
+    middle = (left + right) // 2
+    picture[low:high, middle - 5 : middle + 5] = (0.34, 0.35, 0.37)
+    picture[high + 6 : high + 14, left - 14 : right + 14] = (0.86, 0.85, 0.82)
+    return Material((1, 1, 1, 1), _bytes(picture), 0.0, 0.0)
 
 
 @cache

@@ -26,6 +26,8 @@ SHAFT_DEPTH = 5.0
 """How far one looks down a hole with a balustrade, metres."""
 OUTSIDE_TOP, OUTSIDE_BOTTOM = 0.5, -4.5
 """How far the outer walls reach over the ceiling and below the floor, metres."""
+STOREY = 3.4
+"""Metres of one of the windows painted on outer walls, with the wall round it."""
 OUTSIDE_WALL, OUTSIDE_REACH = 0.12, 0.119
 """How far the outer face stands behind the inner, and reaches past corners, metres."""
 
@@ -81,7 +83,7 @@ def outer_face(
     inwards = face.heading + math.pi
     if surroundings.behind(*face.at(face.length / 2), inwards)[1] < DOUBLE_WALL:
         return
-    builder = made.builders["beyond", surfaces.solid(0.70, 0.67, 0.62)]
+    builder = made.builders["beyond", surfaces.facade()]
     shifted = [
         (a, b, z0 - OUTSIDE_BOTTOM, z1 - OUTSIDE_BOTTOM)
         for a, b, z0, z1 in holes
@@ -100,6 +102,7 @@ def outer_face(
             (start, end),
             (bottom + OUTSIDE_BOTTOM, top + OUTSIDE_BOTTOM),
             -OUTSIDE_WALL,
+            lambda along, z: (along / STOREY, 1 - z / STOREY),
             outwards=True,
         )
 

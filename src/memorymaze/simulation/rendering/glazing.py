@@ -15,13 +15,14 @@ from memorymaze.simulation.rendering.slices import (
 from memorymaze.simulation.rendering.wall_faces import WallFace
 from memorymaze.simulation.scene import BALUSTRADE_HEIGHT
 
-__all__ = ["balustrade", "glass_wall", "wind_screen"]
+__all__ = ["BAR", "balustrade", "glass_wall", "wind_screen"]
 
 RAIL_BOTTOM, RAIL_TOP = 0.12, 0.22
 """Of glass walls: metres of frame below and above the panes."""
 MODULE = 1.4
 """Width of a pane of a glass wall at most, metres."""
 BAR = 0.05
+"""Width of a bar between panes, metres."""
 
 
 def glass_wall(made: Slice, face: WallFace, height: float) -> list[Hole]:
