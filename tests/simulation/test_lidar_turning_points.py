@@ -21,6 +21,7 @@ from memorymaze.simulation.lidar import Lidar, LidarSettings
 from memorymaze.simulation.lidar_turning_points import SCAN_PERIOD, LidarTurningPoints
 from memorymaze.simulation.odometry import Odometry, OdometrySettings
 from memorymaze.simulation.turning_directions import direction_of
+from memorymaze.testing import check_robot
 
 BY_LIDAR = SimulationSettings(turning_points="lidar")
 NOISY = {
@@ -204,3 +205,7 @@ def test_a_lidar_with_many_beams_is_refused(scenes: dict[str, Scene]) -> None:
 def test_an_unknown_source_is_refused() -> None:
     with pytest.raises(SettingsError, match="turning_points"):
         SimulationSettings(turning_points="radar")  # type: ignore[arg-type]
+
+
+def test_a_robot_with_lidar_keeps_the_contract(scenes: dict[str, Scene]) -> None:
+    check_robot(SimulatedRobot(scenes["crossing"], Pose(-8, 0, 0), BY_LIDAR))
