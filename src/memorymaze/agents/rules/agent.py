@@ -10,7 +10,11 @@ from memorymaze.agents.rules.arriving import Arrivals, approach
 from memorymaze.agents.rules.evidence import choices_at
 from memorymaze.agents.rules.floor_map import Sighting
 from memorymaze.agents.rules.walker import Walker
-from memorymaze.language.route_description import RoutePlan, parse_route_description
+from memorymaze.language.route_description import (
+    RoutePlan,
+    describe,
+    parse_route_description,
+)
 from memorymaze.robot.api import Robot
 
 __all__ = ["RulesAgent"]
@@ -46,7 +50,7 @@ class RulesAgent:
     ) -> None:
         """Drive the robot as the instruction says, and stop."""
         plan = parse_route_description(instruction)
-        journal.note("plan", plan=str(plan))
+        journal.note("plan", steps=describe(plan))
         _Search(plan, Walker(robot), journal).run()
         robot.stop()
 
@@ -60,6 +64,7 @@ class _Search:
         self._journal = journal
         self._aligner = Aligner(plan, walker.map)
         self._arrivals = Arrivals(plan, walker.map)
+        self._distances: dict[int, float] = {}
         self._frontier: list[Branch] = []
         self._endings: list[Ending] = []
         self._best_known: dict[tuple[int, int, int], list[float]] = {}

@@ -216,7 +216,7 @@ class Aligner:
     def _final_turn_factor(self, angle: float) -> float:
         """`The glass door is on the right` may well mean to turn right at the end."""
         side = self.plan.arrival.side
-        if side == "left" and angle > 0 or side == "right" and angle < 0:
+        if (side == "left" and angle > 0) or (side == "right" and angle < 0):
             return 0.4
         return 0.8
 

@@ -118,9 +118,7 @@ class Arrivals:
             for _, s in self._sightings()
         ):
             cost -= min(SIGN_SEEN, self._unseen)
-        yield Ending(
-            standing.at, None, 0.0, cost, "end of the way", standing.story
-        )
+        yield Ending(standing.at, None, 0.0, cost, "end of the way", standing.story)
 
     def best_now(
         self, branch: Branch, seen: list[Sighting], walked: float
@@ -260,4 +258,6 @@ def _along(place: Point, start: Point, end: Point) -> float:
 
 
 def _is_sign(words: str) -> bool:
-    return any(word in {"sign", "board", "signboard", "poster"} for word in words.split())
+    return any(
+        word in {"sign", "board", "signboard", "poster"} for word in words.split()
+    )

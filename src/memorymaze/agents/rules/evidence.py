@@ -8,6 +8,7 @@ place. Negative costs are evidence for a place.
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 from memorymaze.agents.rules.floor_map import FloorMap, Point
 from memorymaze.geometry.pose import wrap_angle
@@ -42,6 +43,7 @@ NEAR = 6.0
 BESIDE = 5.0
 """Metres from the line of a leg within which a thing is on it."""
 
+
 @dataclass(frozen=True, slots=True)
 class Choices:
     """The ways out of a crossing, seen by someone who comes in by a heading."""
@@ -67,16 +69,13 @@ class Choices:
         ]
 
 
-def choices_at(
-    exits: Sequence[float], closed: set[int], heading: float
-) -> Choices:
+def choices_at(exits: Sequence[float], closed: set[int], heading: float) -> Choices:
     """Return the ways out of a crossing for someone who arrives with a heading."""
     return Choices(
         tuple(
             (index, angle)
             for index, each in enumerate(exits)
-            if index not in closed
-            and abs(angle := wrap_angle(each - heading)) <= BACK
+            if index not in closed and abs(angle := wrap_angle(each - heading)) <= BACK
         )
     )
 
@@ -242,7 +241,7 @@ def too_far_cost(
 def distance_to_line(point: Point, line: Sequence[Point]) -> float:
     """Return the distance from a point to a line of straight pieces, metres."""
     best = min(math.dist(point, corner) for corner in line)
-    for (ax, ay), (bx, by) in zip(line, line[1:], strict=False):
+    for (ax, ay), (bx, by) in pairwise(line):
         dx, dy = bx - ax, by - ay
         square = dx * dx + dy * dy
         if square == 0.0:

@@ -3,7 +3,13 @@
 import math
 from collections.abc import Callable, Iterable
 
-from memorymaze.agents.rules.floor_map import Crossing, FloorMap, Point, Sighting, Stretch
+from memorymaze.agents.rules.floor_map import (
+    Crossing,
+    FloorMap,
+    Point,
+    Sighting,
+    Stretch,
+)
 from memorymaze.geometry.pose import wrap_angle
 from memorymaze.robot.api import Direction, Robot
 

@@ -1,5 +1,6 @@
 """Reading English route descriptions: text in, a typed plan out."""
 
+from memorymaze.language.route_description.describing import describe
 from memorymaze.language.route_description.parsing import parse_route_description
 from memorymaze.language.route_description.plan import (
     Arrival,
@@ -22,6 +23,7 @@ __all__ = [
     "RoutePlan",
     "Side",
     "Turn",
+    "describe",
     "is_common",
     "parse_route_description",
 ]

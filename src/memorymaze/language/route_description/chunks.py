@@ -58,6 +58,14 @@ _PROPER_WAY = re.compile(
 )
 
 
+_PLAIN_SIGNS = {
+    "\u2019": "'", "\u2018": "'", "`": "'", "\u201c": '"', "\u201d": '"',
+    "\u2026": "...", "\u2014": ", ", " \u2013 ": ", ", "\u2013": "-",
+    "\u2192": " then ", "\u00bd": ".5", "\t": " ", "\r": "\n",
+}  # fmt: skip
+"""Quotes, dashes and arrows, and what is read for them."""
+
+
 @dataclass(frozen=True, slots=True)
 class Chunk:
     """One piece of a description."""
@@ -79,11 +87,7 @@ class Chunk:
 def normalise(text: str) -> str:
     """Return the text in lower case with plain quotes, dashes and list marks."""
     text = text.lower()
-    for old, new in (
-        ("’", "'"), ("‘", "'"), ("`", "'"), ("“", '"'), ("”", '"'), ("…", "..."),
-        ("—", ", "), (" – ", ", "), ("–", "-"), ("→", " then "), ("⬅", " left "),
-        ("➡", " right "), ("½", ".5"), ("\t", " "), ("\r", "\n"),
-    ):  # fmt: skip
+    for old, new in _PLAIN_SIGNS.items():
         text = text.replace(old, new)
     text = re.sub(r"\bur\b", "your", text)
     text = re.sub(r"\b(left|right)-(\w+)-(left|right)\b(?! hand)", _unless_and, text)

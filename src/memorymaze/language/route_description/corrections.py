@@ -11,7 +11,14 @@ from memorymaze.language.route_description.plan import Length
 
 __all__ = ["apply_corrections"]
 
-_CLASSES = {"L": "way", "S": "way", "2": "way", "O": "order", "M": "length", "n": "length"}
+_CLASSES = {
+    "L": "way",
+    "S": "way",
+    "2": "way",
+    "O": "order",
+    "M": "length",
+    "n": "length",
+}
 _NEUTRAL = set(",.fhi>&r")
 _VERBS = set("TGZBVUHKAYDX")
 _REACH = 3
@@ -84,7 +91,8 @@ def _is_echo(before: list[Chunk], chunk: Chunk) -> bool:
         if earlier.kind in "LS":
             ordinals = gap.count("O") == 1 and re.fullmatch("O[,f]+", gap) is not None
             return earlier.way == chunk.way and (
-                ordinals or ("e" in gap and re.fullmatch("O?[,.fherZ>&]*", gap) is not None)
+                ordinals
+                or ("e" in gap and re.fullmatch("O?[,.fherZ>&]*", gap) is not None)
             )
         gap += earlier.kind
         if len(gap) > 8:
@@ -144,7 +152,8 @@ def _replaced(chunks: list[Chunk], old: int, new: int) -> list[Chunk]:
     if chunks[old].kind == "M" and value.kind == "n" and value.number is not None:
         before = chunks[old].length
         assert_length = Length(
-            value.number * _unit_metres(chunks[old]), before.unit if before else "metres"
+            value.number * _unit_metres(chunks[old]),
+            before.unit if before else "metres",
         )
         value = Chunk("M", value.text, value.start, length=assert_length)
     if chunks[old].kind == "S" and value.kind == "L":

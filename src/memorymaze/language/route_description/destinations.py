@@ -2,8 +2,8 @@
 
 import re
 
-from memorymaze.language.route_description.assembly import Draft
 from memorymaze.language.route_description.chunks import Chunk
+from memorymaze.language.route_description.drafts import Draft
 from memorymaze.language.route_description.plan import Mention, Side
 from memorymaze.language.route_description.things import (
     is_common,
@@ -23,17 +23,18 @@ _ENTERED = re.compile(
     r"(?:that's|that is|this is|it's|there's|here is|here's|there is|then is|you're (?:at|in|on)"
     r"|you are (?:at|in|on|now on)|means|find|reach|see|to|into) (?:the |your |a |now on the )*$"
 )
-_ASIDE = re.compile(r" (?:is|comes|are|was) (?:just )?(?:before|after|opposite|across|first|behind)\b")
+_ASIDE = re.compile(
+    r" (?:is|comes|are|was) (?:just )?(?:before|after|opposite|across|first|behind)\b"
+)
 _MAX = 3
 
 
 def find_destinations(
     last: Draft, drafts: list[Draft], chunks: list[Chunk], text: str
 ) -> tuple[tuple[str, ...], Side | None, int | None]:
-    """Return words for the destination, the likeliest first, its side, and which
-    one of its kind it is.
+    """Return words for the destination, its side, and which of its kind it is.
 
-    Things named on the last stretch are weighed by how they are named: announced as
+    The likeliest words come first. Things named on the last stretch are weighed by how they are named: announced as
     the destination, said to be ahead or on a side, named last or more than once.
 
     Args:
@@ -76,9 +77,11 @@ def find_destinations(
     best = scores[ranked[0]]
     kept = tuple(p for p in ranked if scores[p] >= best - 1.6)[:_MAX]
     nth = next((m.nth for m in last.mentions if m.nth is not None), None)
-    side = sides.get(kept[0])
+    side: Side | None = sides.get(kept[0])
     if side is None:
-        side = next((m.side for m in last.mentions if is_common(m.phrase) and m.side), None)
+        side = next(
+            (m.side for m in last.mentions if is_common(m.phrase) and m.side), None
+        )
     return kept, side, nth
 
 

@@ -8,6 +8,9 @@ from memorymaze.language.route_description.plan import Length
 
 __all__ = ["LENGTH", "NUMBER", "combine_lengths", "read_length", "read_number"]
 
+_Unit = Literal["metres", "steps", "time", "vague"]
+_LOOSE_UNITS: tuple[_Unit, ...] = ("vague", "time")
+"""Units that do not count beside others."""
 STEP = 0.7
 """Metres of one step."""
 WALKING_SPEED = 1.0
@@ -98,7 +101,7 @@ def read_length(match: re.Match[str]) -> Length:
         count += {"half": 0.5, "bit": 0.2, "quarter": 0.25}[match["extra"]]
     unit = match["unit"]
     vague = match["low"].strip() in {"a few", "few", "some", "several", "a couple of"}
-    kind: Literal["metres", "steps", "time", "vague"] = "metres"
+    kind: _Unit = "metres"
     if unit.startswith("min"):
         metres, kind = count * 60.0 * WALKING_SPEED, "time"
     elif unit.startswith("sec"):
@@ -124,13 +127,11 @@ def combine_lengths(lengths: list[Length]) -> Length | None:
     """
     if not lengths:
         return None
-    sums: dict[str, float] = {}
+    sums: dict[_Unit, float] = {}
     for length in lengths:
         sums[length.unit] = sums.get(length.unit, 0.0) + length.metres
-    if "vague" in sums and len(sums) > 1:
-        del sums["vague"]
-    if "time" in sums and len(sums) > 1:
-        del sums["time"]
+    for loose in _LOOSE_UNITS:
+        if loose in sums and len(sums) > 1:
+            del sums[loose]
     metres = math.exp(sum(math.log(max(v, 0.3)) for v in sums.values()) / len(sums))
-    unit = next(length.unit for length in lengths if length.unit in sums)
-    return Length(metres, unit)
+    return Length(metres, next(iter(sums)))

@@ -1,9 +1,10 @@
 """Parsing a whole route description."""
 
-from memorymaze.language.route_description.assembly import arrival_of, assemble, leg_of
+from memorymaze.language.route_description.assembly import assemble
 from memorymaze.language.route_description.chunks import Chunk, cut, normalise
 from memorymaze.language.route_description.corrections import apply_corrections
 from memorymaze.language.route_description.destinations import find_destinations
+from memorymaze.language.route_description.drafts import arrival_of, leg_of
 from memorymaze.language.route_description.events import Event
 from memorymaze.language.route_description.plan import RoutePlan
 from memorymaze.language.route_description.reading import read_clauses, split_clauses

@@ -1,6 +1,7 @@
 """Overviews: a sentence that only tells in short what the others tell in full."""
 
 import re
+from collections.abc import Sequence
 
 from memorymaze.language.route_description.events import Event
 
@@ -35,7 +36,11 @@ def without_overviews(sentences: list[tuple[str, list[Event]]]) -> list[Event]:
             said = [e for e in events if e.kind == "turn"]
             if not said or (len(said) == 1 and not said[0].commanded):
                 continue
-            if len(said) >= 4 and len(others) < len(said) and _within(others, turns[at]):
+            if (
+                len(said) >= 4
+                and len(others) < len(said)
+                and _within(others, turns[at])
+            ):
                 return [*kept, *events, *sentences[-1][1]]
         if at <= 2 and len(turns[at]) >= 2 and _OVERVIEW.search(words):
             if _within(turns[at], others):
@@ -52,7 +57,7 @@ def _after_outline(
     sentences: list[tuple[str, list[Event]]],
 ) -> list[tuple[str, list[Event]]]:
     """Keep what follows `in detail:`, when the way is told there."""
-    for at, (words, events) in enumerate(sentences):
+    for at, (words, _) in enumerate(sentences):
         found = _DETAIL.search(words)
         if found is None or at > len(sentences) * 0.6:
             continue
@@ -72,7 +77,11 @@ def _without_recaps(events: list[Event]) -> list[Event]:
         if event.kind == "recap" or (event.kind == "turn" and at not in dropped):
             run = _turns_ahead(events, at, whole=event.kind == "recap")
             ways = [events[i].way for i in run]
-            if (fresh and (same_sentence or event.kind == "recap")) and 2 <= len(ways) <= 3 and ways == [e.way for e in said[-len(ways) :]]:
+            if (
+                (fresh and (same_sentence or event.kind == "recap"))
+                and 2 <= len(ways) <= 3
+                and ways == [e.way for e in said[-len(ways) :]]
+            ):
                 dropped.update(run)
         if at in dropped:
             continue
@@ -104,7 +113,7 @@ def _turns_ahead(events: list[Event], start: int, *, whole: bool) -> list[int]:
     return run if whole else []
 
 
-def _within(short: list[object], long: list[object]) -> bool:
+def _within(short: Sequence[object], long: Sequence[object]) -> bool:
     """Tell whether the short sequence is the long one with gaps."""
     rest = iter(long)
     return all(any(way == other for other in rest) for way in short)

@@ -18,21 +18,107 @@ _KEPT_ING = {
     "seating", "shopping", "swimming", "printing", "washing", "living", "carving",
     "drawing", "writing", "king", "ring", "wing", "swing", "string", "thing",
 }  # fmt: skip
-_COMMON = frozenset(
-    """door doors window windows wall walls sign signs plant plants bench benches seat
-    seats chair chairs screen screens poster posters picture pictures board boards light
-    lights box boxes room rooms office offices classroom classrooms exit exits opening
-    entrance end""".split()
-)
+_COMMON = frozenset([
+    "door",
+    "doors",
+    "window",
+    "windows",
+    "wall",
+    "walls",
+    "sign",
+    "signs",
+    "plant",
+    "plants",
+    "bench",
+    "benches",
+    "seat",
+    "seats",
+    "chair",
+    "chairs",
+    "screen",
+    "screens",
+    "poster",
+    "posters",
+    "picture",
+    "pictures",
+    "board",
+    "boards",
+    "light",
+    "lights",
+    "box",
+    "boxes",
+    "room",
+    "rooms",
+    "office",
+    "offices",
+    "classroom",
+    "classrooms",
+    "exit",
+    "exits",
+    "opening",
+    "entrance",
+    "end",
+])
 """Things that are everywhere and tell little."""
 _SIGNS = frozenset({"sign", "signs", "board", "signboard", "arrow", "screen", "poster"})
-_BINDERS = frozenset({"that", "says", "which", "reading", "saying", "with", "for", "hanging"})
-_PLAIN = SURFACES | frozenset(
-    """automatic sliding double big large small little tall heavy huge wide open closed
-    left right red blue green yellow orange white black brown grey gray pink purple
-    silver golden dark light clear bright old new second first third next last pair of
-    number brass steel metal""".split()
-)
+_BINDERS = frozenset({
+    "that",
+    "says",
+    "which",
+    "reading",
+    "saying",
+    "with",
+    "for",
+    "hanging",
+})
+_PLAIN = SURFACES | frozenset([
+    "automatic",
+    "sliding",
+    "double",
+    "big",
+    "large",
+    "small",
+    "little",
+    "tall",
+    "heavy",
+    "huge",
+    "wide",
+    "open",
+    "closed",
+    "left",
+    "right",
+    "red",
+    "blue",
+    "green",
+    "yellow",
+    "orange",
+    "white",
+    "black",
+    "brown",
+    "grey",
+    "gray",
+    "pink",
+    "purple",
+    "silver",
+    "golden",
+    "dark",
+    "light",
+    "clear",
+    "bright",
+    "old",
+    "new",
+    "second",
+    "first",
+    "third",
+    "next",
+    "last",
+    "pair",
+    "of",
+    "number",
+    "brass",
+    "steel",
+    "metal",
+])
 """Words before a common thing that do not make it special."""
 _LANES = re.compile(
     r"\b(?:corridor|hallway|passage|passageway|walkway|way|street|path|lane|road|aisle"
@@ -51,14 +137,26 @@ def thing_phrase(words: str) -> str:
         return ""
     if len(tokens) > 1 and tokens[-1] in _NUMBERS:
         tokens[-1] = _NUMBERS[tokens[-1]]
-    content = [t for t in tokens if t not in FILLERS and t not in SURFACES and t not in UNSEEN]
+    content = [
+        t for t in tokens if t not in FILLERS and t not in SURFACES and t not in UNSEEN
+    ]
     if not any(t not in _PLAIN or t in _COMMON for t in content):
         return ""
     return " ".join(tokens)
 
 
 def _is_idle(token: str) -> bool:
-    if token in {"guy", "fellow", "lady", "dude", "thing", "things", "stuff", "bit", "part"}:
+    if token in {
+        "guy",
+        "fellow",
+        "lady",
+        "dude",
+        "thing",
+        "things",
+        "stuff",
+        "bit",
+        "part",
+    }:
         return True
     if token in {"of", "that", "with", "marked", "called", "about", "saying", "named"}:
         return True
@@ -81,5 +179,7 @@ def place_on_sign(phrase: str) -> str | None:
     words = phrase.split()
     if not any(word in _SIGNS for word in words):
         return None
-    rest = [w for w in words if w not in _SIGNS and w not in _PLAIN and w not in _BINDERS]
+    rest = [
+        w for w in words if w not in _SIGNS and w not in _PLAIN and w not in _BINDERS
+    ]
     return " ".join(rest)
