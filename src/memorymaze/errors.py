@@ -1,10 +1,12 @@
 """All exceptions a user can meet; each message says what, where and what to do."""
 
 __all__ = [
+    "CaseFileError",
     "CommandError",
     "EpisodeOver",
     "InstructionFileError",
     "InstructionFileWarning",
+    "InterpreterLostError",
     "LanguageModelError",
     "MemoryMazeError",
     "ProgramError",
@@ -71,9 +73,14 @@ class ProgramError(MemoryMazeError):
     def __init__(
         self, message: str, *, line: int | None = None, unsafe: bool = False
     ) -> None:
+        """Keep the message and what is known beside it."""
         super().__init__(message)
         self.line = line
         self.unsafe = unsafe
+
+
+class InterpreterLostError(ProgramError):
+    """The process that ran a program died, by the program's doing or from outside."""
 
 
 class EpisodeOver(MemoryMazeError):
@@ -86,5 +93,6 @@ class EpisodeOver(MemoryMazeError):
     """
 
     def __init__(self, stopped_by: str) -> None:
+        """Keep why the episode ended."""
         super().__init__(f"the episode is over (stopped by {stopped_by})")
         self.stopped_by = stopped_by

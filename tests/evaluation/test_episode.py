@@ -5,7 +5,12 @@ import numpy as np
 import pytest
 
 from memorymaze.agents.agent import Journal
-from memorymaze.errors import EpisodeOver, LanguageModelError, ProgramError
+from memorymaze.errors import (
+    EpisodeOver,
+    InterpreterLostError,
+    LanguageModelError,
+    ProgramError,
+)
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.episode import EpisodeRun, run_episode
 from memorymaze.evaluation.plan import RunPlan
@@ -43,6 +48,11 @@ def run(tiny_plan: Callable[..., RunPlan]) -> Run:
 
 def walk(robot: Robot, _: Journal) -> None:
     robot.move_forward(14.0)
+
+
+def walk_ahead(robot: Robot, journal: Journal) -> None:
+    robot.distance_travelled()
+    walk(robot, journal)
 
 
 def test_returning_near_the_goal_is_success(run: Run) -> None:
@@ -148,6 +158,33 @@ def test_calls_without_end_spend_the_call_budget(run: Run) -> None:
 
     result = run(look_forever, call_budget=50).result
     assert (result.stopped_by, result.api_calls) == ("budget", 50)
+
+
+def test_an_episode_whose_interpreter_was_killed_is_run_once_more(run: Run) -> None:
+    tries: list[float] = []
+
+    def lose_the_first_time(robot: Robot, journal: Journal) -> None:
+        tries.append(robot.distance_travelled())
+        walk(robot, journal)
+        if len(tries) == 1:
+            raise InterpreterLostError("killed")
+
+    done = run(lose_the_first_time)
+    assert (done.result.stopped_by, done.result.error) == ("agent", None)
+    assert replace(done.result, wall_s=0) == replace(run(walk_ahead).result, wall_s=0)
+    assert tries == [0.0, 0.0]
+
+
+def test_a_program_that_brings_its_interpreter_down_does_so_twice(run: Run) -> None:
+    tries: list[bool] = []
+
+    def lose(robot: Robot, journal: Journal) -> None:
+        tries.append(True)
+        raise InterpreterLostError("dead")
+
+    result = run(lose).result
+    assert (result.stopped_by, result.error) == ("crash", "InterpreterLostError: dead")
+    assert len(tries) == 2
 
 
 def test_an_agent_cannot_invent_an_ending(run: Run) -> None:

@@ -10,7 +10,12 @@ from pathlib import Path
 
 import pytest
 
-from memorymaze.errors import EpisodeOver, ProgramError, SettingsError
+from memorymaze.errors import (
+    EpisodeOver,
+    InterpreterLostError,
+    ProgramError,
+    SettingsError,
+)
 from memorymaze.language.sandbox import ProgramLimits, run_program
 
 
@@ -241,7 +246,7 @@ def state_of(pid: int) -> str:
 @pytest.mark.parametrize(
     ("how", "outcome", "limits"),
     [
-        (signal.SIGKILL, ProgramError, ProgramLimits()),
+        (signal.SIGKILL, InterpreterLostError, ProgramLimits()),
         (signal.SIGSTOP, EpisodeOver, ProgramLimits(computing_time=0.2)),
         (signal.SIGTERM, KeyboardInterrupt, ProgramLimits()),
     ],

@@ -6,10 +6,15 @@ Whatever the agent does, there is a result; nothing it raises gets out of here.
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, cast
+from typing import Any, NamedTuple, cast
 
 from memorymaze.agents.agent import Agent, Journal
-from memorymaze.errors import EpisodeOver, LanguageModelError, ProgramError
+from memorymaze.errors import (
+    EpisodeOver,
+    InterpreterLostError,
+    LanguageModelError,
+    ProgramError,
+)
 from memorymaze.evaluation.agent_failures import failure_line, failure_traceback
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.results import EpisodeResult, StoppedBy
@@ -31,6 +36,8 @@ class EpisodeRun:
     trajectory: Trajectory
     trace: tuple[dict[str, Any], ...]
     """Entries in the order of time; see `docs/data_formats.md`."""
+    interpreter_lost: bool = False
+    """Whether the process that ran the agent's program died."""
 
 
 def run_episode(
@@ -40,6 +47,8 @@ def run_episode(
 
     The first thing that ends the episode counts: a budget that ran out stays `budget`,
     even where the agent catches what the robot raises and returns as if it had arrived.
+    An episode whose program lost its interpreter is run once more, because that may
+    have been killed from outside; a program that brings it down does so again.
 
     Args:
         agent: Follows; may raise anything.
@@ -51,6 +60,13 @@ def run_episode(
         UndefinedMetricError: The episode's reference path leaves the floor.
         KeyboardInterrupt: Passed on.
     """
+    run = _attempt(agent, episode, arena, settings)
+    return _attempt(agent, episode, arena, settings) if run.interpreter_lost else run
+
+
+def _attempt(
+    agent: Agent, episode: Episode, arena: Arena, settings: RunSettings
+) -> EpisodeRun:
     robot_rng, agent_rng = episode_generators(settings.seed, episode.id)
     trace: list[dict[str, Any]] = [_opening(agent.name, episode, settings)]
     robot = arena.robot(
@@ -61,7 +77,9 @@ def run_episode(
     )
     journal = Journal(listener=lambda entry: trace.append(_note(robot.time, entry)))
     began = time.perf_counter()
-    ended, error = _follow(agent, episode.instruction.text, robot, journal, agent_rng)
+    ended, error, interpreter_lost = _follow(
+        agent, episode.instruction.text, robot, journal, agent_rng
+    )
     wall_s = time.perf_counter() - began
     walk = robot.trajectory()
     trace += _beyond_the_plan(robot)
@@ -105,7 +123,13 @@ def run_episode(
         near_misses=len(robot.near_misses),
         waiting_s=robot.waiting_time,
     )
-    return EpisodeRun(result, walk, tuple(trace))
+    return EpisodeRun(result, walk, tuple(trace), interpreter_lost)
+
+
+class _Ending(NamedTuple):
+    stopped_by: StoppedBy
+    error: str | None = None
+    interpreter_lost: bool = False
 
 
 def _follow(
@@ -114,9 +138,8 @@ def _follow(
     robot: SimulatedRobot,
     journal: Journal,
     rng: Any,
-) -> tuple[StoppedBy, str | None]:
+) -> _Ending:
     """Let the agent follow; return what ended the episode and what went wrong."""
-    ended: StoppedBy
     try:
         agent.follow(text, robot, journal, rng)
     except KeyboardInterrupt:
@@ -124,18 +147,18 @@ def _follow(
     except EpisodeOver as over:
         # A program that computes for ever is over while its robot is not.
         if over.stopped_by in {"budget", "stuck"} and robot.stopped_by is None:
-            return cast(StoppedBy, over.stopped_by), None
-        return _as_robot_says(robot), None
+            return _Ending(cast(StoppedBy, over.stopped_by))
+        return _Ending(_as_robot_says(robot))
     except BaseException as problem:
-        ended, error = _outcome(problem), failure_line(problem, agent)
         where = failure_traceback(problem)
         if where:
             journal.note("traceback", lines=where)
-    else:
-        return _as_robot_says(robot), None
-    if robot.stopped_by is not None:
-        ended = _as_robot_says(robot)
-    return ended, error
+        return _Ending(
+            _outcome(problem) if robot.stopped_by is None else _as_robot_says(robot),
+            failure_line(problem, agent),
+            isinstance(problem, InterpreterLostError),
+        )
+    return _Ending(_as_robot_says(robot))
 
 
 def _outcome(problem: BaseException) -> StoppedBy:

@@ -18,7 +18,7 @@ from pydantic_monty import (
     ResourceLimits,
 )
 
-from memorymaze.errors import EpisodeOver, ProgramError
+from memorymaze.errors import EpisodeOver, InterpreterLostError, ProgramError
 from memorymaze.language.program_check import FORBIDDEN_BUILTINS
 from memorymaze.language.program_execution import (
     SOURCE_NAME,
@@ -62,6 +62,7 @@ def run_program(
             computed for too long or made too many calls; or what the robot said.
         ProgramError: The program is wrong or failed; `unsafe` when it reached for
             something outside the API.
+        InterpreterLostError: Its process died, whoever did that.
         SettingsError: The interpreter is not installed, or this process was forked
             from one that had used it.
         KeyboardInterrupt: Somebody ended the interpreter's process.
@@ -110,7 +111,9 @@ def _outcome(error: MontyError) -> BaseException | None:
             return EpisodeOver("budget")
         if _INTERRUPTED.search(str(error)):
             return KeyboardInterrupt()
-        return ProgramError("the program brought its interpreter down")
+        return InterpreterLostError(
+            "the process that ran the program died; did the program bring it down?"
+        )
     if not isinstance(error, MontyRuntimeError | MontySyntaxError):
         return ProgramError(f"the program cannot be run: {error}")
     cause = error.exception()
