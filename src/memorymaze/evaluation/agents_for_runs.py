@@ -19,7 +19,13 @@ from memorymaze.evaluation.oracle import OracleAgent
 from memorymaze.evaluation.settings import AgentSettings
 from memorymaze.instructions.records import Episode
 
-__all__ = ["AgentFor", "agent_names", "build_agent", "has_language_model"]
+__all__ = [
+    "AgentFor",
+    "agent_names",
+    "build_agent",
+    "checked_agent",
+    "has_language_model",
+]
 
 AgentFor = Callable[[Episode], Agent]
 """Gives the agent that follows an episode; only `oracle` looks at the episode."""
@@ -106,7 +112,7 @@ def _users_agent(name: str) -> Agent:
             f"{'nothing of this name' if factory is None else repr(factory)}"
         )
     try:
-        return _checked(name, cast(Any, factory()))
+        return checked_agent(name, cast(Any, factory()))
     except SettingsError:
         raise
     except (Exception, SystemExit) as error:
@@ -115,8 +121,16 @@ def _users_agent(name: str) -> Agent:
         ) from error
 
 
-def _checked(name: str, agent: Any) -> Agent:
-    """Refuse now what would fail in every episode."""
+def checked_agent(name: str, agent: Any) -> Agent:
+    """Return an agent that has what every episode needs of one.
+
+    Args:
+        name: As the user calls it, for messages.
+        agent: Anything.
+
+    Raises:
+        SettingsError: It has no `name` of one line, or no `follow` with four arguments.
+    """
     follow = getattr(agent, "follow", None)
     if not (callable(follow) and hasattr(agent, "name")):
         raise SettingsError(

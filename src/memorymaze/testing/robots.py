@@ -1,8 +1,4 @@
-"""Contracts that implementations must keep, for tests of this project and of users.
-
-Each `check_…` function returns None or raises `AssertionError` with what was expected
-and what came.
-"""
+"""What every robot must do that agents drive."""
 
 from collections.abc import Callable, Sequence
 
@@ -15,6 +11,7 @@ from memorymaze.robot.api import (
     Robot,
     TurnResult,
 )
+from memorymaze.testing.expectation import expect
 
 __all__ = ["check_robot"]
 
@@ -34,7 +31,7 @@ def check_robot(robot: Robot) -> None:
     Raises:
         AssertionError: It breaks the contract.
     """
-    _expect(_is_a(Robot, robot), "all functions of the API", type(robot).__name__)
+    expect(_is_a(Robot, robot), "all functions of the API", type(robot).__name__)
     _check_looks(robot)
     _check_move(robot)
     _check_turn(robot)
@@ -43,7 +40,7 @@ def check_robot(robot: Robot) -> None:
 
 def _check_looks(robot: Robot) -> None:
     directions = robot.detect_turning_point()
-    _expect(
+    expect(
         _is_a(list, directions)
         and set(directions) <= set(DIRECTIONS) - {"around"}
         and len(set(directions)) == len(directions),
@@ -51,21 +48,21 @@ def _check_looks(robot: Robot) -> None:
         directions,
     )
     number = robot.turning_point_id()
-    _expect(
+    expect(
         number is None or (type(number) is int and number >= 1),
         "turning_point_id: None or a number from 1",
         number,
     )
-    _expect(
+    expect(
         number is not None or not directions,
         "detect_turning_point: nothing outside turning points",
         directions,
     )
-    _expect(robot.say("Hello.") is None, "say: None", "something else")
+    expect(robot.say("Hello.") is None, "say: None", "something else")
     first = robot.detect_from_RGB_image("door")
     _check_detections(first)
     second = robot.detect_from_RGB_image("door")
-    _expect(
+    expect(
         [each.track_id for each in first] == [each.track_id for each in second],
         "detect_from_RGB_image: the same track_ids when nothing has moved",
         second,
@@ -77,14 +74,14 @@ def _check_looks(robot: Robot) -> None:
 
 def _check_detections(found: Sequence[Detection]) -> None:
     distances = [each.distance for each in found]
-    _expect(
+    expect(
         distances == sorted(distances),
         "detect_from_RGB_image: the nearest first",
         distances,
     )
     for each in found:
         left, top, right, bottom = each.box
-        _expect(
+        expect(
             0 <= each.distance <= DETECTION_RANGE
             and 0 <= left <= right <= 640
             and 0 <= top <= bottom <= 480
@@ -102,26 +99,26 @@ def _check_move(robot: Robot) -> None:
             lambda distance=nonsense: robot.move_forward(distance),  # type: ignore[arg-type]
             f"move_forward({nonsense!r})",
         )
-    _expect(
+    expect(
         robot.distance_travelled() == 0,
         "distance_travelled: 0 before the first move",
         robot.distance_travelled(),
     )
     result = robot.move_forward(0.5)
-    _expect(
+    expect(
         _is_a(MoveResult, result)
         and result.reason in ("done", "wall", "obstacle", "budget")
         and 0 <= result.distance <= 0.5 + SLACK,
         "move_forward(0.5): a MoveResult of at most 0.5 m",
         result,
     )
-    _expect(
+    expect(
         result.reason != "done" or result.distance >= 0.5 - SLACK,
         "move_forward(0.5): 0.5 m when it is `done`",
         result,
     )
     driven = robot.distance_travelled()
-    _expect(
+    expect(
         abs(driven - result.distance) <= SLACK,
         f"distance_travelled: {result.distance:.3f} m after the first move",
         driven,
@@ -130,7 +127,7 @@ def _check_move(robot: Robot) -> None:
 
 def _check_turn(robot: Robot) -> None:
     refused = robot.turn("sideways")
-    _expect(
+    expect(
         _is_a(TurnResult, refused)
         and not refused.turned
         and refused.angle_deg == 0
@@ -139,7 +136,7 @@ def _check_turn(robot: Robot) -> None:
         refused,
     )
     around = robot.turn("around")
-    _expect(
+    expect(
         around.turned and 90 <= abs(around.angle_deg) <= 180,
         "turn('around'): turned, from anywhere",
         around,
@@ -166,11 +163,6 @@ def _is_a(kind: type, value: object) -> bool:
     return isinstance(value, kind)
 
 
-def _expect(kept: bool, expected: str, got: object) -> None:
-    if not kept:
-        raise AssertionError(f"expected {expected}; got {got!r}")
-
-
 def _expect_value_error(call: Callable[[], object], name: str) -> None:
     try:
         got = call()
@@ -183,6 +175,6 @@ def _expect_over(call: Callable[[], object], name: str) -> None:
     try:
         got = call()
     except EpisodeOver as over:
-        _expect(over.stopped_by == "agent", f"{name}: stopped by agent", over)
+        expect(over.stopped_by == "agent", f"{name}: stopped by agent", over)
         return
     raise AssertionError(f"expected {name} to raise EpisodeOver; got {got!r}")

@@ -1,0 +1,11 @@
+"""Contracts for sites, robots and agents, for tests of this project and of users.
+
+Each `check_…` function returns None or raises `AssertionError` with what was expected
+and what came.
+"""
+
+from memorymaze.testing.agents import check_agent
+from memorymaze.testing.robots import check_robot
+from memorymaze.testing.sites import check_site
+
+__all__ = ["check_agent", "check_robot", "check_site"]

@@ -1,0 +1,13 @@
+"""How a broken contract is told."""
+
+__all__ = ["expect"]
+
+
+def expect(kept: bool, expected: str, got: object) -> None:
+    """Do nothing where a contract is kept.
+
+    Raises:
+        AssertionError: It is not; says what was expected and what came.
+    """
+    if not kept:
+        raise AssertionError(f"expected {expected}; got {got!r}")

@@ -1,0 +1,101 @@
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from memorymaze.agents import AGENTS, Agent, Journal, StopAgent
+from memorymaze.agents.code_generation import CodeGenerationAgent
+from memorymaze.errors import EpisodeOver
+from memorymaze.geometry.pose import Pose
+from memorymaze.language.model import CompletionRequest
+from memorymaze.language.scripted_model import ScriptedLanguageModel
+from memorymaze.robot.api import Robot
+from memorymaze.simulation import SimulatedRobot, SimulationSettings, build_scene
+from memorymaze.sites import Site
+from memorymaze.testing import check_agent
+
+PROGRAM = """
+move_forward(5.0)
+while not turn("left").turned:
+    if move_forward(0.5).reason != "done":
+        break
+"""
+
+
+def answer(request: CompletionRequest) -> str:
+    asked = request.messages[-1].content
+    if "Description:" in asked:
+        return "Refined steps:\n1. Go ahead.\n2. Turn left."
+    return f"Refined program:\n```python\n{PROGRAM}```"
+
+
+@pytest.mark.parametrize("name", AGENTS)
+def test_every_agent_keeps_the_contract(name: str) -> None:
+    check_agent(AGENTS[name]())
+
+
+@pytest.mark.parametrize("parser", [True, False])
+def test_the_code_generation_agent_keeps_the_contract(parser: bool) -> None:
+    check_agent(CodeGenerationAgent(ScriptedLanguageModel(answer), parser=parser))
+
+
+@pytest.fixture
+def make_robot(corridor_site: Site) -> Callable[[], Robot]:
+    """Robots in a corridor, for ten simulated seconds."""
+    scene = build_scene(corridor_site)
+    settings = SimulationSettings(time_budget=10.0)
+    return lambda: SimulatedRobot(scene, Pose(2, 0, 0), settings)
+
+
+class Nameless(StopAgent):
+    name = ""
+
+
+class Failing(StopAgent):
+    def follow(
+        self, instruction: str, robot: Robot, journal: Journal, rng: np.random.Generator
+    ) -> None:
+        if instruction == "?":
+            raise IndexError("no words")
+
+
+class Denying(StopAgent):
+    def follow(
+        self, instruction: str, robot: Robot, journal: Journal, rng: np.random.Generator
+    ) -> None:
+        for _ in range(20):
+            try:
+                robot.move_forward(1.0)
+            except EpisodeOver:
+                continue
+
+
+class Remembering(StopAgent):
+    def __init__(self) -> None:
+        self.followed = 0
+
+    def follow(
+        self, instruction: str, robot: Robot, journal: Journal, rng: np.random.Generator
+    ) -> None:
+        self.followed += 1
+        robot.move_forward(0.1 * self.followed)
+
+
+@pytest.mark.parametrize(
+    ("agent", "said"),
+    [
+        pytest.param(Nameless(), "one line of text, got ''", id="nameless"),
+        pytest.param(Failing(), r"IndexError: no words \(test_agents.py", id="failing"),
+        pytest.param(Denying(), "episode is over; got '10 more calls'", id="denying"),
+        pytest.param(Remembering(), "the same calls for the same", id="remembering"),
+    ],
+)
+def test_an_agent_that_breaks_the_contract_is_told_how(
+    agent: Agent, said: str, make_robot: Callable[[], Robot]
+) -> None:
+    with pytest.raises(AssertionError, match=said):
+        check_agent(agent, make_robot)
+
+
+def test_an_agent_may_promise_no_repetition(make_robot: Callable[[], Robot]) -> None:
+    check_agent(Remembering(), make_robot, repeatable=False)
