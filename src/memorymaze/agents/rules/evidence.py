@@ -203,7 +203,7 @@ def _mention_cost(
     asked: frozenset[str],
 ) -> float:
     weight = 0.4 if mention.weak else 0.5 if is_common(mention.phrase) else 1.0
-    at_turn = mention.place in {"turn", "before_turn", "after_turn"}
+    at_turn = mention.place in {"turn", "beside", "before_turn", "after_turn"}
     best = 0.0
     for sighting in floor.seen(mention.phrase):
         from_turn = math.dist(sighting.place, place)

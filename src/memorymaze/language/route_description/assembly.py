@@ -71,6 +71,8 @@ class _Assembly:
             case "pass_ways":
                 self._settle_way()
                 self._draft.passings.append(Passing(event.count, _flank(event)))
+            case "way" if event.back and self._done:
+                self._change_last_turn(ordinal=event.ordinal)
             case "way":
                 self._settle_way()
                 self._way, self._way_age = event, 0
@@ -241,6 +243,7 @@ class _Assembly:
                 side=self._side,
                 weak=event.relation == "into",
                 nth=event.ordinal,
+                subject=event.subject,
                 ignored=event.ignored,
             )
         )
@@ -248,7 +251,9 @@ class _Assembly:
         self._last = draft.mentions
 
     def _add_side(self, event: Event) -> None:
-        if event.likely:
+        if event.of_goal:
+            self._draft.side = event.side
+        elif event.likely:
             self._side = event.side
         elif self._way is not None and self._way.side is None and not self._last:
             self._way = replace(self._way, side=event.side)
@@ -273,7 +278,7 @@ class _Assembly:
 
     def _ends_the_turn(self, event: Event, at: int) -> bool:
         """`Turn right, opposite the hall.`: a place said last is that of the turn."""
-        if event.relation not in {"at", "before", "after"} or not self._done:
+        if event.relation not in {"at", "beside", "before", "after"} or not self._done:
             return False
         if not self._draft.is_new:
             return False

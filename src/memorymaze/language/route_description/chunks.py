@@ -6,7 +6,7 @@ Kinds of chunk, one letter each so that rules can be patterns over strings of ki
 (`on the left`), `2` two turns in one word (`right-left`), `m` both sides, `H` straight,
 `O` ordinal, `J` junction noun, `M` length, `n` number, `E` end of the way, `T` turn
 verb, `G` go verb, `K` the way bends, `V` see verb, `B` is/there is, `Z` it's/that's,
-`A` at/by/when/where, `Q` before/after, `U` until/to, `t` into, `P` past, `I` ignore,
+`A` at/by/when/where, `w` next to, `b` go back, `Q` before/after, `U` until/to, `t` into, `P` past, `I` ignore,
 `X` not, `Y` take that one, `D` by itself, `C` sorry/no wait, `c` if, `o` too far,
 `R` you have arrived, `a` again, `r` so, `e` yes, `d` front right, `i` at once, `h` maybe, `f` filler, `N` a thing's name (made of
 the content words `W`).
@@ -179,7 +179,9 @@ def _way_of(words: str) -> Way | None:
         way = CLOCK.get(clock[1])
         return None if way == "behind" else way  # type: ignore[return-value]
     side = "left" if "left" in words else "right"
-    slanted = re.search(r"slight|half|soft|gentl|\bbit\b|little|diagonal", words)
+    slanted = re.search(
+        r"slight|half|soft|gentl|\bbit\b|little|diagonal|keep|stay|bear|veer", words
+    )
     if slanted:
         return "slight_left" if side == "left" else "slight_right"
     return side  # type: ignore[return-value]
@@ -202,7 +204,7 @@ def _join_names(chunks: list[Chunk], text: str) -> list[Chunk]:
                 break
             following = chunks[after]
             gap = text[chunks[last].start + len(chunks[last].text) : following.start]
-            if following.kind in "Wn" and gap in {"", " ", "-", " - "}:
+            if following.kind in "Wn" and gap in {"", " ", "-", " - ", "' "}:
                 last = after
                 continue
             if (
@@ -210,6 +212,9 @@ def _join_names(chunks: list[Chunk], text: str) -> list[Chunk]:
                 and gap == " "
                 and _PROPER_WAY.fullmatch(following.text)
             ):
+                last = after
+                continue
+            if gap == "'" and following.kind == "W":
                 last = after
                 continue
             if following.text == "'s" and after + 1 < len(chunks):

@@ -207,7 +207,8 @@ class ClauseReader:
             self._take(Event("turn", way=chunk.way, forced=bends))
         elif chunk.way is not None or chunk.kind == "S":
             first = comes_before_its_thing(clause, at)
-            self._add(Event("side", side=side_of(chunk), likely=first))
+            goal = clause.kinds.startswith("Z") and "N" not in clause.kinds
+            self._add(Event("side", side=side_of(chunk), likely=first, of_goal=goal))
 
     # -- things
 
@@ -227,9 +228,16 @@ class ClauseReader:
         relation = self._relation(at)
         counted = clause.kind_before(at) == "O"
         nth = int(clause.chunks[at - 1].number or 1) if counted else None
-        back = self._turned and relation in {"at", "before", "after"}
+        back = self._turned and relation in {"at", "beside", "before", "after"}
         self._add(
-            Event("thing", phrase=phrase, relation=relation, back=back, ordinal=nth)
+            Event(
+                "thing",
+                phrase=phrase,
+                relation=relation,
+                subject=clause.kinds[at + 1 : at + 2] == "B",
+                back=back,
+                ordinal=nth,
+            )
         )
 
     def _relation(self, at: int) -> Relation:
@@ -247,6 +255,8 @@ class ClauseReader:
                 if chunk.text.startswith(("from", "out", "away", "off")):
                     return "from"
                 return "see" if chunk.text in _LOOSE else "at"
+            case "w":
+                return "beside"
             case "Q":
                 return "before" if "before" in chunk.text else "after"
             case "U":

@@ -26,6 +26,7 @@ _ORDINALS = {1: "first", 2: "second", 3: "third", -1: "last"}
 _JUNCTIONS = {"t": "a T junction", "crossing": "a crossing", "corner": "a corner"}
 _PLACES = {
     "turn": "at",
+    "beside": "next to",
     "before_turn": "after",
     "after_turn": "before",
     "along": "with",

@@ -23,6 +23,11 @@ _ENTERED = re.compile(
     r"(?:that's|that is|this is|it's|there's|here is|here's|there is|then is|you're (?:at|in|on)"
     r"|you are (?:at|in|on|now on)|means|find|reach|see|to|into) (?:the |your |a |now on the )*$"
 )
+_ASKED = re.compile(r"\s*[?:!.]")
+_ALONE = re.compile(
+    r"(?:(?:oh|ah|hm+|well|okay|ok|um|uh|so|yes|now|to|for)?[ ,.]*)*(?:the |your )?"
+)
+"""What may stand around the destination when a text begins with it alone."""
 _ASIDE = re.compile(
     r" (?:is|comes|are|was) (?:just )?(?:before|after|opposite|across|first|behind)\b"
 )
@@ -70,14 +75,14 @@ def find_destinations(
     if not scores:
         scores = {p: w + text.rfind(p) / len(text) for p, w in named.items() if p}
     if not scores:
-        return (), None, None
+        return (), last.side, None
     if not all(map(is_common, scores)):
         scores = {p: score - 3.0 * is_common(p) for p, score in scores.items()}
     ranked = sorted(scores, key=lambda phrase: -scores[phrase])
     best = scores[ranked[0]]
     kept = tuple(p for p in ranked if scores[p] >= best - 1.6)[:_MAX]
     nth = next((m.nth for m in last.mentions if m.nth is not None), None)
-    side: Side | None = sides.get(kept[0])
+    side: Side | None = sides.get(kept[0]) or last.side
     if side is None:
         side = next(
             (m.side for m in last.mentions if is_common(m.phrase) and m.side), None
@@ -93,7 +98,9 @@ def _score(mention: Mention) -> float:
         score += 0.6
     if mention.place in {"turn", "target"}:
         score += 0.6
-    if mention.place in {"before_turn", "after_turn", "passed"}:
+    if mention.subject:
+        score += 0.8
+    if mention.place in {"before_turn", "after_turn", "passed", "beside"}:
         score -= 1.0
     if re.search(r"\d", mention.phrase):
         score += 0.4
@@ -115,7 +122,9 @@ def _weights_in_text(chunks: list[Chunk], text: str) -> dict[str, float]:
         if _ASIDE.match(after):
             weight -= 1.5
         share = chunk.start / max(len(text), 1)
-        if _ANNOUNCED.search(before):
+        if chunk.start < 25 and _ASKED.match(after) and _ALONE.fullmatch(before):
+            weight += 3.0
+        elif _ANNOUNCED.search(before):
             weight += 3.0 if share < 0.25 or share > 0.8 else 1.0
         elif share > 0.7 and _ENTERED.search(before):
             weight += 1.0

@@ -69,13 +69,13 @@ def _is_bare_turn(
     if not before and after.startswith("N"):
         return _DOOR.search(clause.chunks[at + 1].text) is None
     if last == "N":
-        bound = re.search("([AQPUtV])N+$", before)
+        bound = re.search("([AwQPUtV])N+$", before)
         return bound is not None and not clause.chunks[bound.start()].text.startswith(
             _LOOSE
         )
     if last == "B":
         return "N" not in before or "J" in before
-    if last == "A":
+    if last in {"A", "w"}:
         return False
     if last in {"L", "S"}:
         return after_turn
@@ -129,7 +129,7 @@ def is_on_both_sides(clause: Clause, at: int) -> bool:
     if "-" in clause.chunks[at].text:
         return False
     before = clause.kinds[:at]
-    return before.endswith("N") and re.search("[AQPUt]N+$", before) is None
+    return before.endswith("N") and re.search("[AwQPUt]N+$", before) is None
 
 
 def names_a_way(clause: Clause, at: int, *, turn: bool) -> bool:

@@ -21,6 +21,7 @@ __all__ = ["Draft", "arrival_of", "leg_of", "place_of"]
 _PLACES: dict[str, Place] = {
     "at": "turn",
     "until": "turn",
+    "beside": "beside",
     "after": "before_turn",
     "before": "after_turn",
     "into": "target",
@@ -40,6 +41,8 @@ class Draft:
     junction: Junction | None = None
     at_once: bool = False
     straight: bool = False
+    side: Side | None = None
+    """Side of what is not named: `it is on your left`."""
     turn: Turn | None = None
     plain_last: bool = False
     """True when the turn was one bare word after a thing named in its sentence."""

@@ -31,7 +31,9 @@ EventKind = Literal[
 ]
 """`way` is an opening that is named without saying whether to take it."""
 
-Relation = Literal["at", "before", "after", "until", "past", "see", "from", "into", ""]
+Relation = Literal[
+    "at", "beside", "before", "after", "until", "past", "see", "from", "into", ""
+]
 """How a thing is bound to the clause: `before` and `after` as the words were said."""
 
 
@@ -50,8 +52,12 @@ class Event:
     relation: Relation = ""
     ignored: bool = False
     """For `thing`: to be left alone."""
+    of_goal: bool = False
+    """For `side`: of what is spoken of all the time: `it is on your left`."""
     back: bool = False
     """True when it was said after a turn in the same clause and belongs to it."""
+    subject: bool = False
+    """For `thing`: the clause is about it: `the toilets are …`."""
     nearest: bool = False
     """For an ordinal: said as `next`, counted from where the sentence has come to."""
     likely: bool = False

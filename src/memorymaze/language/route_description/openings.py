@@ -66,10 +66,12 @@ def read_opening(
                 forced="K" in before,
             )
             return [turn], at
+    elif turned and before.endswith("A"):
+        return [_likely(way, back=True)], at
     elif re.search("[Tt]", before) and "V" not in before:
         return [_likely(way, taken=True)], at
     elif re.search("[AU]$", before):
-        return [_likely(way, back=turned)], at
+        return [_likely(way)], at
     exists = after.startswith("B") and "L" not in clause.kinds[start:at]
     if opening.ordinal is not None and not exists and before.strip("Q") == "":
         return [_likely(way)], at

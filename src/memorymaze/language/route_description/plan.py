@@ -31,10 +31,12 @@ Side = Literal["left", "right", "ahead", "behind"]
 Junction = Literal["t", "crossing", "corner"]
 """Kinds of junction that speakers name: a wall ahead, four ways, one way on."""
 
-Place = Literal["turn", "before_turn", "after_turn", "along", "passed", "target"]
+Place = Literal[
+    "turn", "beside", "before_turn", "after_turn", "along", "passed", "target"
+]
 """Where on a leg a thing is said to be.
 
-`turn` at the place of the turn, `before_turn` met shortly before it, `after_turn` the
+`turn` at the place of the turn, `beside` next to it, `before_turn` met shortly before it, `after_turn` the
 turn comes before the thing, `along` anywhere on the leg, `passed` before the turn is
 reached, `target` what the turn leads to.
 """
@@ -61,6 +63,8 @@ class Mention:
     """True for names of ways and rooms, which a camera may have nothing to show for."""
     nth: int | None = None
     """2 for `the second door`."""
+    subject: bool = False
+    """True when a clause says where it is: `the chapel is on your left`."""
     ignored: bool = False
     """True when it is to be left alone: on the way, but never the destination."""
 

@@ -10,7 +10,7 @@ from memorymaze.language.route_description.things import thing_phrase
 
 __all__ = ["read_clauses", "split_clauses"]
 
-_OPENERS = "TGIXPKOM2AQEVY"
+_OPENERS = "TGIXPKOM2AwQEVY"
 """Kinds of chunk that begin a new clause after `and`."""
 
 
@@ -104,10 +104,10 @@ def _speaks_of_missing(body: list[Chunk], rest: Sequence[list[Chunk]]) -> bool:
     """
     kinds = "".join(chunk.kind for chunk in body)
     later = "".join(chunk.kind for clause in rest[:12] for chunk in clause)
-    if "o" not in later:
+    if "o" not in later and not ("b" in later and "c" in later):
         return re.match("h*c", kinds) is not None and bool(
             re.search("[TG].*[LS]", kinds)
         )
-    if re.search("[co]", kinds):
+    if re.search("[cob]", kinds):
         return True
     return re.search("[L2M]", later) is None
