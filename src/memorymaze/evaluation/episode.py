@@ -85,7 +85,8 @@ def _attempt(
     trace += _beyond_the_plan(robot)
     trace += _closing(robot, walk, ended, error)
     values = arena.score(episode, walk, settings.success_distance)
-    success = ended == "agent" and values.success == 1.0
+    if ended != "agent":
+        values = values.without_success()
     told = episode.instruction
     result = EpisodeResult(
         episode_id=episode.id,
@@ -100,13 +101,13 @@ def _attempt(
         split=told.split,
         agent=agent.name,
         stopped_by=ended,
-        success=success,
+        success=values.success == 1.0,
         oracle_success=values.oracle_success == 1.0,
         spd=values.ne,
         cls=values.cls,
-        spl=values.spl if success else 0.0,
+        spl=values.spl,
         ndtw=values.ndtw,
-        sdtw=values.sdtw if success else 0.0,
+        sdtw=values.sdtw,
         path_length=values.path_length,
         collisions=len(robot.collisions),
         turns_in_order=turns_in_order(
