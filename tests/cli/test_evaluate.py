@@ -113,6 +113,24 @@ def test_the_help_names_every_agent(memorymaze: Memorymaze) -> None:
     assert all(name in text for name in [*AGENTS, "oracle"])
 
 
+def test_the_source_of_turning_points_is_a_setting_of_a_run(
+    memorymaze: Memorymaze, tiny_files: list[str], tmp_path: Path
+) -> None:
+    command = ["evaluate", "--agent", "stop", *tiny_files, "--limit", "2"]
+    command += ["--workers", "1", "--out", tmp_path / "run", "--turning-points"]
+    wrong = memorymaze(*command, "radar")
+    assert wrong.code == 2
+    assert "annotated, lidar" in wrong.err
+    assert "'radar'" in wrong.err
+    said = memorymaze(*command, "lidar")
+    assert said.code == 0
+    assert "turning points by LiDAR" in said.out
+    simulation = read_run(tmp_path / "run")[0].settings.simulation
+    assert simulation.turning_points == "lidar"
+    refused = memorymaze(*command, "annotated", "--resume")
+    assert "simulation.turning_points: 'lidar' there, 'annotated' here" in refused.err
+
+
 def test_obstacles_are_settings_of_a_run(
     memorymaze: Memorymaze, tiny_files: list[str], tmp_path: Path
 ) -> None:

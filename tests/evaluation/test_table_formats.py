@@ -87,3 +87,18 @@ def test_csv_gives_back_every_row_unrounded(runs: list[MeasuredRun]) -> None:
             "human" if row.run is None else "human+llm"
         )
         assert line["time_budget_s"] == ("" if row.run is None else "529.0")
+
+
+def test_turning_points_by_lidar_are_stated_above_the_table(
+    tmp_path: Path, record: RunRecord, result: Make
+) -> None:
+    sensing = replace(record.settings.simulation, turning_points="lidar")
+    settings = replace(record.settings, simulation=sensing)
+    folder = tmp_path / "sensing"
+    with open_run_folder(folder, replace(record, settings=settings), resume=False) as r:
+        r.add(result("a-1"))
+    runs = load_runs([folder])
+    assert runs[0].label == "rules, turning points by LiDAR"
+    assert "TURNING POINTS BY LIDAR" in format_tables(runs, ["II"], "text")
+    [line, *_] = csv.DictReader(io.StringIO(format_tables(runs, ["II"], "csv")))
+    assert line["turning_points"] == "lidar"

@@ -81,11 +81,23 @@ def add_episode_options(parser: argparse.ArgumentParser) -> None:
         "heavy, or settings such as things=4,density=1,seed=1 (alone: medium; "
         "default: none). Results are a track of their own",
     )
+    parser.add_argument(
+        "--turning-points",
+        metavar="SOURCE",
+        help="where the robot knows turning points from: annotated (the site plan, "
+        "the default) or lidar (its scans and odometry)",
+    )
 
 
 def episode_settings(options: argparse.Namespace) -> dict[str, Any]:
     """Return what the options say of every episode, defaults left out."""
-    names = ("seed", "success_distance", "time_budget", "call_budget")
+    names = (
+        "seed",
+        "success_distance",
+        "time_budget",
+        "call_budget",
+        "turning_points",
+    )
     given = {name: getattr(options, name) for name in names}
     settings = {name: value for name, value in given.items() if value is not None}
     if options.obstacles is not None:

@@ -20,6 +20,7 @@ from memorymaze.instructions.records import Instruction
 from memorymaze.metrics.success import SUCCESS_DISTANCE
 from memorymaze.simulation import SimulationSettings
 from memorymaze.simulation.obstacles import ObstacleSettings
+from memorymaze.simulation.settings import TurningPoints
 from memorymaze.sites import Route, Site
 
 __all__ = ["check_folder", "find_route", "navigate", "write_navigation"]
@@ -79,6 +80,7 @@ def navigate(
     time_budget: float | None = None,
     call_budget: int | None = None,
     obstacles: ObstacleSettings | None = None,
+    turning_points: TurningPoints = "annotated",
 ) -> EpisodeRun:
     """Let an agent follow a text from the start of a route.
 
@@ -92,13 +94,14 @@ def navigate(
         time_budget: Simulated seconds; None for the default of the site's routes.
         call_budget: Calls of the control API; None for the default.
         obstacles: Things in the way and people; None for none.
+        turning_points: Where the robot knows turning points from.
 
     Raises:
         MemoryMazeError: Something that was given cannot be used.
     """
     if not text.strip():
         raise SettingsError("text: expected an instruction, got nothing")
-    abilities = SimulationSettings()
+    abilities = SimulationSettings(turning_points=turning_points)
     if time_budget is None:
         time_budget = default_time_budget(site.routes, abilities)
     if call_budget is None:

@@ -17,7 +17,7 @@ from memorymaze.instructions.episodes import episodes
 from memorymaze.instructions.records import Episode
 from memorymaze.metrics.success import SUCCESS_DISTANCE
 from memorymaze.simulation.obstacles import ObstacleSettings
-from memorymaze.simulation.settings import SimulationSettings
+from memorymaze.simulation.settings import SimulationSettings, TurningPoints
 from memorymaze.sites import Site, load_sites
 
 __all__ = ["RunPlan", "plan_run"]
@@ -45,6 +45,7 @@ def plan_run(
     call_budget: int | None = None,
     simulation: SimulationSettings | None = None,
     obstacles: ObstacleSettings | None = None,
+    turning_points: TurningPoints | None = None,
 ) -> RunPlan:
     """Load and check everything a run needs, before anything is written.
 
@@ -57,9 +58,10 @@ def plan_run(
         success_distance: Metres.
         time_budget: Simulated seconds per episode; None for `default_time_budget`.
         call_budget: Calls of the control API per episode; None for the simulation's.
-        simulation: The robot's abilities; None for the defaults. Budgets above count
-            before those in it.
+        simulation: The robot's abilities; None for the defaults. Budgets above and
+            the source of turning points below count before those in it.
         obstacles: Things in the way and people; None for none.
+        turning_points: Where the robot knows them from; None for the simulation's.
 
     Raises:
         MemoryMazeError: Something that was given cannot be used.
@@ -71,6 +73,8 @@ def plan_run(
     names = dict.fromkeys(episode.instruction.site for episode in chosen)
     sites = {name: all_sites[name] for name in names}
     abilities = simulation or SimulationSettings()
+    if turning_points is not None:
+        abilities = replace(abilities, turning_points=turning_points)
     if time_budget is None:
         routes = [route for site in sites.values() for route in site.routes]
         time_budget = default_time_budget(routes, abilities)

@@ -63,6 +63,7 @@ def summarise(
         cells.setdefault(key, []).append(result)
     return {
         "track": "obstacles" if settings.obstacles is not None else "default",
+        "turning_points": settings.simulation.turning_points,
         "episodes": len(results),
         "episodes_missing": settings.episodes - len(results),
         "instructions_written_by": dict(Counter(r.source for r in results)),
@@ -104,6 +105,8 @@ def summary_lines(summary: dict[str, Any]) -> list[str]:
         error, count = next(iter(summary["errors"].items()))
         failed = sum(summary["errors"].values())
         lines.append(f"{failed} ended with an error, {count} of them with: {error}")
+    if summary["turning_points"] == "lidar":
+        lines.append("turning points by LiDAR, not from the site plan")
     if summary["track"] == "obstacles":
         rates = summary["safety"]
         lines.append(

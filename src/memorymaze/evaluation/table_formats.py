@@ -78,6 +78,10 @@ def run_notes(run: MeasuredRun) -> list[str]:
         f"{settings.simulation.call_budget}, seed {settings.seed}, memorymaze "
         f"{_code(run)}",
     ]
+    if settings.simulation.turning_points == "lidar":
+        notes.append(
+            "TURNING POINTS BY LIDAR (scans and odometry), not from the site plan."
+        )
     if settings.obstacles is not None:
         notes += _obstacle_notes(settings.obstacles, run.results)
     if settings.agent.model is not None:
@@ -182,7 +186,8 @@ def _csv(rows: Iterable[tuple[TableRow, TableName]]) -> str:
     for name in MEASURES:
         columns += [name, f"{name}_low", f"{name}_high"]
     columns += ["instructions_written_by", "episodes_missing", "seed"]
-    columns += ["success_distance_m", "time_budget_s", "call_budget", "track"]
+    columns += ["success_distance_m", "time_budget_s", "call_budget"]
+    columns += ["turning_points", "track"]
     columns += ["things_per_100m", "people_per_100m2", "people", "obstacle_seed"]
     columns += [f"{name}_per_100m" for name in PER_DISTANCE] + ["waiting_s_per_episode"]
     out = io.StringIO()
@@ -218,6 +223,7 @@ def _csv(rows: Iterable[tuple[TableRow, TableName]]) -> str:
                 "success_distance_m": settings.success_distance,
                 "time_budget_s": settings.simulation.time_budget,
                 "call_budget": settings.simulation.call_budget,
+                "turning_points": settings.simulation.turning_points,
                 "track": "default" if settings.obstacles is None else "obstacles",
             }
             if settings.obstacles is not None:

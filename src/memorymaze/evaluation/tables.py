@@ -217,4 +217,6 @@ def _place(row: PublishedResult) -> Place:
 def _label(record: RunRecord, results: Iterable[EpisodeResult]) -> str:
     names = {result.agent for result in results}
     name = ", ".join(sorted(names)) or record.settings.agent.name
+    if record.settings.simulation.turning_points == "lidar":
+        name += ", turning points by LiDAR"
     return name if record.settings.obstacles is None else f"{name}, with obstacles"

@@ -6,7 +6,7 @@ from typing import Literal, get_args
 
 from memorymaze.errors import SettingsError
 
-__all__ = ["TIMESTEP", "SimulationSettings"]
+__all__ = ["TIMESTEP", "SimulationSettings", "TurningPoints"]
 
 TIMESTEP = 0.01
 """Seconds of a physics step."""
