@@ -1,7 +1,10 @@
+from typing import Any
+
 import numpy as np
 import pytest
 
 from memorymaze.agents import Journal
+from memorymaze.language.model import Completion, Usage
 
 
 def test_a_journal_counts_what_was_spent() -> None:
@@ -38,3 +41,28 @@ def test_a_note_reaches_the_listener() -> None:
     journal = Journal(listener=heard.append)
     journal.note("steps", steps=["go"])
     assert heard == journal.notes == [{"kind": "steps", "steps": ["go"]}]
+
+
+def test_a_counted_reply_is_added_up_and_noted():
+    heard: list[Any] = []
+    journal = Journal(on_completion=lambda completion: 2 * completion.latency)
+    journal.listener = heard.append
+
+    for cost in (0.5, None):
+        usage = Usage(prompt_tokens=30, completion_tokens=12, cost_usd=cost)
+        journal.count(Completion("left", "m-1", usage, latency=1.5), stage="step")
+
+    assert (journal.model_calls, journal.tokens) == (2, 84)
+    assert (journal.cost_usd, journal.inference_s) == (0.5, 3.0)
+    assert journal.notes == heard
+    assert heard[1] == {
+        "kind": "model_reply",
+        "stage": "step",
+        "model": "m-1",
+        "text": "left",
+        "prompt_tokens": 30,
+        "completion_tokens": 12,
+        "cost_usd": None,
+        "latency": 1.5,
+        "standing_s": 3.0,
+    }

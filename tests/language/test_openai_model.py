@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 from memorymaze.errors import LanguageModelError, SettingsError
-from memorymaze.language.model import CompletionRequest, Message, Usage
+from memorymaze.language.model import CompletionRequest, Message, Picture, Usage
 from memorymaze.language.openai_model import OpenAIModel, TokenPrice
 
 REQUEST = CompletionRequest(
@@ -152,6 +152,24 @@ def test_a_request_goes_out_and_its_reply_comes_back_with_its_cost():
             "max_tokens": 77,
         }
     ]
+
+
+def test_pictures_go_out_beside_their_text():
+    picture = Picture(b"\xff\xd8\xff\xe0", "image/jpeg")
+    request = CompletionRequest((Message("user", "Which way?", (picture,)),))
+    with Server(reply("left")) as server:
+        server.model().complete(request)
+
+    assert server.requests[0]["messages"][0]["content"] == [
+        {"type": "text", "text": "Which way?"},
+        {"type": "image_url", "image_url": {"url": "data:image/jpeg;base64,/9j/4A=="}},
+    ]
+
+
+@pytest.mark.parametrize("kind", ["image/png", "image/gif"])
+def test_what_is_no_picture_of_its_kind_is_refused(kind: Any):
+    with pytest.raises(ValueError, match="expected the bytes of an image/jpeg or"):
+        Picture(b"\xff\xd8\xff\xe0", kind)
 
 
 def test_without_a_price_the_cost_is_unknown_and_without_usage_nothing_is_counted():

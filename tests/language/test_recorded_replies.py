@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from memorymaze.errors import LanguageModelError, SettingsError
-from memorymaze.language.model import CompletionRequest, Message
+from memorymaze.language.model import CompletionRequest, Message, Picture
 from memorymaze.language.recorded_replies import (
     RecordingModel,
     ReplayingModel,
@@ -17,6 +17,8 @@ from memorymaze.language.recorded_replies import (
 )
 from memorymaze.language.scripted_model import ScriptedLanguageModel
 
+PNG = Picture(b"\x89PNG\r\n\x1a\n one", "image/png")
+OTHER_PNG = Picture(b"\x89PNG\r\n\x1a\n two", "image/png")
 REQUEST = CompletionRequest((Message("system", "Be brief."), Message("user", "Go.")))
 
 
@@ -62,13 +64,36 @@ def test_a_request_that_was_not_recorded_is_a_model_error(store: Path):
         replace(REQUEST, temperature=0.1),
         replace(REQUEST, max_tokens=1),
         replace(REQUEST, seed=0),
+        replace(REQUEST, grammar="root ::= [a-z]+"),
+        replace(
+            REQUEST, messages=(REQUEST.messages[0], Message("user", "Go.", (PNG,)))
+        ),
     ],
-    ids=["order", "one more", "temperature", "length", "seed"],
+    ids=["order", "one more", "temperature", "length", "seed", "grammar", "picture"],
 )
 def test_all_of_a_request_is_in_its_key(other: CompletionRequest):
     assert request_key("m", other) != request_key("m", REQUEST)
     assert request_key("n", REQUEST) != request_key("m", REQUEST)
     assert request_key("m", REQUEST) == request_key("m", replace(REQUEST))
+
+
+def test_a_request_of_text_keeps_the_key_it_always_had():
+    assert request_key("m", REQUEST) == (
+        "1b66a359a68cad78c1d5b4cc01e4a8c8f25a3cb317234839ca904669662f6db0"
+    )
+
+
+def test_pictures_are_told_apart_and_replies_to_them_replayed(store: Path):
+    asked = [
+        CompletionRequest((Message("user", "What is this?", pictures),))
+        for pictures in ((PNG,), (OTHER_PNG,), (PNG, OTHER_PNG), (OTHER_PNG, PNG))
+    ]
+    recording = RecordingModel(ScriptedLanguageModel(["1", "2", "3", "4"]), store)
+    said = [recording.complete(request) for request in asked]
+
+    replaying = ReplayingModel(store)
+    assert [replaying.complete(request) for request in asked] == said
+    assert [completion.text for completion in said] == ["1", "2", "3", "4"]
 
 
 def test_failures_are_not_recorded(store: Path):
@@ -142,7 +167,7 @@ def test_a_file_that_may_only_be_read_replays(store: Path):
 def test_several_processes_record_into_one_file(store: Path):
     script = """
 import sys
-from memorymaze.language.model import CompletionRequest, Message
+from memorymaze.language.model import CompletionRequest, Message, Picture
 from memorymaze.language.recorded_replies import RecordingModel
 from memorymaze.language.scripted_model import ScriptedLanguageModel
 

@@ -8,9 +8,13 @@ from typing import Any, Protocol
 
 import numpy as np
 
+from memorymaze.language.model import Completion
 from memorymaze.robot.api import Robot
 
 __all__ = ["Agent", "Journal"]
+
+COUNTS = frozenset({"model_calls", "tokens"})
+AMOUNTS = frozenset({"cost_usd", "inference_s"})
 
 
 @dataclass
@@ -27,12 +31,16 @@ class Journal:
     tokens: int = 0
     """Of all requests and replies together."""
     cost_usd: float = 0.0
+    inference_s: float = 0.0
+    """Real seconds that replies took, all together."""
     notes: list[dict[str, Any]] = field(default_factory=list[dict[str, Any]])
     listener: Callable[[dict[str, Any]], None] | None = None
+    on_completion: Callable[[Completion], float] | None = None
+    """Lets the time of a reply pass for the robot; returns the simulated seconds."""
 
     def __setattr__(self, name: str, value: Any) -> None:
         """Refuse what could not be added up, in the line that assigns it."""
-        if name in {"model_calls", "tokens", "cost_usd"}:
+        if name in COUNTS or name in AMOUNTS:
             value = _amount(name, value)
         super().__setattr__(name, value)
 
@@ -43,15 +51,44 @@ class Journal:
         if self.listener is not None:
             self.listener(entry)
 
+    def count(self, completion: Completion, *, stage: str) -> None:
+        """Take note of a model's reply and of what it cost; once for each reply.
+
+        The robot stands while the model thinks: in a run, simulated time passes here.
+
+        Args:
+            completion: The reply.
+            stage: What was asked for, such as `program`.
+        """
+        usage = completion.usage
+        self.model_calls += 1
+        self.tokens += usage.prompt_tokens + usage.completion_tokens
+        self.cost_usd += usage.cost_usd or 0.0
+        self.inference_s += completion.latency
+        stood = 0.0
+        if self.on_completion is not None:
+            stood = self.on_completion(completion)
+        self.note(
+            "model_reply",
+            stage=stage,
+            model=completion.model,
+            text=completion.text,
+            prompt_tokens=usage.prompt_tokens,
+            completion_tokens=usage.completion_tokens,
+            cost_usd=usage.cost_usd,
+            latency=completion.latency,
+            standing_s=stood,
+        )
+
 
 def _amount(name: str, value: Any) -> int | float:
     try:
-        amount = float(value) if name == "cost_usd" else operator.index(value)
+        amount = float(value) if name in AMOUNTS else operator.index(value)
         if math.isfinite(amount) and amount >= 0:
             return amount
     except (TypeError, ValueError):
         pass
-    what = "an amount" if name == "cost_usd" else "a whole number"
+    what = "an amount" if name in AMOUNTS else "a whole number"
     raise ValueError(f"journal.{name}: expected {what} of at least 0, got {value!r}")
 
 

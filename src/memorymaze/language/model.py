@@ -3,7 +3,36 @@
 from dataclasses import dataclass
 from typing import Literal, Protocol
 
-__all__ = ["Completion", "CompletionRequest", "LanguageModel", "Message", "Usage"]
+__all__ = [
+    "Completion",
+    "CompletionRequest",
+    "LanguageModel",
+    "Message",
+    "Picture",
+    "Usage",
+]
+
+
+@dataclass(frozen=True, slots=True)
+class Picture:
+    """A picture shown to a model, in the bytes of its file.
+
+    Raises:
+        ValueError: There are no bytes, or they are not of the format named.
+    """
+
+    data: bytes
+    media_type: Literal["image/jpeg", "image/png"]
+
+    def __post_init__(self) -> None:
+        """Refuse what no server could read."""
+        beginning = {"image/jpeg": b"\xff\xd8\xff", "image/png": b"\x89PNG\r\n\x1a\n"}
+        expected = beginning.get(self.media_type)
+        if expected is None or not self.data.startswith(expected):
+            raise ValueError(
+                "picture: expected the bytes of an image/jpeg or image/png file, got "
+                f"{len(self.data)} bytes said to be {self.media_type!r}"
+            )
 
 
 @dataclass(frozen=True, slots=True)
@@ -12,6 +41,8 @@ class Message:
 
     role: Literal["system", "user", "assistant"]
     content: str
+    pictures: tuple[Picture, ...] = ()
+    """Shown after the text, in this order."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,6 +53,9 @@ class CompletionRequest:
     temperature: float = 0.0
     max_tokens: int = 2048
     seed: int | None = None
+    grammar: str | None = None
+    """GBNF grammar of the whole reply, for models that can be held to one; others
+    never see it."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,5 +1,6 @@
 """A client for servers that speak OpenAI's chat-completions protocol."""
 
+import base64
 import os
 import time
 from dataclasses import dataclass
@@ -9,7 +10,7 @@ from urllib.parse import urlsplit
 import openai
 
 from memorymaze.errors import LanguageModelError, SettingsError
-from memorymaze.language.model import Completion, CompletionRequest, Usage
+from memorymaze.language.model import Completion, CompletionRequest, Message, Usage
 
 __all__ = ["OpenAIModel", "TokenPrice"]
 
@@ -135,7 +136,7 @@ class OpenAIModel:
         return create(
             model=self._model,
             messages=[
-                {"role": message.role, "content": message.content}
+                {"role": message.role, "content": _content(message)}
                 for message in request.messages
             ],
             temperature=request.temperature,
@@ -218,6 +219,18 @@ class OpenAIModel:
         return LanguageModelError(
             f"language model {self._model} at {self._server} sent an answer {what}"
         )
+
+
+def _content(message: Message) -> str | list[dict[str, Any]]:
+    """Return a message's text, or text and pictures as the parts of a list."""
+    if not message.pictures:
+        return message.content
+    parts: list[dict[str, Any]] = [{"type": "text", "text": message.content}]
+    for picture in message.pictures:
+        data = base64.b64encode(picture.data).decode("ascii")
+        address = f"data:{picture.media_type};base64,{data}"
+        parts.append({"type": "image_url", "image_url": {"url": address}})
+    return parts
 
 
 def _from_environment(name: str) -> str | None:

@@ -38,8 +38,32 @@ CREATE TABLE IF NOT EXISTS replies (
 
 def request_key(model: str, request: CompletionRequest) -> str:
     """Return the key of a reply: a digest of the model's name and the request."""
-    asked = json.dumps([model, asdict(request)], sort_keys=True)
+    asked = json.dumps([model, _record(request)], sort_keys=True)
     return hashlib.sha256(asked.encode()).hexdigest()
+
+
+def _record(request: CompletionRequest) -> dict[str, Any]:
+    """Return a request as JSON knows it; a picture by its digest.
+
+    What a request does not use is left out, so that a request of text alone has the
+    key it had before there were pictures and grammars.
+    """
+    record = asdict(request)
+    if request.grammar is None:
+        del record["grammar"]
+    for message, shown in zip(record["messages"], request.messages, strict=True):
+        if not shown.pictures:
+            del message["pictures"]
+            continue
+        message["pictures"] = [
+            {
+                "media_type": picture.media_type,
+                "bytes": len(picture.data),
+                "sha256": hashlib.sha256(picture.data).hexdigest(),
+            }
+            for picture in shown.pictures
+        ]
+    return record
 
 
 class RecordingModel:
@@ -86,7 +110,7 @@ class RecordingModel:
                     (
                         key,
                         self.name,
-                        json.dumps(asdict(request)),
+                        json.dumps(_record(request)),
                         json.dumps(asdict(completion)),
                     ),
                 )
