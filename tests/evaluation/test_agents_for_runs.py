@@ -5,8 +5,15 @@ from pathlib import Path
 import pytest
 
 from memorymaze.agents import AGENTS
+from memorymaze.agents.options import list_options
 from memorymaze.errors import SettingsError
-from memorymaze.evaluation.agents_for_runs import agent_names, build_agent
+from memorymaze.evaluation.agent_listing import agent_listing
+from memorymaze.evaluation.agents_for_runs import (
+    agent_names,
+    agent_options,
+    build_agent,
+    known_agent,
+)
 from memorymaze.evaluation.oracle import OracleAgent
 from memorymaze.evaluation.plan import RunPlan
 from memorymaze.evaluation.settings import AgentSettings
@@ -49,6 +56,20 @@ class Deaf(Plain):
     def follow(self, instruction, robot):
         pass
 
+@dataclass
+class Strides:
+    stride: float = 0.5
+    "Metres per step."
+
+class Optional(Plain):
+    Options = Strides
+
+    def __init__(self, options):
+        self.name = f"strides of {options.stride}"
+
+class Wrong(Plain):
+    Options = 3
+
 class Leaving:
     def __init__(self):
         raise SystemExit("not today")
@@ -64,7 +85,20 @@ def own_agents(tmp_path: Path) -> Path:
 
 
 def test_all_names_are_known_and_the_oracle_is_one_of_them() -> None:
-    assert set(agent_names()) == {*AGENTS, "code_generation", "oracle"}
+    assert {*AGENTS, "code_generation", "oracle"} <= set(agent_names())
+
+
+@pytest.mark.parametrize("name", agent_names())
+def test_every_agent_says_what_it_is_and_what_its_options_mean(name: str) -> None:
+    listing = agent_listing([name])
+    options = agent_options(name)
+    assert listing.startswith(f"{name}: {known_agent(name).summary}")
+    assert listing.count("--set ") == (len(list_options(options)) if options else 0)
+
+
+def test_a_misspelt_agent_has_no_listing() -> None:
+    with pytest.raises(SettingsError, match="did you mean 'stop'"):
+        agent_listing(["stopp"])
 
 
 def test_the_oracle_is_made_for_its_episode(tiny_plan: Callable[..., RunPlan]) -> None:
@@ -164,3 +198,32 @@ def test_a_language_model_for_an_agent_without_one_is_refused(option: str) -> No
 def test_a_parser_for_an_agent_without_one_is_refused() -> None:
     with pytest.raises(SettingsError, match="no parser to leave out"):
         build_agent(AgentSettings("stop", parser=False))
+
+
+@pytest.mark.parametrize(
+    ("name", "options", "said"),
+    [
+        pytest.param("stop", [("at", "once")], "'stop' has no options", id="none"),
+        pytest.param("code_generation", [("sed", "1")], "'seed'", id="misspelt"),
+        pytest.param("{file}:Mine", [("at", "once")], "`Options`", id="own without"),
+        pytest.param("{file}:Optional", [("stride", "x")], "a number", id="own value"),
+        pytest.param("{file}:Wrong", [], "to be a dataclass, got 3", id="own wrong"),
+    ],
+)
+def test_options_that_an_agent_does_not_have_are_refused(
+    own_agents: Path, name: str, options: list[tuple[str, str]], said: str
+) -> None:
+    settings = AgentSettings(name.format(file=own_agents), options=tuple(options))
+    with pytest.raises(SettingsError, match=said):
+        build_agent(settings)
+
+
+def test_an_agent_of_ones_own_is_made_from_its_options(
+    own_agents: Path, tiny_plan: Callable[..., RunPlan]
+) -> None:
+    episode = tiny_plan("stop").episodes[0]
+    name = f"{own_agents}:Optional"
+    assert build_agent(AgentSettings(name))(episode).name == "strides of 0.5"
+    longer = AgentSettings(name, options=(("stride", "2"),))
+    assert build_agent(longer)(episode).name == "strides of 2.0"
+    assert "--set stride=0.5\n        Metres per step." in agent_listing([name])

@@ -54,3 +54,15 @@ def test_files_of_one_name_are_told_apart(settings: RunSettings) -> None:
     assert differences(
         replace(settings, instructions=pair), replace(settings, instructions=other)
     ) == ["instructions[0]: 'some.jsonl 1' there, 'some.jsonl 3' here"]
+
+
+def test_an_agents_options_are_compared_by_name(settings: RunSettings) -> None:
+    def with_options(*pairs: tuple[str, str]) -> RunSettings:
+        return replace(settings, agent=replace(settings.agent, options=pairs))
+
+    some = with_options(("max_tokens", "9"), ("seed", "1"))
+    assert differences(some, with_options(("seed", "1"), ("max-tokens", "9"))) == []
+    assert differences(some, with_options(("max_tokens", "8"))) == [
+        "agent.options.max_tokens: '9' there, '8' here",
+        "agent.options.seed: '1' there, None here",
+    ]

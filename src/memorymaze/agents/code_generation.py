@@ -4,6 +4,8 @@ Two requests at most, both before the robot moves: one turns the description int
 numbered steps (left out without the parser), one turns them into a program.
 """
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from memorymaze.agents.agent import Journal
@@ -19,7 +21,19 @@ from memorymaze.language.sandbox import DEFAULT_LIMITS, ProgramLimits, run_progr
 from memorymaze.robot.api import Robot
 from memorymaze.robot.specification import api_specification
 
-__all__ = ["CodeGenerationAgent"]
+__all__ = ["CodeGenerationAgent", "CodeGenerationOptions"]
+
+
+@dataclass(frozen=True, slots=True)
+class CodeGenerationOptions:
+    """How the language model is asked."""
+
+    temperature: float = 0.0
+    """Of all requests."""
+    max_tokens: int = 4096
+    """Longest reply to a request, all its parts together."""
+    seed: int | None = None
+    """Passed to the model; none sends no seed."""
 
 
 class CodeGenerationAgent:
@@ -34,27 +48,21 @@ class CodeGenerationAgent:
         model: LanguageModel,
         *,
         parser: bool = True,
+        options: CodeGenerationOptions | None = None,
         limits: ProgramLimits = DEFAULT_LIMITS,
-        temperature: float = 0.0,
-        max_tokens: int = 4096,
-        seed: int | None = None,
     ) -> None:
         """Prepare the agent.
 
         Args:
             model: Writes the steps and the program.
             parser: Whether instructions are parsed into steps first.
+            options: How the model is asked; None for the defaults.
             limits: How much a program may use.
-            temperature: Of both requests.
-            max_tokens: Longest reply to a request, all four parts together.
-            seed: Passed to the model.
         """
         self._model = model
         self._parser = parser
         self._limits = limits
-        self._temperature = temperature
-        self._max_tokens = max_tokens
-        self._seed = seed
+        self._options = options or CodeGenerationOptions()
         self._parsing_prompt = load_prompt("parse_instruction")
         self._program_prompt = load_prompt(
             "write_program", api_specification=api_specification().strip()
@@ -100,9 +108,9 @@ class CodeGenerationAgent:
     def _ask(self, stage: str, prompt: str, task: str, journal: Journal) -> str:
         request = CompletionRequest(
             messages=(Message("system", prompt), Message("user", task)),
-            temperature=self._temperature,
-            max_tokens=self._max_tokens,
-            seed=self._seed,
+            temperature=self._options.temperature,
+            max_tokens=self._options.max_tokens,
+            seed=self._options.seed,
         )
         journal.model_calls += 1
         completion = self._model.complete(request)

@@ -21,8 +21,16 @@ def add_agent_options(parser: argparse.ArgumentParser, default: str | None) -> N
         metavar="NAME",
         default=default,
         required=default is None,
-        help="rules, code_generation, oracle, stop, or your own as module:Class or "
-        "file.py:Class" + (f" (default: {default})" if default else ""),
+        help="rules, code_generation, …: see `memorymaze agents`; or your own as "
+        "module:Class or file.py:Class" + (f" (default: {default})" if default else ""),
+    )
+    parser.add_argument(
+        "--set",
+        metavar="NAME=VALUE",
+        action="append",
+        default=[],
+        help="an option of the agent; may be given several times. `memorymaze agents "
+        "NAME` lists the options of each agent, with what they mean",
     )
     model = parser.add_argument_group("language model (code_generation)")
     model.add_argument("--model", metavar="NAME", help="such as gpt-4o-mini")
@@ -109,11 +117,11 @@ def episode_settings(options: argparse.Namespace) -> dict[str, Any]:
 
 def agent_settings(options: argparse.Namespace) -> "AgentSettings":
     """Return the agent that the options ask for."""
-    from memorymaze.evaluation.agents_for_runs import has_language_model
+    from memorymaze.evaluation.agents_for_runs import has_parser
     from memorymaze.evaluation.settings import AgentSettings
 
     parser: bool | None = None
-    if has_language_model(options.agent) or options.no_parser:
+    if has_parser(options.agent) or options.no_parser:
         parser = not options.no_parser
     return AgentSettings(
         name=options.agent,
@@ -122,4 +130,14 @@ def agent_settings(options: argparse.Namespace) -> "AgentSettings":
         base_url=options.base_url,
         record=options.record,
         replay=options.replay,
+        options=tuple(_pair(text) for text in options.set),
     )
+
+
+def _pair(text: str) -> tuple[str, str]:
+    from memorymaze.errors import SettingsError
+
+    name, equals, value = text.partition("=")
+    if not (equals and name.strip()):
+        raise SettingsError(f"--set: expected NAME=VALUE, got {text!r}")
+    return name.strip(), value.strip()

@@ -13,7 +13,7 @@ import warnings
 from collections.abc import Sequence
 
 from memorymaze import __version__
-from memorymaze.cli import evaluate, instructions, navigate, score, sites, table
+from memorymaze.cli import agents, evaluate, instructions, navigate, score, sites, table
 from memorymaze.errors import (
     InstructionFileWarning,
     MemoryMazeError,
@@ -77,7 +77,7 @@ def _parser() -> argparse.ArgumentParser:
         "--debug", action="store_true", help="show where in the code an error arose"
     )
     verbs = parser.add_subparsers(title="verbs", metavar="VERB", required=True)
-    for verb in (navigate, evaluate, table, score, instructions, sites):
+    for verb in (navigate, evaluate, table, score, instructions, sites, agents):
         verb.add_parser(verbs)
     return parser
 

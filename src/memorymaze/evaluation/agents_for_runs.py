@@ -1,176 +1,201 @@
-"""From the name of an agent to the agent, for the command line and for workers."""
+"""From the name of an agent to the agent: the table of those that come with the package.
+
+To add one: an entry in `_KNOWN`, with how it is made, its dataclass of options (see
+`memorymaze.agents.options`), and what it needs.
+"""
 
 import difflib
-import importlib
-import importlib.util
-import inspect
-import sys
 from collections.abc import Callable
-from pathlib import Path
-from types import ModuleType
-from typing import Any, cast
+from dataclasses import dataclass
+from typing import Any, Literal
 
 from memorymaze.agents import AGENTS
 from memorymaze.agents.agent import Agent
+from memorymaze.agents.options import read_options
 from memorymaze.errors import SettingsError
-from memorymaze.evaluation.agent_failures import failure_line
 from memorymaze.evaluation.language_models import build_language_model
 from memorymaze.evaluation.oracle import OracleAgent
+from memorymaze.evaluation.own_agents import (
+    checked_agent,
+    make_own_agent,
+    own_options,
+)
 from memorymaze.evaluation.settings import AgentSettings
 from memorymaze.instructions.records import Episode
 
 __all__ = [
     "AgentFor",
+    "KnownAgent",
+    "Need",
     "agent_names",
+    "agent_needs",
+    "agent_options",
     "build_agent",
     "checked_agent",
     "has_language_model",
+    "has_parser",
+    "known_agent",
 ]
 
 AgentFor = Callable[[Episode], Agent]
-"""Gives the agent that follows an episode; only `oracle` looks at the episode."""
+"""Gives the agent that follows an episode; most look at no episode."""
 
-LANGUAGE_MODEL_AGENTS = ("code_generation",)
+Need = Literal["language_model", "graph", "camera", "answers"]
+"""What an agent is given besides text and robot: a language model to ask, the site's
+navigation graph, pictures, or the reference path."""
+
+
+@dataclass(frozen=True, slots=True)
+class KnownAgent:
+    """An agent that comes with the package."""
+
+    make: Callable[[AgentSettings, Any], AgentFor]
+    """Called with the settings and an instance of `options` (None where it has none)."""
+    summary: str
+    """What it does, in a few words."""
+    needs: frozenset[Need] = frozenset()
+    options: Callable[[], type] | None = None
+    """Gives the dataclass of its options, imported when asked for."""
+    parser: bool = False
+    """Whether it can parse instructions first (`--no-parser`)."""
+
+
+def _code_generation(settings: AgentSettings, options: Any) -> AgentFor:
+    from memorymaze.agents.code_generation import CodeGenerationAgent
+
+    model = build_language_model(settings)
+    agent = CodeGenerationAgent(
+        model, parser=settings.parser is not False, options=options
+    )
+    return lambda _: agent
+
+
+def _code_generation_options() -> type:
+    from memorymaze.agents.code_generation import CodeGenerationOptions
+
+    return CodeGenerationOptions
+
+
+def _oracle(settings: AgentSettings, options: Any) -> AgentFor:
+    return lambda episode: OracleAgent(episode.reference_path)
+
+
+def _plain(name: str) -> Callable[[AgentSettings, Any], AgentFor]:
+    def make(settings: AgentSettings, options: Any) -> AgentFor:
+        agent = AGENTS[name]()
+        return lambda _: agent
+
+    return make
+
+
+_KNOWN: dict[str, KnownAgent] = {
+    "code_generation": KnownAgent(
+        _code_generation,
+        "a language model writes one program, and the robot runs it",
+        needs=frozenset({"language_model"}),
+        options=_code_generation_options,
+        parser=True,
+    ),
+    "oracle": KnownAgent(
+        _oracle,
+        "follows the reference path: what the robot's body can reach",
+        needs=frozenset({"answers"}),
+    ),
+    "rules": KnownAgent(
+        _plain("rules"), "reads the instruction by rules, and needs no model"
+    ),
+    "stop": KnownAgent(_plain("stop"), "stops where it stands: the lower end"),
+}
 
 
 def agent_names() -> list[str]:
     """Return the names that `build_agent` knows without a module or file."""
-    return sorted({*AGENTS, *LANGUAGE_MODEL_AGENTS, "oracle"})
+    return sorted(_KNOWN)
+
+
+def known_agent(name: str) -> KnownAgent:
+    """Return an agent that comes with the package.
+
+    Raises:
+        SettingsError: There is none of this name; names the closest one.
+    """
+    if name in _KNOWN:
+        return _KNOWN[name]
+    close = difflib.get_close_matches(name, _KNOWN, n=1)
+    hint = f"; did you mean {close[0]!r}?" if close else ""
+    raise SettingsError(
+        f"agent: expected one of {', '.join(agent_names())}, or your own as "
+        f"module:Class or file.py:Class, got {name!r}{hint}"
+    )
+
+
+def agent_needs(name: str) -> frozenset[Need]:
+    """Return what an agent needs; nothing for users' own and for unknown names."""
+    return _KNOWN[name].needs if name in _KNOWN else frozenset()
+
+
+def agent_options(name: str) -> type | None:
+    """Return the dataclass of an agent's options; None where it has none.
+
+    Raises:
+        SettingsError: There is no such agent.
+    """
+    if ":" in name:
+        return own_options(name)
+    options = known_agent(name).options
+    return None if options is None else options()
 
 
 def has_language_model(name: str) -> bool:
     """Tell whether the agent of this name asks a language model."""
-    return name in LANGUAGE_MODEL_AGENTS
+    return "language_model" in agent_needs(name)
+
+
+def has_parser(name: str) -> bool:
+    """Tell whether the agent of this name can parse instructions first."""
+    return name in _KNOWN and _KNOWN[name].parser
 
 
 def build_agent(settings: AgentSettings) -> AgentFor:
     """Make an agent.
 
     Besides the names of `agent_names`, `package.module:Class` and `path/to/file.py:Class`
-    are understood: anything that can be called without arguments and returns an
-    `Agent`. What lies beside the file, or for a module in the current folder, can be
-    imported too. One agent follows all the episodes of a process, so it must not carry
-    anything from one to the next.
+    are understood: anything that can be called without arguments, or that has a dataclass
+    `Options` and can be called with one of these, and returns an `Agent`. One agent
+    follows all the episodes of a process, so it must not carry anything from one to the
+    next.
 
     Raises:
-        SettingsError: There is no such agent, it cannot be made, or the settings name
-            a language model for an agent that has none.
+        SettingsError: There is no such agent, it cannot be made, it has no such options,
+            or the settings name a language model for an agent that has none.
     """
+    known = None if ":" in settings.name else known_agent(settings.name)
     if not has_language_model(settings.name):
         _refuse_model(settings)
-    if settings.name == "oracle":
-        return lambda episode: OracleAgent(episode.reference_path)
-    if has_language_model(settings.name):
-        agent = _language_model_agent(settings)
-    elif settings.name in AGENTS:
-        agent = AGENTS[settings.name]()
-    else:
-        agent = _users_agent(settings.name)
-    return lambda _: agent
+    if settings.parser is not None and not has_parser(settings.name):
+        raise SettingsError(
+            f"--no-parser: the agent {settings.name!r} has no parser to leave out"
+        )
+    if known is None:
+        own = make_own_agent(settings.name, settings.options)
+        return lambda _: own
+    options = None
+    if known.options is not None:
+        options = read_options(known.options(), settings.options, agent=settings.name)
+    elif settings.options:
+        raise SettingsError(
+            f"--set {settings.options[0][0]}: the agent {settings.name!r} has no "
+            "options to set"
+        )
+    return known.make(settings, options)
 
 
 def _refuse_model(settings: AgentSettings) -> None:
+    askers = [name for name in agent_names() if has_language_model(name)]
     for option in ("model", "base_url", "record", "replay"):
         if getattr(settings, option) is not None:
             raise SettingsError(
                 f"--{option.replace('_', '-')}: the agent {settings.name!r} asks no "
                 "language model; leave the option out, or choose --agent "
-                f"{LANGUAGE_MODEL_AGENTS[0]}"
+                f"{' or '.join(askers)}"
             )
-    if settings.parser is not None:
-        raise SettingsError(
-            f"--no-parser: the agent {settings.name!r} has no parser to leave out"
-        )
-
-
-def _language_model_agent(settings: AgentSettings) -> Agent:
-    from memorymaze.agents.code_generation import CodeGenerationAgent
-
-    model = build_language_model(settings)
-    return CodeGenerationAgent(model, parser=settings.parser is not False)
-
-
-def _users_agent(name: str) -> Agent:
-    place, colon, attribute = name.rpartition(":")
-    if not colon:
-        close = difflib.get_close_matches(name, agent_names(), n=1)
-        hint = f"; did you mean {close[0]!r}?" if close else ""
-        raise SettingsError(
-            f"agent: expected one of {', '.join(agent_names())}, or your own as "
-            f"module:Class or file.py:Class, got {name!r}{hint}"
-        )
-    try:
-        module = _load(place)
-    except (Exception, SystemExit) as error:
-        raise SettingsError(
-            f"agent {name!r}: {place!r} cannot be imported ({failure_line(error)})"
-        ) from error
-    factory = getattr(module, attribute, None)
-    if not callable(factory):
-        raise SettingsError(
-            f"agent {name!r}: expected {place!r} to have a class {attribute!r}, got "
-            f"{'nothing of this name' if factory is None else repr(factory)}"
-        )
-    try:
-        return checked_agent(name, cast(Any, factory()))
-    except SettingsError:
-        raise
-    except (Exception, SystemExit) as error:
-        raise SettingsError(
-            f"agent {name!r}: cannot be made without arguments ({failure_line(error)})"
-        ) from error
-
-
-def checked_agent(name: str, agent: Any) -> Agent:
-    """Return an agent that has what every episode needs of one.
-
-    Args:
-        name: As the user calls it, for messages.
-        agent: Anything.
-
-    Raises:
-        SettingsError: It has no `name` of one line, or no `follow` with four arguments.
-    """
-    follow = getattr(agent, "follow", None)
-    if not (callable(follow) and hasattr(agent, "name")):
-        raise SettingsError(
-            f"agent {name!r}: expected an agent with `name` and `follow(instruction, "
-            f"robot, journal, rng)`, got {type(agent).__name__}"
-        )
-    called = agent.name
-    if not (isinstance(called, str) and called.strip() and called.isprintable()):
-        raise SettingsError(
-            f"agent {name!r}: expected its `name` to be one line of text, got {called!r}"
-        )
-    signature = inspect.signature(follow)
-    try:
-        signature.bind("the text", "the robot", "the journal", "the rng")
-    except TypeError:
-        raise SettingsError(
-            f"agent {name!r}: expected follow(instruction, robot, journal, rng), got "
-            f"follow{signature}"
-        ) from None
-    return agent
-
-
-def _load(place: str) -> ModuleType:
-    if not place.endswith(".py"):
-        _look_also_in(Path.cwd())
-        return importlib.import_module(place)
-    path = Path(place).absolute()
-    # Not its bare name: a user's random.py must not stand in for the library's.
-    spec = importlib.util.spec_from_file_location(f"own_agent_{path.stem}", path)
-    if spec is None or spec.loader is None or not path.is_file():
-        raise FileNotFoundError(f"no such file: {place}")
-    _look_also_in(path.parent)
-    module = importlib.util.module_from_spec(spec)
-    # Dataclasses and pickles inside the file look their module up here.
-    sys.modules[module.__name__] = module
-    spec.loader.exec_module(module)
-    return module
-
-
-def _look_also_in(folder: Path) -> None:
-    """Let imports find what lies beside a user's agent, after all that is installed."""
-    if str(folder) not in sys.path:
-        sys.path.append(str(folder))

@@ -45,6 +45,8 @@ class AgentSettings:
     """File that the model's replies are written to."""
     replay: str | None = None
     """File that replies are read from instead of asking a model."""
+    options: tuple[tuple[str, str], ...] = ()
+    """Names and values of the agent's own options, as they were given."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,6 +110,9 @@ def _flat(value: Mapping[str, Any], prefix: str = "") -> Iterable[tuple[str, Any
         if name in {"instructions", "sites"}:
             for number, stamp in enumerate(part):
                 yield f"{name}[{number}]", f"{stamp['name']} {stamp['sha256'][:12]}"
+        elif name == "options":
+            for option, given in part:
+                yield f"{prefix}{name}.{option.replace('-', '_')}", given
         elif isinstance(part, Mapping):
             yield from _flat(part, f"{prefix}{name}.")
         else:

@@ -1,0 +1,57 @@
+"""Agents, what they need and their options, in words."""
+
+import textwrap
+from collections.abc import Iterator, Sequence
+
+from memorymaze.agents.options import list_options
+from memorymaze.evaluation.agents_for_runs import (
+    Need,
+    agent_names,
+    agent_options,
+    known_agent,
+)
+
+__all__ = ["agent_listing"]
+
+_NEEDS: dict[Need, str] = {
+    "answers": "the reference path of its episode (no method to compare with)",
+    "camera": "pictures from the robot's camera",
+    "graph": "the navigation graph of the site",
+    "language_model": "a language model (--model, or recorded replies with --replay)",
+}
+_WIDTH = 88
+
+
+def agent_listing(names: Sequence[str] = ()) -> str:
+    """Return a text on agents: one paragraph each.
+
+    Args:
+        names: Which; those that come with the package when empty.
+
+    Raises:
+        SettingsError: There is no such agent.
+    """
+    paragraphs = ("\n".join(_paragraph(name)) for name in names or agent_names())
+    return "\n\n".join(paragraphs) + "\n"
+
+
+def _paragraph(name: str) -> Iterator[str]:
+    if ":" in name:
+        yield f"{name}: an agent of your own"
+    else:
+        agent = known_agent(name)
+        yield f"{name}: {agent.summary}"
+        for need in sorted(agent.needs):
+            yield f"  needs {_NEEDS[need]}"
+        if agent.parser:
+            yield "  parses instructions first, unless --no-parser is given"
+    kind = agent_options(name)
+    if kind is None:
+        yield "  no options"
+        return
+    for option in list_options(kind):
+        yield f"  --set {option.name}={option.default}"
+        said = f"{option.meaning} Takes {option.allowed}."
+        yield textwrap.fill(
+            said, _WIDTH, initial_indent=" " * 8, subsequent_indent=" " * 8
+        )
