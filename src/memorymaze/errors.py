@@ -10,6 +10,7 @@ __all__ = [
     "LanguageModelError",
     "MemoryMazeError",
     "ProgramError",
+    "RecordedPicturesWarning",
     "RenderingError",
     "RunFolderError",
     "SettingsError",
@@ -60,6 +61,10 @@ class UndefinedMetricError(MemoryMazeError):
 
 class LanguageModelError(MemoryMazeError):
     """A language model did not answer, or its answer cannot be used."""
+
+
+class RecordedPicturesWarning(UserWarning):
+    """Replies are replayed for pictures that differ from those recorded."""
 
 
 class ProgramError(MemoryMazeError):

@@ -8,7 +8,11 @@ from pathlib import Path
 
 import pytest
 
-from memorymaze.errors import LanguageModelError, SettingsError
+from memorymaze.errors import (
+    LanguageModelError,
+    RecordedPicturesWarning,
+    SettingsError,
+)
 from memorymaze.language.model import CompletionRequest, Message, Picture
 from memorymaze.language.recorded_replies import (
     RecordingModel,
@@ -190,3 +194,44 @@ for number in range(25):
     assert [process.returncode for process in running] == [0, 0, 0]
     assert len(said[0]) == 25
     assert said[0] == said[1] == said[2]
+
+
+def shown(data: bytes, name: str | None) -> CompletionRequest:
+    picture = Picture(b"\xff\xd8\xff" + data, "image/jpeg", name)
+    return CompletionRequest((Message("user", "Where to?", (picture,)),))
+
+
+def test_pictures_drawn_otherwise_are_found_by_their_names_and_that_is_said(
+    store: Path,
+):
+    recording = RecordingModel(ScriptedLanguageModel(["left", "right"]), store)
+    recording.complete(shown(b"here", "step 1"))
+    recording.complete(shown(b"there", "step 2"))
+    replaying = ReplayingModel(store)
+
+    with pytest.warns(RecordedPicturesWarning, match="differ from those"):
+        assert replaying.complete(shown(b"h3re", "step 1")).text == "left"
+    assert replaying.complete(shown(b"th3re", "step 2")).text == "right"  # said once
+
+
+def test_other_pictures_of_one_name_are_recorded_anew_and_not_guessed_at(store: Path):
+    recording = RecordingModel(ScriptedLanguageModel(["left", "right"]), store)
+    assert recording.complete(shown(b"empty hall", "step 1")).text == "left"
+    assert recording.complete(shown(b"full hall", "step 1")).text == "right"
+    replaying = ReplayingModel(store)
+
+    assert replaying.complete(shown(b"full hall", "step 1")).text == "right"
+    for name in ("step 1", "step 2", None):
+        with pytest.raises(LanguageModelError, match="no reply"):
+            replaying.complete(shown(b"dark hall", name))
+
+
+def test_a_file_from_before_pictures_had_names_replays(store: Path):
+    RecordingModel(ScriptedLanguageModel(["x"]), store).complete(shown(b"a", "1"))
+    with sqlite3.connect(store) as database:
+        database.execute("DROP TABLE replies_by_names")
+    database.close()
+
+    assert ReplayingModel(store).complete(shown(b"a", "1")).text == "x"
+    with pytest.raises(LanguageModelError, match="no reply"):
+        ReplayingModel(store).complete(shown(b"b", "1"))

@@ -23,6 +23,9 @@ class Picture:
 
     data: bytes
     media_type: Literal["image/jpeg", "image/png"]
+    name: str | None = None
+    """Says which picture this is, whatever its pixels; None where only they can tell.
+    A replay finds its replies by it on a machine that draws other pixels."""
 
     def __post_init__(self) -> None:
         """Refuse what no server could read."""

@@ -1,23 +1,31 @@
 """A store of language models' replies, so that a finished run can be run again.
 
 One SQLite file, keyed by all that determines a reply: the model's name and the whole
-request. Several processes may write to it at once.
+request. Several processes may write to it at once. Pictures count by their bytes; a
+replay that finds no reply for the bytes looks for one to pictures of the same names,
+because OpenGL draws slightly other pixels on other machines.
 """
 
 import hashlib
 import json
 import sqlite3
-from collections.abc import Generator
+import warnings
+from collections.abc import Callable, Generator
 from contextlib import closing, contextmanager
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-from memorymaze.errors import LanguageModelError, SettingsError
+from memorymaze.errors import (
+    LanguageModelError,
+    RecordedPicturesWarning,
+    SettingsError,
+)
 from memorymaze.language.model import (
     Completion,
     CompletionRequest,
     LanguageModel,
+    Picture,
     Usage,
 )
 
@@ -35,6 +43,14 @@ CREATE TABLE IF NOT EXISTS replies (
 )
 """
 
+_NAMED_TABLE = """
+CREATE TABLE IF NOT EXISTS replies_by_names (
+    names_key TEXT NOT NULL,
+    key TEXT NOT NULL,
+    PRIMARY KEY (names_key, key)
+)
+"""
+
 
 def request_key(model: str, request: CompletionRequest) -> str:
     """Return the key of a reply: a digest of the model's name and the request."""
@@ -42,7 +58,27 @@ def request_key(model: str, request: CompletionRequest) -> str:
     return hashlib.sha256(asked.encode()).hexdigest()
 
 
-def _record(request: CompletionRequest) -> dict[str, Any]:
+def _names_key(model: str, request: CompletionRequest) -> str | None:
+    """Return a key that takes pictures by their names; None where one has none."""
+    shown = [each for message in request.messages for each in message.pictures]
+    if not shown or any(picture.name is None for picture in shown):
+        return None
+    record = _record(request, lambda picture: {"name": picture.name})
+    asked = json.dumps([model, record], sort_keys=True)
+    return hashlib.sha256(asked.encode()).hexdigest()
+
+
+def _digest(picture: Picture) -> dict[str, Any]:
+    return {
+        "media_type": picture.media_type,
+        "bytes": len(picture.data),
+        "sha256": hashlib.sha256(picture.data).hexdigest(),
+    }
+
+
+def _record(
+    request: CompletionRequest, show: Callable[[Picture], dict[str, Any]] = _digest
+) -> dict[str, Any]:
     """Return a request as JSON knows it; a picture by its digest.
 
     What a request does not use is left out, so that a request of text alone has the
@@ -52,17 +88,9 @@ def _record(request: CompletionRequest) -> dict[str, Any]:
     if request.grammar is None:
         del record["grammar"]
     for message, shown in zip(record["messages"], request.messages, strict=True):
-        if not shown.pictures:
-            del message["pictures"]
-            continue
-        message["pictures"] = [
-            {
-                "media_type": picture.media_type,
-                "bytes": len(picture.data),
-                "sha256": hashlib.sha256(picture.data).hexdigest(),
-            }
-            for picture in shown.pictures
-        ]
+        del message["pictures"]
+        if shown.pictures:
+            message["pictures"] = [show(picture) for picture in shown.pictures]
     return record
 
 
@@ -80,6 +108,7 @@ class RecordingModel:
         try:
             with _open(self._path, make=True) as database:
                 database.execute(_TABLE)
+                database.execute(_NAMED_TABLE)
         except (sqlite3.Error, OSError) as error:
             raise SettingsError(
                 f"{self._path}: expected a place for a file of recorded replies ({error})"
@@ -113,6 +142,10 @@ class RecordingModel:
                         json.dumps(_record(request)),
                         json.dumps(asdict(completion)),
                     ),
+                )
+                database.execute(
+                    "INSERT OR IGNORE INTO replies_by_names SELECT ?, ? WHERE ? NOTNULL",
+                    (names := _names_key(self.name, request), key, names),
                 )
         except sqlite3.Error as error:
             raise LanguageModelError(
@@ -153,6 +186,7 @@ class ReplayingModel:
                 f"got replies of {', '.join(models) or 'none'}"
             )
         self._name = name or models[0]
+        self._warned = False
 
     @property
     def name(self) -> str:
@@ -162,17 +196,47 @@ class ReplayingModel:
     def complete(self, request: CompletionRequest) -> Completion:
         """Return the recorded reply.
 
+        Where none is recorded for these pictures but one for pictures of their names,
+        that is returned, and a warning says so once.
+
         Raises:
             LanguageModelError: None is recorded for this request.
         """
         key = request_key(self._name, request)
-        kept = _look_up(self._path, key)
+        kept = _look_up(self._path, key) or self._by_names(request)
         if kept is None:
             raise LanguageModelError(
                 f"{self._path}: no reply of {self._name} is recorded for this request "
                 f"({key[:12]}); it differs from what was asked when recording"
             )
         return kept
+
+    def _by_names(self, request: CompletionRequest) -> Completion | None:
+        names = _names_key(self._name, request)
+        key = None if names is None else _only_key(self._path, names)
+        kept = None if key is None else _look_up(self._path, key)
+        if kept is not None and not self._warned:
+            self._warned = True
+            warnings.warn(
+                f"{self._path}: the pictures differ from those that {self._name} was "
+                "shown, as they do when drawn by another OpenGL; its replies to the "
+                "pictures of the same names are taken",
+                RecordedPicturesWarning,
+                stacklevel=3,
+            )
+        return kept
+
+
+def _only_key(path: Path, names: str) -> str | None:
+    """Return the key recorded for pictures of these names; None unless there is one."""
+    try:
+        with _open(path) as database:
+            rows = database.execute(
+                "SELECT key FROM replies_by_names WHERE names_key = ?", (names,)
+            ).fetchall()
+    except sqlite3.OperationalError:  # recorded before pictures had names
+        return None
+    return str(rows[0][0]) if len(rows) == 1 else None
 
 
 def _look_up(path: Path, key: str) -> Completion | None:
