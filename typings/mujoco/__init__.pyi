@@ -172,6 +172,7 @@ class _DataCamera:
 
 class _Contacts:
     geom: _Ints
+    pos: _Floats
 
 class MjData:
     qpos: _Floats

@@ -13,7 +13,12 @@ STILL_DISTANCE = 0.01
 """Metres driven below which a call brought no motion."""
 STILL_ANGLE = 0.02
 """Radians turned below which a call brought no motion."""
-LOOKS = ("detect_turning_point", "turning_point_id", "detect_from_RGB_image")
+LOOKS = (
+    "detect_turning_point",
+    "turning_point_id",
+    "detect_from_RGB_image",
+    "camera_picture",
+)
 """Calls that bring something new when they are the first of their kind at a place."""
 
 

@@ -261,23 +261,31 @@ class Driver:
             aside = (y - self.pose.y) * ux - (x - self.pose.x) * uy
             error = turn_between(self.pose.heading, facing)
             speed = min(self._settings.max_speed, math.sqrt(2 * braking * left))
-            if self.surroundings is not None:
-                count = 2 + math.ceil(left / LANE_STEP)
-                places = [
-                    (
-                        self.pose.x + k * LANE_STEP * ux,
-                        self.pose.y + k * LANE_STEP * uy,
-                        bearing,
-                    )
-                    for k in range(count)
-                ]
-                speed = min(speed, self._yielding_speed(places))
-                if self.held_for >= patience:
-                    break
+            speed = min(speed, self.yielding_speed_to(left, bearing))
+            if self.surroundings is not None and self.held_for >= patience:
+                break
             turn_rate = 2.0 * error + 2.0 * speed * sign * aside
             moved = self.tick(sign * speed, turn_rate, bearing)
             idle = idle + 1 if moved < 0.1 * abs(self.base.speed) * self._period else 0
         self.come_to_rest()
+
+    def yielding_speed_to(self, distance: float, course: float) -> float:
+        """Return the greatest speed that lets people pass on a straight way.
+
+        Args:
+            distance: Metres still to go.
+            course: The way it goes, radians.
+
+        Returns:
+            Metres per second; inf where nobody is in the way.
+        """
+        if self.surroundings is None:
+            return math.inf
+        x, y = LANE_STEP * math.cos(course), LANE_STEP * math.sin(course)
+        return self._yielding_speed([
+            (self.pose.x + k * x, self.pose.y + k * y, course)
+            for k in range(2 + math.ceil(distance / LANE_STEP))
+        ])
 
     def _yielding_speed(self, places: list[tuple[float, float, float]]) -> float:
         """Return the greatest speed that lets people pass; notes who is in the way."""

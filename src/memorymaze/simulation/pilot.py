@@ -12,6 +12,7 @@ from memorymaze.simulation.driving import DriveEnd, Driver
 from memorymaze.simulation.lanes import Lane, plan_lane
 from memorymaze.simulation.obstacles.surroundings import Surroundings
 from memorymaze.simulation.path_following import LaneFollower
+from memorymaze.simulation.primitive_motions import go_straight, spin_by
 from memorymaze.simulation.route_following import follow_line
 from memorymaze.simulation.scene import Scene
 from memorymaze.simulation.settings import SimulationSettings
@@ -240,6 +241,28 @@ class Pilot:
         self._fresh = True
         self._follower = None
         self._driver.turning_points.note_turn()
+
+    def step_forward(self, distance: float) -> float:
+        """Drive straight ahead, without keeping to the way; return metres moved."""
+        self.come_to_rest()
+        moved = go_straight(self._driver, distance, self._settings, self._patience)
+        self._stand_anew()
+        return moved
+
+    def rotate(self, angle: float) -> float:
+        """Turn on the spot by some radians; return what was turned."""
+        self.come_to_rest()
+        turned = spin_by(self._driver, angle, self._settings)
+        self._stand_anew()
+        self._driver.turning_points.note_turn()
+        return turned
+
+    def _stand_anew(self) -> None:
+        """Take the way the robot faces as its course."""
+        self._course = self._driver.pose.heading
+        self._towards = None
+        self._fresh = True
+        self._follower = None
 
     def follow(self, points: NDArray[np.float64]) -> MoveEnd:
         """Drive along a given line, (N, 2) metres, to its end."""

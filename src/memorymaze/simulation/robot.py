@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
-from memorymaze.errors import CommandError, EpisodeOver
-from memorymaze.geometry.pose import Pose
+from memorymaze.errors import CommandError, EpisodeOver, SettingsError
+from memorymaze.geometry.pose import Pose, turn_between
 from memorymaze.geometry.trajectory import Trajectory
 from memorymaze.perception.truth_detector import Detector, TruthDetector
 from memorymaze.perception.visible_object import CameraView
@@ -22,6 +22,7 @@ from memorymaze.robot.api import (
     MoveResult,
     TurnResult,
 )
+from memorymaze.robot.steps import CameraPicture
 from memorymaze.simulation.call_log import CallLog
 from memorymaze.simulation.driving import Driver, TimeIsUp
 from memorymaze.simulation.lidar import Lidar, LidarScan, LidarSettings
@@ -45,7 +46,7 @@ __all__ = ["SimulatedRobot"]
 
 
 class SimulatedRobot:
-    """A guide robot in a simulated building; implements `memorymaze.robot.api.Robot`.
+    """A guide robot in a simulated building; implements `Robot` and `SteppingRobot`.
 
     Simulated time passes only while a call moves the robot. A move that is done hands
     over rolling, at up to `rolling_speed`; looking does not stop it, the next move
@@ -205,6 +206,56 @@ class SimulatedRobot:
         self.finish()
         raise EpisodeOver(self.stopped_by or "agent")
 
+    # What agents that go step by step call besides; programs do not.
+
+    def step_forward(self, distance: float) -> float:
+        """See `SteppingRobot.step_forward`."""
+        self._log.begin()
+        try:
+            metres = _metres(distance, "step_forward")
+        except CommandError as error:
+            self._refuse("step_forward", {"distance": repr(distance)}, error)
+            raise
+        before = self._driver.distance
+        try:
+            moved = self._pilot.step_forward(metres)
+        except TimeIsUp:
+            moved = self._driver.distance - before
+            self._log.stopped_by = "budget"
+        self._end("step_forward", {"distance": metres}, moved)
+        return moved
+
+    def rotate(self, angle: float) -> float:
+        """See `SteppingRobot.rotate`."""
+        self._log.begin()
+        try:
+            radians = _radians(angle)
+        except CommandError as error:
+            self._refuse("rotate", {"angle": repr(angle)}, error)
+            raise
+        before = self.pose.heading
+        try:
+            turned = self._pilot.rotate(radians)
+        except TimeIsUp:
+            turned = turn_between(before, self.pose.heading)
+            self._log.stopped_by = "budget"
+        self._end("rotate", {"angle": radians}, turned)
+        return turned
+
+    def camera_picture(
+        self, width: int = 640, height: int = 480, horizontal_fov: float = math.pi / 2
+    ) -> CameraPicture:
+        """See `SteppingRobot.camera_picture`; the first call takes seconds."""
+        self._log.begin()
+        asked = {"width": width, "height": height, "horizontal_fov": horizontal_fov}
+        try:
+            frame = self.camera_frame(width, height, horizontal_fov)
+        except SettingsError as error:
+            self._refuse("camera_picture", asked, error)
+            raise
+        self._end("camera_picture", asked, None)
+        return CameraPicture(frame.rgb, frame.depth)
+
     # What the evaluation calls.
 
     def finish(self) -> str:
@@ -352,7 +403,7 @@ class SimulatedRobot:
         return self._driver.trajectory()
 
     def _refuse(
-        self, call: str, arguments: Mapping[str, object], error: CommandError
+        self, call: str, arguments: Mapping[str, object], error: Exception
     ) -> None:
         self._end(call, arguments, {"error": str(error)})
 
@@ -372,12 +423,29 @@ def _is_text(value: object) -> bool:
     return isinstance(value, str) and bool(value.strip())
 
 
-def _metres(distance: object) -> float:
-    # bool is an int to Python, but no distance.
-    if isinstance(distance, int | float | np.number) and distance is not True:
-        metres = float(distance)
-        if math.isfinite(metres) and metres > 0:
-            return metres
+def _metres(distance: object, call: str = "move_forward") -> float:
+    metres = _finite(distance)
+    if metres is not None and metres > 0:
+        return metres
     raise CommandError(
-        f"move_forward: expected a distance in metres greater than 0, got {distance!r}"
+        f"{call}: expected a distance in metres greater than 0, got {distance!r}"
     )
+
+
+def _radians(angle: object) -> float:
+    radians = _finite(angle)
+    # A full turn in whole steps may be a rounding error more.
+    if radians is not None and 0 < abs(radians) <= 2 * math.pi + 1e-9:
+        return radians
+    raise CommandError(
+        "rotate: expected an angle in radians, left positive, not 0 and at most a "
+        f"full turn (2 pi), got {angle!r}"
+    )
+
+
+def _finite(value: object) -> float | None:
+    # bool is an int to Python, but no measure.
+    if isinstance(value, int | float | np.number) and not isinstance(value, bool):
+        number = float(value)
+        return number if math.isfinite(number) else None
+    return None

@@ -194,6 +194,15 @@ class WheeledBase:
             if first != 0 and second != 0
         ]
 
+    def touched_places(self) -> list[tuple[float, float]]:
+        """Return where the robot touches something other than the floor, metres."""
+        pairs, places = self.data.contact.geom.tolist(), self.data.contact.pos.tolist()
+        return [
+            (place[0], place[1])
+            for (first, second), place in zip(pairs, places, strict=True)
+            if first != 0 and second != 0
+        ]
+
     def update_view(self) -> None:
         """Bring the camera and geom poses in `data` to the present pose."""
         mujoco.mj_kinematics(self._model, self.data)

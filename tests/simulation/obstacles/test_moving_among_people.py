@@ -212,3 +212,22 @@ def test_a_building_as_in_its_plan_has_nobody_around(empty_scene):
     assert robot.near_misses == ()
     assert robot.waiting_time == 0
     assert empty_scene.model.nmocap == 0
+
+
+def test_a_step_waits_for_somebody_who_stands_in_the_way(narrow, crowded, person_of):
+    robot = crowded(narrow)
+    person_of(robot, 5, 0, stands_until=6.0, walks_to=(22, 0))
+
+    assert robot.step_forward(4) == pytest.approx(4, abs=0.001)
+    assert robot.waiting_time > 1
+    assert not robot.collisions
+
+
+def test_a_step_gives_up_when_patience_ends(narrow, crowded, person_of):
+    robot = crowded(narrow)
+    person_of(robot, 5, 0, stands_until=math.inf)
+
+    assert 1 < robot.step_forward(4) < 2.8
+    assert robot.surroundings is not None
+    assert robot.waiting_time >= robot.surroundings.patience
+    assert not robot.collisions
