@@ -87,12 +87,18 @@ class Driver:
         self._sample_due = settings.sampling_period
         self._touches: dict[int, float] = {}
         self._moved_until = 0.0
+        self._standing_steps = 0
         self.turning_points.update(start, start.heading, 0.0)
 
     @property
     def time(self) -> float:
         """Simulated seconds since the start."""
         return self.base.time
+
+    @property
+    def standing_time(self) -> float:
+        """Seconds it stood for something outside the building; not in the budget."""
+        return self._standing_steps * TIMESTEP
 
     def sample(self) -> None:
         """Add the present pose to the trajectory."""
@@ -126,7 +132,7 @@ class Driver:
             TimeIsUp: The time budget is used up.
         """
         base = self.base
-        if base.time >= self._settings.time_budget:
+        if base.time - self.standing_time >= self._settings.time_budget:
             raise TimeIsUp
         limit = self._settings.max_turn_rate
         base.drive(speed, max(-limit, min(limit, turn_rate)), steps or self._steps)
@@ -219,6 +225,35 @@ class Driver:
         while self.time - begin < seconds - 1e-9:
             self.tick(0.0, 0.0, None)
         self.waiting_time += self.time - begin
+
+    def stand(self, seconds: float) -> float:
+        """Come to rest and stand, while people go on walking.
+
+        Where there are none nothing changes, so that nothing has to be computed: the
+        walk is the same however long the robot stands.
+
+        Args:
+            seconds: Simulated, at least 0.
+
+        Returns:
+            Seconds stood, a multiple of the physics step.
+
+        Raises:
+            TimeIsUp: The time budget ended while it came to rest.
+        """
+        self.come_to_rest()
+        left = steps = round(seconds / TIMESTEP)
+        if self.surroundings is None:
+            self.base.rest(steps)
+            self._standing_steps += steps
+            return steps * TIMESTEP
+        while left > 0:
+            part = min(left, self._steps)
+            # Before the tick, which looks at the budget.
+            self._standing_steps += part
+            self.tick(0.0, 0.0, None, part)
+            left -= part
+        return steps * TIMESTEP
 
     def spin_to(self, heading: float) -> None:
         """Turn on the spot until the robot faces a heading, radians."""

@@ -273,6 +273,34 @@ class SimulatedRobot:
             self._end("stop", {}, None)
         return self._log.stopped_by
 
+    def wait(self, seconds: float) -> float:
+        """Stand while time passes, as for a language model that thinks; no call.
+
+        A robot that rolls comes to rest first. The time budget is for walking: what is
+        stood here does not count against it. Does nothing when the episode is over.
+
+        Args:
+            seconds: Simulated, at least 0.
+
+        Returns:
+            Seconds stood, a multiple of the physics step.
+
+        Raises:
+            CommandError: The time has no meaning.
+        """
+        if not (math.isfinite(seconds) and seconds >= 0):
+            raise CommandError(f"wait: expected 0 or more seconds, got {seconds!r}")
+        if self._log.stopped_by is not None:
+            return 0.0
+        before = self._driver.standing_time
+        try:
+            self._pilot.come_to_rest()
+            self._driver.stand(seconds)
+        except TimeIsUp:
+            self._log.stopped_by = "budget"
+        self._driver.sample()
+        return self._driver.standing_time - before
+
     def follow(self, line: ArrayLike) -> MoveResult:
         """Drive along a given line to its end; privileged, for the oracle.
 
@@ -382,6 +410,11 @@ class SimulatedRobot:
     def waiting_time(self) -> float:
         """Simulated seconds it stood because people were in the way."""
         return self._driver.waiting_time
+
+    @property
+    def standing_time(self) -> float:
+        """Simulated seconds it stood in `wait`."""
+        return self._driver.standing_time
 
     @property
     def refused_turns(self) -> int:

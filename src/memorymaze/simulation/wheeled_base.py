@@ -115,7 +115,8 @@ def add_wheeled_base(spec: mujoco.MjSpec) -> None:
 class WheeledBase:
     """The moving robot in one episode: wheel speeds in, pose out.
 
-    Speeds change no faster than the settings allow. Time passes only in `drive`.
+    Speeds change no faster than the settings allow. Time passes only in `drive`
+    and `rest`.
     """
 
     def __init__(
@@ -183,6 +184,10 @@ class WheeledBase:
         self._ctrl[0] = left / WHEEL_RADIUS
         self._ctrl[1] = right / WHEEL_RADIUS
         mujoco.mj_step(self._model, self.data, nstep=steps)
+        self._steps += steps
+
+    def rest(self, steps: int) -> None:
+        """Let time pass for a robot at rest in a building where nothing moves."""
         self._steps += steps
 
     def touched_geoms(self) -> list[int]:
