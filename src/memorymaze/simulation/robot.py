@@ -25,6 +25,7 @@ from memorymaze.robot.api import (
 from memorymaze.robot.steps import CameraPicture
 from memorymaze.simulation.call_log import CallLog
 from memorymaze.simulation.driving import Driver, TimeIsUp
+from memorymaze.simulation.elsewhere import camera_elsewhere
 from memorymaze.simulation.lidar import Lidar, LidarScan, LidarSettings
 from memorymaze.simulation.lidar_turning_points import LidarTurningPoints
 from memorymaze.simulation.obstacles.closeness import NearMiss
@@ -32,7 +33,7 @@ from memorymaze.simulation.obstacles.surroundings import Surroundings
 from memorymaze.simulation.odometry import Odometry, OdometrySettings
 from memorymaze.simulation.pilot import Pilot
 from memorymaze.simulation.scene import Scene
-from memorymaze.simulation.settings import SimulationSettings
+from memorymaze.simulation.settings import TIMESTEP, SimulationSettings
 from memorymaze.simulation.trace import Collision, TraceEvent
 from memorymaze.simulation.turning_directions import parse_direction
 from memorymaze.simulation.visibility import RayCamera
@@ -113,7 +114,7 @@ class SimulatedRobot:
             )
         self._pilot = Pilot(scene, self._driver, self.settings)
         self._log = CallLog(self.settings, on_event)
-        self._detector = detector or TruthDetector()
+        self._detector = detector or TruthDetector(self.settings.detection_range)
         self._refused_turns = 0
 
     # What agents call.
@@ -258,6 +259,38 @@ class SimulatedRobot:
 
     # What the evaluation calls.
 
+    def drive(self, speed: float, turn_rate: float, seconds: float) -> float:
+        """Go for given speeds for some time, whatever is in the way; then roll on.
+
+        Args:
+            speed: Ahead, metres per second, at most `max_speed`; negative backs up.
+            turn_rate: Radians per second, left positive, at most `max_turn_rate`.
+            seconds: More than 0; in steps of the physics, 10 ms.
+
+        Returns:
+            Metres driven.
+
+        Raises:
+            CommandError: A number has no meaning.
+            EpisodeOver: The episode is over.
+        """
+        self._log.begin()
+        asked = {"speed": speed, "turn_rate": turn_rate, "seconds": seconds}
+        try:
+            self._check_drive(asked)
+        except CommandError as error:
+            said = {name: repr(value) for name, value in asked.items()}
+            self._refuse("drive", said, error)
+            raise
+        before = self._driver.distance
+        try:
+            driven = self._pilot.drive(speed, turn_rate, seconds)
+        except TimeIsUp:
+            driven = self._driver.distance - before
+            self._log.stopped_by = "budget"
+        self._end("drive", asked, driven)
+        return driven
+
     def finish(self) -> str:
         """End the episode, as `stop` does, but return why it ended instead of raising.
 
@@ -343,6 +376,10 @@ class SimulatedRobot:
         """Return what the camera sees from where the robot is."""
         self._driver.base.update_view()
         return RayCamera(self.scene, self._driver.base.data)
+
+    def camera_view_from(self, pose: Pose) -> CameraView:
+        """Return what the camera would see now if the robot were elsewhere."""
+        return camera_elsewhere(self.scene, self._driver.base.data, pose)
 
     def camera_frame(
         self, width: int = 640, height: int = 480, horizontal_fov: float = math.pi / 2
@@ -434,6 +471,22 @@ class SimulatedRobot:
     def trajectory(self) -> Trajectory:
         """Return where it has been: every 0.2 s and after every call."""
         return self._driver.trajectory()
+
+    def _check_drive(self, asked: Mapping[str, object]) -> None:
+        bounds = {
+            "speed": (-self.settings.max_speed, self.settings.max_speed),
+            "turn_rate": (-self.settings.max_turn_rate, self.settings.max_turn_rate),
+            "seconds": (TIMESTEP, math.inf),
+        }
+        for name, value in asked.items():
+            lowest, highest = bounds[name]
+            number = _finite(value)
+            # Speeds often come as 32-bit numbers, which are a rounding error off.
+            slack = 0.0 if math.isinf(highest) else 1e-6 * highest
+            if number is None or not lowest - slack <= number <= highest + slack:
+                raise CommandError(
+                    f"drive: expected {name} from {lowest} to {highest}, got {value!r}"
+                )
 
     def _refuse(
         self, call: str, arguments: Mapping[str, object], error: Exception
