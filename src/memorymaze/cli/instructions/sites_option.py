@@ -1,0 +1,14 @@
+"""`--sites`, which every action has that looks at the buildings."""
+
+import argparse
+
+__all__ = ["add_sites_option"]
+
+
+def add_sites_option(parser: argparse.ArgumentParser) -> None:
+    """Add the option."""
+    parser.add_argument(
+        "--sites",
+        metavar="DIR",
+        help="folder of site plans (default: the three shipped ones)",
+    )
