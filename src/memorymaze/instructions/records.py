@@ -5,7 +5,7 @@ from typing import Literal
 
 from memorymaze.geometry.pose import Pose
 
-__all__ = ["WRITTEN_BY", "Episode", "Failure", "Instruction"]
+__all__ = ["WRITTEN_BY", "Episode", "Failure", "Followers", "Instruction"]
 
 WRITTEN_BY = {
     "human": "people",
@@ -27,6 +27,18 @@ class Failure:
 
 
 @dataclass(frozen=True, slots=True)
+class Followers:
+    """How people fared who followed an instruction themselves."""
+
+    usable: bool
+    """Whether its corpus knows a legal path that the instruction tells."""
+    tried: int | None
+    """None where the corpus does not tell."""
+    arrived: int | None
+    """Of these those who reached the goal."""
+
+
+@dataclass(frozen=True, slots=True)
 class Instruction:
     """One person's description of a way, and what is known about it."""
 
@@ -34,7 +46,7 @@ class Instruction:
     site: str
     route: str
     """`R1`, `R2`, …"""
-    study: Literal["online", "onsite"]
+    study: Literal["online", "onsite", "sail"]
     iteration: Literal[1, 2]
     participant: str
     text: str
@@ -48,6 +60,8 @@ class Instruction:
     """`dev` (prompts may be built from it) or `test`."""
     original_text: str | None = None
     """What was said before translation or editing."""
+    followers: Followers | None = None
+    """None where nobody is known to have followed it."""
     origin: str = field(default="", compare=False)
     """`file:line` it was read from, for messages; empty when made in memory."""
 

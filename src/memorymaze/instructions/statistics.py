@@ -25,7 +25,7 @@ WORD = re.compile(r"[a-z']+")
 class CellStatistics:
     """How one route was described in one iteration of one study (Table I)."""
 
-    study: Literal["online", "onsite"]
+    study: Literal["online", "onsite", "sail"]
     site: str
     route: str
     iteration: Literal[1, 2]

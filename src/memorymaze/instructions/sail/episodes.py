@@ -1,0 +1,73 @@
+"""SAIL's paragraphs as episodes: four for each, one for every start heading."""
+
+import hashlib
+import math
+from collections.abc import Mapping, Sequence
+
+from memorymaze.geometry.pose import Pose, wrap_angle
+from memorymaze.instructions.records import Episode, Followers, Instruction
+from memorymaze.instructions.sail.records import Paragraph
+from memorymaze.instructions.sail.sites import route_name, site_name
+from memorymaze.sites.records import Site
+
+__all__ = ["DEVELOPMENT", "HEADINGS", "paragraph_of", "sail_episodes"]
+
+HEADINGS = {"east": 0.0, "north": 90.0, "west": 180.0, "south": 270.0}
+"""Start headings by name, degrees counter-clockwise from east."""
+DEVELOPMENT = "dev"
+"""Split of the writers whose texts were read while the rules agent was developed."""
+_MARK = "@"
+
+
+def sail_episodes(
+    paragraphs: Sequence[Paragraph], sites: Mapping[str, Site]
+) -> list[Episode]:
+    """Return four episodes for each paragraph, in order.
+
+    The goal is the middle of the goal's node, and the path compared with is a shortest
+    one, whatever way the paragraph tells. The study is `sail`, the iteration always 1.
+
+    Args:
+        paragraphs: What to follow.
+        sites: From `maze_site`, by name.
+    """
+    return [
+        _episode(paragraph, sites[site_name(paragraph.maze)], heading)
+        for paragraph in paragraphs
+        for heading in HEADINGS
+    ]
+
+
+def paragraph_of(episode_id: str) -> str:
+    """Return the id of the paragraph that an episode is about."""
+    return episode_id.partition(_MARK)[0]
+
+
+def _episode(paragraph: Paragraph, site: Site, heading: str) -> Episode:
+    name = route_name(paragraph.start_position, paragraph.goal_position)
+    route = site.reference_route(name)
+    told = Instruction(
+        id=paragraph.id,
+        site=site.name,
+        route=name,
+        study="sail",
+        iteration=1,
+        participant=paragraph.writer,
+        text=paragraph.text,
+        reference_route=route.id,
+        failures=(),
+        source="human",
+        language="en",
+        split=_split(paragraph.writer),
+        followers=Followers(paragraph.usable, paragraph.followers, paragraph.arrived),
+    )
+    path = tuple((float(x), float(y)) for x, y, *_ in route.line.coords)
+    x, y = path[0]
+    start = Pose(x, y, wrap_angle(math.radians(HEADINGS[heading])))
+    return Episode(f"{paragraph.id}{_MARK}{heading}", told, start, path[-1], path)
+
+
+def _split(writer: str) -> str:
+    """Halve the writers by the SHA-256 of their names, even ones for development."""
+    even = hashlib.sha256(writer.encode()).digest()[-1] % 2 == 0
+    return DEVELOPMENT if even else "test"
