@@ -16,6 +16,7 @@ __all__ = [
     "SettingsError",
     "SitePlanError",
     "UndefinedMetricError",
+    "SpendingLimitReached",
 ]
 
 
@@ -72,6 +73,10 @@ class ProgramError(MemoryMazeError):
 
     Attributes:
         line: 1-based line of the program, or None when no line is to blame.
+class SpendingLimitReached(MemoryMazeError):
+    """A run has spent what it may; what is finished is kept, and it can be resumed."""
+
+
         unsafe: True when the program reached for something outside the API.
     """
 

@@ -12,7 +12,8 @@ import pytest
 
 from memorymaze.errors import LanguageModelError, SettingsError
 from memorymaze.language.model import CompletionRequest, Message, Picture, Usage
-from memorymaze.language.openai_model import OpenAIModel, TokenPrice
+from memorymaze.language.openai_model import OpenAIModel
+from memorymaze.language.pricing import PricedModel, TokenPrice
 
 REQUEST = CompletionRequest(
     (Message("system", "Be brief."), Message("user", "Où aller ?")), max_tokens=77
@@ -134,7 +135,8 @@ def unreachable() -> Iterator[str]:
 
 def test_a_request_goes_out_and_its_reply_comes_back_with_its_cost():
     with Server(reply("Turn left. é")) as server:
-        completion = server.model(price=TokenPrice(2.5, 10)).complete(REQUEST)
+        model = PricedModel(server.model(), TokenPrice(2.5, 10))
+        completion = model.complete(REQUEST)
 
     assert completion.text == "Turn left. é"
     assert completion.model == "small-2024"
@@ -164,6 +166,18 @@ def test_pictures_go_out_beside_their_text():
         {"type": "text", "text": "Which way?"},
         {"type": "image_url", "image_url": {"url": "data:image/jpeg;base64,/9j/4A=="}},
     ]
+
+
+def test_grammars_go_only_to_servers_that_keep_to_them():
+    request = CompletionRequest(REQUEST.messages, grammar='root ::= "left"')
+    with Server(reply("left")) as server:
+        for kind in (None, "llama.cpp", "vllm"):
+            server.model(grammar_server=kind).complete(request)
+
+    free, llama, vllm = server.requests
+    assert "grammar" not in free
+    assert llama["grammar"] == request.grammar
+    assert vllm["structured_outputs"] == {"grammar": request.grammar}
 
 
 @pytest.mark.parametrize("kind", ["image/png", "image/gif"])

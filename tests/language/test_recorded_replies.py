@@ -87,6 +87,19 @@ def test_a_request_of_text_keeps_the_key_it_always_had():
     )
 
 
+@pytest.mark.parametrize("held", [True, False])
+def test_replies_held_to_a_grammar_and_free_ones_are_both_replayed(
+    store: Path, held: bool
+):
+    model = ScriptedLanguageModel(["left"])
+    model.takes_grammar = held  # type: ignore[attr-defined]
+    request = replace(REQUEST, grammar="root ::= [a-z]+")
+    said = RecordingModel(model, store).complete(request)
+
+    assert model.requests[0].grammar == (request.grammar if held else None)
+    assert ReplayingModel(store).complete(request) == said
+
+
 def test_pictures_are_told_apart_and_replies_to_them_replayed(store: Path):
     asked = [
         CompletionRequest((Message("user", "What is this?", pictures),))

@@ -14,6 +14,7 @@ from memorymaze.errors import (
     InterpreterLostError,
     LanguageModelError,
     ProgramError,
+    SpendingLimitReached,
 )
 from memorymaze.evaluation.agent_failures import failure_line, failure_traceback
 from memorymaze.evaluation.arena import Arena
@@ -59,6 +60,7 @@ def run_episode(
     Raises:
         UndefinedMetricError: The episode's reference path leaves the floor.
         KeyboardInterrupt: Passed on.
+        SpendingLimitReached: Passed on; an episode that is broken off has no result.
     """
     run = _attempt(agent, episode, arena, settings)
     return _attempt(agent, episode, arena, settings) if run.interpreter_lost else run
@@ -75,7 +77,12 @@ def _attempt(
         robot_rng,
         lambda event: trace.append(_call(event)),
     )
-    journal = Journal(listener=lambda entry: trace.append(_note(robot.time, entry)))
+    journal = Journal(
+        listener=lambda entry: trace.append(_note(robot.time, entry)),
+        on_completion=lambda reply: robot.wait(
+            settings.agent.inference_time.seconds(reply)
+        ),
+    )
     began = time.perf_counter()
     ended, error, interpreter_lost = _follow(
         agent, episode.instruction.text, robot, journal, agent_rng
@@ -143,7 +150,7 @@ def _follow(
     """Let the agent follow; return what ended the episode and what went wrong."""
     try:
         agent.follow(text, robot, journal, rng)
-    except KeyboardInterrupt:
+    except (KeyboardInterrupt, SpendingLimitReached):
         raise
     except EpisodeOver as over:
         # A program that computes for ever is over while its robot is not.

@@ -68,6 +68,17 @@ class EpisodeResult:
     """Times a person and the robot were closer than 0.3 m."""
     waiting_s: FiniteFloat = 0.0
     """Simulated seconds the robot stood because people were in the way."""
+    inference_s: FiniteFloat = 0.0
+    """Real seconds that the language model took for its replies."""
+    standing_s: FiniteFloat = 0.0
+    """Simulated seconds the user stood while the model thought; in `duration_s`, but
+    not against the time budget."""
+    usable: bool | None = None
+    """Whether the corpus knows a legal path for the instruction; SAIL only."""
+    human_trials: int | None = None
+    """People who followed the instruction; None where nobody is known to have."""
+    human_found: int | None = None
+    """Of these those who reached the goal."""
 
 
 _RESULT = TypeAdapter(EpisodeResult)

@@ -8,6 +8,8 @@ from pathlib import Path
 from typing import Any
 
 from memorymaze.errors import SettingsError
+from memorymaze.evaluation.asking import AskingSettings
+from memorymaze.evaluation.inference_time import MEASURED, InferenceTime
 from memorymaze.simulation.obstacles import ObstacleSettings
 from memorymaze.simulation.settings import SimulationSettings
 
@@ -47,6 +49,10 @@ class AgentSettings:
     """File that replies are read from instead of asking a model."""
     options: tuple[tuple[str, str], ...] = ()
     """Names and values of the agent's own options, as they were given."""
+    asking: AskingSettings = AskingSettings()
+    """How the language model is asked, and what may be spent on it."""
+    inference_time: InferenceTime = MEASURED
+    """How long the robot stands while the model thinks."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,8 +96,20 @@ def stamp_file(path: str | Path, name: str | None = None) -> FileStamp:
     return FileStamp(name or path.name, hashlib.sha256(path.read_bytes()).hexdigest())
 
 
-NOT_COMPARED = {"agent.base_url", "agent.record", "agent.replay"}
-"""Where replies come from and go to, which does not change what they say."""
+NOT_COMPARED = {
+    "agent.base_url",
+    "agent.record",
+    "agent.replay",
+    "agent.asking.timeout",
+    "agent.asking.retries",
+    "agent.asking.max_requests",
+    "agent.asking.max_cost",
+    "agent.asking.max_tokens_total",
+    "agent.asking.shared_folder",
+    "agent.asking.threads",
+}
+"""Where replies come from and go to, and how patiently and how long they are asked for,
+which does not change what they say."""
 
 
 def differences(old: RunSettings, new: RunSettings) -> list[str]:

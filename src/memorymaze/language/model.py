@@ -10,6 +10,7 @@ __all__ = [
     "Message",
     "Picture",
     "Usage",
+    "takes_grammar",
 ]
 
 
@@ -97,3 +98,11 @@ class LanguageModel(Protocol):
             LanguageModelError: No usable answer came, after all retries.
         """
         ...
+
+
+def takes_grammar(model: LanguageModel) -> bool:
+    """Tell whether a model holds its replies to the grammars of requests.
+
+    Models say so by an attribute `takes_grammar`; those without it give free replies.
+    """
+    return bool(getattr(model, "takes_grammar", False))

@@ -3,8 +3,7 @@
 import base64
 import os
 import time
-from dataclasses import dataclass
-from typing import Any, NoReturn
+from typing import Any, Literal, NoReturn
 from urllib.parse import urlsplit
 
 import openai
@@ -12,7 +11,7 @@ import openai
 from memorymaze.errors import LanguageModelError, SettingsError
 from memorymaze.language.model import Completion, CompletionRequest, Message, Usage
 
-__all__ = ["OpenAIModel", "TokenPrice"]
+__all__ = ["OpenAIModel"]
 
 LONGEST_REPLY = 200_000
 """Characters beyond which a reply is taken for garbage."""
@@ -21,20 +20,6 @@ LONGEST_DELAY = 60.0
 """Seconds that are waited at most before an attempt."""
 
 _WORTH_ANOTHER_TRY = frozenset({408, 409, 429})
-
-
-@dataclass(frozen=True, slots=True)
-class TokenPrice:
-    """What a server charges, in US dollars per million tokens."""
-
-    prompt: float
-    completion: float
-
-    def cost(self, prompt_tokens: int, completion_tokens: int) -> float:
-        """Return what a reply cost, US dollars."""
-        return (
-            prompt_tokens * self.prompt + completion_tokens * self.completion
-        ) / 1_000_000
 
 
 class OpenAIModel:
@@ -54,7 +39,7 @@ class OpenAIModel:
         timeout: float = 120.0,
         retries: int = 4,
         first_delay: float = 1.0,
-        price: TokenPrice | None = None,
+        grammar_server: Literal["llama.cpp", "vllm"] | None = None,
     ) -> None:
         """Prepare a client; nothing is sent yet.
 
@@ -67,7 +52,8 @@ class OpenAIModel:
             timeout: Seconds to wait for a reply, and for each part of it.
             retries: Attempts after the first.
             first_delay: Seconds before the second attempt.
-            price: To work out costs with; None leaves them unknown.
+            grammar_server: Kind of server, if it shall hold replies to the grammars
+                of requests; None asks for free replies.
 
         Raises:
             SettingsError: OpenAI's own server is meant and there is no key for it, the
@@ -90,7 +76,7 @@ class OpenAIModel:
         self._model = model
         self._retries = retries
         self._first_delay = first_delay
-        self._price = price
+        self._grammar_server = grammar_server
         self._limit_name = "max_tokens"
         self._server = base_url or "OpenAI"
         self._client = openai.OpenAI(
@@ -104,6 +90,11 @@ class OpenAIModel:
     def name(self) -> str:
         """The server's name for the model."""
         return self._model
+
+    @property
+    def takes_grammar(self) -> bool:
+        """Whether replies are held to the grammars of requests."""
+        return self._grammar_server is not None
 
     def complete(self, request: CompletionRequest) -> Completion:
         """Ask the server.
@@ -132,6 +123,11 @@ class OpenAIModel:
         optional: dict[str, Any] = {self._limit_name: request.max_tokens}
         if request.seed is not None:
             optional["seed"] = request.seed
+        if request.grammar is not None and self._grammar_server is not None:
+            grammar: dict[str, Any] = {"grammar": request.grammar}
+            if self._grammar_server == "vllm":
+                grammar = {"structured_outputs": grammar}
+            optional["extra_body"] = grammar
         create: Any = self._client.chat.completions.create
         return create(
             model=self._model,
@@ -206,12 +202,11 @@ class OpenAIModel:
             _count(getattr(usage, name, None))
             for name in ("prompt_tokens", "completion_tokens")
         )
-        cost = self._price.cost(prompt, completion) if self._price else None
         model = getattr(answer, "model", None)
         return Completion(
             text=text,
             model=model if isinstance(model, str) and model else self._model,
-            usage=Usage(prompt, completion, cost),
+            usage=Usage(prompt, completion),
             latency=latency,
         )
 

@@ -12,7 +12,7 @@ import sqlite3
 import warnings
 from collections.abc import Callable, Generator
 from contextlib import closing, contextmanager
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any
 
@@ -27,6 +27,7 @@ from memorymaze.language.model import (
     LanguageModel,
     Picture,
     Usage,
+    takes_grammar,
 )
 
 __all__ = ["RecordingModel", "ReplayingModel", "request_key"]
@@ -127,6 +128,9 @@ class RecordingModel:
         Raises:
             LanguageModelError: The model did not answer, or the file failed.
         """
+        if not takes_grammar(self._model):
+            # It does not determine the reply, so it is not in the key.
+            request = replace(request, grammar=None)
         key = request_key(self.name, request)
         kept = _look_up(self._path, key)
         if kept is not None:
@@ -202,9 +206,15 @@ class ReplayingModel:
         Raises:
             LanguageModelError: None is recorded for this request.
         """
-        key = request_key(self._name, request)
-        kept = _look_up(self._path, key) or self._by_names(request)
+        free = replace(request, grammar=None)
+        kept = None
+        # Whether the model recorded was held to a grammar, its replies tell.
+        for each in dict.fromkeys((request, free)):
+            kept = kept or _look_up(self._path, request_key(self._name, each))
+        for each in dict.fromkeys((request, free)):
+            kept = kept or self._by_names(each)
         if kept is None:
+            key = request_key(self._name, free)
             raise LanguageModelError(
                 f"{self._path}: no reply of {self._name} is recorded for this request "
                 f"({key[:12]}); it differs from what was asked when recording"
