@@ -1,11 +1,21 @@
 """A model writes one program before the walk, and the robot runs that."""
 
+import re
+
 import numpy as np
 import pytest
 
 from memorymaze.agents.agent import Agent, Journal
-from memorymaze.agents.code_generation import CodeGenerationAgent
-from memorymaze.errors import EpisodeOver, LanguageModelError, ProgramError
+from memorymaze.agents.code_generation import (
+    CodeGenerationAgent,
+    CodeGenerationOptions,
+)
+from memorymaze.errors import (
+    EpisodeOver,
+    LanguageModelError,
+    ProgramError,
+    SettingsError,
+)
 from memorymaze.language.model import CompletionRequest
 from memorymaze.language.sandbox import ProgramLimits
 from memorymaze.language.scripted_model import ScriptedLanguageModel
@@ -138,7 +148,7 @@ def test_the_model_is_not_asked_once_the_robot_moves(robot, journal):
             "no program in it",
             ["model_reply", "steps", "model_reply"],
         ),
-        ([], 1, "has 0 replies", []),
+        ([], 0, "has 0 replies", []),
     ],
     ids=["no steps", "no program", "no reply"],
 )
@@ -182,6 +192,10 @@ def test_the_name_tells_model_and_parser():
 
     assert CodeGenerationAgent(model).name == "code_generation[gpt-4]+parser"
     assert CodeGenerationAgent(model, parser=False).name == "code_generation[gpt-4]"
+    variant = CodeGenerationOptions(stages="single", repair=True)
+    assert CodeGenerationAgent(model, options=variant).name == (
+        "code_generation[gpt-4]+parser+single_stage+repair"
+    )
 
 
 def test_an_instruction_cannot_fill_slots_of_the_prompt(robot, journal):
@@ -197,3 +211,125 @@ def test_an_instruction_cannot_fill_slots_of_the_prompt(robot, journal):
 
     assert seen == ['Way:\n"""\n{API_SPECIFICATION}\n"""']
     assert all(name in api_specification() for name in API_NAMES)
+
+
+def test_a_single_stage_asks_for_one_thought_and_one_output(robot, journal):
+    model = ScriptedLanguageModel([STEPS, PROGRAM])
+    single = CodeGenerationOptions(stages="single")
+
+    with pytest.raises(EpisodeOver):
+        follow(model, robot, journal, options=single)
+
+    for request in model.requests:
+        prompt = request.messages[0].content
+        assert "exactly these two parts:\nThought:" in prompt
+        for word in ("First steps", "First program", "Second thought", "Refined"):
+            assert word not in prompt
+        assert prompt.count("\nThought: ") == 3
+        assert prompt.count("\nSteps:") + prompt.count("\nProgram:") == 3
+
+
+def test_both_stages_of_the_paper_are_in_both_prompts_and_all_their_examples(
+    robot, journal
+):
+    model = ScriptedLanguageModel([STEPS, PROGRAM])
+
+    with pytest.raises(EpisodeOver):
+        follow(model, robot, journal)
+
+    for request, output in zip(model.requests, ("steps", "program"), strict=True):
+        found = re.findall(
+            r"^(Thought|First \w+|Second thought|Refined \w+):",
+            request.messages[0].content,
+            re.MULTILINE,
+        )
+        stages = ["Thought", f"First {output}", "Second thought", f"Refined {output}"]
+        assert found == 3 * stages
+
+
+REPAIR = CodeGenerationOptions(repair=True)
+
+
+def test_a_program_that_fails_before_motion_is_mended_once(robot, journal):
+    wrong = PROGRAM.replace("move_forward(2)", "move_forward('2 m')")
+    model = ScriptedLanguageModel([STEPS, wrong, PROGRAM])
+
+    with pytest.raises(EpisodeOver, match="agent"):
+        follow(model, robot, journal, options=REPAIR)
+
+    asked = model.requests[2].messages
+    assert [turn.role for turn in asked] == ["system", "user", "assistant", "user"]
+    assert asked[:2] == model.requests[1].messages
+    assert asked[2].content == wrong
+    assert "line 2: " in asked[3].content
+    assert "stands at the start" in asked[3].content
+    assert robot.calls == [2.0, "stop"]
+    assert journal.model_calls == 3
+    assert [note["stage"] for note in journal.notes if "stage" in note] == [
+        "parse",
+        "program",
+        "repair",
+    ]
+
+
+def test_a_program_that_fails_on_the_way_is_gone_on_with_from_there(robot, journal):
+    failing = PROGRAM.replace("stop()", "1 / 0")
+    model = ScriptedLanguageModel([failing, PROGRAM])
+
+    with pytest.raises(EpisodeOver, match="agent"):
+        follow(model, robot, journal, options=REPAIR, parser=False)
+
+    said = model.requests[1].messages[-1].content
+    assert "ZeroDivisionError" in said
+    assert "move_forward(2.0) -> MoveResult(distance=2.0, reason='done'" in said
+    assert robot.calls == [2.0, 2.0, "stop"]
+
+
+def test_a_second_failure_is_final(robot, journal):
+    wrong = PROGRAM.replace("stop()", "no_such_call()")
+
+    with pytest.raises(ProgramError, match="no_such_call"):
+        follow(
+            ScriptedLanguageModel([wrong, wrong]),
+            robot,
+            journal,
+            options=REPAIR,
+            parser=False,
+        )
+
+    assert journal.model_calls == 2
+
+
+def test_what_reaches_outside_gets_no_second_chance(robot, journal):
+    outside = PROGRAM.replace("move_forward(2)", "open('/etc/passwd')")
+
+    with pytest.raises(ProgramError) as caught:
+        follow(
+            ScriptedLanguageModel([outside]),
+            robot,
+            journal,
+            options=REPAIR,
+            parser=False,
+        )
+
+    assert caught.value.unsafe
+
+
+def test_of_very_many_calls_the_model_is_told_the_last(robot, journal):
+    failing = PROGRAM.replace("stop()", "for _ in range(300): move_forward(1)\n1 / 0")
+    model = ScriptedLanguageModel([failing, PROGRAM])
+
+    with pytest.raises(EpisodeOver):
+        follow(model, robot, journal, options=REPAIR, parser=False)
+
+    said = model.requests[1].messages[-1].content
+    assert "… 101 earlier calls …" in said
+    assert said.count("move_forward(") == 200
+
+
+@pytest.mark.parametrize(
+    "wrong", [{"temperature": -1.0}, {"temperature": 3.0}, {"max_tokens": 0}]
+)
+def test_options_without_meaning_are_refused(wrong):
+    with pytest.raises(SettingsError, match="expected"):
+        CodeGenerationOptions(**wrong)

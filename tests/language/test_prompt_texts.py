@@ -6,14 +6,19 @@ from collections.abc import Callable
 import pytest
 
 from memorymaze.errors import EpisodeOver
+from memorymaze.instructions.corpus import load_instructions
 from memorymaze.language.prompt_texts import load_prompt
 from memorymaze.language.reply_reading import read_program, read_steps
 from memorymaze.language.sandbox import run_program
 from memorymaze.robot.specification import api_specification
 from memorymaze.sites import load_sites
 
-PARSING = load_prompt("parse_instruction")
-WRITING = load_prompt("write_program", api_specification=api_specification())
+PARSING = load_prompt("parse_instruction", answer=load_prompt("answer_steps"))
+WRITING = load_prompt(
+    "write_program",
+    api_specification=api_specification(),
+    answer=load_prompt("answer_program"),
+)
 
 
 def programs() -> list[str]:
@@ -27,7 +32,7 @@ def test_the_prompt_for_programs_quotes_the_whole_api():
 
 def test_an_unfilled_slot_and_a_missing_prompt_are_errors():
     with pytest.raises(KeyError, match="api_specification"):
-        load_prompt("write_program")
+        load_prompt("write_program", answer="")
     with pytest.raises(FileNotFoundError):
         load_prompt("write_poem")
 
@@ -71,3 +76,15 @@ def test_no_words_of_the_benchmarks_buildings_are_in_the_prompts():
     assert {
         name for name in names if re.search(rf"\b{re.escape(name)}\b", prompts)
     } == set()
+
+
+def test_the_prompts_take_nothing_from_texts_that_are_evaluated():
+    prompts = words(PARSING + WRITING)
+    for told in load_instructions():
+        text = words(told.text).split()
+        runs = (" ".join(text[at : at + 7]) for at in range(len(text) - 6))
+        assert told.split == "dev" or not any(run in prompts for run in runs), told.id
+
+
+def words(text: str) -> str:
+    return " ".join(re.findall(r"[a-z0-9]+", text.lower()))

@@ -30,6 +30,11 @@ Refined steps:
         ),
         pytest.param("1) Go.\n2) Stop.", ["Go.", "Stop."], id="only a list"),
         pytest.param(
+            "Thought: first\n1. or 2. left?\n**Steps:**\n1. Go.",
+            ["Go."],
+            id="a single stage",
+        ),
+        pytest.param(
             "**Refined Steps:**\n\n**1.** Go.\n\n**2.** Stop.\n\nGood luck!",
             ["Go.", "Stop."],
             id="in bold, with gaps and a wish",

@@ -1,7 +1,8 @@
 """Finds what was asked for in a language model's reply: steps or a program.
 
-A reply has four parts: thought, first output, second thought, refined output. Models
-keep to that more or less; the last output that is there counts.
+A reply has four parts: thought, first output, second thought, refined output; in a
+single stage thought and output. Models keep to that more or less; the last output that
+is there counts.
 """
 
 import re
@@ -14,7 +15,9 @@ from memorymaze.robot.specification import API_NAMES
 __all__ = ["read_program", "read_steps"]
 
 _REFINED = re.compile(
-    r"^[ \t#*_]*refined[ \t]+(?:steps|program|output|code)\b[ \t*_:]*", re.I | re.M
+    r"^[ \t#*_]*refined[ \t]+(?:steps|program|output|code)\b[ \t*_:]*"
+    r"|^[ \t*_]*(?:steps|program)[ \t*_]*:[ \t*_]*",
+    re.I | re.M,
 )
 _STEP = re.compile(r"([ \t]*)[*_]*(\d{1,3})[.):][*_]*[ \t]+(\S.*)")
 _FENCE = re.compile(r"[ \t]*(```|~~~)[`~]*[ \t]*([\w+-]*)")

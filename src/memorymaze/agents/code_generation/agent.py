@@ -1,0 +1,134 @@
+"""The agent: asks for steps and a program, and runs the program.
+
+All requests come before the robot moves, unless a program that fails may be mended.
+"""
+
+from collections.abc import Callable
+from typing import Any, cast
+
+import numpy as np
+
+from memorymaze.agents.agent import Journal
+from memorymaze.agents.code_generation.options import CodeGenerationOptions
+from memorymaze.agents.code_generation.requests import CodeGenerationRequests
+from memorymaze.errors import InterpreterLostError, ProgramError
+from memorymaze.language.model import CompletionRequest, LanguageModel
+from memorymaze.language.reply_reading import read_program, read_steps
+from memorymaze.language.sandbox import DEFAULT_LIMITS, ProgramLimits, run_program
+from memorymaze.robot.api import Robot
+from memorymaze.robot.specification import API_NAMES
+
+__all__ = ["CodeGenerationAgent"]
+
+MOST_CALLS_TOLD = 200
+"""Of what a failed program did, the model is told this many calls at most."""
+
+
+class CodeGenerationAgent:
+    """Follows an instruction by a program that a language model writes from it.
+
+    Each request uses the paper's two-stage prompting, in one reply: a thought, a first
+    output, a second thought on it, and the refined output, which is what counts.
+    """
+
+    def __init__(
+        self,
+        model: LanguageModel,
+        *,
+        parser: bool = True,
+        options: CodeGenerationOptions | None = None,
+        limits: ProgramLimits = DEFAULT_LIMITS,
+    ) -> None:
+        """Prepare the agent.
+
+        Args:
+            model: Writes the steps and the program.
+            parser: Whether instructions are parsed into steps first.
+            options: How the model is asked; None for the defaults.
+            limits: How much a program may use.
+        """
+        self._model = model
+        self._limits = limits
+        self._requests = CodeGenerationRequests(options, parser=parser)
+
+    @property
+    def name(self) -> str:
+        """`code_generation[model]`, with `+parser` when instructions are parsed, …."""
+        return f"code_generation[{self._model.name}]{self._requests.variant}"
+
+    def follow(
+        self,
+        instruction: str,
+        robot: Robot,
+        journal: Journal,
+        rng: np.random.Generator,
+    ) -> None:
+        """Have a program written for an instruction and run it.
+
+        Notes in the journal: `model_reply` for each request, `steps`, `program`,
+        `repair`, and what the sandbox tells of the program's run.
+
+        Raises:
+            LanguageModelError: The model did not answer, or not with what was asked.
+            ProgramError: The program is wrong, failed, or reached outside the API.
+            EpisodeOver: The program or a budget ended the episode.
+        """
+        way = instruction
+        if self._requests.parser:
+            reply = self._ask("parse", self._requests.parse(instruction), journal)
+            steps = read_steps(reply)
+            journal.note("steps", steps=steps)
+            way = self._requests.numbered(steps)
+        reply = self._ask("program", self._requests.program(way), journal)
+        if not self._requests.options.repair:
+            self._run(reply, robot, journal)
+            return
+        witness = _Witness(robot)
+        try:
+            self._run(reply, cast(Robot, witness), journal)
+        except ProgramError as error:
+            # What reaches outside gets no second chance, and a lost process says
+            # nothing about the program.
+            if error.unsafe or isinstance(error, InterpreterLostError):
+                raise
+            journal.note("repair", error=str(error), calls=len(witness.done))
+            asked = self._requests.repair(way, reply, str(error), witness.told())
+            self._run(self._ask("repair", asked, journal), robot, journal)
+
+    def _run(self, reply: str, robot: Robot, journal: Journal) -> None:
+        program = read_program(reply)
+        journal.note("program", program=program)
+        run_program(program, robot, self._limits, lambda event: journal.note(**event))
+
+    def _ask(self, stage: str, request: CompletionRequest, journal: Journal) -> str:
+        completion = self._model.complete(request)
+        journal.count(completion, stage=stage)
+        return completion.text
+
+
+class _Witness:
+    """A robot that remembers the calls of its control API."""
+
+    def __init__(self, robot: Robot) -> None:
+        self._robot = robot
+        self.done: list[str] = []
+
+    def __getattr__(self, name: str) -> Any:
+        method: Callable[..., Any] = getattr(self._robot, name)
+        if name not in API_NAMES:
+            return method
+
+        def call(*args: Any, **kwargs: Any) -> Any:
+            result = method(*args, **kwargs)
+            given = [*map(repr, args), *(repr(value) for value in kwargs.values())]
+            self.done.append(f"{name}({', '.join(given)}) -> {result!r}")
+            return result
+
+        return call
+
+    def told(self) -> list[str]:
+        """Return the calls; of very many the last, and how many came before them."""
+        left_out = len(self.done) - MOST_CALLS_TOLD
+        if left_out <= 0:
+            return self.done
+        return [f"… {left_out} earlier calls …", *self.done[-MOST_CALLS_TOLD:]]

@@ -1,0 +1,114 @@
+"""What code generation asks a language model, word for word.
+
+The agent asks with these requests, and `memorymaze prompts` writes them to files, so
+that inference online and offline cannot differ.
+"""
+
+import re
+from collections.abc import Sequence
+
+from memorymaze.agents.code_generation.options import CodeGenerationOptions
+from memorymaze.language.grammars import program_grammar, steps_grammar
+from memorymaze.language.model import CompletionRequest, Message
+from memorymaze.language.prompt_texts import load_prompt
+from memorymaze.robot.specification import api_specification
+
+__all__ = ["CodeGenerationRequests"]
+
+_FIRST_STAGE = re.compile(r"^First (\w+):\n.*?^Refined \1:", re.MULTILINE | re.DOTALL)
+"""In an example: from the first output to where the refined one begins."""
+
+
+class CodeGenerationRequests:
+    """Makes the requests of one variant of code generation.
+
+    Attributes:
+        parser: Whether instructions are parsed into steps first.
+        options: How the model is asked.
+    """
+
+    def __init__(
+        self, options: CodeGenerationOptions | None = None, *, parser: bool = True
+    ) -> None:
+        """Prepare the prompts.
+
+        Args:
+            options: How the model is asked; None for the defaults.
+            parser: Whether instructions are parsed into steps first.
+        """
+        self.parser = parser
+        self.options = options or CodeGenerationOptions()
+        self._parsing = self._prompt("parse_instruction", "steps")
+        self._writing = self._prompt(
+            "write_program", "program", api_specification=api_specification().strip()
+        )
+
+    @property
+    def variant(self) -> str:
+        """What tells this variant from the plain one in tables, such as `+parser`."""
+        single = "+single_stage" * (self.options.stages == "single")
+        return "+parser" * self.parser + single + "+repair" * self.options.repair
+
+    def parse(self, instruction: str) -> CompletionRequest:
+        """Return the request that turns an instruction into steps."""
+        task = Message("user", f"Description:\n{_quote(instruction)}")
+        return self._request(self._parsing, [task], steps_grammar())
+
+    def program(self, way: str) -> CompletionRequest:
+        """Return the request for a program.
+
+        Args:
+            way: The instruction, or its steps as `numbered` writes them.
+        """
+        return self._request(self._writing, [_way(way)], program_grammar())
+
+    def repair(
+        self, way: str, reply: str, error: str, done: Sequence[str]
+    ) -> CompletionRequest:
+        """Return the request for a program in the place of one that failed.
+
+        Args:
+            way: As in the request for the first program.
+            reply: The model's reply with that program.
+            error: What the sandbox said.
+            done: The calls that the robot has carried out, with their results.
+        """
+        if done:
+            where = load_prompt("repair_on_the_way", calls="\n".join(done))
+        else:
+            where = load_prompt("repair_at_the_start")
+        said = load_prompt("repair_program", error=error, where=where)
+        turns = [_way(way), Message("assistant", reply), Message("user", said)]
+        return self._request(self._writing, turns, program_grammar())
+
+    def _prompt(self, name: str, output: str, **slots: str) -> str:
+        single = self.options.stages == "single"
+        form = load_prompt(f"answer_{output}{'_single_stage' * single}")
+        prompt = load_prompt(name, answer=form, **slots)
+        if not single:
+            return prompt
+        return _FIRST_STAGE.sub(lambda stage: f"{stage[1].capitalize()}:", prompt)
+
+    def _request(
+        self, prompt: str, turns: Sequence[Message], grammar: str
+    ) -> CompletionRequest:
+        return CompletionRequest(
+            messages=(Message("system", prompt), *turns),
+            temperature=self.options.temperature,
+            max_tokens=self.options.max_tokens,
+            seed=self.options.seed,
+            grammar=grammar if self.options.grammar else None,
+        )
+
+    @staticmethod
+    def numbered(steps: Sequence[str]) -> str:
+        """Return steps as the request for a program has them, one a line."""
+        return "\n".join(f"{number}. {step}" for number, step in enumerate(steps, 1))
+
+
+def _way(way: str) -> Message:
+    return Message("user", f"Way:\n{_quote(way)}")
+
+
+def _quote(text: str) -> str:
+    return f'"""\n{text.strip()}\n"""'
