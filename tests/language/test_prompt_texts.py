@@ -82,7 +82,7 @@ def test_the_prompts_take_nothing_from_texts_that_are_evaluated():
     prompts = words(PARSING + WRITING)
     for told in load_instructions():
         text = words(told.text).split()
-        runs = (" ".join(text[at : at + 7]) for at in range(len(text) - 6))
+        runs = (" ".join(text[at : at + 8]) for at in range(len(text) - 7))
         assert told.split == "dev" or not any(run in prompts for run in runs), told.id
 
 
