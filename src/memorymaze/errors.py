@@ -10,13 +10,14 @@ __all__ = [
     "LanguageModelError",
     "MemoryMazeError",
     "ProgramError",
+    "ProgramFileError",
     "RecordedPicturesWarning",
     "RenderingError",
     "RunFolderError",
     "SettingsError",
     "SitePlanError",
-    "UndefinedMetricError",
     "SpendingLimitReached",
+    "UndefinedMetricError",
 ]
 
 
@@ -44,6 +45,10 @@ class CommandError(MemoryMazeError, ValueError):
     """A command to the robot has an argument without meaning; says what is allowed."""
 
 
+class ProgramFileError(MemoryMazeError):
+    """A file of requests, replies or programs is unusable; names file and line."""
+
+
 class RunFolderError(MemoryMazeError):
     """A run folder is missing, damaged, or belongs to other settings."""
 
@@ -68,15 +73,15 @@ class RecordedPicturesWarning(UserWarning):
     """Replies are replayed for pictures that differ from those recorded."""
 
 
+class SpendingLimitReached(MemoryMazeError):
+    """A run has spent what it may; what is finished is kept, and it can be resumed."""
+
+
 class ProgramError(MemoryMazeError):
     """A generated program is wrong or failed.
 
     Attributes:
         line: 1-based line of the program, or None when no line is to blame.
-class SpendingLimitReached(MemoryMazeError):
-    """A run has spent what it may; what is finished is kept, and it can be resumed."""
-
-
         unsafe: True when the program reached for something outside the API.
     """
 
