@@ -5,6 +5,7 @@ Large Language Models" (AAAI). What is as in its released code and what is not:
 `docs/navgpt.md`.
 """
 
+from collections.abc import Sequence
 from dataclasses import asdict, dataclass, field
 
 from memorymaze.agents.agent import Journal
@@ -23,6 +24,7 @@ from memorymaze.agents.navgpt.parsing import (
     read_reply,
     thought_of,
 )
+from memorymaze.agents.navgpt.reply_grammar import reply_grammar
 from memorymaze.agents.navgpt.scratchpad import Scratchpad
 from memorymaze.agents.navgpt.settings import LoopLimits, NavGPTOptions
 from memorymaze.errors import EpisodeOver
@@ -72,6 +74,7 @@ class NavGPTAgent:
             f"navgpt[{self._model.name}]+{options.budget}"
             + "+faithful" * options.faithful
             + "+vision" * (options.captions == "vision")
+            + (f"[{options.caption_model}]" if options.caption_model else "")
             + "".join(numbers)
         )
 
@@ -100,7 +103,12 @@ class NavGPTAgent:
             journal.note("navgpt", **asdict(walk.counts), **asdict(limits))
 
     def ask(
-        self, instruction: str, start: str, scratchpad: str, journal: Journal
+        self,
+        instruction: str,
+        start: str,
+        scratchpad: str,
+        listed: Sequence[str],
+        journal: Journal,
     ) -> str:
         """Return the model's next reply; counted in the journal.
 
@@ -108,6 +116,7 @@ class NavGPTAgent:
             instruction: As it was given.
             start: What is told of the place where the walk began.
             scratchpad: Earlier steps; empty before the first.
+            listed: Ids of the viewpoints that the robot can go to.
             journal: Of the episode.
         """
         task = load_prompt(
@@ -122,6 +131,7 @@ class NavGPTAgent:
                 temperature=self.options.temperature,
                 max_tokens=self.options.max_tokens,
                 seed=self._seed,
+                grammar=reply_grammar(listed) if self.options.grammar else None,
             )
         )
         journal.count(completion, stage="step")
@@ -169,8 +179,9 @@ class _Walk:
             moved = self.counts.moves > 0
             told = summary_text(start) if moved else self._full(start)
             self.counts.requests += 1
+            listed = [way.viewpoint for way in self._place.ways]
             reply = self._agent.ask(
-                self._instruction, told, self._pad.text(), self._journal
+                self._instruction, told, self._pad.text(), listed, self._journal
             )
             self._journal.note("thought", text=thought_of(reply))
             wish = read_reply(reply)

@@ -45,6 +45,9 @@ class NavGPTOptions:
     """Vision model of the captions; none for the agent's own model."""
     caption_file: str = "navgpt_captions.sqlite"
     """File in which a vision model's captions are kept and looked up."""
+    grammar: bool = True
+    """Whether local models that can be held to a grammar are held to well-formed replies
+    and listed viewpoints; other models answer freely."""
     temperature: float = 0.0
     """Of the requests."""
     max_tokens: int = 1024

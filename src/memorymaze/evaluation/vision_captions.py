@@ -1,0 +1,205 @@
+"""Has a vision model describe what is seen from viewpoints, once for each."""
+
+import io
+import json
+import math
+from collections.abc import Callable
+from dataclasses import replace
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+from PIL import Image
+
+from memorymaze.agents.agent import Journal
+from memorymaze.errors import LanguageModelError, SettingsError
+from memorymaze.geometry.pose import Pose
+from memorymaze.language.caption_store import (
+    CaptionKey,
+    Captions,
+    CaptionStore,
+    digest,
+)
+from memorymaze.language.model import (
+    CompletionRequest,
+    LanguageModel,
+    Message,
+    Picture,
+)
+from memorymaze.language.prompt_texts import load_prompt
+from memorymaze.robot.viewpoints import EIGHT_DIRECTIONS, Panorama
+from memorymaze.simulation import Scene, SimulatedRobot
+from memorymaze.simulation.look_around import look_around, sector_headings
+from memorymaze.sites import Site
+from memorymaze.sites.navigation_graph import Viewpoint
+
+__all__ = ["VisionCaptions", "read_captions", "take_pictures"]
+
+PICTURE_WIDTH, PICTURE_HEIGHT = 256, 512
+"""Pixels. As wide as a direction, and high enough for floor and ceiling."""
+PICTURE_FOV = math.radians(45)
+JPEG_QUALITY = 85
+TRIES = 2
+"""Requests for the captions of a viewpoint, when a reply cannot be read."""
+LONGEST_REPLY = 2000
+"""Tokens."""
+
+Shoot = Callable[[Scene, Viewpoint], tuple[Picture, ...]]
+
+
+class VisionCaptions:
+    """Sentences by a vision model; things, angles and distances as the camera has them.
+
+    The pictures show the building as in its plan, without an episode's people and
+    things, so that captions can be kept and used again. What is kept costs nothing.
+    """
+
+    def __init__(
+        self,
+        model: LanguageModel,
+        store: CaptionStore,
+        shoot: Shoot | None = None,
+    ) -> None:
+        """Prepare.
+
+        Args:
+            model: Is shown eight pictures for each viewpoint.
+            store: Where captions are kept and looked up.
+            shoot: Takes the pictures; None for the rendered camera.
+        """
+        self._model = model
+        self._store = store
+        self._shoot = shoot or take_pictures
+        self._prompt = load_prompt("describe_viewpoint")
+        self._asked = digest(
+            f"{self._prompt} {PICTURE_WIDTH}x{PICTURE_HEIGHT} {PICTURE_FOV:.4f}"
+        )
+
+    def __call__(
+        self, robot: SimulatedRobot, viewpoint: Viewpoint, journal: Journal
+    ) -> Panorama:
+        """Return what is seen from a viewpoint.
+
+        Args:
+            robot: Whose surroundings give the things within reach.
+            viewpoint: Where.
+            journal: What asking the model costs is counted here.
+
+        Raises:
+            LanguageModelError: The model did not answer as it was asked to.
+            RenderingError: This machine cannot draw.
+            SettingsError: The site was not read from a file.
+        """
+        key = CaptionKey(
+            _fingerprint(robot.scene.site), viewpoint.id, self._model.name, self._asked
+        )
+        captions = self._store.find(key)
+        if captions is None:
+            captions = self._store.keep(
+                key, self._ask(self._shoot(robot.scene, viewpoint), journal)
+            )
+        seen = look_around(robot, viewpoint.x, viewpoint.y)
+        return Panorama(
+            tuple(
+                replace(outlook, scene=sentence)
+                for outlook, sentence in zip(seen.outlooks, captions.views, strict=True)
+            ),
+            captions.summary,
+            self._model.name,
+        )
+
+    def _ask(self, pictures: tuple[Picture, ...], journal: Journal) -> Captions:
+        messages = (
+            Message("system", self._prompt),
+            Message("user", "The eight pictures:", pictures),
+        )
+        problem = ""
+        for _ in range(TRIES):
+            completion = self._model.complete(
+                CompletionRequest(messages, max_tokens=LONGEST_REPLY)
+            )
+            journal.count(completion, stage="caption")
+            try:
+                return read_captions(completion.text)
+            except ValueError as error:
+                problem = str(error)
+                messages += (
+                    Message("assistant", completion.text or "(nothing)"),
+                    Message("user", f"That cannot be used: {problem}. Answer again."),
+                )
+        raise LanguageModelError(
+            f"{self._model.name}: no captions in {TRIES} replies: {problem}"
+        )
+
+
+def read_captions(reply: str) -> Captions:
+    """Read the JSON object of captions in a reply, whatever stands around it.
+
+    Raises:
+        ValueError: There is none, or it is another one; says what was expected.
+    """
+    expected = (
+        f'expected one JSON object with "views", {EIGHT_DIRECTIONS} sentences, and '
+        '"summary", a sentence'
+    )
+    try:
+        record: Any = json.loads(reply[reply.index("{") : reply.rindex("}") + 1])
+        views: Any = record["views"]
+        summary: Any = record["summary"]
+    except (ValueError, KeyError, TypeError):
+        raise ValueError(f"{expected}; got none") from None
+    good = isinstance(views, list) and all(
+        isinstance(each, str) and each.strip() for each in [*views, summary]
+    )
+    if not good:
+        raise ValueError(f"{expected}; got other things in it")
+    if len(views) != EIGHT_DIRECTIONS:
+        raise ValueError(f"{expected}; got {len(views)} views")
+    return Captions(tuple(map(_one_line, views)), _one_line(summary))
+
+
+def take_pictures(scene: Scene, viewpoint: Viewpoint) -> tuple[Picture, ...]:
+    """Return eight pictures from a viewpoint: north, then clockwise.
+
+    Raises:
+        RenderingError: This machine cannot draw; says what to install.
+    """
+    camera = _camera(scene)
+    pictures: list[Picture] = []
+    for number, heading in enumerate(sector_headings()):
+        pixels = camera.picture(Pose(viewpoint.x, viewpoint.y, heading))
+        file = io.BytesIO()
+        Image.fromarray(pixels).save(file, "JPEG", quality=JPEG_QUALITY)
+        name = f"{viewpoint.id}-{number}"
+        pictures.append(Picture(file.getvalue(), "image/jpeg", name))
+    return tuple(pictures)
+
+
+@lru_cache(maxsize=4)
+def _camera(scene: Scene) -> Any:
+    # Runs that never draw load neither OpenGL nor the looks of things.
+    from memorymaze.simulation.rendering import RenderedCamera
+    from memorymaze.simulation.rendering.robot_eyes import visual_scene_of
+
+    return RenderedCamera(
+        visual_scene_of(scene), PICTURE_WIDTH, PICTURE_HEIGHT, PICTURE_FOV
+    )
+
+
+@lru_cache(maxsize=8)
+def _fingerprint_of_file(path: str) -> str:
+    return digest(Path(path).read_bytes())
+
+
+def _fingerprint(site: Site) -> str:
+    try:
+        return _fingerprint_of_file(site.source)
+    except OSError as error:
+        raise SettingsError(
+            f"{site.name}: captions are kept by the site plan's file, which cannot be "
+            f"read ({error.strerror}); take --set captions=templates"
+        ) from None
+
+
+def _one_line(text: str) -> str:
+    return " ".join(text.split())
