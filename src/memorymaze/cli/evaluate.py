@@ -4,8 +4,10 @@ import argparse
 import contextlib
 import shlex
 import sys
+from dataclasses import replace
 from datetime import datetime
 from pathlib import Path
+from typing import Any
 
 from memorymaze.cli.agent_options import (
     add_agent_options,
@@ -30,6 +32,12 @@ def add_parser(verbs: Verbs) -> None:
     )
     add_agent_options(parser, default=None)
     parser.add_argument(
+        "--programs",
+        metavar="FILE",
+        help="run programs that were written elsewhere (code_generation; see `memorymaze "
+        "programs`)",
+    )
+    parser.add_argument(
         "--instructions",
         metavar="FILE",
         nargs="+",
@@ -39,6 +47,15 @@ def add_parser(verbs: Verbs) -> None:
         "--sites",
         metavar="DIR",
         help="folder of site plans (default: the three shipped ones)",
+    )
+    parser.add_argument(
+        "--sail",
+        metavar="DIR",
+        help="follow the SAIL corpus in this folder instead: mazes and paragraphs of "
+        "people, each from four start headings (docs/sail.md)",
+    )
+    parser.add_argument(
+        "--split", metavar="NAME", help="only instructions of this split: dev or test"
     )
     parser.add_argument(
         "--limit",
@@ -67,6 +84,13 @@ def add_parser(verbs: Verbs) -> None:
         type=float,
         help="real time after which an episode is given up as a crash (default: 3600)",
     )
+    parser.add_argument(
+        "--detection-range",
+        metavar="METRES",
+        type=float,
+        help="how far things are detected (default: 4; with --sail 40, to the end of "
+        "every hall)",
+    )
     add_episode_options(parser)
     parser.set_defaults(run=_run)
 
@@ -86,10 +110,9 @@ def _run(options: argparse.Namespace) -> int:
     # What a user's agent prints while it is made is no result.
     with contextlib.redirect_stdout(sys.stderr):
         plan = plan_run(
-            agent_settings(options),
-            instruction_files=options.instructions,
-            sites_folder=options.sites,
             limit=options.limit,
+            split=options.split,
+            **_what_to_follow(options),
             **episode_settings(options),
         )
     wall_limit = WALL_LIMIT if options.wall_limit is None else options.wall_limit
@@ -117,6 +140,38 @@ def _run(options: argparse.Namespace) -> int:
     print("\n".join(summary_lines(summarise(results, plan.settings))))
     print(f"tables: memorymaze table {shlex.quote(str(out))}")
     return 0
+
+
+def _what_to_follow(options: argparse.Namespace) -> dict[str, Any]:
+    from memorymaze.errors import SettingsError
+    from memorymaze.simulation.settings import SimulationSettings
+
+    agent = agent_settings(options)
+    abilities = SimulationSettings()
+    chosen: dict[str, Any] = {
+        "instruction_files": options.instructions,
+        "sites_folder": options.sites,
+    }
+    if options.sail is not None:
+        from memorymaze.evaluation.sail_corpus import (
+            SAIL_SUCCESS_DISTANCE,
+            sail_abilities,
+            sail_agent,
+            sail_corpus,
+        )
+
+        if options.instructions is not None or options.sites is not None:
+            raise SettingsError(
+                "--sail: has its own instructions and sites; leave out --instructions "
+                "and --sites"
+            )
+        if options.success_distance is None:
+            options.success_distance = SAIL_SUCCESS_DISTANCE
+        agent, abilities = sail_agent(agent), sail_abilities(abilities)
+        chosen = {"corpus": sail_corpus(options.sail)}
+    if options.detection_range is not None:
+        abilities = replace(abilities, detection_range=options.detection_range)
+    return {"agent": agent, "simulation": abilities, **chosen}
 
 
 def _default_folder(agent: str) -> Path:

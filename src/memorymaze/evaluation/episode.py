@@ -95,6 +95,7 @@ def _attempt(
     if ended != "agent":
         values = values.without_success()
     told = episode.instruction
+    people = told.followers
     result = EpisodeResult(
         episode_id=episode.id,
         instruction_id=told.id,
@@ -130,6 +131,11 @@ def _attempt(
         person_collisions=sum(each.kind == "person" for each in robot.collisions),
         near_misses=len(robot.near_misses),
         waiting_s=robot.waiting_time,
+        inference_s=journal.inference_s,
+        standing_s=robot.standing_time,
+        usable=None if people is None else people.usable,
+        human_trials=None if people is None else people.tried,
+        human_found=None if people is None else people.arrived,
     )
     return EpisodeRun(result, walk, tuple(trace), interpreter_lost)
 

@@ -4,8 +4,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from memorymaze.errors import SettingsError
 from memorymaze.evaluation.agents_for_runs import build_agent
 from memorymaze.evaluation.budgets import default_time_budget
+from memorymaze.evaluation.program_replay import check_programs_for, with_programs
 from memorymaze.evaluation.settings import (
     AgentSettings,
     RunSettings,
@@ -20,7 +22,16 @@ from memorymaze.simulation.obstacles import ObstacleSettings
 from memorymaze.simulation.settings import SimulationSettings, TurningPoints
 from memorymaze.sites import Site, load_sites
 
-__all__ = ["RunPlan", "plan_run"]
+__all__ = ["EpisodeCorpus", "RunPlan", "plan_run"]
+
+
+@dataclass(frozen=True, slots=True)
+class EpisodeCorpus:
+    """Episodes, the sites they are on, and the files they come from."""
+
+    episodes: list[Episode]
+    sites: dict[str, Site]
+    files: Sequence[str | Path]
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,6 +57,8 @@ def plan_run(
     simulation: SimulationSettings | None = None,
     obstacles: ObstacleSettings | None = None,
     turning_points: TurningPoints | None = None,
+    split: str | None = None,
+    corpus: EpisodeCorpus | None = None,
 ) -> RunPlan:
     """Load and check everything a run needs, before anything is written.
 
@@ -62,14 +75,20 @@ def plan_run(
             the source of turning points below count before those in it.
         obstacles: Things in the way and people; None for none.
         turning_points: Where the robot knows them from; None for the simulation's.
+        split: Only instructions of this split; None for all.
+        corpus: Episodes with their sites, instead of files and folder.
 
     Raises:
         MemoryMazeError: Something that was given cannot be used.
     """
+    agent, programs = with_programs(agent)
     build_agent(agent)
-    files = [BUILTIN_CORPUS] if instruction_files is None else instruction_files
-    all_sites = load_sites(sites_folder)
-    chosen = _spread(episodes(load_instructions(files), all_sites), limit)
+    if corpus is None:
+        corpus = _corpus_of_files(instruction_files, sites_folder)
+    all_sites = corpus.sites
+    chosen = _spread(_of_split(corpus.episodes, split), limit)
+    if programs is not None:
+        check_programs_for(programs, chosen)
     names = dict.fromkeys(episode.instruction.site for episode in chosen)
     sites = {name: all_sites[name] for name in names}
     abilities = simulation or SimulationSettings()
@@ -83,7 +102,7 @@ def plan_run(
     abilities = replace(abilities, time_budget=time_budget, call_budget=call_budget)
     settings = RunSettings(
         agent=agent,
-        instructions=tuple(stamp_file(path) for path in files),
+        instructions=tuple(stamp_file(path) for path in corpus.files),
         sites=tuple(stamp_file(site.source, name) for name, site in sites.items()),
         seed=seed,
         limit=limit,
@@ -91,8 +110,28 @@ def plan_run(
         success_distance=success_distance,
         simulation=abilities,
         obstacles=obstacles,
+        programs=None if programs is None else stamp_file(programs.path),
+        split=split,
     )
     return RunPlan(settings, tuple(chosen), sites)
+
+
+def _corpus_of_files(
+    files: Sequence[str | Path] | None, folder: str | Path | None
+) -> EpisodeCorpus:
+    files = [BUILTIN_CORPUS] if files is None else files
+    sites = load_sites(folder)
+    return EpisodeCorpus(episodes(load_instructions(files), sites), sites, files)
+
+
+def _of_split(chosen: list[Episode], split: str | None) -> list[Episode]:
+    if split is None:
+        return chosen
+    kept = [episode for episode in chosen if episode.instruction.split == split]
+    if not kept:
+        known = sorted({episode.instruction.split for episode in chosen})
+        raise SettingsError(f"split: expected one of {', '.join(known)}, got {split!r}")
+    return kept
 
 
 def _spread(chosen: list[Episode], limit: int | None) -> list[Episode]:

@@ -27,7 +27,7 @@ class EpisodeResult:
     route: str
     reference_route: str
     """Route id of the way described, which the paths are compared with."""
-    study: Literal["online", "onsite"]
+    study: Literal["online", "onsite", "sail"]
     iteration: Literal[1, 2]
     participant: str
     source: Literal["human", "llm", "synthetic"]

@@ -53,6 +53,8 @@ class AgentSettings:
     """How the language model is asked, and what may be spent on it."""
     inference_time: InferenceTime = MEASURED
     """How long the robot stands while the model thinks."""
+    programs: str | None = None
+    """File of programs that are run instead of asking a model."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,6 +79,10 @@ class RunSettings:
     """The robot's abilities, and the budgets of an episode."""
     obstacles: ObstacleSettings | None = None
     """Things in the way and people; None for buildings as in their plans."""
+    programs: FileStamp | None = None
+    """Programs that were written elsewhere; None where a model is asked."""
+    split: str | None = None
+    """Split of the instructions that the run is on; None for all."""
 
     def __post_init__(self) -> None:
         """Refuse values without meaning."""
@@ -100,6 +106,7 @@ NOT_COMPARED = {
     "agent.base_url",
     "agent.record",
     "agent.replay",
+    "agent.programs",
     "agent.asking.timeout",
     "agent.asking.retries",
     "agent.asking.max_requests",

@@ -5,6 +5,7 @@ from dataclasses import dataclass, fields
 from typing import Literal, get_args
 
 from memorymaze.errors import SettingsError
+from memorymaze.robot.api import DETECTION_RANGE
 
 __all__ = ["TIMESTEP", "SimulationSettings", "TurningPoints"]
 
@@ -48,6 +49,8 @@ class SimulationSettings:
     """Calls in a row with neither motion nor anything new that end it as `stuck`."""
     turning_points: TurningPoints = "annotated"
     """Where `detect_turning_point` and `turn` know turning points from."""
+    detection_range: float = DETECTION_RANGE
+    """Metres from the lens beyond which nothing is detected."""
 
     def __post_init__(self) -> None:
         """Check every value."""

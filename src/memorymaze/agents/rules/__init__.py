@@ -1,5 +1,5 @@
-"""The offline default agent: route descriptions read by grammar and followed by rules."""
+"""The rules agent: follows route descriptions without any model."""
 
-from memorymaze.agents.rules.agent import RulesAgent
+from memorymaze.agents.rules.agent import RulesAgent, RulesOptions
 
-__all__ = ["RulesAgent"]
+__all__ = ["RulesAgent", "RulesOptions"]

@@ -1,6 +1,8 @@
 """The rules agent: reads the description, walks, doubts, goes back, arrives."""
 
 import math
+from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 
@@ -17,7 +19,7 @@ from memorymaze.language.route_description import (
 )
 from memorymaze.robot.api import Robot
 
-__all__ = ["RulesAgent"]
+__all__ = ["RulesAgent", "RulesOptions"]
 
 METRE_BACK = 0.012
 """Nats for each metre to walk back to another hypothesis."""
@@ -31,6 +33,14 @@ LEG_METRES = 15.0
 """Expected length of a leg whose length was not said."""
 
 
+@dataclass(frozen=True, slots=True)
+class RulesOptions:
+    """What can be set of the rules agent."""
+
+    start_heading: Literal["given", "unknown"] = "given"
+    """Whether the robot faces the way the description begins with, or any way."""
+
+
 class RulesAgent:
     """Follows route descriptions by rules alone; deterministic, without any model.
 
@@ -40,6 +50,10 @@ class RulesAgent:
     """
 
     name = "rules"
+
+    def __init__(self, options: RulesOptions | None = None) -> None:
+        """Make the agent with its options; the defaults when None."""
+        self.options = options or RulesOptions()
 
     def follow(
         self,
