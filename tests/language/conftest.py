@@ -6,7 +6,7 @@ from collections.abc import Callable
 import pytest
 
 from memorymaze.errors import CommandError, EpisodeOver
-from memorymaze.robot.api import Detection, Direction, MoveResult, TurnResult
+from memorymaze.robot.api import Detection, Direction, MoveResult, SignText, TurnResult
 
 
 class PaperRobot:
@@ -54,6 +54,10 @@ class PaperRobot:
             Detection("door", (0.0, 1.0, 2.0, 3.0), 0.9, 2.0, 10.0, 1),
             Detection("door", (4.0, 1.0, 6.0, 3.0), 0.8, 3.0, -10.0, 2),
         ]
+
+    def read_signs(self) -> list[SignText]:
+        self._record("read_signs")
+        return [SignText("Library", 3.0, 5.0, 1)]
 
     def say(self, text: str) -> None:
         self._record("say", text)

@@ -14,7 +14,7 @@ from memorymaze.robot.specification import (
     api_stub,
 )
 
-RECORDS = (api.MoveResult, api.TurnResult, api.Detection)
+RECORDS = (api.MoveResult, api.TurnResult, api.Detection, api.SignText)
 
 
 def functions_in(text: str) -> dict[str, ast.FunctionDef]:

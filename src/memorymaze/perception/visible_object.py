@@ -1,10 +1,14 @@
-"""What a camera view offers a detector; no world, no site, no answers inside."""
+"""What a camera view offers detectors and readers; no world, no site, no answers inside."""
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal, Protocol
 
-__all__ = ["CameraView", "ObjectDescription", "VisibleObject"]
+from memorymaze.geometry.pose import Pose
+from memorymaze.robot.steps import CameraPicture
+
+__all__ = ["CameraView", "ObjectDescription", "VisibleObject", "VisibleText"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,9 +47,49 @@ class VisibleObject:
     """Share of the part inside the picture that nothing hides, 0 to 1."""
 
 
+@dataclass(frozen=True, slots=True)
+class VisibleText:
+    """What is written on a thing that the camera sees."""
+
+    text: str
+    bearer: VisibleObject
+    """The thing it is on."""
+    facing: float
+    """Radians between the way the text faces and the way from it to the camera, 0 to
+    pi; 0 is seen squarely, from pi / 2 on the camera sees its back."""
+    letter_height: float
+    """Of its capital letters in the 640x480 picture, pixels."""
+
+
 class CameraView(Protocol):
     """One look of the robot's camera."""
 
+    @property
+    def pose(self) -> Pose:
+        """Where the lens is and which way it looks; for tracking only."""
+        ...
+
     def visible_objects(self, range_limit: float) -> Sequence[VisibleObject]:
         """Return the things seen whose nearest seen part is within `range_limit` metres."""
+        ...
+
+    def visible_texts(self, range_limit: float) -> Sequence[VisibleText]:
+        """Return what is written on them, readable or not."""
+        ...
+
+    def picture(
+        self, width: int = 640, height: int = 480, horizontal_fov: float = math.pi / 2
+    ) -> CameraPicture:
+        """Draw what is seen: colours and depth of a pinhole camera with square pixels.
+
+        Nothing is drawn until it is asked for.
+
+        Args:
+            width: Pixels.
+            height: Pixels.
+            horizontal_fov: Radians.
+
+        Raises:
+            RenderingError: This machine cannot draw; says what to install.
+        """
         ...

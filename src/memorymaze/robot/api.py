@@ -10,11 +10,13 @@ from typing import Literal, Protocol, runtime_checkable
 __all__ = [
     "DETECTION_RANGE",
     "DIRECTIONS",
+    "READING_RANGE",
     "Detection",
     "Direction",
     "MoveEnd",
     "MoveResult",
     "Robot",
+    "SignText",
     "TurnResult",
 ]
 
@@ -46,6 +48,9 @@ MoveEnd = Literal["done", "wall", "obstacle", "budget"]
 
 DETECTION_RANGE = 4.0
 """Detections farther than this many metres are dropped (paper, Sec. III-B)."""
+
+READING_RANGE = 6.0
+"""Texts farther than this many metres are not read."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,6 +91,20 @@ class Detection:
     """Direction of its middle, degrees, left positive, 0 straight ahead."""
     track_id: int
     """The same number each time the same thing is seen."""
+
+
+@dataclass(frozen=True, slots=True)
+class SignText:
+    """One text the camera can read within 6 m."""
+
+    text: str
+    """The words as they are written, on one line; a letter may be read wrongly."""
+    distance: float
+    """Metres from the camera to the text."""
+    bearing_deg: float
+    """Direction of its middle, degrees, left positive, 0 straight ahead."""
+    track_id: int
+    """The same number each time the same text is read."""
 
 
 @runtime_checkable
@@ -196,6 +215,21 @@ class Robot(Protocol):
             ...         seen.add(door.track_id)
             ...     if move_forward(0.5).reason == "wall":
             ...         break
+        """
+        ...
+
+    def read_signs(self) -> list[SignText]:
+        """Read what is written in the camera's picture; the nearest text first.
+
+        Signs, room numbers, labels on doors, posters and screens are read where they
+        are within 6 m, in view, turned towards the robot, and their letters are large
+        enough. The text comes as it is written, so compare it in lower case and look
+        for single words.
+
+        Example:
+            >>> for sign in read_signs():
+            ...     if "library" in sign.text.lower():
+            ...         say("The sign here says " + sign.text)
         """
         ...
 

@@ -17,6 +17,7 @@ LOOKS = (
     "detect_turning_point",
     "turning_point_id",
     "detect_from_RGB_image",
+    "read_signs",
     "camera_picture",
 )
 """Calls that bring something new when they are the first of their kind at a place."""

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 from memorymaze.errors import CommandError, EpisodeOver, SettingsError
 from memorymaze.geometry.pose import Pose, turn_between
 from memorymaze.geometry.trajectory import Trajectory
+from memorymaze.perception.sign_reading import SignReader, TruthSignReader
 from memorymaze.perception.truth_detector import Detector, TruthDetector
 from memorymaze.perception.visible_object import CameraView
 from memorymaze.robot.api import (
@@ -20,6 +21,7 @@ from memorymaze.robot.api import (
     Direction,
     MoveEnd,
     MoveResult,
+    SignText,
     TurnResult,
 )
 from memorymaze.robot.steps import CameraPicture
@@ -65,6 +67,7 @@ class SimulatedRobot:
         on_event: Callable[[TraceEvent], None] | None = None,
         *,
         detector: Detector | None = None,
+        sign_reader: SignReader | None = None,
         obstacles_rng: np.random.Generator | None = None,
         keep_free: Sequence[tuple[float, float]] = (),
         lidar: LidarSettings | None = None,
@@ -81,6 +84,7 @@ class SimulatedRobot:
             on_event: Called after each call of the control API.
             detector: Eyes of `detect_from_RGB_image`; None knows what the camera
                 really sees.
+            sign_reader: Eyes of `read_signs`; None knows what is written on things.
             obstacles_rng: Source of where things stand and how people walk, in a scene
                 that has them; None seeds one with the seed of its settings.
             keep_free: Points besides the start where nothing may stand, metres.
@@ -115,6 +119,7 @@ class SimulatedRobot:
         self._pilot = Pilot(scene, self._driver, self.settings)
         self._log = CallLog(self.settings, on_event)
         self._detector = detector or TruthDetector(self.settings.detection_range)
+        self._sign_reader = sign_reader or TruthSignReader()
         self._refused_turns = 0
 
     # What agents call.
@@ -185,6 +190,13 @@ class SimulatedRobot:
         self._end("detect_from_RGB_image", {"object": object}, result)
         return found
 
+    def read_signs(self) -> list[SignText]:
+        """See `Robot.read_signs`."""
+        self._log.begin()
+        found = self._sign_reader.read(self.camera_view())
+        self._end("read_signs", {}, [asdict(each) for each in found])
+        return found
+
     def say(self, text: str) -> None:
         """See `Robot.say`."""
         self._log.begin()
@@ -250,12 +262,12 @@ class SimulatedRobot:
         self._log.begin()
         asked = {"width": width, "height": height, "horizontal_fov": horizontal_fov}
         try:
-            frame = self.camera_frame(width, height, horizontal_fov)
+            picture = self._draw(width, height, horizontal_fov)
         except SettingsError as error:
             self._refuse("camera_picture", asked, error)
             raise
         self._end("camera_picture", asked, None)
-        return CameraPicture(frame.rgb, frame.depth)
+        return picture
 
     # What the evaluation calls.
 
@@ -375,7 +387,11 @@ class SimulatedRobot:
     def camera_view(self) -> CameraView:
         """Return what the camera sees from where the robot is."""
         self._driver.base.update_view()
-        return RayCamera(self.scene, self._driver.base.data)
+        return RayCamera(self.scene, self._driver.base.data, self._draw)
+
+    def _draw(self, width: int, height: int, horizontal_fov: float) -> CameraPicture:
+        frame = self.camera_frame(width, height, horizontal_fov)
+        return CameraPicture(frame.rgb, frame.depth)
 
     def camera_view_from(self, pose: Pose) -> CameraView:
         """Return what the camera would see now if the robot were elsewhere."""

@@ -1,4 +1,4 @@
-"""What the robot's camera really sees, by casting rays; no OpenGL, no picture.
+"""What the robot's camera really sees, by casting rays; no OpenGL.
 
 A pinhole camera of 640x480 pixels, 90 degrees wide, at the robot's lens, looking
 ahead horizontally. Things are boxes of their true size; walls and other things hide
@@ -6,12 +6,16 @@ them. Rooms are not things: one sees their doors and signs.
 """
 
 import math
+from typing import NamedTuple, Protocol
 
 import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from memorymaze.perception.visible_object import VisibleObject
+from memorymaze.errors import RenderingError
+from memorymaze.geometry.pose import Pose
+from memorymaze.perception.visible_object import VisibleObject, VisibleText
+from memorymaze.robot.steps import CameraPicture
 from memorymaze.simulation.scene import Scene
 from memorymaze.simulation.sight_targets import (
     SightTargets,
@@ -19,12 +23,14 @@ from memorymaze.simulation.sight_targets import (
     sight_targets,
 )
 from memorymaze.simulation.wheeled_base import ROBOT_GROUP
+from memorymaze.simulation.written_texts import inscription
 
 __all__ = [
     "LARGE_AREA",
     "LEAST_FRACTION",
     "LEAST_PIXELS",
     "LEAST_SHARE",
+    "Draw",
     "RayCamera",
 ]
 
@@ -52,24 +58,52 @@ NEAREST = 0.05
 """Depth in metres below which nothing is seen."""
 
 
+class Draw(Protocol):
+    """Draws what the camera sees from where the robot is."""
+
+    def __call__(self, width: int, height: int, horizontal_fov: float) -> CameraPicture:
+        """Return the picture."""
+        ...
+
+
+class _Seen(NamedTuple):
+    geom: int
+    thing: VisibleObject
+
+
 class RayCamera:
     """One look of the robot's camera; implements `CameraView`."""
 
-    def __init__(self, scene: Scene, data: mujoco.MjData) -> None:
+    def __init__(
+        self, scene: Scene, data: mujoco.MjData, draw: Draw | None = None
+    ) -> None:
         """Look from where the lens is in `data`.
 
         Args:
             scene: The building.
             data: Physics state with up-to-date camera and geom poses.
+            draw: For those who ask for a picture; None has none.
         """
         self._scene = scene
         self._data = data
+        self._draw = draw
         lens = data.cam("eye")
         self._eye = np.array(lens.xpos)
         backwards = lens.xmat.reshape(3, 3)[:, 2]
         heading = math.atan2(-backwards[1], -backwards[0])
         self._ahead = np.array([math.cos(heading), math.sin(heading), 0.0])
         self._left = np.array([-math.sin(heading), math.cos(heading), 0.0])
+        x, y, _ = self._eye.tolist()
+        self.pose = Pose(x, y, heading)
+        """Where the lens is and which way it looks."""
+
+    def picture(
+        self, width: int = 640, height: int = 480, horizontal_fov: float = math.pi / 2
+    ) -> CameraPicture:
+        """Draw what is seen; see `CameraView.picture`."""
+        if self._draw is None:
+            raise RenderingError("this view was made without a camera that draws")
+        return self._draw(width, height, horizontal_fov)
 
     def visible_objects(self, range_limit: float) -> list[VisibleObject]:
         """Return the things seen whose nearest seen part is within the limit.
@@ -77,6 +111,39 @@ class RayCamera:
         Args:
             range_limit: Metres from the lens.
         """
+        return [each.thing for each in self._things_seen(range_limit)]
+
+    def visible_texts(self, range_limit: float) -> list[VisibleText]:
+        """Return what is written on the things seen within the limit.
+
+        Args:
+            range_limit: Metres from the lens.
+        """
+        texts = [self._text_on(each) for each in self._things_seen(range_limit)]
+        return [each for each in texts if each is not None]
+
+    def _text_on(self, seen: _Seen) -> VisibleText | None:
+        written = inscription(self._scene, seen.geom)
+        if written is None:
+            return None
+        front = self._data.geom_xmat[seen.geom].reshape(3, 3)[:, 0]
+        half_depth = self._scene.model.geom_size[seen.geom][0]
+        middle = self._data.geom_xpos[seen.geom] + half_depth * front
+        to_eye = self._eye - middle
+        facing = math.acos(
+            float(np.clip(front[:2] @ to_eye[:2] / np.hypot(*to_eye[:2]), -1, 1))
+        )
+        if written.both_sides:
+            facing = min(facing, math.pi - facing)
+        depth = max(float(-to_eye @ self._ahead), NEAREST)
+        return VisibleText(
+            text=written.text,
+            bearer=seen.thing,
+            facing=facing,
+            letter_height=written.letter_height * FOCAL_LENGTH / depth,
+        )
+
+    def _things_seen(self, range_limit: float) -> list[_Seen]:
         seen = self._seen_of(sight_targets(self._scene), range_limit)
         if self._scene.movables:
             reach = range_limit + LARGEST_MOVABLE
@@ -84,9 +151,7 @@ class RayCamera:
             seen += self._seen_of(nearby, range_limit)
         return seen
 
-    def _seen_of(
-        self, targets: SightTargets, range_limit: float
-    ) -> list[VisibleObject]:
+    def _seen_of(self, targets: SightTargets, range_limit: float) -> list[_Seen]:
         """Return which of some targets are seen; everything may hide them."""
         near = self._candidates(targets, range_limit)
         if not near:
@@ -140,7 +205,9 @@ class RayCamera:
             for i in np.flatnonzero(enough)
         ]
         return [
-            each for each in found if each is not None and each.distance <= range_limit
+            each
+            for each in found
+            if each is not None and each.thing.distance <= range_limit
         ]
 
     def _candidates(self, targets: SightTargets, range_limit: float) -> list[int]:
@@ -192,7 +259,7 @@ class RayCamera:
         target: int,
         numbers: NDArray[np.int64],
         fraction: float,
-    ) -> VisibleObject | None:
+    ) -> _Seen | None:
         """Measure a thing by its seen tiles; None where it is too small to tell."""
         edges = targets.half_edges[numbers]
         middles = targets.points[numbers] - self._eye
@@ -210,7 +277,7 @@ class RayCamera:
             return None
         distances = np.linalg.norm(np.concatenate([middles, corners]), axis=1)
         x, y, _ = targets.centres[target].tolist()
-        return VisibleObject(
+        thing = VisibleObject(
             description=targets.descriptions[target],
             position=(x, y),
             length=float(targets.lengths[target]),
@@ -219,3 +286,4 @@ class RayCamera:
             bearing=math.atan2(WIDTH / 2 - (left + right) / 2, FOCAL_LENGTH),
             visible_fraction=fraction,
         )
+        return _Seen(int(targets.geoms[target]), thing)

@@ -14,7 +14,14 @@ from memorymaze.errors import (
 )
 from memorymaze.evaluation.agent_failures import failure_line
 from memorymaze.evaluation.agents_for_runs import checked_agent
-from memorymaze.robot.api import Detection, Direction, MoveResult, Robot, TurnResult
+from memorymaze.robot.api import (
+    Detection,
+    Direction,
+    MoveResult,
+    Robot,
+    SignText,
+    TurnResult,
+)
 from memorymaze.simulation import SimulatedRobot, SimulationSettings, build_scene
 from memorymaze.sites import builtin_site
 from memorymaze.testing.expectation import expect
@@ -133,6 +140,9 @@ class _WatchedRobot:
         return self._passed(
             "detect_from_RGB_image", self._robot.detect_from_RGB_image, object
         )
+
+    def read_signs(self) -> list[SignText]:
+        return self._passed("read_signs", self._robot.read_signs)
 
     def say(self, text: str) -> None:
         self._passed("say", self._robot.say, text)

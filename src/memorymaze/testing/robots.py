@@ -6,9 +6,11 @@ from memorymaze.errors import EpisodeOver
 from memorymaze.robot.api import (
     DETECTION_RANGE,
     DIRECTIONS,
+    READING_RANGE,
     Detection,
     MoveResult,
     Robot,
+    SignText,
     TurnResult,
 )
 from memorymaze.testing.expectation import expect
@@ -70,6 +72,31 @@ def _check_looks(robot: Robot) -> None:
     _expect_value_error(
         lambda: robot.detect_from_RGB_image(""), "detect_from_RGB_image('')"
     )
+    signs = robot.read_signs()
+    _check_signs(signs)
+    again = robot.read_signs()
+    expect(
+        [each.track_id for each in signs] == [each.track_id for each in again],
+        "read_signs: the same track_ids when nothing has moved",
+        again,
+    )
+
+
+def _check_signs(signs: Sequence[SignText]) -> None:
+    distances = [each.distance for each in signs]
+    expect(
+        distances == sorted(distances), "read_signs: the nearest text first", distances
+    )
+    for each in signs:
+        expect(
+            _is_a(str, each.text)
+            and each.text == " ".join(each.text.split()) != ""
+            and 0 <= each.distance <= READING_RANGE
+            and -180 <= each.bearing_deg <= 180
+            and type(each.track_id) is int,
+            "a text of one line within 6 m",
+            each,
+        )
 
 
 def _check_detections(found: Sequence[Detection]) -> None:
@@ -151,6 +178,7 @@ def _check_end(robot: Robot) -> None:
         ("turning_point_id()", robot.turning_point_id),
         ("turn('around')", lambda: robot.turn("around")),
         ("detect_from_RGB_image('door')", lambda: robot.detect_from_RGB_image("door")),
+        ("read_signs()", robot.read_signs),
         ("say('Bye.')", lambda: robot.say("Bye.")),
         ("distance_travelled()", robot.distance_travelled),
         ("stop()", robot.stop),

@@ -1,0 +1,70 @@
+"""The simulated robot reads what is written on things and doors."""
+
+import math
+from collections.abc import Callable
+
+import pytest
+from shapely import LineString
+
+from memorymaze.geometry.pose import Pose
+from memorymaze.simulation import SimulatedRobot, build_scene
+from memorymaze.sites.records import Door
+
+
+@pytest.fixture
+def reader_at(plans) -> Callable[..., SimulatedRobot]:
+    """Put a robot at (x, 0), facing a board at (6, 0) that faces `degrees`."""
+
+    def put(x: float, degrees: float = 180.0, size=(1.2, 0.05, 0.4), text="Library"):
+        board = plans.thing(
+            "board", 6, 0, size=size, mount="wall", degrees=degrees, obstacle=False
+        )
+        object.__setattr__(board, "text", text)
+        site = plans.site(plans.corridor("c", -4, -2, 8, 2), board)
+        return SimulatedRobot(build_scene(site), Pose(x, 0, 0))
+
+    return put
+
+
+def test_a_sign_that_faces_the_robot_is_read(reader_at):
+    [sign] = reader_at(3).read_signs()
+
+    assert sign.text == "Library"
+    assert sign.distance == pytest.approx(3.0, abs=0.3)
+    assert sign.bearing_deg == pytest.approx(0, abs=2)
+
+
+@pytest.mark.parametrize("degrees", [0, 100, -100])
+def test_the_back_and_the_edge_of_a_sign_are_not_read(reader_at, degrees: float):
+    assert reader_at(3, degrees).read_signs() == []
+
+
+def test_a_sign_is_read_up_to_six_metres(reader_at):
+    assert len(reader_at(0.2).read_signs()) == 1
+    assert reader_at(-0.5).read_signs() == []
+
+
+def test_small_print_is_read_from_near_only(reader_at):
+    words = "these are very many words for a board as small as this one"
+
+    assert reader_at(1.0, size=(0.4, 0.02, 0.2), text=words).read_signs() == []
+    assert len(reader_at(5.0, size=(0.4, 0.02, 0.2), text=words).read_signs()) == 1
+
+
+def test_the_label_of_a_door_is_read(plans):
+    site = plans.site(plans.corridor("c", 0, -1.5, 8, 1.5))
+    line = LineString([(4.5, 1.5), (3.5, 1.5)])
+    door = Door("d", line, None, "wood", "brown", "2347", "closed")
+    object.__setattr__(site, "doors", (door,))
+    robot = SimulatedRobot(build_scene(site), Pose(4, 0, math.pi / 2))
+
+    assert [sign.text for sign in robot.read_signs()] == ["2347"]
+
+
+def test_reading_is_a_call_in_the_trace(reader_at, put_robot, scenes):
+    events = []
+    robot = put_robot(scenes["corridor"], 2, 0, events=events)
+    robot.read_signs()
+
+    assert [event.call for event in events] == ["read_signs"]
+    assert robot.calls == 1
