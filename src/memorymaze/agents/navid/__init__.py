@@ -1,0 +1,6 @@
+"""The NaVid protocol: pictures so far and an instruction in, one short motion out."""
+
+from memorymaze.agents.navid.agent import NavidAgent
+from memorymaze.agents.navid.settings import NavidOptions
+
+__all__ = ["NavidAgent", "NavidOptions"]

@@ -1,0 +1,234 @@
+"""The agent of the NaVid protocol: shows pictures, does what is answered, and stops."""
+
+import hashlib
+import math
+from collections.abc import Sequence
+from itertools import repeat
+
+import numpy as np
+
+from memorymaze.agents.agent import Journal
+from memorymaze.agents.navid.motions import Command, Motion
+from memorymaze.agents.navid.policy import (
+    FIELD_OF_VIEW_DEG,
+    HEIGHT,
+    WIDTH,
+    Answer,
+    Frame,
+    Policy,
+    PolicySession,
+    Task,
+    frame_name,
+)
+from memorymaze.agents.navid.reply_reading import (
+    Unreadable,
+    read_reply,
+    read_reply_as_released,
+)
+from memorymaze.agents.navid.settings import NavidOptions
+from memorymaze.errors import CommandError, EpisodeOver, LanguageModelError
+from memorymaze.robot.api import Robot
+from memorymaze.robot.steps import SteppingRobot
+
+__all__ = ["NavidAgent"]
+
+STILL_METRES = 0.01
+"""A step ahead of less is none."""
+
+RANDOM_MOTIONS: tuple[Motion, ...] = ("forward", "left", "right")
+
+
+class NavidAgent:
+    """Follows an instruction by asking a policy for one short motion after another.
+
+    The policy sees a picture after every primitive motion. It is asked when what it
+    asked for last is done, and answers with up to three primitives of a kind, or stop.
+    """
+
+    def __init__(self, policy: Policy, options: NavidOptions | None = None) -> None:
+        """Prepare the agent.
+
+        Args:
+            policy: Decides.
+            options: Budgets, motions and how replies are read; the defaults when None.
+        """
+        self._policy = policy
+        self._options = options or NavidOptions()
+
+    @property
+    def name(self) -> str:
+        """`NaVid protocol with <model>+<budget>`, and what else changes the rules."""
+        options = self._options
+        given = f"+max_steps={options.max_steps}" if options.max_steps else ""
+        return (
+            f"NaVid protocol with {self._policy.name}+{options.budget}{given}"
+            + "+faithful" * options.faithful
+        )
+
+    @property
+    def options(self) -> NavidOptions:
+        """What was set."""
+        return self._options
+
+    def follow(
+        self,
+        instruction: str,
+        robot: Robot,
+        journal: Journal,
+        rng: np.random.Generator,
+        fair_steps: int | None = None,
+    ) -> None:
+        """Drive the robot as the policy says, and stop where it says so.
+
+        Notes in the journal: `model_reply` for each answer, and `decision` with what
+        was read from it.
+
+        Args:
+            instruction: Goes to the policy as it is.
+            robot: A `SteppingRobot`.
+            journal: Counts answers.
+            rng: Seeds the policy, and draws motions where `faithful` asks for it.
+            fair_steps: What the budget `fair` allows here; None for no limit of steps.
+
+        Raises:
+            CommandError: The robot has no primitive motions and pictures.
+            LanguageModelError: The policy did not answer, or unreadably too often.
+            EpisodeOver: Stopped, out of budget, or stuck.
+        """
+        if not isinstance(robot, SteppingRobot):
+            raise CommandError(
+                "NaVid protocol: expected a robot with primitive motions and a camera "
+                f"(memorymaze.robot.steps), got {type(robot).__name__}"
+            )
+        seed = int(rng.integers(2**31))
+        session = self._policy.begin(Task(instruction, self._options.motions, seed))
+        try:
+            limit = self._options.step_limit(fair_steps)
+            _Walk(session, robot, journal, rng, self._options, limit, str(seed)).run()
+        finally:
+            session.close()
+        robot.stop()
+
+
+class _Walk:
+    """The walk of one episode."""
+
+    def __init__(
+        self,
+        session: PolicySession,
+        robot: SteppingRobot,
+        journal: Journal,
+        rng: np.random.Generator,
+        options: NavidOptions,
+        limit: int | None,
+        episode: str,
+    ) -> None:
+        self._session = session
+        self._robot = robot
+        self._journal = journal
+        self._rng = rng
+        self._options = options
+        self._limit = limit
+        self._episode = episode
+        self._steps = 0
+        self._still = 0
+        self._unreadable = 0
+        self._frame_name = ""
+
+    def run(self) -> None:
+        """Walk until the policy says stop."""
+        frame = self._picture(None)
+        while True:
+            queue = self._decide(frame)
+            if not queue:
+                self._begin_step()
+                self._count_step(moved=False)
+                frame = self._picture(None)
+            for left_to_do, motion in zip(
+                reversed(range(len(queue))), queue, strict=True
+            ):
+                if motion == "stop":
+                    return
+                self._begin_step()
+                self._count_step(moved=self._do(motion))
+                frame = self._picture(motion)
+                if left_to_do:
+                    self._session.observe(frame)
+
+    def _decide(self, frame: Frame) -> list[Motion]:
+        """Return the primitives to do next; none where no answer could be read."""
+        answer = self._ask(frame, None)
+        read = self._read(answer)
+        if isinstance(read, Unreadable) and not self._options.faithful:
+            self._note_decision(frame, read)
+            answer = self._ask(frame, read.problem)
+            read = self._read(answer)
+        self._note_decision(frame, read)
+        if not isinstance(read, Unreadable):
+            self._unreadable = 0
+            queue: list[Motion] = []
+            for command in read:
+                queue.extend(repeat(command.motion, command.count))
+            return queue
+        if self._options.faithful:
+            drawn = RANDOM_MOTIONS[int(self._rng.integers(len(RANDOM_MOTIONS)))]
+            self._journal.note("random_motion", step=frame.step, motion=drawn)
+            return [drawn]
+        self._unreadable += 1
+        if self._unreadable >= self._options.failures:
+            raise LanguageModelError(
+                f"{answer.completion.model}: {self._unreadable} decisions in a row "
+                f"could not be read, each asked for twice; the last time {read.problem}"
+            )
+        return []
+
+    def _ask(self, frame: Frame, problem: str | None) -> Answer:
+        answer = self._session.act(frame, problem)
+        self._journal.count(answer.completion, stage="act")
+        return answer
+
+    def _read(self, answer: Answer) -> Sequence[Command] | Unreadable:
+        if answer.commands:
+            return answer.commands
+        reader = read_reply_as_released if self._options.faithful else read_reply
+        read = reader(answer.text, self._options.motions)
+        return read if isinstance(read, Unreadable) else (read,)
+
+    def _note_decision(
+        self, frame: Frame, read: Sequence[Command] | Unreadable
+    ) -> None:
+        seen = hashlib.sha256(frame.rgb.tobytes()).hexdigest()[:16]
+        if isinstance(read, Unreadable):
+            details: dict[str, object] = {"problem": read.problem}
+        else:
+            details = {"motions": [[each.motion, each.count] for each in read]}
+        self._journal.note("decision", step=frame.step, picture=seen, **details)
+
+    def _do(self, motion: Motion) -> bool:
+        """Do a primitive; return whether the robot got ahead."""
+        motions = self._options.motions
+        if motion == "forward":
+            return self._robot.step_forward(motions.forward_m) > STILL_METRES
+        turn = math.radians(motions.turn_deg)
+        self._robot.rotate(turn if motion == "left" else -turn)
+        return False
+
+    def _count_step(self, *, moved: bool) -> None:
+        self._steps += 1
+        self._still = 0 if moved else self._still + 1
+        if self._still >= self._options.still_steps:
+            self._journal.note("stuck", step=self._steps, still_steps=self._still)
+            raise EpisodeOver("stuck")
+
+    def _begin_step(self) -> None:
+        if self._limit is not None and self._steps >= self._limit:
+            self._journal.note("out_of_steps", step=self._steps, limit=self._limit)
+            raise EpisodeOver("budget")
+
+    def _picture(self, after: Motion | None) -> Frame:
+        rgb = self._robot.camera_picture(
+            WIDTH, HEIGHT, math.radians(FIELD_OF_VIEW_DEG)
+        ).rgb
+        done = f"{after} {self._options.turn_deg}" if after else f"none {self._steps}"
+        self._frame_name = frame_name(self._episode, self._frame_name, done)
+        return Frame(self._steps, after, rgb, self._frame_name)

@@ -1,0 +1,125 @@
+"""The role of a policy: sees every picture, and says the next motion when asked."""
+
+import hashlib
+import io
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+
+from memorymaze.agents.navid.motions import Command, Motion, Motions
+from memorymaze.language.model import Completion, Picture
+
+__all__ = ["Answer", "Frame", "Policy", "PolicySession", "Task", "frame_name"]
+
+WIDTH, HEIGHT = 640, 480
+"""Pixels of the pictures that are sent."""
+FIELD_OF_VIEW_DEG = 90.0
+CAMERA_HEIGHT_M = 1.25
+QUALITY = 90
+"""Of JPEG."""
+
+
+@dataclass(frozen=True, slots=True)
+class Task:
+    """What a policy is told at the beginning of an episode, and no more."""
+
+    instruction: str
+    motions: Motions
+    seed: int
+    """For policies that draw lots; differs from episode to episode."""
+
+
+@dataclass(frozen=True, eq=False)
+class Frame:
+    """One picture of the video, taken after a primitive motion."""
+
+    step: int
+    """Steps done before it; 0 for the picture at the start."""
+    after: Motion | None
+    """The primitive that led here; None at the start and where nothing was done."""
+    rgb: NDArray[np.uint8]
+    """Colours, (height, width, 3), first row at the top."""
+    name: str
+    """Differs for every place that other motions lead to, in every episode."""
+
+    def jpeg(self, width: int = WIDTH) -> Picture:
+        """Return it as a picture file in RGB order, made smaller if so wished."""
+        image = Image.fromarray(self.rgb)
+        if width != image.width:
+            height = round(image.height * width / image.width)
+            image = image.resize((width, height), Image.Resampling.LANCZOS)
+        file = io.BytesIO()
+        image.save(file, "JPEG", quality=QUALITY)
+        return Picture(file.getvalue(), "image/jpeg", f"{self.name}-{width}")
+
+
+@dataclass(frozen=True, slots=True)
+class Answer:
+    """What a policy says when it is asked for the next motion."""
+
+    completion: Completion
+    """With what it cost."""
+    text: str
+    """What the model said, to be read; may be empty where there are commands."""
+    commands: tuple[Command, ...] = ()
+    """Motions in a policy's own terms, for policies that say no text."""
+
+
+class PolicySession(Protocol):
+    """One episode with a policy; frames come in the order of their steps, each once."""
+
+    def observe(self, frame: Frame) -> None:
+        """Show a picture of the video without asking anything.
+
+        Raises:
+            LanguageModelError: The policy cannot be used any more.
+        """
+        ...
+
+    def act(self, frame: Frame, problem: str | None = None) -> Answer:
+        """Show a picture, the current one, and ask for the next motion.
+
+        Args:
+            frame: The current picture. It may be one shown before.
+            problem: What was wrong with the answer to this picture just before, where
+                it is asked again; None when it is asked for the first time.
+
+        Raises:
+            LanguageModelError: No answer came, or none that can be used.
+        """
+        ...
+
+    def close(self) -> None:
+        """End it; raises nothing."""
+        ...
+
+
+class Policy(Protocol):
+    """Anything that can decide from pictures and an instruction."""
+
+    @property
+    def name(self) -> str:
+        """Name of the model, for tables."""
+        ...
+
+    def begin(self, task: Task) -> PolicySession:
+        """Begin an episode.
+
+        Raises:
+            LanguageModelError: The policy cannot be used.
+        """
+        ...
+
+
+def frame_name(episode: str, before: str, motion: str) -> str:
+    """Return the name of the picture after a motion, from the name before it.
+
+    Args:
+        episode: What tells the episode from others.
+        before: Name of the picture before the motion; empty at the start.
+        motion: What was done.
+    """
+    return hashlib.sha256(f"{episode}|{before}|{motion}".encode()).hexdigest()[:24]

@@ -1,0 +1,191 @@
+"""Reads the next motion from what a model says; two readers, and neither ever raises.
+
+`read_reply` takes JSON or one clear sentence, and nothing else moves the robot.
+`read_reply_as_released` does as the released NaVid evaluation does, faults and all.
+"""
+
+import json
+import math
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any, cast
+
+from memorymaze.agents.navid.motions import Command, Motion, Motions
+
+__all__ = ["Unreadable", "read_reply", "read_reply_as_released"]
+
+LONGEST_REPLY = 20_000
+"""Characters beyond which a reply is not read."""
+
+
+@dataclass(frozen=True, slots=True)
+class Unreadable:
+    """A reply that says no motion, or more than one."""
+
+    problem: str
+    """What is wrong with it, to tell people and the model."""
+
+
+_NUMBER = r"[-+]?[0-9]{1,6}(?:\.[0-9]{1,6})?"
+_END = r"(?=\s*(?:[.,;:!?)\]}\"'`*]|$))"
+_FORWARD = re.compile(
+    rf"\bforward\s*(?:by|for)?\s*(?P<amount>{_NUMBER})"
+    rf"(?:\s*(?P<unit>cm|centimet(?:er|re)s?|m|met(?:er|re)s?)\b|{_END})",
+    re.MULTILINE,
+)
+_TURN = re.compile(
+    rf"\b(?P<side>left|right)\s*(?:by)?\s*(?P<amount>{_NUMBER})"
+    rf"(?:\s*(?:degrees?\b|deg\b|°)|{_END})",
+    re.MULTILINE,
+)
+_MOVES: tuple[Motion, ...] = ("forward", "left", "right")
+_STOP = re.compile(r"\bstop\b")
+_NEGATION = re.compile(
+    r"(?:\bnot|\bnever|\bcannot|n['\u2019]t|\bwithout)\s+(?:\w+\s+)?$"
+)
+_ACTIONS: dict[str, Motion] = {
+    "forward": "forward",
+    "move forward": "forward",
+    "go forward": "forward",
+    "left": "left",
+    "turn left": "left",
+    "right": "right",
+    "turn right": "right",
+    "stop": "stop",
+}
+
+
+def read_reply(text: str, motions: Motions) -> Command | Unreadable:
+    """Read a reply strictly.
+
+    A JSON object with `action` and `amount` decides, wherever in the reply it is.
+    Without one, the reply must have exactly one command such as `move forward 50 cm`,
+    `turn left 30 degrees` or `stop`. What contradicts itself, negates, names no amount
+    or less than one primitive is unreadable.
+
+    Args:
+        text: Anything.
+        motions: The primitives; amounts beyond the largest are cut to it.
+    """
+    if len(text) > LONGEST_REPLY:
+        return Unreadable(f"the reply has more than {LONGEST_REPLY} characters")
+    objects = list(_objects_with_action(text))
+    if objects:
+        read = [_read_object(each, motions) for each in objects]
+        return _agreed(read)
+    return _read_sentence(text, motions)
+
+
+def read_reply_as_released(text: str, motions: Motions) -> Command | Unreadable:
+    """Read a reply as the released evaluation does.
+
+    Its last character is dropped, because a full stop is expected there: a bare `stop`
+    becomes `sto`. Of `stop`, `forward`, `left` and `right` the first in this order
+    that occurs anywhere counts, with the first whole number anywhere as its amount.
+
+    Args:
+        text: Anything.
+        motions: The primitives; amounts beyond the largest are cut to it.
+    """
+    text = text[:-1]
+    if "stop" in text:
+        return Command("stop")
+    named: list[Motion] = [motion for motion in _MOVES if motion in text]
+    if not named:
+        return Unreadable("the reply names no motion")
+    number = re.search(r"-?[0-9]+", text)
+    if number is None:
+        return Unreadable(f"the reply names no amount for {named[0]}")
+    # Longer numbers than Python reads at once are the largest amount anyway.
+    return _counted(named[0], float(number[0][:20]), motions)
+
+
+def _objects_with_action(text: str) -> Iterator[dict[str, Any]]:
+    """Yield the JSON objects of a reply that have an `action`, outermost ones."""
+    decoder = json.JSONDecoder()
+    start = text.find("{")
+    while start >= 0:
+        end = start + 1
+        try:
+            value, end = decoder.raw_decode(text, start)
+        except (ValueError, RecursionError):
+            value = None
+        if isinstance(value, dict):
+            named = cast(dict[str, Any], value)
+            lowered = {name.strip().lower(): part for name, part in named.items()}
+            if "action" in lowered:
+                yield lowered
+        start = text.find("{", end)
+
+
+def _read_object(value: dict[str, Any], motions: Motions) -> Command | Unreadable:
+    action = value["action"]
+    if not isinstance(action, str):
+        return Unreadable(f"`action` is not a text but {_shown(action)}")
+    motion = _ACTIONS.get(" ".join(re.split(r"[\s_-]+", action.strip().lower())))
+    amount = value.get("amount")
+    if motion == "stop":
+        return Command("stop")
+    if motion is None:
+        # The whole sentence may stand in `action`.
+        return _read_sentence(action, motions)
+    if isinstance(amount, str):
+        return _read_sentence(f"{motion} {amount}", motions)
+    if isinstance(amount, int | float) and not isinstance(amount, bool):
+        return _counted(motion, amount, motions)
+    return Unreadable(f"`amount` is not a number but {_shown(amount)}")
+
+
+def _read_sentence(text: str, motions: Motions) -> Command | Unreadable:
+    # One blank between words: patterns with room for blanks stay linear.
+    lines = (" ".join(line.split()) for line in text.lower().splitlines())
+    text = "\n".join(line for line in lines if line)
+    read: list[Command | Unreadable] = []
+    for command in _FORWARD.finditer(text):
+        in_metres = (command["unit"] or "cm").startswith("m")
+        amount = float(command["amount"]) * (100 if in_metres else 1)
+        read.append(
+            _unless_negated(text, command, _counted, "forward", amount, motions)
+        )
+    for command in _TURN.finditer(text):
+        side = cast(Motion, command["side"])
+        amount = float(command["amount"])
+        read.append(_unless_negated(text, command, _counted, side, amount, motions))
+    for command in _STOP.finditer(text):
+        read.append(_unless_negated(text, command, Command, "stop"))
+    if not read:
+        return Unreadable("the reply has no command with an amount, and no stop")
+    return _agreed(read)
+
+
+def _unless_negated(
+    text: str, command: re.Match[str], make: Any, *arguments: Any
+) -> Command | Unreadable:
+    before = text[max(0, command.start() - 40) : command.start()]
+    if _NEGATION.search(before):
+        return Unreadable(f"the reply negates a command: {command[0].strip()!r}")
+    return make(*arguments)
+
+
+def _counted(motion: Motion, amount: float, motions: Motions) -> Command | Unreadable:
+    if not math.isfinite(amount):
+        return Unreadable(f"the amount of {motion} is {amount}")
+    if (count := motions.count(motion, amount)) < 1:
+        unit = motions.unit(motion)
+        return Unreadable(f"{motion} {amount:g} is less than one motion of {unit}")
+    return Command(motion, count)
+
+
+def _agreed(read: list[Command | Unreadable]) -> Command | Unreadable:
+    """Return what all say; what is unreadable in one spoils all."""
+    unreadable = next((each for each in read if isinstance(each, Unreadable)), None)
+    if unreadable is not None:
+        return unreadable
+    if any(each != read[0] for each in read):
+        return Unreadable("the reply has several different commands")
+    return read[0]
+
+
+def _shown(value: object) -> str:
+    return repr(value)[:40]

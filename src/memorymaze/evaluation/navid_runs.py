@@ -1,0 +1,110 @@
+"""The NaVid protocol's agent for runs: its policy, and the fair budget of a site."""
+
+from functools import partial
+
+import numpy as np
+
+from memorymaze.agents.agent import Agent, Journal
+from memorymaze.agents.navid import NavidAgent, NavidOptions
+from memorymaze.agents.navid.policy import Policy
+from memorymaze.errors import LanguageModelError, SettingsError
+from memorymaze.evaluation.language_models import build_language_model
+from memorymaze.evaluation.settings import AgentSettings
+from memorymaze.evaluation.step_budgets import fair_steps
+from memorymaze.robot.api import Robot
+from memorymaze.simulation import SimulatedRobot
+
+__all__ = ["NavidOnSite", "build_navid"]
+
+
+class NavidOnSite:
+    """The agent with the budget `fair` of the site that it is on."""
+
+    def __init__(self, agent: NavidAgent) -> None:
+        """Stand for an agent."""
+        self._agent = agent
+
+    @property
+    def name(self) -> str:
+        """That of the agent."""
+        return self._agent.name
+
+    def follow(
+        self,
+        instruction: str,
+        robot: Robot,
+        journal: Journal,
+        rng: np.random.Generator,
+    ) -> None:
+        """Let the agent follow; only the number of steps comes from the site."""
+        limit = None
+        if isinstance(robot, SimulatedRobot):
+            motions = self._agent.options.motions
+            routes = robot.scene.site.routes
+            limit = fair_steps(routes, motions.forward_m, motions.turn_deg)
+        self._agent.follow(instruction, robot, journal, rng, limit)
+
+
+def build_navid(settings: AgentSettings, options: NavidOptions) -> Agent:
+    """Make the agent, on a policy server or on a vision model.
+
+    Raises:
+        SettingsError: The server cannot be used, no model is named, or both are.
+    """
+    if options.server is None:
+        policy = _vision_policy(settings, options)
+    else:
+        policy = _remote_policy(settings, options, options.server)
+    return NavidOnSite(NavidAgent(policy, options))
+
+
+def _vision_policy(settings: AgentSettings, options: NavidOptions) -> Policy:
+    from memorymaze.agents.navid.vision_policy import VisionPolicy
+
+    if settings.model is None and settings.replay is None:
+        raise SettingsError(
+            "--agent navid: name a vision model with --model, or a policy server with "
+            "--set server=URL, or take recorded replies with --replay"
+        )
+    return VisionPolicy(
+        build_language_model(settings),
+        history=options.history,
+        history_width=options.history_width,
+        temperature=options.temperature,
+        max_tokens=options.max_tokens,
+    )
+
+
+def _remote_policy(
+    settings: AgentSettings, options: NavidOptions, address: str
+) -> Policy:
+    from memorymaze.agents.navid.client import PolicyServer
+    from memorymaze.agents.navid.remote_policy import RemotePolicy, ReplayedPolicy
+    from memorymaze.language.recorded_replies import RecordingModel, ReplayingModel
+
+    for option in ("model", "base_url"):
+        if getattr(settings, option) is not None:
+            raise SettingsError(
+                f"--{option.replace('_', '-')} and --set server: either a vision model "
+                "or a policy server decides; leave one out"
+            )
+    asking = settings.asking
+    if asking.limited or asking.price is not None:
+        raise SettingsError(
+            "--set server: a policy server tells its costs itself; leave out --price, "
+            "--max-cost and --max-tokens-total"
+        )
+    record, replay = settings.record, settings.replay
+    if replay is not None:
+        if record is not None:
+            raise SettingsError(
+                "--replay and --record: replies are replayed or asked for, not both; "
+                "leave one out"
+            )
+        return ReplayedPolicy(ReplayingModel(replay))
+    server = PolicyServer(address, timeout=options.timeout, retries=options.retries)
+    recorder = None if record is None else partial(RecordingModel, path=record)
+    try:
+        return RemotePolicy(server, recorder)
+    except LanguageModelError as error:
+        raise SettingsError(f"--set server: {error}") from error
