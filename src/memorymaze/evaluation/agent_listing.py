@@ -18,6 +18,7 @@ _NEEDS: dict[Need, str] = {
     "camera": "pictures from the robot's camera",
     "graph": "the navigation graph of the site",
     "language_model": "a language model (--model, or recorded replies with --replay)",
+    "steps": "a robot that can be moved by single steps (robot.steps)",
 }
 _WIDTH = 88
 

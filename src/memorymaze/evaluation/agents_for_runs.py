@@ -40,9 +40,9 @@ __all__ = [
 AgentFor = Callable[[Episode], Agent]
 """Gives the agent that follows an episode; most look at no episode."""
 
-Need = Literal["language_model", "graph", "camera", "answers"]
+Need = Literal["language_model", "graph", "camera", "steps", "answers"]
 """What an agent is given besides text and robot: a language model to ask, the site's
-navigation graph, pictures, or the reference path."""
+navigation graph, pictures, primitive motions, or the reference path."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,6 +88,19 @@ def _plain(name: str) -> Callable[[AgentSettings, Any], AgentFor]:
     return make
 
 
+def _navid(settings: AgentSettings, options: Any) -> AgentFor:
+    from memorymaze.evaluation.navid_runs import build_navid
+
+    agent = build_navid(settings, options)
+    return lambda _: agent
+
+
+def _navid_options() -> type:
+    from memorymaze.agents.navid.settings import NavidOptions
+
+    return NavidOptions
+
+
 _KNOWN: dict[str, KnownAgent] = {
     "code_generation": KnownAgent(
         _code_generation,
@@ -95,6 +108,13 @@ _KNOWN: dict[str, KnownAgent] = {
         needs=frozenset({"language_model"}),
         options=_code_generation_options,
         parser=True,
+    ),
+    "navid": KnownAgent(
+        _navid,
+        "the NaVid protocol: a vision model, or a policy server, is shown the video "
+        "so far and says one short motion after another",
+        needs=frozenset({"language_model", "camera", "steps"}),
+        options=_navid_options,
     ),
     "oracle": KnownAgent(
         _oracle,

@@ -10,10 +10,10 @@ from typing import Any
 from memorymaze.errors import RunFolderError, SettingsError
 from memorymaze.evaluation.agents_for_runs import build_agent
 from memorymaze.evaluation.arena import Arena
-from memorymaze.evaluation.budgets import default_time_budget
 from memorymaze.evaluation.durable_files import write_whole
 from memorymaze.evaluation.episode import EpisodeRun, run_episode
 from memorymaze.evaluation.settings import AgentSettings, RunSettings
+from memorymaze.evaluation.step_budgets import time_budget_for
 from memorymaze.evaluation.trace import trace_lines
 from memorymaze.instructions.episodes import episodes
 from memorymaze.instructions.records import Instruction
@@ -103,7 +103,7 @@ def navigate(
         raise SettingsError("text: expected an instruction, got nothing")
     abilities = SimulationSettings(turning_points=turning_points)
     if time_budget is None:
-        time_budget = default_time_budget(site.routes, abilities)
+        time_budget = time_budget_for(agent.name, site.routes, abilities)
     if call_budget is None:
         call_budget = abilities.call_budget
     settings = RunSettings(

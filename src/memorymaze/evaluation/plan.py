@@ -6,7 +6,6 @@ from pathlib import Path
 
 from memorymaze.errors import SettingsError
 from memorymaze.evaluation.agents_for_runs import build_agent
-from memorymaze.evaluation.budgets import default_time_budget
 from memorymaze.evaluation.program_replay import check_programs_for, with_programs
 from memorymaze.evaluation.settings import (
     AgentSettings,
@@ -14,6 +13,7 @@ from memorymaze.evaluation.settings import (
     check_whole,
     stamp_file,
 )
+from memorymaze.evaluation.step_budgets import time_budget_for
 from memorymaze.instructions.corpus import BUILTIN_CORPUS, load_instructions
 from memorymaze.instructions.episodes import episodes
 from memorymaze.instructions.records import Episode
@@ -96,7 +96,7 @@ def plan_run(
         abilities = replace(abilities, turning_points=turning_points)
     if time_budget is None:
         routes = [route for site in sites.values() for route in site.routes]
-        time_budget = default_time_budget(routes, abilities)
+        time_budget = time_budget_for(agent.name, routes, abilities)
     if call_budget is None:
         call_budget = abilities.call_budget
     abilities = replace(abilities, time_budget=time_budget, call_budget=call_budget)
