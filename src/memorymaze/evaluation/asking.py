@@ -36,7 +36,7 @@ class AskingSettings:
     shared_folder: str | None = None
     """Where the processes of a run keep what they share: the run's own folder."""
     threads: int | None = None
-    """Processor cores that a local model uses; None for all."""
+    """Processor cores that a local model uses; None for half of them."""
 
     def __post_init__(self) -> None:
         """Refuse values without meaning."""

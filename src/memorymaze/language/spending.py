@@ -32,14 +32,17 @@ class Ledger:
     What a killed process had in hand is in it too, although its episode is not.
     """
 
-    def __init__(self, path: Path | str) -> None:
-        """Stand for a file, which may not be there yet."""
-        self._path = Path(path)
+    def __init__(self, path: Path | str | None) -> None:
+        """Stand for a file, which may not be there yet; None for a single process."""
+        self._path = None if path is None else Path(path)
         self._read = 0
         self._spent = Spent(0, 0.0)
 
     def add(self, usage: Usage) -> None:
         """Write down what a reply cost."""
+        if self._path is None:
+            self._spent = _sum(self._spent, usage)
+            return
         line = json.dumps(asdict(usage)).encode() + b"\n"
         # One write to a file opened for appending is not mixed with that of others.
         handle = os.open(self._path, os.O_WRONLY | os.O_CREAT | os.O_APPEND, 0o644)
@@ -50,6 +53,8 @@ class Ledger:
 
     def spent(self) -> Spent:
         """Return what all processes have spent until now."""
+        if self._path is None:
+            return self._spent
         try:
             with self._path.open("rb") as file:
                 file.seek(self._read)
@@ -59,15 +64,12 @@ class Ledger:
         # A line that a killed process left unfinished, or that is being written.
         whole = new[: new.rfind(b"\n") + 1]
         self._read += len(whole)
-        tokens, cost = self._spent
         for line in whole.splitlines():
             try:
                 usage = Usage(**json.loads(line))
             except (ValueError, TypeError):
                 continue
-            tokens += usage.prompt_tokens + usage.completion_tokens
-            cost += usage.cost_usd or 0.0
-        self._spent = Spent(tokens, cost)
+            self._spent = _sum(self._spent, usage)
         return self._spent
 
 
@@ -124,3 +126,8 @@ class LimitedModel:
                 "--max-tokens-total out"
             )
         return completion
+
+
+def _sum(spent: Spent, usage: Usage) -> Spent:
+    tokens = usage.prompt_tokens + usage.completion_tokens
+    return Spent(spent.tokens + tokens, spent.cost_usd + (usage.cost_usd or 0.0))

@@ -1,0 +1,203 @@
+"""A language model on this machine, from a GGUF file, through `llama-cpp-python`.
+
+Greedy and from a fixed state, so that a request has the same reply whatever was asked
+before it.
+"""
+
+import importlib
+import importlib.util
+import os
+import time
+from pathlib import Path
+from typing import Any
+
+from memorymaze.errors import LanguageModelError, SettingsError
+from memorymaze.language.model import Completion, CompletionRequest, Message, Usage
+
+__all__ = ["INSTALL", "GgufModel"]
+
+INSTALL = (
+    "install it with: pip install 'memorymaze[local-llm]' (it is compiled, which takes "
+    "minutes and needs a C++ compiler and CMake)"
+)
+
+CONTEXT = 8192
+"""Tokens that a request and its reply have together, at most."""
+
+KEPT_BEGINNINGS = 4
+"""Beginnings of requests whose state is kept, so that they are read once only."""
+
+
+class GgufModel:
+    """Answers by a model of a GGUF file, which is loaded with the first request.
+
+    Replies are held to the grammar of a request. The messages before the last one are
+    read on their own and their state is kept: agents ask with the same ones again and
+    again, and reading them takes most of the time.
+    """
+
+    takes_grammar = True
+
+    def __init__(
+        self,
+        path: Path | str,
+        *,
+        name: str,
+        threads: int | None = None,
+        context: int = CONTEXT,
+    ) -> None:
+        """Look at the file; nothing is loaded yet.
+
+        Args:
+            path: GGUF file of a chat model, with its chat template in it.
+            name: Name shown in tables.
+            threads: Processor cores to use; None for half of them.
+            context: Tokens of a request and its reply together, at most.
+
+        Raises:
+            SettingsError: There is no such file, it is something else, or
+                `llama-cpp-python` is not installed; says what to do.
+        """
+        self._path = Path(path)
+        self._name = name
+        self._threads = threads or max(1, (os.cpu_count() or 1) // 2)
+        self._context = context
+        self._llama: Any = None
+        self._beginnings: dict[tuple[Message, ...], tuple[int, Any]] = {}
+        try:
+            with self._path.open("rb") as file:
+                magic = file.read(4)
+        except OSError as error:
+            raise SettingsError(
+                f"language model {name}: {self._path} cannot be read "
+                f"({error.strerror or error})"
+            ) from error
+        if magic != b"GGUF":
+            raise SettingsError(
+                f"language model {name}: expected a GGUF file, got something else at "
+                f"{self._path}"
+            )
+        if importlib.util.find_spec("llama_cpp") is None:
+            raise SettingsError(
+                f"language model {name}: local models need llama-cpp-python; {INSTALL}"
+            )
+
+    @property
+    def name(self) -> str:
+        """Name shown in tables."""
+        return self._name
+
+    def complete(self, request: CompletionRequest) -> Completion:
+        """Write a reply.
+
+        Raises:
+            LanguageModelError: The model cannot be loaded or sees no pictures, the
+                request is too long for it, or the reply is empty.
+        """
+        if any(message.pictures for message in request.messages):
+            raise self._failure("sees no pictures; ask a vision model on a server")
+        llama = self._loaded()
+        began = time.monotonic()
+        try:
+            tokens = self._tokens(request.messages)
+            room = self._context - len(tokens)
+            if room < 1:
+                raise self._failure(
+                    f"cannot read a request of {len(tokens)} tokens; request and reply "
+                    f"have {self._context} together"
+                )
+            self._begin(request.messages[:-1], tokens)
+            answer = llama.create_completion(
+                prompt=tokens,
+                max_tokens=min(request.max_tokens, room),
+                temperature=request.temperature,
+                seed=request.seed or 0,
+                grammar=self._grammar(request.grammar),
+            )
+        except (ValueError, RuntimeError) as error:
+            raise self._failure(f"failed: {error}") from error
+        latency = time.monotonic() - began
+        text = str(answer["choices"][0]["text"])
+        if not text.strip():
+            raise self._failure("sent an answer without text in it")
+        usage = Usage(len(tokens), int(answer["usage"]["completion_tokens"]))
+        return Completion(text=text, model=self._name, usage=usage, latency=latency)
+
+    def _loaded(self) -> Any:
+        if self._llama is None:
+            llama_cpp: Any = importlib.import_module("llama_cpp")
+            chat: Any = importlib.import_module("llama_cpp.llama_chat_format")
+            try:
+                llama = llama_cpp.Llama(
+                    str(self._path),
+                    n_ctx=self._context,
+                    n_threads=self._threads,
+                    n_threads_batch=self._threads,
+                    verbose=False,
+                )
+                template = llama.metadata["tokenizer.chat_template"]
+            except KeyError as error:
+                raise self._failure("has no chat template in its file") from error
+            except (ValueError, RuntimeError) as error:
+                raise self._failure(f"cannot be loaded: {error}") from error
+            self._write = chat.Jinja2ChatFormatter(
+                template=template,
+                eos_token=_piece(llama, llama.token_eos()),
+                bos_token=_piece(llama, llama.token_bos()),
+            )
+            self._read_grammar = llama_cpp.LlamaGrammar.from_string
+            self._llama = llama
+        return self._llama
+
+    def _tokens(self, messages: tuple[Message, ...]) -> list[int]:
+        written = self._write(
+            messages=[
+                {"role": message.role, "content": message.content}
+                for message in messages
+            ]
+        )
+        return self._llama.tokenize(
+            written.prompt.encode(), add_bos=not written.added_special, special=True
+        )
+
+    def _begin(self, messages: tuple[Message, ...], tokens: list[int]) -> None:
+        """Put the model into the state in which it has read all but the last message.
+
+        The rest is then read from there, in the same parts each time: other parts give
+        slightly other numbers, which can give another reply.
+        """
+        if messages not in self._beginnings:
+            others = [self._tokens((*messages, Message("user", text))) for text in "Az"]
+            length = min(
+                sum(1 for _ in _while_equal(one, two))
+                for one, two in ((tokens, others[0]), others)
+            )
+            self._llama.reset()
+            if length:
+                self._llama.eval(tokens[:length])
+            while len(self._beginnings) >= KEPT_BEGINNINGS:
+                del self._beginnings[next(iter(self._beginnings))]
+            self._beginnings[messages] = (length, self._llama.save_state())
+        length, state = self._beginnings[messages]
+        self._llama.reset()
+        if length:
+            self._llama.load_state(state)
+
+    def _grammar(self, text: str | None) -> Any:
+        return None if text is None else self._read_grammar(text, verbose=False)
+
+    def _failure(self, what: str) -> LanguageModelError:
+        return LanguageModelError(f"language model {self._name} {what}")
+
+
+def _piece(llama: Any, token: int) -> str:
+    if token < 0:
+        return ""
+    return llama.detokenize([token], special=True).decode("utf-8", "replace")
+
+
+def _while_equal(one: list[int], two: list[int]) -> Any:
+    for first, second in zip(one, two, strict=False):
+        if first != second:
+            return
+        yield first
