@@ -17,7 +17,7 @@ def reply_grammar(viewpoints: Sequence[str]) -> str:
         r'root ::= "Thought: " thought "\n" (finish | move)'
         if viewpoints
         else r'root ::= "Thought: " thought "\n" finish',
-        r"thought ::= [A-Z] [a-zA-Z0-9 ,.'-]{9,240}",
+        r"thought ::= [A-Z] [a-zA-Z0-9 ,.'-]{9,160}",
         'finish ::= "Final Answer: arrived"',
     ]
     if viewpoints:
