@@ -1,6 +1,7 @@
 """Options that say which agent acts, and how; shared by `evaluate` and `navigate`."""
 
 import argparse
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -11,6 +12,7 @@ __all__ = [
     "add_episode_options",
     "agent_settings",
     "episode_settings",
+    "given_options",
 ]
 
 
@@ -121,7 +123,8 @@ def agent_settings(options: argparse.Namespace) -> "AgentSettings":
     from memorymaze.evaluation.settings import AgentSettings
 
     parser: bool | None = None
-    if has_parser(options.agent) or options.no_parser:
+    programs: str | None = getattr(options, "programs", None)
+    if options.no_parser or (has_parser(options.agent) and programs is None):
         parser = not options.no_parser
     return AgentSettings(
         name=options.agent,
@@ -130,8 +133,18 @@ def agent_settings(options: argparse.Namespace) -> "AgentSettings":
         base_url=options.base_url,
         record=options.record,
         replay=options.replay,
-        options=tuple(_pair(text) for text in options.set),
+        options=given_options(options.set),
+        programs=programs,
     )
+
+
+def given_options(texts: Sequence[str]) -> tuple[tuple[str, str], ...]:
+    """Return the names and values that `--set` was given.
+
+    Raises:
+        SettingsError: A text is not `NAME=VALUE`.
+    """
+    return tuple(map(_pair, texts))
 
 
 def _pair(text: str) -> tuple[str, str]:

@@ -13,7 +13,17 @@ import warnings
 from collections.abc import Sequence
 
 from memorymaze import __version__
-from memorymaze.cli import agents, evaluate, instructions, navigate, score, sites, table
+from memorymaze.cli import (
+    agents,
+    evaluate,
+    instructions,
+    navigate,
+    programs,
+    prompts,
+    score,
+    sites,
+    table,
+)
 from memorymaze.errors import (
     InstructionFileWarning,
     MemoryMazeError,
@@ -77,7 +87,17 @@ def _parser() -> argparse.ArgumentParser:
         "--debug", action="store_true", help="show where in the code an error arose"
     )
     verbs = parser.add_subparsers(title="verbs", metavar="VERB", required=True)
-    for verb in (navigate, evaluate, table, score, instructions, sites, agents):
+    for verb in (
+        navigate,
+        evaluate,
+        table,
+        score,
+        instructions,
+        sites,
+        agents,
+        prompts,
+        programs,
+    ):
         verb.add_parser(verbs)
     return parser
 

@@ -12,6 +12,7 @@ from typing import Any, Literal
 from memorymaze.agents import AGENTS
 from memorymaze.agents.agent import Agent
 from memorymaze.agents.options import read_options
+from memorymaze.agents.rules import RulesAgent, RulesOptions
 from memorymaze.errors import SettingsError
 from memorymaze.evaluation.language_models import build_language_model
 from memorymaze.evaluation.oracle import OracleAgent
@@ -19,6 +20,10 @@ from memorymaze.evaluation.own_agents import (
     checked_agent,
     make_own_agent,
     own_options,
+)
+from memorymaze.evaluation.program_replay import (
+    load_agents_programs,
+    replayed_programs,
 )
 from memorymaze.evaluation.settings import AgentSettings
 from memorymaze.instructions.records import Episode
@@ -63,6 +68,9 @@ class KnownAgent:
 def _code_generation(settings: AgentSettings, options: Any) -> AgentFor:
     from memorymaze.agents.code_generation import CodeGenerationAgent
 
+    programs = load_agents_programs(settings)
+    if programs is not None:
+        return replayed_programs(programs, settings)
     model = build_language_model(settings)
     agent = CodeGenerationAgent(
         model, parser=settings.parser is not False, options=options
@@ -76,6 +84,19 @@ def _code_generation_options() -> type:
     return CodeGenerationOptions
 
 
+def _navgpt(settings: AgentSettings, options: Any) -> AgentFor:
+    from memorymaze.evaluation.navgpt_runs import navgpt_for_runs
+
+    agent = navgpt_for_runs(settings, options)
+    return lambda _: agent
+
+
+def _navgpt_options() -> type:
+    from memorymaze.agents.navgpt import NavGPTOptions
+
+    return NavGPTOptions
+
+
 def _oracle(settings: AgentSettings, options: Any) -> AgentFor:
     return lambda episode: OracleAgent(episode.reference_path)
 
@@ -86,6 +107,15 @@ def _plain(name: str) -> Callable[[AgentSettings, Any], AgentFor]:
         return lambda _: agent
 
     return make
+
+
+def _rules(settings: AgentSettings, options: Any) -> AgentFor:
+    agent = RulesAgent(options)
+    return lambda _: agent
+
+
+def _rules_options() -> type:
+    return RulesOptions
 
 
 def _navid(settings: AgentSettings, options: Any) -> AgentFor:
@@ -109,6 +139,12 @@ _KNOWN: dict[str, KnownAgent] = {
         options=_code_generation_options,
         parser=True,
     ),
+    "navgpt": KnownAgent(
+        _navgpt,
+        "a language model picks the next viewpoint of a navigation graph, step by step",
+        needs=frozenset({"language_model", "graph"}),
+        options=_navgpt_options,
+    ),
     "navid": KnownAgent(
         _navid,
         "the NaVid protocol: a vision model, or a policy server, is shown the video "
@@ -122,7 +158,9 @@ _KNOWN: dict[str, KnownAgent] = {
         needs=frozenset({"answers"}),
     ),
     "rules": KnownAgent(
-        _plain("rules"), "reads the instruction by rules, and needs no model"
+        _rules,
+        "reads the instruction by rules, and needs no model",
+        options=_rules_options,
     ),
     "stop": KnownAgent(_plain("stop"), "stops where it stands: the lower end"),
 }

@@ -6,9 +6,9 @@ from collections.abc import Generator
 from contextlib import contextmanager
 from pathlib import Path
 
-from memorymaze.errors import RunFolderError
+from memorymaze.errors import RunFolderError, SettingsError
 
-__all__ = ["append_line", "locked", "remove_leftovers", "write_whole"]
+__all__ = ["append_line", "locked", "remove_leftovers", "write_new", "write_whole"]
 
 UNFINISHED = ".unfinished"
 
@@ -22,6 +22,25 @@ def write_whole(path: Path, content: bytes) -> None:
         os.fsync(file.fileno())
     unfinished.replace(path)
     _sync_folder(path.parent)
+
+
+def write_new(path: str | Path, content: bytes) -> None:
+    """Write a file that is not there yet.
+
+    Raises:
+        SettingsError: It is there, or cannot be written.
+    """
+    path = Path(path)
+    if path.exists():
+        raise SettingsError(
+            f"--out {path}: exists already; choose another name, or delete it"
+        )
+    try:
+        write_whole(path, content)
+    except OSError as error:
+        raise SettingsError(
+            f"--out {path}: cannot be written ({error.strerror})"
+        ) from None
 
 
 def remove_leftovers(folder: Path) -> None:

@@ -1,0 +1,209 @@
+"""Requests and replies of offline inference: JSONL files, one record per line.
+
+Requests are in the format of OpenAI's batch service, which vLLM's `run-batch` reads too.
+Replies are read in the format that both write, and in a plain one for scripts of one's
+own: `custom_id` and `text`, if known also `model`, `prompt_tokens`, `completion_tokens`
+and `latency_s`.
+"""
+
+import json
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated, Any
+
+from pydantic import BaseModel, Field, StringConstraints, ValidationError
+
+from memorymaze.language.json_lines import json_record, lines_of, listed, shown
+from memorymaze.language.model import Completion, CompletionRequest, Usage
+
+__all__ = ["BatchReply", "read_replies", "request_line"]
+
+Count = Annotated[int, Field(ge=0)]
+
+
+@dataclass(frozen=True, slots=True)
+class BatchReply:
+    """What came of one request."""
+
+    id: str
+    """The request's `custom_id`."""
+    completion: Completion | None
+    """None where the model did not answer."""
+    error: str | None
+    """Why there is no completion."""
+    place: str
+    """`file:line`."""
+
+
+class _Plain(BaseModel):
+    """A reply as a script of one's own writes it."""
+
+    text: str
+    model: str = ""
+    prompt_tokens: Count = 0
+    completion_tokens: Count = 0
+    latency_s: Annotated[float, Field(ge=0, allow_inf_nan=False)] = 0.0
+
+
+class _Usage(BaseModel):
+    prompt_tokens: Count = 0
+    completion_tokens: Count = 0
+
+
+class _Message(BaseModel):
+    content: str | None = None
+
+
+class _Choice(BaseModel):
+    message: _Message
+    finish_reason: str | None = None
+
+
+class _Body(BaseModel):
+    """A chat completion."""
+
+    choices: Annotated[list[_Choice], Field(min_length=1)]
+    model: str = ""
+    usage: _Usage | None = None
+
+
+class _Response(BaseModel):
+    status_code: int = 200
+    body: Any = None
+
+
+class _Line(BaseModel):
+    custom_id: Annotated[str, StringConstraints(min_length=1)]
+    response: _Response | None = None
+    error: Any = None
+
+
+def request_line(
+    identifier: str,
+    model: str,
+    request: CompletionRequest,
+    *,
+    length_field: str = "max_tokens",
+) -> str:
+    """Return a request as a line of a batch file, without the line end.
+
+    Args:
+        identifier: Comes back with the reply as `custom_id`.
+        model: The server's name for the model.
+        request: What to ask; without pictures.
+        length_field: What the server calls the longest reply.
+    """
+    body: dict[str, Any] = {
+        "model": model,
+        "messages": [
+            {"role": message.role, "content": message.content}
+            for message in request.messages
+        ],
+        "temperature": request.temperature,
+        length_field: request.max_tokens,
+    }
+    if request.seed is not None:
+        body["seed"] = request.seed
+    record = {
+        "custom_id": identifier,
+        "method": "POST",
+        "url": "/v1/chat/completions",
+        "body": body,
+    }
+    return json.dumps(record, ensure_ascii=False)
+
+
+def read_replies(paths: Sequence[str | Path]) -> dict[str, BatchReply]:
+    """Read files of replies; return the replies by their requests' `custom_id`.
+
+    Where a request has failed replies and one that answers it, that one counts: failed
+    requests may be run again, and the new file be read beside the old one.
+
+    Raises:
+        ProgramFileError: A file cannot be read, a line is no reply, or a request has two
+            answers; lists them.
+    """
+    replies: dict[str, BatchReply] = {}
+    problems: list[str] = []
+    for place, line in (each for path in paths for each in lines_of(path)):
+        try:
+            reply = _reply(line, place)
+        except ValueError as error:
+            problems.append(f"{place}: {error}")
+            continue
+        earlier = replies.get(reply.id)
+        if earlier is None or earlier.completion is None:
+            replies[reply.id] = reply
+        elif reply.completion is not None:
+            problems.append(
+                f"{place}: expected one answer to a request, got a second one to "
+                f"{reply.id!r}, which {earlier.place} answers; delete one of the lines"
+            )
+    if problems:
+        raise listed(problems)
+    return replies
+
+
+def _reply(line: str, place: str) -> BatchReply:
+    """Read one line.
+
+    Raises:
+        ValueError: It is no reply.
+    """
+    record = json_record(line)
+    if "custom_id" not in record:
+        raise ValueError(
+            "expected a reply with the `custom_id` of its request, got the fields "
+            f"{', '.join(map(str, record)) or 'none'}"
+        )
+    if "body" in record and "response" not in record:
+        raise ValueError(
+            "expected a reply, got a request: is this the file of replies?"
+        )
+    try:
+        head = _Line.model_validate(record)
+        if "text" in record:
+            plain = _Plain.model_validate(record)
+            usage = Usage(plain.prompt_tokens, plain.completion_tokens)
+            said = Completion(plain.text, plain.model, usage, plain.latency_s)
+            return _checked(head.custom_id, said, "", place)
+    except ValidationError as error:
+        raise ValueError(_explained(error)) from None
+    response = head.response
+    if response is None or response.status_code != 200 or head.error:
+        return BatchReply(head.custom_id, None, _failure(head), place)
+    try:
+        body = _Body.model_validate(response.body)
+    except ValidationError as error:
+        raise ValueError(f"response.body: {_explained(error)}") from None
+    usage = body.usage or _Usage()
+    counted = Usage(usage.prompt_tokens, usage.completion_tokens)
+    first = body.choices[0]
+    said = Completion(first.message.content or "", body.model, counted, latency=0.0)
+    return _checked(
+        head.custom_id, said, f" (finish_reason {first.finish_reason})", place
+    )
+
+
+def _checked(identifier: str, said: Completion, why: str, place: str) -> BatchReply:
+    """Return a reply; one without text is a failure, as it is online."""
+    if not said.text.strip():
+        return BatchReply(identifier, None, f"an answer without text in it{why}", place)
+    return BatchReply(identifier, said, None, place)
+
+
+def _failure(line: _Line) -> str:
+    status = line.response.status_code if line.response else None
+    told = line.error or (line.response.body if line.response else None)
+    for name in ("error", "message"):
+        if isinstance(told, dict) and name in told:
+            told = told[name]
+    what = f"answered {status}" if status not in {None, 200} else "failed"
+    return f"the language model {what}: {' '.join(str(told).split())[:300]}"
+
+
+def _explained(error: ValidationError) -> str:
+    first = error.errors()[0]
+    name = ".".join(str(part) for part in first["loc"]) or "the record"
+    return f"field {name!r} is wrong ({first['msg']}), got {shown(first['input'])}"
