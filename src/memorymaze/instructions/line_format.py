@@ -14,7 +14,7 @@ from pydantic import (
 )
 
 from memorymaze.instructions.problems import InstructionProblem
-from memorymaze.instructions.records import Failure, Instruction
+from memorymaze.instructions.records import Failure, Followers, Instruction
 
 __all__ = ["parse_line"]
 
@@ -34,6 +34,14 @@ class _FailureLine(BaseModel):
     kind: Text = Field(description="a non-empty text such as missing_turn")
     where: str = Field(description="a text: turning point id or place")
     detail: str = Field(description="a text")
+
+
+class _FollowersLine(BaseModel):
+    model_config = ConfigDict(strict=True)
+
+    usable: bool = Field(description="true or false")
+    tried: Annotated[int, Field(ge=0)] | None = Field(description="a count or null")
+    arrived: Annotated[int, Field(ge=0)] | None = Field(description="a count or null")
 
 
 class _InstructionLine(BaseModel):
@@ -62,6 +70,9 @@ class _InstructionLine(BaseModel):
         default="test", description="a name in small letters such as 'dev' or 'test'"
     )
     original_text: str | None = Field(default=None, description="a text or null")
+    followers: _FollowersLine | None = Field(
+        default=None, description="a record {usable, tried, arrived} or null"
+    )
 
 
 def parse_line(
@@ -139,6 +150,7 @@ def _instruction(record: dict[str, Any], place: str) -> Instruction:
         language=line.language,
         split=line.split,
         original_text=line.original_text,
+        followers=line.followers and Followers(**line.followers.model_dump()),
         origin=place,
     )
 
@@ -146,7 +158,9 @@ def _instruction(record: dict[str, Any], place: str) -> Instruction:
 def _expected_at(location: tuple[int | str, ...]) -> str:
     """Return what the format expects at a place in a record."""
     *outer, name = location
-    model = _FailureLine if len(outer) > 1 else _InstructionLine
+    model: type[BaseModel] = _InstructionLine
+    if outer:
+        model = _FollowersLine if outer[0] == "followers" else _FailureLine
     field = model.model_fields.get(str(name))
     return (field.description if field else None) or "a record {kind, where, detail}"
 

@@ -1,0 +1,201 @@
+"""Room-to-Room (R2R) files: paths on navigation graphs, several texts for each.
+
+Format: Anderson et al. 2018, "Vision-and-Language Navigation" (CVPR).
+"""
+
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from itertools import pairwise
+from pathlib import Path
+from typing import Annotated, Any
+
+from pydantic import (
+    BaseModel,
+    ConfigDict,
+    Field,
+    FiniteFloat,
+    TypeAdapter,
+    ValidationError,
+)
+
+from memorymaze.errors import InstructionFileError
+from memorymaze.instructions.exchange.graph_paths import viewpoints_along
+from memorymaze.instructions.exchange.packed_json import read_json, write_json
+from memorymaze.instructions.exchange.records import (
+    OWN_FIELD,
+    Unlabelled,
+    by_split,
+    own_or_new,
+    split_of,
+)
+from memorymaze.instructions.records import Instruction
+from memorymaze.instructions.writing import instruction_record
+from memorymaze.sites.navigation_graph import NavigationGraph, navigation_graph
+from memorymaze.sites.records import Route, Site
+
+__all__ = ["read_r2r", "write_r2r"]
+
+Paths = Mapping[tuple[str, ...], list[tuple[Site, Route]]]
+
+
+class _Item(BaseModel):
+    model_config = ConfigDict(extra="allow")
+
+    path_id: int | str
+    scan: str
+    path: Annotated[list[str], Field(min_length=1)]
+    instructions: Annotated[list[str], Field(min_length=1)]
+    memorymaze: list[dict[str, Any]] | None = None
+    heading: FiniteFloat = 0.0
+
+
+_ITEMS = TypeAdapter(list[_Item])
+
+
+def write_r2r(
+    folder: str | Path, instructions: Iterable[Instruction], sites: Mapping[str, Site]
+) -> list[Path]:
+    """Write `R2R_SPLIT.json` for each split, and the graphs in `connectivity/`.
+
+    One item is one reference route; its `instructions` are all that describe it. A
+    path is the walk on the site's navigation graph that stays nearest to the route.
+    What R2R has no place for is kept in the field `memorymaze`, one record per text.
+
+    Args:
+        folder: Where; made if need be.
+        instructions: Whose sites and routes exist.
+        sites: Sites by name.
+
+    Returns:
+        The files written.
+
+    Raises:
+        InstructionFileError: A file cannot be written.
+    """
+    folder = Path(folder)
+    chosen = list(instructions)
+    graphs = {name: navigation_graph(sites[name]) for name in sorted(_names(chosen))}
+    files: list[Path] = []
+    number = 0
+    for split, members in by_split(chosen).items():
+        groups: dict[tuple[str, str], list[Instruction]] = {}
+        for each in members:
+            groups.setdefault((each.site, each.reference_route), []).append(each)
+        items: list[dict[str, Any]] = []
+        for (site, route), group in groups.items():
+            number += 1
+            items.append(_item(number, graphs[site], sites[site].route(route), group))
+        files.append(folder / f"R2R_{split}.json")
+        write_json(files[-1], items)
+    for name, graph in graphs.items():
+        files.append(folder / "connectivity" / f"{name}_connectivity.json")
+        write_json(files[-1], graph.connectivity())
+    return files
+
+
+def read_r2r(
+    paths: Sequence[str | Path],
+    sites: Mapping[str, Site],
+    labels: Unlabelled | None = None,
+) -> list[Instruction]:
+    """Read R2R files whose scans are sites and whose paths are routes of them.
+
+    Args:
+        paths: `R2R_SPLIT.json` files; also gzipped.
+        sites: Sites by name.
+        labels: For files that `write_r2r` has not written.
+
+    Raises:
+        InstructionFileError: A file is not in the format, a path is no route of its
+            site, or labels are needed and not given.
+    """
+    routes = _routes_by_path(sites)
+    read: list[Instruction] = []
+    for path in map(Path, paths):
+        try:
+            items = _ITEMS.validate_python(read_json(path))
+        except ValidationError as error:
+            first = error.errors()[0]
+            where = ".".join(map(str, first["loc"])) or "the file"
+            raise InstructionFileError(
+                f"{path}: expected a list of R2R items (path_id, scan, path, "
+                f"instructions), got one where {where} is wrong ({first['msg']})"
+            ) from None
+        for item in items:
+            read += _instructions(item, path, sites, routes, labels)
+    return read
+
+
+def _names(instructions: Iterable[Instruction]) -> set[str]:
+    return {each.site for each in instructions}
+
+
+def _item(
+    number: int, graph: NavigationGraph, route: Route, group: list[Instruction]
+) -> dict[str, Any]:
+    path = viewpoints_along(graph, route.line.coords)
+    return {
+        "path_id": number,
+        "scan": graph.site,
+        "heading": _clockwise_from_north(route.start_heading),
+        "path": [each.id for each in path],
+        "distance": sum(math.dist(one[1:], two[1:]) for one, two in pairwise(path)),
+        "instructions": [each.text for each in group],
+        OWN_FIELD: [instruction_record(each) for each in group],
+    }
+
+
+def _routes_by_path(sites: Mapping[str, Site]) -> Paths:
+    routes: dict[tuple[str, ...], list[tuple[Site, Route]]] = {}
+    for site in sites.values():
+        graph = navigation_graph(site)
+        for route in site.routes:
+            path = viewpoints_along(graph, route.line.coords)
+            key = (site.name, *(each.id for each in path))
+            routes.setdefault(key, []).append((site, route))
+    return routes
+
+
+def _instructions(
+    item: _Item,
+    path: Path,
+    sites: Mapping[str, Site],
+    routes: Paths,
+    labels: Unlabelled | None,
+) -> list[Instruction]:
+    place = f"{path}: path_id {item.path_id}"
+    if item.scan not in sites:
+        raise InstructionFileError(
+            f"{place}: expected a scan that is one of the sites "
+            f"({', '.join(sorted(sites))}), got {item.scan!r}; give the folder of its "
+            "plan with --sites"
+        )
+    kept = item.memorymaze or [None] * len(item.instructions)
+    if len(kept) != len(item.instructions):
+        raise InstructionFileError(
+            f"{place}: expected {len(item.instructions)} records in field "
+            f"{OWN_FIELD!r}, one per instruction, got {len(kept)}"
+        )
+    found = routes.get((item.scan, *item.path))
+    if found is None:
+        known = ", ".join(route.id for route in sites[item.scan].routes)
+        raise InstructionFileError(
+            f"{place}: expected the path of a route of {item.scan} ({known}) on its "
+            "navigation graph, got another; add the route to the plan"
+        )
+    return [
+        own_or_new(
+            mine,
+            text,
+            found,
+            new_id=f"{item.path_id}_{number}",
+            split=split_of(path),
+            labels=labels,
+            place=f"{place}, instruction {number}",
+        )
+        for number, (mine, text) in enumerate(zip(kept, item.instructions, strict=True))
+    ]
+
+
+def _clockwise_from_north(heading: float) -> float:
+    return (math.pi / 2 - heading) % (2 * math.pi)

@@ -1,0 +1,115 @@
+"""What the formats have in common: our record inside theirs, and finding the route."""
+
+import json
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
+from typing import Any, Literal, NamedTuple
+
+from memorymaze.errors import InstructionFileError
+from memorymaze.instructions.line_format import parse_line
+from memorymaze.instructions.problems import InstructionProblem, refusal
+from memorymaze.instructions.records import Instruction
+from memorymaze.sites.records import Route, Site
+
+__all__ = ["OWN_FIELD", "Unlabelled", "by_split", "own_or_new", "parsed", "split_of"]
+
+OWN_FIELD = "memorymaze"
+"""Where a foreign record keeps what its format has no place for."""
+
+
+class Unlabelled(NamedTuple):
+    """What is to be said of instructions from files that do not say it."""
+
+    study: Literal["online", "onsite"]
+    source: Literal["human", "llm", "synthetic"]
+    language: str = "en"
+
+
+def by_split(instructions: Iterable[Instruction]) -> dict[str, list[Instruction]]:
+    """Sort instructions by split; the order within a split is kept."""
+    splits: dict[str, list[Instruction]] = {}
+    for instruction in instructions:
+        splits.setdefault(instruction.split, []).append(instruction)
+    return splits
+
+
+def parsed(record: Mapping[str, Any], place: str) -> Instruction:
+    """Check a record of ours that another format carried.
+
+    Raises:
+        InstructionFileError: It is not as `docs/data_formats.md` says.
+    """
+    instruction, unknown, problems = parse_line(json.dumps(record), place)
+    if instruction is None or unknown:
+        strange = [InstructionProblem(place, f"field {name!r}") for name in unknown]
+        raise refusal([*problems, *strange])
+    return instruction
+
+
+def own_or_new(
+    kept: Mapping[str, Any] | None,
+    text: str,
+    candidates: Sequence[tuple[Site, Route]],
+    *,
+    new_id: str,
+    split: str,
+    labels: Unlabelled | None,
+    place: str,
+) -> Instruction:
+    """Return the instruction kept in a foreign record, else make one of its text.
+
+    Args:
+        kept: Our record; None in files of others.
+        text: The instruction as the foreign format has it.
+        candidates: The sites and routes that the foreign record fits, at least one;
+            the first is meant where no record of ours says which.
+        new_id: Id for a new instruction, also its participant.
+        split: Of the file.
+        labels: What to say of a new instruction.
+        place: For messages.
+
+    Raises:
+        InstructionFileError: Both texts differ, the route is another one than the
+            record says, or labels are needed and not given.
+    """
+    if kept is None:
+        site, route = candidates[0]
+        if labels is None:
+            raise InstructionFileError(
+                f"{place}: expected to be told how the texts came to be, since the file "
+                "does not say; give --study and --source"
+            )
+        kept = {
+            "id": new_id,
+            "site": site.name,
+            "route": route.route,
+            "study": labels.study,
+            "iteration": 1,
+            "participant": new_id,
+            "text": text,
+            "reference_route": route.id,
+            "failures": [],
+            "source": labels.source,
+            "language": labels.language,
+            "split": split,
+        }
+    instruction = parsed(kept, place)
+    if instruction.text != text:
+        raise InstructionFileError(
+            f"{place}: expected the text {instruction.text[:50]!r}… that field "
+            f"{OWN_FIELD!r} has, got {text[:50]!r}…; one of them was edited"
+        )
+    fitting = [(site.name, route.id) for site, route in candidates]
+    if (instruction.site, instruction.reference_route) not in fitting:
+        got = " or ".join(" ".join(one) for one in fitting)
+        raise InstructionFileError(
+            f"{place}: expected the path of {instruction.site} "
+            f"{instruction.reference_route}, as field {OWN_FIELD!r} says, got that of "
+            f"{got}; the plan or the path was edited"
+        )
+    return instruction
+
+
+def split_of(path: Path) -> str:
+    """Return the split that a file name ends in: `R2R_val_seen.json` is `val_seen`."""
+    return path.name.partition(".")[0].removeprefix("R2R_").lower() or "test"

@@ -1,0 +1,214 @@
+import gzip
+import json
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from operator import attrgetter
+from pathlib import Path
+from typing import Any
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from memorymaze.errors import InstructionFileError
+from memorymaze.instructions.corpus import load_instructions
+from memorymaze.instructions.exchange import (
+    Unlabelled,
+    read_r2r,
+    read_spreadsheet,
+    read_vln_ce,
+    write_r2r,
+    write_spreadsheet,
+    write_vln_ce,
+)
+from memorymaze.instructions.exchange.records import OWN_FIELD
+from memorymaze.instructions.records import Failure, Followers, Instruction
+from memorymaze.sites import Site
+
+Sites = Mapping[str, Site]
+
+
+def by_id(instructions: list[Instruction]) -> list[Instruction]:
+    return sorted(instructions, key=attrgetter("id"))
+
+
+@pytest.fixture
+def told() -> list[Instruction]:
+    """Four texts on two tiny sites, in two splits, with all that a record can hold."""
+    plain = Instruction(
+        id="a-1",
+        site="loop",
+        route="R1",
+        study="online",
+        iteration=1,
+        participant="a",
+        text="Turn left, then stop.",
+        reference_route="route_r1_reference",
+        failures=(),
+        source="human",
+        language="en",
+        split="test",
+    )
+    return [
+        plain,
+        replace(
+            plain,
+            id="b-2",
+            study="onsite",
+            iteration=2,
+            text='Um, "left"…\nthen, well, NA',
+            failures=(Failure("missing_turn", "tp_1", "says one turn"),),
+            original_text="Links,\tdann",
+        ),
+        replace(plain, id="c", split="dev", reference_route="route_r1_alternative"),
+        replace(plain, id="d", site="t_junction", followers=Followers(True, 6, None)),
+    ]
+
+
+def test_the_shipped_corpus_comes_back_from_r2r_as_it_went(
+    tmp_path: Path, builtin_sites: Sites
+) -> None:
+    corpus = load_instructions()
+    files = write_r2r(tmp_path, corpus, builtin_sites)
+    items = [each for each in files if each.parent == tmp_path]
+    assert by_id(read_r2r(items, builtin_sites)) == by_id(corpus)
+
+
+def test_the_shipped_corpus_comes_back_from_vln_ce_as_it_went(
+    tmp_path: Path, builtin_sites: Sites
+) -> None:
+    corpus = load_instructions()
+    files = write_vln_ce(tmp_path, corpus, builtin_sites)
+    episodes = [each for each in files if not each.stem.endswith("_gt.json")]
+    assert by_id(read_vln_ce(episodes, builtin_sites)) == by_id(corpus)
+
+
+@pytest.mark.parametrize("kind", ["csv", "parquet"])
+def test_spreadsheets_keep_everything(
+    tmp_path: Path, told: list[Instruction], kind: Any
+) -> None:
+    write_spreadsheet(tmp_path / "told", told, kind)
+    assert read_spreadsheet(tmp_path / "told", kind) == told
+
+
+@given(
+    text=st.text(
+        st.characters(exclude_categories=("Cs",), exclude_characters="\x00\r"),
+        min_size=1,
+    ).filter(str.strip)
+)
+def test_any_text_survives_a_spreadsheet(
+    tmp_path_factory: pytest.TempPathFactory, text: str
+) -> None:
+    [one] = load_instructions()[:1]
+    path = tmp_path_factory.mktemp("sheet") / "one.csv"
+    write_spreadsheet(path, [replace(one, text=text)], "csv")
+    assert read_spreadsheet(path, "csv")[0].text == text
+
+
+def test_r2r_paths_run_along_the_routes_on_the_graph(
+    tmp_path: Path, tiny_sites: Sites, told: list[Instruction]
+) -> None:
+    write_r2r(tmp_path, told, tiny_sites)
+    graph = json.loads((tmp_path / "connectivity/loop_connectivity.json").read_text())
+    place = {node["image_id"]: node["pose"][3:8:4] for node in graph}
+    order = [node["image_id"] for node in graph]
+    [item] = [
+        each
+        for each in json.loads((tmp_path / "R2R_test.json").read_text())
+        if each["scan"] == "loop"
+    ]
+    route = tiny_sites["loop"].route("route_r1_reference")
+    assert item["instructions"] == [told[0].text, told[1].text]
+    assert item["distance"] == pytest.approx(route.length, rel=0.15)
+    for here, there in zip(item["path"], item["path"][1:], strict=False):
+        assert graph[order.index(here)]["unobstructed"][order.index(there)]
+    for end, mark in ((route.line.coords[0], 0), (route.line.coords[-1], -1)):
+        assert place[item["path"][mark]] == pytest.approx(end[:2], abs=1.6)
+
+
+def test_the_ground_truth_walks_the_route(tmp_path: Path, builtin_sites: Sites) -> None:
+    corpus = [each for each in load_instructions() if each.split == "dev"]
+    write_vln_ce(tmp_path, corpus, builtin_sites)
+    with gzip.open(tmp_path / "dev/dev.json.gz") as file:
+        episodes = json.load(file)["episodes"]
+    with gzip.open(tmp_path / "dev/dev_gt.json.gz") as file:
+        truth = json.load(file)
+    for episode in episodes:
+        walk = truth[str(episode["episode_id"])]
+        goal, last = episode["goals"][0]["position"], walk["locations"][-1]
+        assert abs(goal[0] - last[0]) + abs(goal[2] - last[2]) < 0.5
+        assert walk["actions"][-1] == 0
+        assert walk["actions"].count(1) == walk["forward_steps"]
+        assert 0.25 * walk["forward_steps"] == pytest.approx(
+            episode["info"]["geodesic_distance"], rel=0.06
+        )
+        assert len(walk["locations"]) == len(walk["actions"])
+
+
+def test_files_of_others_are_read_when_it_is_said_how_they_came_to_be(
+    tmp_path: Path, tiny_sites: Sites, told: list[Instruction]
+) -> None:
+    write_r2r(tmp_path, told, tiny_sites)
+    path = tmp_path / "R2R_test.json"
+    items = json.loads(path.read_text())
+    for item in items:
+        del item[OWN_FIELD]
+    path.write_text(json.dumps(items))
+    with pytest.raises(InstructionFileError, match=r"path_id 1, .*give --study"):
+        read_r2r([path], tiny_sites)
+    read = read_r2r([path], tiny_sites, Unlabelled("online", "human"))
+    assert [each.id for each in read] == ["1_0", "1_1", "2_0"]
+    assert [each.text for each in read] == [told[0].text, told[1].text, told[3].text]
+    assert read[0].reference_route == "route_r1_reference"
+
+
+@pytest.mark.parametrize(
+    ("spoil", "message"),
+    [
+        (lambda item: item["path"].pop(), "expected the path of a route of loop"),
+        (lambda item: item.update(scan="mars"), "got 'mars'"),
+        (lambda item: item["instructions"].pop(), "expected 1 records"),
+        (lambda item: item["instructions"].__setitem__(0, "Go!"), "was edited"),
+        (lambda item: item.pop("path"), r"0\.path is wrong"),
+    ],
+)
+def test_what_is_wrong_in_an_r2r_file_is_named(
+    tmp_path: Path,
+    tiny_sites: Sites,
+    told: list[Instruction],
+    spoil: Callable[[dict[str, Any]], object],
+    message: str,
+) -> None:
+    write_r2r(tmp_path, told, tiny_sites)
+    path = tmp_path / "R2R_test.json"
+    items = json.loads(path.read_text())
+    spoil(items[0])
+    path.write_text(json.dumps(items))
+    with pytest.raises(InstructionFileError, match=message):
+        read_r2r([path], tiny_sites)
+
+
+def test_an_episode_off_its_route_is_refused(
+    tmp_path: Path, tiny_sites: Sites, told: list[Instruction]
+) -> None:
+    path, _ = write_vln_ce(tmp_path, told[:1], tiny_sites)
+    with gzip.open(path) as file:
+        content = json.load(file)
+    content["episodes"][0]["reference_path"][0][0] += 1.0
+    path.write_bytes(gzip.compress(json.dumps(content).encode()))
+    with pytest.raises(InstructionFileError, match="episode_id 1: expected start and"):
+        read_vln_ce([path], tiny_sites)
+    path.write_bytes(b"not packed")
+    with pytest.raises(InstructionFileError, match="cannot be read"):
+        read_vln_ce([path], tiny_sites)
+
+
+def test_a_wrong_row_of_a_spreadsheet_is_named(
+    tmp_path: Path, told: list[Instruction]
+) -> None:
+    path = tmp_path / "told.csv"
+    write_spreadsheet(path, told, "csv")
+    path.write_text(path.read_text(encoding="utf-8").replace("c,loop", "c,"), "utf-8")
+    with pytest.raises(InstructionFileError, match="row 4: field 'site'"):
+        read_spreadsheet(path, "csv")
