@@ -121,6 +121,8 @@ class SimulatedRobot:
         self._detector = detector or TruthDetector(self.settings.detection_range)
         self._sign_reader = sign_reader or TruthSignReader()
         self._refused_turns = 0
+        self._look: tuple[tuple[float, Pose], RayCamera] | None = None
+        """When and where the camera looked last, and what it sees there."""
 
     # What agents call.
 
@@ -386,8 +388,12 @@ class SimulatedRobot:
 
     def camera_view(self) -> CameraView:
         """Return what the camera sees from where the robot is."""
-        self._driver.base.update_view()
-        return RayCamera(self.scene, self._driver.base.data, self._draw)
+        moment = (self.time, self.pose)
+        if self._look is None or self._look[0] != moment:
+            self._driver.base.update_view()
+            camera = RayCamera(self.scene, self._driver.base.data, self._draw)
+            self._look = (moment, camera)
+        return self._look[1]
 
     def _draw(self, width: int, height: int, horizontal_fov: float) -> CameraPicture:
         frame = self.camera_frame(width, height, horizontal_fov)

@@ -15,6 +15,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
+from memorymaze.perception.appearance import parse_appearance
 from memorymaze.perception.visible_object import ObjectDescription
 from memorymaze.simulation.obstacles.kinds import Movable
 from memorymaze.simulation.scene import Scene
@@ -183,9 +184,17 @@ def describe_landmark(landmark: Landmark) -> ObjectDescription:
     return ObjectDescription(
         landmark.category,
         color=landmark.color,
+        material=_material_named(landmark.category),
         name=landmark.name,
         text=landmark.text,
     )
+
+
+def _material_named(category: str) -> str | None:
+    """Return the material that a category names: `brick` of `brick floor`."""
+    *before, _ = category.split()
+    materials = parse_appearance(" ".join(before)).materials
+    return " ".join(sorted(materials)) or None
 
 
 def describe_door(door: Door, site: Site) -> ObjectDescription:

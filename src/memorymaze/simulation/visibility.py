@@ -87,6 +87,8 @@ class RayCamera:
         self._scene = scene
         self._data = data
         self._draw = draw
+        self._seen: dict[float, list[_Seen]] = {}
+        """By range limit; a look is one moment, and is often asked about."""
         lens = data.cam("eye")
         self._eye = np.array(lens.xpos)
         backwards = lens.xmat.reshape(3, 3)[:, 2]
@@ -144,12 +146,15 @@ class RayCamera:
         )
 
     def _things_seen(self, range_limit: float) -> list[_Seen]:
+        if range_limit in self._seen:
+            return list(self._seen[range_limit])
         seen = self._seen_of(sight_targets(self._scene), range_limit)
         if self._scene.movables:
             reach = range_limit + LARGEST_MOVABLE
             nearby = movable_targets(self._scene, self._data, self._eye, reach)
             seen += self._seen_of(nearby, range_limit)
-        return seen
+        self._seen[range_limit] = seen
+        return list(seen)
 
     def _seen_of(self, targets: SightTargets, range_limit: float) -> list[_Seen]:
         """Return which of some targets are seen; everything may hide them."""
