@@ -1,0 +1,134 @@
+import io
+import json
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+from PIL import Image
+
+from memorymaze.agents import Journal
+from memorymaze.errors import LanguageModelError, SettingsError
+from memorymaze.evaluation.vision_captions import (
+    VisionCaptions,
+    read_captions,
+    take_pictures,
+)
+from memorymaze.language.caption_store import CaptionStore
+from memorymaze.language.model import Picture
+from memorymaze.language.scripted_model import ScriptedLanguageModel
+from memorymaze.simulation import SimulatedRobot, build_scene
+from memorymaze.sites import Site
+from memorymaze.sites.navigation_graph import Viewpoint
+
+SENTENCES = [f"View {k} of the model." for k in range(8)]
+REPLY = json.dumps({"views": SENTENCES, "summary": "A place."})
+PLACE = Viewpoint("a" * 32, 10.0, 0.0)
+DOT = Picture(b"\xff\xd8\xff", "image/jpeg")
+
+
+def shoot(*_: Any) -> tuple[Picture, ...]:
+    return (DOT,) * 8
+
+
+@pytest.fixture
+def robot(corridor_site: Site) -> SimulatedRobot:
+    return SimulatedRobot(
+        build_scene(corridor_site), corridor_site.reference_route("R1").start
+    )
+
+
+def test_the_model_describes_and_the_camera_measures(
+    robot: SimulatedRobot, tmp_path: Path
+) -> None:
+    model, journal = ScriptedLanguageModel([REPLY], name="eyes"), Journal()
+    captions = VisionCaptions(model, CaptionStore(tmp_path / "c.sqlite"), shoot)
+    panorama = captions(robot, PLACE, journal)
+    assert [outlook.scene for outlook in panorama.outlooks] == SENTENCES
+    assert (panorama.summary, panorama.described_by) == ("A place.", "eyes")
+    assert "bench" in str(panorama.outlooks[4].things)
+    assert model.requests[0].messages[-1].pictures == (DOT,) * 8
+    assert journal.model_calls == 1
+    assert journal.notes[0]["stage"] == "caption"
+
+
+def test_captions_are_paid_for_once(robot: SimulatedRobot, tmp_path: Path) -> None:
+    model, journal = ScriptedLanguageModel([REPLY, REPLY]), Journal()
+    first = VisionCaptions(model, CaptionStore(tmp_path / "c.sqlite"), shoot)
+    again = VisionCaptions(model, CaptionStore(tmp_path / "c.sqlite"), shoot)
+    assert first(robot, PLACE, journal) == again(robot, PLACE, journal)
+    assert journal.model_calls == 1
+    again(robot, Viewpoint("b" * 32, 5.0, 0.0), journal)
+    assert journal.model_calls == 2
+
+
+def test_another_model_describes_for_itself(
+    robot: SimulatedRobot, tmp_path: Path
+) -> None:
+    store, journal = CaptionStore(tmp_path / "c.sqlite"), Journal()
+    for name in ("one", "other"):
+        model = ScriptedLanguageModel([REPLY], name=name)
+        seen = VisionCaptions(model, store, shoot)(robot, PLACE, journal)
+        assert seen.described_by == name
+    assert journal.model_calls == 2
+
+
+def test_a_reply_that_cannot_be_read_is_asked_for_once_more(
+    robot: SimulatedRobot, tmp_path: Path
+) -> None:
+    model, journal = ScriptedLanguageModel(["I see a hall.", REPLY]), Journal()
+    captions = VisionCaptions(model, CaptionStore(tmp_path / "c.sqlite"), shoot)
+    assert captions(robot, PLACE, journal).summary == "A place."
+    assert "expected one JSON object" in model.requests[1].messages[-1].content
+    assert journal.model_calls == 2
+
+
+def test_a_model_that_does_not_describe_ends_the_episode(
+    robot: SimulatedRobot, tmp_path: Path
+) -> None:
+    model = ScriptedLanguageModel(["No.", "No."], name="eyes")
+    store = CaptionStore(tmp_path / "c.sqlite")
+    with pytest.raises(LanguageModelError, match="eyes: no captions in 2 replies"):
+        VisionCaptions(model, store, shoot)(robot, PLACE, Journal())
+
+
+def test_a_site_without_a_file_cannot_have_captions_kept(
+    corridor_site: Site, tmp_path: Path
+) -> None:
+    site = replace(corridor_site, source=str(tmp_path / "gone.geojson"))
+    robot = SimulatedRobot(build_scene(site), site.reference_route("R1").start)
+    captions = VisionCaptions(
+        ScriptedLanguageModel([REPLY]), CaptionStore(tmp_path / "c.sqlite"), shoot
+    )
+    with pytest.raises(SettingsError, match="captions=templates"):
+        captions(robot, PLACE, Journal())
+
+
+@pytest.mark.parametrize(
+    ("reply", "message"),
+    [
+        ("", "got none"),
+        ("[1, 2]", "got none"),
+        ('{"views": []}', "got none"),
+        ('{"views": ["a"], "summary": "b"}', "got 1 views"),
+        ('{"views": [1, 2, 3, 4, 5, 6, 7, 8], "summary": "b"}', "got other things"),
+    ],
+)
+def test_only_eight_sentences_and_a_summary_will_do(reply: str, message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        read_captions(reply)
+
+
+def test_words_around_the_captions_do_not_matter() -> None:
+    captions = read_captions(f"Here you are:\n```json\n{REPLY}\n```\nAnything else?")
+    assert list(captions.views) == SENTENCES
+
+
+def test_pictures_show_eight_directions(corridor_site: Site) -> None:
+    pictures = take_pictures(build_scene(corridor_site), PLACE)
+    assert [picture.name for picture in pictures] == [
+        f"{PLACE.id}-{k}" for k in range(8)
+    ]
+    sizes = {Image.open(io.BytesIO(picture.data)).size for picture in pictures}
+    assert sizes == {(256, 512)}
+    assert len({picture.data for picture in pictures}) == 8
