@@ -1,5 +1,6 @@
 import math
 from collections.abc import Callable
+from contextlib import suppress
 from typing import Any
 
 import pytest
@@ -254,3 +255,34 @@ def test_programs_do_not_get_steps(
     with pytest.raises(ProgramError, match=name):
         run_program(f"{name}(1)", robot)
     assert robot.calls == 0
+
+
+def test_pushing_a_wall_for_ever_is_being_stuck(
+    scenes: dict[str, Scene], put_robot: PutRobot
+) -> None:
+    robot = put_robot(scenes["corridor"], 19.5, 0)
+    with suppress(EpisodeOver):
+        while robot.calls < 60:
+            robot.step_forward(0.25)
+    assert robot.stopped_by == "stuck"
+    assert robot.calls < 45
+    assert len(robot.collisions) < 5
+
+
+def test_driving_at_given_speeds_rolls_on(
+    scenes: dict[str, Scene], put_robot: PutRobot
+) -> None:
+    robot = put_robot(scenes["corridor"], 2, 0)
+    driven = [robot.drive(0.5, 0.0, 1.0) for _ in range(3)]
+    assert robot.time == pytest.approx(3.0)
+    # Speeding up at 1.5 m/s2 costs the first second 0.08 m.
+    assert driven == pytest.approx([0.42, 0.5, 0.5], abs=0.02)
+    robot.drive(0.0, 1.0, 1.5)
+    assert robot.pose.heading > 1
+    for name, numbers in {
+        "speed": (1.5, 0.0, 1.0),
+        "turn_rate": (0.0, 9.0, 1.0),
+        "seconds": (0.0, 0.0, 0.0),
+    }.items():
+        with pytest.raises(CommandError, match=f"drive: expected {name}"):
+            robot.drive(*numbers)

@@ -12,7 +12,7 @@ from memorymaze.simulation.driving import DriveEnd, Driver
 from memorymaze.simulation.lanes import Lane, plan_lane
 from memorymaze.simulation.obstacles.surroundings import Surroundings
 from memorymaze.simulation.path_following import LaneFollower
-from memorymaze.simulation.primitive_motions import go_straight, spin_by
+from memorymaze.simulation.primitive_motions import drive_on, go_straight, spin_by
 from memorymaze.simulation.route_following import follow_line
 from memorymaze.simulation.scene import Scene
 from memorymaze.simulation.settings import SimulationSettings
@@ -256,6 +256,15 @@ class Pilot:
         self._stand_anew()
         self._driver.turning_points.note_turn()
         return turned
+
+    def drive(self, speed: float, turn_rate: float, seconds: float) -> float:
+        """Go for speeds for some time, rolling on afterwards; return metres driven."""
+        driver, period = self._driver, self._settings.control_period
+        driven = drive_on(driver, speed, turn_rate, seconds, period)
+        self._stand_anew()
+        if turn_rate:
+            driver.turning_points.note_turn()
+        return driven
 
     def _stand_anew(self) -> None:
         """Take the way the robot faces as its course."""

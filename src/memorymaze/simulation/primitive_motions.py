@@ -1,16 +1,16 @@
-"""Single steps without help in steering: straight ahead, and turning on the spot.
+"""Motions without help in steering: straight ahead, on the spot, and at given speeds.
 
-Both are steered by where the robot really is, so they end where they were asked to,
-whatever the wheels' noise.
+Steps and turns are steered by where the robot really is, so they end where they were
+asked to, whatever the wheels' noise.
 """
 
 import math
 
 from memorymaze.geometry.pose import turn_between
 from memorymaze.simulation.driving import BLOCKED_TICKS, Driver
-from memorymaze.simulation.settings import SimulationSettings
+from memorymaze.simulation.settings import TIMESTEP, SimulationSettings
 
-__all__ = ["go_straight", "spin_by"]
+__all__ = ["drive_on", "go_straight", "spin_by"]
 
 CLOSE_ENOUGH = 0.0004
 """Metres."""
@@ -21,6 +21,8 @@ BRAKING_SHARE = 0.5
 with which the last centimetres, where speed falls with what is left, keep below it."""
 APPROACH = 8.0
 """Speed per metre, or turn rate per radian, that is left; 1/s."""
+RECOIL = 0.002
+"""Metres that a push against something may seem to move the robot."""
 AHEAD = 0.1
 """Cosine of the angle to straight ahead below which what it touches is beside it."""
 STRAIGHTENING = 6.0
@@ -54,6 +56,7 @@ def go_straight(
     ahead_x, ahead_y = math.cos(start.heading), math.sin(start.heading)
     braking = BRAKING_SHARE * settings.max_acceleration
     driver.held_for = 0.0
+    odometer = driver.distance
     idle = 0
     while idle < BLOCKED_TICKS and driver.held_for < patience:
         dx, dy = driver.pose.x - start.x, driver.pose.y - start.y
@@ -75,7 +78,11 @@ def go_straight(
     # Else the many steps of a walk would add up what the wheels are off.
     spin_by(driver, turn_between(driver.pose.heading, start.heading), settings)
     dx, dy = driver.pose.x - start.x, driver.pose.y - start.y
-    return dx * ahead_x + dy * ahead_y
+    moved = dx * ahead_x + dy * ahead_y
+    if moved < RECOIL:
+        # To and fro against a wall is no way driven, however often it is tried.
+        driver.distance = odometer
+    return moved
 
 
 def spin_by(driver: Driver, angle: float, settings: SimulationSettings) -> float:
@@ -109,6 +116,34 @@ def spin_by(driver: Driver, angle: float, settings: SimulationSettings) -> float
     before = driver.pose.heading
     driver.come_to_rest()
     return turned + turn_between(before, driver.pose.heading)
+
+
+def drive_on(
+    driver: Driver, speed: float, turn_rate: float, seconds: float, period: float
+) -> float:
+    """Go for speeds for some time; the robot rolls on afterwards.
+
+    Args:
+        driver: Of the robot.
+        speed: Ahead, metres per second; negative backs up.
+        turn_rate: Radians per second, left positive.
+        seconds: How long; a multiple of the physics step.
+        period: From one decision to the next, seconds.
+
+    Returns:
+        Metres driven.
+
+    Raises:
+        TimeIsUp: The time budget ran out.
+    """
+    driver.hindrance = None
+    left, whole = round(seconds / TIMESTEP), round(period / TIMESTEP)
+    driven = 0.0
+    while left > 0:
+        steps = min(left, whole)
+        driven += driver.tick(speed, turn_rate, driver.pose.heading, steps)
+        left -= steps
+    return driven
 
 
 def _touches_ahead(driver: Driver, ahead_x: float, ahead_y: float) -> bool:

@@ -1,6 +1,7 @@
 """Cameras that draw RGB, depth and what each pixel shows, from anywhere in a building."""
 
 import math
+import os
 import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -130,6 +131,7 @@ class RenderedCamera:
         self._pixels = np.empty((height, width, 3), dtype=np.uint8)
         self._depth = np.empty((height, width), dtype=np.float32)
         self._is_open = True
+        self._process = os.getpid()
 
     def frame(
         self, pose: Pose, height: float = CAMERA_HEIGHT, pitch: float = 0.0
@@ -185,8 +187,13 @@ class RenderedCamera:
 
     def __del__(self) -> None:
         """Close it: freed in another context, its buffers would take others' along."""
-        # At the interpreter's exit OpenGL is gone already, with all its buffers.
-        if getattr(self, "_is_open", False) and not sys.is_finalizing():
+        # At the interpreter's exit OpenGL is gone already, with all its buffers; in a
+        # process forked from the one that opened it there never was any.
+        if (
+            getattr(self, "_is_open", False)
+            and not sys.is_finalizing()
+            and self._process == os.getpid()
+        ):
             self.close()
 
     def _show(self, pose: Pose, height: float, pitch: float) -> NDArray[np.intp]:

@@ -23,6 +23,9 @@ HOW_TO_INSTALL = (
 _EGL_PLATFORM_DEVICE = 0x313F
 _MOST_DEVICES = 16
 
+_drawing_processes: set[int] = set()
+"""This process, once it has drawn; and those it was forked from that had."""
+
 
 class DrawingContext(Protocol):
     """An OpenGL context without a window."""
@@ -72,6 +75,13 @@ def open_context(width: int, height: int) -> DrawingContext:
     Raises:
         RenderingError: No OpenGL works here; the message says what to install.
     """
+    if _drawing_processes - {os.getpid()}:
+        # The threads and connections of OpenGL do not come along; it would hang.
+        raise RenderingError(
+            "cannot draw: this process was forked from one that has drawn already, "
+            "which OpenGL does not survive; start processes by the method 'spawn', or "
+            "before the first picture"
+        )
     backend = choose_backend()
     # Whoever loads PyOpenGL first decides its platform, by this variable.
     platform = os.environ.get("PYOPENGL_PLATFORM")
@@ -85,7 +95,9 @@ def open_context(width: int, height: int) -> DrawingContext:
             from mujoco.egl import GLContext
         else:
             from mujoco.osmesa import GLContext
-        return GLContext(width, height)
+        context = GLContext(width, height)
+        _drawing_processes.add(os.getpid())
+        return context
     except (ImportError, AttributeError, OSError, RuntimeError) as error:
         raise RenderingError(
             f"cannot draw with {backend}: {error}; {HOW_TO_INSTALL}"

@@ -1,6 +1,8 @@
 """What a simulated robot's cameras see; opened when someone first looks."""
 
 import math
+import os
+import threading
 from functools import lru_cache
 
 import mujoco
@@ -23,6 +25,32 @@ def visual_scene_of(scene: Scene) -> VisualScene:
     return build_visual_scene(scene.site, scene.movables)
 
 
+@lru_cache(maxsize=4)
+def _camera_of(
+    scene: Scene, size: tuple[int, int], horizontal_fov: float, owner: tuple[int, int]
+) -> RenderedCamera:
+    """Return a camera that all robots of a scene share: opening one takes a second.
+
+    Args:
+        scene: The building.
+        size: Width and height, pixels.
+        horizontal_fov: Radians.
+        owner: Process and thread, which alone may use it.
+    """
+    return RenderedCamera(visual_scene_of(scene), *size, horizontal_fov)
+
+
+@lru_cache(maxsize=2)
+def _panorama_camera_of(
+    scene: Scene, width: int, owner: tuple[int, int]
+) -> PanoramaCamera:
+    return PanoramaCamera(visual_scene_of(scene), width)
+
+
+def _owner() -> tuple[int, int]:
+    return os.getpid(), threading.get_ident()
+
+
 class RobotEyes:
     """Cameras on a robot, with the things and people that the physics knows of."""
 
@@ -35,35 +63,20 @@ class RobotEyes:
         """
         self._scene = scene
         self._data = data
-        self._camera: RenderedCamera | None = None
-        self._panorama: tuple[int, PanoramaCamera] | None = None
 
     def frame(
         self, pose: Pose, width: int, height: int, horizontal_fov: float
     ) -> CameraFrame:
         """Take a picture; see `RenderedCamera`."""
-        camera = self._camera
-        if camera is None or (
-            (camera.width, camera.height, camera.horizontal_fov)
-            != (width, height, horizontal_fov)
-        ):
-            if camera is not None:
-                camera.close()
-            looks = visual_scene_of(self._scene)
-            camera = RenderedCamera(looks, width, height, horizontal_fov)
-            self._camera = camera
+        camera = _camera_of(self._scene, (width, height), horizontal_fov, _owner())
         self._place_movables()
         return camera.frame(pose)
 
     def panorama(self, pose: Pose, width: int) -> PanoramaFrame:
         """Look all round; see `PanoramaCamera`."""
-        if self._panorama is None or self._panorama[0] != width:
-            if self._panorama is not None:
-                self._panorama[1].close()
-            looks = visual_scene_of(self._scene)
-            self._panorama = (width, PanoramaCamera(looks, width))
+        camera = _panorama_camera_of(self._scene, width, _owner())
         self._place_movables()
-        return self._panorama[1].frame(pose)
+        return camera.frame(pose)
 
     def _place_movables(self) -> None:
         places: dict[str, Pose] = {}

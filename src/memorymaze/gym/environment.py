@@ -1,0 +1,276 @@
+"""`NavigationEnvironment`: one building and its instructions as a Gymnasium environment."""
+
+import math
+from collections.abc import Sequence
+from contextlib import suppress
+from dataclasses import replace
+from functools import lru_cache
+from pathlib import Path
+from typing import Any, Literal
+
+import gymnasium
+import numpy as np
+from gymnasium.error import ResetNeeded
+from numpy.typing import NDArray
+
+from memorymaze.errors import EpisodeOver, SettingsError
+from memorymaze.evaluation.arena import Arena
+from memorymaze.gym.actions import ActionSet, action_set, most_steps
+from memorymaze.gym.episode_choice import choose_episodes, find_episode, open_site
+from memorymaze.gym.observations import Senses, Sensor
+from memorymaze.gym.rewards import Progress, RewardChoice, reward_settings
+from memorymaze.instructions.records import Episode
+from memorymaze.metrics.success import SUCCESS_DISTANCE
+from memorymaze.simulation import SimulatedRobot, SimulationSettings
+from memorymaze.simulation.obstacles import ObstacleSettings
+
+__all__ = ["NavigationEnvironment"]
+
+Observation = dict[str, Any]
+Information = dict[str, Any]
+
+
+@lru_cache(maxsize=4)
+def _arena(site: str | Path, obstacles: ObstacleSettings | None) -> Arena:
+    """Return a site made ready; environments of one process share it."""
+    return Arena(open_site(site), obstacles)
+
+
+class NavigationEnvironment(gymnasium.Env[Observation, Any]):
+    """Follow an instruction from memory to its destination, and stop there.
+
+    An observation is a dict: `instruction`, and what `sensors` names: `rgb`, `depth`
+    in metres, `lidar` ranges in metres (360 rays from straight behind, over the right,
+    to the left). It terminates when the agent stops, and is truncated when it has used
+    up its steps or keeps on doing nothing. See `docs/gymnasium.md`.
+    """
+
+    # Gymnasium wants a plain dict here, and declares it without ClassVar.
+    metadata = {"render_modes": ["rgb_array"], "render_fps": 4}  # noqa: RUF012
+
+    def __init__(
+        self,
+        site: str | Path,
+        *,
+        instructions: str | Path | Sequence[str | Path] | None = None,
+        route: str | None = None,
+        study: str | None = None,
+        split: str | None = None,
+        sensors: Sequence[Sensor] = ("rgb",),
+        width: int = 224,
+        height: int = 224,
+        horizontal_fov: float = math.pi / 2,
+        depth_range: float = 10.0,
+        actions: Literal["discrete", "continuous"] | ActionSet = "discrete",
+        reward: RewardChoice = "progress",
+        success_distance: float = SUCCESS_DISTANCE,
+        max_steps: int | None = None,
+        obstacles: ObstacleSettings | None = None,
+        privileged: bool = False,
+        render_mode: str | None = None,
+    ) -> None:
+        """Choose what to do; nothing costly is built before the first `reset`.
+
+        Args:
+            site: One of the benchmark's sites, or a plan's file.
+            instructions: Files; None for the shipped ones, which a language model wrote.
+            route: Only episodes of this route, such as `R1`.
+            study: Only episodes of this study, `online` or `onsite`.
+            split: Only episodes of this split, `dev` or `test`.
+            sensors: Some of `rgb`, `depth` and `lidar`.
+            width: Of pictures, pixels.
+            height: Of pictures, pixels.
+            horizontal_fov: Of the camera, radians.
+            depth_range: Metres; what is farther reads as this.
+            actions: `discrete`, `continuous`, or settings of either.
+            reward: `progress`, `sparse`, or settings of its parts.
+            success_distance: Metres to the goal within which stopping is a success.
+            max_steps: Steps after which an episode is truncated; None for three times
+                what a perfect follower of the site's longest route needs.
+            obstacles: Things in the way and people; None for none.
+            privileged: Whether `info` tells pose, goal and distance to it all along.
+            render_mode: None or `rgb_array`.
+
+        Raises:
+            SettingsError: Something has no meaning, or no episode is left.
+            MemoryMazeError: A file cannot be used.
+        """
+        if render_mode not in (None, *self.metadata["render_modes"]):
+            raise SettingsError(
+                f"render_mode: expected None or 'rgb_array', got {render_mode!r}"
+            )
+        if not 0 < success_distance < math.inf:
+            raise SettingsError(
+                "success_distance: expected metres greater than 0, got "
+                f"{success_distance!r}"
+            )
+        self.render_mode = render_mode
+        self.privileged = privileged
+        self.success_distance = success_distance
+        self._arena = _arena(site, obstacles)
+        plan = self._arena.site
+        self._episodes = choose_episodes(
+            plan, instructions, route=route, study=study, split=split
+        )
+        self._senses = Senses(sensors, width, height, horizontal_fov, depth_range)
+        self._actions = action_set(actions)
+        self._reward = reward_settings(reward)
+        # The steps are the budget here; simulated time is none.
+        self._settings = SimulationSettings(time_budget=math.inf)
+        if max_steps is None:
+            max_steps = most_steps(self._actions, plan.routes, self._settings)
+        if not isinstance(max_steps, int) or max_steps < 1:  # pyright: ignore[reportUnnecessaryIsInstance]
+            raise SettingsError(
+                f"max_steps: expected a whole number of at least 1, got {max_steps!r}"
+            )
+        self.max_steps = max_steps
+        self._settings = replace(self._settings, call_budget=max_steps + 1)
+        self.action_space = self._actions.space
+        self.observation_space = self._senses.space(
+            each.instruction.text for each in self._episodes
+        )
+        self._robot: SimulatedRobot | None = None
+        self._episode = self._episodes[0]
+        self._steps = 0
+        self._distance = 0.0
+        self._is_over = True
+
+    @property
+    def episode_ids(self) -> tuple[str, ...]:
+        """Ids of all episodes, for `reset(options={"episode_id": …})`."""
+        return tuple(each.id for each in self._episodes)
+
+    def reset(
+        self, *, seed: int | None = None, options: dict[str, Any] | None = None
+    ) -> tuple[Observation, Information]:
+        """Begin an episode.
+
+        Args:
+            seed: The same one gives the same episode and the same wheel noise.
+            options: `episode_id` chooses the episode; without it chance does.
+
+        Raises:
+            SettingsError: An option is not known, or there is no such episode.
+            RenderingError: This machine cannot draw pictures.
+        """
+        super().reset(seed=seed)
+        wanted = dict(options or {})
+        drawn = int(self.np_random.integers(len(self._episodes)))
+        episode = self._episodes[drawn]
+        if "episode_id" in wanted:
+            episode = find_episode(self._episodes, wanted.pop("episode_id"))
+        if wanted:
+            raise SettingsError(
+                f"reset: expected no option but 'episode_id', got {sorted(wanted)}"
+            )
+        self._begin(episode, self.np_random.spawn(1)[0])
+        return self._observe(), self._inform()
+
+    def step(self, action: Any) -> tuple[Observation, float, bool, bool, Information]:
+        """Do one action.
+
+        Args:
+            action: Of the action space.
+
+        Returns:
+            Observation, reward, whether the agent stopped, whether the episode is
+            broken off, and information: with the metrics once it is over.
+
+        Raises:
+            SettingsError: The action is none of the action space.
+            ResetNeeded: There is no episode, or it is over.
+        """
+        robot = self._robot
+        if robot is None or self._is_over:
+            raise ResetNeeded("the episode is over or has not begun: call reset()")
+        if not self.action_space.contains(action):
+            raise SettingsError(
+                f"action: expected one of {self.action_space}, got {action!r}"
+            )
+        touched, before = len(robot.collisions), self._distance
+        self._steps += 1
+        stops = False
+        # The robot says why it is over by `stopped_by`.
+        with suppress(EpisodeOver):
+            stops = self._actions.act(robot, action)
+        if stops:
+            robot.finish()
+        self._distance = self._distance_to_goal(robot)
+        terminated = robot.stopped_by == "agent"
+        truncated = not terminated and (
+            robot.stopped_by is not None or self._steps >= self.max_steps
+        )
+        self._is_over = terminated or truncated
+        information = self._inform()
+        progress = Progress(
+            before - self._distance,
+            len(robot.collisions) - touched,
+            bool(information.get("success", False)),
+        )
+        reward = self._reward.of(progress)
+        return self._observe(), reward, terminated, truncated, information
+
+    def render(self) -> NDArray[np.uint8] | None:  # type: ignore[override]
+        """Return what the camera sees now, (height, width, 3); None without a mode."""
+        if self.render_mode is None:
+            return None
+        robot, senses = self._begun()
+        frame = robot.camera_frame(senses.width, senses.height, senses.horizontal_fov)
+        return frame.rgb
+
+    def close(self) -> None:
+        """Let go of the robot; can be called again."""
+        self._robot = None
+        self._is_over = True
+
+    def _begin(self, episode: Episode, rng: np.random.Generator) -> None:
+        self._episode = episode
+        self._robot = self._arena.robot(
+            episode, self._settings, rng, lambda event: None
+        )
+        self._steps = 0
+        self._is_over = False
+        self._distance = self._distance_to_goal(self._robot)
+
+    def _begun(self) -> tuple[SimulatedRobot, Senses]:
+        if self._robot is None:
+            raise ResetNeeded("no episode has begun: call reset()")
+        return self._robot, self._senses
+
+    def _observe(self) -> Observation:
+        robot, senses = self._begun()
+        return senses.observe(robot, self._episode.instruction.text)
+
+    def _distance_to_goal(self, robot: SimulatedRobot) -> float:
+        return self._arena.grid.distance(robot.pose[:2], self._episode.goal)
+
+    def _inform(self) -> Information:
+        robot, _ = self._begun()
+        told = self._episode.instruction
+        information: Information = {
+            "episode_id": self._episode.id,
+            "instruction": told.text,
+            "instruction_source": told.source,
+            "steps": self._steps,
+            "time": robot.time,
+            "collisions": len(robot.collisions),
+        }
+        if self.privileged:
+            information |= {
+                "pose": np.array(robot.pose),
+                "goal": np.array(self._episode.goal),
+                "reference_path": np.array(self._episode.reference_path),
+                "distance_to_goal": self._distance,
+            }
+        if self._is_over:
+            information |= self._score(robot)
+        return information
+
+    def _score(self, robot: SimulatedRobot) -> Information:
+        ended = robot.stopped_by or "budget"
+        walk = robot.trajectory()
+        values = self._arena.score(self._episode, walk, self.success_distance)
+        if ended != "agent":
+            values = values.without_success()
+        scores = values.as_dict()
+        return {"stopped_by": ended, "spd": scores.pop("ne"), **scores}

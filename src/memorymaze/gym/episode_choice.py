@@ -1,0 +1,90 @@
+"""Which episodes an environment has: of one site, by route, study and split."""
+
+import difflib
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+
+from memorymaze.errors import SettingsError
+from memorymaze.instructions.corpus import load_instructions
+from memorymaze.instructions.episodes import episodes
+from memorymaze.instructions.records import Episode
+from memorymaze.sites import BUILTIN_SITE_NAMES, Site, builtin_site, load_site
+
+__all__ = ["choose_episodes", "find_episode", "open_site"]
+
+
+def open_site(site: str | Path) -> Site:
+    """Load one of the benchmark's sites by name, or a plan.
+
+    Raises:
+        SettingsError: There is neither.
+        SitePlanError: The plan cannot be used.
+    """
+    if site in BUILTIN_SITE_NAMES:
+        return builtin_site(str(site))
+    if not isinstance(site, str | Path) or not Path(site).is_file():  # pyright: ignore[reportUnnecessaryIsInstance]
+        raise SettingsError(
+            f"site: expected a plan's file or one of {', '.join(BUILTIN_SITE_NAMES)}, "
+            f"got {site!r}"
+        )
+    return load_site(site)
+
+
+def choose_episodes(
+    site: Site,
+    files: str | Path | Sequence[str | Path] | None = None,
+    *,
+    route: str | None = None,
+    study: str | None = None,
+    split: str | None = None,
+) -> tuple[Episode, ...]:
+    """Return the episodes on a site, in the order of the files.
+
+    Args:
+        site: Where.
+        files: Of instructions; None for the shipped ones.
+        route: Only instructions for this route, such as `R1`.
+        study: Only those of this study, `online` or `onsite`.
+        split: Only those of this split, `dev` or `test`.
+
+    Raises:
+        SettingsError: There are none; says what there would be.
+        InstructionFileError: A file cannot be used.
+    """
+    if isinstance(files, str | Path):
+        files = [files]
+    told = [each for each in load_instructions(files) if each.site == site.name]
+    if not told:
+        where = "the shipped ones" if files is None else ", ".join(map(str, files))
+        raise SettingsError(
+            f"instructions: expected some for the site {site.name!r}, got none in "
+            f"{where}; give instructions=FILE"
+        )
+    wanted = {"route": route, "study": study, "split": split}
+    for name, value in wanted.items():
+        if value is None:
+            continue
+        there = sorted({str(getattr(each, name)) for each in told})
+        told = [each for each in told if getattr(each, name) == value]
+        if not told:
+            raise SettingsError(
+                f"{name}: expected one of {', '.join(there)}, got {value!r}"
+            )
+    return tuple(episodes(told, {site.name: site}))
+
+
+def find_episode(choice: Iterable[Episode], name: object) -> Episode:
+    """Return the episode of an id.
+
+    Raises:
+        SettingsError: There is none.
+    """
+    known = {each.id: each for each in choice}
+    if isinstance(name, str) and name in known:
+        return known[name]
+    near = difflib.get_close_matches(str(name), known, n=1)
+    meant = f"; did you mean {near[0]!r}?" if near else ""
+    raise SettingsError(
+        f"episode_id: expected one of this environment's {len(known)} (see "
+        f"`env.unwrapped.episode_ids`), got {name!r}{meant}"
+    )

@@ -1,0 +1,99 @@
+"""What an agent perceives: the instruction, pictures and scans; and its spaces."""
+
+import math
+import string
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+from gymnasium import spaces
+
+from memorymaze.errors import SettingsError
+from memorymaze.gym.instruction_space import InstructionSpace
+from memorymaze.simulation import SimulatedRobot
+from memorymaze.simulation.lidar import LidarSettings
+
+__all__ = ["SENSORS", "Senses", "Sensor"]
+
+Sensor = Literal["rgb", "depth", "lidar"]
+
+SENSORS: tuple[Sensor, ...] = ("rgb", "depth", "lidar")
+"""What an observation can hold beside the instruction."""
+
+
+@dataclass(frozen=True)
+class Senses:
+    """Which sensors there are, and how fine they are.
+
+    Raises:
+        SettingsError: A sensor is not known, or a number has no meaning.
+    """
+
+    sensors: Sequence[Sensor] = ("rgb",)
+    """Some of `rgb`, `depth` and `lidar`."""
+    width: int = 224
+    """Of pictures, pixels."""
+    height: int = 224
+    """Of pictures, pixels."""
+    horizontal_fov: float = math.pi / 2
+    """Of the camera, radians."""
+    depth_range: float = 10.0
+    """Metres; what is farther reads as this, the sky too."""
+
+    def __post_init__(self) -> None:
+        """Check what the cameras do not check."""
+        if isinstance(self.sensors, str) or not set(self.sensors) <= set(SENSORS):
+            raise SettingsError(
+                f"sensors: expected some of {', '.join(SENSORS)} in a list, got "
+                f"{self.sensors!r}"
+            )
+        for name in ("width", "height"):
+            value = getattr(self, name)
+            if not isinstance(value, int) or value < 1:
+                raise SettingsError(
+                    f"{name}: expected pixels, 1 or more, got {value!r}"
+                )
+        if not 0 < self.horizontal_fov < math.pi:
+            raise SettingsError(
+                "horizontal_fov: expected radians between 0 and pi, got "
+                f"{self.horizontal_fov!r}"
+            )
+        if not 0 < self.depth_range < math.inf:
+            raise SettingsError(
+                f"depth_range: expected metres greater than 0, got {self.depth_range!r}"
+            )
+
+    def space(self, texts: Iterable[str]) -> spaces.Dict:
+        """Return the observation space for these instructions."""
+        every = list(texts)
+        parts: dict[str, spaces.Space[Any]] = {
+            "instruction": InstructionSpace(
+                max(map(len, every)),
+                charset=frozenset(string.printable).union(*every),
+            )
+        }
+        size = (self.height, self.width)
+        if "rgb" in self.sensors:
+            parts["rgb"] = spaces.Box(0, 255, (*size, 3), np.uint8)
+        if "depth" in self.sensors:
+            parts["depth"] = spaces.Box(0.0, self.depth_range, size, np.float32)
+        if "lidar" in self.sensors:
+            lidar = LidarSettings()
+            parts["lidar"] = spaces.Box(0.0, lidar.farthest, (lidar.rays,), np.float32)
+        return spaces.Dict(parts)
+
+    def observe(self, robot: SimulatedRobot, instruction: str) -> dict[str, Any]:
+        """Return what is perceived from where the robot is."""
+        seen: dict[str, Any] = {"instruction": instruction}
+        if "rgb" in self.sensors or "depth" in self.sensors:
+            frame = robot.camera_frame(self.width, self.height, self.horizontal_fov)
+            if "rgb" in self.sensors:
+                seen["rgb"] = frame.rgb
+            if "depth" in self.sensors:
+                seen["depth"] = np.minimum(frame.depth, np.float32(self.depth_range))
+        if "lidar" in self.sensors:
+            scan = robot.lidar_scan()
+            farthest = LidarSettings().farthest
+            seen["lidar"] = np.minimum(scan.ranges, farthest).astype(np.float32)
+        return seen

@@ -1,0 +1,88 @@
+"""What an agent that learns is rewarded for."""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, fields
+from typing import Any, Literal
+
+from memorymaze.errors import SettingsError
+
+__all__ = ["Progress", "RewardSettings", "reward_settings"]
+
+
+@dataclass(frozen=True, slots=True)
+class Progress:
+    """What one step has brought."""
+
+    nearer: float
+    """Metres by which the shortest walk to the goal became shorter."""
+    collisions: int
+    """Things newly touched."""
+    success: bool
+    """Whether the agent stopped within the success distance."""
+
+
+@dataclass(frozen=True, slots=True)
+class RewardSettings:
+    """The sum of four parts; the default leads to the goal, and stopping there pays.
+
+    Raises:
+        SettingsError: A value is no finite number.
+    """
+
+    progress: float = 1.0
+    """Per metre by which the shortest walk to the goal becomes shorter."""
+    success: float = 10.0
+    """For stopping within the success distance of the goal."""
+    step: float = -0.01
+    """For every step."""
+    collision: float = -0.1
+    """For every thing newly touched."""
+
+    def __post_init__(self) -> None:
+        """Check every value."""
+        for each in fields(self):
+            value = getattr(self, each.name)
+            if (
+                isinstance(value, bool)
+                or not isinstance(value, int | float)
+                or not math.isfinite(value)
+            ):
+                raise SettingsError(
+                    f"reward: expected a finite number for {each.name}, got {value!r}"
+                )
+
+    def of(self, progress: Progress) -> float:
+        """Return the reward of a step."""
+        return (
+            self.progress * progress.nearer
+            + self.success * progress.success
+            + self.step
+            + self.collision * progress.collisions
+        )
+
+
+SPARSE = RewardSettings(progress=0.0, success=1.0, step=0.0, collision=0.0)
+
+RewardChoice = Literal["progress", "sparse"] | RewardSettings | Mapping[str, Any]
+
+
+def reward_settings(choice: RewardChoice) -> RewardSettings:
+    """Return the rewards that a setting means: a name, numbers by name, or settings.
+
+    Raises:
+        SettingsError: It means none.
+    """
+    if isinstance(choice, RewardSettings):
+        return choice
+    if choice == "progress":
+        return RewardSettings()
+    if choice == "sparse":
+        return SPARSE
+    names = [each.name for each in fields(RewardSettings)]
+    if not isinstance(choice, str) and set(choice) <= set(names):
+        return RewardSettings(**choice)
+    raise SettingsError(
+        "reward: expected 'progress', 'sparse', RewardSettings(…) or numbers for some "
+        f"of {', '.join(names)}, got {choice!r}"
+    )
