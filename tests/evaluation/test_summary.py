@@ -33,7 +33,7 @@ def test_the_lines_say_who_wrote_the_instructions(
     results = [result("a-1"), result("b-1", model_calls=2, tokens=90, cost_usd=0.5)]
     text = "\n".join(summary_lines(summarise(results, settings)))
     assert "2 instructions written by a LANGUAGE MODEL, not by people" in text
-    assert "2 calls, 90 tokens, 0.50 USD" in text
+    assert "2 calls, 90 tokens, 0.5000 USD" in text
 
 
 def test_the_lines_say_what_went_wrong_most_often(

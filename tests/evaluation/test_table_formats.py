@@ -7,10 +7,15 @@ from typing import Literal
 
 import pytest
 
+from memorymaze.evaluation.asking import AskingSettings
+from memorymaze.evaluation.inference_cost import cost_cells
+from memorymaze.evaluation.inference_time import InferenceTime
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import RunRecord, open_run_folder
+from memorymaze.evaluation.settings import AgentSettings
 from memorymaze.evaluation.table_formats import format_tables
 from memorymaze.evaluation.tables import MeasuredRun, load_runs, table_rows
+from memorymaze.language.pricing import TokenPrice
 
 Make = Callable[..., EpisodeResult]
 
@@ -102,3 +107,85 @@ def test_turning_points_by_lidar_are_stated_above_the_table(
     assert "TURNING POINTS BY LIDAR" in format_tables(runs, ["II"], "text")
     [line, *_] = csv.DictReader(io.StringIO(format_tables(runs, ["II"], "csv")))
     assert line["turning_points"] == "lidar"
+
+
+@pytest.fixture
+def asking(tmp_path: Path, record: RunRecord, result: Make) -> MeasuredRun:
+    """A run that asked a language model: three times on R1, and seven on R2."""
+    agent = AgentSettings(
+        "code_generation",
+        model="small",
+        asking=AskingSettings(price=TokenPrice(1.0, 2.0)),
+        inference_time=InferenceTime(measured=False, start_s=2.0),
+    )
+    settings = replace(record.settings, agent=agent, episodes=3)
+    spent = {"tokens": 1000, "inference_s": 0.75}
+    results = [
+        result("a-1", model_calls=2, cost_usd=0.5, standing_s=4.0, **spent),
+        result("a-2", model_calls=4, cost_usd=0.25, standing_s=8.0, **spent),
+        result("b-1", route="R2", model_calls=7, standing_s=14.0, **spent),
+    ]
+    folder = tmp_path / "asking"
+    with open_run_folder(folder, replace(record, settings=settings), resume=False) as r:
+        for one in results:
+            r.add(replace(one, agent="code_generation[small]"))
+    return load_runs([folder])[0]
+
+
+def test_what_inference_costs_stands_beside_the_success_rate(
+    runs: list[MeasuredRun], asking: MeasuredRun
+) -> None:
+    text = format_tables([*runs, asking], ["II"], "text")
+    assert max(map(len, text.splitlines())) <= 118
+    _, costs = text.split("What inference costs")
+    rows = [line.split() for line in costs.splitlines() if "[small]" in line]
+    assert [row[-6:] for row in rows] == [
+        ["1.00", "3.0", "1000", "0.3750", "0.8", "6.0"],
+        ["1.00", "7.0", "1000", "0.0000", "0.8", "14.0"],
+        ["1.00", "5.0", "1000", "0.1875", "0.8", "10.0"],
+    ]
+    assert any(
+        line.split()[-5:] == ["0.0", "0", "0.0000", "0.0", "0.0"]
+        for line in costs.splitlines()
+    )
+    told = " ".join(text.split())
+    assert "standing time per reply is 2 s, not the latency measured" in told
+    assert "prices as given: 1 US$ per million tokens read, 2 written" in told
+
+
+def test_markdown_and_csv_have_columns_for_inference(
+    runs: list[MeasuredRun], asking: MeasuredRun
+) -> None:
+    lines = format_tables([*runs, asking], ["II"], "md").splitlines()
+    rows = [line for line in lines if line.startswith("|")]
+    assert {line.replace(r"\|", "").count("|") for line in rows} == {15}
+    assert rows[0].endswith("calls | tokens | US$ | inference s | standing s |")
+    read = csv.DictReader(io.StringIO(format_tables([asking], ["II"], "csv")))
+    measured = [row for row in read if row["figures"] == "measured"]
+    assert [row["standing_s_per_episode"] for row in measured] == [
+        "6.0",
+        "14.0",
+        "10.0",
+    ]
+    assert [row["cost_usd_per_episode"] for row in measured] == [
+        "0.375",
+        "0.0",
+        "0.1875",
+    ]
+
+
+@pytest.mark.parametrize("style", ["text", "md", "csv"])
+def test_tables_of_agents_without_a_model_say_nothing_of_inference(
+    runs: list[MeasuredRun], style: Literal["text", "md", "csv"]
+) -> None:
+    assert "inference" not in format_tables(runs, ["II", "III"], style)
+
+
+def test_a_cost_without_a_price_is_left_open(
+    record: RunRecord, result: Make, tmp_path: Path
+) -> None:
+    with open_run_folder(tmp_path / "free", record, resume=False) as folder:
+        folder.add(result(model_calls=2, tokens=10))
+    runs = load_runs([tmp_path / "free"])
+    row = table_rows(runs, "II")[0]
+    assert cost_cells(row)[:3] == ["2.0", "10", "-"]

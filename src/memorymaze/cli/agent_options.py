@@ -4,6 +4,12 @@ import argparse
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
+from memorymaze.cli.model_options import (
+    add_model_options,
+    asking_settings,
+    inference_time,
+)
+
 if TYPE_CHECKING:
     from memorymaze.evaluation.settings import AgentSettings
 
@@ -34,8 +40,13 @@ def add_agent_options(parser: argparse.ArgumentParser, default: str | None) -> N
         help="an option of the agent; may be given several times. `memorymaze agents "
         "NAME` lists the options of each agent, with what they mean",
     )
-    model = parser.add_argument_group("language model (code_generation)")
-    model.add_argument("--model", metavar="NAME", help="such as gpt-4o-mini")
+    model = parser.add_argument_group("language model")
+    model.add_argument(
+        "--model",
+        metavar="NAME",
+        help="a server's name for a model, such as gpt-4o-mini; or one that runs here: "
+        "gguf:PATH, or smollm2, which comes with the extra [local-llm]",
+    )
     model.add_argument(
         "--base-url",
         metavar="URL",
@@ -52,6 +63,7 @@ def add_agent_options(parser: argparse.ArgumentParser, default: str | None) -> N
     model.add_argument(
         "--replay", metavar="FILE", help="take replies from a file; ask no model"
     )
+    add_model_options(parser)
 
 
 def add_episode_options(parser: argparse.ArgumentParser) -> None:
@@ -119,7 +131,7 @@ def episode_settings(options: argparse.Namespace) -> dict[str, Any]:
 
 def agent_settings(options: argparse.Namespace) -> "AgentSettings":
     """Return the agent that the options ask for."""
-    from memorymaze.evaluation.agents_for_runs import has_parser
+    from memorymaze.evaluation.agents_for_runs import has_language_model, has_parser
     from memorymaze.evaluation.settings import AgentSettings
 
     parser: bool | None = None
@@ -133,6 +145,8 @@ def agent_settings(options: argparse.Namespace) -> "AgentSettings":
         base_url=options.base_url,
         record=options.record,
         replay=options.replay,
+        asking=asking_settings(options, asks=has_language_model(options.agent)),
+        inference_time=inference_time(options),
         options=given_options(options.set),
         programs=programs,
     )

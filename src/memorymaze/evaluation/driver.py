@@ -7,13 +7,18 @@ from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
 
-from memorymaze.errors import MemoryMazeError, SettingsError
-from memorymaze.evaluation.episode_worker import EpisodeTask, EpisodeWorker
+from memorymaze.errors import MemoryMazeError, SettingsError, SpendingLimitReached
+from memorymaze.evaluation.episode_worker import (
+    EpisodeTask,
+    EpisodeWorker,
+    LimitReached,
+)
 from memorymaze.evaluation.plan import RunPlan
 from memorymaze.evaluation.progress import Progress
 from memorymaze.evaluation.provenance import code_stamp
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import RunFolder, RunRecord, open_run_folder
+from memorymaze.evaluation.settings import RunSettings
 from memorymaze.evaluation.summary import summarise
 from memorymaze.evaluation.worker_pool import Lost, WorkerPool
 
@@ -55,6 +60,8 @@ def run_plan(
 
     Raises:
         MemoryMazeError: The folder cannot be used, or no worker can be started.
+        SpendingLimitReached: The run has spent what it may on its language model;
+            episodes that were under way then have no result.
         KeyboardInterrupt: Passed on, after all workers have ended.
     """
     if not wall_limit > 0:
@@ -67,21 +74,41 @@ def run_plan(
         waiting = [e for e in plan.episodes if e.id not in run.finished]
         count = min(workers or available_cores(), max(1, len(waiting)))
         # Absolute, because an agent may change its process's folder.
-        prepare = EpisodeWorker(plan.settings, plan.sites, path.absolute())
+        settings = _with_shared(plan.settings, path.absolute(), count)
+        prepare = EpisodeWorker(settings, plan.sites, path.absolute())
         queue = _Queue(EpisodeTask(episode) for episode in waiting)
+        limit: str | None = None
         with (
             Progress(len(plan.episodes), len(run.finished)) as progress,
-            WorkerPool[EpisodeTask, EpisodeResult](prepare, count, wall_limit) as pool,
+            WorkerPool[EpisodeTask, EpisodeResult | LimitReached](
+                prepare, count, wall_limit
+            ) as pool,
         ):
             for task, outcome in pool.run(queue.choose):
                 if isinstance(outcome, Lost):
                     queue.put_back(_next_try(task, outcome))
+                elif isinstance(outcome, LimitReached):
+                    limit = outcome.reason
+                    queue.close()
                 else:
                     run.add(outcome)
                     progress.count(outcome)
         results = [run.finished[key] for key in sorted(run.finished)]
-        run.write_summary(summarise(results, plan.settings))
+        if results:
+            run.write_summary(summarise(results, plan.settings))
+    if limit is not None:
+        raise SpendingLimitReached(
+            f"{limit}; {len(results)} of {len(plan.episodes)} episodes are finished and "
+            f"kept in {path}. To go on, raise the limit and add --resume"
+        )
     return results
+
+
+def _with_shared(settings: RunSettings, folder: Path, workers: int) -> RunSettings:
+    """Return the settings that workers need to keep the run's limits together."""
+    threads = max(1, available_cores() // workers)
+    asking = replace(settings.agent.asking, shared_folder=str(folder), threads=threads)
+    return replace(settings, agent=replace(settings.agent, asking=asking))
 
 
 def _check_known(run: RunFolder, plan: RunPlan) -> None:
@@ -110,13 +137,14 @@ class _Queue:
     def __init__(self, tasks: Iterable[EpisodeTask]) -> None:
         self._waiting: dict[str, deque[EpisodeTask]] = {}
         self._place: dict[int, str] = {}
+        self._closed = False
         for task in tasks:
             self._of(task).append(task)
 
     def choose(self, worker: int) -> EpisodeTask | None:
         """Take a task on the site a worker is on, or on the one least attended to."""
         open_sites = [site for site, tasks in self._waiting.items() if tasks]
-        if not open_sites:
+        if self._closed or not open_sites:
             return None
         site = self._place.get(worker)
         if site not in open_sites:
@@ -127,6 +155,10 @@ class _Queue:
             )
             self._place[worker] = site
         return self._waiting[site].popleft()
+
+    def close(self) -> None:
+        """Give no further tasks, not even those that are put back."""
+        self._closed = True
 
     def put_back(self, task: EpisodeTask) -> None:
         """Have a task done next on its site."""

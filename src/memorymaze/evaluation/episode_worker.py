@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from memorymaze.agents.agent import Journal
+from memorymaze.errors import SpendingLimitReached
 from memorymaze.evaluation.agent_failures import WorkerLost
 from memorymaze.evaluation.agents_for_runs import build_agent
 from memorymaze.evaluation.arena import Arena
@@ -18,7 +19,14 @@ from memorymaze.instructions.records import Episode
 from memorymaze.robot.api import Robot
 from memorymaze.sites import Site
 
-__all__ = ["EpisodeTask", "EpisodeWorker"]
+__all__ = ["EpisodeTask", "EpisodeWorker", "LimitReached"]
+
+
+@dataclass(frozen=True, slots=True)
+class LimitReached:
+    """An episode that was broken off because the run has spent what it may."""
+
+    reason: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,7 +48,7 @@ class EpisodeWorker:
     sites: dict[str, Site]
     folder: Path
 
-    def __call__(self) -> Callable[[EpisodeTask], EpisodeResult]:
+    def __call__(self) -> Callable[[EpisodeTask], EpisodeResult | LimitReached]:
         """Make the agent; return the function.
 
         Raises:
@@ -50,13 +58,16 @@ class EpisodeWorker:
         obstacles = self.settings.obstacles
         arenas = {name: Arena(site, obstacles) for name, site in self.sites.items()}
 
-        def run(task: EpisodeTask) -> EpisodeResult:
+        def run(task: EpisodeTask) -> EpisodeResult | LimitReached:
             episode = task.episode
             agent = agent_for(episode)
             if task.lost is not None:
                 agent = _LostAgent(agent.name, task.lost)
             arena = arenas[episode.instruction.site]
-            done = run_episode(agent, episode, arena, self.settings)
+            try:
+                done = run_episode(agent, episode, arena, self.settings)
+            except SpendingLimitReached as limit:
+                return LimitReached(str(limit))
             # Before its result: an episode that counts as done has its trace.
             write_trace(self.folder, episode.id, done.trace)
             return done.result

@@ -29,6 +29,11 @@ MEANS = (
     "person_collisions",
     "near_misses",
     "waiting_s",
+    "model_calls",
+    "tokens",
+    "cost_usd",
+    "inference_s",
+    "standing_s",
 )
 SUMS = (
     "collisions",
@@ -38,6 +43,8 @@ SUMS = (
     "model_calls",
     "tokens",
     "cost_usd",
+    "inference_s",
+    "standing_s",
     "duration_s",
     "wall_s",
 )
@@ -118,7 +125,8 @@ def summary_lines(summary: dict[str, Any]) -> list[str]:
     if total["model_calls"]:
         lines.append(
             f"language model: {total['model_calls']} calls, {total['tokens']} tokens, "
-            f"{total['cost_usd']:.2f} USD"
+            f"{total['cost_usd']:.4f} USD, {total['inference_s']:.1f} s of inference; the "
+            f"user stands waiting {mean['standing_s']:.1f} s per episode"
         )
     return lines
 

@@ -9,6 +9,14 @@ from itertools import groupby
 from typing import Literal
 
 from memorymaze.evaluation.bootstrap import MEASURES, Estimate
+from memorymaze.evaluation.inference_cost import (
+    COST_COLUMNS,
+    COST_KEY,
+    any_inference,
+    cost_cells,
+    cost_notes,
+    inference_cost,
+)
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.safety import PER_DISTANCE, safety
 from memorymaze.evaluation.tables import (
@@ -57,7 +65,10 @@ def format_tables(
         style: Text of at most 118 columns, Markdown, or one CSV with unrounded numbers.
     """
     if style == "csv":
-        return _csv((row, table) for table in tables for row in table_rows(runs, table))
+        found: list[tuple[TableRow, TableName]] = []
+        for table in tables:
+            found.extend((row, table) for row in table_rows(runs, table))
+        return _csv(found, costs=any_inference(runs))
     write = _text if style == "text" else _markdown
     return "\n".join(write(table_rows(runs, table), runs, table) for table in tables)
 
@@ -86,6 +97,7 @@ def run_notes(run: MeasuredRun) -> list[str]:
         notes += _obstacle_notes(settings.obstacles, run.results)
     if settings.agent.model is not None:
         notes.append(f"language model {settings.agent.model}")
+    notes += cost_notes(run)
     if run.left_out:
         notes.append(f"{run.left_out} episodes on development texts are left out.")
     if settings.limit is not None:
@@ -153,11 +165,43 @@ def _text(
 
 
 def _line(
-    method: str, parser: str, count: str, values: Sequence[str], width: int
+    method: str,
+    parser: str,
+    count: str,
+    values: Sequence[str],
+    width: int,
+    widths: Sequence[int] = (17, 17, 23, 17),
 ) -> str:
+    if any_inference(runs):
+        lines += _inference_text(rows, width)
     columns = "".join(
-        f"  {value:<{23 if index == 2 else 17}}" for index, value in enumerate(values)
+        f"  {value:<{wide}}" for value, wide in zip(values, widths, strict=True)
     )
+def _inference_text(rows: Sequence[TableRow], width: int) -> list[str]:
+    """Return the lines on what inference cost; the columns above leave no room."""
+    lines = ["", "What inference costs", *COST_KEY.split("\n")]
+    widths = [17, *(max(8, len(name)) for name in COST_COLUMNS.values())]
+    names = [HEADINGS["sr"], *COST_COLUMNS.values()]
+    measured = [row for row in rows if row.run is not None]
+    for study, of_study in groupby(measured, lambda row: row.study):
+        heading = _line("", "parser", "n", names, width, widths)
+        lines += ["", STUDY_TITLES[study], heading, "-" * len(heading)]
+        for title, group in groupby(of_study, _group_title):
+            lines.append(title)
+            lines += [
+                _line(
+                    "  " + row.method,
+                    _parser(row),
+                    _count(row),
+                    [_shown(row.values["sr"]), *cost_cells(row)],
+                    width,
+                    widths,
+                )
+                for row in group
+            ]
+    return lines
+
+
     return f"{method:<{width}} {parser:<6} {count:>4}{columns}"
 
 
@@ -168,11 +212,15 @@ def _markdown(
     for run in runs:
         first, *others = run_notes(run)
         lines += [f"- {_escaped(first)}", *(f"  {_escaped(note)}" for note in others)]
-    lines += ["", KEY.replace("\n", " "), ""]
+    costs = any_inference(runs)
+    lines += ["", KEY.replace("\n", " ")]
+    if costs:
+        lines += ["", COST_KEY.replace("\n", " ")]
     columns = ["Study", "Route", "Method", "Parser", "n"]
-    columns += [HEADINGS[name] for name in MEASURES]
-    lines.append("| " + " | ".join(columns) + " |")
-    lines.append("|---|---|---|---|---:|" + "---:|" * len(MEASURES))
+    measured = [HEADINGS[name] for name in MEASURES]
+    measured += COST_COLUMNS.values() if costs else ()
+    lines += ["", "| " + " | ".join(columns + measured) + " |"]
+    lines.append("|---|---|---|---|---:|" + "---:|" * len(measured))
     for row in rows:
         cells = [row.study, _group_title(row), row.method, _parser(row), _count(row)]
         cells += [_shown(row.values[name]) for name in MEASURES]
@@ -180,8 +228,9 @@ def _markdown(
     return "\n".join(lines) + "\n"
 
 
-def _csv(rows: Iterable[tuple[TableRow, TableName]]) -> str:
+def _csv(rows: Iterable[tuple[TableRow, TableName]], *, costs: bool) -> str:
     columns = ["table", "study", "site", "route", "iteration", "method", "parser"]
+        cells += cost_cells(row) if costs else ()
     columns += ["figures", "run", "episodes", "participants"]
     for name in MEASURES:
         columns += [name, f"{name}_low", f"{name}_high"]
@@ -196,6 +245,7 @@ def _csv(rows: Iterable[tuple[TableRow, TableName]]) -> str:
     for row, table in rows:
         line: dict[str, object] = {
             "table": table,
+    columns += [f"{name}_per_episode" for name in COST_COLUMNS] if costs else []
             "study": row.study,
             "site": "mean" if row.is_mean else row.places[0].site,
             "route": "mean" if row.is_mean else row.places[0].route,
@@ -244,6 +294,11 @@ def _csv(rows: Iterable[tuple[TableRow, TableName]]) -> str:
 
 def _group_title(row: TableRow) -> str:
     if row.is_mean:
+            if costs:
+                cost = inference_cost(row)
+                line |= {
+                    f"{name}_per_episode": getattr(cost, name) for name in COST_COLUMNS
+                }
         title = f"Mean over {len(row.places)} routes"
     else:
         site, route = row.places[0]
