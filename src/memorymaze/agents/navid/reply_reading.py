@@ -40,7 +40,12 @@ _TURN = re.compile(
     re.MULTILINE,
 )
 _MOVES: tuple[Motion, ...] = ("forward", "left", "right")
-_STOP = re.compile(r"\bstop\b")
+_QUOTES = r"[\"'*`]*"
+_STOP = re.compile(
+    rf"(?:^|\baction(?: is)?:? (?:to )?){_QUOTES}stop{_QUOTES}[.!]?{_QUOTES}$",
+    re.MULTILINE,
+)
+"""A line of its own, or the end of one: the next action is stop."""
 _NEGATION = re.compile(
     r"(?:\bnot|\bnever|\bcannot|n['\u2019]t|\bwithout)\s+(?:\w+\s+)?$"
 )
@@ -152,8 +157,10 @@ def _read_sentence(text: str, motions: Motions) -> Command | Unreadable:
         side = cast(Motion, command["side"])
         amount = float(command["amount"])
         read.append(_unless_negated(text, command, _counted, side, amount, motions))
-    for command in _STOP.finditer(text):
-        read.append(_unless_negated(text, command, Command, "stop"))
+    stops = [Command("stop")] * len(_STOP.findall(text))
+    if len(re.findall(r"\bstop\b", text)) > len(stops):
+        return Unreadable("the reply speaks of a stop, but not as the next action")
+    read += stops
     if not read:
         return Unreadable("the reply has no command with an amount, and no stop")
     return _agreed(read)
