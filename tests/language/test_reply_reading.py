@@ -112,6 +112,11 @@ stop()
         pytest.param("```Python title=a.py\nstop()\n```", "stop()\n", id="a title"),
         pytest.param("```python\nstop()", "stop()\n", id="not closed"),
         pytest.param(
+            "```python\nturn('left')\nstop()```\nGood luck!",
+            "turn('left')\nstop()\n",
+            id="closed on a line of code",
+        ),
+        pytest.param(
             "1. Here:\n   ```python\n   if True:\n       stop()\n   ```\n",
             "if True:\n    stop()\n",
             id="indented",

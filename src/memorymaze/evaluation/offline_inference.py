@@ -16,6 +16,7 @@ from memorymaze.errors import LanguageModelError, ProgramFileError, SettingsErro
 from memorymaze.evaluation.program_files import ProgramRecord, ProgramReply
 from memorymaze.instructions.records import Instruction
 from memorymaze.language.batch_files import BatchReply, request_line
+from memorymaze.language.json_lines import some
 from memorymaze.language.model import Completion
 from memorymaze.language.reply_reading import read_program, read_steps
 
@@ -108,7 +109,7 @@ def offline_requests(
     if unanswered:
         raise ProgramFileError(
             f"--steps: expected a reply for each instruction, got none for "
-            f"{_some(unanswered)}; run these requests again and give both files, or leave "
+            f"{some(unanswered)}; run these requests again and give both files, or leave "
             "the instructions out"
         )
     return OfflineRequests(
@@ -247,8 +248,3 @@ def _model(replies: Iterable[BatchReply]) -> str:
             "is called in tables"
         )
     return names.pop()
-
-
-def _some(names: Sequence[str]) -> str:
-    more = len(names) - 10
-    return ", ".join(names[:10]) + (f" and {more} more" if more > 0 else "")

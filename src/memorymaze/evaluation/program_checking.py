@@ -9,6 +9,7 @@ from typing import Literal
 from memorymaze.errors import ProgramError
 from memorymaze.evaluation.program_files import missing_programs, read_programs
 from memorymaze.instructions.records import Instruction
+from memorymaze.language.json_lines import some
 from memorymaze.language.program_screening import screen_program
 
 __all__ = ["CheckedPrograms", "Remark", "check_programs"]
@@ -76,9 +77,9 @@ def check_programs(
         else:
             remarks += _screened(record.program, f"{place}: {identifier}")
     missing = missing_programs(file, wanted)
-    remarks += [
-        Remark("problem", f"{path}: no program for {each!r}") for each in missing
-    ]
+    if missing:
+        text = f"{path}: no program for {len(missing)} of {len(wanted)} instructions: "
+        remarks.append(Remark("problem", text + some(missing)))
     if file.unused:
         fields = ", ".join(map(repr, file.unused))
         remarks.append(Remark("note", f"{path}: fields that are not used: {fields}"))

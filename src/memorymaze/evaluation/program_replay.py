@@ -19,6 +19,7 @@ from memorymaze.evaluation.program_files import (
 )
 from memorymaze.evaluation.settings import AgentSettings
 from memorymaze.instructions.records import Episode
+from memorymaze.language.json_lines import some
 from memorymaze.language.pricing import TokenPrice
 from memorymaze.language.sandbox import run_program
 from memorymaze.robot.api import Robot
@@ -30,8 +31,6 @@ __all__ = [
     "replayed_programs",
     "with_programs",
 ]
-
-SHOWN = 10
 
 
 class ProgramReplay:
@@ -151,10 +150,9 @@ def check_programs_for(file: ProgramFile, episodes: Sequence[Episode]) -> None:
     """
     missing = missing_programs(file, [each.instruction.id for each in episodes])
     if missing:
-        more = f" and {len(missing) - SHOWN} more" if len(missing) > SHOWN else ""
         raise ProgramFileError(
             f"{file.path}: expected a program for each of {len(episodes)} episodes, got "
-            f"none for {len(missing)}: {', '.join(missing[:SHOWN])}{more}; for an "
+            f"none for {len(missing)}: {some(missing)}; for an "
             "instruction that the model failed on write a record with `error` in the "
             "place of `program`"
         )

@@ -7,7 +7,7 @@ from typing import Any
 
 from memorymaze.errors import ProgramFileError
 
-__all__ = ["json_record", "lines_of", "listed", "shown"]
+__all__ = ["json_record", "lines_of", "listed", "shown", "some"]
 
 PROBLEMS_SHOWN = 20
 
@@ -62,6 +62,12 @@ def shown(value: object) -> str:
     text = repr(value)
     cut = text if len(text) <= 60 else text[:57] + "…"
     return cut.encode("utf-8", "backslashreplace").decode()
+
+
+def some(names: Sequence[str], most: int = 10) -> str:
+    """Return names in a line, the first few and how many more there are."""
+    more = len(names) - most
+    return ", ".join(names[:most]) + (f" and {more} more" if more > 0 else "")
 
 
 def listed(problems: Sequence[str]) -> ProgramFileError:

@@ -90,8 +90,10 @@ def _fenced_blocks(text: str) -> Iterator[tuple[str, str]]:
         fence = _FENCE.match(line)
         if not mark and fence:
             mark, language, block = fence[1], fence[2].lower(), []
-        elif mark and fence and fence[1] == mark and not line.strip("`~ \t"):
-            yield language, "\n".join(block)
+        elif mark and line.rstrip().endswith(mark) and not (fence and fence[2]):
+            # Models forget the line end before the closing fence.
+            last = line.rstrip().rstrip(mark[0])
+            yield language, "\n".join([*block, *([last] if last.strip() else [])])
             mark = ""
         elif mark:
             block.append(line)
