@@ -28,7 +28,9 @@ def test_every_format_is_written_to_stdout(memorymaze: Memorymaze, run: Path) ->
 def test_development_texts_are_left_out_on_demand(
     memorymaze: Memorymaze, run: Path
 ) -> None:
-    assert "3 episodes" in memorymaze("table", run).out
+    said = memorymaze("table", run).out
+    assert "3 episodes" in said
+    assert "1 episodes on development texts (split dev) are counted" in said
     said = memorymaze("table", run, "--exclude-dev").out
     assert "2 episodes" in said
     assert "1 episodes on development texts are left out" in said

@@ -100,6 +100,12 @@ def run_notes(run: MeasuredRun) -> list[str]:
     notes += cost_notes(run)
     if run.left_out:
         notes.append(f"{run.left_out} episodes on development texts are left out.")
+    development = sum(each.split == "dev" for each in run.results)
+    if development:
+        notes.append(
+            f"{development} episodes on development texts (split dev) are counted; "
+            "--exclude-dev leaves them out."
+        )
     if settings.limit is not None:
         notes.append(f"A SAMPLE of {settings.episodes} episodes (--limit).")
     if run.missing:
@@ -161,22 +167,11 @@ def _text(
                 )
                 for row in group
             ]
+    if any_inference(runs):
+        lines += _inference_text(rows, width)
     return "\n".join(line.rstrip() for line in lines) + "\n"
 
 
-def _line(
-    method: str,
-    parser: str,
-    count: str,
-    values: Sequence[str],
-    width: int,
-    widths: Sequence[int] = (17, 17, 23, 17),
-) -> str:
-    if any_inference(runs):
-        lines += _inference_text(rows, width)
-    columns = "".join(
-        f"  {value:<{wide}}" for value, wide in zip(values, widths, strict=True)
-    )
 def _inference_text(rows: Sequence[TableRow], width: int) -> list[str]:
     """Return the lines on what inference cost; the columns above leave no room."""
     lines = ["", "What inference costs", *COST_KEY.split("\n")]
@@ -202,6 +197,17 @@ def _inference_text(rows: Sequence[TableRow], width: int) -> list[str]:
     return lines
 
 
+def _line(
+    method: str,
+    parser: str,
+    count: str,
+    values: Sequence[str],
+    width: int,
+    widths: Sequence[int] = (17, 17, 23, 17),
+) -> str:
+    columns = "".join(
+        f"  {value:<{wide}}" for value, wide in zip(values, widths, strict=True)
+    )
     return f"{method:<{width}} {parser:<6} {count:>4}{columns}"
 
 
@@ -224,13 +230,13 @@ def _markdown(
     for row in rows:
         cells = [row.study, _group_title(row), row.method, _parser(row), _count(row)]
         cells += [_shown(row.values[name]) for name in MEASURES]
+        cells += cost_cells(row) if costs else ()
         lines.append("| " + " | ".join(_escaped(cell) for cell in cells) + " |")
     return "\n".join(lines) + "\n"
 
 
 def _csv(rows: Iterable[tuple[TableRow, TableName]], *, costs: bool) -> str:
     columns = ["table", "study", "site", "route", "iteration", "method", "parser"]
-        cells += cost_cells(row) if costs else ()
     columns += ["figures", "run", "episodes", "participants"]
     for name in MEASURES:
         columns += [name, f"{name}_low", f"{name}_high"]
@@ -239,13 +245,13 @@ def _csv(rows: Iterable[tuple[TableRow, TableName]], *, costs: bool) -> str:
     columns += ["turning_points", "track"]
     columns += ["things_per_100m", "people_per_100m2", "people", "obstacle_seed"]
     columns += [f"{name}_per_100m" for name in PER_DISTANCE] + ["waiting_s_per_episode"]
+    columns += [f"{name}_per_episode" for name in COST_COLUMNS] if costs else []
     out = io.StringIO()
     writer = csv.DictWriter(out, columns, lineterminator="\n")
     writer.writeheader()
     for row, table in rows:
         line: dict[str, object] = {
             "table": table,
-    columns += [f"{name}_per_episode" for name in COST_COLUMNS] if costs else []
             "study": row.study,
             "site": "mean" if row.is_mean else row.places[0].site,
             "route": "mean" if row.is_mean else row.places[0].route,
@@ -288,17 +294,17 @@ def _csv(rows: Iterable[tuple[TableRow, TableName]], *, costs: bool) -> str:
                 line |= {
                     f"{name}_per_100m": getattr(found, name) for name in PER_DISTANCE
                 }
+            if costs:
+                cost = inference_cost(row)
+                line |= {
+                    f"{name}_per_episode": getattr(cost, name) for name in COST_COLUMNS
+                }
         writer.writerow(line)
     return out.getvalue()
 
 
 def _group_title(row: TableRow) -> str:
     if row.is_mean:
-            if costs:
-                cost = inference_cost(row)
-                line |= {
-                    f"{name}_per_episode": getattr(cost, name) for name in COST_COLUMNS
-                }
         title = f"Mean over {len(row.places)} routes"
     else:
         site, route = row.places[0]
