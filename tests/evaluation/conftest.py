@@ -1,6 +1,6 @@
 """Results, settings and runs for the tests of this room."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -10,7 +10,7 @@ import pytest
 from memorymaze.evaluation.plan import RunPlan, plan_run
 from memorymaze.evaluation.provenance import CodeStamp
 from memorymaze.evaluation.results import EpisodeResult
-from memorymaze.evaluation.run_folder import RunRecord
+from memorymaze.evaluation.run_folder import RunRecord, open_run_folder
 from memorymaze.evaluation.settings import AgentSettings, FileStamp, RunSettings
 from memorymaze.simulation import SimulationSettings
 
@@ -93,3 +93,20 @@ def tiny_plan(tiny_sites_folder: Path) -> Callable[..., RunPlan]:
         )
 
     return plan
+
+
+@pytest.fixture
+def write(tmp_path: Path, record: RunRecord) -> Callable[..., Path]:
+    """Write a finished run folder."""
+
+    def finished(
+        name: str, results: Sequence[EpisodeResult], episodes: int = 0
+    ) -> Path:
+        settings = replace(record.settings, episodes=episodes or len(results))
+        whole = replace(record, settings=settings)
+        with open_run_folder(tmp_path / name, whole, resume=False) as run:
+            for one in results:
+                run.add(one)
+        return tmp_path / name
+
+    return finished

@@ -1,33 +1,14 @@
 from collections.abc import Callable, Sequence
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from memorymaze.errors import RunFolderError
 from memorymaze.evaluation.results import EpisodeResult
-from memorymaze.evaluation.run_folder import RunRecord, open_run_folder
 from memorymaze.evaluation.tables import Place, TableRow, load_runs, table_rows
 
 Make = Callable[..., EpisodeResult]
 Write = Callable[..., Path]
-
-
-@pytest.fixture
-def write(tmp_path: Path, record: RunRecord) -> Write:
-    """Write a finished run folder."""
-
-    def finished(
-        name: str, results: Sequence[EpisodeResult], episodes: int = 0
-    ) -> Path:
-        settings = replace(record.settings, episodes=episodes or len(results))
-        whole = replace(record, settings=settings)
-        with open_run_folder(tmp_path / name, whole, resume=False) as run:
-            for one in results:
-                run.add(one)
-        return tmp_path / name
-
-    return finished
 
 
 def measured(rows: Sequence[TableRow]) -> dict[tuple[object, ...], TableRow]:

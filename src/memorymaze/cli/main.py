@@ -15,6 +15,7 @@ from collections.abc import Sequence
 from memorymaze import __version__
 from memorymaze.cli import (
     agents,
+    compare,
     evaluate,
     instructions,
     navigate,
@@ -91,6 +92,7 @@ def _parser() -> argparse.ArgumentParser:
         navigate,
         evaluate,
         table,
+        compare,
         score,
         instructions,
         sites,

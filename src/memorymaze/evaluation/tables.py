@@ -16,7 +16,16 @@ from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import RunRecord, read_run
 from memorymaze.instructions.published import PublishedResult, published_tables
 
-__all__ = ["MeasuredRun", "Place", "TableName", "TableRow", "load_runs", "table_rows"]
+__all__ = [
+    "MeasuredRun",
+    "Place",
+    "TableName",
+    "TableRow",
+    "load_runs",
+    "place_title",
+    "places_of",
+    "table_rows",
+]
 
 TableName = Literal["II", "III"]
 
@@ -125,7 +134,7 @@ def table_rows(runs: Sequence[MeasuredRun], table: TableName) -> list[TableRow]:
     iterations = (None,) if table == "II" else (1, 2)
     rows: list[TableRow] = []
     for study in STUDIES:
-        places = _places(runs, study)
+        places = places_of((r for run in runs for r in run.results), study)
         groups = [[place] for place in places]
         if len(places) > 1:
             groups.append(places)
@@ -137,14 +146,20 @@ def table_rows(runs: Sequence[MeasuredRun], table: TableName) -> list[TableRow]:
     return rows
 
 
-def _places(runs: Iterable[MeasuredRun], study: str) -> list[Place]:
+def places_of(results: Iterable[EpisodeResult], study: str) -> list[Place]:
     """Return the routes of a study: the paper's in its order, then others by name."""
-    found = {
-        Place(r.site, r.route) for run in runs for r in run.results if r.study == study
-    }
+    found = {Place(r.site, r.route) for r in results if r.study == study}
     paper = list(dict.fromkeys(_place(row) for row in published_tables().models))
     known = [place for place in paper if place in found]
     return known + sorted(found.difference(paper))
+
+
+def place_title(places: Sequence[Place]) -> str:
+    """Return how a row is headed: `Museum 5F R1`, or `Mean over 6 routes`."""
+    if len(places) > 1:
+        return f"Mean over {len(places)} routes"
+    site, route = places[0]
+    return f"{site.replace('_', ' ').title()} {route}"
 
 
 def _measured(

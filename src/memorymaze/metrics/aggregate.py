@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from memorymaze.errors import UndefinedMetricError
 
-__all__ = ["Estimate", "mean", "participant_bootstrap"]
+__all__ = ["Estimate", "mean", "participant_bootstrap", "tallies"]
 
 FloatArray = NDArray[np.float64]
 
@@ -89,7 +89,7 @@ def participant_bootstrap(
             f"expected a level between 0 and 1 and resamples >= 1, got {level} and "
             f"{resamples}"
         )
-    sums, counts = _tallies(table, participants, labels)
+    sums, counts = tallies(table, participants, labels)
     means = (sums.sum(axis=0) / counts.sum(axis=0)[:, None]).mean(axis=0)
     _, group = np.unique(counts > 0, axis=0, return_inverse=True)
     group = group.reshape(-1)
@@ -123,7 +123,7 @@ def _checked(values: ArrayLike, ndim: int) -> FloatArray:
     return numbers
 
 
-def _tallies(
+def tallies(
     table: FloatArray, participants: Sequence[str], cells: Sequence[Hashable]
 ) -> tuple[FloatArray, FloatArray]:
     """Return sums (participants, cells, metrics) and counts (participants, cells)."""

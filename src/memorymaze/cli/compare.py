@@ -1,0 +1,43 @@
+"""`memorymaze compare`: two runs on the same instructions."""
+
+import argparse
+
+from memorymaze.cli.verbs import Verbs
+
+__all__ = ["add_parser"]
+
+
+def add_parser(verbs: Verbs) -> None:
+    """Add the verb to the command line."""
+    parser = verbs.add_parser(
+        "compare",
+        help="compare two runs on the same instructions, with a paired test",
+        description="Compare two runs on the episodes that both have: differences with "
+        "paired bootstrap intervals and a test.",
+        epilog="example: memorymaze compare runs/rules runs/mine",
+    )
+    parser.add_argument("first", metavar="A", help="run folder: the baseline")
+    parser.add_argument("second", metavar="B", help="run folder: what is compared")
+    parser.add_argument(
+        "--format",
+        choices=["text", "md", "csv"],
+        default="text",
+        help="aligned text, Markdown, or CSV (default: text)",
+    )
+    parser.add_argument(
+        "--exclude-dev",
+        action="store_true",
+        help="leave out the instructions that prompts may be built from (split dev)",
+    )
+    parser.set_defaults(run=_run)
+
+
+def _run(options: argparse.Namespace) -> int:
+    from memorymaze.evaluation.comparison import compare_runs
+    from memorymaze.evaluation.comparison_formats import format_comparison
+    from memorymaze.evaluation.tables import load_runs
+
+    folders = [options.first, options.second]
+    first, second = load_runs(folders, exclude_dev=options.exclude_dev)
+    print(format_comparison(compare_runs(first, second), options.format), end="")
+    return 0

@@ -1,0 +1,86 @@
+import csv
+import io
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from memorymaze.errors import RunFolderError
+from memorymaze.evaluation.comparison import Outcomes, compare_runs
+from memorymaze.evaluation.comparison_formats import format_comparison
+from memorymaze.evaluation.results import EpisodeResult
+from memorymaze.evaluation.tables import Place, load_runs
+
+Make = Callable[..., EpisodeResult]
+Write = Callable[..., Path]
+
+
+@pytest.fixture
+def two_runs(write: Write, result: Make) -> list[Path]:
+    """Ten people on two routes; the second agent arrives where the first did not."""
+    people = [f"p{number}" for number in range(10)]
+    before = [
+        result(f"{one}-{route}", route=route, success=False, spd=9.0, agent="old")
+        for one in people
+        for route in ("R1", "R2")
+    ]
+    after = [
+        result(f"{one}-{route}", route=route, success=route == "R1", spd=1.0)
+        for one in people
+        for route in ("R1", "R2")
+    ]
+    return [write("old", before), write("new", after)]
+
+
+def test_differences_are_those_of_the_second_run_to_the_first(
+    two_runs: list[Path],
+) -> None:
+    comparison = compare_runs(*load_runs(two_runs))
+    first, second, mean = comparison.rows
+    assert first.places == (Place("university", "R1"),)
+    assert first.outcomes == Outcomes(0, 0, 10, 0)
+    assert second.outcomes == Outcomes(0, 0, 0, 10)
+    assert mean.places == (*first.places, *second.places)
+    assert (first.difference["sr"].mean, second.difference["sr"].mean) == (1.0, 0.0)
+    assert mean.difference["sr"].mean == 0.5
+    assert mean.difference["spd"].mean == -8.0
+    assert (mean.first["spd"], mean.second["spd"]) == (9.0, 1.0)
+    assert first.p_value["sr"] < 0.01
+    assert second.p_value["sr"] == 1.0
+
+
+def test_a_run_compared_with_itself_shows_no_difference(two_runs: list[Path]) -> None:
+    [run] = load_runs(two_runs[:1])
+    comparison = compare_runs(run, run)
+    assert comparison.settings == ()
+    for row in comparison.rows:
+        assert set(row.p_value.values()) == {1.0}
+        assert {each.mean for each in row.difference.values()} == {0.0}
+
+
+def test_only_episodes_of_both_runs_count_and_the_rest_is_told(
+    write: Write, result: Make
+) -> None:
+    folders = [
+        write("a", [result("x-1"), result("y-1"), result("z-1")]),
+        write("b", [result("x-1"), result("w-1")]),
+    ]
+    comparison = compare_runs(*load_runs(folders))
+    assert (comparison.only_in_first, comparison.only_in_second) == (2, 1)
+    text = format_comparison(comparison, "text")
+    assert "LEFT OUT, as only one run has them: 2 only in A, 1 only in B." in text
+    with pytest.raises(RunFolderError, match="no episode that both have"):
+        compare_runs(*load_runs([folders[0], write("c", [result("v-1")])]))
+
+
+def test_every_format_says_the_same(two_runs: list[Path]) -> None:
+    comparison = compare_runs(*load_runs(two_runs))
+    text = format_comparison(comparison, "text")
+    assert "University R1  (n 10)\n  arrived: 0 / 0 / 10 / 0\n" in text
+    assert max(map(len, text.splitlines())) <= 118
+    markdown = format_comparison(comparison, "md")
+    assert "| online | Mean over 2 routes | 20 |" in markdown
+    rows = list(csv.DictReader(io.StringIO(format_comparison(comparison, "csv"))))
+    assert len(rows) == 3 * 5
+    [mean] = [r for r in rows if r["site"] == "mean" and r["measure"] == "sr"]
+    assert (float(mean["difference"]), mean["only_b"]) == (0.5, "10")
