@@ -17,6 +17,7 @@ from memorymaze.evaluation.vision_captions import (
 from memorymaze.language.caption_store import CaptionStore
 from memorymaze.language.model import Picture
 from memorymaze.language.scripted_model import ScriptedLanguageModel
+from memorymaze.robot.viewpoints import Panorama
 from memorymaze.simulation import SimulatedRobot, build_scene
 from memorymaze.sites import Site
 from memorymaze.sites.navigation_graph import Viewpoint
@@ -43,7 +44,7 @@ def test_the_model_describes_and_the_camera_measures(
 ) -> None:
     model, journal = ScriptedLanguageModel([REPLY], name="eyes"), Journal()
     captions = VisionCaptions(model, CaptionStore(tmp_path / "c.sqlite"), shoot)
-    panorama = captions(robot, PLACE, journal)
+    panorama = captions.in_episode(robot, journal)(PLACE)
     assert [outlook.scene for outlook in panorama.outlooks] == SENTENCES
     assert (panorama.summary, panorama.described_by) == ("A place.", "eyes")
     assert "bench" in str(panorama.outlooks[4].things)
@@ -52,25 +53,34 @@ def test_the_model_describes_and_the_camera_measures(
     assert journal.notes[0]["stage"] == "caption"
 
 
-def test_captions_are_paid_for_once(robot: SimulatedRobot, tmp_path: Path) -> None:
-    model, journal = ScriptedLanguageModel([REPLY, REPLY]), Journal()
-    first = VisionCaptions(model, CaptionStore(tmp_path / "c.sqlite"), shoot)
-    again = VisionCaptions(model, CaptionStore(tmp_path / "c.sqlite"), shoot)
-    assert first(robot, PLACE, journal) == again(robot, PLACE, journal)
-    assert journal.model_calls == 1
-    again(robot, Viewpoint("b" * 32, 5.0, 0.0), journal)
-    assert journal.model_calls == 2
+def test_captions_are_asked_for_once_and_counted_in_every_episode(
+    robot: SimulatedRobot, tmp_path: Path
+) -> None:
+    model = ScriptedLanguageModel(["Hm.", REPLY])
+    journals = [Journal(), Journal()]
+    seen: list[Panorama] = []
+    for journal in journals:
+        store = CaptionStore(tmp_path / "c.sqlite")
+        look = VisionCaptions(model, store, shoot).in_episode(robot, journal)
+        seen += [look(PLACE), look(PLACE)]
+    assert seen == seen[:1] * 4
+    assert len(model.requests) == 2
+    first, second = journals
+    assert first.notes == second.notes
+    assert (first.model_calls, first.tokens) == (second.model_calls, second.tokens)
+    assert first.model_calls == 2
 
 
-def test_another_model_describes_for_itself(
+def test_another_place_and_another_model_are_described_anew(
     robot: SimulatedRobot, tmp_path: Path
 ) -> None:
     store, journal = CaptionStore(tmp_path / "c.sqlite"), Journal()
     for name in ("one", "other"):
-        model = ScriptedLanguageModel([REPLY], name=name)
-        seen = VisionCaptions(model, store, shoot)(robot, PLACE, journal)
-        assert seen.described_by == name
-    assert journal.model_calls == 2
+        model = ScriptedLanguageModel([REPLY, REPLY], name=name)
+        look = VisionCaptions(model, store, shoot).in_episode(robot, journal)
+        assert look(PLACE).described_by == name
+        look(Viewpoint("b" * 32, 5.0, 0.0))
+        assert len(model.requests) == 2
 
 
 def test_a_reply_that_cannot_be_read_is_asked_for_once_more(
@@ -78,7 +88,7 @@ def test_a_reply_that_cannot_be_read_is_asked_for_once_more(
 ) -> None:
     model, journal = ScriptedLanguageModel(["I see a hall.", REPLY]), Journal()
     captions = VisionCaptions(model, CaptionStore(tmp_path / "c.sqlite"), shoot)
-    assert captions(robot, PLACE, journal).summary == "A place."
+    assert captions.in_episode(robot, journal)(PLACE).summary == "A place."
     assert "expected one JSON object" in model.requests[1].messages[-1].content
     assert journal.model_calls == 2
 
@@ -88,8 +98,11 @@ def test_a_model_that_does_not_describe_ends_the_episode(
 ) -> None:
     model = ScriptedLanguageModel(["No.", "No."], name="eyes")
     store = CaptionStore(tmp_path / "c.sqlite")
+    journal = Journal()
+    look = VisionCaptions(model, store, shoot).in_episode(robot, journal)
     with pytest.raises(LanguageModelError, match="eyes: no captions in 2 replies"):
-        VisionCaptions(model, store, shoot)(robot, PLACE, Journal())
+        look(PLACE)
+    assert journal.model_calls == 2
 
 
 def test_a_site_without_a_file_cannot_have_captions_kept(
@@ -100,8 +113,9 @@ def test_a_site_without_a_file_cannot_have_captions_kept(
     captions = VisionCaptions(
         ScriptedLanguageModel([REPLY]), CaptionStore(tmp_path / "c.sqlite"), shoot
     )
+    look = captions.in_episode(robot, Journal())
     with pytest.raises(SettingsError, match="captions=templates"):
-        captions(robot, PLACE, Journal())
+        look(PLACE)
 
 
 @pytest.mark.parametrize(

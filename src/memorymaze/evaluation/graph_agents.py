@@ -28,8 +28,9 @@ VIEWPOINT_SPACING = 2.25
 DRIVING_ROOM = 0.3
 """Metres that edges keep from walls: the robot's radius, and what steering needs."""
 
-Describe = Callable[[SimulatedRobot, Viewpoint, Journal], Panorama]
-"""Describes what is seen from a viewpoint; notes what that costs in the journal."""
+Describe = Callable[[SimulatedRobot, Journal], Callable[[Viewpoint], Panorama]]
+"""Gives, for an episode, what describes what is seen from viewpoints; what that costs is
+counted in the journal."""
 
 
 class NavGPTOnGraph:
@@ -75,7 +76,7 @@ class NavGPTOnGraph:
         walk = ViewpointWalk(
             robot,
             graph_of(robot.scene),
-            None if describe is None else lambda each: describe(robot, each, journal),
+            None if describe is None else describe(robot, journal),
         )
         limits = loop_limits(
             self._agent.options, longest_route_viewpoints(robot.scene.site)

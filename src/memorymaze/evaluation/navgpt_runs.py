@@ -31,4 +31,4 @@ def navgpt_for_runs(settings: AgentSettings, options: NavGPTOptions) -> NavGPTOn
     if options.caption_model is not None:
         looking = build_language_model(replace(settings, model=options.caption_model))
     store = CaptionStore(options.caption_file)
-    return NavGPTOnGraph(agent, VisionCaptions(looking, store))
+    return NavGPTOnGraph(agent, VisionCaptions(looking, store).in_episode)

@@ -3,8 +3,8 @@
 import io
 import json
 import math
-from collections.abc import Callable
-from dataclasses import replace
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
@@ -14,13 +14,9 @@ from PIL import Image
 from memorymaze.agents.agent import Journal
 from memorymaze.errors import LanguageModelError, SettingsError
 from memorymaze.geometry.pose import Pose
-from memorymaze.language.caption_store import (
-    CaptionKey,
-    Captions,
-    CaptionStore,
-    digest,
-)
+from memorymaze.language.caption_store import CaptionKey, CaptionStore, digest
 from memorymaze.language.model import (
+    Completion,
     CompletionRequest,
     LanguageModel,
     Message,
@@ -33,7 +29,7 @@ from memorymaze.simulation.look_around import look_around, sector_headings
 from memorymaze.sites import Site
 from memorymaze.sites.navigation_graph import Viewpoint
 
-__all__ = ["VisionCaptions", "read_captions", "take_pictures"]
+__all__ = ["Captions", "VisionCaptions", "read_captions", "take_pictures"]
 
 PICTURE_WIDTH, PICTURE_HEIGHT = 256, 512
 """Pixels. As wide as a direction, and high enough for floor and ceiling."""
@@ -47,11 +43,22 @@ LONGEST_REPLY = 2000
 Shoot = Callable[[Scene, Viewpoint], tuple[Picture, ...]]
 
 
+@dataclass(frozen=True, slots=True)
+class Captions:
+    """What a vision model says of a viewpoint."""
+
+    views: tuple[str, ...]
+    """A sentence for each of eight directions, north first, then clockwise."""
+    summary: str
+
+
 class VisionCaptions:
     """Sentences by a vision model; things, angles and distances as the camera has them.
 
     The pictures show the building as in its plan, without an episode's people and
-    things, so that captions can be kept and used again. What is kept costs nothing.
+    things, so that captions can be kept and used again. Each episode counts those of
+    every viewpoint it comes to, as if they were made on the way, kept or not: what an
+    episode costs must not depend on which came before.
     """
 
     def __init__(
@@ -64,7 +71,7 @@ class VisionCaptions:
 
         Args:
             model: Is shown eight pictures for each viewpoint.
-            store: Where captions are kept and looked up.
+            store: Where its replies are kept and looked up.
             shoot: Takes the pictures; None for the rendered camera.
         """
         self._model = model
@@ -75,40 +82,59 @@ class VisionCaptions:
             f"{self._prompt} {PICTURE_WIDTH}x{PICTURE_HEIGHT} {PICTURE_FOV:.4f}"
         )
 
-    def __call__(
-        self, robot: SimulatedRobot, viewpoint: Viewpoint, journal: Journal
-    ) -> Panorama:
-        """Return what is seen from a viewpoint.
+    def in_episode(
+        self, robot: SimulatedRobot, journal: Journal
+    ) -> Callable[[Viewpoint], Panorama]:
+        """Return what looks around from viewpoints in one episode.
+
+        It raises `LanguageModelError` where the model does not answer as it was asked
+        to, `RenderingError` where this machine cannot draw, and `SettingsError` where
+        the site was not read from a file.
 
         Args:
             robot: Whose surroundings give the things within reach.
-            viewpoint: Where.
-            journal: What asking the model costs is counted here.
-
-        Raises:
-            LanguageModelError: The model did not answer as it was asked to.
-            RenderingError: This machine cannot draw.
-            SettingsError: The site was not read from a file.
+            journal: What the captions cost is counted here, once for each viewpoint.
         """
-        key = CaptionKey(
-            _fingerprint(robot.scene.site), viewpoint.id, self._model.name, self._asked
-        )
-        captions = self._store.find(key)
-        if captions is None:
-            captions = self._store.keep(
-                key, self._ask(self._shoot(robot.scene, viewpoint), journal)
-            )
-        seen = look_around(robot, viewpoint.x, viewpoint.y)
-        return Panorama(
-            tuple(
-                replace(outlook, scene=sentence)
-                for outlook, sentence in zip(seen.outlooks, captions.views, strict=True)
-            ),
-            captions.summary,
-            self._model.name,
-        )
+        told: dict[str, Captions] = {}
 
-    def _ask(self, pictures: tuple[Picture, ...], journal: Journal) -> Captions:
+        def look(viewpoint: Viewpoint) -> Panorama:
+            if viewpoint.id not in told:
+                told[viewpoint.id] = self._captions(robot.scene, viewpoint, journal)
+            captions = told[viewpoint.id]
+            seen = look_around(robot, viewpoint.x, viewpoint.y)
+            return Panorama(
+                tuple(
+                    replace(outlook, scene=sentence)
+                    for outlook, sentence in zip(
+                        seen.outlooks, captions.views, strict=True
+                    )
+                ),
+                captions.summary,
+                self._model.name,
+            )
+
+        return look
+
+    def _captions(
+        self, scene: Scene, viewpoint: Viewpoint, journal: Journal
+    ) -> Captions:
+        key = CaptionKey(
+            _fingerprint(scene.site), viewpoint.id, self._model.name, self._asked
+        )
+        kept = self._store.find(key)
+        if not kept:
+            replies: list[Completion] = []
+            try:
+                self._ask(self._shoot(scene, viewpoint), replies)
+            except LanguageModelError:
+                _count(replies, journal)
+                raise
+            kept = self._store.keep(key, replies)
+        _count(kept, journal)
+        return read_captions(kept[-1].text)
+
+    def _ask(self, pictures: tuple[Picture, ...], replies: list[Completion]) -> None:
+        """Ask until a reply can be read; all of them are added to `replies`."""
         messages = (
             Message("system", self._prompt),
             Message("user", "The eight pictures:", pictures),
@@ -118,18 +144,25 @@ class VisionCaptions:
             completion = self._model.complete(
                 CompletionRequest(messages, max_tokens=LONGEST_REPLY)
             )
-            journal.count(completion, stage="caption")
+            replies.append(completion)
             try:
-                return read_captions(completion.text)
+                read_captions(completion.text)
             except ValueError as error:
                 problem = str(error)
                 messages += (
                     Message("assistant", completion.text or "(nothing)"),
                     Message("user", f"That cannot be used: {problem}. Answer again."),
                 )
+            else:
+                return
         raise LanguageModelError(
             f"{self._model.name}: no captions in {TRIES} replies: {problem}"
         )
+
+
+def _count(replies: Iterable[Completion], journal: Journal) -> None:
+    for completion in replies:
+        journal.count(completion, stage="caption")
 
 
 def read_captions(reply: str) -> Captions:

@@ -1,4 +1,4 @@
-"""Captions of viewpoints kept in a file, so that each is paid for once.
+"""What vision models said of viewpoints, kept in a file, so that it is paid for once.
 
 One SQLite file; several processes may write to it at once.
 """
@@ -6,14 +6,19 @@ One SQLite file; several processes may write to it at once.
 import hashlib
 import json
 import sqlite3
-from collections.abc import Generator
+from collections.abc import Generator, Sequence
 from contextlib import closing, contextmanager
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from pathlib import Path
 
-from memorymaze.errors import LanguageModelError, SettingsError
+from pydantic import TypeAdapter, ValidationError
 
-__all__ = ["CaptionKey", "CaptionStore", "Captions", "digest"]
+from memorymaze.errors import LanguageModelError, SettingsError
+from memorymaze.language.model import Completion
+
+__all__ = ["CaptionKey", "CaptionStore", "digest"]
+
+_REPLIES = TypeAdapter(tuple[Completion, ...])
 
 BUSY_TIMEOUT = 60.0
 """Seconds to wait while another process writes."""
@@ -24,7 +29,7 @@ CREATE TABLE IF NOT EXISTS captions (
     viewpoint TEXT NOT NULL,
     model TEXT NOT NULL,
     prompt TEXT NOT NULL,
-    captions TEXT NOT NULL,
+    replies TEXT NOT NULL,
     PRIMARY KEY (scene, viewpoint, model, prompt)
 )
 """
@@ -44,17 +49,8 @@ class CaptionKey:
     """Digest of what the model is asked, and of how its pictures are taken."""
 
 
-@dataclass(frozen=True, slots=True)
-class Captions:
-    """What a vision model says of a viewpoint."""
-
-    views: tuple[str, ...]
-    """A sentence for each of eight directions, north first, then clockwise."""
-    summary: str
-
-
 class CaptionStore:
-    """Captions by what determines them."""
+    """Replies by what determines them."""
 
     def __init__(self, path: Path | str) -> None:
         """Open or make the file.
@@ -72,8 +68,8 @@ class CaptionStore:
                 "another one with --set caption_file=FILE"
             ) from error
 
-    def find(self, key: CaptionKey) -> Captions | None:
-        """Return the captions kept under a key; None where there are none.
+    def find(self, key: CaptionKey) -> tuple[Completion, ...]:
+        """Return the replies kept under a key, the last one usable; empty for none.
 
         Raises:
             LanguageModelError: The file cannot be read.
@@ -81,26 +77,25 @@ class CaptionStore:
         try:
             with self._open() as database:
                 row = database.execute(
-                    "SELECT captions FROM captions WHERE scene = ? AND viewpoint = ? "
+                    "SELECT replies FROM captions WHERE scene = ? AND viewpoint = ? "
                     "AND model = ? AND prompt = ?",
                     (key.scene, key.viewpoint, key.model, key.prompt),
                 ).fetchone()
-            if row is None:
-                return None
-            record = json.loads(row[0])
-            return Captions(tuple(map(str, record["views"])), str(record["summary"]))
-        except (sqlite3.Error, ValueError, KeyError, TypeError) as error:
+            return () if row is None else _REPLIES.validate_json(row[0])
+        except (sqlite3.Error, ValidationError) as error:
             raise LanguageModelError(
                 f"{self._path}: the captions cannot be read ({error})"
             ) from error
 
-    def keep(self, key: CaptionKey, captions: Captions) -> Captions:
-        """Keep captions; return those that are kept, which another process may have.
+    def keep(
+        self, key: CaptionKey, replies: Sequence[Completion]
+    ) -> tuple[Completion, ...]:
+        """Keep replies; return those that are kept, which another process may have.
 
         Raises:
             LanguageModelError: The file cannot be written.
         """
-        text = json.dumps({"views": captions.views, "summary": captions.summary})
+        text = json.dumps([asdict(each) for each in replies])
         try:
             with self._open() as database:
                 database.execute(
@@ -111,7 +106,7 @@ class CaptionStore:
             raise LanguageModelError(
                 f"{self._path}: captions could not be kept ({error})"
             ) from error
-        return self.find(key) or captions
+        return self.find(key)
 
     @contextmanager
     def _open(self, *, make: bool = False) -> Generator[sqlite3.Connection]:
