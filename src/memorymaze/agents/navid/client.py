@@ -59,7 +59,11 @@ class PolicyServer:
         self._timeout = timeout
         self._retries = retries
         self._first_delay = first_delay
-        self._client = httpx2.Client(timeout=timeout, follow_redirects=False)
+        # Connections that stay open would outlive the episode and go stale.
+        unkept = httpx2.Limits(max_keepalive_connections=0)
+        self._client = httpx2.Client(
+            timeout=timeout, follow_redirects=False, limits=unkept
+        )
 
     def info(self) -> ServerInfo:
         """Ask who is there.

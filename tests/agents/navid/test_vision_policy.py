@@ -1,0 +1,141 @@
+"""A vision model is shown some of the way so far and asked for the next motion."""
+
+import io
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from PIL import Image
+
+from memorymaze.agents.agent import Journal
+from memorymaze.agents.navid import NavidAgent, NavidOptions
+from memorymaze.agents.navid.vision_policy import VisionPolicy, chosen_frames
+from memorymaze.errors import EpisodeOver, LanguageModelError
+from memorymaze.language.model import CompletionRequest, Picture
+from memorymaze.language.scripted_model import ScriptedLanguageModel
+
+AHEAD = '{"reason": "free", "action": "forward", "amount": 75}'
+STOP = '{"reason": "there", "action": "stop"}'
+
+
+def follow(
+    model: ScriptedLanguageModel, robot: object, history: int = 8, **options
+) -> Journal:
+    """Follow until the model says stop."""
+    journal = Journal()
+    policy = VisionPolicy(model, history=history)
+    agent = NavidAgent(policy, NavidOptions(history=history, **options))
+    with pytest.raises(EpisodeOver, match="agent"):
+        agent.follow("To the desk.", robot, journal, np.random.default_rng(0))
+    return journal
+
+
+def question(request: CompletionRequest) -> str:
+    return request.messages[1].content
+
+
+def sizes(request: CompletionRequest) -> list[tuple[int, int]]:
+    return [_open(picture).size for picture in request.messages[1].pictures]
+
+
+def _open(picture: Picture) -> Image.Image:
+    return Image.open(io.BytesIO(picture.data))
+
+
+def test_past_pictures_are_small_and_the_current_one_comes_last_and_large(robot):
+    model = ScriptedLanguageModel([AHEAD, AHEAD, STOP])
+
+    follow(model, robot, history=2)
+
+    small, large = (320, 240), (640, 480)
+    assert [sizes(request) for request in model.requests] == [
+        [large],
+        [small, small, large],
+        [small, small, large],
+    ]
+    # Each picture's grey tells after how many motions it was taken.
+    shown = [
+        round(float(np.asarray(_open(picture)).mean()))
+        for picture in model.requests[-1].messages[1].pictures
+    ]
+    assert shown == [0, 5, 6]
+
+
+def test_each_picture_is_named_by_its_step_and_what_was_done(robot):
+    model = ScriptedLanguageModel([AHEAD, "turn left 30 degrees", STOP])
+
+    follow(model, robot)
+
+    assert question(model.requests[0]).splitlines() == [
+        "The way as it was described:",
+        '"""',
+        "To the desk.",
+        '"""',
+        "Picture 1, the current one: at the start",
+        "What is the next motion?",
+    ]
+    assert question(model.requests[2]).splitlines()[4:9] == [
+        "Picture 1: at the start",
+        "Picture 2: step 1, after 25 cm forward",
+        "Picture 3: step 2, after 25 cm forward",
+        "Picture 4: step 3, after 25 cm forward",
+        "Picture 5, the current one: step 4, after turning left by 30 degrees",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("turn_deg", "said"), [(30, "30, 60 or 90"), (15, "15, 30 or 45")]
+)
+def test_the_prompt_says_which_motions_there_are(robot, turn_deg, said):
+    model = ScriptedLanguageModel([STOP])
+
+    follow(model, robot, turn_deg=turn_deg)
+
+    [request] = model.requests
+    assert "forward by 25, 50 or 75 cm" in request.messages[0].content
+    assert f"by {said} degrees" in request.messages[0].content
+    assert (request.temperature, request.max_tokens) == (0.0, 300)
+
+
+def test_the_model_is_told_what_was_wrong_and_asked_once_more(robot):
+    model = ScriptedLanguageModel(["Onwards!", AHEAD, STOP])
+
+    journal = follow(model, robot)
+
+    assert len(robot.calls) == 3
+    assert "could not be used: the reply has no command" in question(model.requests[1])
+    assert sizes(model.requests[1]) == [(640, 480)]
+    assert journal.model_calls == 3
+
+
+def test_a_model_that_never_makes_sense_moves_nothing(robot):
+    model = ScriptedLanguageModel(lambda _: "As a language model I cannot see.")
+
+    with pytest.raises(LanguageModelError, match="scripted: 5 decisions in a row"):
+        follow(model, robot)
+
+    assert robot.calls == []
+    assert len(model.requests) == 10
+    # Each decision is a new question, so that recorded replies tell them apart.
+    assert len({question(request) for request in model.requests}) == 10
+
+
+def test_an_instruction_cannot_fill_slots_of_the_prompt(robot):
+    model = ScriptedLanguageModel([STOP])
+    with pytest.raises(EpisodeOver):
+        NavidAgent(VisionPolicy(model)).follow(
+            "{FORWARD}", robot, Journal(), np.random.default_rng(0)
+        )
+    assert '"""\n{FORWARD}\n"""' in question(model.requests[0])
+
+
+@given(st.integers(0, 3000), st.integers(0, 20))
+def test_chosen_pictures_are_spread_and_have_the_last(past: int, wanted: int) -> None:
+    chosen = chosen_frames(past, wanted)
+    assert len(chosen) == min(past, wanted)
+    assert chosen == sorted(set(chosen))
+    if chosen:
+        assert chosen[-1] == past - 1
+        gaps = np.diff(chosen)
+        assert gaps.size == 0 or gaps.max() - gaps.min() <= 1

@@ -1,0 +1,227 @@
+"""The NaVid agent in runs: what each budget is enough for, and how it is made."""
+
+import math
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from threading import Thread
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from memorymaze.agents.agent import Journal
+from memorymaze.agents.navid import NavidAgent, NavidOptions, server
+from memorymaze.agents.navid.motions import Command
+from memorymaze.agents.navid.policy import Answer, Frame, Task
+from memorymaze.errors import EpisodeOver, SettingsError
+from memorymaze.evaluation.agents_for_runs import build_agent
+from memorymaze.evaluation.navid_runs import NavidOnSite
+from memorymaze.evaluation.navigation import navigate
+from memorymaze.evaluation.settings import AgentSettings
+from memorymaze.evaluation.step_budgets import stepping_time_budget
+from memorymaze.geometry.pose import turn_between
+from memorymaze.language.model import Completion, Usage
+from memorymaze.simulation import SimulatedRobot, SimulationSettings, build_scene
+from memorymaze.sites import Site
+from memorymaze.sites.records import Route
+
+AHEAD = 1.2
+"""Metres along the route that the stand-in aims at."""
+
+
+class TruePath:
+    """A policy that sees nothing and knows the way: a stand-in for a perfect one."""
+
+    name = "true path"
+
+    def __init__(self, robot: SimulatedRobot, route: Route) -> None:
+        self._robot = robot
+        self._line = route.line
+        self._along = 0.0
+
+    def begin(self, task: Task) -> "TruePath":
+        self._turn = math.radians(task.motions.turn_deg)
+        return self
+
+    def observe(self, frame: Frame) -> None:
+        pass
+
+    def act(self, frame: Frame, problem: str | None = None) -> Answer:
+        return Answer(Completion("", self.name, Usage(), 0.0), "", (self._next(),))
+
+    def close(self) -> None:
+        pass
+
+    def _next(self) -> Command:
+        here = self._robot.pose
+        stops = np.arange(self._along, min(self._along + 2, self._line.length), 0.05)
+        places = [self._line.interpolate(each) for each in stops]
+        if places:
+            away = [math.hypot(each.x - here.x, each.y - here.y) for each in places]
+            self._along = float(stops[int(np.argmin(away))])
+        if self._line.length - self._along < 0.5:
+            return Command("stop")
+        aim = self._line.interpolate(self._along + AHEAD)
+        bearing = math.atan2(aim.y - here.y, aim.x - here.x)
+        off = turn_between(here.heading, bearing)
+        if abs(off) > 0.6 * self._turn:
+            return Command("left" if off > 0 else "right")
+        return Command("forward")
+
+
+@pytest.fixture
+def blind_robot() -> Callable[[Site, Route], SimulatedRobot]:
+    """Put a robot that takes black pictures, at once, at the start of a route."""
+
+    def put(site: Site, route: Route) -> SimulatedRobot:
+        settings = SimulationSettings()
+        settings = SimulationSettings(
+            time_budget=stepping_time_budget(site.routes, settings)
+        )
+        robot = SimulatedRobot(
+            build_scene(site), route.start, settings, np.random.default_rng(0)
+        )
+        black = SimpleNamespace(rgb=np.zeros((480, 640, 3), np.uint8))
+        robot.camera_picture = lambda *_: black  # type: ignore[method-assign]
+        return robot
+
+    return put
+
+
+def walked(robot: SimulatedRobot, route: Route, **options: Any) -> str:
+    """Walk the true path within a budget; return what ended it."""
+    agent = NavidOnSite(NavidAgent(TruePath(robot, route), NavidOptions(**options)))
+    with pytest.raises(EpisodeOver) as over:
+        agent.follow("Go.", robot, Journal(), np.random.default_rng(0))
+    return over.value.stopped_by
+
+
+def test_the_longest_route_can_be_finished_under_the_fair_budget_only(
+    builtin_sites: dict[str, Site],
+    blind_robot: Callable[[Site, Route], SimulatedRobot],
+) -> None:
+    site = builtin_sites["university"]
+    route = site.reference_route("R2")
+    goal = route.line.coords[-1]
+
+    fair, released = blind_robot(site, route), blind_robot(site, route)
+
+    assert walked(fair, route, budget="fair") == "agent"
+    assert math.dist(goal[:2], fair.pose[:2]) < 3.0
+    assert walked(released, route, budget="released") == "budget"
+    assert 90 < released.trajectory().length <= 100
+    assert math.dist(goal[:2], released.pose[:2]) > 3.0
+
+
+@pytest.fixture
+def scripted_server() -> Iterator[Callable[..., str]]:
+    """Start the reference server with a script; returns its address."""
+    servers: list[Any] = []
+
+    def start(*script: str) -> str:
+        http = server.make_server(server.ScriptedPolicy(script))
+        servers.append(http)
+        Thread(target=http.serve_forever, args=(0.01,), daemon=True).start()
+        return f"http://127.0.0.1:{http.server_address[1]}"
+
+    yield start
+    for each in servers:
+        each.shutdown()
+        each.server_close()
+
+
+def ahead(metres: float) -> list[str]:
+    """Say as many short motions as this many metres have."""
+    return ["The next action is move forward 75 cm."] * round(metres / 0.75)
+
+
+def test_a_policy_server_drives_the_robot_to_the_goal(
+    l_site: Site, scripted_server: Callable[..., str], tmp_path: Path
+) -> None:
+    # East to the corner at x = 11, then north.
+    script = [*ahead(10), "turn left 90 degrees.", *ahead(6), "stop"]
+    store = str(tmp_path / "replies.sqlite")
+    agent = AgentSettings(
+        "navid", options=(("server", scripted_server(*script)),), record=store
+    )
+    route = l_site.routes[0]
+
+    run = navigate(l_site, route, "To the corner and left.", agent)
+
+    assert run.result.stopped_by == "agent"
+    assert run.result.success
+    assert run.result.agent == "NaVid protocol with scripted policy 1+fair"
+    assert run.result.model_calls == len(script)
+    pictures = [entry for entry in run.trace if entry.get("call") == "camera_picture"]
+    steps = [
+        entry for entry in run.trace if entry.get("call") in {"step_forward", "rotate"}
+    ]
+    assert len(pictures) == len(steps) + 1
+
+    # Nobody is there any more; the trace has every decision, and all pictures' digests.
+    nowhere = AgentSettings(
+        "navid", options=(("server", "http://127.0.0.1:9"),), replay=store
+    )
+    again = navigate(l_site, route, "To the corner and left.", nowhere)
+    assert again.trace == run.trace
+    assert again.trajectory == run.trajectory
+
+
+def test_pictures_are_the_same_from_process_to_process(tmp_path: Path) -> None:
+    script = """
+import hashlib, sys
+import numpy as np
+from memorymaze.agents.navid.policy import Frame
+from memorymaze.simulation import SimulatedRobot, build_scene
+from memorymaze.sites import load_site
+site = load_site(sys.argv[1])
+robot = SimulatedRobot(build_scene(site), site.routes[0].start)
+for step in range(3):
+    robot.step_forward(0.25)
+    frame = Frame(step, None, robot.camera_picture().rgb, "x")
+    print(hashlib.sha256(frame.jpeg().data + frame.jpeg(320).data).hexdigest())
+"""
+    plan = Path(__file__).parents[1] / "tiny_sites" / "corridor.geojson"
+    printed = [
+        subprocess.run(
+            [sys.executable, "-c", script, str(plan)],
+            capture_output=True,
+            text=True,
+            check=True,
+        ).stdout
+        for _ in range(2)
+    ]
+    assert printed[0] == printed[1]
+    assert len(set(printed[0].split())) == 3
+
+
+@pytest.mark.parametrize(
+    ("settings", "said"),
+    [
+        ({}, "name a vision model with --model, or a policy server"),
+        ({"options": (("server", "nowhere"),)}, "expected an address"),
+        (
+            {"options": (("server", "http://127.0.0.1:9"), ("retries", "0"))},
+            "cannot be reached",
+        ),
+        (
+            {"options": (("server", "http://127.0.0.1:9"),), "model": "x"},
+            "either a vision model or a policy server",
+        ),
+        (
+            {
+                "options": (("server", "http://127.0.0.1:9"),),
+                "record": "a",
+                "replay": "b",
+            },
+            "not both",
+        ),
+        ({"options": (("server", "http://x"),), "replay": "none"}, "no recorded"),
+    ],
+)
+def test_what_cannot_be_made_is_explained(settings: Any, said: str) -> None:
+    with pytest.raises(SettingsError, match=said):
+        build_agent(AgentSettings("navid", **settings))
