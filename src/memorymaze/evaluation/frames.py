@@ -1,0 +1,52 @@
+"""Runs as pandas data frames, for analyses of one's own.
+
+    from memorymaze.evaluation.frames import episode_frame
+
+    frame = episode_frame(["runs/rules", "runs/mine"])
+    frame.groupby(["run", "study", "route"]).success.mean()
+
+Needs the extra `tables`.
+"""
+
+from collections.abc import Sequence
+from dataclasses import asdict, fields
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from memorymaze.errors import SettingsError
+from memorymaze.evaluation.results import EpisodeResult
+from memorymaze.evaluation.run_folder import read_run
+
+if TYPE_CHECKING:
+    import pandas
+
+__all__ = ["episode_frame"]
+
+
+def episode_frame(folders: Sequence[str | Path]) -> "pandas.DataFrame":
+    """Return one row per episode of some runs.
+
+    Columns are `run` (name of the folder) and the fields of `EpisodeResult`, in that
+    order; see `docs/data_formats.md`. Rows are in the order of the folders, and within
+    a run in that of episode ids. A run that is still going on gives what it has.
+
+    Args:
+        folders: Run folders.
+
+    Raises:
+        RunFolderError: A folder is no run, or is damaged.
+        SettingsError: pandas is not installed.
+    """
+    try:
+        import pandas
+    except ImportError:
+        raise SettingsError(
+            "data frames need the package pandas: pip install 'memorymaze[tables]'"
+        ) from None
+    rows = [
+        {"run": Path(folder).resolve().name, **asdict(result)}
+        for folder in folders
+        for result in read_run(folder)[1]
+    ]
+    columns = ["run", *(field.name for field in fields(EpisodeResult))]
+    return pandas.DataFrame(rows, columns=columns)
