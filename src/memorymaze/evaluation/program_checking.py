@@ -6,6 +6,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
+from tqdm import tqdm
+
 from memorymaze.errors import ProgramError
 from memorymaze.evaluation.program_files import missing_programs, read_programs
 from memorymaze.instructions.records import Instruction
@@ -66,7 +68,9 @@ def check_programs(
     remarks = [Remark("problem", problem) for problem in file.problems]
     wanted = [each.id for each in instructions]
     known = set(wanted)
-    for identifier, record in file.records.items():
+    for identifier, record in tqdm(
+        file.records.items(), unit="program", disable=None, leave=False
+    ):
         place = file.places[identifier]
         if identifier not in known:
             text = f"{place}: {identifier!r} is the id of no instruction; not used"
