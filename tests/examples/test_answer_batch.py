@@ -1,0 +1,31 @@
+"""The stand-in for a language model answers what `memorymaze prompts` asks."""
+
+import runpy
+from pathlib import Path
+
+from memorymaze.agents.code_generation import CodeGenerationRequests
+from memorymaze.language.batch_files import read_replies, request_line
+from memorymaze.language.program_screening import screen_program
+from memorymaze.language.reply_reading import read_program, read_steps
+
+EXAMPLE = Path(__file__).parents[2] / "examples/answer_batch.py"
+
+
+def test_the_stand_in_writes_steps_and_programs(tmp_path: Path) -> None:
+    requests = CodeGenerationRequests()
+    asked, got = tmp_path / "asked.jsonl", tmp_path / "got.jsonl"
+    lines = [
+        request_line("steps", "m", requests.parse("Go on. Then left.\nThere it is!")),
+        request_line("program", "m", requests.program("1. Left.\n2. Right.")),
+    ]
+    asked.write_text("\n".join(lines) + "\n", encoding="utf-8")
+
+    runpy.run_path(str(EXAMPLE))["main"](asked, got)
+
+    replies = {name: reply.completion for name, reply in read_replies([got]).items()}
+    assert replies["steps"] is not None
+    assert read_steps(replies["steps"].text) == ["Go on", "Then left", "There it is!"]
+    assert replies["program"] is not None
+    program = read_program(replies["program"].text)
+    assert "['left', 'right']" in program
+    assert screen_program(program) == []
