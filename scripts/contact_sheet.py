@@ -4,6 +4,7 @@ Each thing stands in a hall, drawn as a robot's camera sees it, from 3 m or from
 all of it is in the picture, a little from its left. Things that no plan has follow.
 
     python scripts/contact_sheet.py --out docs/images
+    python scripts/contact_sheet.py --furniture    # ours beside converted models
 """
 
 import argparse
@@ -17,6 +18,10 @@ from shapely import box as rectangle
 
 from memorymaze.geometry.pose import Pose
 from memorymaze.simulation.furnishing import landmark_solid
+from memorymaze.simulation.furniture.cache import Looks
+from memorymaze.simulation.furniture.fitting import furniture_for
+from memorymaze.simulation.looks.assembly import Order
+from memorymaze.simulation.looks.catalogue import archetype_of
 from memorymaze.simulation.rendering.camera import RenderedCamera
 from memorymaze.simulation.rendering.visual_scene import build_visual_scene
 from memorymaze.sites import load_sites
@@ -25,6 +30,10 @@ from memorymaze.sites.records import Area, Landmark, Mount, Site
 CELL, LABEL, GAP = 180, 15, 3
 """Pixels of a picture's side, of the line under it, and between pictures."""
 COLUMNS, ROWS = 9, 7
+PAIRED = 8
+"""Columns of the sheet that has two pictures of each thing."""
+LARGEST_FILE = 300_000
+"""Bytes of a picture in the documents."""
 PIXELS = 720
 """Side of the pictures before they are cut to the thing, pixels."""
 FIELD_OF_VIEW = math.radians(50)
@@ -47,6 +56,7 @@ EXTRAS: tuple[tuple[str, tuple[float, float, float]], ...] = (
     ("stool", (0.4, 0.4, 0.5)),
     ("desk", (1.4, 0.7, 0.74)),
     ("cabinet", (1.0, 0.45, 1.9)),
+    ("rock", (0.6, 0.5, 0.45)),
     ("dinosaur skeleton", (4.0, 1.2, 2.4)),
     ("bicycle", (1.7, 0.55, 1.05)),
     ("car", (3.9, 1.7, 1.45)),
@@ -68,17 +78,46 @@ def main() -> None:
     parser.add_argument(
         "--only", default="", metavar="WORDS", help="categories with this in their name"
     )
+    parser.add_argument(
+        "--furniture",
+        action="store_true",
+        help="one sheet of our things, each beside its converted furniture model",
+    )
     args = parser.parse_args()
     args.out.mkdir(parents=True, exist_ok=True)
     examples = [each for each in _examples() if args.only in each.category]
+    if args.furniture:
+        examples = [each for each in examples if _is_furniture(each)]
+        pairs = zip(
+            _pictures(examples), _pictures(examples, "sweethome3d"), strict=True
+        )
+        pictures = [picture for pair in pairs for picture in pair]
+        _save(_sheet(pictures, PAIRED), args.out / "furniture_sheet.png")
+        return
     pictures = list(_pictures(examples))
     step = COLUMNS * ROWS
     for number, start in enumerate(range(0, len(pictures), step), start=1):
-        path = args.out / f"contact_sheet_{number}.png"
         sheet = _sheet(pictures[start : start + step])
-        palette = sheet.quantize(256, method=Image.Quantize.MAXCOVERAGE, kmeans=2)
+        _save(sheet, args.out / f"contact_sheet_{number}.png")
+
+
+def _save(sheet: Image.Image, path: Path) -> None:
+    """Write with as many colours as the size that documents allow leaves room for."""
+    for colours in (256, 192, 128, 96, 64):
+        palette = sheet.quantize(colours, method=Image.Quantize.MAXCOVERAGE, kmeans=2)
         palette.save(path, optimize=True)
-        print(path)
+        if path.stat().st_size <= LARGEST_FILE:
+            break
+    print(path)
+
+
+def _is_furniture(thing: Landmark) -> bool:
+    archetype = archetype_of(thing.category)
+    if archetype is None:
+        return False
+    length, depth, height = thing.size
+    order = Order(thing.category, length, depth, height, thing.color, thing.text)
+    return furniture_for(archetype, order) is not None
 
 
 def _examples() -> list[Landmark]:
@@ -100,7 +139,7 @@ def _extra(category: str, size: tuple[float, float, float]) -> Landmark:
     )
 
 
-def _pictures(examples: list[Landmark]) -> Iterator[Image.Image]:
+def _pictures(examples: list[Landmark], looks: Looks = "own") -> Iterator[Image.Image]:
     """Draw each thing in its own bay of one long hall."""
     placed = [_in_bay(thing, number) for number, thing in enumerate(examples)]
     hall = Area(
@@ -116,7 +155,7 @@ def _pictures(examples: list[Landmark]) -> Iterator[Image.Image]:
         (), (hall,), (), (), (), tuple(placed), (),
     )  # fmt: skip
     with RenderedCamera(
-        build_visual_scene(site),
+        build_visual_scene(site, looks=looks),
         PIXELS,
         PIXELS,
         FIELD_OF_VIEW,
@@ -177,8 +216,8 @@ def _labelled(picture: Image.Image, words: str) -> Image.Image:
     return cell
 
 
-def _sheet(pictures: list[Image.Image]) -> Image.Image:
-    columns = min(COLUMNS, len(pictures))
+def _sheet(pictures: list[Image.Image], columns: int = COLUMNS) -> Image.Image:
+    columns = min(columns, len(pictures))
     rows = math.ceil(len(pictures) / columns)
     wide, tall = CELL + GAP, CELL + LABEL + GAP
     sheet = Image.new("RGB", (columns * wide, rows * tall), (255, 255, 255))

@@ -1,5 +1,6 @@
 """Tiny sites that every room's tests share; their plans are in `tiny_sites/`."""
 
+import os
 from pathlib import Path
 
 import pytest
@@ -7,6 +8,9 @@ import pytest
 from memorymaze.sites import Site, load_site, load_sites
 
 TINY_SITES = Path(__file__).parent / "tiny_sites"
+
+# Furniture models that this user converted must not change what cameras see in tests.
+os.environ["MEMORYMAZE_LOOKS"] = "own"
 
 
 @pytest.fixture(scope="session")

@@ -22,14 +22,16 @@ def add_parser(verbs: Verbs) -> None:
     """Add the verb to the command line."""
     parser = verbs.add_parser(
         "sites",
-        help="list, check and draw site plans",
-        description="List, check and draw site plans (docs/site_plans.md).",
+        help="list, check and draw site plans, and get models for them",
+        description="List, check and draw site plans (docs/site_plans.md), and "
+        "convert models for what stands in them (docs/assets.md).",
         epilog="example: memorymaze sites check my_buildings/annex.geojson",
     )
     parts = parser.add_subparsers(title="verbs", metavar="VERB", required=True)
     _add_list(parts)
     _add_check(parts)
     _add_draw(parts)
+    _add_models(parts)
 
 
 def _add_list(verbs: Verbs) -> None:
@@ -93,6 +95,29 @@ def _add_draw(verbs: Verbs) -> None:
         help="draw this route only, by id or by name such as R1; can be repeated",
     )
     parser.set_defaults(run=_draw)
+
+
+def _add_models(verbs: Verbs) -> None:
+    parser = verbs.add_parser(
+        "models",
+        help="convert furniture models for cameras",
+        description=(
+            "Convert the furniture models of Sweet Home 3D (Debian: apt-get install "
+            "sweethome3d-furniture) into the user's cache. From then on cameras show "
+            "them instead of plainer ones of our own; MEMORYMAZE_LOOKS=own brings "
+            "these back. Their creators and licences are written beside them. Needs "
+            "pip install 'memorymaze[models]'."
+        ),
+        epilog="example: memorymaze sites models",
+    )
+    parser.add_argument(
+        "--from",
+        dest="folder",
+        metavar="DIR",
+        type=Path,
+        help="folder with furniture libraries, *.sh3f (default: where Debian has them)",
+    )
+    parser.set_defaults(run=_models)
 
 
 def _list(args: argparse.Namespace) -> int:
@@ -160,6 +185,22 @@ def _draw(args: argparse.Namespace) -> int:
     out: Path = args.out or Path(f"{path.stem}.png")
     draw_site(site, out, routes=args.route or True)
     print(out)
+    return DONE
+
+
+def _models(args: argparse.Namespace) -> int:
+    from memorymaze.simulation.furniture.cache import build_cache, cache_folder
+    from memorymaze.simulation.furniture.libraries import DEBIAN_FOLDER
+
+    def told(line: str) -> None:
+        print(line, file=sys.stderr)
+
+    made = build_cache(args.folder or DEBIAN_FOLDER, told)
+    kinds = len({each.archetype for each in made})
+    print(
+        f"{counted(len(made), 'model')} for {kinds} kinds of things in {cache_folder()}; "
+        f"creators and licences in {cache_folder() / 'CREDITS.md'}"
+    )
     return DONE
 
 

@@ -10,6 +10,8 @@ import zlib
 from collections.abc import Callable
 from functools import cache
 
+from memorymaze.simulation.furniture.cache import Looks
+from memorymaze.simulation.furniture.fitting import furniture_for
 from memorymaze.simulation.looks import (
     animals,
     aquariums,
@@ -215,10 +217,14 @@ def archetype_of(category: str) -> str | None:
     return None
 
 
-def model_for_landmark(landmark: Landmark) -> ObjectModel:
+def model_for_landmark(landmark: Landmark, looks: Looks = "own") -> ObjectModel:
     """Return how a landmark looks.
 
     Landmarks that differ in nothing one sees share one model.
+
+    Args:
+        landmark: Of a site plan.
+        looks: Whether converted furniture models may stand for it.
     """
     if is_window(landmark):
         return window_model(landmark)
@@ -230,6 +236,7 @@ def model_for_landmark(landmark: Landmark) -> ObjectModel:
         name=landmark.name,
         mount=landmark.mount,
         variant=zlib.crc32(landmark.id.encode()) % VARIANTS,
+        looks=looks,
     )
 
 
@@ -243,6 +250,7 @@ def model_of(
     name: str | None = None,
     mount: Mount = "floor",
     variant: int = 0,
+    looks: Looks = "own",
 ) -> ObjectModel:
     """Return how a thing looks that no plan has, such as a box left in the way.
 
@@ -254,11 +262,17 @@ def model_of(
         name: Proper name, which may say what it shows.
         mount: `floor`, `wall` or `ceiling`.
         variant: Which of several looks.
+        looks: Whether converted furniture models may stand for it.
     """
     length, depth, height = size
     order = Order(
         category, length, depth, height, colour_words, text, name, mount, variant
     )
+    if looks == "sweethome3d":
+        archetype = archetype_of(category)
+        piece = None if archetype is None else furniture_for(archetype, order)
+        if piece is not None:
+            return piece
     return _builder(order)(order).model(length, depth, height)
 
 

@@ -33,8 +33,8 @@ class MeshPart:
     normals: NDArray[np.float32] | None
     """(N, 3) unit vectors that point outwards; None: flat faces."""
     uv: NDArray[np.float32] | None
-    """(N, 2) in [0, 1]: the share of the texture's width from the left, and of its
-    height from the top; None where the material has no texture."""
+    """(N, 2): the share of the texture's width from the left, and of its height from
+    the top; beyond [0, 1] the picture repeats. None where the material has no texture."""
     material: Material
 
 

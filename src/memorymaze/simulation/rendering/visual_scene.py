@@ -11,6 +11,7 @@ from shapely import Point, prepare
 
 from memorymaze.geometry.pose import Pose
 from memorymaze.simulation.furnishing import door_solid, landmark_solid
+from memorymaze.simulation.furniture.cache import Looks, looks_in_use
 from memorymaze.simulation.looks import surfaces
 from memorymaze.simulation.looks.catalogue import model_for_landmark, model_of
 from memorymaze.simulation.looks.doors import model_for_door
@@ -55,6 +56,8 @@ class VisualScene:
     """A building for the eye; any number of cameras of one thread share it."""
 
     site: Site
+    looks: Looks
+    """How things look."""
     model: mujoco.MjModel
     """Only the groups of its geoms change: cameras leave out what cannot be seen."""
     data: mujoco.MjData
@@ -98,19 +101,23 @@ class VisualScene:
             mujoco.mj_kinematics(self.model, self.data)
 
 
-def build_visual_scene(site: Site, movables: Sequence[Movable] = ()) -> VisualScene:
+def build_visual_scene(
+    site: Site, movables: Sequence[Movable] = (), looks: Looks | None = None
+) -> VisualScene:
     """Build what a site looks like. Takes a second or two; OpenGL is not needed.
 
     Args:
         site: A building that passed the checks of `memorymaze.sites`.
         movables: Things and people that `VisualScene.place` will place.
+        looks: How things look; None for `looks_in_use`.
     """
+    looks = looks or looks_in_use()
     spec = mujoco.MjSpec()
     spec.modelname = f"{site.name}_looks"
     _add_light(spec)
     _add_sky(spec)
     structure = structure_of(site)
-    things = _things(site)
+    things = _things(site, looks)
     builder = _Builder(SpecAssembler(spec))
     outlets: list[int] = []
     for transparent in (False, True):
@@ -130,7 +137,7 @@ def build_visual_scene(site: Site, movables: Sequence[Movable] = ()) -> VisualSc
                     )
         for number, (_, placed, centre, radius) in enumerate(things, start=WALL + 1):
             builder.add(placed, number, centre, radius, transparent=transparent)
-    movable_geoms = _add_movables(builder, movables, len(things) + WALL + 1)
+    movable_geoms = _add_movables(builder, movables, len(things) + WALL + 1, looks)
     first_decal = builder.assembler.geom_count
     _add_decals(builder, structure, site)
     for each, geoms in zip(movables, movable_geoms, strict=True):
@@ -141,6 +148,7 @@ def build_visual_scene(site: Site, movables: Sequence[Movable] = ()) -> VisualSc
     data = mujoco.MjData(model)
     scene = VisualScene(
         site,
+        looks,
         model,
         data,
         (
@@ -193,7 +201,7 @@ class _Builder:
 _Thing = tuple[SceneObject, PlacedMeshes, tuple[float, float], float]
 
 
-def _things(site: Site) -> list[_Thing]:
+def _things(site: Site, looks: Looks) -> list[_Thing]:
     floor = site.walkable_floor
     prepare(floor)
     things: list[_Thing] = []
@@ -212,7 +220,7 @@ def _things(site: Site) -> list[_Thing]:
         solid = landmark_solid(landmark, site)
         x, y, z = solid.position
         placed = PlacedMeshes(
-            model_for_landmark(landmark).parts,
+            model_for_landmark(landmark, looks).parts,
             x,
             y,
             z - solid.half_size[2],
@@ -224,7 +232,7 @@ def _things(site: Site) -> list[_Thing]:
 
 
 def _add_movables(
-    builder: _Builder, movables: Sequence[Movable], first_owner: int
+    builder: _Builder, movables: Sequence[Movable], first_owner: int, looks: Looks
 ) -> list[list[int]]:
     """Add a body for each, and return the geoms of each."""
     world = builder.assembler.spec.worldbody
@@ -236,6 +244,7 @@ def _add_movables(
             colour_words=each.color,
             text=each.text,
             variant=number,
+            looks=looks,
         )
         body = world.add_body(name=each.id, mocap=True)
         before = builder.assembler.geom_count

@@ -1,0 +1,1 @@
+"""Furniture models of Sweet Home 3D, converted into the user's cache on request."""
