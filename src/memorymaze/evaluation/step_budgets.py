@@ -17,6 +17,7 @@ from memorymaze.sites.records import Route
 
 __all__ = [
     "fair_steps",
+    "fewest_answers",
     "perfect_steps",
     "stepping_time_budget",
     "time_budget_for",
@@ -108,3 +109,11 @@ def time_budget_for(
     if "steps" in agent_needs(agent):
         return stepping_time_budget(routes, settings)
     return default_time_budget(routes, settings)
+
+
+def fewest_answers(route: Route, most: int, turn_deg: float = TURN_DEG) -> int:
+    """Return how often a policy must be asked on a walk without a mistake.
+
+    Each answer asks for `most` primitives at best; the last one says stop.
+    """
+    return perfect_steps(route, STEP_M * most, turn_deg * most) + 1
