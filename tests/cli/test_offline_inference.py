@@ -158,3 +158,57 @@ def test_the_way_through_files_gives_the_tables_of_the_way_with_a_model(
     ]
     assert tables[0].out == tables[1].out
     assert tables[0].code == tables[1].code == 0
+
+
+def test_a_file_that_is_there_is_not_written_over(
+    memorymaze: Memorymaze, tiny_files: list[str], tmp_path: Path
+) -> None:
+    replies = tmp_path / "replies.jsonl"
+    replies.write_text('{"custom_id": "program/p1-1", "text": "```\\nstop()\\n```"}\n')
+    before = replies.read_bytes()
+    command = ["programs", "read", replies, "--model", "m", "--out"]
+    said = memorymaze(*command, replies)
+    assert said.code == 2
+    assert "exists already" in said.err
+    assert replies.read_bytes() == before
+    said = memorymaze(*command, tmp_path / "no folder" / "x")
+    assert said.code == 2
+    assert "cannot be written" in said.err
+
+
+def test_a_file_with_problems_is_told_line_by_line(
+    memorymaze: Memorymaze, tiny_files: list[str], tmp_path: Path
+) -> None:
+    programs = tmp_path / "programs.jsonl"
+    record = {"instruction_id": "p1-1", "model": "m", "program": "turn('left'"}
+    programs.write_text(json.dumps(record) + "\n{\n", encoding="utf-8")
+    said = memorymaze("programs", "check", programs, *tiny_files[:2])
+    assert (said.code, said.err) == (1, "")
+    assert f"problem: {programs}:2: expected one JSON record" in said.out
+    assert f"crash: {programs}:1: p1-1: line 1: " in said.out
+    assert "no program for 11 of 12 instructions" in said.out
+    run = ["evaluate", "--agent", "code_generation", "--programs", programs]
+    said = memorymaze(*run, *tiny_files, "--out", tmp_path / "run")
+    assert said.code == 1
+    assert f"{programs}:2" in said.err
+    assert not (tmp_path / "run").exists()
+
+
+def test_a_missing_reply_gives_code_1_and_its_instruction(
+    memorymaze: Memorymaze, tmp_path: Path
+) -> None:
+    parsed, written = tmp_path / "parsed.jsonl", tmp_path / "written.jsonl"
+    lines = [
+        json.dumps({"custom_id": f"parse+parser/{each}", "text": "1. Go."}) + "\n"
+        for each in ("a", "b")
+    ]
+    parsed.write_text("".join(lines), encoding="utf-8")
+    reply = {"custom_id": "program+parser/a", "text": "```\nstop()\n```"}
+    written.write_text(json.dumps(reply), encoding="utf-8")
+    said = memorymaze(
+        *("programs", "read", written, "--steps", parsed, "--model", "m"),
+        *("--out", tmp_path / "programs.jsonl"),
+    )
+    assert said.code == 1
+    assert "a reply is missing: b" in said.err
+    assert "1 program, 0 without one (model_error), 1 missing" in said.out
