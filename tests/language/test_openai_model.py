@@ -43,6 +43,13 @@ def reply(text: object = "stop()", **more: object) -> dict[str, object]:
     }
 
 
+def refusal(text: str) -> dict[str, object]:
+    """A server's answer in which the model will not."""
+    message = {"role": "assistant", "content": None, "refusal": text}
+    choice = {"index": 0, "finish_reason": "stop", "message": message}
+    return reply(choices=[choice])
+
+
 def failure(status: int, message: str = "no", **details: object) -> tuple[int, object]:
     return status, {"error": {"message": message, **details}}
 
@@ -51,6 +58,12 @@ CLOSE = object()
 """An answer: the connection is closed without a word."""
 HANG = object()
 """An answer: nothing, for longer than the client waits."""
+CUT = object()
+"""An answer: its first half, then the connection is cut."""
+DRIP = object()
+"""An answer: a byte now and then, without an end."""
+FLOOD = object()
+"""An answer: as fast as it goes, without an end."""
 
 
 class Server:
@@ -76,6 +89,20 @@ class Server:
                 if answer in (HANG, CLOSE):
                     self.close_connection = True
                     self.connection.shutdown(socket.SHUT_RDWR)
+                    return
+                if answer in (CUT, DRIP, FLOOD):
+                    self.send_response(200)
+                    self.send_header("content-type", "application/json")
+                    self.send_header("content-length", str(2**40))
+                    self.end_headers()
+                    self.close_connection = True
+                    part = b" " * (2**20 if answer is FLOOD else 1)
+                    with contextlib.suppress(OSError):
+                        self.wfile.write(b'{"choices": [')
+                        while answer is not CUT and not server.released.wait(
+                            0.001 if answer is DRIP else 0
+                        ):
+                            self.wfile.write(part)
                     return
                 status, body = answer if isinstance(answer, tuple) else (200, answer)
                 kind = "text/html" if body == "<html>" else "application/json"
@@ -195,8 +222,16 @@ def test_without_a_price_the_cost_is_unknown_and_without_usage_nothing_is_counte
 
 @pytest.mark.parametrize(
     "trouble",
-    [failure(429), failure(500), failure(503), failure(408), CLOSE, (502, "<html>")],
-    ids=["busy", "failing", "overloaded", "too slow", "hangs up", "bad gateway"],
+    [
+        failure(429),
+        failure(500),
+        failure(503),
+        failure(408),
+        CLOSE,
+        CUT,
+        (502, "<html>"),
+    ],
+    ids=["busy", "failing", "overloaded", "too slow", "hangs up", "cut", "bad gateway"],
 )
 def test_passing_trouble_is_tried_again(trouble: object):
     with Server(trouble, trouble, reply("at last")) as server:
@@ -205,9 +240,19 @@ def test_passing_trouble_is_tried_again(trouble: object):
     assert len(server.requests) == 3
 
 
-def test_a_slow_answer_is_tried_again():
-    with Server(HANG, reply("at last")) as server:
-        assert server.model(timeout=0.05).complete(REQUEST).text == "at last"
+@pytest.mark.parametrize("trouble", [HANG, DRIP], ids=["silent", "without an end"])
+def test_a_slow_answer_is_tried_again(trouble: object):
+    with Server(trouble, reply("at last")) as server:
+        assert server.model(timeout=0.3).complete(REQUEST).text == "at last"
+
+
+def test_a_flood_is_stemmed_and_not_asked_for_again():
+    with (
+        Server(FLOOD) as server,
+        pytest.raises(LanguageModelError, match="more than 8388608 bytes"),
+    ):
+        server.model().complete(REQUEST)
+    assert len(server.requests) == 1
 
 
 def test_waits_double_unless_the_server_asks_for_longer(monkeypatch):
@@ -236,7 +281,9 @@ def test_waits_double_unless_the_server_asks_for_longer(monkeypatch):
         (failure(429, "slow down"), "answered 429: .*slow down.* (3 attempts)"),
         (failure(500, "oh\nno"), "answered 500: .* (3 attempts)"),
         (CLOSE, "cannot be reached: .* (3 attempts)"),
+        (CUT, "cannot be reached: .* (3 attempts)"),
         (HANG, "did not answer in time (3 attempts)"),
+        (DRIP, "did not answer in time (3 attempts)"),
         (failure(401, "bad key"), "answered 401: .*bad key"),
         (failure(404, "no such model"), "answered 404: .*no such model"),
         (
@@ -251,6 +298,7 @@ def test_waits_double_unless_the_server_asks_for_longer(monkeypatch):
         (reply(choices=[{}]), "without text in it (finish_reason None)"),
         (reply(choices=["yes"]), "without text in it"),
         (reply(None), "without text in it (finish_reason stop)"),
+        (refusal("I cannot help with that."), "without text in it.*cannot help with"),
         (reply(" \n"), "without text in it (finish_reason stop)"),
         (reply(5), "without text in it"),
         (reply("left \ud800"), "with halves of characters in it"),
@@ -259,13 +307,12 @@ def test_waits_double_unless_the_server_asks_for_longer(monkeypatch):
 )
 def test_every_failure_is_one_line_with_its_cause(answer: object, message: str):
     pattern = message.replace("(", r"\(").replace(")", r"\)")
+    slow = answer in (HANG, DRIP)
     with (
         Server(answer) as server,
         pytest.raises(LanguageModelError, match=pattern) as caught,
     ):
-        server.model(retries=2, timeout=0.05 if answer is HANG else 5.0).complete(
-            REQUEST
-        )
+        server.model(retries=2, timeout=0.05 if slow else 5.0).complete(REQUEST)
 
     assert str(caught.value).startswith(f"language model small at {server.url} ")
     assert "\n" not in str(caught.value)

@@ -9,6 +9,7 @@ from urllib.parse import urlsplit
 import openai
 
 from memorymaze.errors import LanguageModelError, SettingsError
+from memorymaze.language.bounded_http import bounded_client
 from memorymaze.language.model import Completion, CompletionRequest, Message, Usage
 
 __all__ = ["OpenAIModel"]
@@ -49,7 +50,7 @@ class OpenAIModel:
                 OPENAI_BASE_URL or OpenAI's own.
             api_key: Else MEMORYMAZE_API_KEY or OPENAI_API_KEY; a server of one's own
                 needs none.
-            timeout: Seconds to wait for a reply, and for each part of it.
+            timeout: Seconds to wait for the end of a reply.
             retries: Attempts after the first.
             first_delay: Seconds before the second attempt.
             grammar_server: Kind of server, if it shall hold replies to the grammars
@@ -84,6 +85,7 @@ class OpenAIModel:
             api_key=api_key or "none",
             timeout=timeout,
             max_retries=0,
+            http_client=bounded_client(timeout),
         )
 
     @property
@@ -187,10 +189,17 @@ class OpenAIModel:
         choices = getattr(answer, "choices", None)
         if not isinstance(choices, list) or not choices:
             raise self._unusable("without a choice in it")
-        text = getattr(getattr(choices[0], "message", None), "content", None)
+        message = getattr(choices[0], "message", None)
+        text = getattr(message, "content", None)
         if not isinstance(text, str) or not text.strip():
             reason = getattr(choices[0], "finish_reason", None)
-            raise self._unusable(f"without text in it (finish_reason {reason})")
+            refusal = getattr(message, "refusal", None)
+            said = (
+                f"; it refuses: {' '.join(refusal.split())[:200]}"
+                if isinstance(refusal, str)
+                else ""
+            )
+            raise self._unusable(f"without text in it (finish_reason {reason}){said}")
         if len(text) > LONGEST_REPLY:
             raise self._unusable(
                 f"of {len(text)} characters, more than {LONGEST_REPLY}"

@@ -1,0 +1,73 @@
+"""What a run may spend is kept by all of its processes together."""
+
+from pathlib import Path
+
+import pytest
+
+from memorymaze.errors import LanguageModelError, SpendingLimitReached
+from memorymaze.language.model import CompletionRequest, Message, Usage
+from memorymaze.language.pricing import PricedModel, TokenPrice
+from memorymaze.language.scripted_model import ScriptedLanguageModel
+from memorymaze.language.spending import Ledger, LimitedModel, Spent
+
+REQUEST = CompletionRequest((Message("user", "four words are here"),))
+
+
+def five_tokens_each() -> PricedModel:
+    """A model whose replies cost 5 tokens and 5 dollars each."""
+    model = ScriptedLanguageModel(lambda request: "yes")
+    return PricedModel(model, TokenPrice(1e6, 1e6))
+
+
+@pytest.mark.parametrize("shared", [True, False], ids=["in a file", "on its own"])
+def test_a_limit_is_passed_by_one_reply_at_most(tmp_path: Path, shared: bool) -> None:
+    ledger = Ledger(tmp_path / "spending.jsonl" if shared else None)
+    for limits in ({"max_cost": 12.0}, {"max_tokens": 28}):
+        model = LimitedModel(five_tokens_each(), ledger, **limits)
+        for _ in range(3):
+            model.complete(REQUEST)
+        with pytest.raises(SpendingLimitReached, match=r"of .* allowed with --max-"):
+            model.complete(REQUEST)
+    assert ledger.spent() == Spent(30, 30.0)
+
+
+def test_processes_add_up_what_they_spend(tmp_path: Path) -> None:
+    path = tmp_path / "spending.jsonl"
+    one, other = Ledger(path), Ledger(path)
+    assert one.spent() == Spent(0, 0.0)
+    one.add(Usage(10, 2, 0.5))
+    assert other.spent() == Spent(12, 0.5)
+    other.add(Usage(1, 1, None))
+    assert one.spent() == other.spent() == Ledger(path).spent() == Spent(14, 0.5)
+
+
+def test_a_line_that_is_being_written_counts_when_it_is_whole(tmp_path: Path) -> None:
+    path = tmp_path / "spending.jsonl"
+    ledger = Ledger(path)
+    ledger.add(Usage(10, 2, 0.5))
+    whole = path.read_bytes()
+    path.write_bytes(whole + whole[:9])
+    assert ledger.spent() == Spent(12, 0.5)
+    path.write_bytes(whole + whole)
+    assert ledger.spent() == Spent(24, 1.0)
+
+
+def test_failures_cost_nothing_that_is_known(tmp_path: Path) -> None:
+    ledger = Ledger(tmp_path / "spending.jsonl")
+    model = LimitedModel(ScriptedLanguageModel([]), ledger, max_tokens=1)
+    for _ in range(2):
+        with pytest.raises(LanguageModelError):
+            model.complete(REQUEST)
+    assert ledger.spent() == Spent(0, 0.0)
+
+
+def test_a_server_that_counts_nothing_cannot_be_limited(tmp_path: Path) -> None:
+    class Silent(ScriptedLanguageModel):
+        def complete(self, request: CompletionRequest):
+            from dataclasses import replace
+
+            return replace(super().complete(request), usage=Usage())
+
+    model = LimitedModel(Silent(["yes"]), Ledger(None), max_tokens=5)
+    with pytest.raises(SpendingLimitReached, match="does not tell how many tokens"):
+        model.complete(REQUEST)
