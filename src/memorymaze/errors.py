@@ -3,6 +3,7 @@
 __all__ = [
     "CaseFileError",
     "CommandError",
+    "DetectorError",
     "EpisodeOver",
     "InstructionFileError",
     "InstructionFileWarning",
@@ -63,6 +64,10 @@ class CaseFileError(MemoryMazeError):
 
 class UndefinedMetricError(MemoryMazeError):
     """A metric is undefined on this input (empty or disconnected paths)."""
+
+
+class DetectorError(MemoryMazeError):
+    """A detector or reader of signs did not answer, or its answer cannot be used."""
 
 
 class LanguageModelError(MemoryMazeError):

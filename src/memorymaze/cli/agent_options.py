@@ -109,6 +109,19 @@ def add_episode_options(parser: argparse.ArgumentParser) -> None:
         help="where the robot knows turning points from: annotated (the site plan, "
         "the default) or lidar (its scans and odometry)",
     )
+    parser.add_argument(
+        "--detector",
+        metavar="NAME[:SETTINGS]",
+        help="what looks for objects: truth (the default), truth:errors or truth:miss=0.2 "
+        "(with mistakes), grounding-dino:CHECKPOINT,box_threshold=0.35 (a model, from "
+        "the camera's picture), remote:URL (a server). See docs/perception.md",
+    )
+    parser.add_argument(
+        "--signs",
+        metavar="SOURCE",
+        help="how read_signs reads: truth (the default) or ocr (from the camera's "
+        "picture)",
+    )
 
 
 def episode_settings(options: argparse.Namespace) -> dict[str, Any]:
@@ -122,6 +135,14 @@ def episode_settings(options: argparse.Namespace) -> dict[str, Any]:
     )
     given = {name: getattr(options, name) for name in names}
     settings = {name: value for name, value in given.items() if value is not None}
+    if options.detector is not None:
+        from memorymaze.perception.detector_choice import parse_detector
+
+        settings["detector"] = parse_detector(options.detector)
+    if options.signs is not None:
+        from memorymaze.perception.detector_choice import parse_signs
+
+        settings["signs"] = parse_signs(options.signs)
     if options.obstacles is not None:
         from memorymaze.simulation.obstacles import parse_obstacles
 

@@ -10,6 +10,7 @@ from memorymaze.geometry.grid import FloorGrid
 from memorymaze.geometry.trajectory import Trajectory
 from memorymaze.instructions.records import Episode
 from memorymaze.metrics.score import MetricValues, score_walk
+from memorymaze.perception.detector_choice import Eyes
 from memorymaze.simulation import (
     Scene,
     SimulatedRobot,
@@ -29,15 +30,23 @@ class Arena:
     What is costly is made once, when it is first needed.
     """
 
-    def __init__(self, site: Site, obstacles: ObstacleSettings | None = None) -> None:
+    def __init__(
+        self,
+        site: Site,
+        obstacles: ObstacleSettings | None = None,
+        eyes: Eyes | None = None,
+    ) -> None:
         """Stand for a site; nothing is built yet.
 
         Args:
             site: The building.
             obstacles: Things in the way and people that every episode is to have.
+            eyes: Makes the detector and reader of signs of every episode; None for
+                those that know the truth.
         """
         self.site = site
         self.obstacles = obstacles
+        self.eyes = eyes or Eyes()
 
     @cached_property
     def scene(self) -> Scene:
@@ -55,8 +64,17 @@ class Arena:
         settings: SimulationSettings,
         rng: np.random.Generator,
         on_event: Callable[[TraceEvent], None],
+        detector_rng: np.random.Generator | None = None,
     ) -> SimulatedRobot:
-        """Put a robot at the start of an episode."""
+        """Put a robot at the start of an episode.
+
+        Args:
+            episode: Where it starts.
+            settings: Its abilities.
+            rng: Of its wheels and sensors.
+            on_event: Called after each call of the control API.
+            detector_rng: Of the detector's mistakes; None seeds one with 0.
+        """
         placing = None
         if self.obstacles is not None:
             placing = obstacle_generator(self.obstacles.seed, episode.id)
@@ -66,6 +84,10 @@ class Arena:
             settings,
             rng,
             on_event,
+            detector=self.eyes.detector_for(
+                detector_rng or np.random.default_rng(0), settings.detection_range
+            ),
+            sign_reader=self.eyes.sign_reader(),
             obstacles_rng=placing,
             keep_free=episode.reference_path,
         )

@@ -10,6 +10,7 @@ from typing import Any, NamedTuple, cast
 
 from memorymaze.agents.agent import Agent, Journal
 from memorymaze.errors import (
+    DetectorError,
     EpisodeOver,
     InterpreterLostError,
     LanguageModelError,
@@ -19,7 +20,7 @@ from memorymaze.errors import (
 from memorymaze.evaluation.agent_failures import failure_line, failure_traceback
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.results import EpisodeResult, StoppedBy
-from memorymaze.evaluation.seeds import episode_generators
+from memorymaze.evaluation.seeds import detector_generator, episode_generators
 from memorymaze.evaluation.settings import RunSettings
 from memorymaze.evaluation.turns import turns_in_order
 from memorymaze.geometry.trajectory import Trajectory
@@ -76,6 +77,7 @@ def _attempt(
         settings.simulation,
         robot_rng,
         lambda event: trace.append(_call(event)),
+        detector_generator(settings.seed, episode.id),
     )
     journal = Journal(
         listener=lambda entry: trace.append(_note(robot.time, entry)),
@@ -176,7 +178,7 @@ def _follow(
 
 
 def _outcome(problem: BaseException) -> StoppedBy:
-    if isinstance(problem, LanguageModelError):
+    if isinstance(problem, LanguageModelError | DetectorError):
         return "model_error"
     return "unsafe" if isinstance(problem, ProgramError) and problem.unsafe else "crash"
 

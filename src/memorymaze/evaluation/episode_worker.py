@@ -16,6 +16,7 @@ from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.settings import RunSettings
 from memorymaze.evaluation.trace import write_trace
 from memorymaze.instructions.records import Episode
+from memorymaze.perception.detector_choice import Eyes
 from memorymaze.robot.api import Robot
 from memorymaze.sites import Site
 
@@ -56,7 +57,10 @@ class EpisodeWorker:
         """
         agent_for = build_agent(self.settings.agent)
         obstacles = self.settings.obstacles
-        arenas = {name: Arena(site, obstacles) for name, site in self.sites.items()}
+        eyes = Eyes(self.settings.detector, self.settings.signs)
+        arenas = {
+            name: Arena(site, obstacles, eyes) for name, site in self.sites.items()
+        }
 
         def run(task: EpisodeTask) -> EpisodeResult | LimitReached:
             episode = task.episode

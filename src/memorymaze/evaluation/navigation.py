@@ -12,12 +12,18 @@ from memorymaze.evaluation.agents_for_runs import build_agent
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.durable_files import write_whole
 from memorymaze.evaluation.episode import EpisodeRun, run_episode
+from memorymaze.evaluation.eyes_for_runs import checked_eyes
 from memorymaze.evaluation.settings import AgentSettings, RunSettings
 from memorymaze.evaluation.step_budgets import time_budget_for
 from memorymaze.evaluation.trace import trace_lines
 from memorymaze.instructions.episodes import episodes
 from memorymaze.instructions.records import Instruction
 from memorymaze.metrics.success import SUCCESS_DISTANCE
+from memorymaze.perception.detector_choice import (
+    TRUTH,
+    DetectorSettings,
+    SignSource,
+)
 from memorymaze.simulation import SimulationSettings
 from memorymaze.simulation.obstacles import ObstacleSettings
 from memorymaze.simulation.settings import TurningPoints
@@ -81,6 +87,8 @@ def navigate(
     call_budget: int | None = None,
     obstacles: ObstacleSettings | None = None,
     turning_points: TurningPoints = "annotated",
+    detector: DetectorSettings = TRUTH,
+    signs: SignSource = "truth",
 ) -> EpisodeRun:
     """Let an agent follow a text from the start of a route.
 
@@ -95,6 +103,8 @@ def navigate(
         call_budget: Calls of the control API; None for the default.
         obstacles: Things in the way and people; None for none.
         turning_points: Where the robot knows turning points from.
+        detector: Eyes of `detect_from_RGB_image`.
+        signs: Where `read_signs` knows texts from.
 
     Raises:
         MemoryMazeError: Something that was given cannot be used.
@@ -116,7 +126,10 @@ def navigate(
         success_distance=success_distance,
         simulation=replace(abilities, time_budget=time_budget, call_budget=call_budget),
         obstacles=obstacles,
+        detector=detector,
+        signs=signs,
     )
+    eyes = checked_eyes(detector, signs)
     told = Instruction(
         id=f"{site.name}-{route.id}",
         site=site.name,
@@ -132,7 +145,7 @@ def navigate(
         split="test",
     )
     [episode] = episodes([told], {site.name: site})
-    arena = Arena(site, obstacles)
+    arena = Arena(site, obstacles, eyes)
     return run_episode(build_agent(agent)(episode), episode, arena, settings)
 
 

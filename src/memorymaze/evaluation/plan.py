@@ -6,6 +6,7 @@ from pathlib import Path
 
 from memorymaze.errors import SettingsError
 from memorymaze.evaluation.agents_for_runs import build_agent
+from memorymaze.evaluation.eyes_for_runs import checked_eyes
 from memorymaze.evaluation.program_replay import check_programs_for, with_programs
 from memorymaze.evaluation.settings import (
     AgentSettings,
@@ -18,6 +19,7 @@ from memorymaze.instructions.corpus import BUILTIN_CORPUS, load_instructions
 from memorymaze.instructions.episodes import episodes
 from memorymaze.instructions.records import Episode
 from memorymaze.metrics.success import SUCCESS_DISTANCE
+from memorymaze.perception.detector_choice import TRUTH, DetectorSettings, SignSource
 from memorymaze.simulation.obstacles import ObstacleSettings
 from memorymaze.simulation.settings import SimulationSettings, TurningPoints
 from memorymaze.sites import Site, load_sites
@@ -57,6 +59,8 @@ def plan_run(
     simulation: SimulationSettings | None = None,
     obstacles: ObstacleSettings | None = None,
     turning_points: TurningPoints | None = None,
+    detector: DetectorSettings = TRUTH,
+    signs: SignSource = "truth",
     split: str | None = None,
     corpus: EpisodeCorpus | None = None,
 ) -> RunPlan:
@@ -75,12 +79,15 @@ def plan_run(
             the source of turning points below count before those in it.
         obstacles: Things in the way and people; None for none.
         turning_points: Where the robot knows them from; None for the simulation's.
+        detector: Eyes of `detect_from_RGB_image`.
+        signs: Where `read_signs` knows texts from.
         split: Only instructions of this split; None for all.
         corpus: Episodes with their sites, instead of files and folder.
 
     Raises:
         MemoryMazeError: Something that was given cannot be used.
     """
+    checked_eyes(detector, signs)
     agent, programs = with_programs(agent)
     build_agent(agent)
     if corpus is None:
@@ -110,6 +117,8 @@ def plan_run(
         success_distance=success_distance,
         simulation=abilities,
         obstacles=obstacles,
+        detector=detector,
+        signs=signs,
         programs=None if programs is None else stamp_file(programs.path),
         split=split,
     )

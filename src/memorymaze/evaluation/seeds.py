@@ -4,7 +4,7 @@ import hashlib
 
 import numpy as np
 
-__all__ = ["episode_generators", "obstacle_generator"]
+__all__ = ["detector_generator", "episode_generators", "obstacle_generator"]
 
 
 def episode_generators(
@@ -17,6 +17,17 @@ def episode_generators(
     """
     robot, agent = _root(seed, episode_id).spawn(2)
     return np.random.default_rng(robot), np.random.default_rng(agent)
+
+
+def detector_generator(seed: int, episode_id: str) -> np.random.Generator:
+    """Return the generator of the mistakes that an episode's detector makes.
+
+    Args:
+        seed: Of the run.
+        episode_id: Of the episode.
+    """
+    # The third child: the first two are the robot's and the agent's.
+    return np.random.default_rng(_root(seed, episode_id).spawn(3)[2])
 
 
 def obstacle_generator(seed: int, episode_id: str) -> np.random.Generator:

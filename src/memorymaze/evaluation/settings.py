@@ -10,6 +10,7 @@ from typing import Any
 from memorymaze.errors import SettingsError
 from memorymaze.evaluation.asking import AskingSettings
 from memorymaze.evaluation.inference_time import MEASURED, InferenceTime
+from memorymaze.perception.detector_choice import TRUTH, DetectorSettings, SignSource
 from memorymaze.simulation.obstacles import ObstacleSettings
 from memorymaze.simulation.settings import SimulationSettings
 
@@ -79,6 +80,10 @@ class RunSettings:
     """The robot's abilities, and the budgets of an episode."""
     obstacles: ObstacleSettings | None = None
     """Things in the way and people; None for buildings as in their plans."""
+    detector: DetectorSettings = TRUTH
+    """Eyes of `detect_from_RGB_image`."""
+    signs: SignSource = "truth"
+    """Where `read_signs` knows texts from."""
     programs: FileStamp | None = None
     """Programs that were written elsewhere; None where a model is asked."""
     split: str | None = None

@@ -71,6 +71,8 @@ def summarise(
     return {
         "track": "obstacles" if settings.obstacles is not None else "default",
         "turning_points": settings.simulation.turning_points,
+        "detector": str(settings.detector),
+        "signs": settings.signs,
         "episodes": len(results),
         "episodes_missing": settings.episodes - len(results),
         "instructions_written_by": dict(Counter(r.source for r in results)),
@@ -114,6 +116,12 @@ def summary_lines(summary: dict[str, Any]) -> list[str]:
         lines.append(f"{failed} ended with an error, {count} of them with: {error}")
     if summary["turning_points"] == "lidar":
         lines.append("turning points by LiDAR, not from the site plan")
+    if summary["detector"] != "truth":
+        lines.append(
+            f"detector {summary['detector']}, not the one that knows the truth"
+        )
+    if summary["signs"] != "truth":
+        lines.append(f"signs read by {summary['signs'].upper()} from pictures")
     if summary["track"] == "obstacles":
         rates = summary["safety"]
         lines.append(

@@ -9,6 +9,7 @@ from itertools import groupby
 from typing import Literal
 
 from memorymaze.evaluation.bootstrap import MEASURES, Estimate
+from memorymaze.evaluation.eyes_for_runs import eyes_notes
 from memorymaze.evaluation.inference_cost import (
     COST_COLUMNS,
     COST_KEY,
@@ -93,6 +94,7 @@ def run_notes(run: MeasuredRun) -> list[str]:
         notes.append(
             "TURNING POINTS BY LIDAR (scans and odometry), not from the site plan."
         )
+    notes += eyes_notes(settings)
     if settings.obstacles is not None:
         notes += _obstacle_notes(settings.obstacles, run.results)
     if settings.agent.model is not None:
@@ -242,7 +244,7 @@ def _csv(rows: Iterable[tuple[TableRow, TableName]], *, costs: bool) -> str:
         columns += [name, f"{name}_low", f"{name}_high"]
     columns += ["instructions_written_by", "episodes_missing", "seed"]
     columns += ["success_distance_m", "time_budget_s", "call_budget"]
-    columns += ["turning_points", "track"]
+    columns += ["turning_points", "detector", "signs", "track"]
     columns += ["things_per_100m", "people_per_100m2", "people", "obstacle_seed"]
     columns += [f"{name}_per_100m" for name in PER_DISTANCE] + ["waiting_s_per_episode"]
     columns += [f"{name}_per_episode" for name in COST_COLUMNS] if costs else []
@@ -280,6 +282,8 @@ def _csv(rows: Iterable[tuple[TableRow, TableName]], *, costs: bool) -> str:
                 "time_budget_s": settings.simulation.time_budget,
                 "call_budget": settings.simulation.call_budget,
                 "turning_points": settings.simulation.turning_points,
+                "detector": str(settings.detector),
+                "signs": settings.signs,
                 "track": "default" if settings.obstacles is None else "obstacles",
             }
             if settings.obstacles is not None:

@@ -15,6 +15,7 @@ from memorymaze.evaluation.bootstrap import MEASURES, Estimate, estimate_means
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import RunRecord, read_run
 from memorymaze.instructions.published import PublishedResult, published_tables
+from memorymaze.perception.detector_choice import TRUTH
 
 __all__ = [
     "MeasuredRun",
@@ -234,4 +235,8 @@ def _label(record: RunRecord, results: Iterable[EpisodeResult]) -> str:
     name = ", ".join(sorted(names)) or record.settings.agent.name
     if record.settings.simulation.turning_points == "lidar":
         name += ", turning points by LiDAR"
+    if record.settings.detector != TRUTH:
+        name += f", detector {record.settings.detector}"
+    if record.settings.signs != "truth":
+        name += f", signs by {record.settings.signs.upper()}"
     return name if record.settings.obstacles is None else f"{name}, with obstacles"

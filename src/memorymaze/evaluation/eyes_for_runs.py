@@ -1,0 +1,42 @@
+"""The detector and reader of signs of a run, tried before anything is written."""
+
+from memorymaze.errors import SettingsError
+from memorymaze.evaluation.settings import RunSettings
+from memorymaze.perception.detector_choice import (
+    TRUTH,
+    DetectorSettings,
+    Eyes,
+    SignSource,
+)
+
+__all__ = ["checked_eyes", "eyes_notes"]
+
+
+def checked_eyes(detector: DetectorSettings, signs: SignSource) -> Eyes:
+    """Return eyes that can be used here.
+
+    Raises:
+        SettingsError: A package, a checkpoint or a server is missing, or signs come from
+            nowhere.
+        RenderingError: They need pictures, and this machine cannot draw.
+    """
+    if signs not in ("truth", "ocr"):
+        raise SettingsError(f"signs: expected one of truth, ocr; got {signs!r}")
+    eyes = Eyes(detector, signs)
+    if eyes.need_pictures:
+        # Only these runs load OpenGL.
+        from memorymaze.simulation.rendering.open_gl import choose_backend
+
+        choose_backend()
+    eyes.check()
+    return eyes
+
+
+def eyes_notes(settings: RunSettings) -> list[str]:
+    """Say with which eyes a run was made, where they are not those that know it all."""
+    notes: list[str] = []
+    if settings.detector != TRUTH:
+        notes.append(f"DETECTOR {settings.detector}, not the one that knows the truth.")
+    if settings.signs != "truth":
+        notes.append(f"SIGNS READ BY {settings.signs.upper()} from pictures.")
+    return notes

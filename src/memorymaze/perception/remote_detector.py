@@ -1,0 +1,215 @@
+"""A detector behind an HTTP server; the JSON is described in `docs/perception.md`.
+
+`detector_server.py` is a server that speaks it.
+"""
+
+import base64
+import http.client
+import io
+import time
+import urllib.error
+import urllib.request
+from typing import Annotated
+from urllib.parse import urlsplit
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
+
+from memorymaze.errors import DetectorError, SettingsError
+from memorymaze.perception.picture_detector import FoundBox
+
+__all__ = ["DetectionReply", "DetectionRequest", "RemoteFinder"]
+
+LONGEST_REPLY = 4_000_000
+"""Bytes."""
+WORTH_ANOTHER_TRY = frozenset({408, 425, 429, 500, 502, 503, 504})
+"""States of servers that may soon be another."""
+
+Number = Annotated[float, Field(allow_inf_nan=False)]
+Share = Annotated[float, Field(ge=0, le=1, allow_inf_nan=False)]
+
+
+class DetectionRequest(BaseModel):
+    """What is sent: a picture, what to look for, and thresholds."""
+
+    model_config = ConfigDict(extra="forbid")
+
+    image: str
+    """The picture's file, PNG or JPEG, in base64."""
+    query: str
+    """What to look for, in a few words."""
+    box_threshold: Share = 0.35
+    """Least score of a box."""
+    text_threshold: Share = 0.25
+    """Least score of a word to be part of the label."""
+
+
+class DetectionReply(BaseModel):
+    """What comes back: three lists of the same length."""
+
+    boxes: list[tuple[Number, Number, Number, Number]]
+    """Pixels (left, top, right, bottom) of the picture sent."""
+    labels: list[str]
+    """What the model calls each."""
+    scores: list[Share]
+    """How sure it is of each, 0 to 1."""
+
+    @model_validator(mode="after")
+    def _check(self) -> "DetectionReply":
+        if not len(self.boxes) == len(self.labels) == len(self.scores):
+            raise ValueError(
+                "expected as many boxes as labels and scores, got "
+                f"{len(self.boxes)}, {len(self.labels)} and {len(self.scores)}"
+            )
+        for left, top, right, bottom in self.boxes:
+            if left > right or top > bottom:
+                raise ValueError(
+                    "expected boxes as left, top, right, bottom, got "
+                    f"{[left, top, right, bottom]}"
+                )
+        return self
+
+
+class RemoteFinder:
+    """Asks a server what is in a picture; implements `ObjectFinder`.
+
+    A failing or busy server (408, 425, 429, 5xx), a lost connection and a time-out are
+    tried again, each time after twice the wait.
+    """
+
+    def __init__(
+        self,
+        url: str,
+        *,
+        box_threshold: float = 0.35,
+        text_threshold: float = 0.25,
+        timeout: float = 60.0,
+        retries: int = 2,
+        first_delay: float = 1.0,
+    ) -> None:
+        """Prepare a client; nothing is sent yet.
+
+        Args:
+            url: Address that requests are posted to, http or https.
+            box_threshold: Sent along; boxes below it are dropped here too.
+            text_threshold: Sent along.
+            timeout: Seconds to wait for each part of a reply.
+            retries: Attempts after the first.
+            first_delay: Seconds before the second attempt.
+
+        Raises:
+            SettingsError: The address is none.
+        """
+        try:
+            parts = urlsplit(url)
+            good = parts.scheme in {"http", "https"} and bool(parts.hostname)
+            _ = parts.port
+        except ValueError:
+            good = False
+        if not good:
+            raise SettingsError(
+                "detector remote: expected the address of a server such as "
+                f"http://localhost:8000/detect, got {url!r}"
+            )
+        self._url = url
+        self._box_threshold = box_threshold
+        self._text_threshold = text_threshold
+        self._timeout = timeout
+        self._retries = retries
+        self._first_delay = first_delay
+
+    def check(self) -> None:
+        """Send a small grey picture, to find out early what is wrong.
+
+        Raises:
+            SettingsError: No server answers there as it should.
+        """
+        try:
+            self.find(np.full((48, 64, 3), 128, dtype=np.uint8), "door")
+        except DetectorError as error:
+            raise SettingsError(f"{error}. Is the server running?") from error
+
+    def find(self, rgb: NDArray[np.uint8], query: str) -> list[FoundBox]:
+        """Return what the server finds; see `ObjectFinder.find`.
+
+        Raises:
+            DetectorError: No usable answer came, after all retries.
+        """
+        file = io.BytesIO()
+        Image.fromarray(rgb).save(file, "PNG", compress_level=1)
+        request = DetectionRequest(
+            image=base64.b64encode(file.getvalue()).decode("ascii"),
+            query=query,
+            box_threshold=self._box_threshold,
+            text_threshold=self._text_threshold,
+        )
+        answer = self._ask(_encoded(request))
+        try:
+            reply = DetectionReply.model_validate_json(answer)
+        except ValidationError as error:
+            first = error.errors()[0]
+            where = ".".join(map(str, first["loc"])) or "the whole"
+            raise self._failed(
+                f"sent something that is no list of detections ({where}: "
+                f"{first['msg']})"
+            ) from error
+        return [
+            FoundBox(box, label.strip() or query.strip(), score)
+            for box, label, score in zip(
+                reply.boxes, reply.labels, reply.scores, strict=True
+            )
+            if score >= self._box_threshold
+        ]
+
+    def _ask(self, body: bytes) -> bytes:
+        attempt = 0
+        while True:
+            try:
+                return self._post(body)
+            except urllib.error.HTTPError as error:
+                why = f"answered {error.code} {error.reason}{_said(error)}"
+                final = error.code not in WORTH_ANOTHER_TRY
+            except (OSError, http.client.HTTPException) as error:
+                reason = getattr(error, "reason", error)
+                late = isinstance(reason, TimeoutError)
+                why = (
+                    f"did not answer within {self._timeout:g} s"
+                    if late
+                    else f"could not be asked ({reason or type(error).__name__})"
+                )
+                final = False
+            attempt += 1
+            if final or attempt > self._retries:
+                tries = "" if attempt == 1 else f", {attempt} times in a row"
+                raise self._failed(why + tries)
+            time.sleep(self._first_delay * 2 ** (attempt - 1))
+
+    def _post(self, body: bytes) -> bytes:
+        request = urllib.request.Request(
+            self._url, body, {"Content-Type": "application/json"}, method="POST"
+        )
+        with urllib.request.urlopen(request, timeout=self._timeout) as reply:
+            answer = reply.read(LONGEST_REPLY + 1)
+        if len(answer) > LONGEST_REPLY:
+            raise self._failed(f"sent more than {LONGEST_REPLY:,} bytes")
+        return answer
+
+    def _failed(self, why: str) -> DetectorError:
+        return DetectorError(f"detector at {self._url} {why}")
+
+
+def _encoded(request: DetectionRequest) -> bytes:
+    # Words may hold halves of characters, which are no UTF-8.
+    text = request.query.encode("utf-8", "replace").decode("utf-8")
+    return request.model_copy(update={"query": text}).model_dump_json().encode()
+
+
+def _said(error: urllib.error.HTTPError) -> str:
+    """Return the beginning of what a server said with its error."""
+    try:
+        text = error.read(500).decode("utf-8", "replace").strip()
+    except OSError:
+        return ""
+    return f": {text.splitlines()[0][:200]}" if text else ""
