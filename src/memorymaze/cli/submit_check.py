@@ -1,0 +1,70 @@
+"""`memorymaze submit-check`: whether a run can stand on a leaderboard."""
+
+import argparse
+import sys
+
+from memorymaze.cli.verbs import Verbs
+from memorymaze.cli.wording import counted
+
+__all__ = ["add_parser"]
+
+SHOWN = 20
+
+
+def add_parser(verbs: Verbs) -> None:
+    """Add the verb to the command line."""
+    parser = verbs.add_parser(
+        "submit-check",
+        help="check that a run can stand on a leaderboard",
+        description="Check a run folder: every episode, default settings, committed "
+        "code, and traces that give the same figures when they are scored again. Exit "
+        "code 1 where it cannot stand on a leaderboard.",
+        epilog="example: memorymaze submit-check runs/rules",
+    )
+    parser.add_argument("folder", metavar="RUN", help="run folder")
+    parser.add_argument(
+        "--instructions",
+        metavar="FILE",
+        nargs="+",
+        help="the leaderboard's instructions (default: the shipped ones)",
+    )
+    parser.add_argument(
+        "--sites",
+        metavar="DIR",
+        help="the leaderboard's site plans (default: the three shipped ones)",
+    )
+    parser.set_defaults(run=_run)
+
+
+def _run(options: argparse.Namespace) -> int:
+    from tqdm import tqdm
+
+    from memorymaze.evaluation.submission import check_submission
+
+    with tqdm(unit="trace", disable=not sys.stderr.isatty()) as bar:
+
+        def show(done: int, total: int) -> None:
+            bar.total = total
+            bar.update(done - bar.n)
+
+        found = check_submission(
+            options.folder,
+            instruction_files=options.instructions,
+            sites_folder=options.sites,
+            progress=show,
+        )
+    for problem in found.problems[:SHOWN]:
+        print(problem)
+    if len(found.problems) > SHOWN:
+        print(f"… and {len(found.problems) - SHOWN} more")
+    for remark in found.remarks:
+        print(f"remark: {remark}")
+    if found.problems:
+        print(
+            f"{options.folder}: {counted(len(found.problems), 'problem')}; it cannot "
+            "stand on a leaderboard",
+            file=sys.stderr,
+        )
+        return 1
+    print(f"{options.folder}: ready, track {found.track}", file=sys.stderr)
+    return 0

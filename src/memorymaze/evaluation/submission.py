@@ -1,0 +1,242 @@
+"""Whether a run can stand on a leaderboard: complete, by the rules, and as it says."""
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any, Literal
+
+from memorymaze.errors import RunFolderError, UndefinedMetricError
+from memorymaze.evaluation.agents_for_runs import agent_needs
+from memorymaze.evaluation.arena import Arena
+from memorymaze.evaluation.results import EpisodeResult
+from memorymaze.evaluation.run_folder import RunRecord, read_run
+from memorymaze.evaluation.settings import RunSettings, differences, stamp_file
+from memorymaze.evaluation.step_budgets import time_budget_for
+from memorymaze.evaluation.trace import read_trace
+from memorymaze.geometry.trajectory import TimedPose, Trajectory
+from memorymaze.instructions.corpus import BUILTIN_CORPUS, load_instructions
+from memorymaze.instructions.episodes import episodes
+from memorymaze.instructions.records import Episode
+from memorymaze.metrics.success import SUCCESS_DISTANCE
+from memorymaze.perception.detector_choice import TRUTH
+from memorymaze.simulation.obstacles import ObstacleSettings
+from memorymaze.simulation.settings import SimulationSettings
+from memorymaze.sites import Site, load_sites
+
+__all__ = ["Submission", "Track", "check_submission", "remarks"]
+
+Track = Literal["default", "obstacles"]
+
+ROUNDING = 0.02
+"""By how much a metric may differ that is worked out from poses in whole millimetres."""
+PRIVILEGED_CALLS = frozenset({"follow"})
+"""Calls in a trace that only an agent makes that knows the answers."""
+
+
+@dataclass(frozen=True, slots=True)
+class Submission:
+    """A run folder, looked over."""
+
+    folder: Path
+    record: RunRecord
+    results: tuple[EpisodeResult, ...]
+    track: Track
+    problems: tuple[str, ...]
+    """Why it cannot stand on a leaderboard; empty when it can."""
+    remarks: tuple[str, ...]
+    """What readers of a leaderboard must know of it."""
+
+
+def check_submission(
+    folder: str | Path,
+    *,
+    instruction_files: Sequence[str | Path] | None = None,
+    sites_folder: str | Path | None = None,
+    progress: Callable[[int, int], None] | None = None,
+) -> Submission:
+    """Look over a run folder as a leaderboard would.
+
+    It must hold every episode of the leaderboard's corpus on its plans, run with the
+    default settings (of the obstacle track, where it has obstacles) by committed code,
+    with a trace for each, and each trace must give the result that stands in
+    `episodes.jsonl`: all metrics are worked out again from the trajectory. No trace may
+    hold a call that only an agent with answers makes. That an agent of one's own did
+    not learn the answers elsewhere cannot be checked.
+
+    Args:
+        folder: Run folder.
+        instruction_files: The leaderboard's corpus; None for the shipped one.
+        sites_folder: The leaderboard's site plans; None for the shipped ones.
+        progress: Told how many traces of how many are done.
+
+    Raises:
+        MemoryMazeError: It is no run folder, or is damaged, or corpus and plans cannot
+            be read.
+    """
+    folder = Path(folder)
+    record, results = read_run(folder)
+    settings = record.settings
+    files = [BUILTIN_CORPUS] if instruction_files is None else instruction_files
+    sites = load_sites(sites_folder)
+    corpus = episodes(load_instructions(files), sites)
+    sites = {name: sites[name] for name in {e.instruction.site for e in corpus}}
+    problems = [
+        *_settings_problems(settings, files, sites, len(corpus)),
+        *_episode_problems(results, corpus),
+        *_code_problems(record),
+    ]
+    if not problems:
+        arenas = {name: Arena(site) for name, site in sites.items()}
+        known = {episode.id: episode for episode in corpus}
+        for number, result in enumerate(results, start=1):
+            episode = known[result.episode_id]
+            problems += _trace_problems(
+                folder, result, episode, arenas[episode.instruction.site], settings
+            )
+            if progress is not None:
+                progress(number, len(results))
+    return Submission(
+        folder=folder,
+        record=record,
+        results=tuple(results),
+        track="default" if settings.obstacles is None else "obstacles",
+        problems=tuple(problems),
+        remarks=tuple(remarks(settings, results)),
+    )
+
+
+def _settings_problems(
+    settings: RunSettings,
+    files: Sequence[str | Path],
+    sites: Mapping[str, Site],
+    count: int,
+) -> Iterator[str]:
+    routes = [route for site in sites.values() for route in site.routes]
+    abilities = SimulationSettings()
+    budget = time_budget_for(settings.agent.name, routes, abilities)
+    obstacles = None
+    if settings.obstacles is not None:
+        obstacles = replace(ObstacleSettings(), seed=settings.obstacles.seed)
+    # In the order of the run's own stamps, which is that of the episodes.
+    order = [stamp.name for stamp in settings.sites if stamp.name in sites]
+    names = order if len(order) == len(sites) else sorted(sites)
+    expected = replace(
+        settings,
+        instructions=tuple(stamp_file(path) for path in files),
+        sites=tuple(stamp_file(sites[name].source, name) for name in names),
+        limit=None,
+        split=None,
+        episodes=count,
+        success_distance=SUCCESS_DISTANCE,
+        simulation=replace(abilities, time_budget=budget),
+        obstacles=obstacles,
+        detector=TRUTH,
+        signs="truth",
+    )
+    for difference in differences(expected, settings):
+        yield "setting " + difference.replace(
+            " there, ", " expected, got "
+        ).removesuffix(" here")
+    if "answers" in agent_needs(settings.agent.name):
+        yield f"agent: {settings.agent.name} is given the answers"
+
+
+def _episode_problems(
+    results: Sequence[EpisodeResult], corpus: Sequence[Episode]
+) -> Iterator[str]:
+    told = {episode.id: episode.instruction for episode in corpus}
+    missing = told.keys() - {result.episode_id for result in results}
+    if missing:
+        yield (
+            f"{len(missing)} of {len(told)} episodes have no result, such as "
+            f"{min(missing)!r}; finish the run with --resume"
+        )
+    for result in results:
+        mine = told.get(result.episode_id)
+        if mine is None:
+            yield f"episode {result.episode_id!r}: is none of the corpus"
+            continue
+        for name in ("site", "route", "reference_route", "study", "iteration", "split"):
+            if getattr(result, name) != getattr(mine, name):
+                yield (
+                    f"episode {result.episode_id!r}: expected {name} "
+                    f"{getattr(mine, name)!r}, got {getattr(result, name)!r}"
+                )
+        if result.success and result.stopped_by != "agent":
+            yield (
+                f"episode {result.episode_id!r}: is called a success although it was "
+                f"stopped by {result.stopped_by}"
+            )
+
+
+def _code_problems(record: RunRecord) -> Iterator[str]:
+    if record.code.commit is None:
+        yield "code: expected a commit that others can look up, got none"
+    elif record.code.commit.endswith("+"):
+        yield (
+            "code: expected a run by committed code, got files that differ from commit "
+            f"{record.code.commit[:12]}"
+        )
+
+
+def _trace_problems(
+    folder: Path,
+    result: EpisodeResult,
+    episode: Episode,
+    arena: Arena,
+    settings: RunSettings,
+) -> Iterator[str]:
+    place = f"episode {result.episode_id!r}"
+    try:
+        entries = list(read_trace(folder, result.episode_id))
+    except RunFolderError as error:
+        yield str(error)
+        return
+    ending: Any = next((e for e in entries if e["kind"] == "end"), {})
+    walked: Any = next((e for e in entries if e["kind"] == "trajectory"), None)
+    if ending.get("stopped_by") != result.stopped_by or walked is None:
+        yield (
+            f"{place}: expected a trace that ends with {result.stopped_by}, got "
+            f"{ending.get('stopped_by')}"
+        )
+        return
+    called = {entry.get("call") for entry in entries}
+    for call in sorted(PRIVILEGED_CALLS.intersection(called)):
+        yield f"{place}: the trace has the call {call}, which needs answers"
+    try:
+        walk = Trajectory([TimedPose(*pose) for pose in walked["poses"]])
+        values = arena.score(episode, walk, settings.success_distance)
+    except (TypeError, ValueError, UndefinedMetricError) as error:
+        yield f"{place}: the trajectory in the trace cannot be scored ({error})"
+        return
+    if result.stopped_by != "agent":
+        values = values.without_success()
+    found = {
+        "success": (values.success, float(result.success)),
+        "oracle_success": (values.oracle_success, float(result.oracle_success)),
+        "spd": (values.ne, result.spd),
+        "spl": (values.spl, result.spl),
+        "cls": (values.cls, result.cls),
+        "ndtw": (values.ndtw, result.ndtw),
+        "sdtw": (values.sdtw, result.sdtw),
+    }
+    for name, (again, said) in found.items():
+        if abs(again - said) > ROUNDING:
+            yield (
+                f"{place}: expected {name} {again:.3f}, as its trajectory gives, got "
+                f"{said:.3f}"
+            )
+
+
+def remarks(settings: RunSettings, results: Iterable[EpisodeResult]) -> Iterator[str]:
+    """Say what readers of a leaderboard must know of a run."""
+    needs = agent_needs(settings.agent.name)
+    if "graph" in needs:
+        yield "The agent is given the navigation graph of the building."
+    if ":" in settings.agent.name:
+        yield "The agent is not part of memorymaze; its code must be published with it."
+    development = sum(result.split == "dev" for result in results)
+    if development:
+        yield (
+            f"{development} episodes are on texts that prompts may be built from (dev)."
+        )
