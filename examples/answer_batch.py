@@ -54,8 +54,11 @@ def answer(messages: list[dict[str, str]]) -> str:
 
 def main(requests: Path, replies: Path) -> None:
     """Answer every request of a file."""
-    with replies.open("w", encoding="utf-8") as file:
-        for line in requests.read_text(encoding="utf-8").splitlines():
+    with (
+        requests.open(encoding="utf-8") as lines,
+        replies.open("w", encoding="utf-8") as file,
+    ):
+        for line in lines:
             request = json.loads(line)
             messages = request["body"]["messages"]
             text = answer(messages)

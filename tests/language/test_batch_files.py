@@ -67,6 +67,15 @@ def test_a_seed_and_another_name_of_the_length_are_written() -> None:
     assert "max_tokens" not in body
 
 
+def test_a_request_is_one_line_to_every_reader() -> None:
+    strange = CompletionRequest((Message("user", "left\u2028right\x85\x1dstop\r\n"),))
+    line = request_line("a", "m", strange)
+    assert len(line.splitlines()) == 1
+    assert json.loads(line)["body"]["messages"][0]["content"] == (
+        strange.messages[0].content
+    )
+
+
 def test_a_batch_services_reply_is_a_completion(file: Callable[..., Path]) -> None:
     found = read_replies([file(reply())])["a"]
     assert found.completion == Completion("Yes.", "m-1", Usage(7, 2), 0.0)

@@ -160,10 +160,9 @@ def missing_programs(file: ProgramFile, instruction_ids: Iterable[str]) -> list[
 
 def program_lines(records: Sequence[ProgramRecord]) -> bytes:
     """Write records as the lines of a file; fields that say nothing are left out."""
-    lines = (
-        json.dumps(_without_nothing(asdict(r)), ensure_ascii=False) for r in records
-    )
-    return "".join(f"{line}\n" for line in lines).encode("utf-8", "backslashreplace")
+    # In ASCII: some readers take U+2028 and the like in a text for line ends.
+    lines = (json.dumps(_without_nothing(asdict(record))) for record in records)
+    return "".join(f"{line}\n" for line in lines).encode()
 
 
 def _without_nothing(record: dict[str, Any]) -> dict[str, Any]:

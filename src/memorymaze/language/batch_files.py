@@ -111,7 +111,8 @@ def request_line(
         "url": "/v1/chat/completions",
         "body": body,
     }
-    return json.dumps(record, ensure_ascii=False)
+    # In ASCII: some readers take U+2028 and the like in a text for line ends.
+    return json.dumps(record)
 
 
 def read_replies(paths: Sequence[str | Path]) -> dict[str, BatchReply]:

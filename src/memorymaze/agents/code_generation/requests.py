@@ -111,4 +111,8 @@ def _way(way: str) -> Message:
 
 
 def _quote(text: str) -> str:
-    return f'"""\n{text.strip()}\n"""'
+    """Return a text between quotes that it cannot close."""
+    quotes = '"""'
+    while quotes in text:
+        quotes += '"'
+    return f"{quotes}\n{text.strip()}\n{quotes}"
