@@ -7,7 +7,7 @@ WORKERS ?= 0
 # Results belong to the code that made them, so each version has a run folder of its own.
 RUN ?= runs/rules-$(shell git rev-parse --short HEAD 2>/dev/null || echo release)
 
-.PHONY: benchmark test check bench setup clean
+.PHONY: benchmark test test-local-llm check bench setup clean
 
 benchmark: setup
 	$(BIN)/memorymaze evaluate --agent rules --workers $(WORKERS) --out $(RUN) --resume
@@ -15,6 +15,12 @@ benchmark: setup
 
 test: setup
 	$(BIN)/pytest -n auto
+
+# Compiles llama.cpp the first time, which takes minutes and needs CMake and a compiler.
+test-local-llm: setup
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check \
+		--constraint constraints.txt --group local-llm-test
+	$(BIN)/pytest -n 0 -m local_llm tests
 
 check: setup
 	$(BIN)/ruff format --check .
