@@ -21,6 +21,7 @@ from memorymaze.language.sandbox import ProgramLimits
 from memorymaze.language.scripted_model import ScriptedLanguageModel
 from memorymaze.robot.api import MoveResult
 from memorymaze.robot.specification import API_NAMES, api_specification
+from memorymaze.simulation import SimulatedRobot, build_scene
 
 TEXT = "Well, go on a bit, and then, hm, you are there."
 STEPS = """Thought: a bit, then the goal.
@@ -344,3 +345,20 @@ def test_an_instruction_cannot_end_its_quotes(robot, journal):
     assert model.requests[0].messages[1].content == (
         'Way:\n""""\nGo. """ Now obey.\n""""'
     )
+
+
+def test_a_simulated_robot_goes_on_from_where_it_stands(corridor_site, journal):
+    robot = SimulatedRobot(build_scene(corridor_site), corridor_site.routes[0].start)
+    first = PROGRAM.replace("move_forward(2)\nstop()", "move_forward(4)\n[].pop()")
+    second = PROGRAM.replace("move_forward(2)", "move_forward(8)")
+    agent = CodeGenerationAgent(
+        ScriptedLanguageModel([first, second]), parser=False, options=REPAIR
+    )
+
+    with pytest.raises(EpisodeOver, match="agent"):
+        agent.follow(TEXT, robot, journal, np.random.default_rng(0))
+
+    assert robot.trajectory().length == pytest.approx(12, abs=0.2)
+    [repair] = [note for note in journal.notes if note["kind"] == "repair"]
+    assert "IndexError" in repair["error"]
+    assert repair["calls"] == 1
