@@ -98,6 +98,7 @@ def add_parser(verbs: Verbs) -> None:
 def _run(options: argparse.Namespace) -> int:
     from memorymaze.errors import SettingsError
     from memorymaze.evaluation.answers_estimate import answers_estimate
+    from memorymaze.evaluation.cost_estimate import cost_estimate
     from memorymaze.evaluation.driver import WALL_LIMIT, available_cores, run_plan
     from memorymaze.evaluation.plan import plan_run
     from memorymaze.evaluation.summary import summarise, summary_lines
@@ -126,8 +127,9 @@ def _run(options: argparse.Namespace) -> int:
         f"{plan.settings.simulation.call_budget}; into {out}",
         file=sys.stderr,
     )
-    if estimate := answers_estimate(plan):
-        print(estimate, file=sys.stderr)
+    for estimate in (answers_estimate(plan), cost_estimate(plan)):
+        if estimate:
+            print(estimate, file=sys.stderr)
     try:
         results = run_plan(
             plan, out, workers=workers, resume=options.resume, wall_limit=wall_limit

@@ -75,6 +75,12 @@ def _run(options: argparse.Namespace) -> int:
         f"{result.path_length:.2f} m in {result.duration_s:.1f} s simulated, "
         f"{result.collisions} collisions, turns in order {result.turns_in_order:.2f}"
     )
+    if result.model_calls:
+        print(
+            f"language model: {result.model_calls} calls, {result.tokens} tokens, "
+            f"{result.cost_usd:.4f} USD, {result.inference_s:.1f} s of inference; the "
+            f"user stands waiting {result.standing_s:.1f} s"
+        )
     for path in write_navigation(run, site, route, folder):
         print(path)
     return 0

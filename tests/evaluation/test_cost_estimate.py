@@ -1,0 +1,66 @@
+"""What is said of a run's cost before it begins."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from memorymaze.evaluation.asking import AskingSettings
+from memorymaze.evaluation.cost_estimate import cost_estimate
+from memorymaze.evaluation.plan import RunPlan, plan_run
+from memorymaze.evaluation.settings import AgentSettings
+from memorymaze.language.pricing import TokenPrice
+
+TINY_INSTRUCTIONS = Path(__file__).parents[1] / "tiny_instructions.jsonl"
+ASKING = AgentSettings(
+    "code_generation",
+    model="m",
+    base_url="http://localhost:9/v1",
+    asking=AskingSettings(price=TokenPrice(1.0, 10.0)),
+)
+
+
+@pytest.fixture
+def plan(tiny_sites_folder: Path) -> Callable[[AgentSettings], RunPlan]:
+    """Plan four episodes of an agent."""
+
+    def four(agent: AgentSettings) -> RunPlan:
+        return plan_run(
+            agent,
+            instruction_files=[TINY_INSTRUCTIONS],
+            sites_folder=tiny_sites_folder,
+            limit=4,
+        )
+
+    return four
+
+
+def test_code_generation_is_estimated_by_its_own_requests(
+    plan: Callable[[AgentSettings], RunPlan],
+) -> None:
+    said = str(cost_estimate(plan(ASKING)))
+    assert "an ESTIMATE for 8 requests" in said
+    # 8 replies of 1000 tokens at 10 dollars a million are 0.08; the rest is read.
+    assert "about 0.10 USD" in said
+    assert "0.35 USD if every reply is as long as it may be" in said
+    alone = str(cost_estimate(plan(replace(ASKING, parser=False))))
+    assert "4 requests" in alone
+
+
+def test_a_limit_is_said_and_for_agents_that_go_step_by_step_asked_for(
+    plan: Callable[[AgentSettings], RunPlan],
+) -> None:
+    limited = replace(ASKING.asking, max_cost=0.5)
+    said = str(cost_estimate(plan(replace(ASKING, asking=limited))))
+    assert said.endswith("the run ends when 0.5 USD are spent")
+    said = str(cost_estimate(plan(replace(ASKING, name="navgpt"))))
+    assert "cannot be told beforehand" in said
+    assert "set --max-cost" in said
+
+
+def test_nothing_is_said_without_prices(
+    plan: Callable[[AgentSettings], RunPlan],
+) -> None:
+    assert cost_estimate(plan(replace(ASKING, asking=AskingSettings()))) is None
+    assert cost_estimate(plan(AgentSettings("stop"))) is None
