@@ -42,3 +42,14 @@ def test_a_folder_that_is_no_run_gives_code_1(
     said = memorymaze("table", tmp_path)
     assert (said.code, said.out) == (1, "")
     assert "expected a run folder" in said.err
+
+
+def test_parquet_goes_to_a_file(
+    memorymaze: Memorymaze, run: Path, tmp_path: Path
+) -> None:
+    said = memorymaze("table", run, "--format", "parquet")
+    assert said.code == 2
+    assert "name the file to write with --out" in said.err
+    out = tmp_path / "table.parquet"
+    assert memorymaze("table", run, "--format", "parquet", "--out", out).code == 0
+    assert out.read_bytes().startswith(b"PAR1")

@@ -3,8 +3,8 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from memorymaze.evaluation.bootstrap import estimate_means
 from memorymaze.evaluation.results import EpisodeResult
+from memorymaze.evaluation.tables.bootstrap import estimate_means
 
 Make = Callable[..., EpisodeResult]
 

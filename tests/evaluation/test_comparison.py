@@ -6,10 +6,10 @@ from pathlib import Path
 import pytest
 
 from memorymaze.errors import RunFolderError
-from memorymaze.evaluation.comparison import Outcomes, compare_runs
-from memorymaze.evaluation.comparison_formats import format_comparison
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.tables import Place, load_runs
+from memorymaze.evaluation.tables.comparison import Outcomes, compare_runs
+from memorymaze.evaluation.tables.comparison_formats import format_comparison
 
 Make = Callable[..., EpisodeResult]
 Write = Callable[..., Path]

@@ -1,20 +1,23 @@
 import csv
 import io
+import math
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from typing import Literal
 
+import pandas
 import pytest
 
 from memorymaze.evaluation.asking import AskingSettings
-from memorymaze.evaluation.inference_cost import cost_cells
 from memorymaze.evaluation.inference_time import InferenceTime
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import RunRecord, open_run_folder
 from memorymaze.evaluation.settings import AgentSettings
-from memorymaze.evaluation.table_formats import format_tables
 from memorymaze.evaluation.tables import MeasuredRun, load_runs, table_rows
+from memorymaze.evaluation.tables.formats import format_tables
+from memorymaze.evaluation.tables.inference_cost import cost_cells
+from memorymaze.evaluation.tables.records import parquet_tables
 from memorymaze.language.pricing import TokenPrice
 
 Make = Callable[..., EpisodeResult]
@@ -189,3 +192,37 @@ def test_a_cost_without_a_price_is_left_open(
     runs = load_runs([tmp_path / "free"])
     row = table_rows(runs, "II")[0]
     assert cost_cells(row)[:3] == ["2.0", "10", "-"]
+
+
+def test_latex_is_whole_and_special_characters_are_escaped(
+    write: Callable[..., Path], result: Make
+) -> None:
+    folders = [
+        write("mine", [result("a-1", agent="my_agent & co", spd=0.5)]),
+        write("theirs", [result("a-1", agent="theirs", spd=2.5)]),
+    ]
+    text = format_tables(load_runs(folders), ["II"], "latex")
+    assert text.count(r"\begin{") == text.count(r"\end{") == 2
+    assert r"\quad my\_agent \& co & - & 1 & \textbf{1.00}" in text
+    assert r"\textbf{0.50}" in text
+    assert r"\textbf{2.50}" not in text
+    assert r"95 \% interval" in text
+    body = text[text.index(r"\toprule") : text.index(r"\bottomrule")]
+    widths = {line.count(" & ") for line in body.splitlines() if " & " in line}
+    assert widths == {6}
+
+
+def test_parquet_holds_what_the_csv_holds(
+    tmp_path: Path, write: Callable[..., Path], result: Make
+) -> None:
+    runs = load_runs([write("mine", [result("a-1"), result("b-1", success=False)])])
+    path = tmp_path / "tables.parquet"
+    path.write_bytes(parquet_tables(runs, ["II", "III"]))
+    frame = pandas.read_parquet(path)
+    table = csv.DictReader(io.StringIO(format_tables(runs, ["II", "III"], "csv")))
+    assert list(frame.columns) == table.fieldnames
+    rows = list(table)
+    assert len(frame) == len(rows)
+    for name in ("sr", "spd_low"):
+        there = [float(row[name]) if row[name] else None for row in rows]
+        assert [None if math.isnan(x) else x for x in frame[name]] == there

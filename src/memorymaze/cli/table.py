@@ -1,6 +1,7 @@
 """`memorymaze table`: the paper's Tables II and III from runs."""
 
 import argparse
+from pathlib import Path
 
 from memorymaze.cli.verbs import Verbs
 
@@ -25,9 +26,12 @@ def add_parser(verbs: Verbs) -> None:
     )
     parser.add_argument(
         "--format",
-        choices=["text", "md", "csv"],
+        choices=["text", "md", "latex", "csv", "parquet"],
         default="text",
-        help="aligned text, Markdown, or CSV (default: text)",
+        help="aligned text, Markdown, LaTeX, CSV or Parquet (default: text)",
+    )
+    parser.add_argument(
+        "--out", metavar="FILE", help="write to a file (Parquet: needed)"
     )
     parser.add_argument(
         "--exclude-dev",
@@ -38,10 +42,22 @@ def add_parser(verbs: Verbs) -> None:
 
 
 def _run(options: argparse.Namespace) -> int:
-    from memorymaze.evaluation.table_formats import format_tables
+    from memorymaze.errors import SettingsError
     from memorymaze.evaluation.tables import load_runs
+    from memorymaze.evaluation.tables.formats import format_tables
+    from memorymaze.evaluation.tables.records import parquet_tables
 
-    runs = load_runs(options.runs, exclude_dev=options.exclude_dev)
     names = ("II", "III") if options.table == "both" else (options.table,)
-    print(format_tables(runs, names, options.format), end="")
+    if options.format == "parquet" and options.out is None:
+        raise SettingsError("--format parquet: name the file to write with --out")
+    runs = load_runs(options.runs, exclude_dev=options.exclude_dev)
+    if options.format == "parquet":
+        content = parquet_tables(runs, names)
+    else:
+        content = format_tables(runs, names, options.format).encode()
+    if options.out is None:
+        print(content.decode(), end="")
+    else:
+        Path(options.out).write_bytes(content)
+        print(options.out)
     return 0

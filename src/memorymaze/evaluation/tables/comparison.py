@@ -9,7 +9,7 @@ import numpy as np
 from memorymaze.errors import RunFolderError
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.settings import differences
-from memorymaze.evaluation.tables import MeasuredRun, Place, places_of
+from memorymaze.evaluation.tables.rows import MeasuredRun, Place, places_of
 from memorymaze.metrics.aggregate import Estimate, participant_bootstrap
 from memorymaze.metrics.paired import sign_flip_test
 

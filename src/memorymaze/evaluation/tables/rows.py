@@ -11,9 +11,9 @@ from statistics import fmean
 from typing import Literal, NamedTuple
 
 from memorymaze.errors import RunFolderError
-from memorymaze.evaluation.bootstrap import MEASURES, Estimate, estimate_means
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import RunRecord, read_run
+from memorymaze.evaluation.tables.bootstrap import MEASURES, Estimate, estimate_means
 from memorymaze.instructions.published import PublishedResult, published_tables
 from memorymaze.perception.detector_choice import TRUTH
 

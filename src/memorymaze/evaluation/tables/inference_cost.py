@@ -6,7 +6,7 @@ from statistics import fmean
 
 from memorymaze.evaluation.inference_time import describe_inference_time
 from memorymaze.evaluation.results import EpisodeResult
-from memorymaze.evaluation.tables import MeasuredRun, TableRow
+from memorymaze.evaluation.tables.rows import MeasuredRun, TableRow
 
 __all__ = [
     "COST_COLUMNS",

@@ -3,17 +3,21 @@
 import csv
 import io
 import textwrap
+from typing import Literal
 
-from memorymaze.evaluation.comparison import COMPARED, Comparison, ComparisonRow
-from memorymaze.evaluation.table_formats import (
-    STUDY_TITLES,
-    TEXT_WIDTH,
-    TableFormat,
-    run_notes,
+from memorymaze.evaluation.tables.cells import STUDY_TITLES
+from memorymaze.evaluation.tables.comparison import (
+    COMPARED,
+    Comparison,
+    ComparisonRow,
 )
-from memorymaze.evaluation.tables import place_title
+from memorymaze.evaluation.tables.rows import place_title
+from memorymaze.evaluation.tables.run_notes import run_notes
+from memorymaze.evaluation.tables.text import TEXT_WIDTH
 
-__all__ = ["format_comparison"]
+__all__ = ["ComparisonFormat", "format_comparison"]
+
+ComparisonFormat = Literal["text", "md", "csv"]
 
 HEADINGS = {
     "sr": "SR",
@@ -31,7 +35,7 @@ KEY = (
 )
 
 
-def format_comparison(comparison: Comparison, style: TableFormat) -> str:
+def format_comparison(comparison: Comparison, style: ComparisonFormat) -> str:
     """Write a comparison with all that one must know to read it.
 
     Args:
