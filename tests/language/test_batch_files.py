@@ -104,6 +104,9 @@ def test_a_plain_reply_is_a_completion(file: Callable[..., Path]) -> None:
         ),
         pytest.param(reply(text=" "), "finish_reason length", id="empty"),
         pytest.param(reply(text=None), "without text", id="null"),
+        pytest.param(reply(text="\ud800"), "halves of characters", id="halves"),
+        pytest.param(reply(text="x" * 200_001), "200001 characters", id="endless"),
+        pytest.param({"custom_id": "a", "text": ""}, "without text", id="plain"),
     ],
 )
 def test_a_request_that_failed_says_why(

@@ -16,6 +16,7 @@ from pydantic import BaseModel, Field, StringConstraints, ValidationError
 
 from memorymaze.language.json_lines import json_record, lines_of, listed, shown
 from memorymaze.language.model import Completion, CompletionRequest, Usage
+from memorymaze.language.usable_text import why_unusable
 
 __all__ = ["BatchReply", "read_replies", "request_line"]
 
@@ -53,6 +54,7 @@ class _Usage(BaseModel):
 
 class _Message(BaseModel):
     content: str | None = None
+    refusal: str | None = None
 
 
 class _Choice(BaseModel):
@@ -168,7 +170,7 @@ def _reply(line: str, place: str) -> BatchReply:
             plain = _Plain.model_validate(record)
             usage = Usage(plain.prompt_tokens, plain.completion_tokens)
             said = Completion(plain.text, plain.model, usage, plain.latency_s)
-            return _checked(head.custom_id, said, "", place)
+            return _checked(head, said, why_unusable(plain.text), place)
     except ValidationError as error:
         raise ValueError(_explained(error)) from None
     response = head.response
@@ -181,17 +183,20 @@ def _reply(line: str, place: str) -> BatchReply:
     usage = body.usage or _Usage()
     counted = Usage(usage.prompt_tokens, usage.completion_tokens)
     first = body.choices[0]
-    said = Completion(first.message.content or "", body.model, counted, latency=0.0)
-    return _checked(
-        head.custom_id, said, f" (finish_reason {first.finish_reason})", place
-    )
+    message = first.message
+    wrong = why_unusable(message.content, first.finish_reason, message.refusal)
+    said = Completion(message.content or "", body.model, counted, latency=0.0)
+    return _checked(head, said, wrong, place)
 
 
-def _checked(identifier: str, said: Completion, why: str, place: str) -> BatchReply:
-    """Return a reply; one without text is a failure, as it is online."""
-    if not said.text.strip():
-        return BatchReply(identifier, None, f"an answer without text in it{why}", place)
-    return BatchReply(identifier, said, None, place)
+def _checked(
+    head: _Line, said: Completion, wrong: str | None, place: str
+) -> BatchReply:
+    """Return a reply; what is no reply online is a failure here too."""
+    if wrong is None:
+        return BatchReply(head.custom_id, said, None, place)
+    error = f"the language model sent an answer {wrong}"
+    return BatchReply(head.custom_id, None, error, place)
 
 
 def _failure(line: _Line) -> str:

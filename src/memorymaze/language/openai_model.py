@@ -11,11 +11,9 @@ import openai
 from memorymaze.errors import LanguageModelError, SettingsError
 from memorymaze.language.bounded_http import bounded_client
 from memorymaze.language.model import Completion, CompletionRequest, Message, Usage
+from memorymaze.language.usable_text import why_unusable
 
 __all__ = ["OpenAIModel"]
-
-LONGEST_REPLY = 200_000
-"""Characters beyond which a reply is taken for garbage."""
 
 LONGEST_DELAY = 60.0
 """Seconds that are waited at most before an attempt."""
@@ -191,21 +189,13 @@ class OpenAIModel:
             raise self._unusable("without a choice in it")
         message = getattr(choices[0], "message", None)
         text = getattr(message, "content", None)
-        if not isinstance(text, str) or not text.strip():
-            reason = getattr(choices[0], "finish_reason", None)
-            refusal = getattr(message, "refusal", None)
-            said = (
-                f"; it refuses: {' '.join(refusal.split())[:200]}"
-                if isinstance(refusal, str)
-                else ""
-            )
-            raise self._unusable(f"without text in it (finish_reason {reason}){said}")
-        if len(text) > LONGEST_REPLY:
-            raise self._unusable(
-                f"of {len(text)} characters, more than {LONGEST_REPLY}"
-            )
-        if any("\ud800" <= each <= "\udfff" for each in text):
-            raise self._unusable("with halves of characters in it")
+        wrong = why_unusable(
+            text,
+            getattr(choices[0], "finish_reason", None),
+            getattr(message, "refusal", None),
+        )
+        if wrong is not None:
+            raise self._unusable(wrong)
         usage = getattr(answer, "usage", None)
         prompt, completion = (
             _count(getattr(usage, name, None))
