@@ -188,7 +188,7 @@ class OpenAIModel:
         if not isinstance(choices, list) or not choices:
             raise self._unusable("without a choice in it")
         message = getattr(choices[0], "message", None)
-        text = getattr(message, "content", None)
+        text: Any = getattr(message, "content", None)
         wrong = why_unusable(
             text,
             getattr(choices[0], "finish_reason", None),
