@@ -1,9 +1,11 @@
 """The NaVid agent in runs: what each budget is enough for, and how it is made."""
 
+import json
 import math
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from threading import Thread
 from types import SimpleNamespace
@@ -170,6 +172,73 @@ def test_a_policy_server_drives_the_robot_to_the_goal(
     assert again.trajectory == run.trajectory
 
 
+@pytest.fixture
+def vision_server() -> Iterator[tuple[str, list[dict[str, Any]]]]:
+    """A server of an OpenAI-compatible vision model that always goes 75 cm ahead."""
+    requests: list[dict[str, Any]] = []
+
+    class Handler(BaseHTTPRequestHandler):
+        def do_POST(self) -> None:
+            body = self.rfile.read(int(self.headers["content-length"]))
+            requests.append(json.loads(body))
+            last = len(requests) > 19
+            said = {"action": "stop" if last else "forward", "amount": 75}
+            message = {"role": "assistant", "content": json.dumps(said)}
+            choice = {"index": 0, "finish_reason": "stop", "message": message}
+            usage = {"prompt_tokens": 900, "completion_tokens": 20, "total_tokens": 920}
+            answer = {
+                "id": "1",
+                "object": "chat.completion",
+                "created": 1,
+                "model": "small-vlm-2",
+                "choices": [choice],
+                "usage": usage,
+            }
+            body = json.dumps(answer).encode()
+            self.send_response(200)
+            self.send_header("content-type", "application/json")
+            self.send_header("content-length", str(len(body)))
+            self.end_headers()
+            self.wfile.write(body)
+
+        def log_message(self, format: str, *arguments: Any) -> None:
+            pass
+
+    http = ThreadingHTTPServer(("127.0.0.1", 0), Handler)
+    Thread(target=http.serve_forever, args=(0.01,), daemon=True).start()
+    yield f"http://127.0.0.1:{http.server_address[1]}/v1", requests
+    http.shutdown()
+    http.server_close()
+
+
+def test_a_vision_model_on_a_server_drives_the_robot_and_replays(
+    corridor_site: Site,
+    vision_server: tuple[str, list[dict[str, Any]]],
+    tmp_path: Path,
+) -> None:
+    address, requests = vision_server
+    store = str(tmp_path / "replies.sqlite")
+    asking = AgentSettings("navid", model="small-vlm", base_url=address, record=store)
+    route = corridor_site.routes[0]
+
+    run = navigate(corridor_site, route, "To the fourth door.", asking)
+
+    assert run.result.agent == "NaVid protocol with small-vlm+fair"
+    assert (run.result.success, run.result.model_calls) == (True, len(requests))
+    assert run.result.tokens == 920 * len(requests)
+    text, *pictures = requests[-1]["messages"][1]["content"]
+    assert text["type"] == "text"
+    assert len(pictures) == 8 + 1
+    for picture in pictures:
+        assert picture["image_url"]["url"].startswith("data:image/jpeg;base64,/9j/")
+
+    asked = len(requests)
+    replaying = AgentSettings("navid", model="small-vlm", replay=store)
+    again = navigate(corridor_site, route, "To the fourth door.", replaying)
+    assert (again.trace, again.trajectory) == (run.trace, run.trajectory)
+    assert len(requests) == asked
+
+
 def test_pictures_are_the_same_from_process_to_process(tmp_path: Path) -> None:
     script = """
 import hashlib, sys
@@ -202,6 +271,7 @@ for step in range(3):
     ("settings", "said"),
     [
         ({}, "name a vision model with --model, or a policy server"),
+        ({"model": "smollm2"}, "see no pictures"),
         ({"options": (("server", "nowhere"),)}, "expected an address"),
         (
             {"options": (("server", "http://127.0.0.1:9"), ("retries", "0"))},

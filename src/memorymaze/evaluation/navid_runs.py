@@ -11,6 +11,7 @@ from memorymaze.errors import LanguageModelError, SettingsError
 from memorymaze.evaluation.language_models import build_language_model
 from memorymaze.evaluation.settings import AgentSettings
 from memorymaze.evaluation.step_budgets import fair_steps
+from memorymaze.language.local_models import is_local
 from memorymaze.robot.api import Robot
 from memorymaze.simulation import SimulatedRobot
 
@@ -65,6 +66,15 @@ def _vision_policy(settings: AgentSettings, options: NavidOptions) -> Policy:
         raise SettingsError(
             "--agent navid: name a vision model with --model, or a policy server with "
             "--set server=URL, or take recorded replies with --replay"
+        )
+    if (
+        settings.replay is None
+        and settings.base_url is None
+        and is_local(settings.model or "")
+    ):
+        raise SettingsError(
+            f"--model {settings.model}: models that run here see no pictures; name a "
+            "vision model on a server (--base-url)"
         )
     return VisionPolicy(
         build_language_model(settings),
