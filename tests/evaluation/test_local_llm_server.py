@@ -22,8 +22,8 @@ from memorymaze.evaluation.driver import run_plan
 from memorymaze.evaluation.plan import plan_run
 from memorymaze.evaluation.run_folder import read_run
 from memorymaze.evaluation.settings import AgentSettings
-from memorymaze.evaluation.table_formats import format_tables
-from memorymaze.evaluation.tables import load_runs
+from memorymaze.evaluation.tables.formats import format_tables
+from memorymaze.evaluation.tables.rows import load_runs
 from memorymaze.evaluation.trace import read_trace
 from memorymaze.language.grammars import steps_grammar
 from memorymaze.language.local_models import SMOLLM2_FILE, local_model

@@ -106,7 +106,8 @@ def run_plan(
 
 def _with_shared(settings: RunSettings, folder: Path, workers: int) -> RunSettings:
     """Return the settings that workers need to keep the run's limits together."""
-    threads = max(1, available_cores() // workers)
+    # Threads of a model wait for each other: one without a core holds up all of them.
+    threads = max(1, available_cores() // workers - 1)
     asking = replace(settings.agent.asking, shared_folder=str(folder), threads=threads)
     return replace(settings, agent=replace(settings.agent, asking=asking))
 
