@@ -29,8 +29,9 @@ class CodeGenerationOptions:
     seed: int | None = None
     """Passed to the model; none sends no seed."""
     grammar: bool = True
-    """Whether local models that can be held to a grammar are held to well-formed steps
-    and programs; servers are never sent one."""
+    """Whether models that can be held to a grammar (local ones, and servers with
+    --grammar) are held to well-formed steps and programs, which leaves no room for
+    thoughts."""
 
     def __post_init__(self) -> None:
         """Refuse values without meaning."""
