@@ -23,7 +23,9 @@ from memorymaze.cli import (
     prompts,
     score,
     sites,
+    submit_check,
     table,
+    walkthrough,
 )
 from memorymaze.errors import (
     InstructionFileWarning,
@@ -93,12 +95,14 @@ def _parser() -> argparse.ArgumentParser:
         evaluate,
         table,
         compare,
+        submit_check,
         score,
         instructions,
         sites,
         agents,
         prompts,
         programs,
+        walkthrough,
     ):
         verb.add_parser(verbs)
     return parser

@@ -98,6 +98,16 @@ class PanoramaCamera:
             frames[0].objects,
         )
 
+    def picture(self, pose: Pose, height: float = CAMERA_HEIGHT) -> NDArray[np.uint8]:
+        """Return only the colours of `frame`, faster."""
+        pictures = [
+            self._camera.picture(
+                Pose(pose.x, pose.y, pose.heading + bearing), height, pitch
+            )
+            for bearing, pitch in FACES
+        ]
+        return self._lookup.mixed(np.stack(pictures))
+
     def close(self) -> None:
         """Give back its memory; it takes no more pictures."""
         self._camera.close()

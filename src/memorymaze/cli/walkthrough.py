@@ -1,0 +1,82 @@
+"""`memorymaze walkthrough`: the first-person video of a route."""
+
+import argparse
+import re
+from urllib.parse import quote
+
+from memorymaze.cli.plan_argument import plan_path
+from memorymaze.cli.verbs import Verbs
+
+__all__ = ["add_parser"]
+
+
+def add_parser(verbs: Verbs) -> None:
+    """Add the verb to the command line."""
+    parser = verbs.add_parser(
+        "walkthrough",
+        help="make the first-person video of a route",
+        description="Make the first-person video of a route, or a 360-degree one.",
+        epilog="example: memorymaze walkthrough museum_5f R1 --panorama --out R1.mp4",
+    )
+    parser.add_argument("site", metavar="SITE", help="a shipped site, or a plan file")
+    parser.add_argument(
+        "route", metavar="ROUTE", help="R1, R2, … or the id of a route in the plan"
+    )
+    parser.add_argument(
+        "--out", metavar="FILE", help="video (default: walkthrough-SITE-ROUTE.mp4)"
+    )
+    parser.add_argument(
+        "--panorama",
+        action="store_true",
+        help="look all round, for players of 360-degree videos",
+    )
+    parser.add_argument(
+        "--fps", type=float, default=20.0, metavar="N", help="frames a second (20)"
+    )
+    parser.add_argument(
+        "--speed",
+        type=float,
+        default=1.0,
+        metavar="X",
+        help="times as fast as the robot drives, which is up to 1 m/s (1)",
+    )
+    parser.add_argument(
+        "--size",
+        type=_size,
+        metavar="WxH",
+        help="pixels (960x540; with --panorama 1280x640)",
+    )
+    parser.set_defaults(run=_run)
+
+
+def _run(options: argparse.Namespace) -> int:
+    from memorymaze.evaluation.navigation import find_route
+    from memorymaze.simulation import build_scene
+    from memorymaze.simulation.walkthrough import (
+        WalkthroughSettings,
+        film_walkthrough,
+    )
+    from memorymaze.sites import load_site
+
+    settings = WalkthroughSettings(
+        size=options.size,
+        panorama=options.panorama,
+        fps=options.fps,
+        speed=options.speed,
+    )
+    site = load_site(plan_path(options.site))
+    route = find_route(site, options.route)
+    # A plan may be called anything, also `../../x`.
+    name = quote(f"{site.name}-{options.route}", safe="")[:100]
+    path = options.out or f"walkthrough-{name}.mp4"
+    count = film_walkthrough(build_scene(site), route, path, settings, progress=True)
+    seconds = count / settings.fps
+    print(f"{path}: {seconds:.0f} s, {count} frames")
+    return 0
+
+
+def _size(text: str) -> tuple[int, int]:
+    found = re.fullmatch(r"(\d{1,5})x(\d{1,5})", text)
+    if found is None:
+        raise argparse.ArgumentTypeError(f"expected WIDTHxHEIGHT, got {text!r}")
+    return int(found[1]), int(found[2])
