@@ -282,7 +282,7 @@ def test_a_program_that_fails_on_the_way_is_gone_on_with_from_there(robot, journ
 
     said = model.requests[1].messages[-1].content
     assert "ZeroDivisionError" in said
-    assert "move_forward(2.0) -> MoveResult(distance=2.0, reason='done'" in said
+    assert "move_forward(2.00) -> MoveResult(distance=2.00, reason='done')" in said
     assert robot.calls == [2.0, 2.0, "stop"]
 
 

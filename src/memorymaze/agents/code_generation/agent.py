@@ -4,6 +4,7 @@ All requests come before the robot moves, unless a program that fails may be men
 """
 
 from collections.abc import Callable
+from dataclasses import fields, is_dataclass
 from typing import Any, cast
 
 import numpy as np
@@ -120,8 +121,8 @@ class _Witness:
 
         def call(*args: Any, **kwargs: Any) -> Any:
             result = method(*args, **kwargs)
-            given = [*map(repr, args), *(repr(value) for value in kwargs.values())]
-            self.done.append(f"{name}({', '.join(given)}) -> {result!r}")
+            given = ", ".join(map(_brief, (*args, *kwargs.values())))
+            self.done.append(f"{name}({given}) -> {_brief(result)}")
             return result
 
         return call
@@ -132,3 +133,15 @@ class _Witness:
         if left_out <= 0:
             return self.done
         return [f"… {left_out} earlier calls …", *self.done[-MOST_CALLS_TOLD:]]
+
+
+def _brief(value: object) -> str:
+    """Write a value as Python does, numbers to the centimetre."""
+    if isinstance(value, float):
+        return f"{value:.2f}"
+    if isinstance(value, list):
+        return f"[{', '.join(map(_brief, cast(list[object], value)))}]"
+    if is_dataclass(value):
+        shown = [f"{f.name}={_brief(getattr(value, f.name))}" for f in fields(value)]
+        return f"{type(value).__name__}({', '.join(shown)})"
+    return repr(value)
