@@ -22,6 +22,12 @@ from memorymaze.agents.agent import Journal
 from memorymaze.agents.navid import NavidAgent, server
 from memorymaze.agents.navid.client import LONGEST_ANSWER, PolicyServer
 from memorymaze.agents.navid.policy import Policy
+from memorymaze.agents.navid.protocol import (
+    PROTOCOL,
+    VERSION,
+    ServerInfo,
+    message_schema,
+)
 from memorymaze.agents.navid.remote_policy import RemotePolicy, ReplayedPolicy
 from memorymaze.errors import EpisodeOver, LanguageModelError, SettingsError
 from memorymaze.language.recorded_replies import RecordingModel, ReplayingModel
@@ -420,3 +426,15 @@ def test_the_reference_server_is_one_file_for_python_3_8():
         )
     }
     assert imported <= sys.stdlib_module_names
+
+
+def test_the_documented_schema_is_that_of_the_messages():
+    page = Path(__file__).parents[3] / "docs" / "navid_protocol.schema.json"
+    assert json.loads(page.read_text(encoding="utf-8")) == message_schema()
+
+
+def test_the_reference_server_answers_by_the_schema(serve):
+    address = serve(Watching(AHEAD))
+
+    ServerInfo.model_validate_json(httpx2.get(f"{address}/info").content)
+    assert (server.PROTOCOL, server.PROTOCOL_VERSION) == (PROTOCOL, VERSION)

@@ -10,6 +10,9 @@ from PIL import Image
 
 from memorymaze.agents.agent import Journal
 from memorymaze.agents.navid import NavidAgent, NavidOptions
+from memorymaze.agents.navid.motions import Command, Motions
+from memorymaze.agents.navid.reply_grammar import reply_grammar
+from memorymaze.agents.navid.reply_reading import read_reply
 from memorymaze.agents.navid.vision_policy import VisionPolicy, chosen_frames
 from memorymaze.errors import EpisodeOver, LanguageModelError
 from memorymaze.language.model import CompletionRequest, Picture
@@ -96,6 +99,18 @@ def test_the_prompt_says_which_motions_there_are(robot, turn_deg, said):
     assert "forward by 25, 50 or 75 cm" in request.messages[0].content
     assert f"by {said} degrees" in request.messages[0].content
     assert (request.temperature, request.max_tokens) == (0.0, 300)
+    assert request.grammar == reply_grammar(Motions(turn_deg=turn_deg))
+
+
+@pytest.mark.parametrize("motions", [Motions(), Motions(turn_deg=15)])
+def test_servers_that_keep_to_a_grammar_can_answer_every_motion(motions):
+    grammar = reply_grammar(motions)
+
+    for motion in ("forward", "left", "right"):
+        for count, amount in enumerate(motions.amounts(motion), 1):
+            assert f'"{amount}"' in grammar
+            reply = f'{{"reason": "Free", "action": "{motion}", "amount": {amount}}}'
+            assert read_reply(reply, motions) == Command(motion, count)
 
 
 def test_the_model_is_told_what_was_wrong_and_asked_once_more(robot):

@@ -6,11 +6,14 @@
     POST /close   CloseRequest   ->  Acknowledgement
 
 Pictures travel as base64 JPEG. A failure is any status from 400 with `{"error": "..."}`.
+The JSON Schema of all messages: `python -m memorymaze.agents.navid.protocol`.
 """
 
-from typing import Annotated, Literal
+import json
+from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
+from pydantic.json_schema import models_json_schema
 
 from memorymaze.agents.navid.motions import Motion
 
@@ -28,6 +31,7 @@ __all__ = [
     "ReplyUsage",
     "ResetRequest",
     "ServerInfo",
+    "message_schema",
 ]
 
 PROTOCOL = "memorymaze-navid"
@@ -42,13 +46,17 @@ Count = Annotated[int, Field(ge=0)]
 class _Sent(BaseModel):
     """What the agent sends: exactly these fields."""
 
-    model_config = ConfigDict(frozen=True, extra="forbid")
+    model_config = ConfigDict(
+        frozen=True, extra="forbid", use_attribute_docstrings=True
+    )
 
 
 class _Received(BaseModel):
     """What a server answers: other fields are allowed and not looked at."""
 
-    model_config = ConfigDict(frozen=True, extra="ignore", strict=True)
+    model_config = ConfigDict(
+        frozen=True, extra="ignore", strict=True, use_attribute_docstrings=True
+    )
 
 
 class ServerInfo(_Received):
@@ -167,3 +175,27 @@ class Failure(_Received):
     """Body of an answer with a status from 400."""
 
     error: str
+
+
+MESSAGES = (
+    ServerInfo,
+    ResetRequest,
+    ActRequest,
+    ActReply,
+    CloseRequest,
+    Acknowledgement,
+    Failure,
+)
+
+
+def message_schema() -> dict[str, Any]:
+    """Return the JSON Schema of all messages, by their names under `$defs`."""
+    _, schema = models_json_schema(
+        [(message, "validation") for message in MESSAGES],
+        title=f"{PROTOCOL}, version {VERSION}",
+    )
+    return {"$schema": "https://json-schema.org/draft/2020-12/schema", **schema}
+
+
+if __name__ == "__main__":
+    print(json.dumps(message_schema(), indent=2))

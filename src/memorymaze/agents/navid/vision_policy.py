@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 from memorymaze.agents.navid.motions import Motions
 from memorymaze.agents.navid.policy import Answer, Frame, Task
+from memorymaze.agents.navid.reply_grammar import reply_grammar
 from memorymaze.language.model import (
     CompletionRequest,
     LanguageModel,
@@ -102,6 +103,7 @@ class VisionPolicy:
             (Message("system", prompt), Message("user", text, pictures)),
             temperature=self._temperature,
             max_tokens=self._max_tokens,
+            grammar=reply_grammar(task.motions),
         )
         completion = self._model.complete(request)
         return Answer(completion, completion.text)
