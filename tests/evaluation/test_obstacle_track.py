@@ -3,6 +3,7 @@
 import json
 from collections.abc import Callable
 from dataclasses import asdict, replace
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
@@ -41,6 +42,11 @@ def test_the_same_seed_gives_the_same_results_in_other_processes(
         traces = [list(read_trace(tmp_path / run, name)) for run in ("one", "two")]
         assert traces[0] == traces[1]
         assert [entry for entry in traces[0] if entry["kind"] == "things"]
+        [people] = [entry for entry in traces[0] if entry["kind"] == "people"]
+        times = [place[0] for place in people["walks"]["person-1"]]
+        assert times[0] == 0
+        assert all(1 <= b - a < 1.2 for a, b in pairwise(times))
+        assert times[-1] > each.duration_s - 1.2
     assert read_run(tmp_path / "one")[0].settings.obstacles == BUSY
 
 

@@ -4,6 +4,7 @@ from dataclasses import replace
 from pathlib import Path
 from xml.etree import ElementTree
 
+import numpy as np
 import pytest
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
@@ -13,6 +14,7 @@ from memorymaze.geometry.trajectory import TimedPose, Trajectory
 from memorymaze.sites import Site, load_site
 from memorymaze.sites.drawing import draw_site
 from memorymaze.sites.drawing_margin import draw_scale_and_north
+from memorymaze.sites.drawing_obstacles import Met, ThingInTheWay
 
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -132,6 +134,20 @@ def test_walks_are_drawn_on_top(l_site: Site, words: Callable[..., list[str]]):
     assert "walked" in words(l_site, trajectories=[walk])
     assert "walked" in words(l_site, trajectories=[[(1, 0), (9, 0)]])
     assert "walked" not in words(l_site)
+
+
+def test_things_in_the_way_and_people_are_drawn_and_explained(
+    l_site: Site, words: Callable[..., list[str]]
+):
+    met = Met(
+        [ThingInTheWay("cart", 3.0, 0.2, 0.0, 0.9, 0.5)],
+        [np.array([(1.0, 0.0), (6.0, 0.0), (9.0, 0.5)])],
+        [(4.0, 0.0)],
+    )
+    drawn = words(l_site, met=met)
+    assert "cart" in drawn
+    assert {"left in the way", "person, from the dot on", "near miss"} <= set(drawn)
+    assert "left in the way" not in words(l_site)
 
 
 def test_a_walk_of_the_wrong_shape_is_refused(l_site: Site, tmp_path: Path):

@@ -228,6 +228,7 @@ def _beyond_the_plan(robot: SimulatedRobot) -> list[dict[str, Any]]:
         {
             "object_id": each.record.id,
             "category": each.record.category,
+            "size": list(each.record.size),
             "pose": _rounded(each.pose),
         }
         for each in robot.surroundings.things
@@ -242,7 +243,11 @@ def _beyond_the_plan(robot: SimulatedRobot) -> list[dict[str, Any]]:
         }
         for each in robot.near_misses
     ]
-    return [{"kind": "things", "things": things}, *near]
+    walks: dict[str, list[list[float]]] = {}
+    for time_, person, x, y in robot.surroundings.walked:
+        walks.setdefault(person, []).append(_rounded((time_, x, y)))
+    people = {"kind": "people", "columns": ["time", "x", "y"], "walks": walks}
+    return [{"kind": "things", "things": things}, *([people] if walks else []), *near]
 
 
 def _closing(

@@ -3,9 +3,12 @@
 import difflib
 import json
 import os
+from collections.abc import Sequence
 from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any
+
+import numpy as np
 
 from memorymaze.errors import RunFolderError, SettingsError
 from memorymaze.evaluation.agents_for_runs import build_agent
@@ -28,6 +31,7 @@ from memorymaze.simulation import SimulationSettings
 from memorymaze.simulation.obstacles import ObstacleSettings
 from memorymaze.simulation.settings import TurningPoints
 from memorymaze.sites import Route, Site
+from memorymaze.sites.drawing_obstacles import Met, ThingInTheWay
 
 __all__ = ["check_folder", "find_route", "navigate", "write_navigation"]
 
@@ -149,6 +153,24 @@ def navigate(
     return run_episode(build_agent(agent)(episode), episode, arena, settings)
 
 
+def _met_in(trace: Sequence[dict[str, Any]]) -> Met | None:
+    """Return the things and people that a trace tells of; None without obstacles."""
+    entries = {entry["kind"]: entry for entry in trace}
+    if "things" not in entries:
+        return None
+    things: list[ThingInTheWay] = []
+    for each in entries["things"]["things"]:
+        (x, y, heading), (length, depth, _) = each["pose"], each["size"]
+        things.append(ThingInTheWay(each["category"], x, y, heading, length, depth))
+    walks = entries.get("people", {"walks": {}})["walks"].values()
+    close = tuple(
+        (entry["pose"][0], entry["pose"][1])
+        for entry in trace
+        if entry["kind"] == "near_miss"
+    )
+    return Met(things, tuple(np.array(walk)[:, 1:] for walk in walks), close)
+
+
 def write_navigation(
     run: EpisodeRun, site: Site, route: Route, folder: Path
 ) -> list[Path]:
@@ -176,7 +198,13 @@ def write_navigation(
         text = json.dumps(content, ensure_ascii=False) + "\n"
         write_whole(files[0], text.encode("utf-8", "backslashreplace"))
         write_whole(files[1], trace_lines(run.trace))
-        draw_site(site, files[2], trajectories=[run.trajectory], routes=[route.id])
+        draw_site(
+            site,
+            files[2],
+            trajectories=[run.trajectory],
+            routes=[route.id],
+            met=_met_in(run.trace),
+        )
     except OSError as error:
         raise RunFolderError(
             f"{folder}: cannot be written ({error.strerror})"

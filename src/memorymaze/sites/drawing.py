@@ -23,6 +23,7 @@ from memorymaze.sites.drawing_margin import (
     write_head,
     write_legend,
 )
+from memorymaze.sites.drawing_obstacles import Met, draw_met
 from memorymaze.sites.drawing_routes import draw_routes, draw_walk
 from memorymaze.sites.label_placing import LabelSpace
 from memorymaze.sites.records import Route, Site
@@ -61,6 +62,7 @@ def draw_site(
     *,
     trajectories: Sequence[Trajectory | ArrayLike] = (),
     routes: bool | Collection[str] = True,
+    met: Met | None = None,
 ) -> None:
     """Draw a site: rooms, floor, walls, doors, landmarks, turning points and routes.
 
@@ -70,6 +72,7 @@ def draw_site(
         trajectories: Walks to draw on top, as trajectories or points in metres, (N, 2).
         routes: Whether to draw all routes or none, or the ids or names (`R1`) of those
             to draw.
+        met: Things left in the way and people who walked about.
 
     Raises:
         SettingsError: The suffix is not one of these, or a route is not in the site.
@@ -93,7 +96,7 @@ def draw_site(
     with rc_context(style), warnings.catch_warnings():
         # Characters that no installed font has are drawn as boxes.
         warnings.filterwarnings("ignore", message="Glyph .* missing from font")
-        _sheet(site, shown, walks).savefig(
+        _sheet(site, shown, walks, met or Met()).savefig(
             path, dpi=DOTS_PER_INCH, metadata=undated.get(path.suffix.lower())
         )
 
@@ -127,7 +130,10 @@ def _other_scripts() -> list[str]:
 
 
 def _sheet(
-    site: Site, routes: Sequence[Route], walks: Sequence[NDArray[np.float64]]
+    site: Site,
+    routes: Sequence[Route],
+    walks: Sequence[NDArray[np.float64]],
+    met: Met,
 ) -> Figure:
     everything = [site.walkable_floor.bounds]
     everything += [room.polygon.bounds for room in site.rooms]
@@ -160,10 +166,11 @@ def _sheet(
     layers.draw_doors(axes, site)
     layers.draw_landmarks(axes, site)
     draw_routes(axes, routes)
+    draw_met(axes, met)
     for walk in walks:
         draw_walk(axes, walk)
     left_out = draw_labels(axes, site, routes, space, magnified)
     write_head(figure, site, sheet_high)
     draw_scale_and_north(figure, site, scale, sheet_wide, sheet_high)
-    write_legend(figure, site, routes, bool(walks), left_out)
+    write_legend(figure, site, routes, bool(walks), left_out, met)
     return figure

@@ -9,6 +9,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch, Rectangle
 
 from memorymaze.sites import drawing_layers as layers
+from memorymaze.sites.drawing_obstacles import Met, met_marks
 from memorymaze.sites.drawing_routes import WALK_COLOR, route_lines
 from memorymaze.sites.records import Route, Site
 
@@ -105,7 +106,12 @@ def draw_scale_and_north(
 
 
 def write_legend(
-    figure: Figure, site: Site, routes: Sequence[Route], walked: bool, left_out: int
+    figure: Figure,
+    site: Site,
+    routes: Sequence[Route],
+    walked: bool,
+    left_out: int,
+    met: Met,
 ) -> None:
     """Explain below the plan what its colours and lines mean.
 
@@ -115,6 +121,7 @@ def write_legend(
         routes: Those that are drawn.
         walked: Whether walks are drawn.
         left_out: How many labels found no room.
+        met: Things in the way and people that are drawn.
     """
     marks: list[Line2D | Patch] = [
         Patch(facecolor=layers.FLOOR_COLOR, edgecolor=layers.WALL_COLOR, label="floor"),
@@ -163,6 +170,7 @@ def write_legend(
         marks.append(line)
     if walked:
         marks.append(Line2D([], [], color=WALK_COLOR, label="walked"))
+    marks += met_marks(met)
     columns = max(2, int(figure.get_figwidth() / 2.9))
     for mark in marks:
         mark.set_label("\n".join(textwrap.wrap(str(mark.get_label()), 36)))

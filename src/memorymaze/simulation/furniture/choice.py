@@ -22,7 +22,6 @@ CHOICE: dict[str, tuple[str, ...]] = {
         "KatorLegaz/painted-bench",
         "Scopia/littlebank",
     ),
-    "bicycle": ("Scopia/bicycle",),
     "bookshelf": ("KatorLegaz/full-bookcase",),
     "cabinet": ("BlendSwap-CC-BY/wardrobe",),
     "cardboard boxes": ("Scopia/cardboard-box", "Scopia/open-cardboard-box"),
@@ -40,10 +39,7 @@ CHOICE: dict[str, tuple[str, ...]] = {
         "Scopia/coffee_table",
         "Scopia/saloon_table",
     ),
-    "desk": (
-        "BlendSwap-CC-0/lbDesk",
-        "BlendSwap-CC-BY/simpleDesk",
-    ),
+    "desk": ("BlendSwap-CC-BY/simpleDesk",),
     "exercise bike": ("Scopia/indoor-bike",),
     "filing cabinet": ("KatorLegaz/filing-cabinet",),
     "fire extinguisher": ("BlendSwap-CC-0/fireExtinguisher",),
@@ -110,7 +106,7 @@ CHOICE: dict[str, tuple[str, ...]] = {
 }
 """Archetype of `looks.catalogue`: pieces, by library and file."""
 
-SIDEWAYS = frozenset({"bicycle", "exercise bike"})
+SIDEWAYS = frozenset({"exercise bike"})
 """Archetypes whose front, in site plans, is the pieces' left side."""
 
 UNPAINTED = frozenset({"aquarium", "person", "planter", "potted plant", "rock"})

@@ -21,6 +21,8 @@ __all__ = ["PlacedThing", "Surroundings"]
 
 PEOPLE_MET = 6.0
 """Metres within which people who stand matter to a way round them."""
+NOTED_EVERY = 1.0
+"""Seconds after which it is kept again where people are."""
 PERSON_ROOM = 0.2
 """Metres around a person who stands that a way round leaves, besides its own."""
 
@@ -95,6 +97,9 @@ class Surroundings:
             )
             self.closeness = Closeness(self.crowd)
             self._show_people()
+        self.walked: list[tuple[float, str, float, float]] = []
+        """Where people were: seconds, id, x and y in metres, about once a second."""
+        self._note_people(0.0)
 
     def advance(self, now: float, pose: Pose, velocity: tuple[float, float]) -> None:
         """Let people walk until a simulated time.
@@ -109,6 +114,8 @@ class Surroundings:
         self.crowd.advance(now, RobotMotion(pose.x, pose.y, *velocity))
         self.closeness.update(now, pose)
         self._show_people()
+        if now - self.walked[-1][0] >= NOTED_EVERY:
+            self._note_people(now)
 
     def clearance_now(self, place: tuple[float, float]) -> Clearance | None:
         """Return distances to everything that stands, people near a place among it.
@@ -135,6 +142,10 @@ class Surroundings:
         if self.crowd is not None:
             for person in self.crowd.people:
                 self._put(person.record, person.x, person.y, person.heading)
+
+    def _note_people(self, now: float) -> None:
+        people = () if self.crowd is None else self.crowd.people
+        self.walked += [(now, each.record.id, each.x, each.y) for each in people]
 
     def _put(self, movable: Movable, x: float, y: float, heading: float) -> None:
         body = self._scene.mocap_ids[movable.id]
