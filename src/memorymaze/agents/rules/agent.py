@@ -1,7 +1,7 @@
 """The rules agent: reads the description, walks, doubts, goes back, arrives."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
@@ -12,15 +12,20 @@ from memorymaze.agents.rules.arriving import Arrivals, approach
 from memorymaze.agents.rules.evidence import choices_at
 from memorymaze.agents.rules.floor_map import Sighting
 from memorymaze.agents.rules.walker import Walker
+from memorymaze.geometry.pose import wrap_angle
 from memorymaze.language.route_description import (
+    ANY_FLOOR,
     RoutePlan,
     describe,
+    is_floor,
     parse_route_description,
 )
 from memorymaze.robot.api import Robot
 
 __all__ = ["RulesAgent", "RulesOptions"]
 
+SAME_HEADING = math.radians(35)
+"""Ways to face that differ by less are one."""
 METRE_BACK = 0.012
 """Nats for each metre to walk back to another hypothesis."""
 RIVALS = 3.0
@@ -65,14 +70,16 @@ class RulesAgent:
         """Drive the robot as the instruction says, and stop."""
         plan = parse_route_description(instruction)
         journal.note("plan", steps=describe(plan))
-        _Search(plan, Walker(robot), journal).run()
+        _Search(plan, Walker(robot), journal, self.options).run()
         robot.stop()
 
 
 class _Search:
     """The walk of one episode."""
 
-    def __init__(self, plan: RoutePlan, walker: Walker, journal: Journal) -> None:
+    def __init__(
+        self, plan: RoutePlan, walker: Walker, journal: Journal, options: RulesOptions
+    ) -> None:
         self._plan = plan
         self._walker = walker
         self._journal = journal
@@ -83,17 +90,21 @@ class _Search:
         self._endings: list[Ending] = []
         self._best_known: dict[tuple[int, int, int], list[float]] = {}
         self._limit = _walk_limit(plan)
+        self._any_heading = options.start_heading == "unknown"
+        self._looks = _looks_of(plan)
+        """What tells ways apart: looked for at every crossing."""
 
     def run(self) -> None:
         """Walk until arrived."""
         start = self._walker.at
-        standing = Standing(
-            start, 0.0, 0, line=(self._walker.map.crossings[start].place,)
-        )
-        if start == 0:
-            self._frontier.append(Branch(standing, 0))
+        place = self._walker.map.crossings[start].place
+        if self._any_heading:
+            self._begin_anywhere(Standing(start, 0.0, 0, line=(place,)))
+        elif start == 0:
+            self._frontier.append(Branch(Standing(0, 0.0, 0, line=(place,)), 0))
         else:
-            self._branch_out(standing)
+            self._survey()
+            self._branch_out(Standing(start, 0.0, 0, line=(place,)))
         for _ in range(400):
             self._walk_in_mind()
             branch = self._best_branch()
@@ -109,6 +120,37 @@ class _Search:
                 return
             if self._walk(branch):
                 return
+
+    def _begin_anywhere(self, standing: Standing) -> None:
+        """Look about, and take every way to face at the start for possible."""
+        phrases = dict.fromkeys([*self._looks, *self._first_things()])
+        self._walker.look_about(phrases)
+        exits = self._walker.map.crossings[standing.at].exits
+        headings = list(exits)
+        for exit in exits:
+            for angle in (math.pi / 2, math.pi, -math.pi / 2):
+                heading = wrap_angle(exit + angle)
+                if all(abs(wrap_angle(heading - h)) > SAME_HEADING for h in headings):
+                    headings.append(heading)
+        for heading in headings:
+            cost = self._aligner.first_heading_cost(standing.at, heading)
+            told = f"began facing {math.degrees(heading):.0f} (+{cost:.1f})"
+            self._branch_out(
+                replace(standing, heading=heading, cost=cost, story=(told,))
+            )
+
+    def _first_things(self) -> list[str]:
+        """Things that the way to face at the start may be told by."""
+        legs = self._plan.legs
+        first = legs[0] if legs else self._plan.arrival
+        named = [m.phrase for m in first.mentions]
+        outlook = first.outlook
+        return [*outlook.ahead, *outlook.behind, *named, *self._arrivals.phrases]
+
+    def _survey(self) -> None:
+        """Look along the ways out of where the robot is, if that tells anything."""
+        if self._looks and self._walker.at > 0:
+            self._walker.survey(self._looks)
 
     # -- choosing
 
@@ -164,10 +206,9 @@ class _Search:
             return
         crossing = self._walker.map.crossings[standing.at]
         choices = choices_at(crossing.exits, crossing.closed, standing.heading)
-        self._endings.extend(
-            self._arrivals.at_crossing(standing, goes_on=choices.forward is not None)
-        )
+        self._endings.extend(self._arrivals.at_crossing(standing, choices))
         for branch in self._aligner.branches(standing):
+            self._endings.extend(self._arrivals.after_turn(branch.standing))
             key = (branch.standing.at, branch.exit, branch.standing.leg)
             costs = self._best_known.setdefault(key, [])
             cost = self._aligner.outlook(branch.standing)
@@ -209,7 +250,9 @@ class _Search:
                     return True
             return False
 
-        walker.follow_exit(branch.exit, self._phrases(rivals), arrived)
+        stretch = walker.follow_exit(branch.exit, self._phrases(rivals), arrived)
+        if stretch is not None:
+            self._survey()
         if found:
             self._journal.note("arrival", reason=f"{found[0].phrase} seen")
             approach(walker, found[0])
@@ -229,7 +272,7 @@ class _Search:
         return sorted(same, key=lambda b: self._aligner.outlook(b.standing))[:5]
 
     def _phrases(self, rivals: list[Branch]) -> list[str]:
-        phrases: list[str] = list(self._arrivals.phrases)
+        phrases: list[str] = [*self._looks, *self._arrivals.phrases]
         legs = self._plan.legs
         for rival in rivals:
             first = rival.standing.leg
@@ -266,6 +309,18 @@ class _Search:
             if not walker.step(step):
                 return
             goal -= step
+
+
+def _looks_of(plan: RoutePlan) -> tuple[str, ...]:
+    """Return what to look for along every way; nothing where no way is told by looks."""
+    parts = (*plan.legs, plan.arrival)
+    ahead = [phrase for part in parts for phrase in part.outlook.ahead]
+    named = [m.phrase for part in parts for m in part.mentions if is_floor(m.phrase)]
+    floors = [phrase for phrase in (*ahead, *named) if is_floor(phrase)]
+    turns = any(leg.turn.way == "facing" for leg in plan.legs)
+    if not floors and not turns:
+        return ()
+    return tuple(dict.fromkeys([*([ANY_FLOOR] if floors else []), *ahead, *floors]))
 
 
 def _walk_limit(plan: RoutePlan) -> float:

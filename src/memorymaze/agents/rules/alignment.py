@@ -16,12 +16,21 @@ from memorymaze.agents.rules.evidence import (
     length_cost,
     mentions_cost,
     ordinal_cost,
+    outlook_cost,
     passings_cost,
     too_far_cost,
+    walls_cost,
     way_cost,
 )
 from memorymaze.agents.rules.floor_map import FloorMap, Point, Stretch
-from memorymaze.language.route_description import Leg, Length, RoutePlan
+from memorymaze.geometry.pose import wrap_angle
+from memorymaze.language.route_description import (
+    Leg,
+    Length,
+    Outlook,
+    RoutePlan,
+    is_floor,
+)
 
 __all__ = ["Aligner", "Branch", "Ending", "Standing"]
 
@@ -41,6 +50,8 @@ STILL_AHEAD = 0.8
 """What a leg costs when all is right, about: expected for each leg not yet done."""
 UNSEEN_YET = 0.6
 """Share of the cost of things not seen that counts while they may still come."""
+NOT_GONE = 2.0
+"""Turning at once where it was said that one walks first."""
 UNTOLD_WAY_ON = 0.05
 """Going straight on past an opening."""
 
@@ -69,6 +80,11 @@ class Standing:
     cost: float = 0.0
     story: tuple[str, ...] = ()
     """The decisions so far, in words."""
+
+    @property
+    def places(self) -> int:
+        """Places where one can turn that were come to since the last turn."""
+        return len(self.line) - 1
 
 
 @dataclass(frozen=True, slots=True)
@@ -119,8 +135,8 @@ class Aligner:
         leg = self._leg(standing)
         if leg is not None:
             length = _with_lead(leg.length, standing.lead)
-            if length is not None and standing.walked > length.metres:
-                ahead += length_cost(length, standing.walked)
+            if length is not None and _is_passed(length, standing):
+                ahead += _walked_cost(length, standing, 0)
             if standing.walked > 6.0 and standing.asked:
                 ahead += UNSEEN_YET * max(
                     mentions_cost(
@@ -229,31 +245,86 @@ class Aligner:
         for number in range(standing.leg, min(standing.leg + 3, len(self.plan.legs))):
             leg = self.plan.legs[number]
             base = skipped + self._place_cost(standing, leg, lead, choices)
-            for index, angle in choices.ways:
+            for index, angle in self._ways_of(leg, standing, choices):
                 way = way_cost(leg.turn, angle)
                 if way >= 4.0 and len(choices.ways) > 1 and skipped:
                     continue
-                cost = base + way
+                cost = base + way + self._outlook_cost(standing, number + 1, index)
                 told = f"leg {number + 1} {leg.turn.way} at {standing.at} (+{cost:.1f})"
-                yield Branch(
-                    Standing(
-                        standing.at,
-                        standing.heading,
-                        number + 1,
-                        line=(self._floor.crossings[standing.at].place,),
-                        cost=standing.cost + cost,
-                        story=(*story, told),
-                    ),
-                    index,
+                done = Standing(
+                    standing.at,
+                    wrap_angle(standing.heading + angle),
+                    number + 1,
+                    line=(self._floor.crossings[standing.at].place,),
+                    cost=standing.cost + cost,
+                    story=(*story, told),
                 )
+                yield Branch(done, index)
+                if leg.turn.way in {"facing", "around"} and self._turns_at_once(done):
+                    yield from self._turns(done, self._choices(done))
             skip = self._skip_cost(number)
             skipped += skip
             lead += leg.length.metres if leg.length else 0.0
             story = (*story, f"leave out leg {number + 1} (+{skip:.1f})")
 
+    def _choices(self, standing: Standing) -> Choices:
+        crossing = self._floor.crossings[standing.at]
+        return choices_at(crossing.exits, crossing.closed, standing.heading)
+
+    def _ways_of(
+        self, leg: Leg, standing: Standing, choices: Choices
+    ) -> tuple[tuple[int, float], ...]:
+        """Return the ways a turn may lead; back only where it may mean that."""
+        if leg.turn.way not in {"facing", "around"}:
+            return choices.ways
+        crossing = self._floor.crossings[standing.at]
+        return tuple(
+            (index, wrap_angle(heading - standing.heading))
+            for index, heading in enumerate(crossing.exits)
+            if index not in crossing.closed
+        )
+
+    def _turns_at_once(self, standing: Standing) -> bool:
+        """Tell whether the next turn follows on the spot: `face it, turn left`."""
+        leg = self._leg(standing)
+        return leg is not None and not leg.goes
+
+    def _outlook_cost(self, standing: Standing, leg: int, exit: int) -> float:
+        """Compare the way an exit leads with what was said of the way of a leg."""
+        outlook = self.outlook_of(leg)
+        crossing = self._floor.crossings[standing.at]
+        cost = outlook_cost(outlook, self._floor, standing.at, exit)
+        return cost + walls_cost(
+            outlook, crossing.exits, crossing.closed, crossing.exits[exit]
+        )
+
+    def outlook_of(self, leg: int) -> Outlook:
+        """Return what was said of the beginning of a leg, or of the last stretch."""
+        legs = self.plan.legs
+        return legs[leg].outlook if leg < len(legs) else self.plan.arrival.outlook
+
+    def first_heading_cost(self, at: int, heading: float) -> float:
+        """Compare a way to face at the start with what the description begins with."""
+        crossing = self._floor.crossings[at]
+        exit = crossing.find_exit(heading)
+        outlook = self.outlook_of(0)
+        cost = walls_cost(outlook, crossing.exits, crossing.closed, heading)
+        cost += outlook_cost(outlook, self._floor, at, exit)
+        first = self.plan.legs[0] if self.plan.legs else self.plan.arrival
+        if exit is None:
+            return cost + 1.0 * first.goes
+        things = tuple(
+            mention.phrase
+            for mention in first.mentions
+            if mention.place in {"turn", "passed"} and not is_floor(mention.phrase)
+        )
+        seen = outlook_cost(Outlook(things[:1]), self._floor, at, exit)
+        return cost + 0.5 * seen
+
     def _skip_cost(self, number: int) -> float:
         turn = self.plan.legs[number].turn
-        if turn.forced or turn.way.startswith("slight") or turn.way == "forward":
+        easy = turn.way.startswith("slight") or turn.way in {"forward", "facing"}
+        if turn.forced or easy:
             return BEND_LEFT_OUT
         cost = LEFT_OUT - 1.2 * turn.doubt
         leg = self.plan.legs[number]
@@ -269,7 +340,9 @@ class Aligner:
         crossing = self._floor.crossings[standing.at]
         turn = leg.turn
         junction = len(choices.ways) > 1
-        cost = length_cost(_with_lead(leg.length, lead), standing.walked)
+        cost = _walked_cost(_with_lead(leg.length, lead), standing, junction)
+        if leg.goes and not standing.walked:
+            cost += NOT_GONE
         cost += junction_cost(turn, choices)
         cost += ordinal_cost(
             turn,
@@ -286,6 +359,7 @@ class Aligner:
             standing.line,
             crossing.place,
             standing.asked or frozenset(),
+            standing.at,
         )
         cost += too_far_cost(leg.too_far, self._floor, standing.line, crossing.place)
         return cost
@@ -304,8 +378,22 @@ class Aligner:
         return None
 
 
+def _walked_cost(length: Length | None, standing: Standing, junction: int) -> float:
+    """Compare a length with the walk since the last turn, the present place included."""
+    crossings = standing.crossings + junction
+    return length_cost(length, standing.walked, standing.places, crossings)
+
+
+def _is_passed(length: Length, standing: Standing) -> bool:
+    if length.count is not None:
+        return standing.places > length.count
+    return standing.walked > length.metres
+
+
 def _with_lead(length: Length | None, lead: float) -> Length | None:
     """Add the length of legs that were left out."""
     if length is None or not lead:
+        return length
+    if length.count is not None:
         return length
     return Length(length.metres + lead, length.unit)

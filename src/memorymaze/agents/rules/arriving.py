@@ -6,13 +6,20 @@ from collections.abc import Iterator
 
 from memorymaze.agents.rules.alignment import Branch, Ending, Standing
 from memorymaze.agents.rules.evidence import (
+    Choices,
+    junction_cost,
     length_cost,
     mentions_cost,
     passings_cost,
 )
 from memorymaze.agents.rules.floor_map import FloorMap, Point, Sighting, Stretch
 from memorymaze.agents.rules.walker import Walker
-from memorymaze.language.route_description import RoutePlan, is_common
+from memorymaze.language.route_description import (
+    RoutePlan,
+    Turn,
+    is_common,
+    is_floor,
+)
 
 __all__ = ["Arrivals", "approach"]
 
@@ -32,8 +39,12 @@ SIGN_SEEN = 2.0
 """Nats gained then by a sign near by that names it."""
 LEG_TO_COME = 2.4
 """Nats lost for each leg that the description still has."""
-CLOSE = 2.2
+CLOSE = 1.2
 """Metres from the destination at which to stop."""
+AT_CROSSING = 2.2
+"""Metres from a crossing within which the destination is there."""
+AFTER_TURN = 1.7
+"""Nats lost by stopping where the last turn was made."""
 SIGN_NEAR = 9.0
 """Metres within which a sign that names the destination speaks for a place."""
 INSIDE = 2.0
@@ -56,7 +67,9 @@ class Arrivals:
         if names and names[0].split()[-1] in _ROOMS and is_common(names[0]):
             names = ("door", *names)
         self._first = frozenset(_variants(names[0])) if names else frozenset[str]()
-        self._names = tuple(dict.fromkeys([*self._first, *names]))
+        self._names = tuple(
+            name for name in dict.fromkeys([*self._first, *names]) if not is_floor(name)
+        )
 
     @property
     def phrases(self) -> tuple[str, ...]:
@@ -89,7 +102,7 @@ class Arrivals:
                 standing.story,
             )
         length = self._plan.arrival.length
-        if to_come == 0 and length is not None:
+        if to_come == 0 and length is not None and length.count is None:
             rest = length.metres - standing.walked
             if 0.0 < rest < stretch.length:
                 unseen = self._unseen + self._fit(standing, rest, 0)
@@ -102,23 +115,43 @@ class Arrivals:
                     standing.story,
                 )
 
-    def at_crossing(self, standing: Standing, *, goes_on: bool) -> Iterator[Ending]:
+    def at_crossing(self, standing: Standing, choices: Choices) -> Iterator[Ending]:
         """Yield the ending at a crossing where all legs are done."""
         if standing.leg < len(self._plan.legs) or not standing.walked:
             return
-        cost = standing.cost + self._unseen + self._fit(standing, 0.0, 0)
+        place = self._floor.crossings[standing.at].place
+        here = [
+            loss + self._side_cost(sighting)
+            for loss, sighting in self._sightings()
+            if not self._only_names(sighting)
+            and math.dist(sighting.place, place) <= AT_CROSSING
+        ]
+        unseen = min([self._unseen, *here])
+        cost = standing.cost + unseen + self._fit(standing, 0.0, 0)
         arrival = self._plan.arrival
-        if goes_on:
-            cost += 1.0 if arrival.length is None or arrival.at_end else 0.3
+        if arrival.junction is not None:
+            cost += junction_cost(Turn("forward", junction=arrival.junction), choices)
+        if choices.forward is not None:
+            open_end = arrival.length is None and not (arrival.junction or here)
+            cost += 1.0 if open_end or arrival.at_end else 0.3
         elif arrival.at_end:
             cost -= 0.5
-        place = self._floor.crossings[standing.at].place
         if any(
             self._only_names(s) and math.dist(s.place, place) <= SIGN_NEAR
             for _, s in self._sightings()
         ):
-            cost -= min(SIGN_SEEN, self._unseen)
+            cost -= min(SIGN_SEEN, unseen)
         yield Ending(standing.at, None, 0.0, cost, "end of the way", standing.story)
+
+    def after_turn(self, standing: Standing) -> Iterator[Ending]:
+        """Yield the ending where the last turn is all there is to do."""
+        arrival = self._plan.arrival
+        if standing.leg < len(self._plan.legs) or standing.walked or arrival.goes:
+            return
+        if self.phrases or not self._plan.legs:
+            return
+        cost = standing.cost + AFTER_TURN
+        yield Ending(standing.at, None, 0.0, cost, "turned", standing.story)
 
     def best_now(
         self, branch: Branch, seen: list[Sighting], walked: float
@@ -186,14 +219,23 @@ class Arrivals:
             return 0.0
         arrival = self._plan.arrival
         walked = standing.walked + further
-        cost = 0.7 * length_cost(arrival.length, walked)
+        places = standing.places + bool(further)
+        told = length_cost(
+            arrival.length, walked, places, standing.crossings + bool(further)
+        )
+        cost = told if arrival.length and arrival.length.count else 0.7 * told
         cost += passings_cost(
             arrival.passings, standing.left, standing.right, standing.crossings
         )
         line = standing.line
         others = [m for m in arrival.mentions if m.phrase not in self.phrases]
         cost += 0.5 * mentions_cost(
-            others, self._floor, line, line[-1], standing.asked or frozenset()
+            others,
+            self._floor,
+            line,
+            line[-1],
+            standing.asked or frozenset(),
+            None if further else standing.at,
         )
         return cost
 
@@ -211,7 +253,7 @@ def approach(walker: Walker, sighting: Sighting) -> None:
         walker: The robot, facing the thing.
         sighting: The thing.
     """
-    for _ in range(14):
+    for _ in range(14 + int(sighting.distance)):
         seen = [s for s in walker.look((sighting.phrase,)) if s.track == sighting.track]
         if not seen:
             break

@@ -15,9 +15,12 @@ from memorymaze.geometry.pose import wrap_angle
 from memorymaze.language.route_description import (
     Length,
     Mention,
+    Outlook,
     Passing,
+    Side,
     Turn,
     is_common,
+    is_floor,
 )
 
 __all__ = [
@@ -27,19 +30,41 @@ __all__ = [
     "length_cost",
     "mentions_cost",
     "ordinal_cost",
+    "outlook_cost",
     "passings_cost",
     "too_far_cost",
+    "walls_cost",
     "way_cost",
 ]
 
-SPREAD = {"metres": 0.4, "steps": 0.45, "time": 0.6, "vague": 0.9}
+SPREAD = {"metres": 0.4, "steps": 0.45, "time": 0.6, "vague": 0.9, "segments": 0.5}
 """Standard deviation of the logarithm of a length from memory, by what was counted."""
-GREATEST = {"metres": 3.5, "steps": 3.2, "time": 2.4, "vague": 1.6}
+GREATEST = {"metres": 3.5, "steps": 3.2, "time": 2.4, "vague": 1.6, "segments": 4.0}
 """A length that is wrong altogether costs this."""
 
 FORWARD, SLIGHT, BACK = math.radians(15), math.radians(60), math.radians(160)
-NEAR = 6.0
-"""Metres within which a thing is at a turn."""
+MISCOUNTED = 1.6
+"""For each place where one can turn that was counted too many or too few."""
+OTHER_FLOOR = 2.8
+"""The way has another floor than the one said."""
+FLOOR_BEYOND = 0.8
+"""The same where it begins farther along that way."""
+NOT_AHEAD = 1.6
+"""What was said to lie that way is not to be seen, by one who sees far."""
+MAYBE_AHEAD = 0.3
+"""The same by one who sees only what is near."""
+ELSEWHERE = 1.5
+"""What was said to be at a turn was seen, but at another place."""
+NO_WALL = 2.4
+"""There is a way where a wall was said to be."""
+FAR = 6.0
+"""Metres; who has seen something so far away sees far."""
+_SIDES: dict[Side, float] = {
+    "ahead": 0.0,
+    "left": math.pi / 2,
+    "behind": math.pi,
+    "right": -math.pi / 2,
+}
 BESIDE = 5.0
 """Metres from the line of a leg within which a thing is on it."""
 
@@ -80,10 +105,22 @@ def choices_at(exits: Sequence[float], closed: set[int], heading: float) -> Choi
     )
 
 
-def length_cost(length: Length | None, walked: float) -> float:
-    """Compare a stated length with metres walked."""
+def length_cost(
+    length: Length | None, walked: float, places: int = 0, junctions: int = 0
+) -> float:
+    """Compare a stated length with what was walked.
+
+    Args:
+        length: What was said.
+        walked: Metres.
+        places: Places where one can turn that were come to, the present one included.
+        junctions: Those of them where one has to choose.
+    """
     if length is None:
         return 0.0
+    if length.count is not None:
+        off = min(abs(places - length.count), abs(junctions - length.count) + 0.3)
+        return min(MISCOUNTED * off, GREATEST[length.unit])
     ratio = math.log(max(walked, 1.0) / max(length.metres, 1.0))
     slack = 2.0 / max(length.metres, 2.0)
     off = max(abs(ratio) - slack, 0.0) / SPREAD[length.unit]
@@ -92,6 +129,10 @@ def length_cost(length: Length | None, walked: float) -> float:
 
 def way_cost(turn: Turn, angle: float) -> float:
     """Compare the direction of a turn with the angle of a way out."""
+    if turn.way == "facing":
+        return 0.2 if abs(angle) <= BACK else 1.0
+    if turn.way == "around":
+        return 0.0 if abs(angle) > BACK else 4.0
     if turn.way == "forward_or_side":
         return 0.3 if abs(angle) > FORWARD else 1.5
     if turn.way == "forward":
@@ -173,12 +214,58 @@ def passings_cost(
     return min(cost, 2.4)
 
 
+def outlook_cost(outlook: Outlook, floor: FloorMap, at: int, exit: int | None) -> float:
+    """Compare what was said to lie along a way with what is seen along it.
+
+    Args:
+        outlook: What was said.
+        floor: The map with all views.
+        at: Crossing where the way begins.
+        exit: Exit that leads into it; None for a wall.
+    """
+    view = floor.views.get((at, exit)) if exit is not None else None
+    if view is None:
+        return 0.5 * bool(outlook.ahead) if exit is None else 0.0
+    cost = 0.0
+    for phrase in outlook.ahead:
+        if phrase not in view.asked:
+            continue
+        if is_floor(phrase):
+            if view.floor is not None:
+                beyond = phrase in view.distances
+                other = FLOOR_BEYOND if beyond else OTHER_FLOOR
+                cost += -1.0 if view.has_floor(phrase) else other
+        elif phrase in view.distances:
+            cost -= 1.2
+        else:
+            cost += NOT_AHEAD if floor.farthest > FAR else MAYBE_AHEAD
+    cost += NOT_AHEAD * sum(phrase in view.distances for phrase in outlook.behind)
+    return cost
+
+
+def walls_cost(
+    outlook: Outlook, exits: Sequence[float], closed: set[int], heading: float
+) -> float:
+    """Compare the sides that were said to be walls with the ways out of a crossing."""
+    cost = 0.0
+    for side in outlook.walls:
+        there = wrap_angle(heading + _SIDES[side])
+        is_open = any(
+            abs(wrap_angle(each - there)) < SLIGHT
+            for index, each in enumerate(exits)
+            if index not in closed
+        )
+        cost += NO_WALL if is_open else -0.6
+    return cost
+
+
 def mentions_cost(
     mentions: Sequence[Mention],
     floor: FloorMap,
     line: Sequence[Point],
     place: Point,
     asked: frozenset[str],
+    at: int | None = None,
 ) -> float:
     """Compare the things named on a leg with those seen.
 
@@ -188,11 +275,26 @@ def mentions_cost(
         line: Corners of the leg walked, its end included.
         place: Where the turn would be.
         asked: Phrases that were looked for all along the leg.
+        at: The crossing where the turn would be, if it is at one.
     """
     total = 0.0
     for mention in mentions:
-        total += _mention_cost(mention, floor, line, place, asked)
-    return max(min(total, 1.5), -4.0)
+        if is_floor(mention.phrase):
+            total += _crossing_floor_cost(mention, floor, at)
+        else:
+            total += _mention_cost(mention, floor, line, place, asked)
+    return max(min(total, 3.0 if at is not None else 1.5), -4.0)
+
+
+def _crossing_floor_cost(mention: Mention, floor: FloorMap, at: int | None) -> float:
+    """Compare a floor that a crossing was said to have with the ways out of it."""
+    if at is None or mention.place not in {"turn", "beside", "target"}:
+        return 0.0
+    views = [view for view in floor.views_from(at) if mention.phrase in view.asked]
+    if any(view.has_floor(mention.phrase) for view in views):
+        return -1.2
+    told = [view for view in views if view.floor is not None]
+    return 1.5 if len(told) > 1 or (told and len(views) == len(told)) else 0.0
 
 
 def _mention_cost(
@@ -206,10 +308,10 @@ def _mention_cost(
     at_turn = mention.place in {"turn", "beside", "before_turn", "after_turn"}
     best = 0.0
     for sighting in floor.seen(mention.phrase):
-        from_turn = math.dist(sighting.place, place)
         beside = distance_to_line(sighting.place, line)
         if at_turn:
-            gain = 1.5 if from_turn <= NEAR else 0.4 if beside <= BESIDE else 0.0
+            is_there = floor.is_at(sighting.place, place)
+            gain = 1.5 if is_there else 0.4 if beside <= BESIDE else 0.0
         else:
             gain = 0.9 if beside <= BESIDE else 0.0
         if gain and mention.side in {"left", "right"} and sighting.side != "ahead":
@@ -217,6 +319,8 @@ def _mention_cost(
         best = max(best, gain * min(sighting.score + 0.2, 1.0))
     if best:
         return -best * weight
+    if at_turn and floor.seen(mention.phrase):
+        return weight * ELSEWHERE
     if mention.phrase in asked:
         ordered = at_turn or mention.place == "passed"
         return weight * (0.6 if ordered else 0.25)
@@ -233,7 +337,7 @@ def too_far_cost(
             continue
         for sighting in floor.seen(phrase):
             passed = distance_to_line(sighting.place, line) <= BESIDE
-            if passed and math.dist(sighting.place, place) > NEAR:
+            if passed and not floor.is_at(sighting.place, place):
                 cost = 2.0
     return cost
 

@@ -6,14 +6,24 @@ is 0. Nothing here comes from a site plan.
 
 import heapq
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 
 from memorymaze.geometry.pose import wrap_angle
+from memorymaze.language.route_description import ANY_FLOOR, is_floor
 
-__all__ = ["Crossing", "FloorMap", "Point", "Sighting", "Stretch"]
+__all__ = ["Crossing", "FloorMap", "Point", "Sighting", "Stretch", "View"]
 
 Point = tuple[float, float]
 
+ALONG = math.radians(30)
+"""What lies within this angle of a way lies along it."""
+SURE = 0.8
+"""Score from which on a floor is surely the one that was asked for."""
+NEAR = 6.0
+"""Metres within which a thing is at a crossing, if no other is nearer to it."""
+AT_CROSSING = 2.5
+"""Metres within which it is, whatever other crossings there are."""
 SAME_EXIT = math.radians(35)
 """Exits of a crossing that differ by less are one."""
 
@@ -37,6 +47,28 @@ class Sighting:
     """Crossing and exit of the stretch on which it was seen."""
     side: str
     """`left`, `right` or `ahead` of the way the robot went."""
+    bearing: float = 0.0
+    """Radians from the way the robot faced, left positive."""
+
+
+@dataclass
+class View:
+    """What one sees along a way from the crossing where it begins."""
+
+    asked: set[str] = field(default_factory=set[str])
+    """What was looked for."""
+    distances: dict[str, float] = field(default_factory=dict[str, float])
+    """Metres to the nearest of what was found, by what was looked for."""
+
+    @property
+    def floor(self) -> float | None:
+        """Metres to the nearest covering that can be told; None without any."""
+        return self.distances.get(ANY_FLOOR)
+
+    def has_floor(self, phrase: str) -> bool:
+        """Tell whether the covering of the way itself, not of one behind it, fits."""
+        floor, found = self.floor, self.distances.get(phrase)
+        return floor is not None and found is not None and found <= floor + 0.6
 
 
 @dataclass
@@ -93,6 +125,10 @@ class FloorMap:
         self.stretches: dict[tuple[int, int], Stretch] = {}
         self._sightings: dict[str, dict[int, Sighting]] = {}
         self._dead_ends = 0
+        self.views: dict[tuple[int, int], View] = {}
+        """By crossing and exit."""
+        self.farthest = 0.0
+        """Metres of the farthest sighting: how far this robot sees."""
 
     def new_dead_end(self, place: Point) -> Crossing:
         """Note a place where a way ends."""
@@ -118,9 +154,45 @@ class FloorMap:
                 frozenset(),
             ),
         )
+        view = self.views.get((stretch.start, stretch.exit))
+        if view is not None and view.floor is not None:
+            floors = [p for p in view.distances if is_floor(p) and view.has_floor(p)]
+            mirrored = self.views.setdefault((stretch.end, back), View())
+            mirrored.asked.update(p for p in view.asked if is_floor(p))
+            for phrase in floors:
+                mirrored.distances.setdefault(phrase, view.floor)
+
+    def note_view(
+        self, crossing: int, exit: int, asked: Iterable[str], seen: Iterable[Sighting]
+    ) -> None:
+        """Keep what was seen along a way by someone who faces it in its crossing."""
+        view = self.views.setdefault((crossing, exit), View())
+        view.asked.update(asked)
+        for each in seen:
+            if abs(each.bearing) > ALONG or (
+                is_floor(each.phrase) and each.score < SURE
+            ):
+                continue
+            known = view.distances.get(each.phrase, math.inf)
+            view.distances[each.phrase] = min(known, each.distance)
+
+    def views_from(self, crossing: int) -> list[View]:
+        """Return the views along all ways out of a crossing that were looked along."""
+        return [view for (at, _), view in self.views.items() if at == crossing]
+
+    def is_at(self, place: Point, crossing_place: Point) -> bool:
+        """Tell whether a thing stands at a crossing, and not rather at another one."""
+        distance = math.dist(place, crossing_place)
+        if distance <= AT_CROSSING:
+            return True
+        return distance <= NEAR and all(
+            math.dist(place, other.place) >= distance - 1.0
+            for other in self.crossings.values()
+        )
 
     def note(self, sighting: Sighting) -> None:
         """Keep a sighting; of one thing the one from nearest counts."""
+        self.farthest = max(self.farthest, sighting.distance)
         seen = self._sightings.setdefault(sighting.phrase, {})
         known = seen.get(sighting.track)
         if known is None or sighting.distance < known.distance:

@@ -90,6 +90,8 @@ class Walker:
         outside = self._robot.turning_point_id() != start.number
         while True:
             seen = self.look(wanted)
+            if not outside and self.travelled == begin:
+                self.map.note_view(start.number, exit, wanted, seen)
             if until is not None and until(seen):
                 return None
             result = self._robot.move_forward(STRIDE if wanted else LONG_STRIDE)
@@ -234,11 +236,14 @@ class Walker:
         if abs(angle) >= BACK or crossing.number <= 0:
             return self._turn("around")
         offered = self._robot.detect_turning_point()
-        words = sorted(
+        words: list[Direction] = sorted(
             offered, key=lambda word: abs(wrap_angle(direction_angle(word) - angle))
         )
         if not words or abs(wrap_angle(direction_angle(words[0]) - angle)) > 1.1:
-            return self._turn("around") if abs(angle) > 2.2 else False
+            if abs(angle) > 2.2:
+                return self._turn("around")
+            # The way it came is not told of, but it can be turned to.
+            words = ["left" if angle > 0 else "right"]
         if words[0] == "forward":
             return True
         turned = self._turn(words[0])
@@ -271,6 +276,47 @@ class Walker:
 
     # -- looking
 
+    def look_about(self, phrases: Iterable[str]) -> None:
+        """Find all ways out of where the robot stands, and look along each.
+
+        It may face any way afterwards.
+        """
+        crossing = self.map.crossings[self.at]
+        if crossing.number > 0:
+            for _ in range(2):
+                for direction in self._robot.detect_turning_point():
+                    angle = direction_angle(direction)
+                    crossing.add_exit(wrap_angle(self.heading + angle))
+                self._turn("around")
+                # The way it came is not told of, but a way ahead can be turned to.
+                if self._turn("forward"):
+                    crossing.add_exit(self.heading)
+        else:
+            crossing.add_exit(math.pi)
+        self.survey(phrases)
+
+    def survey(self, phrases: Iterable[str]) -> None:
+        """Look along every way out of the crossing the robot is at."""
+        wanted = tuple(dict.fromkeys(phrases))
+        crossing = self.map.crossings[self.at]
+        order = sorted(
+            range(len(crossing.exits)),
+            key=lambda exit: abs(wrap_angle(crossing.exits[exit] - self.heading)),
+        )
+        for exit in order:
+            view = self.map.views.get((crossing.number, exit))
+            if exit in crossing.closed or (
+                view is not None and view.asked.issuperset(wanted)
+            ):
+                continue
+            if self.face(exit):
+                self._view(exit, wanted)
+
+    def _view(self, exit: int, phrases: Iterable[str]) -> None:
+        self._stretch = (self.at, exit)
+        asked = tuple(phrases)
+        self.map.note_view(self.at, exit, asked, self.look(asked))
+
     def look(self, phrases: Iterable[str]) -> list[Sighting]:
         """Look for things; what is seen goes on the map."""
         seen: list[Sighting] = []
@@ -298,6 +344,7 @@ class Walker:
                     found.track_id,
                     self._stretch,
                     side,
+                    bearing,
                 )
                 self.map.note(sighting)
                 seen.append(sighting)

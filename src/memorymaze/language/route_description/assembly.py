@@ -11,6 +11,7 @@ from typing import Literal
 
 from memorymaze.language.route_description.drafts import Draft, place_of
 from memorymaze.language.route_description.events import Event
+from memorymaze.language.route_description.lengths import SEGMENT_METRES
 from memorymaze.language.route_description.plan import (
     Length,
     Mention,
@@ -50,6 +51,7 @@ class _Assembly:
     def run(self) -> list[Draft]:
         for at, event in enumerate(self._events):
             self._take(event, at)
+        self._end_at_an_opening()
         self._settle_way()
         self._end_on_a_side()
         return [*self._done, self._draft]
@@ -84,6 +86,11 @@ class _Assembly:
             case "too_far":
                 draft = self._done[-1] if self._done else self._draft
                 draft.too_far.append(event.phrase)
+            case "ahead":
+                self._add_ahead(event, at)
+            case "wall" if event.side is not None:
+                self._face_anew(at, always=False)
+                self._draft.walls.append(event.side)
             case "restate":
                 self._restating.announce()
             case "at_once":
@@ -184,6 +191,17 @@ class _Assembly:
         if last.turn is not None:
             last.turn = replace(last.turn, **changes)  # type: ignore[arg-type]
 
+    def _end_at_an_opening(self) -> None:
+        """`To the second crossing`, said last: one walks that far and no farther."""
+        way = self._way
+        if way is None or way.taken or way.side is not None or self._draft.lengths:
+            return
+        if way.ordinal is not None and way.ordinal > 0:
+            self._way = None
+            metres = way.ordinal * SEGMENT_METRES
+            length = Length(metres, "segments", float(way.ordinal))
+            self._draft.lengths.append(length)
+
     def _end_on_a_side(self) -> None:
         """`Room 2347, left.`: the last word tells the side of the destination."""
         if not self._done or not self._draft.is_new:
@@ -233,6 +251,8 @@ class _Assembly:
 
     def _add_thing(self, event: Event, at: int) -> None:
         if event.relation == "from":
+            if self._draft.ahead or self._draft.is_new:
+                self._draft.behind.append(event.phrase)
             return
         back = bool(self._done) and (event.back or self._ends_the_turn(event, at))
         draft = self._done[-1] if back else self._draft
@@ -249,6 +269,21 @@ class _Assembly:
         )
         self._side = None
         self._last = draft.mentions
+
+    def _add_ahead(self, event: Event, at: int) -> None:
+        """Add what lies along a way; the way may be a new one."""
+        self._settle_likely_way()
+        if event.turns or self._draft.has_ended:
+            self._face_anew(at, always=True)
+        self._draft.ahead.append(event.phrase)
+        self._draft.straight = self._draft.straight or event.walks
+        self._last = []
+
+    def _face_anew(self, at: int, *, always: bool) -> None:
+        """Turn to what is said next, unless one has just turned or still stands."""
+        draft = self._draft
+        if not draft.is_new or (always and draft.walls and draft.ahead):
+            self._add_turn(Event("turn", way="facing"), at)
 
     def _add_side(self, event: Event) -> None:
         if event.of_goal:

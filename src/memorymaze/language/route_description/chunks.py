@@ -8,7 +8,7 @@ Kinds of chunk, one letter each so that rules can be patterns over strings of ki
 verb, `G` go verb, `K` the way bends, `V` see verb, `B` is/there is, `Z` it's/that's,
 `A` at/by/when/where, `w` next to, `b` go back, `Q` before/after, `U` until/to, `t` into, `P` past, `I` ignore,
 `X` not, `Y` take that one, `D` by itself, `C` sorry/no wait, `c` if, `o` too far,
-`R` you have arrived, `a` again, `r` so, `e` yes, `d` front right, `i` at once, `h` maybe, `f` filler, `N` a thing's name (made of
+`s` back to the wall, `u` turn around, `R` you have arrived, `a` again, `r` so, `e` yes, `d` front right, `i` at once, `h` maybe, `f` filler, `N` a thing's name (made of
 the content words `W`).
 """
 
@@ -18,8 +18,10 @@ from dataclasses import dataclass, replace
 from memorymaze.language.route_description.lengths import (
     LENGTH,
     NUMBER,
+    SEGMENTS,
     read_length,
     read_number,
+    read_segments,
 )
 from memorymaze.language.route_description.plan import Length, Way
 from memorymaze.language.route_description.words import (
@@ -32,6 +34,7 @@ from memorymaze.language.route_description.words import (
 __all__ = ["Chunk", "cut", "normalise"]
 
 _LENGTH = re.compile(LENGTH)
+_SEGMENTS = re.compile(SEGMENTS)
 _NUMBER = re.compile(NUMBER + r"\b")
 _PATTERNS = tuple(
     (kind, re.compile(pattern if kind in ".," else rf"(?:{pattern})"))
@@ -66,6 +69,53 @@ _PLAIN_SIGNS = {
 """Quotes, dashes and arrows, and what is read for them."""
 
 
+_numbers = r"(?:\d|one|two|three|four|five|six|seven|eight|nine)"
+_PLAIN_WORDS = tuple(
+    (re.compile(pattern), plain)
+    for pattern, plain in (
+        (r"(?<!\w)'t'(?!\w)|\bt-? intersection", "t"),
+        (
+            r"(^|[.;,] ?)\s*(?:(?:starting |standing )?(?:from|at|in|on)"
+            rf" (?:(?:position|pos|location|place|spot|p)\.? )?(?:number |#)?{_numbers},?) (?=[a-z])"
+            r"(?!is |are |o'?clock|then |and |the |steps|met)",
+            r"\1 ",
+        ),
+        (
+            rf"\b(?:position|pos|location|p)\.? (?:number |#)?{_numbers}\b",
+            "the destination",
+        ),
+        (
+            r"\b(is|will be|be) " + _numbers + r"\b(?= *[.,;]|$)",
+            r"\1 the destination",
+        ),
+        (
+            r"\b(you(?: are|'re) (?:now )?at) " + _numbers + r"\b(?= *[.,;]|$)",
+            r"\1 the destination",
+        ),
+        (
+            r"\b(?:face|fave) and (?:move|go|walk) (to|past|towards?|into) "
+            r"((?:the |a |an )?[a-z' -]+?)(?= *[.,;]| and | to |$)",
+            r"face \2 , go \1 \2",
+        ),
+        (
+            r"\b(intersection|junction|corner|crossing|square|block|hall|space)s?"
+            r" (?:that |which )?(?:containing|contains|has|having)\b",
+            r"\1 with",
+        ),
+        (
+            r"(?:\bwith )?\byour back (?:is )?(?:to|against|towards?|facing)"
+            r" (?=(?:the |a |an )?(?!(?:\w+ ){0,2}wall\b)\w)",
+            "face away from ",
+        ),
+        (r"\b(?:orient|position|point) yourself\b", "turn"),
+        (r"\bfoward\b|\bfwd\b", "forward"),
+        (r"\binter?sec?tion\b|\bintesection\b", "intersection"),
+        (r"(\w)[ -]+-?floored\b", r"\1 floored"),
+    )
+)
+"""Numbered places are where one starts from or where one goes; slips of the keyboard."""
+
+
 @dataclass(frozen=True, slots=True)
 class Chunk:
     """One piece of a description."""
@@ -92,6 +142,8 @@ def normalise(text: str) -> str:
     text = re.sub(r"\bur\b", "your", text)
     text = re.sub(r"\b(left|right)-(\w+)-(left|right)\b(?! hand)", _unless_and, text)
     text = _drop_inline_counting(text)
+    for pattern, plain in _PLAIN_WORDS:
+        text = pattern.sub(plain, text)
     return _COUNTED.sub("; ", text)
 
 
@@ -131,13 +183,31 @@ def cut(text: str) -> list[Chunk]:
             continue
         chunks.append(chunk)
         at += max(len(chunk.text), 1)
-    return _join_names(chunks, text)
+    return _with_pronouns(_join_names(chunks, text))
+
+
+def _with_pronouns(chunks: list[Chunk]) -> list[Chunk]:
+    """Put the last thing's name for `it` in `face the clock and go to it`."""
+    resolved: list[Chunk] = []
+    name: Chunk | None = None
+    for chunk in chunks:
+        before = "".join(each.kind for each in resolved[-3:])
+        if chunk.text == "it" and name is not None and re.search("GH?U$", before):
+            resolved.append(replace(name, start=chunk.start))
+            continue
+        if chunk.kind == "N":
+            name = chunk
+        resolved.append(chunk)
+    return resolved
 
 
 def _chunk_at(text: str, at: int) -> Chunk | None:
     match = _LENGTH.match(text, at)
     if match:
         return Chunk("M", match[0], at, length=read_length(match))
+    match = _SEGMENTS.match(text, at)
+    if match:
+        return Chunk("M", match[0], at, length=read_segments(match))
     for kind, pattern in _PATTERNS:
         match = pattern.match(text, at)
         if match and match[0].strip():
@@ -170,6 +240,8 @@ def _valued(kind: str, words: str, at: int) -> Chunk:
         return replace(chunk, way=side, second_way=other)
     if kind in {"L", "S"}:
         return replace(chunk, way=_way_of(words))
+    if kind == "s" and (side := re.search(r"\b(left|right)\b", words)):
+        return replace(chunk, way=_way_of(side[1]))
     return chunk
 
 

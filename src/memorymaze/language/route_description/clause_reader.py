@@ -8,12 +8,14 @@ from memorymaze.language.route_description.chunks import Chunk
 from memorymaze.language.route_description.clause import Clause, side_of
 from memorymaze.language.route_description.directions import (
     comes_before_its_thing,
+    faces,
     is_on_both_sides,
     is_turn,
     names_a_way,
     speaks_of_ways,
 )
 from memorymaze.language.route_description.events import Event, Relation
+from memorymaze.language.route_description.floors import floor_phrase, wall_phrase
 from memorymaze.language.route_description.openings import (
     read_left_alone,
     read_opening,
@@ -27,6 +29,7 @@ _AHEAD = re.compile(r"(?:straight |dead |right )?(?:ahead|front)\b")
 _ROUND = re.compile(r"round|around|bend|curve|curl|wind")
 _REACHED = re.compile(r"reach|come|comes|get to|arrive|hit|face|facing|meet")
 _LEAVING = re.compile(r"leav|\b(?:of|from|out|off|exit)\b")
+_TOWARDS = re.compile(r"towards?\b")
 _LOOSE = {"with", "among", "in", "inside", "between"}
 
 
@@ -37,6 +40,8 @@ class ClauseReader:
         """Take a clause without its joint, and the events of all clauses before."""
         self._clause = Clause(chunks, before)
         self._turned = False
+        self._facing = False
+        """Whether what is named next is what one turns to."""
         self._read: list[Event] = []
 
     def read(self) -> list[Event]:
@@ -114,6 +119,17 @@ class ClauseReader:
         clause = self._clause
         chunk = clause.chunks[at]
         kind = chunk.kind
+        if kind == "s":
+            self._add(Event("wall", side=side_of(chunk) or "behind"))
+            return at + 1
+        if kind == "u":
+            self._take(Event("turn", way="around"))
+            return at + 1
+        if faces(clause, at):
+            self._facing = True
+            return at + 1
+        if self._facing and kind in "GTLSUE":
+            self._facing = kind == "U" and clause.kinds[at + 1 : at + 2] == "N"
         if kind in "OJ" or (kind == "n" and clause.kinds[at + 1 : at + 2] == "J"):
             events, at = read_opening(clause, at, turned=self._turned)
             for event in events:
@@ -222,10 +238,21 @@ class ClauseReader:
 
     def _read_thing(self, at: int) -> None:
         clause = self._clause
-        phrase = thing_phrase(clause.chunks[at].text)
+        words = clause.chunks[at].text
+        look = floor_phrase(words) or wall_phrase(words)
+        phrase = look or thing_phrase(words)
         if not phrase:
             return
-        relation = self._relation(at)
+        relation = self._relation(at, is_look=look is not None)
+        if self._facing:
+            self._add(Event("ahead", phrase=phrase, turns=True))
+            return
+        if look is not None and self._is_way(at, relation):
+            takes = clause.chunks[at - 1].kind == "T" if at else False
+            self._add(Event("ahead", phrase=look, turns=takes, walks=True))
+            return
+        if clause.kind_before(at) == "A" and _TOWARDS.match(clause.chunks[at - 1].text):
+            self._add(Event("ahead", phrase=phrase, walks=True))
         counted = clause.kind_before(at) == "O"
         nth = int(clause.chunks[at - 1].number or 1) if counted else None
         back = self._turned and relation in {"at", "beside", "before", "after"}
@@ -240,12 +267,32 @@ class ClauseReader:
             )
         )
 
-    def _relation(self, at: int) -> Relation:
+    def _is_way(self, at: int, relation: Relation) -> bool:
+        """Tell `follow the blue path` from `until the blue path`."""
+        bound = self._clause.kinds[:at].rstrip("H")
+        if bound.endswith("JA") and self._clause.chunks[at - 1].text in _LOOSE:
+            bound = bound[:-2]  # "along the hall with the blue floor"
+        before = bound[-1:]
+        if before == "T":
+            return True
+        if before == "G":
+            return not _LEAVING.search(self._clause.chunks[len(bound) - 1].text)
+        return before == "t" or (relation == "into" and self._turned)
+
+    def _relation(self, at: int, *, is_look: bool = False) -> Relation:
         """What binds a thing to its clause: the nearest binding word before it."""
-        for chunk in reversed(self._clause.chunks[:at]):
+        chunks = self._clause.chunks
+        for index in range(at - 1, -1, -1):
+            chunk = chunks[index]
+            if chunk.text in _LOOSE and re.search("JS?$", self._clause.kinds[:index]):
+                continue  # "at the crossing with the clock": the crossing is bound
+            if is_look and chunk.kind == "V" and self._clause.kind_before(index) == "U":
+                return "until"  # "until you see a blue carpet"
             relation = self._bond(chunk)
             if relation is not None:
                 return relation
+        if self._clause.kinds.startswith("JA"):
+            return "at"  # "this crossing with the clock": where one is by now
         return "see"
 
     def _bond(self, chunk: Chunk) -> Relation | None:

@@ -7,6 +7,7 @@ from memorymaze.language.route_description.plan import (
     Leg,
     Length,
     Mention,
+    Outlook,
     Passing,
     RoutePlan,
     Turn,
@@ -21,6 +22,8 @@ _WAYS = {
     "slight_right": "bear right",
     "forward": "go straight on",
     "forward_or_side": "turn where the way leads",
+    "facing": "turn to what comes next",
+    "around": "turn around",
 }
 _ORDINALS = {1: "first", 2: "second", 3: "third", -1: "last"}
 _JUNCTIONS = {"t": "a T junction", "crossing": "a crossing", "corner": "a corner"}
@@ -50,13 +53,15 @@ def describe(plan: RoutePlan) -> list[str]:
 
 
 def _leg(leg: Leg) -> str:
-    notes = [*_turn_notes(leg.turn), *_way_notes(leg.length, leg.passings)]
+    notes = [*_turn_notes(leg.turn), *_outlook_notes(leg.outlook)]
+    notes += _way_notes(leg.length, leg.passings)
     notes += _thing_notes(leg.mentions, leg.too_far)
     return _with_notes(_WAYS[leg.turn.way], notes)
 
 
 def _arrival(arrival: Arrival) -> str:
-    notes = _way_notes(arrival.length, arrival.passings)
+    notes = _outlook_notes(arrival.outlook)
+    notes += _way_notes(arrival.length, arrival.passings)
     if arrival.at_end:
         notes.append("at the end")
     if arrival.nth is not None:
@@ -88,8 +93,18 @@ def _turn_notes(turn: Turn) -> list[str]:
     return notes
 
 
+def _outlook_notes(outlook: Outlook) -> list[str]:
+    notes = [f"along {phrase}" for phrase in outlook.ahead]
+    notes += [f"away from {phrase}" for phrase in outlook.behind]
+    return [*notes, *(f"wall {side}" for side in outlook.walls)]
+
+
 def _way_notes(length: Length | None, passings: Sequence[Passing]) -> list[str]:
-    notes = [f"after {length.metres:.0f} m"] if length is not None else []
+    notes: list[str] = []
+    if length is not None and length.count is not None:
+        notes.append(f"after {length.count:g} segments")
+    elif length is not None:
+        notes.append(f"after {length.metres:.0f} m")
     for passing in passings:
         count = "all" if passing.count is None else str(passing.count)
         side = f" on the {passing.side}" if passing.side else ""

@@ -4,6 +4,11 @@ import re
 
 from memorymaze.language.route_description.chunks import Chunk
 from memorymaze.language.route_description.drafts import Draft
+from memorymaze.language.route_description.floors import (
+    floor_phrase,
+    is_floor,
+    wall_phrase,
+)
 from memorymaze.language.route_description.plan import Mention, Side
 from memorymaze.language.route_description.things import (
     is_common,
@@ -52,11 +57,14 @@ def find_destinations(
     sides: dict[str, Side | None] = {}
     named = _weights_in_text(chunks, text)
     candidates = list(last.mentions)
-    if not candidates and drafts:
+    if any(length.count is not None for length in last.lengths):
+        # "You see a clock. Go two blocks.": the end is told by the blocks.
+        candidates = [m for m in candidates if m.subject or m.place != "along"]
+    if not candidates and drafts and last.is_new:
         candidates = [m for m in drafts[-1].mentions if m.place in {"target", "along"}]
     passed = {m.phrase for m in last.mentions if m.side == "behind"}
     for order, mention in enumerate(candidates):
-        if mention.phrase in passed or mention.ignored:
+        if mention.phrase in passed or mention.ignored or is_floor(mention.phrase):
             continue
         score = _score(mention) + named.get(mention.phrase, 0.0)
         score += 1.2 * (order + 1) / len(candidates)
@@ -73,7 +81,12 @@ def find_destinations(
         if weight >= 3.0:
             scores[phrase] = max(scores.get(phrase, 0.0), weight)
     if not scores:
-        scores = {p: w + text.rfind(p) / len(text) for p, w in named.items() if p}
+        before = _named_on_the_way(drafts)
+        scores = {
+            p: w + text.rfind(p) / len(text)
+            for p, w in named.items()
+            if p and (last.is_new or p not in before)
+        }
     if not scores:
         return (), last.side, None
     if not all(map(is_common, scores)):
@@ -88,6 +101,18 @@ def find_destinations(
             (m.side for m in last.mentions if is_common(m.phrase) and m.side), None
         )
     return kept, side, nth
+
+
+def _named_on_the_way(drafts: list[Draft]) -> set[str]:
+    """Return what was said to be at turns, to be passed, to be seen or to lie ahead."""
+    return {
+        phrase
+        for draft in drafts
+        for phrase in (
+            *draft.ahead,
+            *(mention.phrase for mention in draft.mentions),
+        )
+    }
 
 
 def _score(mention: Mention) -> float:
@@ -114,7 +139,7 @@ def _weights_in_text(chunks: list[Chunk], text: str) -> dict[str, float]:
         if chunk.kind != "N":
             continue
         phrase = thing_phrase(chunk.text)
-        if not phrase:
+        if not phrase or floor_phrase(chunk.text) or wall_phrase(chunk.text):
             continue
         before = text[max(0, chunk.start - 40) : chunk.start]
         weight = min(weights.get(phrase, -0.4) + 0.4, 4.0)

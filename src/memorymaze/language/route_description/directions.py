@@ -11,6 +11,7 @@ from memorymaze.language.route_description.clause import (
 
 __all__ = [
     "comes_before_its_thing",
+    "faces",
     "is_of_a_sign",
     "is_on_both_sides",
     "is_turn",
@@ -25,6 +26,8 @@ _STARTS = re.compile(r"(?:start|begin|open|continue|lead)")
 _EXISTS = re.compile(r"come|there|here")
 _DOOR = re.compile(r"^(?:hand )?(?:door|wall|window|room)s?\b")
 _LOOSE = ("with", "among")
+_AWAY = re.compile(r"(?:away|from|out|off)\b")
+_FACE = re.compile(r"(?:turn to )?(?:face|facing)")
 
 
 def is_turn(clause: Clause, at: int, *, after_turn: bool) -> bool:
@@ -112,6 +115,26 @@ def _place_is_named(clause: Clause) -> bool:
             return False
         if event.kind == "end" or event.relation in {"at", "until", "after"}:
             return True
+    return False
+
+
+def faces(clause: Clause, at: int) -> bool:
+    """Tell whether a verb only turns one to what is named next.
+
+    `Face the clock` and `turn towards the clock`, but neither `when you face the clock`
+    nor `turn left towards the clock`.
+    """
+    chunk = clause.chunks[at]
+    after = clause.kinds[at + 1 :]
+    if re.search("[LSO2M]", after.split("G")[0]) or not re.match("[AUtSH]?N", after):
+        return False
+    if _AWAY.match(clause.chunks[at + 1].text):
+        return False
+    if chunk.kind == "V":
+        asked = _FACE.fullmatch(chunk.text) is not None
+        return asked and re.search("[GTBVPU]", clause.kinds[:at]) is None
+    if chunk.kind == "T" and chunk.text in {"turn", "rotate", "swing"}:
+        return re.match("[AUt]N", after) is not None
     return False
 
 

@@ -10,6 +10,7 @@ from memorymaze.language.route_description.plan import (
     Leg,
     Length,
     Mention,
+    Outlook,
     Passing,
     Place,
     Side,
@@ -37,6 +38,12 @@ class Draft:
     mentions: list[Mention] = field(default_factory=list[Mention])
     passings: list[Passing] = field(default_factory=list[Passing])
     too_far: list[str] = field(default_factory=list[str])
+    ahead: list[str] = field(default_factory=list[str])
+    """What was said to lie along it."""
+    behind: list[str] = field(default_factory=list[str])
+    """What was said to lie the other way where it begins."""
+    walls: list[Side] = field(default_factory=list[Side])
+    """Sides without a way where it begins."""
     at_end: bool = False
     junction: Junction | None = None
     at_once: bool = False
@@ -60,6 +67,23 @@ class Draft:
         )
 
     @property
+    def outlook(self) -> Outlook:
+        """What was said of its beginning."""
+        return Outlook(
+            tuple(dict.fromkeys(self.ahead)), tuple(self.behind), tuple(self.walls)
+        )
+
+    @property
+    def has_ended(self) -> bool:
+        """Whether it was said where it ends, though not which way one turns there."""
+        return bool(
+            self.at_end
+            or self.junction
+            or self.lengths
+            or any(m.place in {"turn", "beside"} for m in self.mentions)
+        )
+
+    @property
     def has_passed_things(self) -> bool:
         """Whether something was named that lies before what is said next."""
         return any(m.place in {"passed", "before_turn"} for m in self.mentions)
@@ -78,6 +102,8 @@ def leg_of(draft: Draft) -> Leg:
         mentions=tuple(draft.mentions),
         passings=tuple(draft.passings),
         too_far=tuple(draft.too_far),
+        outlook=draft.outlook,
+        goes=not draft.is_new,
     )
 
 
@@ -94,4 +120,7 @@ def arrival_of(
         mentions=tuple(draft.mentions),
         passings=tuple(draft.passings),
         too_far=tuple(draft.too_far),
+        outlook=draft.outlook,
+        junction=draft.junction,
+        goes=not draft.is_new,
     )

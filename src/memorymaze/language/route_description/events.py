@@ -26,10 +26,13 @@ EventKind = Literal[
     "then",
     "recap",
     "restate",
+    "ahead",
+    "wall",
     "sentence",
     "clause",
 ]
-"""`way` is an opening that is named without saying whether to take it."""
+"""`way` is an opening that is named without saying whether to take it; `ahead` is what
+lies along a way (`take the blue path`, `face the easel`), `wall` a side without a way."""
 
 Relation = Literal[
     "at", "beside", "before", "after", "until", "past", "see", "from", "into", ""
@@ -77,5 +80,9 @@ class Event:
     """For `turn`: said with a verb."""
     apposed: bool = False
     """For `turn`: said as `that is right`; may repeat a turn of the same sentence."""
+    turns: bool = False
+    """For `ahead`: one turns to it, unless one stands so already."""
+    walks: bool = False
+    """For `ahead`: one walks that way, not only faces it."""
     counted: bool = False
     """For `sentence`: the next sentence is an item of a counted list."""

@@ -6,9 +6,18 @@ from typing import Literal
 
 from memorymaze.language.route_description.plan import Length
 
-__all__ = ["LENGTH", "NUMBER", "combine_lengths", "read_length", "read_number"]
+__all__ = [
+    "LENGTH",
+    "NUMBER",
+    "SEGMENTS",
+    "SEGMENT_METRES",
+    "combine_lengths",
+    "read_length",
+    "read_number",
+    "read_segments",
+]
 
-_Unit = Literal["metres", "steps", "time", "vague"]
+_Unit = Literal["metres", "steps", "time", "vague", "segments"]
 _LOOSE_UNITS: tuple[_Unit, ...] = ("vague", "time")
 """Units that do not count beside others."""
 STEP = 0.7
@@ -119,6 +128,37 @@ def read_length(match: re.Match[str]) -> Length:
     return Length(metres, "vague" if vague else kind)
 
 
+SEGMENT_METRES = 10.0
+"""Metres of a segment, where metres are needed: those of a hall between two corners."""
+_FEW = r"\d{1,2}|one|two|three|four|five|six|seven|eight|nine|ten|a couple(?: of)?"
+_GOING = (
+    r"(?:(?<=\bgo )|(?<=\bwalk )|(?<=\bmove )|(?<=forward )|(?<=\bdown )|(?<=\bahead )"
+    r"|(?<=straight )|(?<=\bcontinue )|(?<=\bup )|(?<=\balong ))"
+)
+_TIMES = {"once": 1.0, "twice": 2.0, "thrice": 3.0}
+_ENDS = r"(?= *(?:[.,;]|$|and\b|then\b|more\b|to\b|or\b|into\b|past\b|turn\b|so\b))"
+SEGMENTS = (
+    rf"(?:(?P<count>{_FEW}) (?:more |full |whole |hall(?:way)? )?segments?\b"
+    rf"|{_GOING}(?:(?P<places>{_FEW}) (?:more )?(?:blocks?|squares?|spaces?|units?"
+    r"|sections?|intersections?|junctions?|alleys?|moves?|steps? forward)\b"
+    rf"|(?P<bare>{_FEW}){_ENDS}|(?P<times>once|twice|thrice){_ENDS}"
+    rf"|(?P<often>{_FEW}) times\b))"
+)
+"""Pattern of a length counted in places where one can turn."""
+
+
+def read_segments(match: re.Match[str]) -> Length:
+    """Return the length of a match of `SEGMENTS`."""
+    if match["times"]:
+        count = _TIMES[match["times"]]
+    else:
+        words = next(
+            match[name] for name in ("count", "places", "bare", "often") if match[name]
+        )
+        count = read_number(words)
+    return Length(count * SEGMENT_METRES, "segments", count)
+
+
 def combine_lengths(lengths: list[Length]) -> Length | None:
     """Return one length for all that were said about the same leg.
 
@@ -133,5 +173,8 @@ def combine_lengths(lengths: list[Length]) -> Length | None:
     for loose in _LOOSE_UNITS:
         if loose in sums and len(sums) > 1:
             del sums[loose]
+    if "segments" in sums:
+        count = sum(each.count or 0.0 for each in lengths)
+        return Length(sums["segments"], "segments", count)
     metres = math.exp(sum(math.log(max(v, 0.3)) for v in sums.values()) / len(sums))
     return Length(metres, next(iter(sums)))

@@ -13,6 +13,7 @@ __all__ = [
     "Leg",
     "Length",
     "Mention",
+    "Outlook",
     "Passing",
     "Place",
     "RoutePlan",
@@ -22,9 +23,17 @@ __all__ = [
 ]
 
 Way = Literal[
-    "left", "right", "slight_left", "slight_right", "forward", "forward_or_side"
+    "left",
+    "right",
+    "slight_left",
+    "slight_right",
+    "forward",
+    "forward_or_side",
+    "facing",
+    "around",
 ]
-"""Where a described turn leads; `forward_or_side` when only "turn" was said."""
+"""Where a described turn leads; `forward_or_side` when only "turn" was said, `facing`
+when it was said what lies that way and not to which side it is."""
 
 Side = Literal["left", "right", "ahead", "behind"]
 
@@ -47,8 +56,10 @@ class Length:
     """How far a leg is said to be."""
 
     metres: float
-    unit: Literal["metres", "steps", "time", "vague"]
+    unit: Literal["metres", "steps", "time", "vague", "segments"]
     """What the speaker counted in; it tells how far to trust the number."""
+    count: float | None = None
+    """Of `segments`: from one place where one can turn to the next."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -97,6 +108,18 @@ class Turn:
 
 
 @dataclass(frozen=True, slots=True)
+class Outlook:
+    """What one sees, or has around oneself, facing along a stretch before walking it."""
+
+    ahead: tuple[str, ...] = ()
+    """Floors of the way, and things that lie that way."""
+    behind: tuple[str, ...] = ()
+    """Things that lie the other way."""
+    walls: tuple[Side, ...] = ()
+    """Sides on which there is no way."""
+
+
+@dataclass(frozen=True, slots=True)
 class Leg:
     """A stretch of walking and the turn that ends it."""
 
@@ -106,6 +129,9 @@ class Leg:
     passings: tuple[Passing, ...] = ()
     too_far: tuple[str, ...] = ()
     """Things that one meets only after missing the turn."""
+    outlook: Outlook = Outlook()
+    goes: bool = True
+    """False when nothing says that one walks before the turn."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -122,6 +148,10 @@ class Arrival:
     mentions: tuple[Mention, ...] = ()
     passings: tuple[Passing, ...] = ()
     too_far: tuple[str, ...] = ()
+    outlook: Outlook = Outlook()
+    junction: Junction | None = None
+    goes: bool = True
+    """False when nothing says that one walks to it."""
 
 
 @dataclass(frozen=True, slots=True)

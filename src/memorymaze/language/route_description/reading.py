@@ -10,7 +10,7 @@ from memorymaze.language.route_description.things import thing_phrase
 
 __all__ = ["read_clauses", "split_clauses"]
 
-_OPENERS = "TGIXPKOM2AwQEVY"
+_OPENERS = "TGIXPKOM2AwQEVYsu"
 """Kinds of chunk that begin a new clause after `and`."""
 
 

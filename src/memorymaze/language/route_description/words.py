@@ -30,10 +30,17 @@ _way = (
     r"(?:t-?junctions?|y-?junctions?|junctions?|intersections?|cross(?:ing|ings)|cross[ -]?roads?"
     r"|openings?|turnings?|turns?|turn-?offs?|corridors?|hallways?|halls?|passage(?:way)?s?"
     r"|walkways?|ways?|streets?|paths?|gaps?|lanes?|branch(?:es)?|roads?|aisles?|alleys?|forks?"
-    r"|corners?|bends?|route|exits?|hall way|crossroad|four-way(?: crossing)?|t)"
+    r"|segments?|sections?|corners?|bends?|route|exits?|hall way|crossroad|four-way(?: crossing)?|t)"
 )
 
+_wall = r"(?:the |a |an )?(?:\w+ ){0,2}?wall\b(?: (?:of|in|at) (?:the |a |this )?(?:t\b)? ?(?:intersections?|junctions?|hall(?:way)?)?)?"
+
 PATTERNS: tuple[tuple[str, str], ...] = (
+    # -- how one stands, before punctuation so that nothing else claims its words
+    ("s", rf"(?:(?:turn|stand|place|put|position|orient|start|begin|face|have) )?(?:yourself )?(?:so (?:that )?|with )?(?:your |you(?:'re|r)? )back (?:is |should be )?(?:to|against|facing|towards?|at|on) {_wall}"),
+    ("s", rf"(?:(?:turn|stand|place|put|position|orient|face)(?: yourself)? )?(?:so (?:that )?)?(?:you(?:'re| are)? )?(?:face|facing) away from {_wall}"),
+    ("s", rf"(?:(?:turn|stand|position|orient|rotate)(?: yourself)? )?(?:so |such |until )(?:that )?(?:there(?:'s| is) )?{_wall} ?(?:is )?(?:(?:on|to|at) (?:your |the )?(?:left|right|back)|behind you|in front of you)(?:[- ]?hand)?(?: side)?"),
+    ("u", r"(?:turn|turned) (?:all the way |right )?around(?= *(?:[.,;]|$|and (?:go|walk|move)))"),
     # -- punctuation and lists
     (".", r"[.!?;\n]+"),
     (",", r"[,:()\[\]\"/=|…]+|--+|\s-+\s"),
@@ -57,7 +64,7 @@ PATTERNS: tuple[tuple[str, str], ...] = (
     ("o", r"overshot|wrong (?:way|side|turn|corridor|hall|place|direction)|(?:is|are|be|was) (?:a )?(?:wrong|mistake)(?: as well| too)?|too far|you (?:will|would|'d|'ll|'ve)? ?(?:end|ended) up|they(?:'ll| will) send you back"),
     ("b", r"(?:turn|come|go|walk|get|step) back\b|turn round|back up|return\b"),
     # -- forced ways
-    ("f", r"(?:u-turn|gonna|wanna|gotta|sharp|hard|complete|full|proper|turn around|about face)\b(?! (?:floor|floors|surface|ground|o'clock))(?! (?:nine|three|9|3))"),
+    ("f", r"(?:u-turn|turn around|gonna|wanna|gotta|sharp|hard|complete|full|proper|about face)\b(?! (?:floor|floors|surface|ground|o'clock))(?! (?:nine|three|9|3))"),
     ("i", r"immediate\b(?= (?:left|right|turn|second))"),
     ("W", r"waiting (?=room|area|hall|lounge)"),
     ("L", r"(?:keep|stay|bear|veer)(?:s|ing)? (?:slightly )?(?:to (?:the |your )?)?(?:left|right)\b(?! (?:wall|side|hand))"),
@@ -98,6 +105,7 @@ PATTERNS: tuple[tuple[str, str], ...] = (
     ("c", r"(?:if|should (?=you|the|it|a|robot)|in case|otherwise|or else|unless|in the event)\b"),
     # -- arrival
     ("R", r"(?:you(?:'ve| have| are|'re|'ll be| will be| should be)? ?(?:now |already |then |there )?(?:arriv(?:e|ed|ing)(?: (?:to|at|in|by))?|reach(?:ed)? (?=your|the destination|the goal)|made it|got there|there(?: now)?(?= *[.,!]))|(?:we|you) arrive(?: (?:to|at|in))?|arriv(?:e|ed|es|ing)(?: (?:to|at|in))?|(?:that|this|it|here|there)(?:'s| is| will be| would be)? (?:your |the )?(?:destination|goal|target|it(?= *[.,!]))|welcome(?: to)?|stop(?: there| here)?(?= *[.,!]| at| in front| by)|your destination(?: is)?|the destination(?: is)?|the goal(?: is)?|(?:is )?the one you(?: are|'re) looking for|the place(?= *[.]))\b"),
+    ("B", r"contain(?:s|ing)?\b"),
     ("B", r"comes?(?= (?:a|an|the|one|my|your|first|second|third|next|on the|at the|another)\b)"),
     ("G", r"come(?:s)? (?:out|off|in)\b(?: of| from)?"),
     # -- taking what was named
@@ -1234,6 +1242,14 @@ UNSEEN: frozenset[str] = frozenset([
     "help",
     "navigation",
     "instruction",
+    "segment",
+    "segments",
+    "square",
+    "squares",
+    "space",
+    "spaces",
+    "intersection",
+    "intersections",
     "instructions",
     "destination",
     "goal",
