@@ -7,20 +7,23 @@ asked to, whatever the wheels' noise.
 import math
 
 from memorymaze.geometry.pose import turn_between
-from memorymaze.simulation.driving import BLOCKED_TICKS, Driver
+from memorymaze.simulation.driving import Driver
 from memorymaze.simulation.settings import TIMESTEP, SimulationSettings
 
 __all__ = ["drive_on", "go_straight", "spin_by"]
 
+BLOCKED_DECISIONS = 40
+"""Decisions in a row without motion after which the robot gives up."""
 CLOSE_ENOUGH = 0.0004
 """Metres."""
 TURNED_ENOUGH = 0.0004
 """Radians."""
-BRAKING_SHARE = 0.5
-"""Share of the greatest acceleration that planned braking uses; the greatest share
-with which the last centimetres, where speed falls with what is left, keep below it."""
-APPROACH = 8.0
-"""Speed per metre, or turn rate per radian, that is left; 1/s."""
+BRAKING_SHARE = 0.8
+"""Share of the greatest acceleration that planned braking uses."""
+APPROACH = 16.0
+"""Speed per metre, or turn rate per radian, that is left at the very end; 1/s."""
+DECISION = 2
+"""Physics steps from one decision to the next, so that it stops to the millimetre."""
 RECOIL = 0.002
 """Metres that a push against something may seem to move the robot."""
 AHEAD = 0.1
@@ -58,21 +61,21 @@ def go_straight(
     driver.held_for = 0.0
     odometer = driver.distance
     idle = 0
-    while idle < BLOCKED_TICKS and driver.held_for < patience:
+    while idle < BLOCKED_DECISIONS and driver.held_for < patience:
         dx, dy = driver.pose.x - start.x, driver.pose.y - start.y
         left = distance - (dx * ahead_x + dy * ahead_y)
         if left <= CLOSE_ENOUGH:
             break
-        speed = min(settings.max_speed, math.sqrt(2 * braking * left), APPROACH * left)
+        speed = min(settings.max_speed, _falling(left, braking))
         speed = min(speed, driver.yielding_speed_to(left, start.heading))
         aside = dy * ahead_x - dx * ahead_y
         error = turn_between(driver.pose.heading, start.heading)
         turn_rate = STRAIGHTENING * (error - speed * aside)
-        moved = driver.tick(speed, turn_rate, start.heading)
+        moved = driver.tick(speed, turn_rate, start.heading, DECISION)
         if _touches_ahead(driver, ahead_x, ahead_y):
             break
         waits = driver.hindrance is not None
-        slow = moved < 0.1 * driver.base.speed * settings.control_period
+        slow = moved < 0.1 * driver.base.speed * DECISION * TIMESTEP
         idle = idle + 1 if slow and not waits else 0
     driver.come_to_rest()
     # Else the many steps of a walk would add up what the wheels are off.
@@ -102,16 +105,16 @@ def spin_by(driver: Driver, angle: float, settings: SimulationSettings) -> float
     braking = BRAKING_SHARE * settings.max_turn_acceleration
     turned, idle = 0.0, 0
     driver.hindrance = None
-    while idle < BLOCKED_TICKS:
+    while idle < BLOCKED_DECISIONS:
         left = angle - turned
         if abs(left) <= TURNED_ENOUGH:
             break
-        rate = min(math.sqrt(2 * braking * abs(left)), APPROACH * abs(left))
+        rate = _falling(abs(left), braking)
         before = driver.pose.heading
-        driver.tick(0.0, math.copysign(rate, left), None)
+        driver.tick(0.0, math.copysign(rate, left), None, DECISION)
         step = turn_between(before, driver.pose.heading)
         turned += step
-        slow = abs(step) < 0.1 * abs(driver.base.turn_rate) * settings.control_period
+        slow = abs(step) < 0.1 * abs(driver.base.turn_rate) * DECISION * TIMESTEP
         idle = idle + 1 if slow else 0
     before = driver.pose.heading
     driver.come_to_rest()
@@ -144,6 +147,12 @@ def drive_on(
         driven += driver.tick(speed, turn_rate, driver.pose.heading, steps)
         left -= steps
     return driven
+
+
+def _falling(left: float, braking: float) -> float:
+    """Return the speed at which to brake: even first, ever softer at the very end."""
+    soft = braking / APPROACH
+    return math.sqrt(soft * soft + 2 * braking * left) - soft
 
 
 def _touches_ahead(driver: Driver, ahead_x: float, ahead_y: float) -> bool:
