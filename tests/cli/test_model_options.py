@@ -1,0 +1,107 @@
+"""How users say what a language model may take and cost."""
+
+import json
+import threading
+from collections.abc import Callable, Generator
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from memorymaze.evaluation.run_folder import read_run
+
+Memorymaze = Callable[..., Any]
+
+STOPPING = {
+    "model": "fake-1",
+    "choices": [{"message": {"role": "assistant", "content": "```\nstop()\n```"}}],
+    "usage": {"prompt_tokens": 900, "completion_tokens": 100},
+}
+
+
+@pytest.fixture
+def server() -> Generator[str]:
+    """Address of a server whose model always stops at once."""
+
+    class Stopping(BaseHTTPRequestHandler):
+        def do_POST(self) -> None:
+            self.rfile.read(int(self.headers["content-length"]))
+            body = json.dumps(STOPPING).encode()
+            self.send_response(200)
+            self.send_header("content-type", "application/json")
+            self.send_header("content-length", str(len(body)))
+            self.end_headers()
+            self.wfile.write(body)
+
+        def log_message(self, format: str, *args: object) -> None:
+            pass
+
+    with ThreadingHTTPServer(("127.0.0.1", 0), Stopping) as http:
+        thread = threading.Thread(target=http.serve_forever)
+        thread.start()
+        yield f"http://127.0.0.1:{http.server_port}/v1"
+        http.shutdown()
+        thread.join()
+
+
+def test_a_paid_run_is_estimated_ends_at_its_limit_and_goes_on(
+    memorymaze: Memorymaze, tiny_files: list[str], tmp_path: Path, server: str
+) -> None:
+    out = tmp_path / "paid"
+    command = ["evaluate", "--agent", "code_generation", "--no-parser", *tiny_files]
+    command += ["--model", "m", "--base-url", server, "--workers", "1", "--out", out]
+    command += ["--price", "1000,1000", "--inference-time", "1.5"]
+    said = memorymaze(*command, "--max-cost", "1.5")
+    assert said.code == 1
+    assert "an ESTIMATE for 12 requests" in said.err
+    assert "2.0000 USD are spent, of 1.5 allowed with --max-cost; 2 of 12" in said.err
+    said = memorymaze(*command, "--resume")
+    assert said.code == 0
+    assert "12 calls, 12000 tokens, 12.0000 USD" in said.out
+    assert "the user stands waiting 1.5 s per episode" in said.out
+    record, results = read_run(out)
+    assert record.settings.agent.asking.shared_folder is None
+    assert {one.standing_s for one in results} == {1.5}
+    table = memorymaze("table", out).out
+    assert "standing time per reply is 1.5 s, not the latency measured" in table
+
+
+def test_navigate_says_what_the_model_took(
+    memorymaze: Memorymaze, tmp_path: Path, server: str
+) -> None:
+    said = memorymaze(
+        *("navigate", "university", "R1", "Stop at once.", "--out", tmp_path / "one"),
+        *("--agent", "code_generation", "--no-parser", "--model", "m"),
+        *("--base-url", server, "--price", "10,20", "--inference-time", "2"),
+    )
+    assert said.code == 0
+    assert "1 calls, 1000 tokens, 0.0110 USD" in said.out
+    assert "the user stands waiting 2.0 s" in said.out
+
+
+@pytest.mark.parametrize(
+    ("agent", "options", "message"),
+    [
+        ("rules", ["--price", "1,2"], "--price: the agent 'rules' asks no language"),
+        ("oracle", ["--max-requests", "2"], "--max-requests: the agent 'oracle' asks"),
+        (
+            "code_generation",
+            ["--max-cost", "1"],
+            "give the server's prices with --price",
+        ),
+        ("code_generation", ["--price", "cheap"], "expected PROMPT,COMPLETION"),
+        ("code_generation", ["--inference-time", "long"], "expected measured, none"),
+        ("code_generation", ["--retries", "-1"], "--retries: expected at least 0"),
+        ("code_generation", ["--model", "gguf:no.gguf"], "no.gguf cannot be read"),
+    ],
+    ids=lambda value: " ".join(value) if isinstance(value, list) else "",
+)
+def test_what_has_no_meaning_is_wrong_usage(
+    memorymaze: Memorymaze, agent: str, options: list[str], message: str, tmp_path: Path
+) -> None:
+    said = memorymaze("evaluate", "--agent", agent, *options, "--out", tmp_path / "x")
+    assert said.code == 2
+    assert message in said.err
+    assert "Traceback" not in said.err
+    assert not (tmp_path / "x").exists()
