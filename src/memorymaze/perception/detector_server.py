@@ -68,8 +68,9 @@ def make_server(address: tuple[str, int], finder_for: FinderFor) -> HTTPServer:
                 first = error.errors()[0]
                 where = ".".join(map(str, first["loc"])) or "the request"
                 raise ValueError(f"{where}: {first['msg']}") from None
+            picture = _picture(asked.image)
             finder = finder_for(asked.box_threshold, asked.text_threshold)
-            found = finder.find(_picture(asked.image), asked.query)
+            found = finder.find(picture, asked.query)
             return DetectionReply(
                 boxes=[each.box for each in found],
                 labels=[each.label for each in found],
