@@ -220,9 +220,11 @@ class Arrivals:
         arrival = self._plan.arrival
         walked = standing.walked + further
         places = standing.places + bool(further)
-        told = length_cost(
-            arrival.length, walked, places, standing.crossings + bool(further)
-        )
+        crossings = standing.crossings + bool(further)
+        if arrival.length is not None and arrival.length.count is not None:
+            begun = self._counted_from(standing)
+            places, crossings = places - begun, max(crossings - begun, 0)
+        told = length_cost(arrival.length, walked, places, crossings)
         cost = told if arrival.length and arrival.length.count else 0.7 * told
         cost += passings_cost(
             arrival.passings, standing.left, standing.right, standing.crossings
@@ -238,6 +240,15 @@ class Arrivals:
             None if further else standing.at,
         )
         return cost
+
+    def _counted_from(self, standing: Standing) -> int:
+        """Return where counting begins: `one crossing past the clock`."""
+        passed = [m.phrase for m in self._plan.arrival.mentions if m.place == "passed"]
+        for number in range(len(standing.line) - 1, 0, -1):
+            for sighting in (s for phrase in passed for s in self._floor.seen(phrase)):
+                if math.dist(sighting.place, standing.line[number]) <= AT_CROSSING:
+                    return number
+        return 0
 
     def _side_cost(self, sighting: Sighting) -> float:
         side = self._plan.arrival.side

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
-from memorymaze.agents.rules.floor_map import FloorMap, Point
+from memorymaze.agents.rules.floor_map import AT_CROSSING, SEES_FAR, FloorMap, Point
 from memorymaze.geometry.pose import wrap_angle
 from memorymaze.language.route_description import (
     Length,
@@ -53,12 +53,10 @@ NOT_AHEAD = 1.6
 """What was said to lie that way is not to be seen, by one who sees far."""
 MAYBE_AHEAD = 0.3
 """The same by one who sees only what is near."""
-ELSEWHERE = 1.5
+ELSEWHERE = 2.5
 """What was said to be at a turn was seen, but at another place."""
 NO_WALL = 2.4
 """There is a way where a wall was said to be."""
-FAR = 6.0
-"""Metres; who has seen something so far away sees far."""
 _SIDES: dict[Side, float] = {
     "ahead": 0.0,
     "left": math.pi / 2,
@@ -238,7 +236,7 @@ def outlook_cost(outlook: Outlook, floor: FloorMap, at: int, exit: int | None) -
         elif phrase in view.distances:
             cost -= 1.2
         else:
-            cost += NOT_AHEAD if floor.farthest > FAR else MAYBE_AHEAD
+            cost += NOT_AHEAD if floor.farthest > SEES_FAR else MAYBE_AHEAD
     cost += NOT_AHEAD * sum(phrase in view.distances for phrase in outlook.behind)
     return cost
 
@@ -311,9 +309,12 @@ def _mention_cost(
         beside = distance_to_line(sighting.place, line)
         if at_turn:
             is_there = floor.is_at(sighting.place, place)
-            gain = 1.5 if is_there else 0.4 if beside <= BESIDE else 0.0
+            sees_far = floor.farthest > SEES_FAR
+            near_by = beside <= BESIDE and not sees_far
+            gain = 1.5 if is_there else 0.4 if near_by else 0.0
         else:
-            gain = 0.9 if beside <= BESIDE else 0.0
+            reach = BESIDE if floor.farthest <= SEES_FAR else AT_CROSSING
+            gain = 0.9 if beside <= reach else 0.0
         if gain and mention.side in {"left", "right"} and sighting.side != "ahead":
             gain *= 1.1 if sighting.side == mention.side else 0.4
         best = max(best, gain * min(sighting.score + 0.2, 1.0))

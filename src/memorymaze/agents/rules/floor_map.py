@@ -12,7 +12,16 @@ from dataclasses import dataclass, field
 from memorymaze.geometry.pose import wrap_angle
 from memorymaze.language.route_description import ANY_FLOOR, is_floor
 
-__all__ = ["Crossing", "FloorMap", "Point", "Sighting", "Stretch", "View"]
+__all__ = [
+    "AT_CROSSING",
+    "SEES_FAR",
+    "Crossing",
+    "FloorMap",
+    "Point",
+    "Sighting",
+    "Stretch",
+    "View",
+]
 
 Point = tuple[float, float]
 
@@ -21,7 +30,10 @@ ALONG = math.radians(30)
 SURE = 0.8
 """Score from which on a floor is surely the one that was asked for."""
 NEAR = 6.0
-"""Metres within which a thing is at a crossing, if no other is nearer to it."""
+"""Metres within which a thing is at a crossing, if no other is nearer to it, for one
+who sees only what is near."""
+SEES_FAR = 6.0
+"""Metres; who has seen something so far away sees far."""
 AT_CROSSING = 2.5
 """Metres within which it is, whatever other crossings there are."""
 SAME_EXIT = math.radians(35)
@@ -185,6 +197,8 @@ class FloorMap:
         distance = math.dist(place, crossing_place)
         if distance <= AT_CROSSING:
             return True
+        if self.farthest > SEES_FAR:
+            return False
         return distance <= NEAR and all(
             math.dist(place, other.place) >= distance - 1.0
             for other in self.crossings.values()

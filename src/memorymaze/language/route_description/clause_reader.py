@@ -282,10 +282,14 @@ class ClauseReader:
     def _relation(self, at: int, *, is_look: bool = False) -> Relation:
         """What binds a thing to its clause: the nearest binding word before it."""
         chunks = self._clause.chunks
+        junction = False
         for index in range(at - 1, -1, -1):
             chunk = chunks[index]
+            if junction and chunk.kind in "JS":
+                continue
             if chunk.text in _LOOSE and re.search("JS?$", self._clause.kinds[:index]):
-                continue  # "at the crossing with the clock": the crossing is bound
+                junction = True  # "at the crossing with the clock": it is bound so
+                continue
             if is_look and chunk.kind == "V" and self._clause.kind_before(index) == "U":
                 return "until"  # "until you see a blue carpet"
             relation = self._bond(chunk)

@@ -57,9 +57,10 @@ def find_destinations(
     sides: dict[str, Side | None] = {}
     named = _weights_in_text(chunks, text)
     candidates = list(last.mentions)
-    if any(length.count is not None for length in last.lengths):
+    counted = any(length.count is not None for length in last.lengths)
+    if counted or any(is_floor(m.phrase) and m.place == "turn" for m in candidates):
         # "You see a clock. Go two blocks.": the end is told by the blocks.
-        candidates = [m for m in candidates if m.subject or m.place != "along"]
+        candidates = [m for m in candidates if m.place not in {"along", "passed"}]
     if not candidates and drafts and last.is_new:
         candidates = [m for m in drafts[-1].mentions if m.place in {"target", "along"}]
     passed = {m.phrase for m in last.mentions if m.side == "behind"}

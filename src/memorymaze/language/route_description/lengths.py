@@ -138,7 +138,8 @@ _GOING = (
 _TIMES = {"once": 1.0, "twice": 2.0, "thrice": 3.0}
 _ENDS = r"(?= *(?:[.,;]|$|and\b|then\b|more\b|to\b|or\b|into\b|past\b|turn\b|so\b))"
 SEGMENTS = (
-    rf"(?:(?P<count>{_FEW}) (?:more |full |whole |hall(?:way)? )?segments?\b"
+    rf"(?:(?P<count>{_FEW}) (?:(?:more |full |whole |hall(?:way)? )?segments?\b"
+    r"|(?:intersections?|junctions?|blocks?|alleys?) (?=(?:past|beyond|after)\b))"
     rf"|{_GOING}(?:(?P<places>{_FEW}) (?:more )?(?:blocks?|squares?|spaces?|units?"
     r"|sections?|intersections?|junctions?|alleys?|moves?|steps? forward)\b"
     rf"|(?P<bare>{_FEW}){_ENDS}|(?P<times>once|twice|thrice){_ENDS}"

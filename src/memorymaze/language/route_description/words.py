@@ -130,7 +130,7 @@ PATTERNS: tuple[tuple[str, str], ...] = (
     ("w", r"(?:next to|beside|opposite(?: of| to)?|across from|close to|near to|adjacent to|diagonally opposite)\b"),
     ("A", r"(?:at|in(?! (?:front|between|total|all|which|order|general|detail|fact|case)\b)|inside|near|next to|beside|opposite(?: of| to)?|across(?: from)?|facing|in front of|under(?:neath)?|below|when|where|as soon as|alongside|close to|by|once|between|among|from|towards?|level with|with|around)\b"),
     ("Q", r"(?:just |right |shortly |immediately |directly |only |until |a (?:bit|little) |soon )*(?:before|after|behind)\b"),
-    ("U", r"(?:until|untill|till|'til|up to|as far as|so that|to)\b"),
+    ("U", r"(?:until|untill|till|'?til|up to|as far as|so that|to)\b"),
     # -- joints
     (">", r"(?:and |& )?(?:followed by|then|after (?:that|this|it|which)|afterwards|next(?=,)|from there|from here|finally|following that|thereafter|at last|later(?: on)?|further(?: on)?|and so)\b"),
     ("r", r"so\b(?! that| far| much| many)"),
