@@ -52,6 +52,8 @@ class NavGPTOptions:
     """Of the requests."""
     max_tokens: int = 1024
     """Longest reply."""
+    seed: int | None = None
+    """Passed to the model; none for none."""
 
     def __post_init__(self) -> None:
         """Refuse values without meaning."""
