@@ -1,4 +1,6 @@
 import ctypes
+import subprocess
+import sys
 
 import pytest
 
@@ -56,3 +58,35 @@ def test_a_process_bound_to_another_platform_says_so(
     monkeypatch.setenv("PYOPENGL_PLATFORM", "glx")
     with pytest.raises(RenderingError, match="PYOPENGL_PLATFORM=glx"):
         open_gl.open_context(8, 8)
+
+
+def test_a_process_forked_from_one_that_draws_says_that_it_cannot() -> None:
+    # In an interpreter of its own: this one has threads, which a fork warns of.
+    program = """
+import os
+from memorymaze.errors import RenderingError
+from memorymaze.simulation.rendering.open_gl import open_context
+
+def draw():
+    try:
+        context = open_context(16, 16)
+        context.make_current()
+        context.free()
+        return "drew"
+    except RenderingError as error:
+        return str(error)
+
+print(draw(), flush=True)
+child = os.fork()
+if child == 0:
+    print(draw(), flush=True)
+    os._exit(0)
+os.waitpid(child, 0)
+print(draw(), flush=True)
+"""
+    done = subprocess.run(
+        [sys.executable, "-c", program], capture_output=True, text=True, check=True
+    )
+    first, forked, again = done.stdout.splitlines()
+    assert (first, again) == ("drew", "drew")
+    assert "'spawn'" in forked
