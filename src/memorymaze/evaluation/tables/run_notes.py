@@ -39,6 +39,11 @@ def run_notes(run: MeasuredRun) -> list[str]:
         notes += _obstacle_notes(settings.obstacles, run.results)
     if settings.agent.model is not None:
         notes.append(f"language model {settings.agent.model}")
+    if settings.programs is not None:
+        notes.append(
+            f"programs written before the run, from {settings.programs.name} "
+            f"({settings.programs.sha256[:12]})"
+        )
     notes += cost_notes(run)
     if run.left_out:
         notes.append(f"{run.left_out} episodes on development texts are left out.")
