@@ -129,3 +129,33 @@ def test_unknown_colour_is_no_contradiction_but_a_lower_score() -> None:
 def test_state_of_doors_is_told(request_: str, state: str, found: bool) -> None:
     door = ObjectDescription("door", state="open" if state == "open" else "closed")
     assert (match_score(request_, door) >= MATCH_THRESHOLD) is found
+
+
+@pytest.mark.parametrize(
+    ("request_", "score"),
+    [
+        ("people", 1.0),
+        ("someone", 1.0),
+        ("pedestrians", 1.0),
+        ("a person on the left", 1.0),
+        ("passerby", 1.0),
+        ("man", 0.75),
+        ("women", 0.75),
+        ("a man in a blue jacket", 0.75),
+        ("security guard", 0.75),
+        ("visitor", 0.75),
+        ("statue", 0.0),
+        ("robot", 0.0),
+        ("printer", 0.0),
+        ("model", 0.0),
+        ("guide dog", 0.0),
+        ("men's restroom", 0.0),
+    ],
+)
+def test_a_person_is_found_by_words_for_people(request_: str, score: float):
+    assert match_score(request_, ObjectDescription("person")) == score
+
+
+def test_people_are_not_found_where_none_are():
+    for category in ("statue", "sign", "robot", "space suit", "bust"):
+        assert match_score("man", ObjectDescription(category)) < MATCH_THRESHOLD

@@ -2,13 +2,15 @@
 
 from functools import lru_cache
 
-from memorymaze.perception.lexicon import kind_distance, word_set
+from memorymaze.perception.lexicon import kind_distance, names_person, word_set
 from memorymaze.perception.noun_phrase import NounPhrase, head_splits
 
 __all__ = ["BY_SUBJECT", "category_score", "is_place", "stands_for"]
 
 BY_SUBJECT = 0.7
 """What a thing shows, holds or names ("rocket" for a rocket model)."""
+_SOMEBODY = 0.75
+"""A person, asked for by what one cannot see of them: "visitor", "woman"."""
 _SHOWING = word_set(
     "model statue sculpture bust skeleton skull replica figure picture painting",
     "poster photo photograph mural exhibit display sign signboard banner panel",
@@ -42,6 +44,10 @@ def category_score(head: str, category: NounPhrase) -> float:
     if distances:
         steps = min(distances)
         return 1.0 if steps == 0 else max(0.7, 0.95 - 0.05 * steps)
+    if names_person(head) and any(
+        kind_distance(name, "person") == 0 for name, _ in names
+    ):
+        return _SOMEBODY
     subject = category.complement or category.words[:-1]
     if not subject or category.singulars[-1] not in _SHOWING:
         return 0.0

@@ -9,7 +9,14 @@ from collections.abc import Iterator
 from functools import cache, lru_cache
 from importlib.resources import files
 
-__all__ = ["is_adjective", "is_noun", "kind_distance", "singular", "word_set"]
+__all__ = [
+    "is_adjective",
+    "is_noun",
+    "kind_distance",
+    "names_person",
+    "singular",
+    "word_set",
+]
 
 _PLURAL_ENDINGS = (
     ("ies", "y"),
@@ -49,6 +56,7 @@ class _Lexicon:
         self._cuts: dict[int, frozenset[int]] = {}
         self._artifact = self._listed("artifact")
         self._natural = self._listed("organism", "body part", "food")
+        self._person = self._listed("someone")
         self._read_terms((data / "building_terms.txt").read_text(encoding="utf-8"))
 
     def senses(self, words: str) -> frozenset[int]:
@@ -70,6 +78,18 @@ class _Lexicon:
         if not self._is_kind_of(every[0], self._natural):
             likely = {s for s in likely if not self._is_kind_of(s, self._natural)}
         return frozenset(likely)
+
+    def names_person(self, words: str) -> bool:
+        """Tell whether a word means a person first of all, and not a machine."""
+        if words in self._own_senses or words not in self._nouns:
+            return False
+        first, *_ = self._nouns[words].split(" ")
+        if not self._is_kind_of(int(first.rstrip("*")), self._person):
+            return False
+        # "Printer" and "server" are people only in rare texts, "man" is a piece of chess.
+        return first.endswith("*") or all(
+            self._is_kind_of(sense, self._person) for sense in self.senses(words)
+        )
 
     def _listed(self, *words: str) -> frozenset[int]:
         return frozenset(
@@ -186,6 +206,16 @@ def singular(word: str) -> str:
     if word.endswith("s") and not lexicon.senses(word) and len(word) > 3:
         return word[:-1]
     return word
+
+
+@lru_cache(maxsize=50_000)
+def names_person(word: str) -> bool:
+    """Tell whether a noun in lower case is a word for somebody, by what they are.
+
+    >>> names_person("woman"), names_person("visitor"), names_person("printer")
+    (True, True, False)
+    """
+    return _lexicon().names_person(word)
 
 
 @lru_cache(maxsize=50_000)

@@ -1,0 +1,197 @@
+"""How many of the words on signs and doors are read from 3 m away, facing them.
+
+For every landmark with words and every labelled door, a robot stands 3 m from the words
+where the floor allows it, as squarely before them as it can, and looks at them. A word
+is read when it is, letter by letter, among the texts within 15 degrees of straight
+ahead. `python -m benchmarks.sign_reading [--signs ocr|truth] [--every N] [PLAN…]` prints
+what was not read; `--pictures DIR` keeps what the camera saw.
+"""
+
+import argparse
+import math
+import re
+import sys
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+from PIL import Image
+from shapely import Point
+
+from benchmarks.measuring import Row
+from memorymaze.geometry.pose import Pose
+from memorymaze.perception.detector_choice import Eyes, SignSource
+from memorymaze.perception.ocr import PICTURE_SIZE
+from memorymaze.simulation import Scene, SimulatedRobot, build_scene
+from memorymaze.simulation.written_texts import inscription
+from memorymaze.sites import BUILTIN_SITE_NAMES, Site, builtin_site, load_site
+from memorymaze.sites.records import Door, Landmark
+
+DISTANCE = 3.0
+"""Metres from the words."""
+SQUARELY = 30
+"""Degrees from which the words may be seen to count as facing them."""
+FARTHEST = 60
+"""Degrees; where the floor allows no better, the words are left out."""
+AHEAD = 15.0
+"""Degrees from straight ahead within which texts are looked at."""
+ROOM = 0.3
+"""Metres between the robot's middle and the edge of the floor."""
+EVERY = 8
+"""Of the signs, one in so many, in the benchmark; the script takes all."""
+
+
+class Standpoint(NamedTuple):
+    """Where words are looked at from."""
+
+    name: str
+    text: str
+    pose: Pose
+    angle: float
+    """Degrees from which they are seen, 0 is squarely."""
+
+
+@dataclass
+class Tally:
+    """Words read and words there."""
+
+    read: int = 0
+    words: int = 0
+    missed: list[str] = field(default_factory=list[str])
+
+    @property
+    def share(self) -> float:
+        """Of the words that were there."""
+        return self.read / self.words if self.words else math.nan
+
+
+def run() -> list[Row]:
+    rows: list[Row] = []
+    for source, target in (("ocr", 0.8), ("truth", None)):
+        facing, slanted, seconds = Tally(), Tally(), []
+        for name in BUILTIN_SITE_NAMES:
+            measure(builtin_site(name), source, EVERY, facing, slanted, seconds)
+        what = f"words read at {DISTANCE:g} m, {source}"
+        rows.append(Row(f"{what}, facing", facing.share, "", target=target))
+        rows.append(Row(f"{what}, slanted", slanted.share, ""))
+        rows.append(Row(f"a look for signs, {source}", float(np.median(seconds)), "s"))
+    return rows
+
+
+def measure(
+    site: Site,
+    source: SignSource,
+    every: int,
+    facing: Tally,
+    slanted: Tally,
+    seconds: list[float],
+    pictures: Path | None = None,
+) -> None:
+    """Look at the words of a site, and add to the tallies what was read."""
+    eyes = Eyes(signs=source)
+    scene = build_scene(site)
+    for place in list(standpoints(scene))[::every]:
+        robot = SimulatedRobot(scene, place.pose, sign_reader=eyes.sign_reader())
+        began = time.perf_counter()
+        signs = robot.read_signs()
+        seconds.append(time.perf_counter() - began)
+        near = [sign.text for sign in signs if abs(sign.bearing_deg) <= AHEAD]
+        there, read = words_of(place.text), words_of(" ".join(near))
+        tally = facing if abs(place.angle) <= SQUARELY else slanted
+        good = sum(word in read for word in there)
+        tally.read += good
+        tally.words += len(there)
+        if good < len(there):
+            tally.missed.append(
+                f"{site.name} {place.name} at {place.angle:.0f} degrees: "
+                f"{place.text!r} read as {near}"
+            )
+            if pictures is not None:
+                pixels = robot.camera_frame(*PICTURE_SIZE).rgb
+                Image.fromarray(pixels).save(pictures / f"{site.name}_{place.name}.png")
+
+
+def standpoints(scene: Scene) -> Iterator[Standpoint]:
+    """Yield where the words of a scene are looked at from."""
+    free = scene.site.walkable_floor.buffer(-ROOM)
+    for geom, thing in enumerate(scene.objects):
+        record = thing.record
+        if not isinstance(record, Door | Landmark):
+            continue
+        written = inscription(scene, geom)
+        if written is None:
+            continue
+        _, _, _, rise = scene.model.geom_quat[geom]
+        heading = 2 * math.atan2(rise, scene.model.geom_quat[geom][0])
+        half_depth = scene.model.geom_size[geom][0]
+        x, y, _ = scene.model.geom_pos[geom]
+        sides = (0.0, math.pi) if isinstance(record, Door) else (0.0,)
+        found = [
+            (abs(angle), angle, side)
+            for side in sides
+            for angle in range(-FARTHEST, FARTHEST + 1, 5)
+            if free.contains(
+                Point(*_before(x, y, heading + side, half_depth, math.radians(angle)))
+            )
+        ]
+        if not found:
+            continue
+        _, angle, side = min(found)
+        px, py = _before(x, y, heading + side, half_depth, math.radians(angle))
+        looking = heading + side + math.radians(angle) + math.pi
+        looking = math.atan2(math.sin(looking), math.cos(looking))
+        yield Standpoint(record.id, written.text, Pose(px, py, looking), angle)
+
+
+def _before(
+    x: float, y: float, heading: float, half_depth: float, angle: float
+) -> tuple[float, float]:
+    """Return the point 3 m from the middle of a thing's front, at an angle to it."""
+    return (
+        x + half_depth * math.cos(heading) + DISTANCE * math.cos(heading + angle),
+        y + half_depth * math.sin(heading) + DISTANCE * math.sin(heading + angle),
+    )
+
+
+def words_of(text: str) -> list[str]:
+    return re.findall(r"[a-z0-9]+", text.lower())
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description="Measure how well signs are read.")
+    parser.add_argument("plans", nargs="*", metavar="PLAN", type=Path)
+    parser.add_argument("--signs", choices=("ocr", "truth"), default="ocr")
+    parser.add_argument("--every", type=int, default=1, help="one sign in so many")
+    parser.add_argument("--pictures", type=Path, metavar="DIR")
+    options = parser.parse_args()
+    if options.pictures is not None:
+        options.pictures.mkdir(parents=True, exist_ok=True)
+    sites = [load_site(plan) for plan in options.plans] or [
+        builtin_site(name) for name in BUILTIN_SITE_NAMES
+    ]
+    for site in sites:
+        facing, slanted, seconds = Tally(), Tally(), []
+        measure(
+            site,
+            options.signs,
+            options.every,
+            facing,
+            slanted,
+            seconds,
+            options.pictures,
+        )
+        print("\n".join([*facing.missed, *slanted.missed]))
+        print(
+            f"{site.name}: facing {facing.read} of {facing.words} words "
+            f"({facing.share:.3f}), slanted {slanted.read} of {slanted.words} "
+            f"({slanted.share:.3f}), {np.median(seconds):.2f} s a look",
+            flush=True,
+        )
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
