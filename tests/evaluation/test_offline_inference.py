@@ -2,10 +2,13 @@
 
 import json
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from memorymaze.agents.code_generation import (
     CodeGenerationOptions,
@@ -212,3 +215,21 @@ def test_replies_of_two_models_make_no_file(replies: Replies) -> None:
     both = replies(**{"program/a": "…"}) | replies("n", **{"program/b": "…"})
     with pytest.raises(ProgramFileError, match="got m, n; say with --model"):
         programs_from_replies(both)
+
+
+@given(st.text(st.characters(exclude_categories=["Cs"]), min_size=1, max_size=30))
+def test_any_id_of_an_instruction_comes_back_with_its_reply(name: str) -> None:
+    told = replace(load_instructions([TINY_INSTRUCTIONS])[0], id=name)
+    for parser in (True, False):
+        requests = CodeGenerationRequests(parser=parser)
+        said = Completion("1. ```\nstop()\n```", "m", Usage(), 0.0)
+        stages = [offline_requests([told], requests, "m")]
+        got: list[dict[str, BatchReply]] = []
+        while True:
+            [identifier] = ids(stages[-1].lines)
+            got.append({identifier: BatchReply(identifier, said, None, "f:1")})
+            if stages[-1].stage == "program":
+                break
+            stages.append(offline_requests([told], requests, "m", got[-1]))
+        found = programs_from_replies(got[-1], got[0] if parser else None)
+        assert [record.instruction_id for record in found.records] == [name]

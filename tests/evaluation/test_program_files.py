@@ -4,9 +4,12 @@ import json
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from memorymaze.errors import ProgramFileError, SettingsError
 from memorymaze.evaluation.asking import AskingSettings
@@ -225,3 +228,17 @@ def test_programs_beside_a_model_are_refused(
 ) -> None:
     with pytest.raises(SettingsError, match=said):
         plan(for_all(), **changes)
+
+
+TEXTS = st.text(
+    st.characters(exclude_categories=["Cs"]), min_size=1, max_size=30
+).filter(str.strip)
+
+
+@given(st.lists(st.builds(ProgramRecord, TEXTS, st.just("m"), TEXTS), min_size=1))
+def test_any_text_in_any_field_survives_a_file(records: list[ProgramRecord]) -> None:
+    once = {record.instruction_id: record for record in records}
+    with TemporaryDirectory() as folder:
+        path = Path(folder) / "programs.jsonl"
+        path.write_bytes(program_lines(list(once.values())))
+        assert load_programs(path).records == once
