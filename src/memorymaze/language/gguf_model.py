@@ -4,10 +4,13 @@ Greedy and from a fixed state, so that a request has the same reply whatever was
 before it.
 """
 
+import ctypes
 import importlib
 import importlib.util
 import os
 import time
+from collections.abc import Iterator
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -24,8 +27,8 @@ INSTALL = (
 CONTEXT = 8192
 """Tokens that a request and its reply have together, at most."""
 
-KEPT_BEGINNINGS = 4
-"""Beginnings of requests whose state is kept, so that they are read once only."""
+KEPT_BYTES = 2**29
+"""Memory for the states of what requests begin with, so that it is read once only."""
 
 
 class GgufModel:
@@ -63,7 +66,7 @@ class GgufModel:
         self._threads = threads or max(1, (os.cpu_count() or 1) // 2)
         self._context = context
         self._llama: Any = None
-        self._beginnings: dict[tuple[Message, ...], tuple[int, Any]] = {}
+        self._beginnings: dict[tuple[Message, ...], _Beginning] = {}
         try:
             with self._path.open("rb") as file:
                 magic = file.read(4)
@@ -146,6 +149,7 @@ class GgufModel:
                 bos_token=_piece(llama, llama.token_bos()),
             )
             self._read_grammar = llama_cpp.LlamaGrammar.from_string
+            self._states = _States(llama_cpp)
             self._llama = llama
         return self._llama
 
@@ -166,22 +170,38 @@ class GgufModel:
         The rest is then read from there, in the same parts each time: other parts give
         slightly other numbers, which can give another reply.
         """
-        if messages not in self._beginnings:
-            others = [self._tokens((*messages, Message("user", text))) for text in "Az"]
-            length = min(
-                sum(1 for _ in _while_equal(one, two))
-                for one, two in ((tokens, others[0]), others)
-            )
-            self._llama.reset()
+        llama = self._llama
+        llama.reset()
+        beginning = self._beginnings.get(messages)
+        if beginning is None:
+            length = self._length_of(messages, tokens)
+            beginning = _Beginning(tokens[:length])
             if length:
-                self._llama.eval(tokens[:length])
-            while len(self._beginnings) >= KEPT_BEGINNINGS:
-                del self._beginnings[next(iter(self._beginnings))]
-            self._beginnings[messages] = (length, self._llama.save_state())
-        length, state = self._beginnings[messages]
-        self._llama.reset()
-        if length:
-            self._llama.load_state(state)
+                llama.eval(beginning.tokens)
+                self._keep(messages, beginning)
+        # Also the first time, so that the state lies in memory as it does later.
+        self._states.restore(llama, beginning.state)
+        llama.input_ids[: len(beginning.tokens)] = beginning.tokens
+        llama.n_tokens = len(beginning.tokens)
+
+    def _length_of(self, messages: tuple[Message, ...], tokens: list[int]) -> int:
+        """Return how many tokens are there whatever the last message says."""
+        others = [self._tokens((*messages, Message("user", text))) for text in "Az"]
+        return min(
+            sum(1 for _ in _while_equal(one, two))
+            for one, two in ((tokens, others[0]), others)
+        )
+
+    def _keep(self, messages: tuple[Message, ...], beginning: "_Beginning") -> None:
+        """Keep the present state, in the place of old ones where there is no room."""
+        size = self._states.size(self._llama)
+        if size > KEPT_BYTES:
+            return
+        kept = sum(len(each.state) for each in self._beginnings.values())
+        while kept + size > KEPT_BYTES:
+            kept -= len(self._beginnings.pop(next(iter(self._beginnings))).state)
+        beginning.state = self._states.save(self._llama)
+        self._beginnings[messages] = beginning
 
     def _grammar(self, text: str | None) -> Any:
         return None if text is None else self._read_grammar(text, verbose=False)
@@ -196,8 +216,44 @@ def _piece(llama: Any, token: int) -> str:
     return llama.detokenize([token], special=True).decode("utf-8", "replace")
 
 
-def _while_equal(one: list[int], two: list[int]) -> Any:
+def _while_equal(one: list[int], two: list[int]) -> Iterator[int]:
     for first, second in zip(one, two, strict=False):
         if first != second:
             return
         yield first
+
+
+@dataclass
+class _Beginning:
+    """What some requests begin with."""
+
+    tokens: list[int]
+    state: bytes = b""
+    """Of the model when it has read them."""
+
+
+class _States:
+    """Copies of what a model has read; of llama.cpp's functions on sequence 0.
+
+    `Llama.save_state` copies much besides, 100 MB for a small model.
+    """
+
+    def __init__(self, llama_cpp: Any) -> None:
+        self._functions = llama_cpp
+
+    def size(self, llama: Any) -> int:
+        return int(self._functions.llama_state_seq_get_size(llama.ctx, 0))
+
+    def save(self, llama: Any) -> bytes:
+        size = self.size(llama)
+        place = (ctypes.c_uint8 * size)()
+        written = self._functions.llama_state_seq_get_data(llama.ctx, place, size, 0)
+        return bytes(memoryview(place)[:written])
+
+    def restore(self, llama: Any, state: bytes) -> None:
+        if not state:
+            return
+        place = (ctypes.c_uint8 * len(state)).from_buffer_copy(state)
+        read = self._functions.llama_state_seq_set_data(llama.ctx, place, len(state), 0)
+        if read != len(state):
+            raise RuntimeError("the state of the model could not be set back")
