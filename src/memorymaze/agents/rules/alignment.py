@@ -50,6 +50,8 @@ STILL_AHEAD = 0.8
 """What a leg costs when all is right, about: expected for each leg not yet done."""
 UNSEEN_YET = 0.6
 """Share of the cost of things not seen that counts while they may still come."""
+GONE_TOO_FAR = 0.7
+"""Share of the cost of a length that counts against going on beyond it."""
 NOT_GONE = 2.0
 """Turning at once where it was said that one walks first."""
 UNTOLD_WAY_ON = 0.05
@@ -133,6 +135,10 @@ class Aligner:
         left = len(self.plan.legs) - standing.leg
         ahead = STILL_AHEAD * left
         leg = self._leg(standing)
+        arrival = self.plan.arrival
+        if leg is None and arrival.length and _is_passed(arrival.length, standing):
+            if not any(m.place == "passed" for m in arrival.mentions):
+                ahead += GONE_TOO_FAR * _walked_cost(arrival.length, standing, 0)
         if leg is not None:
             length = _with_lead(leg.length, standing.lead)
             if length is not None and _is_passed(length, standing):

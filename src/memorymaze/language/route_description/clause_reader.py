@@ -305,7 +305,8 @@ class ClauseReader:
             case "A":
                 if chunk.text.startswith(("from", "out", "away", "off")):
                     return "from"
-                return "see" if chunk.text in _LOOSE else "at"
+                loose = chunk.text in _LOOSE or _TOWARDS.match(chunk.text)
+                return "see" if loose else "at"
             case "w":
                 return "beside"
             case "Q":

@@ -81,7 +81,7 @@ def find_destinations(
     for phrase, weight in named.items():
         if weight >= 3.0:
             scores[phrase] = max(scores.get(phrase, 0.0), weight)
-    if not scores:
+    if not scores and not counted:
         before = _named_on_the_way(drafts)
         scores = {
             p: w + text.rfind(p) / len(text)
