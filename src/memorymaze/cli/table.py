@@ -14,7 +14,8 @@ def add_parser(verbs: Verbs) -> None:
         "table",
         help="show runs as the paper's tables II and III",
         description="Show runs as the paper's Table II (methods) and Table III "
-        "(iterations), beside the published figures.",
+        "(iterations), beside the published figures; runs on SAIL by map, beside people who "
+        "followed the same texts.",
         epilog="example: memorymaze table runs/rules runs/oracle --table both",
     )
     parser.add_argument("runs", metavar="RUN", nargs="+", help="run folders")
@@ -46,12 +47,15 @@ def _run(options: argparse.Namespace) -> int:
     from memorymaze.evaluation.tables import load_runs
     from memorymaze.evaluation.tables.formats import format_tables
     from memorymaze.evaluation.tables.records import parquet_tables
+    from memorymaze.evaluation.tables.sail import is_sail, sail_table
 
     names = ("II", "III") if options.table == "both" else (options.table,)
     if options.format == "parquet" and options.out is None:
         raise SettingsError("--format parquet: name the file to write with --out")
     runs = load_runs(options.runs, exclude_dev=options.exclude_dev)
-    if options.format == "parquet":
+    if is_sail(runs):
+        content = sail_table(runs, options.format).encode()
+    elif options.format == "parquet":
         content = parquet_tables(runs, names)
     else:
         content = format_tables(runs, names, options.format).encode()
