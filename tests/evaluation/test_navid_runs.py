@@ -276,6 +276,10 @@ for step in range(3):
     [
         ({}, "name a vision model with --model, or a policy server"),
         ({"model": "smollm2"}, "see no pictures"),
+        (
+            {"options": (("server", "http://127.0.0.1:9"), ("pictures", "none"))},
+            "always shown pictures",
+        ),
         ({"options": (("server", "nowhere"),)}, "expected an address"),
         (
             {"options": (("server", "http://127.0.0.1:9"), ("retries", "0"))},

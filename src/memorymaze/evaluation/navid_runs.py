@@ -60,12 +60,19 @@ def build_navid(settings: AgentSettings, options: NavidOptions) -> Agent:
 
 
 def _vision_policy(settings: AgentSettings, options: NavidOptions) -> Policy:
+    from memorymaze.agents.navid.blind_policy import BlindPolicy
     from memorymaze.agents.navid.vision_policy import VisionPolicy
 
     if settings.model is None and settings.replay is None:
         raise SettingsError(
             "--agent navid: name a vision model with --model, or a policy server with "
             "--set server=URL, or take recorded replies with --replay"
+        )
+    if options.pictures == "none":
+        return BlindPolicy(
+            build_language_model(settings),
+            temperature=options.temperature,
+            max_tokens=options.max_tokens,
         )
     if (
         settings.replay is None
@@ -74,7 +81,8 @@ def _vision_policy(settings: AgentSettings, options: NavidOptions) -> Policy:
     ):
         raise SettingsError(
             f"--model {settings.model}: models that run here see no pictures; name a "
-            "vision model on a server (--base-url)"
+            "vision model on a server (--base-url), or leave pictures out with --set "
+            "pictures=none"
         )
     return VisionPolicy(
         build_language_model(settings),
@@ -92,6 +100,10 @@ def _remote_policy(
     from memorymaze.agents.navid.remote_policy import RemotePolicy, ReplayedPolicy
     from memorymaze.language.recorded_replies import RecordingModel, ReplayingModel
 
+    if options.pictures == "none":
+        raise SettingsError(
+            "--set pictures=none: a policy server is always shown pictures; leave it out"
+        )
     for option in ("model", "base_url"):
         if getattr(settings, option) is not None:
             raise SettingsError(

@@ -40,6 +40,9 @@ class NavidOptions:
     failures: int = 5
     """Unreadable decisions in a row after which the episode ends as `model_error`;
     each is asked for once more before. Not with `faithful`."""
+    pictures: Literal["shown", "none"] = "shown"
+    """Whether a model named by --model is shown pictures: `none` is an ablation, told
+    as `blind` in tables, and the only way for models that know text alone."""
     history: int = 8
     """Past pictures that a vision model is shown: spread evenly, with the last one."""
     history_width: int = 320

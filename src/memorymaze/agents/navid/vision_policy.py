@@ -13,7 +13,7 @@ from memorymaze.language.model import (
 )
 from memorymaze.language.prompt_texts import load_prompt
 
-__all__ = ["VisionPolicy", "chosen_frames"]
+__all__ = ["VisionPolicy", "asked_again", "chosen_frames", "rules"]
 
 
 def chosen_frames(past: int, wanted: int) -> list[int]:
@@ -95,12 +95,12 @@ class VisionPolicy:
             "What is the next motion?",
             *([again] if again else []),
         ])
-        amounts = [task.motions.amounts(kind) for kind in ("forward", "left")]
-        forward, turn = (f"{low}, {middle} or {high}" for low, middle, high in amounts)
-        prompt = load_prompt("navid_protocol", forward=forward, turn=turn)
         pictures = (*(each.picture for each in chosen), frame.jpeg())
         request = CompletionRequest(
-            (Message("system", prompt), Message("user", text, pictures)),
+            (
+                Message("system", rules("navid_protocol", task.motions)),
+                Message("user", text, pictures),
+            ),
             temperature=self._temperature,
             max_tokens=self._max_tokens,
             grammar=reply_grammar(task.motions),
@@ -139,17 +139,30 @@ class _VisionSession:
     def act(self, frame: Frame, problem: str | None = None) -> Answer:
         """See `PolicySession.act`."""
         self.observe(frame)
-        again = (
-            f"Your last answer could not be used: {problem}. Answer with one JSON "
-            "object as described."
-            if problem is not None
-            else ""
+        return self._policy.ask(
+            self._task, self._seen[:-1], frame, asked_again(problem)
         )
-        return self._policy.ask(self._task, self._seen[:-1], frame, again)
 
     def close(self) -> None:
         """See `PolicySession.close`."""
         self._seen.clear()
+
+
+def rules(prompt: str, motions: Motions) -> str:
+    """Return a prompt that says which motions there are."""
+    amounts = [motions.amounts(kind) for kind in ("forward", "left")]
+    forward, turn = (f"{low}, {middle} or {high}" for low, middle, high in amounts)
+    return load_prompt(prompt, forward=forward, turn=turn)
+
+
+def asked_again(problem: str | None) -> str:
+    """Return what to say to a model that is asked again; empty where it is not."""
+    if problem is None:
+        return ""
+    return (
+        f"Your last answer could not be used: {problem}. Answer with one JSON object as "
+        "described."
+    )
 
 
 def _caption(frame: Frame, motions: Motions) -> str:
