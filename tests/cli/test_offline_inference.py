@@ -153,14 +153,15 @@ def test_the_way_through_files_gives_the_tables_of_the_way_with_a_model(
     endings = {each.stopped_by for each in results(online)}
     assert endings == {"agent", "crash", "unsafe", "model_error"}
     assert any(each.success for each in results(online))
-    tables = [
-        memorymaze("table", each, "--table", "both") for each in (online, offline)
-    ]
-    assert tables[0].code == tables[1].code == 0
-    asked, written = (each.out.splitlines() for each in tables)
-    [note] = {line for line in written if "programs written before the run" in line}
-    assert "programs.jsonl" in note
-    assert asked == [line for line in written if line != note]
+    for given in (["--table", "both", "--format", "csv"], ["--format", "text"]):
+        asked, written = (
+            memorymaze("table", each, *given).out for each in (online, offline)
+        )
+        assert "scripted" in asked
+        # Above the key a text names the file of programs.
+        begin = asked.find("SR success rate") + 1
+        assert asked[begin:] == written[written.find("SR success rate") + 1 :]
+    assert "programs written before the run, from programs.jsonl" in written
 
 
 def test_a_file_that_is_there_is_not_written_over(

@@ -40,9 +40,11 @@ def run_notes(run: MeasuredRun) -> list[str]:
     if settings.agent.model is not None:
         notes.append(f"language model {settings.agent.model}")
     if settings.programs is not None:
+        known = any(result.inference_s for result in run.results)
+        unknown = "; how long their model took is not known and counted as 0 s"
         notes.append(
             f"programs written before the run, from {settings.programs.name} "
-            f"({settings.programs.sha256[:12]})"
+            f"({settings.programs.sha256[:12]})" + ("" if known else unknown)
         )
     notes += cost_notes(run)
     if run.left_out:
@@ -53,6 +55,8 @@ def run_notes(run: MeasuredRun) -> list[str]:
             f"{development} episodes on development texts (split dev) are counted; "
             "--exclude-dev leaves them out."
         )
+    if settings.split is not None:
+        notes.append(f"only instructions of the split {settings.split}.")
     if settings.limit is not None:
         notes.append(f"A SAMPLE of {settings.episodes} episodes (--limit).")
     if run.missing:
