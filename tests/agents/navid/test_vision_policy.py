@@ -1,6 +1,7 @@
 """A vision model is shown some of the way so far and asked for the next motion."""
 
 import io
+import re
 
 import numpy as np
 import pytest
@@ -13,7 +14,7 @@ from memorymaze.agents.navid import NavidAgent, NavidOptions
 from memorymaze.agents.navid.motions import Command, Motions
 from memorymaze.agents.navid.reply_grammar import reply_grammar
 from memorymaze.agents.navid.reply_reading import read_reply
-from memorymaze.agents.navid.vision_policy import VisionPolicy, chosen_frames
+from memorymaze.agents.navid.vision_policy import VisionPolicy, chosen_frames, rules
 from memorymaze.errors import EpisodeOver, LanguageModelError
 from memorymaze.language.model import CompletionRequest, Picture
 from memorymaze.language.scripted_model import ScriptedLanguageModel
@@ -154,3 +155,19 @@ def test_chosen_pictures_are_spread_and_have_the_last(past: int, wanted: int) ->
         assert chosen[-1] == past - 1
         gaps = np.diff(chosen)
         assert gaps.size == 0 or gaps.max() - gaps.min() <= 1
+
+
+@pytest.mark.parametrize("prompt", ["navid_protocol", "navid_protocol_blind"])
+def test_no_words_of_the_benchmarks_buildings_are_in_the_prompts(prompt, builtin_sites):
+    text = rules(prompt, Motions()).lower()
+    names = {
+        thing.name.lower()
+        for site in builtin_sites.values()
+        for thing in (*site.rooms, *site.corridors, *site.areas, *site.landmarks)
+        if thing.name and len(thing.name) > 3
+    }
+
+    assert len(names) > 100
+    assert {name for name in names if re.search(rf"\b{re.escape(name)}\b", text)} == (
+        set()
+    )

@@ -26,7 +26,7 @@ class NavidOptions:
     model named by --model."""
     budget: Literal["fair", "released"] = "fair"
     """Steps of an episode: `released` as the released code has them (400, for R2R),
-    `fair` three times those of the longest route of the run's sites."""
+    `fair` three times those of the longest route of the site."""
     max_steps: int | None = None
     """Steps of an episode at most; none for what the budget says. The released code
     has 500 for RxR."""
