@@ -1,7 +1,7 @@
 """How many of the words on signs and doors are read from 3 m away, facing them.
 
 For every landmark with words and every labelled door, a robot stands 3 m from the words
-where the floor allows it, as squarely before them as it can, and looks at them. A word
+where the floor allows it and nothing hides them, as squarely before them as it can. A word
 is read when it is, letter by letter, among the texts within 15 degrees of straight
 ahead. `python -m benchmarks.sign_reading [--signs ocr|truth] [--every N] [PLAN…]` prints
 what was not read; `--pictures DIR` keeps what the camera saw.
@@ -40,6 +40,8 @@ AHEAD = 15.0
 """Degrees from straight ahead within which texts are looked at."""
 ROOM = 0.3
 """Metres between the robot's middle and the edge of the floor."""
+UNHIDDEN = 0.9
+"""Share of the thing that must be unhidden."""
 EVERY = 8
 """Of the signs, one in so many, in the benchmark; the script takes all."""
 
@@ -115,8 +117,9 @@ def measure(
 
 
 def standpoints(scene: Scene) -> Iterator[Standpoint]:
-    """Yield where the words of a scene are looked at from."""
+    """Yield where the words of a scene are looked at from: nothing hides them there."""
     free = scene.site.walkable_floor.buffer(-ROOM)
+    angles = sorted(range(-FARTHEST, FARTHEST + 1, 5), key=abs)
     for geom, thing in enumerate(scene.objects):
         record = thing.record
         if not isinstance(record, Door | Landmark):
@@ -124,35 +127,47 @@ def standpoints(scene: Scene) -> Iterator[Standpoint]:
         written = inscription(scene, geom)
         if written is None:
             continue
-        _, _, _, rise = scene.model.geom_quat[geom]
-        heading = 2 * math.atan2(rise, scene.model.geom_quat[geom][0])
-        half_depth = scene.model.geom_size[geom][0]
         x, y, _ = scene.model.geom_pos[geom]
-        sides = (0.0, math.pi) if isinstance(record, Door) else (0.0,)
-        found = [
-            (abs(angle), angle, side)
+        turn, _, _, rise = scene.model.geom_quat[geom]
+        front = 2 * math.atan2(rise, turn)
+        half_depth = scene.model.geom_size[geom][0]
+        sides = (front, front + math.pi) if isinstance(record, Door) else (front,)
+        poses = (
+            (angle, _before(x, y, side, half_depth, math.radians(angle)))
+            for angle in angles
             for side in sides
-            for angle in range(-FARTHEST, FARTHEST + 1, 5)
-            if free.contains(
-                Point(*_before(x, y, heading + side, half_depth, math.radians(angle)))
-            )
-        ]
-        if not found:
-            continue
-        _, angle, side = min(found)
-        px, py = _before(x, y, heading + side, half_depth, math.radians(angle))
-        looking = heading + side + math.radians(angle) + math.pi
-        looking = math.atan2(math.sin(looking), math.cos(looking))
-        yield Standpoint(record.id, written.text, Pose(px, py, looking), angle)
+        )
+        found = next(
+            (
+                Standpoint(record.id, written.text, pose, angle)
+                for angle, pose in poses
+                if free.contains(Point(pose.x, pose.y))
+                and _is_in_view(scene, pose, written.text)
+            ),
+            None,
+        )
+        if found is not None:
+            yield found
 
 
 def _before(
     x: float, y: float, heading: float, half_depth: float, angle: float
-) -> tuple[float, float]:
-    """Return the point 3 m from the middle of a thing's front, at an angle to it."""
-    return (
+) -> Pose:
+    """Return the pose 3 m from the middle of a thing's front, looking at it."""
+    looking = heading + angle + math.pi
+    return Pose(
         x + half_depth * math.cos(heading) + DISTANCE * math.cos(heading + angle),
         y + half_depth * math.sin(heading) + DISTANCE * math.sin(heading + angle),
+        math.atan2(math.sin(looking), math.cos(looking)),
+    )
+
+
+def _is_in_view(scene: Scene, pose: Pose, text: str) -> bool:
+    return any(
+        each.text == text
+        and each.bearer.visible_fraction >= UNHIDDEN
+        and abs(math.degrees(each.bearer.bearing)) <= AHEAD
+        for each in SimulatedRobot(scene, pose).camera_view().visible_texts(5.0)
     )
 
 

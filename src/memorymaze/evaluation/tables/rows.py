@@ -236,7 +236,7 @@ def _label(record: RunRecord, results: Iterable[EpisodeResult]) -> str:
     if record.settings.simulation.turning_points == "lidar":
         name += ", turning points by LiDAR"
     if record.settings.detector != TRUTH:
-        name += f", detector {record.settings.detector}"
+        name += f", {record.settings.detector.short_name}"
     if record.settings.signs != "truth":
         name += f", signs by {record.settings.signs.upper()}"
     return name if record.settings.obstacles is None else f"{name}, with obstacles"

@@ -1,0 +1,103 @@
+"""Runs with other eyes: chosen by name, kept in `run.json`, told above tables."""
+
+from pathlib import Path
+
+import pytest
+
+from memorymaze.errors import DetectorError, SettingsError
+from memorymaze.evaluation.arena import Arena
+from memorymaze.evaluation.eyes_for_runs import checked_eyes, eyes_notes
+from memorymaze.evaluation.navigation import find_route, navigate
+from memorymaze.evaluation.plan import plan_run
+from memorymaze.evaluation.settings import AgentSettings
+from memorymaze.perception.detector_choice import (
+    TRUTH,
+    DetectorSettings,
+    parse_detector,
+)
+from memorymaze.perception.error_model import ErrorModel
+from memorymaze.sites import Site
+
+
+class Looker:
+    """Looks for doors while it walks ahead."""
+
+    name = "looker"
+
+    def follow(self, instruction, robot, journal, rng) -> None:
+        for _ in range(12):
+            robot.detect_from_RGB_image("door")
+            robot.read_signs()
+            robot.move_forward(1.0)
+
+
+@pytest.fixture
+def walk(corridor_site: Site, monkeypatch):
+    """Let the looker walk with some detector; returns the episode's run."""
+
+    def run(detector: DetectorSettings, seed: int = 0):
+        monkeypatch.setattr(
+            "memorymaze.evaluation.navigation.build_agent", lambda _: lambda _: Looker()
+        )
+        route = find_route(corridor_site, "R1")
+        agent = AgentSettings("looker")
+        return navigate(
+            corridor_site, route, "Go.", agent, seed=seed, detector=detector
+        )
+
+    return run
+
+
+def looks(run) -> list[object]:
+    return [entry.get("result") for entry in run.trace if entry["kind"] == "call"]
+
+
+def test_mistakes_depend_on_the_seed_alone_and_leave_the_wheels_alone(walk):
+    wrong = DetectorSettings(errors=ErrorModel(miss=0.5, phantoms=0.5))
+
+    assert looks(walk(wrong)) == looks(walk(wrong))
+    assert looks(walk(wrong)) != looks(walk(wrong, seed=1))
+    assert looks(walk(wrong)) != looks(walk(TRUTH))
+    assert walk(wrong).trajectory == walk(TRUTH).trajectory
+
+
+def test_a_detector_that_fails_is_not_the_agents_crash(
+    corridor_site, walk, monkeypatch
+):
+    def fail(self, view, query):
+        raise DetectorError("detector at http://x answered 503")
+
+    monkeypatch.setattr(
+        "memorymaze.perception.truth_detector.TruthDetector.detect", fail
+    )
+    result = walk(TRUTH).result
+
+    assert result.stopped_by == "model_error"
+    assert "answered 503" in result.error
+
+
+def test_eyes_that_cannot_be_had_are_found_out_before_the_run(tmp_path: Path):
+    missing = DetectorSettings("grounding-dino", checkpoint=str(tmp_path / "none"))
+
+    with pytest.raises(SettingsError, match="no such folder"):
+        plan_run(AgentSettings("stop"), detector=missing)
+    with pytest.raises(SettingsError, match="expected one of truth, ocr"):
+        checked_eyes(TRUTH, "tarot")
+
+
+def test_notes_say_which_eyes_a_run_had():
+    plan = plan_run(AgentSettings("stop"), limit=1)
+    assert eyes_notes(plan.settings) == []
+
+    wrong = plan_run(
+        AgentSettings("stop"), limit=1, detector=parse_detector("truth:miss=0.3")
+    )
+    [note] = eyes_notes(wrong.settings)
+    assert "DETECTOR truth:miss=0.3" in note
+
+
+def test_episodes_without_eyes_of_their_own_know_the_truth(corridor_site: Site):
+    arena = Arena(corridor_site)
+
+    assert arena.eyes.detector == TRUTH
+    assert arena.eyes.signs == "truth"
