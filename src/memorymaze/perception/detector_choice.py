@@ -84,6 +84,13 @@ class DetectorSettings:
                 "remote:http://localhost:8000/"
             )
 
+    @property
+    def short_name(self) -> str:
+        """What tables call it: `detector grounding-dino`, `detector with mistakes`."""
+        if self.name == "truth":
+            return "detector" if self.errors is None else "detector with mistakes"
+        return f"detector {self.name}"
+
     def __str__(self) -> str:
         """Return it as the command line takes it, with what differs from the default."""
         if self.name == "truth":
