@@ -258,7 +258,7 @@ def test_it_draws_what_the_camera_sees_and_closes_twice(make_tiny: MakeTiny) -> 
         pytest.param({"depth_range": -1}, "depth_range", id="depth"),
         pytest.param({"actions": "jump"}, "'discrete'", id="actions"),
         pytest.param({"reward": "money"}, "'sparse'", id="reward"),
-        pytest.param({"reward": {"sucess": 1}}, "success", id="part of the reward"),
+        pytest.param({"reward": {"win": 1}}, "success", id="part of the reward"),
         pytest.param({"max_steps": 0}, "max_steps", id="steps"),
         pytest.param({"success_distance": 0}, "success_distance", id="distance"),
     ],

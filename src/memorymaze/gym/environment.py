@@ -30,9 +30,17 @@ Observation = dict[str, Any]
 Information = dict[str, Any]
 
 
-@lru_cache(maxsize=4)
 def _arena(site: str | Path, obstacles: ObstacleSettings | None) -> Arena:
     """Return a site made ready; environments of one process share it."""
+    with suppress(OSError, TypeError):
+        return _arena_as_of(site, Path(site).stat().st_mtime_ns, obstacles)
+    return _arena_as_of(site, 0, obstacles)
+
+
+@lru_cache(maxsize=4)
+def _arena_as_of(
+    site: str | Path, changed: int, obstacles: ObstacleSettings | None
+) -> Arena:
     return Arena(open_site(site), obstacles)
 
 
