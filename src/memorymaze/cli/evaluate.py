@@ -160,6 +160,7 @@ def _what_to_follow(options: argparse.Namespace) -> dict[str, Any]:
     if options.sail is not None:
         from memorymaze.evaluation.sail_corpus import (
             SAIL_SUCCESS_DISTANCE,
+            SAIL_TIME_BUDGET,
             sail_abilities,
             sail_agent,
             sail_corpus,
@@ -172,6 +173,8 @@ def _what_to_follow(options: argparse.Namespace) -> dict[str, Any]:
             )
         if options.success_distance is None:
             options.success_distance = SAIL_SUCCESS_DISTANCE
+        if options.time_budget is None:
+            options.time_budget = SAIL_TIME_BUDGET
         agent, abilities = sail_agent(agent), sail_abilities(abilities)
         chosen = {"corpus": sail_corpus(options.sail)}
     if options.detection_range is not None:

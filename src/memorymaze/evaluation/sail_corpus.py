@@ -11,6 +11,7 @@ from memorymaze.simulation.settings import SimulationSettings
 __all__ = [
     "SAIL_DETECTION_RANGE",
     "SAIL_SUCCESS_DISTANCE",
+    "SAIL_TIME_BUDGET",
     "sail_abilities",
     "sail_agent",
     "sail_corpus",
@@ -18,6 +19,9 @@ __all__ = [
 
 SAIL_SUCCESS_DISTANCE = EDGE / 2
 """Metres: at the right node, not at its neighbour."""
+SAIL_TIME_BUDGET = 400.0
+"""Simulated seconds. Three times a perfect walk, as elsewhere, is 188 s; the rest is for
+looking about, since nobody tells which way one faces at first."""
 SAIL_DETECTION_RANGE = 40.0
 """Metres: to the end of every hall, which is how far writers and followers saw."""
 

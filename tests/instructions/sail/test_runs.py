@@ -1,0 +1,57 @@
+import json
+from pathlib import Path
+
+import pytest
+
+from memorymaze.cli.main import main
+
+
+def test_a_perfect_follower_finds_every_goal_and_people_stand_beside_it(
+    small_folder: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    run = str(tmp_path / "run")
+    arguments = ["evaluate", "--sail", str(small_folder), "--workers", "1"]
+    assert main([*arguments, "--agent", "oracle", "--out", run]) == 0
+    capsys.readouterr()
+    assert main(["table", run, "--format", "csv"]) == 0
+    head, *rows = capsys.readouterr().out.splitlines()
+    table = [dict(zip(head.split(","), row.split(","), strict=True)) for row in rows]
+    by_kind = {row["paragraphs"]: row for row in table}
+    assert by_kind["all"]["episodes"] == "8"
+    assert by_kind["all"]["success"] == "1.0"
+    assert by_kind["all"]["people"] == "0.5"
+    assert by_kind["usable"]["texts"] == "1"
+    assert by_kind["usable"]["people"] == "0.75"
+
+
+def test_rules_finds_its_way_from_any_heading(
+    small_folder: Path, tmp_path: Path
+) -> None:
+    run = tmp_path / "run"
+    arguments = ["evaluate", "--sail", str(small_folder), "--workers", "1"]
+    assert main([*arguments, "--agent", "rules", "--out", str(run)]) == 0
+    lines = (run / "episodes.jsonl").read_text().splitlines()
+    results = [json.loads(line) for line in lines]
+    missed = [each["episode_id"] for each in results if not each["success"]]
+    assert missed == []
+    settings = json.loads((run / "run.json").read_text())["settings"]
+    assert settings["agent"]["options"] == [["start_heading", "unknown"]]
+    assert settings["success_distance"] == 2.0
+    assert settings["simulation"]["detection_range"] == 40.0
+
+
+@pytest.mark.parametrize("option", ["--instructions", "--sites"])
+def test_sail_brings_its_own_instructions_and_sites(
+    small_folder: Path, capsys: pytest.CaptureFixture[str], option: str
+) -> None:
+    arguments = ["evaluate", "--agent", "stop", "--sail", str(small_folder)]
+    assert main([*arguments, option, "elsewhere"]) == 2
+    assert "leave out --instructions and --sites" in capsys.readouterr().err
+
+
+def test_a_split_that_does_not_exist_is_wrong_usage(
+    small_folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    arguments = ["evaluate", "--agent", "stop", "--sail", str(small_folder)]
+    assert main([*arguments, "--split", "train"]) == 2
+    assert "split: expected one of" in capsys.readouterr().err
