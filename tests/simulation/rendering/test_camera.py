@@ -2,6 +2,7 @@ import math
 import os
 import subprocess
 import sys
+from dataclasses import replace
 from typing import Any
 
 import mujoco
@@ -161,6 +162,25 @@ def test_leaving_out_the_unseen_changes_nothing(
         whole = l_camera.frame(pose)
         np.testing.assert_array_equal(frame.instances, whole.instances)
         np.testing.assert_array_equal(frame.depth, whole.depth)
+
+
+def test_the_sky_of_a_far_sighted_camera_is_that_of_a_short_sighted_one(
+    two_rooms: Site,
+) -> None:
+    """One is a dome, the other the engine's own: they must look alike everywhere."""
+    areas = tuple(replace(area, open_air=True) for area in two_rooms.areas)
+    scene = build_visual_scene(replace(two_rooms, areas=areas))
+    for heading, pitch in ((0.0, 0.0), (2.1, 0.9), (4.0, 1.2), (5.5, 0.4)):
+        views: list[np.ndarray] = []
+        for far in (100.0, 90.0):
+            with RenderedCamera(scene, 120, 90, far=far) as camera:
+                frame = camera.frame(Pose(3.0, 3.0, heading), pitch=pitch)
+            views.append(frame.rgb.astype(float))
+            sky = frame.instances == -1
+            assert np.isinf(frame.depth[sky]).all()
+        assert sky.mean() > 0.1
+        assert views[0][sky].mean() > 60
+        assert np.abs(views[0] - views[1]).mean() < 2
 
 
 def test_smooth_edges_leave_depth_and_ids_sharp(corridor_looks: VisualScene) -> None:

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from memorymaze.errors import RenderingError, SettingsError
 from memorymaze.geometry.pose import Pose
 from memorymaze.simulation.rendering.open_gl import filter_fast, open_context
+from memorymaze.simulation.rendering.sky import SKY_DISTANCE
 from memorymaze.simulation.rendering.visual_scene import (
     HIDDEN_GROUP,
     LARGEST_PICTURE,
@@ -203,9 +204,14 @@ class RenderedCamera:
         scene = self._scene
         self._context.make_current()
         seen = self._may_be_seen(pose, pitch)
-        # The sky costs as much as the building, so it is drawn only where it shows.
-        outlets = scene.outlet_geoms
-        self._drawn.flags[mujoco.mjtRndFlag.mjRND_SKYBOX] = bool(seen[outlets].any())
+        # The sky's dome comes last of what is opaque, so only what shows of it is
+        # drawn. Where it would be cut off the engine draws its own, more slowly.
+        shows_sky = bool(seen[scene.outlet_geoms].any())
+        dome = shows_sky and self.far > SKY_DISTANCE
+        seen[scene.first_sky :] = dome
+        self._drawn.flags[mujoco.mjtRndFlag.mjRND_SKYBOX] = shows_sky and not dome
+        if dome:
+            scene.put_sky_around(pose.x, pose.y, height)
         scene.model.geom_group[:] = np.where(seen, SHOWN_GROUP, HIDDEN_GROUP)
         mujoco.mjv_updateScene(
             scene.model,

@@ -6,7 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter
 
-__all__ = ["FACES", "sky_faces"]
+from memorymaze.simulation.looks.object_model import Material, MeshPart
+
+__all__ = ["FACES", "SKY_DISTANCE", "sky_dome", "sky_faces"]
 
 Floats = NDArray[np.float64]
 
@@ -14,6 +16,10 @@ PIXELS = 512
 """Edge of each face."""
 FACES = ("right", "left", "up", "down", "front", "back")
 """Order in which the physics engine wants them."""
+SKY_DISTANCE = 99.9
+"""Metres from the camera to the dome; what is farther away is behind it."""
+DOME_CELLS = 8
+"""Quads along an edge of each face of the dome."""
 HORIZON = np.array([0.86, 0.90, 0.93])
 ZENITH = np.array([0.42, 0.62, 0.86])
 
@@ -25,10 +31,56 @@ def sky_faces() -> tuple[NDArray[np.uint8], ...]:
     clouds = _clouds(np.random.default_rng(22))
     edge = (np.arange(PIXELS) + 0.5) / PIXELS * 2 - 1
     across, down = np.meshgrid(edge, edge)
+    directions = _directions(across, down)
+    return tuple(
+        _face(*directions[name], outline=outline, clouds=clouds) for name in FACES
+    )
+
+
+def sky_dome() -> list[MeshPart]:
+    """Return the sky as a dome around the origin, seen from inside, z up.
+
+    In software OpenGL it costs a tenth of the engine's own sky, because only the pixels
+    that nothing stands in front of are drawn.
+    """
+    edge = np.linspace(-1, 1, DOME_CELLS + 1)
+    across, down = (grid.ravel() for grid in np.meshgrid(edge, edge))
+    inset = 1 - 1 / PIXELS
+    uv = np.column_stack([across, down]) * inset / 2 + 0.5
+    corner = np.arange((DOME_CELLS + 1) ** 2).reshape(DOME_CELLS + 1, -1)
+    a, b, c, d = (
+        part.ravel()
+        for part in (corner[:-1, :-1], corner[1:, :-1], corner[1:, 1:], corner[:-1, 1:])
+    )
+    faces = np.concatenate([np.column_stack([a, c, b]), np.column_stack([a, d, c])])
+    parts: list[MeshPart] = []
+    directions = _directions(across, down)
+    for name, pixels in zip(FACES, sky_faces(), strict=True):
+        x, y, z = directions[name]
+        outward = np.column_stack([x, -z, y])
+        outward /= np.linalg.norm(outward, axis=1, keepdims=True)
+        parts.append(
+            MeshPart(
+                (outward * SKY_DISTANCE).astype(np.float32),
+                faces.astype(np.int32),
+                (-outward).astype(np.float32),
+                uv.astype(np.float32),
+                Material((1.0, 1.0, 1.0, 1.0), pixels, emission=1.0),
+            )
+        )
+    return parts
+
+
+def _directions(
+    across: Floats, down: Floats
+) -> dict[str, tuple[Floats, Floats, Floats]]:
+    """Return where each face's pictures lie, by columns and rows in [-1, 1].
+
+    Columns run to the right and rows down as one looks at the face from inside, with
+    x to the right, y up and z towards the viewer.
+    """
     one = np.ones_like(across)
-    # Columns run to the right and rows down as one looks at the face from inside, with
-    # x to the right, y up and z towards the viewer.
-    directions = {
+    return {
         "right": (one, -down, -across),
         "left": (-one, -down, across),
         "up": (across, one, down),
@@ -36,9 +88,6 @@ def sky_faces() -> tuple[NDArray[np.uint8], ...]:
         "front": (across, -down, one),
         "back": (-across, -down, -one),
     }
-    return tuple(
-        _face(*directions[name], outline=outline, clouds=clouds) for name in FACES
-    )
 
 
 def _face(

@@ -24,7 +24,7 @@ from memorymaze.simulation.rendering.assembling import (
 )
 from memorymaze.simulation.rendering.meshes import MeshBuilder
 from memorymaze.simulation.rendering.sight import Sightlines
-from memorymaze.simulation.rendering.sky import FACES, sky_faces
+from memorymaze.simulation.rendering.sky import FACES, sky_dome, sky_faces
 from memorymaze.simulation.rendering.structure import Structure, structure_of
 from memorymaze.simulation.scene import SceneObject
 from memorymaze.sites.records import Site
@@ -71,12 +71,20 @@ class VisualScene:
     """Radius of each geom's circle on the plan, metres."""
     first_decal: int
     """From this geom on, geoms are mere shades, without depth or id."""
+    first_sky: int
+    """From this geom on, geoms are the sky; they come last."""
     outlet_geoms: NDArray[np.intp]
     """Geoms through or beside which one may see the sky."""
     sightlines: Sightlines
     """The walls that hide things."""
+    sky_places: NDArray[np.float64]
+    """Where the sky's geoms are around a camera at the origin, (n, 3) metres."""
     movable_geoms: Mapping[str, NDArray[np.intp]]
     """Geoms of each thing or person that an episode places, and of its shadow."""
+
+    def put_sky_around(self, x: float, y: float, z: float) -> None:
+        """Let the sky's dome go along with a camera; metres."""
+        self.data.geom_xpos[self.first_sky :] = self.sky_places + np.array([x, y, z])
 
     def place(self, places: Mapping[str, Pose]) -> None:
         """Put things and people where they are now, for the pictures that follow.
@@ -143,6 +151,9 @@ def build_visual_scene(
     for each, geoms in zip(movables, movable_geoms, strict=True):
         geoms.append(builder.assembler.geom_count)
         _add_shadow_of(builder, each)
+    first_sky = builder.assembler.geom_count
+    dome = spec.worldbody.add_body(name="sky")
+    builder.add(PlacedMeshes(sky_dome(), body=dome), FLOOR, NOWHERE, 0.0)
     builder.assembler.finish()
     model = spec.compile()
     data = mujoco.MjData(model)
@@ -162,8 +173,10 @@ def build_visual_scene(
         np.array(builder.centres).reshape(-1, 2),
         np.array(builder.radii),
         first_decal,
+        first_sky,
         np.array(outlets, dtype=np.intp),
         Sightlines(structure.hiding),
+        np.zeros((model.ngeom - first_sky, 3)),
         {
             each.id: np.array(geoms, dtype=np.intp)
             for each, geoms in zip(movables, movable_geoms, strict=True)
@@ -171,6 +184,7 @@ def build_visual_scene(
     )
     scene.place({})
     mujoco.mj_kinematics(model, data)
+    scene.sky_places[:] = data.geom_xpos[first_sky:]
     return scene
 
 
