@@ -5,6 +5,8 @@ import pytest
 
 from memorymaze.agents import AGENTS, Agent, Journal, StopAgent
 from memorymaze.agents.code_generation import CodeGenerationAgent
+from memorymaze.agents.navid import NavidAgent
+from memorymaze.agents.navid.vision_policy import VisionPolicy
 from memorymaze.errors import EpisodeOver
 from memorymaze.geometry.pose import Pose
 from memorymaze.language.model import CompletionRequest
@@ -45,6 +47,16 @@ def make_robot(corridor_site: Site) -> Callable[[], Robot]:
     scene = build_scene(corridor_site)
     settings = SimulationSettings(time_budget=10.0)
     return lambda: SimulatedRobot(scene, Pose(2, 0, 0), settings)
+
+
+@pytest.mark.parametrize(
+    "reply", ['{"action": "forward", "amount": 75}', "turn left 90 degrees", "?"]
+)
+def test_an_agent_that_goes_by_single_steps_keeps_the_contract(
+    make_robot: Callable[[], Robot], reply: str
+) -> None:
+    policy = VisionPolicy(ScriptedLanguageModel(lambda _: reply))
+    check_agent(NavidAgent(policy), make_robot)
 
 
 class Nameless(StopAgent):

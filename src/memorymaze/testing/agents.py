@@ -1,5 +1,6 @@
 """What every agent must do that follows instructions."""
 
+import math
 from collections.abc import Callable, Sequence
 from typing import Any, TypeVar
 
@@ -22,6 +23,7 @@ from memorymaze.robot.api import (
     SignText,
     TurnResult,
 )
+from memorymaze.robot.steps import CameraPicture, SteppingRobot
 from memorymaze.simulation import SimulatedRobot, SimulationSettings, build_scene
 from memorymaze.sites import builtin_site
 from memorymaze.testing.expectation import expect
@@ -92,7 +94,8 @@ def _museum() -> Callable[[], Robot]:
 
 def _followed(agent: Agent, text: str, robot: Robot) -> list[str]:
     """Let an agent follow a text; return what it called."""
-    watched = _WatchedRobot(robot)
+    steps = isinstance(robot, SteppingRobot)
+    watched = _WatchedSteppingRobot(robot) if steps else _WatchedRobot(robot)
     named = f"follow({text[:30]!r}…) to end"
     try:
         agent.follow(text, watched, Journal(), np.random.default_rng(0))
@@ -163,3 +166,23 @@ class _WatchedRobot:
         except EpisodeOver:
             self._over = True
             raise
+
+
+class _WatchedSteppingRobot(_WatchedRobot):
+    """The same, for robots that can be moved by single steps."""
+
+    def __init__(self, robot: SteppingRobot) -> None:
+        super().__init__(robot)
+        self._stepping = robot
+
+    def step_forward(self, distance: float) -> float:
+        return self._passed("step_forward", self._stepping.step_forward, distance)
+
+    def rotate(self, angle: float) -> float:
+        return self._passed("rotate", self._stepping.rotate, angle)
+
+    def camera_picture(
+        self, width: int = 640, height: int = 480, horizontal_fov: float = math.pi / 2
+    ) -> CameraPicture:
+        picture = self._stepping.camera_picture
+        return self._passed("camera_picture", picture, width, height, horizontal_fov)
