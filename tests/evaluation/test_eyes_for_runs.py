@@ -101,3 +101,17 @@ def test_episodes_without_eyes_of_their_own_know_the_truth(corridor_site: Site):
 
     assert arena.eyes.detector == TRUTH
     assert arena.eyes.signs == "truth"
+
+
+def test_tables_name_the_eyes_beside_the_method(tmp_path: Path):
+    from memorymaze.evaluation.driver import run_plan
+    from memorymaze.evaluation.tables.rows import load_runs
+
+    plan = plan_run(
+        AgentSettings("stop"), limit=1, detector=parse_detector("truth:errors")
+    )
+    run_plan(plan, tmp_path / "run", workers=1)
+
+    [run] = load_runs([tmp_path / "run"])
+    assert run.label == "stop, detector with mistakes"
+    assert run.record.settings.detector == plan.settings.detector
