@@ -20,6 +20,7 @@ from memorymaze.agents.navid.motions import Command
 from memorymaze.agents.navid.policy import Answer, Frame, Task
 from memorymaze.errors import EpisodeOver, SettingsError
 from memorymaze.evaluation.agents_for_runs import build_agent
+from memorymaze.evaluation.asking import AskingSettings
 from memorymaze.evaluation.navid_runs import NavidOnSite
 from memorymaze.evaluation.navigation import navigate
 from memorymaze.evaluation.settings import AgentSettings
@@ -282,8 +283,18 @@ for step in range(3):
         ),
         ({"options": (("server", "nowhere"),)}, "expected an address"),
         (
-            {"options": (("server", "http://127.0.0.1:9"), ("retries", "0"))},
+            {
+                "options": (("server", "http://127.0.0.1:9"),),
+                "asking": AskingSettings(retries=0),
+            },
             "cannot be reached",
+        ),
+        (
+            {
+                "options": (("server", "http://127.0.0.1:9"),),
+                "asking": AskingSettings(max_tokens_total=5),
+            },
+            "--max-tokens-total: is for language models",
         ),
         (
             {"options": (("server", "http://127.0.0.1:9"),), "model": "x"},

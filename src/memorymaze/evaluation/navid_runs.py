@@ -111,11 +111,12 @@ def _remote_policy(
                 "or a policy server decides; leave one out"
             )
     asking = settings.asking
-    if asking.limited or asking.price is not None:
-        raise SettingsError(
-            "--set server: a policy server tells its costs itself; leave out --price, "
-            "--max-cost and --max-tokens-total"
-        )
+    for option in ("price", "max_cost", "max_tokens_total", "max_requests", "grammar"):
+        if getattr(asking, option) is not None:
+            raise SettingsError(
+                f"--{option.replace('_', '-')}: is for language models; a policy server "
+                "tells its costs itself and answers as fast as it can; leave it out"
+            )
     record, replay = settings.record, settings.replay
     if replay is not None:
         if record is not None:
@@ -124,7 +125,7 @@ def _remote_policy(
                 "leave one out"
             )
         return ReplayedPolicy(ReplayingModel(replay))
-    server = PolicyServer(address, timeout=options.timeout, retries=options.retries)
+    server = PolicyServer(address, timeout=asking.timeout, retries=asking.retries)
     recorder = None if record is None else partial(RecordingModel, path=record)
     try:
         return RemotePolicy(server, recorder)

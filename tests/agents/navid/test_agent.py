@@ -254,7 +254,6 @@ def test_the_name_says_protocol_model_and_rules():
         ("history", -1),
         ("history_width", 641),
         ("temperature", -0.1),
-        ("timeout", 0.0),
     ],
 )
 def test_options_without_meaning_are_refused(option, value):

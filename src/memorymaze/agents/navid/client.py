@@ -39,7 +39,7 @@ class PolicyServer:
         address: str,
         *,
         timeout: float = 120.0,
-        retries: int = 2,
+        retries: int = 4,
         first_delay: float = 1.0,
     ) -> None:
         """Prepare a client; nothing is sent yet.

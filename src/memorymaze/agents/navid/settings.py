@@ -51,11 +51,6 @@ class NavidOptions:
     """Of a vision model. A server decides for itself (the released code: 0.2)."""
     max_tokens: int = 300
     """Longest reply of a vision model."""
-    timeout: float = 120.0
-    """Seconds to wait for a server's answer."""
-    retries: int = 2
-    """Further attempts where a server cannot be reached, cuts the connection, takes
-    too long or fails."""
 
     def __post_init__(self) -> None:
         """Refuse values without meaning."""
@@ -66,7 +61,6 @@ class NavidOptions:
             "history": 0,
             "history_width": 32,
             "max_tokens": 1,
-            "retries": 0,
         }
         for name, lowest in least.items():
             value = getattr(self, name)
@@ -82,10 +76,6 @@ class NavidOptions:
         if not (math.isfinite(self.temperature) and self.temperature >= 0):
             raise SettingsError(
                 f"--set temperature: expected at least 0, got {self.temperature}"
-            )
-        if not self.timeout > 0:
-            raise SettingsError(
-                f"--set timeout: expected more than 0 seconds, got {self.timeout}"
             )
 
     @property
