@@ -21,3 +21,7 @@ version=$("$python" -c 'import sys; print("%d.%d" % sys.version_info[:2])') || {
     --constraint constraints.txt --editable . --group dev
 # Only cameras need OpenGL; whatever keeps it out must not keep the rest from working.
 bash scripts/setup_graphics.sh || echo "setup: going on without graphics" >&2
+# Furniture models, for cameras too; the project's own look plainer.
+if [ -d /usr/share/sweethome3d/furniture ]; then
+    "$venv/bin/memorymaze" sites models >/dev/null || echo "setup: going on without furniture models" >&2
+fi

@@ -16,6 +16,7 @@ from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.durable_files import write_whole
 from memorymaze.evaluation.episode import EpisodeRun, run_episode
 from memorymaze.evaluation.eyes_for_runs import checked_eyes
+from memorymaze.evaluation.looks_for_runs import looks_of_run
 from memorymaze.evaluation.settings import AgentSettings, RunSettings
 from memorymaze.evaluation.step_budgets import time_budget_for
 from memorymaze.evaluation.trace import trace_lines
@@ -132,6 +133,7 @@ def navigate(
         obstacles=obstacles,
         detector=detector,
         signs=signs,
+        looks=looks_of_run(agent.name, detector, signs),
     )
     eyes = checked_eyes(detector, signs)
     told = Instruction(

@@ -7,6 +7,7 @@ from pathlib import Path
 from memorymaze.errors import SettingsError
 from memorymaze.evaluation.agents_for_runs import build_agent
 from memorymaze.evaluation.eyes_for_runs import checked_eyes
+from memorymaze.evaluation.looks_for_runs import looks_of_run
 from memorymaze.evaluation.program_replay import check_programs_for, with_programs
 from memorymaze.evaluation.settings import (
     AgentSettings,
@@ -121,6 +122,7 @@ def plan_run(
         signs=signs,
         programs=None if programs is None else stamp_file(programs.path),
         split=split,
+        looks=looks_of_run(agent.name, detector, signs),
     )
     return RunPlan(settings, tuple(chosen), sites)
 

@@ -11,6 +11,7 @@ from memorymaze.errors import SettingsError
 from memorymaze.evaluation.asking import AskingSettings
 from memorymaze.evaluation.inference_time import MEASURED, InferenceTime
 from memorymaze.perception.detector_choice import TRUTH, DetectorSettings, SignSource
+from memorymaze.simulation.furniture.cache import Looks
 from memorymaze.simulation.obstacles import ObstacleSettings
 from memorymaze.simulation.settings import SimulationSettings
 
@@ -88,6 +89,8 @@ class RunSettings:
     """Programs that were written elsewhere; None where a model is asked."""
     split: str | None = None
     """Split of the instructions that the run is on; None for all."""
+    looks: Looks | None = None
+    """How things look to the cameras; None for runs without."""
 
     def __post_init__(self) -> None:
         """Refuse values without meaning."""

@@ -14,6 +14,12 @@ from memorymaze.simulation.obstacles import ObstacleSettings
 __all__ = ["run_notes"]
 
 
+LOOKS = {
+    "own": "things as memorymaze makes them itself",
+    "sweethome3d": "furniture models of Sweet Home 3D (docs/assets.md)",
+}
+
+
 def run_notes(run: MeasuredRun) -> list[str]:
     """Say how a run came about: settings, budgets, who wrote the instructions."""
     settings = run.record.settings
@@ -34,6 +40,8 @@ def run_notes(run: MeasuredRun) -> list[str]:
         notes.append(
             "TURNING POINTS BY LIDAR (scans and odometry), not from the site plan."
         )
+    if settings.looks is not None:
+        notes.append(f"cameras show {LOOKS[settings.looks]}")
     notes += eyes_notes(settings)
     if settings.obstacles is not None:
         notes += _obstacle_notes(settings.obstacles, run.results)
