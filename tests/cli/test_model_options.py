@@ -84,6 +84,7 @@ def test_navigate_says_what_the_model_took(
     ("agent", "options", "message"),
     [
         ("rules", ["--price", "1,2"], "--price: the agent 'rules' asks no language"),
+        ("stop", ["--inference-time", "2"], "--inference-time: the agent 'stop' asks"),
         ("oracle", ["--max-requests", "2"], "--max-requests: the agent 'oracle' asks"),
         (
             "code_generation",

@@ -159,6 +159,7 @@ def agent_settings(options: argparse.Namespace) -> "AgentSettings":
     programs: str | None = getattr(options, "programs", None)
     if options.no_parser or (has_parser(options.agent) and programs is None):
         parser = not options.no_parser
+    asks = has_language_model(options.agent)
     return AgentSettings(
         name=options.agent,
         model=options.model,
@@ -166,8 +167,8 @@ def agent_settings(options: argparse.Namespace) -> "AgentSettings":
         base_url=options.base_url,
         record=options.record,
         replay=options.replay,
-        asking=asking_settings(options, asks=has_language_model(options.agent)),
-        inference_time=inference_time(options),
+        asking=asking_settings(options, asks=asks),
+        inference_time=inference_time(options, asks=asks),
         options=given_options(options.set),
         programs=programs,
     )

@@ -97,13 +97,21 @@ def asking_settings(options: argparse.Namespace, *, asks: bool) -> "AskingSettin
     return AskingSettings(**given)
 
 
-def inference_time(options: argparse.Namespace) -> "InferenceTime":
+def inference_time(options: argparse.Namespace, *, asks: bool) -> "InferenceTime":
     """Return how the simulated clock runs while the model thinks.
 
+    Users' own agents may ask a model that only they know of.
+
     Raises:
-        SettingsError: The text says nothing that is understood.
+        SettingsError: The text says nothing that is understood, or no model is asked.
     """
+    from memorymaze.errors import SettingsError
     from memorymaze.evaluation.inference_time import MEASURED, parse_inference_time
 
     text = options.inference_time
+    if text is not None and not (asks or ":" in options.agent):
+        raise SettingsError(
+            f"--inference-time: the agent {options.agent!r} asks no language model; leave "
+            "the option out"
+        )
     return MEASURED if text is None else parse_inference_time(text)
