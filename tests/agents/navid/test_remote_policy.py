@@ -438,3 +438,29 @@ def test_the_reference_server_answers_by_the_schema(serve):
 
     ServerInfo.model_validate_json(httpx2.get(f"{address}/info").content)
     assert (server.PROTOCOL, server.PROTOCOL_VERSION) == (PROTOCOL, VERSION)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["--policy", "nothing.py:Policy"], "of a file that is there"),
+        (["--policy", "{file}:Policy"], "has no class 'Policy'"),
+        (["--script", "nothing.txt"], "No such file"),
+        (["--script", "{file}"], "has no lines"),
+        (["--port", "many"], "invalid int value"),
+    ],
+)
+def test_the_reference_server_explains_wrong_usage(
+    tmp_path, capsys, monkeypatch, arguments, said
+):
+    file = tmp_path / "empty.py"
+    file.touch()
+    monkeypatch.setattr(sys, "path", [*sys.path])
+    filled = [each.format(file=file) for each in arguments]
+    monkeypatch.setattr(sys, "argv", ["server.py", *filled])
+
+    with pytest.raises(SystemExit) as left:
+        server.main()
+
+    assert left.value.code == 2
+    assert said in capsys.readouterr().err

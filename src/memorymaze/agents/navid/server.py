@@ -15,10 +15,12 @@ import base64
 import binascii
 import importlib.util
 import json
+import os
 import sys
 import threading
 import time
 import traceback
+from collections.abc import Callable
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from typing import Any
 
@@ -253,21 +255,38 @@ def make_server(policy: Any, host: str = "127.0.0.1", port: int = 0) -> Any:
     return server
 
 
-def _policy(options: argparse.Namespace) -> Any:
+def _maker(options: argparse.Namespace) -> Callable[[], Any]:
+    """Return what makes the policy.
+
+    Raises:
+        OSError: A file cannot be read.
+        ValueError: A file has not what was asked for.
+    """
     if options.policy is None:
         script = SCRIPT
         if options.script is not None:
             with open(options.script, encoding="utf-8") as file:
                 script = tuple(line.strip() for line in file if line.strip())
-        return ScriptedPolicy(script or SCRIPT)
+            if not script:
+                raise ValueError(f"--script: {options.script} has no lines")
+        return lambda: ScriptedPolicy(script)
     path, _, name = options.policy.rpartition(":")
+    if not (path.endswith(".py") and os.path.isfile(path)):
+        raise ValueError(
+            f"--policy: expected FILE.py:CLASS of a file that is there, got "
+            f"{options.policy!r}"
+        )
+    # What lies beside it can be imported too.
+    sys.path.insert(0, os.path.dirname(os.path.abspath(path)))
     spec = importlib.util.spec_from_file_location("policy_of_ones_own", path)
     if spec is None or spec.loader is None:
-        raise SystemExit(f"--policy: expected FILE.py:CLASS, got {options.policy!r}")
+        raise ValueError(f"--policy: {path!r} cannot be imported")
     module = importlib.util.module_from_spec(spec)
     sys.modules[spec.name] = module
     spec.loader.exec_module(module)
-    return getattr(module, name)()
+    if not hasattr(module, name):
+        raise ValueError(f"--policy: {path} has no class {name!r}")
+    return getattr(module, name)
 
 
 def main() -> None:
@@ -284,8 +303,15 @@ def main() -> None:
         "--script", metavar="FILE", help="what the scripted policy says, line by line"
     )
     options = parser.parse_args()
-    policy = _policy(options)
-    server = make_server(policy, options.host, options.port)
+    try:
+        make = _maker(options)
+    except (OSError, ValueError) as error:
+        parser.error(str(error))
+    policy = make()
+    try:
+        server = make_server(policy, options.host, options.port)
+    except (OSError, OverflowError) as error:
+        parser.error(f"cannot listen at {options.host}:{options.port} ({error})")
     host, port = server.server_address[:2]
     print(f"{policy.name} at http://{host}:{port}", file=sys.stderr, flush=True)
     try:
