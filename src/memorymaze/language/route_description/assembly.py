@@ -11,6 +11,7 @@ from typing import Literal
 
 from memorymaze.language.route_description.drafts import Draft, place_of
 from memorymaze.language.route_description.events import Event
+from memorymaze.language.route_description.floors import is_floor
 from memorymaze.language.route_description.lengths import SEGMENT_METRES
 from memorymaze.language.route_description.plan import (
     Length,
@@ -251,8 +252,9 @@ class _Assembly:
 
     def _add_thing(self, event: Event, at: int) -> None:
         if event.relation == "from":
-            if self._draft.ahead or self._draft.is_new:
-                self._draft.behind.append(event.phrase)
+            return
+        if event.relation == "away":
+            self._draft.behind.append(event.phrase)
             return
         back = bool(self._done) and (event.back or self._ends_the_turn(event, at))
         draft = self._done[-1] if back else self._draft
@@ -273,7 +275,7 @@ class _Assembly:
     def _add_ahead(self, event: Event, at: int) -> None:
         """Add what lies along a way; the way may be a new one."""
         self._settle_likely_way()
-        if event.turns or self._draft.has_ended:
+        if event.turns or (self._draft.has_ended and is_floor(event.phrase)):
             self._face_anew(at, always=True)
         self._draft.ahead.append(event.phrase)
         self._draft.straight = self._draft.straight or event.walks

@@ -64,7 +64,7 @@ _PROPER_WAY = re.compile(
 _PLAIN_SIGNS = {
     "\u2019": "'", "\u2018": "'", "`": "'", "\u201c": '"', "\u201d": '"',
     "\u2026": "...", "\u2014": ", ", " \u2013 ": ", ", "\u2013": "-",
-    "\u2192": " then ", "\u00bd": ".5", "\t": " ", "\r": "\n",
+    " - ": ", ", "\u2192": " then ", "\u00bd": ".5", "\t": " ", "\r": "\n",
 }  # fmt: skip
 """Quotes, dashes and arrows, and what is read for them."""
 
@@ -165,7 +165,8 @@ def _drop_inline_counting(text: str) -> str:
     if len(marks) < 3 or marks[0].start() > len(text) // 2:
         return text
     for match in reversed(marks):
-        text = text[: match.start()] + "; " + text[match.end() :]
+        rest = re.sub(r"^[.):]", "", text[match.end() :])
+        text = text[: match.start()] + "; " + rest
     return text
 
 

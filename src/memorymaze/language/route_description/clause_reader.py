@@ -223,7 +223,7 @@ class ClauseReader:
             self._take(Event("turn", way=chunk.way, forced=bends))
         elif chunk.way is not None or chunk.kind == "S":
             first = comes_before_its_thing(clause, at)
-            goal = clause.kinds.startswith("Z") and "N" not in clause.kinds
+            goal = clause.kinds.startswith(("Z", "R")) and "N" not in clause.kinds
             self._add(Event("side", side=side_of(chunk), likely=first, of_goal=goal))
 
     # -- things
@@ -276,7 +276,8 @@ class ClauseReader:
         if before == "T":
             return True
         if before == "G":
-            return not _LEAVING.search(self._clause.chunks[len(bound) - 1].text)
+            verb = self._clause.chunks[len(bound) - 1].text
+            return not (_LEAVING.search(verb) or verb.startswith("start"))
         return before == "t" or (relation == "into" and self._turned)
 
     def _relation(self, at: int, *, is_look: bool = False) -> Relation:
@@ -303,7 +304,9 @@ class ClauseReader:
         onward: Relation = "into" if self._turned else "see"
         match chunk.kind:
             case "A":
-                if chunk.text.startswith(("from", "out", "away", "off")):
+                if chunk.text.startswith("away"):
+                    return "away"
+                if chunk.text.startswith(("from", "out", "off")):
                     return "from"
                 loose = chunk.text in _LOOSE or _TOWARDS.match(chunk.text)
                 return "see" if loose else "at"

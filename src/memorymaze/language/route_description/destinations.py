@@ -83,10 +83,11 @@ def find_destinations(
             scores[phrase] = max(scores.get(phrase, 0.0), weight)
     if not scores and not counted:
         before = _named_on_the_way(drafts)
+        is_at_a_place = last.at_end or last.junction is not None
         scores = {
             p: w + text.rfind(p) / len(text)
             for p, w in named.items()
-            if p and (last.is_new or p not in before)
+            if p and not (is_at_a_place and p in before)
         }
     if not scores:
         return (), last.side, None

@@ -27,7 +27,7 @@ _EXISTS = re.compile(r"come|there|here")
 _DOOR = re.compile(r"^(?:hand )?(?:door|wall|window|room)s?\b")
 _LOOSE = ("with", "among")
 _AWAY = re.compile(r"(?:away|from|out|off)\b")
-_FACE = re.compile(r"(?:turn to )?(?:face|facing)")
+_FACE = re.compile(r"(?:turn to )?face")
 
 
 def is_turn(clause: Clause, at: int, *, after_turn: bool) -> bool:
@@ -132,7 +132,7 @@ def faces(clause: Clause, at: int) -> bool:
         return False
     if chunk.kind == "V":
         asked = _FACE.fullmatch(chunk.text) is not None
-        return asked and re.search("[GTBVPU]", clause.kinds[:at]) is None
+        return asked and re.search("[GTBVPUJ]", clause.kinds[:at]) is None
     if chunk.kind == "T" and chunk.text in {"turn", "rotate", "swing"}:
         return re.match("[AUt]N", after) is not None
     return False

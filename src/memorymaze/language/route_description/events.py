@@ -35,7 +35,17 @@ EventKind = Literal[
 lies along a way (`take the blue path`, `face the easel`), `wall` a side without a way."""
 
 Relation = Literal[
-    "at", "beside", "before", "after", "until", "past", "see", "from", "into", ""
+    "at",
+    "beside",
+    "before",
+    "after",
+    "until",
+    "past",
+    "see",
+    "from",
+    "away",
+    "into",
+    "",
 ]
 """How a thing is bound to the clause: `before` and `after` as the words were said."""
 

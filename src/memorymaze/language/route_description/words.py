@@ -47,7 +47,7 @@ PATTERNS: tuple[tuple[str, str], ...] = (
     # -- fillers that contain words of other kinds
     ("f", r"(?:all right|alright|(?<![\s\S])right,? (?:so|okay|ok|then|well|um|uh)\b|ok right|yes,? right|let me get this right|is that right|to be right)\b(?!\s+(?:turn|hand))"),
     ("f", r"(?<=[.!?]\s)that's right(?= *[.!?])"),
-    ("f", r"right (?=(?:in front|ahead|opposite|next to|beside|across from|behind|underneath|above|in the middle|out of your)\b)(?!right in the)"),
+    ("f", r"right (?=(?:up to|in front|ahead|opposite|next to|beside|across from|behind|underneath|above|in the middle|out of your)\b)(?!right in the)"),
     ("f", r"by the way|a long way|the whole way|on the way(?: (?:there|back))?|in the way|some way|any ?way|no way to miss|ways? off|each way|one way or another|the way (?:the|it|i)\b"),
     ("f", r"(?:this|that|the other) one\b"),
     ("f", r"(?:this|that|the same|the right|the correct) way\b(?! (?:on|off))"),
