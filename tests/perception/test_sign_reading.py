@@ -65,6 +65,7 @@ def test_the_nearest_text_comes_first():
         pytest.param(at(6.1, "far"), id="beyond 6 m"),
         pytest.param(replace(SIGN, facing=math.radians(70)), id="turned away"),
         pytest.param(replace(SIGN, facing=math.pi), id="from behind"),
+        pytest.param(replace(SIGN, cut=True), id="cut by the picture's edge"),
         pytest.param(replace(SIGN, letter_height=4.0), id="letters too small"),
         pytest.param(
             replace(SIGN, bearer=replace(SIGN.bearer, visible_fraction=0.4)),

@@ -51,6 +51,13 @@ def test_small_print_is_read_from_near_only(reader_at):
     assert len(reader_at(5.0, size=(0.4, 0.02, 0.2), text=words).read_signs()) == 1
 
 
+def test_a_sign_that_is_half_outside_the_picture_is_not_read(reader_at):
+    robot = reader_at(4.5, size=(3.6, 0.05, 0.4))
+
+    assert [each.text for each in robot.camera_view().visible_texts(6.0)] == ["Library"]
+    assert robot.read_signs() == []
+
+
 def test_the_label_of_a_door_is_read(plans):
     site = plans.site(plans.corridor("c", 0, -1.5, 8, 1.5))
     line = LineString([(4.5, 1.5), (3.5, 1.5)])

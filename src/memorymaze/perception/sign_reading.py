@@ -35,7 +35,7 @@ class TruthSignReader:
     """Reads whatever a good camera could read, without a mistake.
 
     A text is read when it is within 6 m, turned to the camera by 60 degrees or less,
-    its capital letters are at least 5 pixels high in the 640x480 picture, and at least
+    the picture's edge does not cut it, its capital letters are at least 5 pixels high in the 640x480 picture, and at least
     60 % of the thing's part in the picture is unhidden. One reader serves one episode:
     it remembers what it has read, so that each text keeps its `track_id`.
     """
@@ -71,6 +71,7 @@ def one_line(text: str) -> str:
 def _readable(seen: VisibleText) -> bool:
     return (
         seen.facing <= WIDEST_FACING
+        and not seen.cut
         and seen.letter_height >= LEAST_LETTER
         and seen.bearer.visible_fraction >= LEAST_SEEN
         and one_line(seen.text) != ""

@@ -59,6 +59,8 @@ class VisibleText:
     pi; 0 is seen squarely, from pi / 2 on the camera sees its back."""
     letter_height: float
     """Of its capital letters in the 640x480 picture, pixels."""
+    cut: bool = False
+    """Whether the picture's edge cuts through it."""
 
 
 class CameraView(Protocol):

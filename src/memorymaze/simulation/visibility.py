@@ -143,6 +143,7 @@ class RayCamera:
             bearer=seen.thing,
             facing=facing,
             letter_height=written.letter_height * FOCAL_LENGTH / depth,
+            cut=written.fills_it and _is_cut(seen.thing.box),
         )
 
     def _things_seen(self, range_limit: float) -> list[_Seen]:
@@ -292,3 +293,8 @@ class RayCamera:
             visible_fraction=fraction,
         )
         return _Seen(int(targets.geoms[target]), thing)
+
+
+def _is_cut(box: tuple[float, float, float, float]) -> bool:
+    left, top, right, bottom = box
+    return left <= 0 or top <= 0 or right >= WIDTH or bottom >= HEIGHT

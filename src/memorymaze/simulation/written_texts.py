@@ -34,6 +34,8 @@ class Inscription(NamedTuple):
     """Of capital letters, metres."""
     both_sides: bool
     """Whether it can be read from behind as well."""
+    fills_it: bool
+    """Whether it is all over the thing, as on a board."""
 
 
 @lru_cache(maxsize=4096)
@@ -47,16 +49,18 @@ def inscription(scene: Scene, geom: int) -> Inscription | None:
         room = math.hypot(bx - ax, by - ay) - 0.24
         width = min(0.062 * len(record.label) + 0.08, max(room, 0.3))
         height = _letter_height(record.label, width, LABEL_HEIGHT)
-        return Inscription(record.label, height, both_sides=True)
+        return Inscription(record.label, height, both_sides=True, fills_it=False)
     text = getattr(record, "text", None)
     if not text:
         return None
     length, depth, tall = record.size  # type: ignore[union-attr]
-    field = min(tall, LARGEST_FIELD) if depth <= BOARD_DEPTH else STRIP
+    is_board = depth <= BOARD_DEPTH
+    field = min(tall, LARGEST_FIELD) if is_board else STRIP
     both = not isinstance(record, Landmark) or (
         record.mount == "ceiling" and not _points(text)
     )
-    return Inscription(text, _letter_height(text, 0.9 * length, 0.9 * field), both)
+    height = _letter_height(text, 0.9 * length, 0.9 * field)
+    return Inscription(text, height, both, is_board)
 
 
 def _points(text: str) -> bool:

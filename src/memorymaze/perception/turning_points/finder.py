@@ -52,7 +52,7 @@ WALLS_NEAR = 2.5
 wider."""
 SAME_DEPTH = 0.7
 """Share of the greatest depth that a direction must have to be thought of."""
-WIDEST = math.radians(130)
+WIDEST = math.radians(150)
 """Angle under which a mouth is seen from which on the place is open on that side, and
 tells no ways."""
 WEDGE = 1.5
