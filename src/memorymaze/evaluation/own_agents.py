@@ -5,6 +5,7 @@ import importlib.util
 import inspect
 import sys
 from dataclasses import is_dataclass
+from functools import cache
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -119,10 +120,18 @@ def _load(place: str) -> ModuleType:
         _look_also_in(Path.cwd())
         return importlib.import_module(place)
     path = Path(place).absolute()
+    if not path.is_file():
+        raise FileNotFoundError(f"no such file: {place}")
+    return _run_file(path, path.stat().st_mtime_ns)
+
+
+@cache
+def _run_file(path: Path, edited: int) -> ModuleType:
+    """Run a file; once as long as it stays as it is."""
     # Not its bare name: a user's random.py must not stand in for the library's.
     spec = importlib.util.spec_from_file_location(f"own_agent_{path.stem}", path)
-    if spec is None or spec.loader is None or not path.is_file():
-        raise FileNotFoundError(f"no such file: {place}")
+    if spec is None or spec.loader is None:
+        raise ImportError(f"cannot be loaded: {path}")
     _look_also_in(path.parent)
     module = importlib.util.module_from_spec(spec)
     # Dataclasses and pickles inside the file look their module up here.
