@@ -62,7 +62,7 @@ def test_a_detector_is_read_told_and_kept(text: str, meant: DetectorSettings):
     [
         ("dino", "expected one of truth, grounding-dino, remote"),
         ("grounding_dino", "did you mean 'grounding-dino'"),
-        ("truth:mis=0.3", "did you mean 'miss'"),
+        ("truth:misss=0.3", "did you mean 'miss'"),
         ("truth:heavy", "expected settings such as miss=0.1"),
         ("truth:miss=often", "expected a number for miss, got 'often'"),
         ("truth:miss=2", "miss: expected a number from 0 to 1"),
