@@ -15,10 +15,10 @@ __all__ = [
     "is_worth_telling",
 ]
 
+BEND = math.radians(15)
+"""A way that bends less goes straight on: alone it makes no turning point."""
 SAME_WAY = math.radians(35)
 """Ways seen at less than this angle from each other are one."""
-BEND = SAME_WAY
-"""A way that bends less goes straight on: alone it makes no turning point."""
 SAME_PLACE = 2.0
 """Metres between two sightings of one turning point."""
 MEMORY = 0.9
