@@ -11,6 +11,7 @@ from memorymaze.agents.rules.alignment import Aligner, Branch, Ending, Standing
 from memorymaze.agents.rules.arriving import Arrivals, approach
 from memorymaze.agents.rules.evidence import choices_at
 from memorymaze.agents.rules.floor_map import Sighting
+from memorymaze.agents.rules.outlooks import first_heading_cost
 from memorymaze.agents.rules.walker import Walker
 from memorymaze.geometry.pose import wrap_angle
 from memorymaze.language.route_description import (
@@ -133,7 +134,9 @@ class _Search:
                 if all(abs(wrap_angle(heading - h)) > SAME_HEADING for h in headings):
                     headings.append(heading)
         for heading in headings:
-            cost = self._aligner.first_heading_cost(standing.at, heading)
+            cost = first_heading_cost(
+                self._plan, self._walker.map, standing.at, heading
+            )
             told = f"began facing {math.degrees(heading):.0f} (+{cost:.1f})"
             self._branch_out(
                 replace(standing, heading=heading, cost=cost, story=(told,))

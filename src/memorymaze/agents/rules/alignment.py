@@ -16,20 +16,17 @@ from memorymaze.agents.rules.evidence import (
     length_cost,
     mentions_cost,
     ordinal_cost,
-    outlook_cost,
     passings_cost,
     too_far_cost,
-    walls_cost,
     way_cost,
 )
 from memorymaze.agents.rules.floor_map import FloorMap, Point, Stretch
+from memorymaze.agents.rules.outlooks import outlook_cost, outlook_of, walls_cost
 from memorymaze.geometry.pose import wrap_angle
 from memorymaze.language.route_description import (
     Leg,
     Length,
-    Outlook,
     RoutePlan,
-    is_floor,
 )
 
 __all__ = ["Aligner", "Branch", "Ending", "Standing"]
@@ -136,9 +133,10 @@ class Aligner:
         ahead = STILL_AHEAD * left
         leg = self._leg(standing)
         arrival = self.plan.arrival
-        if leg is None and arrival.length and _is_passed(arrival.length, standing):
-            if not any(m.place == "passed" for m in arrival.mentions):
-                ahead += GONE_TOO_FAR * _walked_cost(arrival.length, standing, 0)
+        counted_from = any(m.place == "passed" for m in arrival.mentions)
+        told = None if leg is not None or counted_from else arrival.length
+        if told is not None and _is_passed(told, standing):
+            ahead += GONE_TOO_FAR * _walked_cost(told, standing, 0)
         if leg is not None:
             length = _with_lead(leg.length, standing.lead)
             if length is not None and _is_passed(length, standing):
@@ -297,35 +295,12 @@ class Aligner:
 
     def _outlook_cost(self, standing: Standing, leg: int, exit: int) -> float:
         """Compare the way an exit leads with what was said of the way of a leg."""
-        outlook = self.outlook_of(leg)
+        outlook = outlook_of(self.plan, leg)
         crossing = self._floor.crossings[standing.at]
         cost = outlook_cost(outlook, self._floor, standing.at, exit)
         return cost + walls_cost(
             outlook, crossing.exits, crossing.closed, crossing.exits[exit]
         )
-
-    def outlook_of(self, leg: int) -> Outlook:
-        """Return what was said of the beginning of a leg, or of the last stretch."""
-        legs = self.plan.legs
-        return legs[leg].outlook if leg < len(legs) else self.plan.arrival.outlook
-
-    def first_heading_cost(self, at: int, heading: float) -> float:
-        """Compare a way to face at the start with what the description begins with."""
-        crossing = self._floor.crossings[at]
-        exit = crossing.find_exit(heading)
-        outlook = self.outlook_of(0)
-        cost = walls_cost(outlook, crossing.exits, crossing.closed, heading)
-        cost += outlook_cost(outlook, self._floor, at, exit)
-        first = self.plan.legs[0] if self.plan.legs else self.plan.arrival
-        if exit is None:
-            return cost + 1.0 * first.goes
-        things = tuple(
-            mention.phrase
-            for mention in first.mentions
-            if mention.place in {"turn", "passed"} and not is_floor(mention.phrase)
-        )
-        seen = outlook_cost(Outlook(things[:1]), self._floor, at, exit)
-        return cost + 0.5 * seen
 
     def _skip_cost(self, number: int) -> float:
         turn = self.plan.legs[number].turn

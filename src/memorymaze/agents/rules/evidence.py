@@ -11,13 +11,12 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from memorymaze.agents.rules.floor_map import AT_CROSSING, SEES_FAR, FloorMap, Point
+from memorymaze.agents.rules.outlooks import crossing_floor_cost
 from memorymaze.geometry.pose import wrap_angle
 from memorymaze.language.route_description import (
     Length,
     Mention,
-    Outlook,
     Passing,
-    Side,
     Turn,
     is_common,
     is_floor,
@@ -30,10 +29,8 @@ __all__ = [
     "length_cost",
     "mentions_cost",
     "ordinal_cost",
-    "outlook_cost",
     "passings_cost",
     "too_far_cost",
-    "walls_cost",
     "way_cost",
 ]
 
@@ -45,24 +42,8 @@ GREATEST = {"metres": 3.5, "steps": 3.2, "time": 2.4, "vague": 1.6, "segments": 
 FORWARD, SLIGHT, BACK = math.radians(15), math.radians(60), math.radians(160)
 MISCOUNTED = 1.6
 """For each place where one can turn that was counted too many or too few."""
-OTHER_FLOOR = 2.8
-"""The way has another floor than the one said."""
-FLOOR_BEYOND = 0.8
-"""The same where it begins farther along that way."""
-NOT_AHEAD = 1.6
-"""What was said to lie that way is not to be seen, by one who sees far."""
-MAYBE_AHEAD = 0.3
-"""The same by one who sees only what is near."""
 ELSEWHERE = 2.5
 """What was said to be at a turn was seen, but at another place."""
-NO_WALL = 2.4
-"""There is a way where a wall was said to be."""
-_SIDES: dict[Side, float] = {
-    "ahead": 0.0,
-    "left": math.pi / 2,
-    "behind": math.pi,
-    "right": -math.pi / 2,
-}
 BESIDE = 5.0
 """Metres from the line of a leg within which a thing is on it."""
 
@@ -212,51 +193,6 @@ def passings_cost(
     return min(cost, 2.4)
 
 
-def outlook_cost(outlook: Outlook, floor: FloorMap, at: int, exit: int | None) -> float:
-    """Compare what was said to lie along a way with what is seen along it.
-
-    Args:
-        outlook: What was said.
-        floor: The map with all views.
-        at: Crossing where the way begins.
-        exit: Exit that leads into it; None for a wall.
-    """
-    view = floor.views.get((at, exit)) if exit is not None else None
-    if view is None:
-        return 0.5 * bool(outlook.ahead) if exit is None else 0.0
-    cost = 0.0
-    for phrase in outlook.ahead:
-        if phrase not in view.asked:
-            continue
-        if is_floor(phrase):
-            if view.floor is not None:
-                beyond = phrase in view.distances
-                other = FLOOR_BEYOND if beyond else OTHER_FLOOR
-                cost += -1.0 if view.has_floor(phrase) else other
-        elif phrase in view.distances:
-            cost -= 1.2
-        else:
-            cost += NOT_AHEAD if floor.farthest > SEES_FAR else MAYBE_AHEAD
-    cost += NOT_AHEAD * sum(phrase in view.distances for phrase in outlook.behind)
-    return cost
-
-
-def walls_cost(
-    outlook: Outlook, exits: Sequence[float], closed: set[int], heading: float
-) -> float:
-    """Compare the sides that were said to be walls with the ways out of a crossing."""
-    cost = 0.0
-    for side in outlook.walls:
-        there = wrap_angle(heading + _SIDES[side])
-        is_open = any(
-            abs(wrap_angle(each - there)) < SLIGHT
-            for index, each in enumerate(exits)
-            if index not in closed
-        )
-        cost += NO_WALL if is_open else -0.6
-    return cost
-
-
 def mentions_cost(
     mentions: Sequence[Mention],
     floor: FloorMap,
@@ -278,21 +214,10 @@ def mentions_cost(
     total = 0.0
     for mention in mentions:
         if is_floor(mention.phrase):
-            total += _crossing_floor_cost(mention, floor, at)
+            total += crossing_floor_cost(mention, floor, at)
         else:
             total += _mention_cost(mention, floor, line, place, asked)
     return max(min(total, 3.0 if at is not None else 1.5), -4.0)
-
-
-def _crossing_floor_cost(mention: Mention, floor: FloorMap, at: int | None) -> float:
-    """Compare a floor that a crossing was said to have with the ways out of it."""
-    if at is None or mention.place not in {"turn", "beside", "target"}:
-        return 0.0
-    views = [view for view in floor.views_from(at) if mention.phrase in view.asked]
-    if any(view.has_floor(mention.phrase) for view in views):
-        return -1.2
-    told = [view for view in views if view.floor is not None]
-    return 1.5 if len(told) > 1 or (told and len(views) == len(told)) else 0.0
 
 
 def _mention_cost(

@@ -23,6 +23,7 @@ from memorymaze.language.route_description.lengths import (
     read_number,
     read_segments,
 )
+from memorymaze.language.route_description.plain_words import in_plain_words
 from memorymaze.language.route_description.plan import Length, Way
 from memorymaze.language.route_description.words import (
     CLOCK,
@@ -69,53 +70,6 @@ _PLAIN_SIGNS = {
 """Quotes, dashes and arrows, and what is read for them."""
 
 
-_numbers = r"(?:\d|one|two|three|four|five|six|seven|eight|nine)"
-_PLAIN_WORDS = tuple(
-    (re.compile(pattern), plain)
-    for pattern, plain in (
-        (r"(?<!\w)'t'(?!\w)|\bt-? intersection", "t"),
-        (
-            r"(^|[.;,] ?)\s*(?:(?:starting |standing )?(?:from|at|in|on)"
-            rf" (?:(?:position|pos|location|place|spot|p)\.? )?(?:number |#)?{_numbers},?) (?=[a-z])"
-            r"(?!is |are |o'?clock|then |and |the |steps|met)",
-            r"\1 ",
-        ),
-        (
-            rf"\b(?:position|pos|location|p)\.? (?:number |#)?{_numbers}\b",
-            "the destination",
-        ),
-        (
-            r"\b(is|will be|be) " + _numbers + r"\b(?= *[.,;]|$)",
-            r"\1 the destination",
-        ),
-        (
-            r"\b(you(?: are|'re) (?:now )?at) " + _numbers + r"\b(?= *[.,;]|$)",
-            r"\1 the destination",
-        ),
-        (
-            r"\b(?:face|fave) and (?:move|go|walk) (to|past|towards?|into) "
-            r"((?:the |a |an )?[a-z' -]+?)(?= *[.,;]| and | to |$)",
-            r"face \2 , go \1 \2",
-        ),
-        (
-            r"\b(intersection|junction|corner|crossing|square|block|hall|space)s?"
-            r" (?:that |which )?(?:containing|contains|has|having)\b",
-            r"\1 with",
-        ),
-        (
-            r"(?:\bwith )?\byour back (?:is )?(?:to|against|towards?|facing)"
-            r" (?=(?:the |a |an )?(?!(?:\w+ ){0,2}wall\b)\w)",
-            "face away from ",
-        ),
-        (r"\b(?:orient|position|point) yourself\b", "turn"),
-        (r"\bfoward\b|\bfwd\b", "forward"),
-        (r"\binter?sec?tion\b|\bintesection\b", "intersection"),
-        (r"(\w)[ -]+-?floored\b", r"\1 floored"),
-    )
-)
-"""Numbered places are where one starts from or where one goes; slips of the keyboard."""
-
-
 @dataclass(frozen=True, slots=True)
 class Chunk:
     """One piece of a description."""
@@ -142,8 +96,7 @@ def normalise(text: str) -> str:
     text = re.sub(r"\bur\b", "your", text)
     text = re.sub(r"\b(left|right)-(\w+)-(left|right)\b(?! hand)", _unless_and, text)
     text = _drop_inline_counting(text)
-    for pattern, plain in _PLAIN_WORDS:
-        text = pattern.sub(plain, text)
+    text = in_plain_words(text)
     return _COUNTED.sub("; ", text)
 
 
