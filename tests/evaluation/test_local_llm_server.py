@@ -48,7 +48,9 @@ def server(tmp_path: Path) -> Iterator[str]:
     command = [sys.executable, "-m", "llama_cpp.server", "--port", str(port)]
     command += ["--model", str(Path(package.origin).parent / SMOLLM2_FILE)]
     command += ["--model_alias", "small", "--n_ctx", "8192"]
-    command += ["--n_threads", str(max(1, (os.cpu_count() or 1) // 2))]
+    # Threads of a model wait for each other: one without a core holds up all of them.
+    threads = str(max(1, (os.cpu_count() or 1) // 2))
+    command += ["--n_threads", threads, "--n_threads_batch", threads]
     log = tmp_path / "server.log"
     with log.open("wb") as file:
         process = subprocess.Popen(command, stdout=file, stderr=file)
