@@ -14,7 +14,7 @@ import pytest
 from PIL import Image
 
 from memorymaze.errors import DetectorError, SettingsError
-from memorymaze.perception.detector_server import make_server
+from memorymaze.perception.detector_server import main, make_server
 from memorymaze.perception.grounding_dino import ZeroShotFinder
 from memorymaze.perception.picture_detector import FoundBox
 from memorymaze.perception.remote_detector import RemoteFinder
@@ -181,3 +181,8 @@ def test_the_reference_server_says_what_is_wrong_with_a_request(change, said: st
         with refused.value as error:
             assert error.code == 400
             assert said in error.read().decode()
+
+
+def test_the_reference_server_does_not_start_without_a_model(tmp_path: Path, capsys):
+    assert main([str(tmp_path / "none"), "--port", "0"]) == 2
+    assert "no such folder" in capsys.readouterr().err

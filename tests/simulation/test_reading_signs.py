@@ -7,6 +7,7 @@ import pytest
 from shapely import LineString
 
 from memorymaze.geometry.pose import Pose
+from memorymaze.perception.detector_choice import Eyes
 from memorymaze.simulation import SimulatedRobot, build_scene
 from memorymaze.sites.records import Door
 
@@ -75,3 +76,33 @@ def test_reading_is_a_call_in_the_trace(reader_at, put_robot, scenes):
 
     assert [event.call for event in events] == ["read_signs"]
     assert robot.calls == 1
+
+
+def test_painted_signs_are_read_from_the_picture_as_they_are_written(plans):
+    def sign(name: str, y: float, text: str, size):
+        thing = plans.thing(
+            name, 6, y, size=size, mount="wall", degrees=180, obstacle=False
+        )
+        object.__setattr__(thing, "category", "sign")
+        object.__setattr__(thing, "text", text)
+        return thing
+
+    site = plans.site(
+        plans.corridor("c", 0, -2, 6.2, 2),
+        sign("library", 1.2, "Library", (1.0, 0.05, 0.4)),
+        sign("room", 0.0, "2347", (0.2, 0.02, 0.15)),
+        sign("where", -1.2, "Restrooms and Shop", (1.0, 0.05, 0.4)),
+    )
+    reader = Eyes(signs="ocr").sign_reader()
+    robot = SimulatedRobot(build_scene(site), Pose(3, 0, 0), sign_reader=reader)
+
+    signs = {each.text: each for each in robot.read_signs()}
+
+    assert set(signs) == {"Library", "2347", "Restrooms and Shop"}
+    assert signs["2347"].distance == pytest.approx(3.0, abs=0.3)
+    assert (
+        signs["Library"].bearing_deg
+        > 10
+        > -10
+        > signs["Restrooms and Shop"].bearing_deg
+    )

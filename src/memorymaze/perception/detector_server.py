@@ -11,7 +11,7 @@ import base64
 import binascii
 import io
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from http.server import BaseHTTPRequestHandler, HTTPServer
 
 import numpy as np
@@ -23,7 +23,7 @@ from memorymaze.perception.grounding_dino import DEFAULT_CHECKPOINT, ZeroShotFin
 from memorymaze.perception.picture_detector import ObjectFinder
 from memorymaze.perception.remote_detector import DetectionReply, DetectionRequest
 
-__all__ = ["FinderFor", "make_server"]
+__all__ = ["FinderFor", "main", "make_server"]
 
 FinderFor = Callable[[float, float], ObjectFinder]
 """Gives the model for a box threshold and a text threshold."""
@@ -92,7 +92,15 @@ def _picture(text: str) -> "np.ndarray[tuple[int, int, int], np.dtype[np.uint8]]
         raise ValueError(f"image: expected a PNG or JPEG in base64 ({error})") from None
 
 
-def _main() -> int:
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Serve a checkpoint until it is interrupted.
+
+    Args:
+        arguments: Of the command line; None for those of this process.
+
+    Returns:
+        0, or 2 where the checkpoint or the address cannot be used.
+    """
     parser = argparse.ArgumentParser(
         prog="python -m memorymaze.perception.detector_server",
         description="Serve a zero-shot object detection checkpoint over HTTP.",
@@ -109,7 +117,7 @@ def _main() -> int:
     parser.add_argument(
         "--download", action="store_true", help="fetch it where it is not there"
     )
-    options = parser.parse_args()
+    options = parser.parse_args(arguments)
     finder = ZeroShotFinder(
         options.checkpoint, device=options.device, download=options.download
     )
@@ -131,4 +139,4 @@ def _main() -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(_main())
+    sys.exit(main())
