@@ -173,8 +173,8 @@ def sink(order: Order) -> Assembly:
         metal(colour), box((back, back + 0.09), order.y, (rim * 0.55, rim), 0.01)
     )
     assembly.add(paint(DARK), cylinder(0.025, (rim * 0.35, rim * 0.4), 10))
-    tap = metal((0.86, 0.87, 0.9))
-    high = order.height - 0.012
+    tap = metal((0.36, 0.38, 0.42))
+    high = order.height - 0.02
     assembly.add(
         tap,
         tube(
@@ -185,12 +185,13 @@ def sink(order: Order) -> Assembly:
                 (back + 0.17, 0, high),
                 (back + 0.19, 0, high - 0.05),
             ],
-            0.013,
+            0.02,
             8,
         ),
     )
-    for side in (-1, 1):
+    for side, water in ((-1, (0.15, 0.3, 0.75)), (1, (0.8, 0.12, 0.12))):
         assembly.add(
-            tap, cylinder(0.022, (rim, rim + 0.04), 8).moved(back + 0.05, side * 0.09)
+            paint(water),
+            cylinder(0.03, (rim, rim + 0.05), 8).moved(back + 0.06, side * 0.12),
         )
     return assembly
