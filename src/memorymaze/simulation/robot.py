@@ -346,7 +346,7 @@ class SimulatedRobot:
         except TimeIsUp:
             self._log.stopped_by = "budget"
         self._driver.sample()
-        return self._driver.standing_time - before
+        return round(self._driver.standing_time - before, 6)
 
     def follow(self, line: ArrayLike) -> MoveResult:
         """Drive along a given line to its end; privileged, for the oracle.
