@@ -25,3 +25,5 @@ bash scripts/setup_graphics.sh || echo "setup: going on without graphics" >&2
 if [ -d /usr/share/sweethome3d/furniture ]; then
     "$venv/bin/memorymaze" sites models >/dev/null || echo "setup: going on without furniture models" >&2
 fi
+# Only the tests of reports need a browser.
+bash scripts/setup_browser.sh || echo "setup: going on without a browser" >&2

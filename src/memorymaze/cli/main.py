@@ -21,6 +21,8 @@ from memorymaze.cli import (
     navigate,
     programs,
     prompts,
+    replay,
+    report,
     score,
     sites,
     submit_check,
@@ -95,6 +97,7 @@ def _parser() -> argparse.ArgumentParser:
         evaluate,
         table,
         compare,
+        report,
         submit_check,
         score,
         instructions,
@@ -102,6 +105,7 @@ def _parser() -> argparse.ArgumentParser:
         agents,
         prompts,
         programs,
+        replay,
         walkthrough,
     ):
         verb.add_parser(verbs)

@@ -1,0 +1,165 @@
+"""The entries of a trace in words, for timelines."""
+
+import json
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+__all__ = ["KINDS", "Event", "asked_events", "call_event", "met_event", "note_events"]
+
+KINDS = (
+    "move",
+    "turn",
+    "look",
+    "ask",
+    "say",
+    "stop",
+    "note",
+    "model",
+    "touch",
+    "other",
+)
+"""Of events; each has a lane of its own in a timeline, or shares one."""
+
+LONGEST = 600
+"""Characters that are shown of a text; traces hold them whole."""
+
+HIDDEN_NOTES = frozenset({"plan", "steps", "program"})
+"""Shown beside the timeline instead."""
+
+
+@dataclass(frozen=True, slots=True)
+class Event:
+    """Something that happened, in words."""
+
+    time: float
+    """Simulated seconds."""
+    kind: str
+    """One of `KINDS`."""
+    text: str
+    last: int
+    """Number of the last entry of the trace that it tells of."""
+    seen: tuple[tuple[float, float, str], ...] = ()
+    """Things detected: x and y in metres, label."""
+
+
+def asked_events(asked: Sequence[Mapping[str, Any]], after: int) -> Iterator[Event]:
+    """Tell the questions asked at one moment: what was looked for, what else.
+
+    Args:
+        asked: Calls that move nothing, all at the same time.
+        after: Number of the entry after them.
+    """
+    looked, found, seen, others = [], [], [], []
+    for entry in asked:
+        result = entry["result"]
+        if entry["call"] == "detect_from_RGB_image":
+            looked.append(str(entry["arguments"].get("object")))
+            found += [_sighting(each) for each in result or ()]
+            seen += [_place(entry["pose"], each) for each in result or ()]
+        elif entry["call"] == "read_signs":
+            found += [f"“{each['text']}” {_where(each)}" for each in result or ()]
+            looked.append("signs")
+        else:
+            others.append(f"{entry['call']}() → {_value(result)}")
+    time = float(asked[0]["time"])
+    if looked:
+        # What is found is told once, however often it was looked for.
+        what = ", ".join(dict.fromkeys(looked))
+        told = "; ".join(dict.fromkeys(found)) or "nothing"
+        places = tuple(dict.fromkeys(seen))
+        yield Event(
+            time, "look", _cut(f"saw {told} (looked for {what})"), after - 1, places
+        )
+    if others:
+        told = "; ".join(dict.fromkeys(others))
+        yield Event(time, "ask", _cut(told), after - 1)
+
+
+def call_event(entry: Mapping[str, Any], number: int) -> Event:
+    """Tell a call of the control API."""
+    call, result = str(entry["call"]), entry["result"]
+    arguments = ", ".join(_value(each) for each in entry["arguments"].values())
+    text = f"{call}({arguments})"
+    kind = "other"
+    if call in {"move_forward", "follow"} or call.startswith("step_"):
+        kind = "move"
+    elif call == "turn":
+        kind = "turn"
+    elif call in {"say", "stop"}:
+        kind = call
+    if isinstance(result, dict) and {"distance", "reason"} <= result.keys():
+        text += f" → {float(result['distance']):.2f} m, {result['reason']}"
+    elif isinstance(result, dict) and "message" in result:
+        text += f" → {result['message']}"
+    elif result is not None:
+        text += f" → {_value(result)}"
+    return Event(float(entry["time"]), kind, _cut(text), number)
+
+
+def note_events(entry: Mapping[str, Any], number: int) -> Iterator[Event]:
+    """Tell what an agent noted; nothing of what is shown elsewhere."""
+    about = str(entry["about"])
+    if about in HIDDEN_NOTES:
+        return
+    told = {k: v for k, v in entry.items() if k not in {"kind", "time", "about"}}
+    kind = "note"
+    if about == "model_reply":
+        kind = "model"
+        stage, text = told.get("stage"), told.get("text")
+        text = f"{told.get('model')} replied ({stage}): {text}"
+    elif list(told) == ["text"]:
+        text = f"{about}: {told['text']}"
+    else:
+        text = f"{about}: " + "; ".join(f"{k} {_value(v)}" for k, v in told.items())
+    yield Event(float(entry["time"]), kind, _cut(text), number)
+
+
+def met_event(entry: Mapping[str, Any], number: int) -> Event:
+    """Tell a collision, or that a person came close."""
+    if entry["kind"] == "collision":
+        text = f"touched a {entry['with']} ({entry['object_id']})"
+    else:
+        text = f"came within {float(entry['gap']):.2f} m of {entry['object_id']}"
+    return Event(float(entry["time"]), "touch", _cut(text), number)
+
+
+def _sighting(found: Mapping[str, Any]) -> str:
+    return f"{found['label']} {_where(found)}"
+
+
+def _where(found: Mapping[str, Any]) -> str:
+    bearing = round(float(found["bearing_deg"]))
+    side = "ahead" if bearing == 0 else f"{abs(bearing)}° {_side(bearing)}"
+    return f"{float(found['distance']):.1f} m {side}"
+
+
+def _side(bearing: float) -> str:
+    return "left" if bearing > 0 else "right"
+
+
+def _place(pose: Sequence[float], found: Mapping[str, Any]) -> tuple[float, float, str]:
+    x, y, heading = map(float, pose)
+    angle = heading + math.radians(float(found["bearing_deg"]))
+    distance = float(found["distance"])
+    label = _cut(str(found["label"]))
+    return x + distance * math.cos(angle), y + distance * math.sin(angle), label
+
+
+def _value(value: object) -> str:
+    if isinstance(value, float):
+        return f"{value:.2f}"
+    if value is None:
+        return "nothing"
+    if isinstance(value, str):
+        return value
+    if isinstance(value, list) and all(isinstance(each, str) for each in value):
+        return ", ".join(value) or "nothing"
+    return json.dumps(value, ensure_ascii=False)
+
+
+def _cut(text: str) -> str:
+    if len(text) <= LONGEST:
+        return text
+    return f"{text[:LONGEST]}… ({len(text)} characters; the trace has them all)"

@@ -1,0 +1,176 @@
+"""An episode's trace, made short: poses, what was called and seen, what was understood.
+
+What agents and models wrote is kept as text and never trusted.
+"""
+
+import json
+import math
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from memorymaze.errors import RunFolderError
+from memorymaze.evaluation.report.event_words import (
+    KINDS,
+    Event,
+    asked_events,
+    call_event,
+    met_event,
+    note_events,
+)
+from memorymaze.evaluation.report.understanding import Understanding, understood
+from memorymaze.geometry.trajectory import TimedPose, Trajectory
+
+__all__ = ["Story", "story_of", "story_record"]
+
+OFF_LINE = 0.06
+"""Metres by which a pose may be off the straight way between those that are kept."""
+OFF_HEADING = 0.15
+"""Radians by which a heading may be off the even turn between those that are kept."""
+
+ASKING = frozenset({
+    "turning_point_id",
+    "detect_turning_point",
+    "distance_travelled",
+    "detect_from_RGB_image",
+    "read_signs",
+})
+"""Calls that move nothing; those at the same moment are told in one line."""
+
+
+@dataclass(frozen=True, slots=True)
+class Story:
+    """What a reader sees of an episode of one run."""
+
+    walk: Trajectory
+    events: tuple[Event, ...]
+    """In the order of time."""
+    understanding: Understanding
+    instruction: str | None
+    """The text as the trace has it."""
+
+
+def story_of(entries: Iterable[Mapping[str, Any]], place: str) -> Story:
+    """Make the entries of a trace short.
+
+    Args:
+        entries: From `read_trace`.
+        place: Of the trace, for messages.
+
+    Raises:
+        RunFolderError: The entries are none that an episode leaves.
+    """
+    listed = list(entries)
+    try:
+        poses = next(each["poses"] for each in listed if each["kind"] == "trajectory")
+        walk = Trajectory([TimedPose(*map(float, pose)) for pose in poses])
+        understanding = understood(listed)
+        events = tuple(_events(listed))
+        opening = listed[0].get("instruction")
+    except StopIteration:
+        raise RunFolderError(f"{place}: expected a trajectory, got none") from None
+    except (KeyError, TypeError, ValueError, AttributeError) as error:
+        raise RunFolderError(
+            f"{place}: expected entries as memorymaze writes them, got others "
+            f"({type(error).__name__}: {error})"
+        ) from None
+    text = opening if isinstance(opening, str) else None
+    return Story(walk, events, understanding, text)
+
+
+def story_record(story: Story) -> str:
+    """Return a story as JSON that is also a JavaScript expression, short and safe.
+
+    `poses` is flat: time, x, y, heading, and so on; metres, seconds and radians.
+    `words` has every text once; `events` is flat: time, kind, index of the text, and
+    steps that are worked on then, as index of `sets`. `kinds` names the kinds. `seen`
+    is flat: time, x, y, index of the label.
+    """
+    words: dict[str, int] = {}
+    sets: dict[tuple[int, ...], int] = {}
+    events: list[float] = []
+    seen: list[float] = []
+    marks = sorted(story.understanding.marks.items())
+    current: tuple[int, ...] = ()
+    passed = 0
+    for event in story.events:
+        while passed < len(marks) and marks[passed][0] <= event.last:
+            current = marks[passed][1]
+            passed += 1
+        events += [
+            _short(event.time),
+            KINDS.index(event.kind),
+            words.setdefault(event.text, len(words)),
+            sets.setdefault(current, len(sets)),
+        ]
+        for x, y, label in event.seen:
+            seen += [_short(event.time), _short(x), _short(y)]
+            seen.append(words.setdefault(label, len(words)))
+    record = {
+        "poses": [number for pose in _kept(story.walk) for number in map(_short, pose)],
+        "kinds": KINDS,
+        "words": list(words),
+        "sets": list(sets),
+        "events": events,
+        "seen": seen,
+    }
+    # ASCII only, and no character that could end a script or begin a tag.
+    text = json.dumps(record, ensure_ascii=True, separators=(",", ":"))
+    for character in "<>&":
+        text = text.replace(character, f"\\u{ord(character):04x}")
+    return text
+
+
+def _events(entries: Sequence[Mapping[str, Any]]) -> Iterator[Event]:
+    asked: list[Mapping[str, Any]] = []
+    for number, entry in enumerate(entries):
+        kind = entry["kind"]
+        asks = kind == "call" and entry.get("call") in ASKING
+        if asked and not (asks and entry["time"] == asked[0]["time"]):
+            yield from asked_events(asked, number)
+            asked = []
+        if asks:
+            asked.append(entry)
+        elif kind == "call":
+            yield call_event(entry, number)
+        elif kind == "note":
+            yield from note_events(entry, number)
+        elif kind in {"collision", "near_miss"}:
+            yield met_event(entry, number)
+    if asked:
+        yield from asked_events(asked, len(entries))
+
+
+def _kept(walk: Trajectory) -> Iterator[TimedPose]:
+    """Return the poses between which the others lie evenly."""
+    poses = walk.poses
+    first = 0
+    yield poses[0]
+    for index in range(2, len(poses)):
+        if not _is_even(poses[first : index + 1]):
+            first = index - 1
+            yield poses[first]
+    if len(poses) > 1:
+        yield poses[-1]
+
+
+def _is_even(poses: Sequence[TimedPose]) -> bool:
+    start, end = poses[0], poses[-1]
+    span = end.time - start.time
+    if span <= 0 or span > 5:
+        return False
+    turn = math.remainder(end.heading - start.heading, 2 * math.pi)
+    for pose in poses[1:-1]:
+        share = (pose.time - start.time) / span
+        x = start.x + share * (end.x - start.x)
+        y = start.y + share * (end.y - start.y)
+        heading = start.heading + share * turn
+        off = math.remainder(pose.heading - heading, 2 * math.pi)
+        if math.hypot(pose.x - x, pose.y - y) > OFF_LINE or abs(off) > OFF_HEADING:
+            return False
+    return True
+
+
+def _short(value: float) -> float:
+    number = round(value, 2)
+    return int(number) if number == int(number) else number

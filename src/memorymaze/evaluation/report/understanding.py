@@ -1,0 +1,94 @@
+"""What an agent understood: its steps or program, and which of it is at work when."""
+
+import ast
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+__all__ = ["Understanding", "understood"]
+
+LONGEST_PROGRAM = 20_000
+"""Characters that are shown of a program."""
+LONGEST_STEP = 1_000
+"""Characters that are shown of a step."""
+
+
+@dataclass(frozen=True, slots=True)
+class Understanding:
+    """What can be shown of how an agent read the instruction."""
+
+    steps: tuple[str, ...]
+    """In the order in which they are to be done; none where the agent notes none."""
+    programs: tuple[tuple[str, ...], ...]
+    """The lines of each program that was run; the last one replaced those before."""
+    marks: dict[int, tuple[int, ...]]
+    """What is worked on from an entry of the trace on, by the entry's number: numbers
+    of lines, counted through all programs, or without programs of a step, from 0."""
+    is_exact: bool
+    """Whether the trace tells what is worked on; otherwise lines are all those that
+    make the call at hand."""
+
+
+def understood(entries: Sequence[Mapping[str, Any]]) -> Understanding:
+    """Read what an agent noted of its understanding from a trace.
+
+    Steps stand in notes about `plan` or `steps`, programs in notes about `program`; a
+    step counts as worked on when a note says how many are done (`legs_done`).
+    """
+    steps: tuple[str, ...] = ()
+    programs: list[tuple[str, ...]] = []
+    at_steps: dict[int, tuple[int, ...]] = {}
+    at_lines: dict[int, tuple[int, ...]] = {}
+    calls: dict[str, list[_CallInProgram]] = {}
+    for number, entry in enumerate(entries):
+        about = entry.get("about") if entry["kind"] == "note" else None
+        if about in {"plan", "steps"} and isinstance(entry.get("steps"), list):
+            steps = tuple(
+                str(step)[:LONGEST_STEP].removeprefix(f"{place}. ")
+                for place, step in enumerate(entry["steps"], start=1)
+            )
+        elif about == "program":
+            shown = str(entry.get("program"))[:LONGEST_PROGRAM]
+            calls = _calls_in(shown, sum(map(len, programs)))
+            programs.append(tuple(shown.rstrip().splitlines()))
+        elif entry["kind"] == "call" and programs:
+            arguments = entry.get("arguments")
+            told = list(arguments.values()) if isinstance(arguments, dict) else []
+            fitting = [each for each in calls.get(entry["call"], ()) if each.fits(told)]
+            at_lines[number] = tuple(sorted({each.line for each in fitting}))
+        elif steps and about == "arrival":
+            at_steps[number] = (len(steps) - 1,)
+        elif steps and isinstance(done := entry.get("legs_done"), int):
+            at_steps[number] = (min(max(done, 0), len(steps) - 1),)
+    if steps and at_steps:
+        at_steps.setdefault(0, (0,))
+    marks = at_lines if programs else at_steps
+    return Understanding(steps, tuple(programs), marks, is_exact=not programs)
+
+
+@dataclass(frozen=True, slots=True)
+class _CallInProgram:
+    line: int
+    """From 0, counted through all programs."""
+    told: tuple[object, ...] | None
+    """Its arguments, where they stand there as plain values."""
+
+    def fits(self, told: Sequence[object]) -> bool:
+        return self.told is None or list(self.told) == list(told)
+
+
+def _calls_in(program: str, first_line: int) -> dict[str, list[_CallInProgram]]:
+    """Return the calls of functions in a program by name; none where it is broken."""
+    try:
+        tree = ast.parse(program)
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return {}
+    calls: dict[str, list[_CallInProgram]] = {}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
+            values = [*node.args, *(keyword.value for keyword in node.keywords)]
+            plain = [each.value for each in values if isinstance(each, ast.Constant)]
+            told = tuple(plain) if len(plain) == len(values) else None
+            line = first_line + node.lineno - 1
+            calls.setdefault(node.func.id, []).append(_CallInProgram(line, told))
+    return calls
