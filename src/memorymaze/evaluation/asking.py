@@ -6,7 +6,7 @@ from typing import Literal
 from memorymaze.errors import SettingsError
 from memorymaze.language.pricing import TokenPrice
 
-__all__ = ["AskingSettings"]
+__all__ = ["PATIENT", "AskingSettings"]
 
 GrammarServer = Literal["llama.cpp", "vllm"]
 
@@ -62,3 +62,7 @@ class AskingSettings:
     def limited(self) -> bool:
         """Whether there is a limit on what may be spent."""
         return self.max_cost is not None or self.max_tokens_total is not None
+
+
+PATIENT = AskingSettings()
+"""The defaults: no limit, no price, four further attempts."""

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from memorymaze.errors import SettingsError
-from memorymaze.evaluation.asking import AskingSettings
+from memorymaze.evaluation.asking import PATIENT, AskingSettings
 from memorymaze.evaluation.inference_time import MEASURED, InferenceTime
 from memorymaze.perception.detector_choice import TRUTH, DetectorSettings, SignSource
 from memorymaze.simulation.furniture.cache import Looks
@@ -51,7 +51,7 @@ class AgentSettings:
     """File that replies are read from instead of asking a model."""
     options: tuple[tuple[str, str], ...] = ()
     """Names and values of the agent's own options, as they were given."""
-    asking: AskingSettings = AskingSettings()
+    asking: AskingSettings = PATIENT
     """How the language model is asked, and what may be spent on it."""
     inference_time: InferenceTime = MEASURED
     """How long the robot stands while the model thinks."""
