@@ -1,0 +1,71 @@
+"""`memorymaze leaderboard`: the page that ranks a folder of runs."""
+
+import argparse
+import sys
+
+from memorymaze.cli.verbs import Verbs
+from memorymaze.cli.wording import counted
+
+__all__ = ["add_parser"]
+
+
+def add_parser(verbs: Verbs) -> None:
+    """Add the verb to the command line."""
+    parser = verbs.add_parser(
+        "leaderboard",
+        help="make the page that ranks a folder of runs",
+        description="Look over every run folder in a folder as submit-check does, and "
+        "make a static page that ranks those that can stand on a leaderboard, tracks "
+        "apart, and says why the others cannot.",
+        epilog="example: memorymaze leaderboard submissions --out leaderboard",
+    )
+    parser.add_argument("folder", metavar="DIR", help="folder of run folders")
+    parser.add_argument(
+        "--out", metavar="DIR", required=True, help="folder to make; not there yet"
+    )
+    parser.add_argument(
+        "--instructions",
+        metavar="FILE",
+        nargs="+",
+        help="the leaderboard's instructions (default: the shipped ones)",
+    )
+    parser.add_argument(
+        "--sites",
+        metavar="DIR",
+        help="the leaderboard's site plans (default: the three shipped ones)",
+    )
+    parser.set_defaults(run=_run)
+
+
+def _run(options: argparse.Namespace) -> int:
+    from tqdm import tqdm
+
+    from memorymaze.evaluation.report.leaderboard import (
+        read_leaderboard,
+        write_leaderboard,
+    )
+
+    with tqdm(unit="trace", disable=not sys.stderr.isatty()) as bar:
+
+        def show(name: str, done: int, total: int) -> None:
+            bar.set_description(name, refresh=False)
+            bar.total = total
+            bar.n = done
+            bar.refresh()
+
+        board = read_leaderboard(
+            options.folder,
+            instruction_files=options.instructions,
+            sites_folder=options.sites,
+            progress=show,
+        )
+    write_leaderboard(board, options.out)
+    for each in board.refused:
+        more = len(each.reasons) - 1
+        print(
+            f"{each.name}: refused: {each.reasons[0]}"
+            + (f" (and {counted(more, 'problem')} more)" if more else ""),
+            file=sys.stderr,
+        )
+    print(f"{options.out}/index.html")
+    return 0
