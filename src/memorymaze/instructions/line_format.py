@@ -11,10 +11,11 @@ from pydantic import (
     Field,
     StringConstraints,
     ValidationError,
+    model_validator,
 )
 
 from memorymaze.instructions.problems import InstructionProblem
-from memorymaze.instructions.records import Failure, Followers, Instruction
+from memorymaze.instructions.records import Failure, Followers, Instruction, Span
 
 __all__ = ["parse_line"]
 
@@ -34,6 +35,16 @@ class _FailureLine(BaseModel):
     kind: Text = Field(description="a non-empty text such as missing_turn")
     where: str = Field(description="a text: turning point id or place")
     detail: str = Field(description="a text")
+
+
+class _SpanLine(BaseModel):
+    model_config = ConfigDict(strict=True)
+
+    kind: Text = Field(description="a non-empty text such as missing_turn or filler")
+    start: Annotated[int, Field(ge=0)] = Field(description="a character of the text")
+    end: Annotated[int, Field(ge=0)] = Field(description="the character after the last")
+    where: str = Field(default="", description="a text: turning point id or place")
+    detail: str = Field(default="", description="a text")
 
 
 class _FollowersLine(BaseModel):
@@ -73,6 +84,24 @@ class _InstructionLine(BaseModel):
     followers: _FollowersLine | None = Field(
         default=None, description="a record {usable, tried, arrived} or null"
     )
+    pair: Text | None = Field(default=None, description="a non-empty text or null")
+    spans: list[_SpanLine] = Field(
+        default=[], description="a list of {kind, start, end, where, detail}"
+    )
+    method: Literal["told", "retold", "edited"] | None = Field(
+        default=None, description="'told', 'retold', 'edited' or null"
+    )
+
+    @model_validator(mode="after")
+    def _spans_lie_in_the_text(self) -> "_InstructionLine":
+        for number, span in enumerate(self.spans):
+            if not span.start <= span.end <= len(self.text):
+                raise ValueError(
+                    f"field 'spans.{number}': expected start <= end <= "
+                    f"{len(self.text)}, the length of the text, got {span.start} and "
+                    f"{span.end}"
+                )
+        return self
 
 
 def parse_line(
@@ -151,6 +180,9 @@ def _instruction(record: dict[str, Any], place: str) -> Instruction:
         split=line.split,
         original_text=line.original_text,
         followers=line.followers and Followers(**line.followers.model_dump()),
+        pair=line.pair,
+        spans=tuple(Span(**span.model_dump()) for span in line.spans),
+        method=line.method,
         origin=place,
     )
 
@@ -160,14 +192,20 @@ def _expected_at(location: tuple[int | str, ...]) -> str:
     *outer, name = location
     model: type[BaseModel] = _InstructionLine
     if outer:
-        model = _FollowersLine if outer[0] == "followers" else _FailureLine
+        parts = {"followers": _FollowersLine, "spans": _SpanLine}
+        model = parts.get(str(outer[0]), _FailureLine)
     field = model.model_fields.get(str(name))
-    return (field.description if field else None) or "a record {kind, where, detail}"
+    return (field.description if field else None) or "a record with its fields"
 
 
 def _explain(error: ValidationError) -> list[str]:
     said: list[str] = []
     for detail in error.errors():
+        if not detail["loc"]:
+            said.append(
+                str(detail["ctx"]["error"]) if "ctx" in detail else detail["msg"]
+            )
+            continue
         name = ".".join(str(part) for part in detail["loc"])
         expected = _expected_at(detail["loc"])
         if detail["type"] == "missing":

@@ -5,7 +5,7 @@ from typing import Literal
 
 from memorymaze.geometry.pose import Pose
 
-__all__ = ["WRITTEN_BY", "Episode", "Failure", "Followers", "Instruction"]
+__all__ = ["WRITTEN_BY", "Episode", "Failure", "Followers", "Instruction", "Span"]
 
 WRITTEN_BY = {
     "human": "people",
@@ -23,6 +23,21 @@ class Failure:
     """Such as `missing_turn`, `extra_turn`, `wrong_destination`."""
     where: str
     """Turning point id or place."""
+    detail: str
+
+
+@dataclass(frozen=True, slots=True)
+class Span:
+    """Labelled words of an instruction."""
+
+    kind: str
+    """Of an error, or of a surface mark such as `filler`."""
+    start: int
+    """Character of the text."""
+    end: int
+    """Character after the last one; `start` where words are missing."""
+    where: str
+    """Turning point id or place; empty for surface marks."""
     detail: str
 
 
@@ -62,6 +77,14 @@ class Instruction:
     """What was said before translation or editing."""
     followers: Followers | None = None
     """None where nobody is known to have followed it."""
+    pair: str | None = None
+    """Shared by a text with errors and the same text without; None where it has no
+    counterpart."""
+    spans: tuple[Span, ...] = ()
+    """Words that are labelled; in the text without errors where its counterpart errs."""
+    method: Literal["told", "retold", "edited"] | None = None
+    """How it was made: from a route, from a route in place of a person's text, or by
+    editing that text; None where no generator made it."""
     origin: str = field(default="", compare=False)
     """`file:line` it was read from, for messages; empty when made in memory."""
 

@@ -16,8 +16,8 @@ def instruction_record(instruction: Instruction) -> dict[str, Any]:
     """Return the JSON record of an instruction, which `parse_line` reads back."""
     record = asdict(instruction)
     del record["origin"]
-    for optional in ("original_text", "followers"):
-        if record[optional] is None:
+    for optional in ("original_text", "followers", "pair", "spans", "method"):
+        if not record[optional] and record[optional] != "":
             del record[optional]
     return record
 

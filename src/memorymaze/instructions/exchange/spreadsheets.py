@@ -36,14 +36,17 @@ COLUMNS = (
     "split",
     "original_text",
     "followers",
+    "pair",
+    "spans",
+    "method",
 )
-OPTIONAL = ("original_text", "followers")
-STRUCTURED = ("failures", "followers")
+OPTIONAL = ("original_text", "followers", "pair", "spans", "method")
+STRUCTURED = ("failures", "followers", "spans")
 """Columns that hold JSON."""
 
 
 def instruction_frame(instructions: Iterable[Instruction]) -> "pandas.DataFrame":
-    """Return a data frame with a row per instruction; `failures` and `followers` are JSON.
+    """Return a data frame with a row per instruction; lists and records are JSON.
 
     Raises:
         SettingsError: pandas is not installed.
@@ -113,8 +116,8 @@ def _record(row: dict[str, Any], place: str) -> dict[str, Any]:
     except (TypeError, ValueError):
         raise InstructionFileError(
             f"{place}: expected `iteration` 1 or 2, and JSON in `failures` (such as []) "
-            f"and `followers`, got {row.get('iteration')!r}, {row.get('failures')!r} and "
-            f"{row.get('followers')!r}"
+            f"`followers` and `spans`, got {row.get('iteration')!r}, "
+            f"{row.get('failures')!r}, {row.get('followers')!r} and {row.get('spans')!r}"
         ) from None
     return record
 

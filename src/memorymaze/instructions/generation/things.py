@@ -1,0 +1,145 @@
+"""The things of a site, in the words that people would use for them."""
+
+import re
+from dataclasses import dataclass
+
+from memorymaze.sites.records import Door, Landmark, Site
+
+__all__ = ["Thing", "is_plural", "things_of", "with_article"]
+
+NEVER_TOLD = frozenset({"large window", "window", "lamp", "light", "power outlet"})
+"""Categories that are everywhere and say nothing."""
+PLAIN_DOORS = {
+    "elevator": "lifts",
+    "fire": "fire door",
+    "automatic_glass": "glass doors",
+}
+NUMBER = re.compile(r"[A-Z]?\d{2,5}[A-Z]?")
+READABLE = re.compile(r"\w[\w' &-]*\w")
+"""Written words that can be said aloud."""
+VOWEL = re.compile(r"[aeiouAEIOU]|hour")
+PLURALS = frozenset({
+    "bins",
+    "doors",
+    "lifts",
+    "lockers",
+    "restrooms",
+    "stairs",
+    "toilets",
+})
+ROOM_WORDS = frozenset({
+    "base",
+    "box",
+    "cafe",
+    "center",
+    "centre",
+    "desk",
+    "gallery",
+    "garage",
+    "hall",
+    "kitchen",
+    "lab",
+    "library",
+    "lounge",
+    "office",
+    "plaza",
+    "restaurant",
+    "room",
+    "shop",
+    "store",
+    "studio",
+    "theatre",
+    "theater",
+    "workshop",
+})
+"""Last words of names that take `the`."""
+
+
+@dataclass(frozen=True, slots=True)
+class Thing:
+    """Something that can be mentioned."""
+
+    id: str
+    words: str
+    """Without an article, such as `orange sofa`; or `room 2103`."""
+    position: tuple[float, float]
+    """Metres."""
+    proper: bool = False
+    """Whether it takes no article."""
+    named: bool = False
+    """Whether it is always told with `the`, being the only one of its name."""
+
+
+def things_of(site: Site) -> tuple[Thing, ...]:
+    """Return the things of a site that can be mentioned, in the plan's order."""
+    rooms = {room.id: room.name for room in site.rooms}
+    found = [_landmark(each) for each in site.landmarks]
+    found += [_door(each, rooms) for each in site.doors]
+    return tuple(each for each in found if each is not None)
+
+
+def with_article(thing: Thing, *, definite: bool) -> str:
+    """Return the words for a thing with the article they take.
+
+    >>> with_article(Thing("a", "orange sofa", (0, 0)), definite=False)
+    'an orange sofa'
+    """
+    if thing.proper:
+        return thing.words
+    if definite or thing.named:
+        return f"the {thing.words}"
+    if is_plural(thing):
+        return f"some {thing.words}"
+    return f"{'an' if VOWEL.match(thing.words) else 'a'} {thing.words}"
+
+
+def is_plural(thing: Thing) -> bool:
+    """Tell whether the words for a thing are a plural."""
+    return not (thing.proper or thing.named) and thing.words.split()[-1] in PLURALS
+
+
+def _landmark(mark: Landmark) -> Thing | None:
+    place = (float(mark.position.x), float(mark.position.y))
+    category = mark.category.replace("_", " ")
+    if category in NEVER_TOLD:
+        return None
+    if "number" in category and mark.text and NUMBER.fullmatch(mark.text):
+        return Thing(mark.id, f"room {mark.text}", place, True)
+    if "sign" in category:
+        text = mark.text or ""
+        if READABLE.fullmatch(text) and len(text.split()) <= 3:
+            if text.lower().split()[0][:4] in category:
+                return Thing(mark.id, category, place)
+            return Thing(mark.id, f"{category} that says {text}", place)
+        if not mark.color:
+            return None
+        return Thing(mark.id, f"{mark.color} {category}", place)
+    color = f"{mark.color} " if mark.color and mark.color != "clear" else ""
+    return Thing(mark.id, f"{color}{category}", place)
+
+
+def _door(door: Door, rooms: dict[str, str]) -> Thing | None:
+    middle = door.line.interpolate(0.5, normalized=True)
+    place = (float(middle.x), float(middle.y))
+    if door.label and NUMBER.fullmatch(door.label):
+        return Thing(door.id, f"room {door.label}", place, True)
+    if door.style in PLAIN_DOORS:
+        return Thing(door.id, PLAIN_DOORS[door.style], place)
+    label = door.label or ""
+    if READABLE.fullmatch(label) and len(label.split()) <= 3:
+        words = label.split()
+        if label.istitle() and len(words) > 1 and len(words[-1]) <= 2:
+            return Thing(door.id, label, place, proper=True)
+        if label.istitle() and len(words) > 1 and words[-1].lower() in ROOM_WORDS:
+            return Thing(door.id, label, place, named=True)
+        return Thing(door.id, f"door that says {label}", place)
+    name = rooms.get(door.room or "", "")
+    if READABLE.fullmatch(name) and len(name.split()) <= 3:
+        return Thing(door.id, f"door to {_the(name)}", place, named=True)
+    return None
+
+
+def _the(name: str) -> str:
+    if name.startswith("the "):
+        return name
+    return f"the {name[0].lower()}{name[1:]}" if name[1:].islower() else f"the {name}"

@@ -1,0 +1,112 @@
+"""Who speaks: the habits that a made-up participant keeps in every sentence."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, fields, replace
+from typing import Literal
+
+import numpy as np
+
+__all__ = ["Surface", "Voice", "default_surface", "make_voice"]
+
+Layout = Literal["prose", "numbered", "lines"]
+Unit = Literal["metres", "steps", "seconds"]
+
+
+@dataclass(frozen=True, slots=True)
+class Surface:
+    """How often speech is marked by what does not make it wrong; shares, 0 to 1."""
+
+    filler: float
+    """Of sentences, with a filler, by speakers who use them."""
+    restart: float
+    """Of turns, told with a correction."""
+    hedge: float
+    """Of sentences, with a hedge."""
+    distance: float
+    """Spread of the factor by which a stated distance is off (log-normal sigma)."""
+    merged_turns: float
+    """Of pairs of turns within a few metres, told as one."""
+    skipped_corner: float
+    """Of corners without a choice, not told."""
+
+
+ONLINE = Surface(0.0, 0.0, 0.02, 0.15, 0.35, 0.15)
+ONSITE = Surface(0.22, 0.06, 0.1, 0.4, 0.45, 0.3)
+
+
+def default_surface(study: str) -> Surface:
+    """Return the shares of a study; not from the paper, which counts none of them."""
+    return ONLINE if study == "online" else ONSITE
+
+
+@dataclass(frozen=True, slots=True)
+class Voice:
+    """One speaker."""
+
+    spoken: bool
+    """Whether it is transcribed speech, not typing."""
+    again: bool
+    """Whether it is the second description."""
+    layout: Layout
+    marker: str
+    """Before the items of a numbered list, with `{n}`."""
+    unit: Unit
+    please: bool
+    fillers: tuple[str, ...]
+    """At the beginning and in the middle of sentences; empty for a speaker without."""
+    contracted: bool
+    """Says "you'll", not "you will"."""
+    surface: Surface
+
+
+def make_voice(
+    study: str,
+    iteration: int,
+    rng: np.random.Generator,
+    changes: Mapping[str, float] | None = None,
+) -> Voice:
+    """Make up a speaker.
+
+    Args:
+        study: `online` (typed) or `onsite` (spoken).
+        iteration: 2 where the speaker was told what the robot can do.
+        rng: Source of chance; the same for both iterations of a participant.
+        changes: Shares by the names of `Surface`'s fields that differ from the
+            defaults.
+    """
+    spoken = study == "onsite"
+    layouts: list[Layout] = ["prose", "numbered", "lines"]
+    weights = [1.0, 0.0, 0.0] if spoken else [0.68, 0.24, 0.08]
+    layout = layouts[int(rng.choice(3, p=weights))]
+    markers = ["{n}.", "{n})", "Step {n}:", "({n})"]
+    marker = str(rng.choice(markers, p=[0.55, 0.2, 0.15, 0.1]))
+    units: list[Unit] = ["metres", "steps", "seconds"]
+    shares = [0.55, 0.3, 0.15] if spoken else [0.7, 0.22, 0.08]
+    unit = units[int(rng.choice(3, p=shares))]
+    please = bool(rng.random() < 0.15)
+    with_fillers = bool(rng.random() < 0.55)
+    choice = [
+        ("um", "uh"),
+        ("uh", "um"),
+        ("er", "er"),
+        ("so", "you know"),
+        ("well", "like"),
+    ]
+    fillers = choice[int(rng.choice(len(choice)))]
+    contracted = bool(rng.random() < (0.9 if spoken else 0.5))
+    surface = default_surface(study)
+    known = {field.name for field in fields(Surface)}
+    given = {name: share for name, share in (changes or {}).items() if name in known}
+    surface = replace(surface, **given)
+    forced = "filler" in given and given["filler"] > 0
+    return Voice(
+        spoken=spoken,
+        again=iteration == 2,
+        layout=layout,
+        marker=marker,
+        unit=unit,
+        please=please,
+        fillers=fillers if forced or (spoken and with_fillers) else (),
+        contracted=contracted,
+        surface=surface,
+    )
