@@ -108,9 +108,10 @@ def test_a_bad_file_gives_code_1_and_its_name(
     assert not out.exists()
 
 
-def test_the_help_names_every_agent(memorymaze: Memorymaze) -> None:
-    text = memorymaze("evaluate", "--help").out
-    assert all(name in text for name in [*AGENTS, "oracle"])
+def test_the_help_says_where_every_agent_is_listed(memorymaze: Memorymaze) -> None:
+    assert "`memorymaze agents`" in memorymaze("evaluate", "--help").out
+    text = memorymaze("agents").out
+    assert all(f"\n{name}: " in f"\n{text}" for name in [*AGENTS, "oracle"])
 
 
 def test_the_source_of_turning_points_is_a_setting_of_a_run(

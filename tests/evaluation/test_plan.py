@@ -1,5 +1,4 @@
 from collections.abc import Callable
-from itertools import pairwise
 from pathlib import Path
 
 import pytest
@@ -30,19 +29,6 @@ def test_the_time_budget_is_that_of_these_sites_unless_it_is_given(
     budget = default_time_budget(routes, SimulationSettings())
     assert plan.settings.simulation.time_budget == budget
     assert tiny_plan("stop", time_budget=7.5).settings.simulation.time_budget == 7.5
-
-
-@pytest.mark.parametrize("limit", [1, 5, 11, 12, 99])
-def test_a_limit_takes_episodes_evenly_from_first_to_last(
-    tiny_plan: Plan, limit: int
-) -> None:
-    everything = [episode.id for episode in tiny_plan("stop").episodes]
-    chosen = [episode.id for episode in tiny_plan("stop", limit=limit).episodes]
-    places = [everything.index(name) for name in chosen]
-    assert len(chosen) == min(limit, 12)
-    assert places[0] == 0
-    gaps = {after - before for before, after in pairwise(places)}
-    assert max(gaps, default=0) - min(gaps, default=0) <= 1
 
 
 def test_nothing_is_planned_for_an_agent_that_does_not_exist(tmp_path: Path) -> None:

@@ -61,7 +61,7 @@ def add_parser(verbs: Verbs) -> None:
         "--limit",
         metavar="N",
         type=int,
-        help="only N episodes, spread evenly over the instructions",
+        help="only N episodes, alike many of every route of every study",
     )
     parser.add_argument(
         "--workers",

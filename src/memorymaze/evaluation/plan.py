@@ -4,17 +4,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from memorymaze.errors import SettingsError
 from memorymaze.evaluation.agents_for_runs import build_agent
 from memorymaze.evaluation.eyes_for_runs import checked_eyes
 from memorymaze.evaluation.looks_for_runs import looks_of_run
 from memorymaze.evaluation.program_replay import check_programs_for, with_programs
-from memorymaze.evaluation.settings import (
-    AgentSettings,
-    RunSettings,
-    check_whole,
-    stamp_file,
-)
+from memorymaze.evaluation.sampling import of_split, sample
+from memorymaze.evaluation.settings import AgentSettings, RunSettings, stamp_file
 from memorymaze.evaluation.step_budgets import time_budget_for
 from memorymaze.instructions.corpus import BUILTIN_CORPUS, load_instructions
 from memorymaze.instructions.episodes import episodes
@@ -71,7 +66,8 @@ def plan_run(
         agent: Which agent, and its language model.
         instruction_files: JSONL files; None for the shipped corpus.
         sites_folder: Folder of site plans; None for the shipped ones.
-        limit: Episodes to run, spread evenly over the instructions; None for all.
+        limit: Episodes to run, alike many of every route; see `sampling.sample`. None
+            for all.
         seed: Of all random numbers.
         success_distance: Metres.
         time_budget: Simulated seconds per episode; None for `default_time_budget`.
@@ -94,7 +90,7 @@ def plan_run(
     if corpus is None:
         corpus = _corpus_of_files(instruction_files, sites_folder)
     all_sites = corpus.sites
-    chosen = _spread(_of_split(corpus.episodes, split), limit)
+    chosen = sample(of_split(corpus.episodes, split), limit)
     if programs is not None:
         check_programs_for(programs, chosen)
     names = dict.fromkeys(episode.instruction.site for episode in chosen)
@@ -133,22 +129,3 @@ def _corpus_of_files(
     files = [BUILTIN_CORPUS] if files is None else files
     sites = load_sites(folder)
     return EpisodeCorpus(episodes(load_instructions(files), sites), sites, files)
-
-
-def _of_split(chosen: list[Episode], split: str | None) -> list[Episode]:
-    if split is None:
-        return chosen
-    kept = [episode for episode in chosen if episode.instruction.split == split]
-    if not kept:
-        known = sorted({episode.instruction.split for episode in chosen})
-        raise SettingsError(f"split: expected one of {', '.join(known)}, got {split!r}")
-    return kept
-
-
-def _spread(chosen: list[Episode], limit: int | None) -> list[Episode]:
-    if limit is None:
-        return chosen
-    check_whole("limit", limit, least=1)
-    if limit >= len(chosen):
-        return chosen
-    return [chosen[index * len(chosen) // limit] for index in range(limit)]

@@ -72,7 +72,7 @@ class RunSettings:
     sites: tuple[FileStamp, ...]
     seed: int
     limit: int | None
-    """Episodes to run, spread evenly over the files; None for all."""
+    """Episodes to run, alike many of every route of every study; None for all."""
     episodes: int
     """Episodes of the whole run."""
     success_distance: float

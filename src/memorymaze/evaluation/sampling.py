@@ -1,0 +1,73 @@
+"""A smaller set of episodes that stands for all of them."""
+
+from collections.abc import Sequence
+
+from memorymaze.errors import SettingsError
+from memorymaze.evaluation.settings import check_whole
+from memorymaze.instructions.records import Episode
+
+__all__ = ["of_split", "sample"]
+
+
+def sample(episodes: Sequence[Episode], limit: int | None) -> list[Episode]:
+    """Return at most `limit` episodes: alike many of every route of every study.
+
+    The paper's tables have a row per study and route and an unweighted mean over them,
+    so a sample has as many episodes in each as any other, as far as they go; where
+    `limit` does not divide evenly, some that lie evenly among the others have one more.
+    Within a route they are spread evenly from first to last. The order stays. No chance
+    is involved.
+
+    Args:
+        episodes: All there are.
+        limit: Whole number of at least 1; None for all.
+
+    Raises:
+        SettingsError: The limit has no meaning.
+    """
+    if limit is None:
+        return list(episodes)
+    check_whole("limit", limit, least=1)
+    cells: dict[tuple[str, str, str], list[int]] = {}
+    for place, episode in enumerate(episodes):
+        told = episode.instruction
+        cells.setdefault((told.study, told.site, told.route), []).append(place)
+    counts = _shares([len(cell) for cell in cells.values()], limit)
+    chosen = {
+        cell[place]
+        for cell, count in zip(cells.values(), counts, strict=True)
+        for place in _evenly(count, len(cell))
+    }
+    return [episode for place, episode in enumerate(episodes) if place in chosen]
+
+
+def of_split(episodes: list[Episode], split: str | None) -> list[Episode]:
+    """Return the episodes of a split; all for None.
+
+    Raises:
+        SettingsError: None is of this split.
+    """
+    if split is None:
+        return episodes
+    kept = [episode for episode in episodes if episode.instruction.split == split]
+    if not kept:
+        known = sorted({episode.instruction.split for episode in episodes})
+        raise SettingsError(f"split: expected one of {', '.join(known)}, got {split!r}")
+    return kept
+
+
+def _shares(sizes: Sequence[int], limit: int) -> list[int]:
+    """Deal out `limit` among cells, alike many each, none more than its size."""
+    shares = [0] * len(sizes)
+    left = min(limit, sum(sizes))
+    while left:
+        hungry = [index for index, size in enumerate(sizes) if shares[index] < size]
+        for place in _evenly(min(left, len(hungry)), len(hungry)):
+            shares[hungry[place]] += 1
+            left -= 1
+    return shares
+
+
+def _evenly(count: int, size: int) -> list[int]:
+    """Return `count` of the numbers below `size`, spread evenly."""
+    return [(2 * number + 1) * size // (2 * count) for number in range(count)]
