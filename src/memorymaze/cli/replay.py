@@ -1,0 +1,105 @@
+"""`memorymaze replay`: what an episode of a run looked like, as a video."""
+
+import argparse
+import re
+from urllib.parse import quote
+
+from memorymaze.cli.verbs import Verbs
+
+__all__ = ["add_parser"]
+
+
+def add_parser(verbs: Verbs) -> None:
+    """Add the verb to the command line."""
+    parser = verbs.add_parser(
+        "replay",
+        help="make a video of an episode of a run",
+        description="Make a video of an episode from its trace: what the robot saw "
+        "beside the plan, with the instruction, the current step and the calls; or a "
+        "recording for the Rerun viewer.",
+        epilog="example: memorymaze replay runs/rules onl-university-r1-01-1 "
+        "--speed 4 --out walk.mp4",
+    )
+    parser.add_argument("run_folder", metavar="RUN", help="a run folder")
+    parser.add_argument(
+        "episode", metavar="EPISODE", help="id of an episode, as episodes.jsonl has it"
+    )
+    parser.add_argument(
+        "--out", metavar="FILE", help="video (default: replay-EPISODE.mp4)"
+    )
+    parser.add_argument(
+        "--rerun",
+        metavar="FILE.rrd",
+        help="write a recording for the Rerun viewer instead of a video, or beside "
+        "the one that --out names; needs the extra [rerun]",
+    )
+    parser.add_argument(
+        "--speed",
+        type=float,
+        default=2.0,
+        metavar="X",
+        help="simulated seconds per second of video (2)",
+    )
+    parser.add_argument(
+        "--fps", type=float, default=10.0, metavar="N", help="frames a second (10)"
+    )
+    parser.add_argument(
+        "--size",
+        type=_size,
+        default=(1280, 720),
+        metavar="WxH",
+        help="pixels (1280x720)",
+    )
+    parser.add_argument(
+        "--no-camera",
+        action="store_true",
+        help="leave out what the robot saw, which takes most of the time",
+    )
+    parser.add_argument(
+        "--sites",
+        metavar="DIR",
+        help="folder of the run's site plans (default: the shipped ones)",
+    )
+    parser.set_defaults(run=_run)
+
+
+def _run(options: argparse.Namespace) -> int:
+    from memorymaze.evaluation.replay import load_episode
+    from memorymaze.evaluation.replay.settings import ReplaySettings
+
+    settings = ReplaySettings(
+        size=options.size,
+        fps=options.fps,
+        speed=options.speed,
+        camera=not options.no_camera,
+    )
+    # An id may hold anything, also `../../x`.
+    name = quote(options.episode, safe="")[:100]
+    video = options.out or (None if options.rerun else f"replay-{name}.mp4")
+    if video is not None:
+        from memorymaze.simulation.walkthrough.video_file import check_video_path
+
+        check_video_path(video)
+    if options.rerun is not None:
+        from memorymaze.evaluation.replay.recording import check_recording_path
+
+        check_recording_path(options.rerun)
+    episode = load_episode(options.run_folder, options.episode, options.sites)
+    if options.rerun is not None:
+        from memorymaze.evaluation.replay.recording import record_replay
+
+        record_replay(episode, options.rerun, settings, progress=True)
+        print(options.rerun)
+    if video is not None:
+        from memorymaze.evaluation.replay.film import film_replay
+
+        count = film_replay(episode, video, settings, progress=True)
+        print(f"{video}: {count / settings.fps:.0f} s, {count} frames")
+    return 0
+
+
+def _size(text: str) -> tuple[int, int]:
+    found = re.fullmatch(r"(\d{1,5})x(\d{1,5})", text)
+    if found is None:
+        raise argparse.ArgumentTypeError(f"expected WIDTHxHEIGHT, got {text!r}")
+    return int(found[1]), int(found[2])

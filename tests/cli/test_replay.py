@@ -1,0 +1,94 @@
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+Memorymaze = Callable[..., Any]
+SMALL = ("--size", "320x240", "--fps", "1", "--speed", "20", "--no-camera")
+
+
+@pytest.fixture(scope="session")
+def run_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A run of one episode, made by the command line."""
+    from memorymaze.cli.main import main
+
+    tests = Path(__file__).parents[1]
+    folder = tmp_path_factory.mktemp("runs") / "one"
+    options = ["--instructions", str(tests / "tiny_instructions.jsonl")]
+    options += ["--sites", str(tests / "tiny_sites"), "--limit", "1", "--workers", "1"]
+    assert main(["evaluate", "--agent", "rules", *options, "--out", str(folder)]) == 0
+    return folder
+
+
+@pytest.fixture
+def given(run_folder: Path, tiny_sites_folder: Path) -> list[str | Path]:
+    """Run, episode and the folder of its plans."""
+    return [run_folder, "p4-2", "--sites", tiny_sites_folder]
+
+
+def test_the_video_is_where_it_says(
+    memorymaze: Memorymaze,
+    given: list[str | Path],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    said = memorymaze("replay", *given, *SMALL)
+    assert said.code == 0, said.err
+    assert said.out.startswith("replay-p4-2.mp4: ")
+    assert [each.name for each in tmp_path.iterdir()] == ["replay-p4-2.mp4"]
+    assert b"ftyp" in (tmp_path / "replay-p4-2.mp4").read_bytes()[:16]
+
+
+def test_a_recording_is_written_instead_of_the_video(
+    memorymaze: Memorymaze,
+    given: list[str | Path],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    said = memorymaze("replay", *given, *SMALL, "--rerun", "walk.rrd")
+    assert (said.code, said.out) == (0, "walk.rrd\n"), said.err
+    assert [each.name for each in tmp_path.iterdir()] == ["walk.rrd"]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        pytest.param(["--size", "big"], "WIDTHxHEIGHT", id="size"),
+        pytest.param(["--size", "321x240"], "even", id="odd size"),
+        pytest.param(["--fps", "nan"], "fps from", id="nan"),
+        pytest.param(["--speed", "0"], "speed from", id="speed"),
+        pytest.param(["--out", "a.avi"], "*.mp4", id="kind"),
+        pytest.param(["--out", "x/a.mp4"], "make ", id="folder"),
+        pytest.param(["--rerun", "a.mp4"], "*.rrd", id="recording"),
+        pytest.param(["--sites", "x"], "no such folder", id="sites"),
+    ],
+)
+def test_wrong_input_gives_one_message_and_no_file(
+    memorymaze: Memorymaze,
+    given: list[str | Path],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    arguments: list[str],
+    said: str,
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    done = memorymaze("replay", *given, *arguments)
+    assert (done.code, done.out) == (1 if "--sites" in arguments else 2, "")
+    assert said in done.err
+    assert "Traceback" not in done.err
+    assert not any(tmp_path.iterdir())
+
+
+def test_a_wrong_episode_is_wrong_usage(
+    memorymaze: Memorymaze,
+    run_folder: Path,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    done = memorymaze("replay", run_folder, "p4-3")
+    assert done.code == 2
+    assert "did you mean p4-2?" in done.err
