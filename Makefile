@@ -2,16 +2,25 @@
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
-READY := $(VENV)/.ready
+INPUTS := pyproject.toml constraints.txt scripts/setup.sh
 WORKERS ?= 0
 # Results belong to the code that made them, so each version has a run folder of its own.
-RUN ?= runs/rules-$(shell git rev-parse --short HEAD 2>/dev/null || echo release)
+VERSION := $(shell git rev-parse --short HEAD 2>/dev/null || echo release)
+RUN ?= runs/rules-$(VERSION)
+# Of `make table-two`: which model, how many episodes of each method, and where.
+MODEL ?= smollm2
+LIMIT ?= 12
+TABLE_TWO ?= runs/table-two-$(VERSION)
 
-.PHONY: benchmark test test-local-llm check bench setup clean
+.PHONY: benchmark table-two test test-local-llm check bench setup install clean
 
-benchmark: setup
+benchmark: install
 	$(BIN)/memorymaze evaluate --agent rules --workers $(WORKERS) --out $(RUN) --resume
 	$(BIN)/memorymaze table $(RUN)
+
+# Every method of the paper's Table II on a sample, with any model.
+table-two: install
+	bash scripts/table_two.sh "$(BIN)" "$(MODEL)" "$(LIMIT)" "$(TABLE_TWO)"
 
 test: setup
 	$(BIN)/pytest -n auto
@@ -33,11 +42,19 @@ check: setup
 bench: setup
 	$(BIN)/python -m benchmarks
 
-setup: $(READY)
+# The package alone, to run it.
+install: $(VENV)/.installed
 
-$(READY): pyproject.toml constraints.txt scripts/setup.sh
-	bash scripts/setup.sh "$(PYTHON)" "$(VENV)"
+# The package with all that tests and checks need.
+setup: $(VENV)/.ready
+
+$(VENV)/.installed: $(INPUTS)
+	bash scripts/setup.sh "$(PYTHON)" "$(VENV)" run
 	touch $@
+
+$(VENV)/.ready: $(INPUTS)
+	bash scripts/setup.sh "$(PYTHON)" "$(VENV)" develop
+	touch $@ $(VENV)/.installed
 
 clean:
 	rm -rf $(VENV) runs .pytest_cache .ruff_cache .hypothesis .import_linter_cache

@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
-# Make the virtual environment and install the project with its pinned tools.
+# Make the virtual environment and install the project, pinned.
+# usage: setup.sh PYTHON VENV run|develop
 set -euo pipefail
 python=$1
 venv=$2
+purpose=$3
 
 version=$("$python" -c 'import sys; print("%d.%d" % sys.version_info[:2])') || {
     echo "setup: '$python' does not run; install Python 3.11 or newer, or give one: make PYTHON=python3.12 …" >&2
@@ -16,9 +18,16 @@ version=$("$python" -c 'import sys; print("%d.%d" % sys.version_info[:2])') || {
     echo "setup: could not make a virtual environment; on Debian and Ubuntu: apt-get install python3-venv" >&2
     exit 1
 }
-"$venv/bin/python" -m pip install --quiet --disable-pip-version-check --upgrade "pip>=25.1"
-"$venv/bin/python" -m pip install --quiet --disable-pip-version-check \
-    --constraint constraints.txt --editable . --group dev
+install() {
+    "$venv/bin/python" -m pip install --quiet --disable-pip-version-check "$@"
+}
+install --upgrade "pip>=25.1"
+if [ "$purpose" = run ]; then
+    install --constraint constraints.txt --editable .
+    exit 0
+fi
+# The tests try every extra but the local language models, which have to be compiled.
+install --constraint constraints.txt --editable . --group dev
 # Only cameras need OpenGL; whatever keeps it out must not keep the rest from working.
 bash scripts/setup_graphics.sh || echo "setup: going on without graphics" >&2
 # Furniture models, for cameras too; the project's own look plainer.
