@@ -24,6 +24,8 @@ class PublishedDescriptions:
     site: str
     route: str
     iteration: int
+    route_length: float
+    """Metres."""
     words_mean: float
     words_median: float
     words_sd: float
@@ -99,6 +101,7 @@ def _descriptions(row: dict[str, Any]) -> PublishedDescriptions:
         site=site,
         route=route,
         iteration=row["iteration"],
+        route_length=row["route_length_m"],
         words_mean=row["words_mean"],
         words_median=row["words_median"],
         words_sd=row["words_sd"],

@@ -3,6 +3,7 @@
 import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from math import nan
 from statistics import fmean, median, pstdev
 from typing import Literal
 
@@ -13,12 +14,10 @@ from memorymaze.sites.records import Site
 __all__ = [
     "CellStatistics",
     "describe_corpus",
-    "distinct_words",
     "word_count",
 ]
 
 LIST_MARKER = re.compile(r"\(?\d+[.):]|[-*\u2022\u2013\u2014]")
-WORD = re.compile(r"[a-z']+")
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,6 +28,8 @@ class CellStatistics:
     site: str
     route: str
     iteration: Literal[1, 2]
+    route_length: float
+    """Of the reference route, metres; nan where the plan marks none."""
     instructions: int
     words_mean: float
     words_median: float
@@ -50,15 +51,6 @@ def word_count(text: str) -> int:
     6
     """
     return sum(not LIST_MARKER.fullmatch(word) for word in text.split())
-
-
-def distinct_words(texts: Iterable[str]) -> int:
-    """Count the different words in texts: runs of letters and apostrophes, any case.
-
-    >>> distinct_words(["Turn left.", "turn LEFT at the lift"])
-    5
-    """
-    return len({word for text in texts for word in WORD.findall(text.lower())})
 
 
 def describe_corpus(
@@ -95,6 +87,7 @@ def _describe(cell: list[Instruction], sites: Mapping[str, Site]) -> CellStatist
         site=one.site,
         route=one.route,
         iteration=one.iteration,
+        route_length=_route_length(site, one.route),
         instructions=len(cell),
         words_mean=fmean(words),
         words_median=median(words),
@@ -102,3 +95,12 @@ def _describe(cell: list[Instruction], sites: Mapping[str, Site]) -> CellStatist
         failure_rate=fmean(bool(instruction.failures) for instruction in cell),
         alternative_rate=fmean(alternative),
     )
+
+
+def _route_length(site: Site, name: str) -> float:
+    references = [
+        route
+        for route in site.routes
+        if route.route == name and route.role == "reference"
+    ]
+    return references[0].length if references else nan

@@ -1,4 +1,4 @@
-"""`memorymaze instructions stats`: Table I of instruction files."""
+"""`memorymaze instructions stats`: Table I and more about instruction files."""
 
 import argparse
 
@@ -12,9 +12,11 @@ def add_parser(actions: Verbs) -> None:
     """Add the action to `memorymaze instructions`."""
     parser = actions.add_parser(
         "stats",
-        help="lengths, failures and alternative ways (Table I)",
-        description="Print the paper's Table I for instruction files.",
-        epilog="example: memorymaze instructions stats",
+        help="Table I, words, marks of speech, things and distances",
+        description="Describe instruction files: the paper's Table I beside the "
+        "published figures, distinct words, hedges, fillers and corrections, things "
+        "named, and how far stated distances are from true ones (docs/statistics.md).",
+        epilog="example: memorymaze instructions stats --format html --out stats.html",
     )
     parser.add_argument(
         "files",
@@ -22,18 +24,43 @@ def add_parser(actions: Verbs) -> None:
         nargs="*",
         help="JSONL files (default: the shipped texts, written by a language model)",
     )
+    parser.add_argument(
+        "--format",
+        choices=("text", "csv", "html"),
+        default="text",
+        help="text; csv with one number per row; html, a page with plots and word "
+        "clouds in one file (needs the extra 'analysis') (default: text)",
+    )
+    parser.add_argument("--out", metavar="FILE", help="file to write (default: stdout)")
+    parser.add_argument(
+        "--seed",
+        type=int,
+        default=0,
+        help="of type-token curves and word clouds (default: 0)",
+    )
     add_sites_option(parser)
     parser.set_defaults(run=_run)
 
 
 def _run(options: argparse.Namespace) -> int:
+    from memorymaze.errors import SettingsError
+    from memorymaze.evaluation.instruction_study import write_study
     from memorymaze.instructions.corpus import load_instructions
     from memorymaze.instructions.episodes import episodes
-    from memorymaze.instructions.statistics_table import format_statistics
+    from memorymaze.instructions.writing import write_file
     from memorymaze.sites import load_sites
 
+    if options.seed < 0:
+        raise SettingsError(f"--seed: expected 0 or more, got {options.seed}")
+    if options.format == "html" and options.out is None:
+        raise SettingsError("--format html: expected --out FILE, got none")
     sites = load_sites(options.sites)
     read = load_instructions(options.files or None)
     episodes(read, sites)
-    print(format_statistics(read, sites), end="")
+    text = write_study(read, sites, options.format, seed=options.seed)
+    if options.out is None:
+        print(text, end="")
+    else:
+        write_file(options.out, text.encode())
+        print(options.out)
     return 0
