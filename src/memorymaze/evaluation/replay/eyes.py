@@ -1,7 +1,6 @@
 """What the robot's camera saw in an episode, drawn anew at the poses of its trace."""
 
 import math
-from collections.abc import Iterator
 from types import TracebackType
 
 import numpy as np
@@ -20,9 +19,11 @@ __all__ = ["PICTURE_SIZE", "Eyes", "boxes_at", "draw_boxes"]
 
 PICTURE_SIZE = (640, 480)
 """Pixels of the robot's own picture, which boxes refer to."""
-SAME_PLACE = 0.15
-"""Metres from where something was detected within which its box still fits."""
-SAME_WAY = 0.05
+BOX_SHOWN = 0.5
+"""Simulated seconds that a box stays on the picture."""
+SAME_PLACE = 0.4
+"""Metres from where something was detected within which its box roughly fits."""
+SAME_WAY = 0.1
 """Radians, likewise."""
 BOX = "#ffe14d"
 EDGE = "#202020"
@@ -82,21 +83,22 @@ class Eyes:
         self._camera.close()
 
 
-def boxes_at(moments: Moments, moment: Moment, since: float) -> Iterator[Sighting]:
-    """Return what was detected since a time, where its box still fits the picture.
+def boxes_at(moments: Moments, moment: Moment) -> list[Sighting]:
+    """Return what was detected just before, where its box still fits the picture.
 
     Args:
         moments: Of the episode.
         moment: Of the picture.
-        since: Simulated seconds.
     """
-    for each in moments.sightings:
-        if (
-            since < each.time <= moment.time
-            and math.dist(each.pose[:2], moment.pose[:2]) < SAME_PLACE
-            and abs(turn_between(each.pose.heading, moment.pose.heading)) < SAME_WAY
-        ):
-            yield each
+    fitting = [
+        each
+        for each in moments.sightings
+        if moment.time - BOX_SHOWN < each.time <= moment.time
+        and math.dist(each.pose[:2], moment.pose[:2]) < SAME_PLACE
+        and abs(turn_between(each.pose.heading, moment.pose.heading)) < SAME_WAY
+    ]
+    latest = {each.label: each.time for each in fitting}
+    return [each for each in fitting if each.time == latest[each.label]]
 
 
 def draw_boxes(

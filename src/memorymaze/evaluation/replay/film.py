@@ -115,7 +115,6 @@ def frames_of(
                 Eyes(scene, moments, size, smooth=settings.smooth)
             )
         ending: NDArray[np.uint8] | None = None
-        before = -1.0
         for time in times:
             if ending is not None:
                 yield ending
@@ -125,7 +124,7 @@ def frames_of(
             page.put(plan.picture(moment), layout.plan)
             if eyes is not None and layout.camera is not None:
                 seen = eyes.picture(moment)
-                found = list(boxes_at(moments, moment, before))
+                found = boxes_at(moments, moment)
                 page.put(draw_boxes(seen, found, layout.letter), layout.camera)
             page.write_head(title, f"{time:7.1f} s")
             page.write_story(episode.instruction, label, moment.step)
@@ -135,7 +134,6 @@ def frames_of(
                 page.write_outcome(outcome_line(result), arrived=result.success)
                 ending = page.picture()
             yield page.picture()
-            before = time
 
 
 def _times(episode: RecordedEpisode, settings: ReplaySettings) -> list[float]:
