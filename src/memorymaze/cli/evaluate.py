@@ -15,6 +15,7 @@ from memorymaze.cli.agent_options import (
     agent_settings,
     episode_settings,
 )
+from memorymaze.cli.error_options import add_error_options, generated_instructions
 from memorymaze.cli.verbs import Verbs
 from memorymaze.cli.wording import counted
 
@@ -92,6 +93,7 @@ def add_parser(verbs: Verbs) -> None:
         "every hall)",
     )
     add_episode_options(parser)
+    add_error_options(parser)
     parser.set_defaults(run=_run)
 
 
@@ -99,9 +101,10 @@ def _run(options: argparse.Namespace) -> int:
     from memorymaze.errors import SettingsError
     from memorymaze.evaluation.answers_estimate import answers_estimate
     from memorymaze.evaluation.cost_estimate import cost_estimate
-    from memorymaze.evaluation.driver import WALL_LIMIT, available_cores, run_plan
+    from memorymaze.evaluation.driver import WALL_LIMIT, run_plan
     from memorymaze.evaluation.plan import plan_run
     from memorymaze.evaluation.summary import summarise, summary_lines
+    from memorymaze.evaluation.workforce import available_cores
 
     if options.workers < 0:
         raise SettingsError(
@@ -109,6 +112,8 @@ def _run(options: argparse.Namespace) -> int:
         )
     if options.resume and options.out is None:
         raise SettingsError("--resume: name the run's folder with --out")
+    out = Path(options.out or _default_folder(options.agent))
+    options.instructions = generated_instructions(options, out)
     # What a user's agent prints while it is made is no result.
     with contextlib.redirect_stdout(sys.stderr):
         plan = plan_run(
@@ -118,7 +123,6 @@ def _run(options: argparse.Namespace) -> int:
             **episode_settings(options),
         )
     wall_limit = WALL_LIMIT if options.wall_limit is None else options.wall_limit
-    out = Path(options.out or _default_folder(options.agent))
     workers = options.workers or available_cores()
     print(
         f"{counted(len(plan.episodes), 'episode')} on {', '.join(plan.sites)}; "

@@ -21,9 +21,10 @@ def add_parser(verbs: Verbs) -> None:
     parser.add_argument("runs", metavar="RUN", nargs="+", help="run folders")
     parser.add_argument(
         "--table",
-        choices=["II", "III", "both"],
+        choices=["II", "III", "both", "errors"],
         default="II",
-        help="which table (default: II)",
+        help="which table (default: II); errors: success by kind of error in the texts, "
+        "beside the same texts without it",
     )
     parser.add_argument(
         "--format",
@@ -53,7 +54,11 @@ def _run(options: argparse.Namespace) -> int:
     if options.format == "parquet" and options.out is None:
         raise SettingsError("--format parquet: name the file to write with --out")
     runs = load_runs(options.runs, exclude_dev=options.exclude_dev)
-    if is_sail(runs):
+    if options.table == "errors":
+        from memorymaze.evaluation.tables.errors import error_table
+
+        content = error_table(runs, options.format).encode()
+    elif is_sail(runs):
         content = sail_table(runs, options.format).encode()
     elif options.format == "parquet":
         content = parquet_tables(runs, names)

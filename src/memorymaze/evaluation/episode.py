@@ -6,7 +6,7 @@ Whatever the agent does, there is a result; nothing it raises gets out of here.
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, NamedTuple, cast
+from typing import Any, NamedTuple, Protocol, cast
 
 from memorymaze.agents.agent import Agent, Journal
 from memorymaze.errors import (
@@ -27,7 +27,7 @@ from memorymaze.geometry.trajectory import Trajectory
 from memorymaze.instructions.records import Episode
 from memorymaze.simulation import SimulatedRobot, TraceEvent
 
-__all__ = ["EpisodeRun", "run_episode"]
+__all__ = ["EpisodeRun", "Watcher", "run_episode"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,8 +42,24 @@ class EpisodeRun:
     """Whether the process that ran the agent's program died."""
 
 
+class Watcher(Protocol):
+    """Looks at an episode while it goes on; changes nothing."""
+
+    def begin(self, robot: SimulatedRobot, trace: Sequence[dict[str, Any]]) -> None:
+        """See an episode begin; its trace grows from now on."""
+        ...
+
+    def told(self) -> None:
+        """Take note that the trace has grown."""
+        ...
+
+
 def run_episode(
-    agent: Agent, episode: Episode, arena: Arena, settings: RunSettings
+    agent: Agent,
+    episode: Episode,
+    arena: Arena,
+    settings: RunSettings,
+    watcher: Watcher | None = None,
 ) -> EpisodeRun:
     """Let an agent follow an instruction, and score its walk.
 
@@ -57,34 +73,49 @@ def run_episode(
         episode: What to follow, from where.
         arena: The site of the episode.
         settings: Of the run; seed, budgets and success distance count here.
+        watcher: Looks on.
 
     Raises:
         UndefinedMetricError: The episode's reference path leaves the floor.
         KeyboardInterrupt: Passed on.
         SpendingLimitReached: Passed on; an episode that is broken off has no result.
     """
-    run = _attempt(agent, episode, arena, settings)
-    return _attempt(agent, episode, arena, settings) if run.interpreter_lost else run
+    run = _attempt(agent, episode, arena, settings, watcher)
+    if run.interpreter_lost:
+        run = _attempt(agent, episode, arena, settings, watcher)
+    return run
 
 
 def _attempt(
-    agent: Agent, episode: Episode, arena: Arena, settings: RunSettings
+    agent: Agent,
+    episode: Episode,
+    arena: Arena,
+    settings: RunSettings,
+    watcher: Watcher | None,
 ) -> EpisodeRun:
     robot_rng, agent_rng = episode_generators(settings.seed, episode.id)
     trace: list[dict[str, Any]] = [_opening(agent.name, episode, settings)]
+
+    def tell(entry: dict[str, Any]) -> None:
+        trace.append(entry)
+        if watcher is not None:
+            watcher.told()
+
     robot = arena.robot(
         episode,
         settings.simulation,
         robot_rng,
-        lambda event: trace.append(_call(event)),
+        lambda event: tell(_call(event)),
         detector_generator(settings.seed, episode.id),
     )
     journal = Journal(
-        listener=lambda entry: trace.append(_note(robot.time, entry)),
+        listener=lambda entry: tell(_note(robot.time, entry)),
         on_completion=lambda reply: robot.wait(
             settings.agent.inference_time.seconds(reply)
         ),
     )
+    if watcher is not None:
+        watcher.begin(robot, trace)
     began = time.perf_counter()
     ended, error, interpreter_lost = _follow(
         agent, episode.instruction.text, robot, journal, agent_rng
@@ -138,6 +169,8 @@ def _attempt(
         usable=None if people is None else people.usable,
         human_trials=None if people is None else people.tried,
         human_found=None if people is None else people.arrived,
+        error_kinds=tuple(failure.kind for failure in told.failures),
+        pair=told.pair,
     )
     return EpisodeRun(result, walk, tuple(trace), interpreter_lost)
 

@@ -79,6 +79,10 @@ class EpisodeResult:
     """People who followed the instruction; None where nobody is known to have."""
     human_found: int | None = None
     """Of these those who reached the goal."""
+    error_kinds: tuple[str, ...] = ()
+    """Kinds of the significant errors in the instruction."""
+    pair: str | None = None
+    """Shared with the same instruction without, or with, its errors."""
 
 
 _RESULT = TypeAdapter(EpisodeResult)

@@ -1,6 +1,6 @@
 """`memorymaze instructions`: describe, check, exchange; one file per action."""
 
-from memorymaze.cli.instructions import check, exchange, stats
+from memorymaze.cli.instructions import check, exchange, generate, stats
 from memorymaze.cli.verbs import Verbs
 
 __all__ = ["add_parser"]
@@ -16,5 +16,5 @@ def add_parser(verbs: Verbs) -> None:
         epilog="example: memorymaze instructions stats",
     )
     actions = parser.add_subparsers(title="actions", metavar="ACTION", required=True)
-    for action in (stats, check, exchange):
+    for action in (stats, check, generate, exchange):
         action.add_parser(actions)

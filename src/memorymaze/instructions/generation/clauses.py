@@ -59,6 +59,18 @@ COMMANDS = frozenset({
     "turn",
     "walk",
 })
+PLACED = frozenset({
+    "at",
+    "before",
+    "behind",
+    "beside",
+    "by",
+    "in",
+    "near",
+    "next",
+    "opposite",
+})
+"""Words that begin a destination which is a place beside something."""
 CORRECTIONS = ("no, sorry,", "no wait,", "I mean", "no no,", "or rather", "sorry,")
 CONTRACTIONS = (
     (re.compile(r"\b([Yy]ou|[Ii]t|[Tt]hey) will\b"), r"\1'll"),
@@ -217,13 +229,16 @@ def is_command(told: str) -> bool:
 def goal_words(goal: str) -> str:
     """Return a destination with the article that plain English gives it."""
     head = goal.split(maxsplit=1)[0]
+    if head in PLACED:
+        return f"the place {goal}"
     if head in {"the", "The"} or goal[0].isupper() or head in {"a", "an"}:
         return goal
     return f"the {goal}"
 
 
 def _there(arrival: Arrival, rng: np.random.Generator) -> str:
-    if arrival.side is None:
+    told = {"left", "right"} & set(arrival.goal.split())
+    if arrival.side is None or told:
         return one_of(("straight ahead", "right in front of you", "ahead of you"), rng)
     side = arrival.side
     return one_of((f"on the {side}", f"on your {side}", f"on the {side} side"), rng)

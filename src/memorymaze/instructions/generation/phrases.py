@@ -148,7 +148,7 @@ SPOKEN_TURNS: Patterns = {
     "end": (
         "you go [all the way to the end] and there you go {side}",
         "so straight on [till it ends], and {side}",
-        "[at the very end] you can only go left or right, and you go {side}",
+        "[at the very end], there you go {side}",
         "you walk down there [until you hit the wall] and it is {side}",
         "[when that is over], {side}",
     ),

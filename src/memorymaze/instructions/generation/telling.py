@@ -6,7 +6,7 @@ the right one does, word for word, apart from the error.
 
 import zlib
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -37,7 +37,7 @@ from memorymaze.instructions.generation.marked_text import (
     without_marks,
 )
 from memorymaze.instructions.generation.mistakes import Mistake
-from memorymaze.instructions.generation.steps import StepPlan, Turn
+from memorymaze.instructions.generation.steps import Leg, StepPlan, Turn
 from memorymaze.instructions.generation.voices import Voice
 from memorymaze.instructions.statistics import word_count
 
@@ -295,15 +295,16 @@ class Teller:
     def _leg_asides(self, rng: np.random.Generator) -> list[Aside]:
         found: list[Aside] = []
         known = {turn.cue.words for turn in self._plan.turns}
+        before = None
         for turn in self._plan.turns:
+            leg, before = _on_new_floor(turn.leg, before), turn.leg
             if turn.told and not self._is_merged(self._plan, turn.key, {}):
                 own = self._rng(turn.key, "asides")
                 side = turn.side.rpartition("_")[2]
-                found += leg_asides(turn.leg, turn.key, side, self._voice, own, known)
+                found += leg_asides(leg, turn.key, side, self._voice, own, known)
         own = self._rng(ARRIVAL, "asides")
-        found += leg_asides(
-            self._plan.arrival.leg, ARRIVAL, None, self._voice, own, known
-        )
+        last = _on_new_floor(self._plan.arrival.leg, before)
+        found += leg_asides(last, ARRIVAL, None, self._voice, own, known)
         # Some of what could be said is left to chatter, more of it in speech.
         kept = rng.random(len(found)) < (0.8 if self._voice.spoken else 0.95)
         return [each for each, keep in zip(found, kept, strict=True) if keep]
@@ -354,3 +355,9 @@ class Teller:
     def _rng(self, *purpose: str) -> np.random.Generator:
         key = zlib.crc32("|".join(purpose).encode())
         return np.random.default_rng([self._seed, key])
+
+
+def _on_new_floor(leg: Leg, before: Leg | None) -> Leg:
+    """Return a stretch whose floor is only known where it changes."""
+    same = before is not None and before.floor == leg.floor
+    return replace(leg, floor=None) if same else leg
