@@ -15,7 +15,10 @@ def add_parser(actions: Verbs) -> None:
     parser = actions.add_parser(
         "check",
         help="list everything that is wrong in instruction files",
-        description="List every bad line; exit code 1 where there is one.",
+        description="List everything that is wrong: format, ids, sites and routes, "
+        "instructions that are there twice, damaged encodings; exit code 1 where there "
+        "is something. Lines marked as notes, such as equal texts, or labels that name "
+        "no place of the plan, may be meant and change no exit code.",
         epilog="example: memorymaze instructions check mine.jsonl --sites plans",
     )
     parser.add_argument("files", metavar="FILE", nargs="+", help="JSONL files")
@@ -27,9 +30,14 @@ def _run(options: argparse.Namespace) -> int:
     from memorymaze.instructions.checking import check_instruction_files
     from memorymaze.sites import load_sites
 
-    count, problems = check_instruction_files(options.files, load_sites(options.sites))
-    for problem in problems:
+    report = check_instruction_files(options.files, load_sites(options.sites))
+    for problem in report.errors:
         print(problem)
-    verdict = counted(len(problems), "problem") if problems else "no problems"
-    print(f"{counted(count, 'good instruction')}, {verdict}", file=sys.stderr)
-    return 1 if problems else 0
+    for note in report.notes:
+        print(f"{note.place}: note: {note.message}")
+    wrong = counted(len(report.errors), "problem") if report.errors else "no problems"
+    notes = f", {counted(len(report.notes), 'note')}" if report.notes else ""
+    print(
+        f"{counted(report.good, 'good instruction')}, {wrong}{notes}", file=sys.stderr
+    )
+    return 1 if report.errors else 0
