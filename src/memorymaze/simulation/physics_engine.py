@@ -1,0 +1,25 @@
+"""Loads MuJoCo before anything else here does, so that its failure can be explained.
+
+MuJoCo loads the OpenGL that `MUJOCO_GL` names when it is imported, also where nothing is
+ever drawn, and fails on the spot with whatever that library raises.
+"""
+
+import os
+
+from memorymaze.errors import RenderingError
+
+__all__ = ["ENGINE_VERSION"]
+
+try:
+    import mujoco
+except (AttributeError, OSError, RuntimeError) as error:
+    wish = os.environ.get("MUJOCO_GL", "")
+    raise RenderingError(
+        f"MuJoCo cannot be loaded with MUJOCO_GL={wish} ({error}); unset MUJOCO_GL to "
+        "draw with what this machine has, or install what it names (on Debian and Ubuntu "
+        "egl: apt-get install libegl1 libgl1 libgl1-mesa-dri; osmesa: apt-get install "
+        "libosmesa6)"
+    ) from error
+
+ENGINE_VERSION: str = mujoco.__version__
+"""Of MuJoCo, on which every walk depends."""
