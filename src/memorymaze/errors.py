@@ -8,6 +8,7 @@ __all__ = [
     "InstructionFileError",
     "InstructionFileWarning",
     "InterpreterLostError",
+    "LabelFileError",
     "LanguageModelError",
     "MemoryMazeError",
     "ProgramError",
@@ -36,6 +37,10 @@ class InstructionFileError(MemoryMazeError):
 
 class InstructionFileWarning(UserWarning):
     """An instruction file has something that is not used; names file and line."""
+
+
+class LabelFileError(MemoryMazeError):
+    """A file or sheet of labels is unusable; names file and line."""
 
 
 class SettingsError(MemoryMazeError):
