@@ -227,7 +227,7 @@ def build_agent(settings: AgentSettings) -> AgentFor:
         SettingsError: There is no such agent, it cannot be made, it has no such options,
             or the settings name a language model for an agent that has none.
     """
-    known = None if ":" in settings.name else known_agent(settings.name)
+    known = None if settings.is_own else known_agent(settings.name)
     if not has_language_model(settings.name):
         _refuse_model(settings)
     if settings.parser is not None and not has_parser(settings.name):

@@ -19,13 +19,22 @@ from memorymaze.errors import (
 )
 from memorymaze.evaluation.agent_failures import failure_line, failure_traceback
 from memorymaze.evaluation.arena import Arena
+from memorymaze.evaluation.handed_robot import HandedRobot
 from memorymaze.evaluation.results import EpisodeResult, StoppedBy
 from memorymaze.evaluation.seeds import detector_generator, episode_generators
 from memorymaze.evaluation.settings import RunSettings
+from memorymaze.evaluation.trace_entries import (
+    call_entry,
+    closing_entries,
+    note_entry,
+    opening_entry,
+    surroundings_entries,
+)
 from memorymaze.evaluation.turns import turns_in_order
 from memorymaze.geometry.trajectory import Trajectory
 from memorymaze.instructions.records import Episode
-from memorymaze.simulation import SimulatedRobot, TraceEvent
+from memorymaze.robot.api import Robot
+from memorymaze.simulation import SimulatedRobot
 
 __all__ = ["EpisodeRun", "Watcher", "run_episode"]
 
@@ -94,7 +103,7 @@ def _attempt(
     watcher: Watcher | None,
 ) -> EpisodeRun:
     robot_rng, agent_rng = episode_generators(settings.seed, episode.id)
-    trace: list[dict[str, Any]] = [_opening(agent.name, episode, settings)]
+    trace: list[dict[str, Any]] = [opening_entry(agent.name, episode, settings)]
 
     def tell(entry: dict[str, Any]) -> None:
         trace.append(entry)
@@ -105,11 +114,11 @@ def _attempt(
         episode,
         settings.simulation,
         robot_rng,
-        lambda event: tell(_call(event)),
+        lambda event: tell(call_entry(event)),
         detector_generator(settings.seed, episode.id),
     )
     journal = Journal(
-        listener=lambda entry: tell(_note(robot.time, entry)),
+        listener=lambda entry: tell(note_entry(robot.time, entry)),
         on_completion=lambda reply: robot.wait(
             settings.agent.inference_time.seconds(reply)
         ),
@@ -118,12 +127,17 @@ def _attempt(
         watcher.begin(robot, trace)
     began = time.perf_counter()
     ended, error, interpreter_lost = _follow(
-        agent, episode.instruction.text, robot, journal, agent_rng
+        agent,
+        episode.instruction.text,
+        robot,
+        HandedRobot(robot) if settings.agent.is_own else robot,
+        journal,
+        agent_rng,
     )
     wall_s = time.perf_counter() - began
     walk = robot.trajectory()
-    trace += _beyond_the_plan(robot)
-    trace += _closing(robot, walk, ended, error)
+    trace += surroundings_entries(robot)
+    trace += closing_entries(robot, walk, ended, error)
     values = arena.score(episode, walk, settings.success_distance)
     if ended != "agent":
         values = values.without_success()
@@ -185,12 +199,13 @@ def _follow(
     agent: Agent,
     text: str,
     robot: SimulatedRobot,
+    handed: Robot,
     journal: Journal,
     rng: Any,
 ) -> _Ending:
     """Let the agent follow; return what ended the episode and what went wrong."""
     try:
-        agent.follow(text, robot, journal, rng)
+        agent.follow(text, handed, journal, rng)
     except (KeyboardInterrupt, SpendingLimitReached):
         raise
     except EpisodeOver as over:
@@ -218,96 +233,3 @@ def _outcome(problem: BaseException) -> StoppedBy:
 
 def _as_robot_says(robot: SimulatedRobot) -> StoppedBy:
     return cast(StoppedBy, robot.finish())
-
-
-def _opening(name: str, episode: Episode, settings: RunSettings) -> dict[str, Any]:
-    told = episode.instruction
-    return {
-        "kind": "episode",
-        "episode_id": episode.id,
-        "agent": name,
-        "site": told.site,
-        "route": told.route,
-        "reference_route": told.reference_route,
-        "instruction": told.text,
-        "instruction_source": told.source,
-        "start": episode.start,
-        "goal": episode.goal,
-        "seed": settings.seed,
-    }
-
-
-def _call(event: TraceEvent) -> dict[str, Any]:
-    return {
-        "kind": "call",
-        "time": round(event.time, 3),
-        "pose": _rounded(event.pose),
-        "call": event.call,
-        "arguments": event.arguments,
-        "result": event.result,
-    }
-
-
-def _note(now: float, entry: dict[str, Any]) -> dict[str, Any]:
-    details = {name: part for name, part in entry.items() if name != "kind"}
-    return {"kind": "note", "time": round(now, 3), "about": entry["kind"], **details}
-
-
-def _beyond_the_plan(robot: SimulatedRobot) -> list[dict[str, Any]]:
-    """Say what stood in the way and who came close; nothing in the default track."""
-    if robot.surroundings is None:
-        return []
-    things = [
-        {
-            "object_id": each.record.id,
-            "category": each.record.category,
-            "size": list(each.record.size),
-            "pose": _rounded(each.pose),
-        }
-        for each in robot.surroundings.things
-    ]
-    near = [
-        {
-            "kind": "near_miss",
-            "time": round(each.time, 3),
-            "pose": _rounded(each.pose),
-            "object_id": each.person,
-            "gap": round(each.gap, 3),
-        }
-        for each in robot.near_misses
-    ]
-    walks: dict[str, list[list[float]]] = {}
-    for time_, person, x, y in robot.surroundings.walked:
-        walks.setdefault(person, []).append(_rounded((time_, x, y)))
-    people = {"kind": "people", "columns": ["time", "x", "y"], "walks": walks}
-    return [{"kind": "things", "things": things}, *([people] if walks else []), *near]
-
-
-def _closing(
-    robot: SimulatedRobot, walk: Trajectory, ended: str, error: str | None
-) -> list[dict[str, Any]]:
-    collisions = [
-        {
-            "kind": "collision",
-            "time": round(touch.time, 3),
-            "pose": _rounded(touch.pose),
-            "with": touch.kind,
-            "object_id": touch.object_id,
-        }
-        for touch in robot.collisions
-    ]
-    poses = [_rounded(pose) for pose in walk.poses]
-    return [
-        *collisions,
-        {
-            "kind": "trajectory",
-            "columns": ["time", "x", "y", "heading"],
-            "poses": poses,
-        },
-        {"kind": "end", "time": robot.time, "stopped_by": ended, "error": error},
-    ]
-
-
-def _rounded(numbers: Sequence[float]) -> list[float]:
-    """Return a pose to the millimetre, which is finer than anything depends on."""
-    return [round(number, 3) for number in numbers]

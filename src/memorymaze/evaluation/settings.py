@@ -58,6 +58,11 @@ class AgentSettings:
     programs: str | None = None
     """File of programs that are run instead of asking a model."""
 
+    @property
+    def is_own(self) -> bool:
+        """Whether the agent is a user's own."""
+        return ":" in self.name
+
 
 @dataclass(frozen=True, slots=True)
 class RunSettings:

@@ -233,7 +233,7 @@ def remarks(settings: RunSettings, results: Iterable[EpisodeResult]) -> Iterator
     needs = agent_needs(settings.agent.name)
     if "graph" in needs:
         yield "The agent is given the navigation graph of the building."
-    if ":" in settings.agent.name:
+    if settings.agent.is_own:
         yield "The agent is not part of memorymaze; its code must be published with it."
     development = sum(result.split == "dev" for result in results)
     if development:

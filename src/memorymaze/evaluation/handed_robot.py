@@ -1,0 +1,99 @@
+"""The robot as agents of users' own get it: what it can do, and nothing behind it."""
+
+import math
+
+from memorymaze.robot.api import (
+    Detection,
+    Direction,
+    MoveResult,
+    SignText,
+    TurnResult,
+)
+from memorymaze.robot.steps import CameraPicture
+from memorymaze.simulation import SimulatedRobot
+from memorymaze.simulation.lidar import LidarScan
+
+__all__ = ["HandedRobot"]
+
+
+class HandedRobot:
+    """Passes on the control API, single steps, pictures and the LiDAR; has no more.
+
+    A simulated robot also knows its building, its true pose and where routes end. An
+    agent that reads these by mistake would be scored for what it cannot know, so here
+    that is an error. One that wants to get at them still can: it is Python, in the same
+    process.
+    """
+
+    __slots__ = ("__robot",)
+
+    def __init__(self, robot: SimulatedRobot) -> None:
+        """Stand before a robot."""
+        self.__robot = robot
+
+    def __getattr__(self, name: str) -> object:
+        """Refuse what agents do not get.
+
+        Raises:
+            AttributeError: Always.
+        """
+        raise AttributeError(
+            f"a robot that follows an instruction has no {name!r}: agents get what is in "
+            "memorymaze.robot.api and memorymaze.robot.steps, and lidar_scan()",
+            name=name,
+            obj=self,
+        )
+
+    def move_forward(self, distance: float) -> MoveResult:
+        """See `Robot.move_forward`."""
+        return self.__robot.move_forward(distance)
+
+    def detect_turning_point(self) -> list[Direction]:
+        """See `Robot.detect_turning_point`."""
+        return self.__robot.detect_turning_point()
+
+    def turning_point_id(self) -> int | None:
+        """See `Robot.turning_point_id`."""
+        return self.__robot.turning_point_id()
+
+    def turn(self, direction: str) -> TurnResult:
+        """See `Robot.turn`."""
+        return self.__robot.turn(direction)
+
+    def detect_from_RGB_image(self, object: str) -> list[Detection]:
+        """See `Robot.detect_from_RGB_image`."""
+        return self.__robot.detect_from_RGB_image(object)
+
+    def read_signs(self) -> list[SignText]:
+        """See `Robot.read_signs`."""
+        return self.__robot.read_signs()
+
+    def say(self, text: str) -> None:
+        """See `Robot.say`."""
+        self.__robot.say(text)
+
+    def distance_travelled(self) -> float:
+        """See `Robot.distance_travelled`."""
+        return self.__robot.distance_travelled()
+
+    def stop(self) -> None:
+        """See `Robot.stop`."""
+        self.__robot.stop()
+
+    def step_forward(self, distance: float) -> float:
+        """See `SteppingRobot.step_forward`."""
+        return self.__robot.step_forward(distance)
+
+    def rotate(self, angle: float) -> float:
+        """See `SteppingRobot.rotate`."""
+        return self.__robot.rotate(angle)
+
+    def camera_picture(
+        self, width: int = 640, height: int = 480, horizontal_fov: float = math.pi / 2
+    ) -> CameraPicture:
+        """See `SteppingRobot.camera_picture`."""
+        return self.__robot.camera_picture(width, height, horizontal_fov)
+
+    def lidar_scan(self) -> LidarScan:
+        """See `SimulatedRobot.lidar_scan`."""
+        return self.__robot.lidar_scan()

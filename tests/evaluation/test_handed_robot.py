@@ -1,0 +1,95 @@
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from memorymaze.evaluation.agents_for_runs import build_agent
+from memorymaze.evaluation.arena import Arena
+from memorymaze.evaluation.episode import EpisodeRun, run_episode
+from memorymaze.evaluation.plan import RunPlan
+from memorymaze.evaluation.settings import AgentSettings
+
+AGENT = """
+class Mine:
+    name = "mine"
+
+    def follow(self, instruction, robot, journal, rng):
+        {line}
+"""
+
+Run = Callable[[str], EpisodeRun]
+
+
+@pytest.fixture
+def own_agent(tmp_path: Path, tiny_plan: Callable[..., RunPlan]) -> Run:
+    """Run the first episode with an agent of a user's own, whose code is one line."""
+
+    def first_episode(line: str) -> EpisodeRun:
+        path = tmp_path / "own.py"
+        path.write_text(AGENT.format(line=line), encoding="utf-8")
+        plan = tiny_plan("stop")
+        settings = replace(plan.settings, agent=AgentSettings(f"{path}:Mine"))
+        agent = build_agent(settings.agent)(plan.episodes[0])
+        arena = Arena(plan.sites["corridor"])
+        return run_episode(agent, plan.episodes[0], arena, settings)
+
+    return first_episode
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["scene", "pose", "trajectory", "settings", "follow", "camera_view", "_driver"],
+)
+def test_an_own_agent_gets_nothing_behind_the_robot(own_agent: Run, name: str) -> None:
+    result = own_agent(f"robot.{name}").result
+    assert result.stopped_by == "crash"
+    assert result.error is not None
+    assert (
+        f"has no '{name}': agents get what is in memorymaze.robot.api" in result.error
+    )
+    assert result.error.endswith("(own.py, line 6)")
+
+
+def test_nothing_can_be_put_on_the_robot(own_agent: Run) -> None:
+    assert own_agent("robot.stop = None").result.stopped_by == "crash"
+
+
+@pytest.mark.parametrize(
+    ("line", "call"),
+    [
+        ("robot.move_forward(1.0)", "move_forward"),
+        ("robot.detect_turning_point()", "detect_turning_point"),
+        ("robot.turning_point_id()", "turning_point_id"),
+        ("robot.turn('around')", "turn"),
+        ("robot.detect_from_RGB_image('door')", "detect_from_RGB_image"),
+        ("robot.read_signs()", "read_signs"),
+        ("robot.say('hello')", "say"),
+        ("robot.distance_travelled()", "distance_travelled"),
+        ("robot.stop()", "stop"),
+        ("robot.step_forward(0.5)", "step_forward"),
+        ("robot.rotate(0.5)", "rotate"),
+        ("robot.camera_picture(32, 24)", "camera_picture"),
+    ],
+)
+def test_all_that_the_control_api_has_reaches_the_robot(
+    own_agent: Run, line: str, call: str
+) -> None:
+    run = own_agent(line)
+    assert run.result.stopped_by == "agent"
+    calls = (each["call"] for each in run.trace if each["kind"] == "call")
+    assert next(calls) == call
+
+
+def test_an_own_agent_has_the_lidar(own_agent: Run) -> None:
+    run = own_agent("journal.note('seen', rays=len(robot.lidar_scan().ranges))")
+    assert [each["rays"] for each in run.trace if each.get("about") == "seen"] == [360]
+
+
+def test_an_own_agent_sees_that_it_can_go_by_steps(own_agent: Run) -> None:
+    line = (
+        "import memorymaze.robot.steps as s; "
+        "journal.note('seen', steps=isinstance(robot, s.SteppingRobot))"
+    )
+    trace = own_agent(line).trace
+    assert [each["steps"] for each in trace if each.get("about") == "seen"] == [True]
