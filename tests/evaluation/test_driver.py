@@ -136,7 +136,7 @@ def test_an_episode_whose_worker_is_killed_is_tried_once_more(
 def test_an_episode_that_hangs_is_given_up_and_the_run_goes_on(
     tmp_path: Path, troubled: str, tiny_plan: Plan
 ) -> None:
-    order(tmp_path, "door", "hang always")
+    order(tmp_path, "on", "hang always")
     plan = tiny_plan(troubled, limit=4)
     results = run_plan(plan, tmp_path / "run", workers=1, wall_limit=1.0)
     hung = [one for one in results if one.stopped_by == "crash"]

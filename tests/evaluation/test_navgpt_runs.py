@@ -12,7 +12,7 @@ from memorymaze.evaluation.agents_for_runs import (
     agent_needs,
     build_agent,
 )
-from memorymaze.evaluation.episode_worker import EpisodeTask, EpisodeWorker
+from memorymaze.evaluation.episode_worker import EpisodeDone, EpisodeTask, EpisodeWorker
 from memorymaze.evaluation.plan import RunPlan
 from memorymaze.evaluation.settings import AgentSettings
 from memorymaze.language.model import CompletionRequest
@@ -64,9 +64,9 @@ def test_a_recorded_run_gives_the_same_results_without_a_model(
 
 def _results(plan: RunPlan, folder: Path) -> list[dict[str, Any]]:
     """Results in this process, so that a model put in for a server's is asked."""
-    (folder / "traces").mkdir(parents=True)
-    follow = EpisodeWorker(plan.settings, plan.sites, folder)()
-    results = [follow(EpisodeTask(episode)) for episode in plan.episodes]
+    follow = EpisodeWorker(plan.settings, plan.sites)()
+    done = [follow(EpisodeTask(episode)) for episode in plan.episodes]
+    results = [each.result for each in done if isinstance(each, EpisodeDone)]
     return [json.loads(json.dumps({**_fields(each), "wall_s": 0})) for each in results]
 
 

@@ -1,6 +1,5 @@
 """Run episodes on all cores, into a run folder."""
 
-import os
 from collections import Counter, deque
 from collections.abc import Iterable
 from dataclasses import replace
@@ -8,49 +7,42 @@ from datetime import UTC, datetime
 from pathlib import Path
 
 from memorymaze.errors import MemoryMazeError, SettingsError, SpendingLimitReached
-from memorymaze.evaluation.episode_worker import (
-    EpisodeTask,
-    EpisodeWorker,
-    LimitReached,
-)
+from memorymaze.evaluation.episode_worker import EpisodeTask, LimitReached
 from memorymaze.evaluation.plan import RunPlan
 from memorymaze.evaluation.progress import Progress
 from memorymaze.evaluation.provenance import code_stamp
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import RunFolder, RunRecord, open_run_folder
-from memorymaze.evaluation.settings import RunSettings
 from memorymaze.evaluation.summary import summarise
-from memorymaze.evaluation.worker_pool import Lost, WorkerPool
+from memorymaze.evaluation.trace import keep_trace
+from memorymaze.evaluation.worker_pool import Lost
+from memorymaze.evaluation.workforce import LocalWorkforce, Workforce
 
-__all__ = ["WALL_LIMIT", "available_cores", "run_plan"]
+__all__ = ["WALL_LIMIT", "run_plan"]
 
 WALL_LIMIT = 3600.0
 """Real seconds an episode may take when nobody says otherwise."""
-
-
-def available_cores() -> int:
-    """Return how many processor cores this process may use."""
-    return len(os.sched_getaffinity(0))
 
 
 def run_plan(
     plan: RunPlan,
     folder: str | Path,
     *,
-    workers: int = 0,
+    workers: int | Workforce = 0,
     resume: bool = False,
     wall_limit: float = WALL_LIMIT,
 ) -> list[EpisodeResult]:
     """Run all episodes of a plan that have no result yet.
 
-    Results do not depend on the number of workers, nor on the order of episodes, nor
-    on how often the run was broken off. An episode whose worker process dies is tried
+    Results do not depend on the number of workers, nor on where they are, nor on the
+    order of episodes, nor on how often the run was broken off. An episode whose worker process dies is tried
     once more, and then recorded as `crash`.
 
     Args:
         plan: What to run.
         folder: Where results go; each is on the disk before the next is counted.
-        workers: Processes; 0 for one per core.
+        workers: Processes on this machine, 0 for one per core; or who else does the
+            episodes, such as the workers of a cluster (`ray_cluster.py`).
         resume: Whether to finish a run that is in the folder already.
         wall_limit: Real seconds after which an episode is given up as `crash`, so that
             an agent that hangs does not hold up the run.
@@ -60,29 +52,26 @@ def run_plan(
 
     Raises:
         MemoryMazeError: The folder cannot be used, or no worker can be started.
+        SettingsError: The workers cannot do what the settings ask for.
         SpendingLimitReached: The run has spent what it may on its language model;
             episodes that were under way then have no result.
         KeyboardInterrupt: Passed on, after all workers have ended.
     """
     if not wall_limit > 0:
         raise SettingsError(f"wall limit: expected more than 0 s, got {wall_limit!r}")
+    workforce = LocalWorkforce(workers) if isinstance(workers, int) else workers
+    workforce.check(plan.settings)
     path = Path(folder)
     now = datetime.now(UTC).isoformat(timespec="seconds")
     record = RunRecord(settings=plan.settings, code=code_stamp(), started=now)
     with open_run_folder(path, record, resume=resume) as run:
         _check_known(run, plan)
         waiting = [e for e in plan.episodes if e.id not in run.finished]
-        count = min(workers or available_cores(), max(1, len(waiting)))
-        # Absolute, because an agent may change its process's folder.
-        settings = _with_shared(plan.settings, path.absolute(), count)
-        prepare = EpisodeWorker(settings, plan.sites, path.absolute())
         queue = _Queue(EpisodeTask(episode) for episode in waiting)
         limit: str | None = None
         with (
             Progress(len(plan.episodes), len(run.finished)) as progress,
-            WorkerPool[EpisodeTask, EpisodeResult | LimitReached](
-                prepare, count, wall_limit
-            ) as pool,
+            workforce.pool(plan, path, len(waiting), wall_limit) as pool,
         ):
             for task, outcome in pool.run(queue.choose):
                 if isinstance(outcome, Lost):
@@ -91,8 +80,10 @@ def run_plan(
                     limit = outcome.reason
                     queue.close()
                 else:
-                    run.add(outcome)
-                    progress.count(outcome)
+                    # Before its result: an episode that counts as done has its trace.
+                    keep_trace(path, outcome.result.episode_id, outcome.trace)
+                    run.add(outcome.result)
+                    progress.count(outcome.result)
         results = [run.finished[key] for key in sorted(run.finished)]
         if results:
             run.write_summary(summarise(results, plan.settings))
@@ -102,14 +93,6 @@ def run_plan(
             f"kept in {path}. To go on, raise the limit and add --resume"
         )
     return results
-
-
-def _with_shared(settings: RunSettings, folder: Path, workers: int) -> RunSettings:
-    """Return the settings that workers need to keep the run's limits together."""
-    # Threads of a model wait for each other: one without a core holds up all of them.
-    threads = max(1, available_cores() // workers - 1)
-    asking = replace(settings.agent.asking, shared_folder=str(folder), threads=threads)
-    return replace(settings, agent=replace(settings.agent, asking=asking))
 
 
 def _check_known(run: RunFolder, plan: RunPlan) -> None:

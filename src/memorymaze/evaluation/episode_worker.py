@@ -2,7 +2,6 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 
@@ -14,13 +13,22 @@ from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.episode import run_episode
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.settings import RunSettings
-from memorymaze.evaluation.trace import write_trace
+from memorymaze.evaluation.trace import trace_content
 from memorymaze.instructions.records import Episode
 from memorymaze.perception.detector_choice import Eyes
 from memorymaze.robot.api import Robot
 from memorymaze.sites import Site
 
-__all__ = ["EpisodeTask", "EpisodeWorker", "LimitReached"]
+__all__ = ["EpisodeDone", "EpisodeTask", "EpisodeWorker", "LimitReached"]
+
+
+@dataclass(frozen=True, slots=True)
+class EpisodeDone:
+    """What came of an episode; the driver alone writes it into the run folder."""
+
+    result: EpisodeResult
+    trace: bytes
+    """Content of the trace's file."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,9 +55,8 @@ class EpisodeWorker:
 
     settings: RunSettings
     sites: dict[str, Site]
-    folder: Path
 
-    def __call__(self) -> Callable[[EpisodeTask], EpisodeResult | LimitReached]:
+    def __call__(self) -> Callable[[EpisodeTask], EpisodeDone | LimitReached]:
         """Make the agent; return the function.
 
         Raises:
@@ -62,7 +69,7 @@ class EpisodeWorker:
             name: Arena(site, obstacles, eyes) for name, site in self.sites.items()
         }
 
-        def run(task: EpisodeTask) -> EpisodeResult | LimitReached:
+        def run(task: EpisodeTask) -> EpisodeDone | LimitReached:
             episode = task.episode
             agent = agent_for(episode)
             if task.lost is not None:
@@ -72,9 +79,7 @@ class EpisodeWorker:
                 done = run_episode(agent, episode, arena, self.settings)
             except SpendingLimitReached as limit:
                 return LimitReached(str(limit))
-            # Before its result: an episode that counts as done has its trace.
-            write_trace(self.folder, episode.id, done.trace)
-            return done.result
+            return EpisodeDone(done.result, trace_content(done.trace))
 
         return run
 

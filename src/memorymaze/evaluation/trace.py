@@ -15,7 +15,14 @@ import numpy as np
 from memorymaze.errors import RunFolderError
 from memorymaze.evaluation.durable_files import write_whole
 
-__all__ = ["read_trace", "trace_lines", "trace_path", "write_trace"]
+__all__ = [
+    "keep_trace",
+    "read_trace",
+    "trace_content",
+    "trace_lines",
+    "trace_path",
+    "write_trace",
+]
 
 NAME_LIMIT = 150
 """Longest file stem made of an episode id; longer ones are cut and numbered."""
@@ -39,11 +46,17 @@ def trace_path(folder: Path, episode_id: str) -> Path:
 def write_trace(
     folder: Path, episode_id: str, entries: Iterable[Mapping[str, object]]
 ) -> None:
-    """Write an episode's trace; it is there in full or not at all.
+    """Write an episode's trace; it is there in full or not at all."""
+    keep_trace(folder, episode_id, trace_content(entries))
 
-    Equal entries give equal bytes.
-    """
-    content = gzip.compress(trace_lines(entries), mtime=0)
+
+def trace_content(entries: Iterable[Mapping[str, object]]) -> bytes:
+    """Return what the file of a trace holds; equal entries give equal bytes."""
+    return gzip.compress(trace_lines(entries), mtime=0)
+
+
+def keep_trace(folder: Path, episode_id: str, content: bytes) -> None:
+    """Write the file of a trace; it is there in full or not at all."""
     write_whole(trace_path(folder, episode_id), content)
 
 
