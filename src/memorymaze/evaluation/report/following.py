@@ -29,7 +29,8 @@ class Following:
     along: float
     """Metres along the way where it was followed last."""
     place: tuple[float, float]
-    """Where the robot was then, metres."""
+    """That place on the way, metres; where it was followed to its end or a stop, the
+    walk's last place."""
     away: tuple[float, float] | None
     """Where it was seen to be off the way; None where it never was."""
     furthest: float
@@ -73,7 +74,7 @@ def follow(
             return Following(
                 how=how,
                 along=reached * spacing,
-                place=_pair(last if off else places[furthest]),
+                place=_pair(places[reached]),
                 away=None if how == "end" else _pair(point),
                 furthest=furthest * spacing,
             )

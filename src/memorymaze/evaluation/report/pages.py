@@ -71,6 +71,7 @@ class Pages:
         }
         self._templates.globals.update(words)
         self._templates.filters.update({
+            "difference": _difference,
             "file": safe_name,
             "kind": kind_title,
             "number": svg_number,
@@ -118,8 +119,20 @@ def _place_name(place: tuple[str, str]) -> str:
 
 
 def _estimate(estimate: Estimate) -> Markup:
-    """Write a mean with its interval, which does not break across lines."""
-    mean, _, interval = estimate_cell(estimate).partition(" ")
+    """Write a mean with its interval."""
+    return _with_interval(estimate_cell(estimate))
+
+
+def _difference(estimate: Estimate) -> Markup:
+    """Write a difference of means with its interval; always with a sign."""
+    interval = ""
+    if estimate.low is not None and estimate.high is not None:
+        interval = f" [{estimate.low:+.2f}, {estimate.high:+.2f}]"
+    return _with_interval(f"{estimate.mean:+.2f}{interval}")
+
+
+def _with_interval(cell: str) -> Markup:
+    mean, _, interval = cell.partition(" ")
     if not interval:
         return Markup("{}").format(mean)
     return Markup('{} <span class="interval">{}</span>').format(mean, interval)

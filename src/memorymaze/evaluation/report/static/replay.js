@@ -47,8 +47,9 @@ class Panel {
   show(time, isCloseUp) {
     const [x, y, heading] = this.poseAt(time);
     const scale = isCloseUp ? 0.5 : 1;
-    this.article.classList.toggle("live", time < this.poses.at(-1)[0]);
-    this.walked.setAttribute("d", this.pathUntil(time, x, y));
+    const isOver = time >= this.poses.at(-1)[0];
+    this.article.classList.toggle("live", !isOver);
+    this.walked.setAttribute("d", isOver ? "" : this.pathUntil(time, x, y));
     this.robot.setAttribute("d", arrow(x, -y, heading, 1.1 * scale));
     this.showSeen(time, x, y, scale);
     this.svg.setAttribute("viewBox", isCloseUp ? `${x - 12} ${-y - 8} 24 16` : this.frame);

@@ -9,7 +9,6 @@ const LANES = [
   ["touched", ["touch"]],
 ];
 const LEFT = 84;
-const WIDE = 600;
 
 function element(name, attributes, text) {
   const made = document.createElementNS(SVG, name);
@@ -24,12 +23,14 @@ function isQuiet(event) {
 
 // Draws the strip; returns a function that moves its cursor to a time.
 function makeStrip(place, events, longest) {
-  const svg = element("svg", { viewBox: `0 0 ${WIDE} 80`, preserveAspectRatio: "none", "aria-hidden": "true", focusable: "false" });
-  const x = (time) => LEFT + ((WIDE - LEFT - 6) * time) / (longest || 1);
+  place.hidden = false;
+  const wide = place.clientWidth || 600;
+  const svg = element("svg", { viewBox: `0 0 ${wide} 80`, preserveAspectRatio: "none", "aria-hidden": "true", focusable: "false" });
+  const x = (time) => LEFT + ((wide - LEFT - 6) * time) / (longest || 1);
   LANES.forEach(([title, kinds], lane) => {
     const y = 10 + lane * 20;
     svg.append(element("text", { x: 0, y: y + 4 }, title));
-    svg.append(element("path", { class: "lane", d: `M${LEFT} ${y}H${WIDE - 6}` }));
+    svg.append(element("path", { class: "lane", d: `M${LEFT} ${y}H${wide - 6}` }));
     for (const event of events) {
       if (!kinds.includes(event.kind) || isQuiet(event)) continue;
       const tall = event.kind === "turn" || event.kind === "stop" ? 8 : 5;
@@ -40,7 +41,6 @@ function makeStrip(place, events, longest) {
   const cursor = element("path", { class: "cursor" });
   svg.append(cursor);
   place.append(svg);
-  place.hidden = false;
   return (time) => cursor.setAttribute("d", `M${x(time).toFixed(1)} 0V80`);
 }
 
