@@ -36,6 +36,11 @@ def add_parser(verbs: Verbs) -> None:
         help="site plans of the runs (default: the three shipped ones)",
     )
     parser.add_argument(
+        "--sail",
+        metavar="DIR",
+        help="the SAIL corpus, for runs made with --sail; in place of the two above",
+    )
+    parser.add_argument(
         "--exclude-dev",
         action="store_true",
         help="leave out the instructions that prompts may be built from (split dev)",
@@ -46,12 +51,19 @@ def add_parser(verbs: Verbs) -> None:
 def _run(options: argparse.Namespace) -> int:
     from tqdm import tqdm
 
+    from memorymaze.errors import SettingsError
     from memorymaze.evaluation.report import read_sources, write_report
 
+    if options.sail is not None and (options.instructions or options.sites):
+        raise SettingsError(
+            "--sail: has its own instructions and sites; leave out --instructions and "
+            "--sites"
+        )
     sources = read_sources(
         options.runs,
         instruction_files=options.instructions,
         sites_folder=options.sites,
+        sail_folder=options.sail,
         exclude_dev=options.exclude_dev,
     )
     with tqdm(unit="episode", disable=not sys.stderr.isatty()) as bar:

@@ -101,10 +101,10 @@ def first_wrong(decisions: Sequence[Decision], following: Following) -> Decision
 
 
 def count_decisions(
-    decisions: Sequence[Decision], route: Route, followings: Iterable[Following]
+    decisions: Sequence[Decision], route: Route, followed: Iterable[Following]
 ) -> list[DecisionCount]:
     """Count what walks did at each decision up to their first wrong one."""
-    walks = [(each, first_wrong(decisions, each)) for each in followings]
+    walks = [(each, first_wrong(decisions, each)) for each in followed]
     counts: list[DecisionCount] = []
     for decision in decisions:
         reached = right = ended = 0

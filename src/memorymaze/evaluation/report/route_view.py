@@ -160,7 +160,7 @@ def _order(by_way: Mapping[str, Sequence[WalkOfRun]]) -> list[str]:
 def _way_counts(site: Site, way: str, walks: Sequence[WalkOfRun]) -> WayCounts:
     route = site.route(way)
     decisions = decisions_of(site, route)
-    followings = [walk.following for walk in walks]
+    followed = [walk.following for walk in walks]
     wanted = len(route.turns)
     turns = [0] * (wanted + 1)
     for walk in walks:
@@ -168,11 +168,11 @@ def _way_counts(site: Site, way: str, walks: Sequence[WalkOfRun]) -> WayCounts:
     return WayCounts(
         route=route,
         walks=len(walks),
-        how=dict(Counter(each.how for each in followings)),
-        decisions=tuple(count_decisions(decisions, route, followings)),
+        how=dict(Counter(each.how for each in followed)),
+        decisions=tuple(count_decisions(decisions, route, followed)),
         before=sum(
             each.how in {"left", "turned_back"} and first_wrong(decisions, each) is None
-            for each in followings
+            for each in followed
         ),
         turns=tuple(turns),
     )

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from memorymaze.errors import SettingsError
+from memorymaze.evaluation.sail_corpus import sail_corpus
 from memorymaze.evaluation.settings import FileStamp, stamp_file
 from memorymaze.evaluation.tables import MeasuredRun, load_runs
 from memorymaze.instructions.corpus import BUILTIN_CORPUS, load_instructions
@@ -47,6 +48,7 @@ def read_sources(
     *,
     instruction_files: Sequence[str | Path] = (),
     sites_folder: str | Path | None = None,
+    sail_folder: str | Path | None = None,
     exclude_dev: bool = False,
 ) -> Sources:
     """Read runs with the instructions and plans that they name.
@@ -56,6 +58,7 @@ def read_sources(
         instruction_files: Where instructions are looked for besides the shipped ones;
             a file belongs to a run when its fingerprint stands in `run.json`.
         sites_folder: Plans of the runs' sites; None for the shipped ones.
+        sail_folder: The SAIL corpus, for runs on it; it has sites and instructions.
         exclude_dev: Whether to leave out instructions that prompts may be built from.
 
     Raises:
@@ -70,8 +73,14 @@ def read_sources(
             zip(folders, load_runs(folders, exclude_dev=exclude_dev), strict=True)
         )
     )
-    known, missing = _instructions(runs, instruction_files)
-    sites, changed = _sites(runs, sites_folder)
+    if sail_folder is not None:
+        corpus = sail_corpus(sail_folder)
+        known = {each.instruction.id: each.instruction for each in corpus.episodes}
+        missing = []
+        sites, changed = _sites(runs, corpus.sites)
+    else:
+        known, missing = _instructions(runs, instruction_files)
+        sites, changed = _sites(runs, load_sites(sites_folder))
     return Sources(runs, sites, known, (*missing, *changed))
 
 
@@ -119,14 +128,13 @@ def _instructions(
 
 
 def _sites(
-    runs: Sequence[ReportRun], folder: str | Path | None
+    runs: Sequence[ReportRun], there: Mapping[str, Site]
 ) -> tuple[dict[str, Site], list[str]]:
-    there = load_sites(folder)
     names = {each.site for run in runs for each in run.measured.results}
     for name in sorted(names - there.keys()):
         raise SettingsError(
             f"site {name}: expected its plan among {', '.join(there)}; name the folder "
-            "with the plans of the runs with --sites"
+            "with the plans of the runs with --sites, or that of SAIL with --sail"
         )
     routes = {
         (each.site, each.reference_route): each
