@@ -1,0 +1,1 @@
+"""Collecting what people say of instructions: labels, agreement, consensus."""

@@ -1,0 +1,195 @@
+"""What annotators say of instructions, and the files that keep it (JSONL)."""
+
+import json
+import os
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import asdict, dataclass
+from hashlib import sha256
+from pathlib import Path
+
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
+
+from memorymaze.collection.ways import ways_of
+from memorymaze.errors import LabelFileError, SettingsError
+from memorymaze.instructions.generation.kinds import ERROR_KINDS
+from memorymaze.instructions.records import Failure, Instruction
+from memorymaze.sites.records import Site
+
+__all__ = [
+    "KINDS",
+    "NO_WAY",
+    "Label",
+    "append_labels",
+    "check_annotator",
+    "latest_labels",
+    "read_labels",
+    "text_stamp",
+]
+
+OTHER_KIND = "other"
+KINDS = {kind.name: kind.meaning for kind in ERROR_KINDS} | {
+    OTHER_KIND: "another significant error; say which"
+}
+"""Kinds of failures that annotators choose from, and what they mean."""
+NO_WAY = "none"
+"""Instead of a route's id: the text describes none of the plan's ways."""
+STAMP_LENGTH = 16
+
+
+@dataclass(frozen=True, slots=True)
+class Label:
+    """What one annotator says of one instruction."""
+
+    instruction: str
+    """Its id."""
+    text_sha256: str
+    """Of the text that was judged, the first 16 digits."""
+    annotator: str
+    way: str
+    """Id of the route that the text describes, or `none`."""
+    failures: tuple[Failure, ...]
+    """Empty: an attentive person who follows the text arrives."""
+
+
+class _FailureLine(BaseModel):
+    model_config = ConfigDict(strict=True, extra="forbid")
+
+    kind: str = Field(min_length=1)
+    where: str
+    detail: str
+
+
+class _LabelLine(BaseModel):
+    model_config = ConfigDict(strict=True, extra="forbid")
+
+    instruction: str = Field(min_length=1)
+    text_sha256: str
+    annotator: str = Field(min_length=1)
+    way: str = Field(min_length=1)
+    failures: list[_FailureLine]
+
+
+def text_stamp(text: str) -> str:
+    """Return the fingerprint by which a label knows the text it is about."""
+    return sha256(text.encode("utf-8", "surrogatepass")).hexdigest()[:STAMP_LENGTH]
+
+
+def check_annotator(name: str) -> str:
+    """Return an annotator's name.
+
+    Raises:
+        SettingsError: It is empty, or has spaces at an end or control characters.
+    """
+    if not name or name != name.strip() or not name.isprintable():
+        raise SettingsError(
+            "--annotator: expected a name without spaces at its ends or control "
+            f"characters, got {name!r}"
+        )
+    return name
+
+
+def read_labels(
+    paths: Sequence[str | Path],
+    instructions: Iterable[Instruction],
+    sites: Mapping[str, Site],
+) -> list[Label]:
+    """Read files of labels about these instructions, in order.
+
+    A last line that was broken off is passed over.
+
+    Raises:
+        LabelFileError: A file cannot be read, or has lines that are no labels, or about
+            other instructions or texts; lists them.
+    """
+    known = {each.id: each for each in instructions}
+    labels: list[Label] = []
+    wrong: list[str] = []
+    for path in map(Path, paths):
+        try:
+            content = path.read_bytes()
+        except OSError as error:
+            raise LabelFileError(
+                f"{path}: cannot be read ({error.strerror or error})"
+            ) from None
+        whole = content[: content.rfind(b"\n") + 1]
+        for number, line in enumerate(whole.split(b"\n"), start=1):
+            if not line.strip():
+                continue
+            try:
+                labels.append(_label(line, known, sites))
+            except ValueError as error:
+                wrong.append(f"{path}:{number}: {error}")
+    if wrong:
+        more = [f"… and {len(wrong) - 20} more"] if len(wrong) > 20 else []
+        raise LabelFileError(
+            "\n".join(["labels that cannot be used:", *wrong[:20], *more])
+        )
+    return labels
+
+
+def _label(
+    line: bytes, known: Mapping[str, Instruction], sites: Mapping[str, Site]
+) -> Label:
+    try:
+        read = _LabelLine.model_validate(json.loads(line))
+    except ValidationError as error:
+        first = error.errors()[0]
+        field = ".".join(map(str, first["loc"]))
+        raise ValueError(f"field {field!r}: {first['msg']}") from None
+    except ValueError:
+        raise ValueError("expected one JSON record per line") from None
+    told = known.get(read.instruction)
+    if told is None:
+        raise ValueError(
+            f"field 'instruction': {read.instruction!r} is not among the instructions; "
+            "name their file with --instructions"
+        )
+    if read.text_sha256 != text_stamp(told.text):
+        raise ValueError(
+            f"field 'text_sha256': the text of {read.instruction!r} is another one than "
+            "was labelled"
+        )
+    ways = [way.id for way in ways_of(sites[told.site], told.route)]
+    if read.way not in {NO_WAY, *ways}:
+        raise ValueError(
+            f"field 'way': expected {', '.join(ways)} or {NO_WAY}, got {read.way!r}"
+        )
+    return Label(
+        read.instruction,
+        read.text_sha256,
+        read.annotator,
+        read.way,
+        tuple(Failure(each.kind, each.where, each.detail) for each in read.failures),
+    )
+
+
+def latest_labels(labels: Iterable[Label]) -> dict[tuple[str, str], Label]:
+    """Return the last label by annotator and instruction, in the order first given."""
+    return {(each.annotator, each.instruction): each for each in labels}
+
+
+def append_labels(path: str | Path, labels: Iterable[Label]) -> None:
+    """Add labels to a file; they are on the disk when this returns.
+
+    A last line that was broken off is cut away first.
+
+    Raises:
+        LabelFileError: The file cannot be written.
+    """
+    path = Path(path)
+    lines = "".join(
+        json.dumps(asdict(each), ensure_ascii=False) + "\n" for each in labels
+    )
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with path.open("a+b") as file:
+            file.seek(0)
+            content = file.read()
+            file.truncate(content.rfind(b"\n") + 1)
+            file.write(lines.encode())
+            file.flush()
+            os.fsync(file.fileno())
+    except OSError as error:
+        raise LabelFileError(
+            f"{path}: cannot be written ({error.strerror or error})"
+        ) from None

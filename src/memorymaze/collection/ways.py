@@ -1,0 +1,44 @@
+"""The ways of a route told to annotators, in words and as pictures."""
+
+from pathlib import Path
+
+from memorymaze.errors import SettingsError
+from memorymaze.sites.drawing import draw_site
+from memorymaze.sites.records import Route, Site
+
+__all__ = ["draw_ways", "way_in_words", "ways_of"]
+
+
+def ways_of(site: Site, route: str) -> list[Route]:
+    """Return the ways of a route, the reference first."""
+    ways = [each for each in site.routes if each.route == route]
+    return sorted(ways, key=lambda each: each.role != "reference")
+
+
+def way_in_words(site: Site, way: Route) -> str:
+    """Return a way's length, turns and goal in a line."""
+    names = {point.id: point.name for point in site.turning_points}
+    turns = [
+        f"{turn.direction.replace('_', ' ')} at {names.get(turn.at) or turn.at}"
+        for turn in way.turns
+    ]
+    walk = ", ".join(turns) or "no turn"
+    return f"{way.role}, {way.length:.0f} m: {walk}; to {way.goal}"
+
+
+def draw_ways(folder: str | Path, site: Site, route: str) -> Path:
+    """Draw the plan with the ways of a route, unless the picture is there already.
+
+    Raises:
+        SettingsError: The picture cannot be written.
+    """
+    picture = Path(folder) / f"{site.name}_{route}.png"
+    if not picture.exists():
+        try:
+            picture.parent.mkdir(parents=True, exist_ok=True)
+            draw_site(site, picture, routes=[route])
+        except OSError as error:
+            raise SettingsError(
+                f"--pictures {folder}: cannot be written ({error.strerror or error})"
+            ) from None
+    return picture
