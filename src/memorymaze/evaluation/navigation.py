@@ -14,7 +14,7 @@ from memorymaze.errors import RunFolderError, SettingsError
 from memorymaze.evaluation.agents_for_runs import build_agent
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.durable_files import write_whole
-from memorymaze.evaluation.episode import EpisodeRun, run_episode
+from memorymaze.evaluation.episode import EpisodeRun, Watcher, run_episode
 from memorymaze.evaluation.eyes_for_runs import checked_eyes
 from memorymaze.evaluation.looks_for_runs import looks_of_run
 from memorymaze.evaluation.settings import AgentSettings, RunSettings
@@ -94,6 +94,7 @@ def navigate(
     turning_points: TurningPoints = "annotated",
     detector: DetectorSettings = TRUTH,
     signs: SignSource = "truth",
+    watcher: Watcher | None = None,
 ) -> EpisodeRun:
     """Let an agent follow a text from the start of a route.
 
@@ -110,6 +111,7 @@ def navigate(
         turning_points: Where the robot knows turning points from.
         detector: Eyes of `detect_from_RGB_image`.
         signs: Where `read_signs` knows texts from.
+        watcher: Looks on while the agent follows.
 
     Raises:
         MemoryMazeError: Something that was given cannot be used.
@@ -152,7 +154,7 @@ def navigate(
     )
     [episode] = episodes([told], {site.name: site})
     arena = Arena(site, obstacles, eyes)
-    return run_episode(build_agent(agent)(episode), episode, arena, settings)
+    return run_episode(build_agent(agent)(episode), episode, arena, settings, watcher)
 
 
 def _met_in(trace: Sequence[dict[str, Any]]) -> Met | None:

@@ -5,6 +5,7 @@ trajectory, counts collisions and takes note of turning points.
 """
 
 import math
+from collections.abc import Callable
 from typing import Literal
 
 import numpy as np
@@ -79,6 +80,8 @@ class Driver:
         """Seconds the robot has been waiting since it last got on."""
         self.hindrance: Hindrance | None = None
         """Who was in the way when the robot last looked."""
+        self.on_motion: Callable[[float, Pose], None] | None = None
+        """Called with time and pose after each control period; must change nothing."""
         self._scene = scene
         self._settings = settings
         self._period = settings.control_period
@@ -147,6 +150,8 @@ class Driver:
             self._note_touches(touched)
         if base.time >= self._sample_due - 1e-9:
             self.sample()
+        if self.on_motion is not None:
+            self.on_motion(base.time, self.pose)
         return moved
 
     def follow(

@@ -382,6 +382,10 @@ class SimulatedRobot:
         self._end("follow", {"line": points.tolist()}, asdict(result))
         return result
 
+    def watch(self, on_motion: Callable[[float, Pose], None]) -> None:
+        """Have time and pose told while it moves, to something that only looks."""
+        self._driver.on_motion = on_motion
+
     def lidar_scan(self) -> LidarScan:
         """Return what the LiDAR measures from where the robot is."""
         return self._lidar.scan(self.pose, self.time)

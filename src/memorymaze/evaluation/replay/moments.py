@@ -124,12 +124,17 @@ class Moments:
         )
 
 
-def news(events: Iterable[Event]) -> list[Event]:
+def news(events: Iterable[Event], told: dict[str, str] | None = None) -> list[Event]:
     """Return events in the order of time, without answers that are as before.
 
     Agents ask the same at every step; what stays the same is told once.
+
+    Args:
+        events: What happened.
+        told: The last text told of each kind, which is brought up to date; None where
+            nothing was told before.
     """
-    told: dict[str, str] = {}
+    told = {} if told is None else told
     kept: list[Event] = []
     for event in sorted(events, key=lambda each: each.time):
         if event.kind in {"ask", "look"} and told.get(event.kind) == event.text:
