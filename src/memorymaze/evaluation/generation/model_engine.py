@@ -13,10 +13,11 @@ from memorymaze.errors import LanguageModelError
 from memorymaze.evaluation.generation.step_listing import listed_errors, listed_steps
 from memorymaze.instructions.corpus import load_instructions
 from memorymaze.instructions.generation import Draft
+from memorymaze.instructions.generation.aligning import error_label
 from memorymaze.instructions.generation.grammar import told_instruction
+from memorymaze.instructions.generation.layout import Told
 from memorymaze.instructions.generation.marked_text import Marked
 from memorymaze.instructions.generation.steps import StepPlan
-from memorymaze.instructions.generation.telling import Told, error_label
 from memorymaze.instructions.generation.told_sides import commands
 from memorymaze.instructions.records import Instruction
 from memorymaze.instructions.statistics import word_count

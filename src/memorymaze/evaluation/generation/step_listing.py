@@ -3,9 +3,8 @@
 from collections.abc import Sequence
 
 from memorymaze.instructions.generation.kinds import meaning_of
-from memorymaze.instructions.generation.mistakes import Mistake
 from memorymaze.instructions.generation.phrases import ORDINALS
-from memorymaze.instructions.generation.steps import Cue, Leg, StepPlan, Turn
+from memorymaze.instructions.generation.steps import Cue, Leg, Mistake, StepPlan, Turn
 from memorymaze.instructions.generation.things import with_article
 
 __all__ = ["listed_errors", "listed_steps"]

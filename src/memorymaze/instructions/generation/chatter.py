@@ -4,11 +4,16 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from memorymaze.instructions.generation.clauses import is_command, one_of
+from memorymaze.instructions.generation.asides import Aside
+from memorymaze.instructions.generation.clauses import (
+    is_command,
+    one_of,
+    spoken_as,
+)
 from memorymaze.instructions.generation.marked_text import mark, without_marks
 from memorymaze.instructions.generation.voices import Voice
 
-__all__ = ["beginnings", "disturbed", "endings", "small_talk"]
+__all__ = ["disturbed", "opening_and_closing", "small_talk"]
 
 SPOKEN_BEGINNINGS = (
     "okay, so, to {goal}",
@@ -115,23 +120,50 @@ DOUBTFUL = (
 FRESH_STARTS = ("so you, ", "and then you, ", "there's, ", "it's, ", "and, and ")
 
 
-def beginnings(voice: Voice, goal: str) -> list[str]:
-    """Return ways to begin."""
+def opening_and_closing(
+    voice: Voice, goal: str, first: str, last: str, rng: np.random.Generator
+) -> list[Aside]:
+    """Return a way to begin and a way to end.
+
+    Args:
+        voice: Who speaks.
+        goal: The destination with its article.
+        first: Key of what is said first.
+        last: Key of what is said last.
+        rng: Source of chance.
+    """
     if voice.again:
-        chosen: Sequence[str] = SPOKEN_AGAIN if voice.spoken else TYPED_AGAIN
+        openings: Sequence[str] = SPOKEN_AGAIN if voice.spoken else TYPED_AGAIN
     else:
-        chosen = SPOKEN_BEGINNINGS if voice.spoken else TYPED_BEGINNINGS
-    return [each.format(goal=goal) for each in chosen]
+        openings = SPOKEN_BEGINNINGS if voice.spoken else TYPED_BEGINNINGS
+    opening = one_of(openings, rng).format(goal=goal)
+    closing = one_of(SPOKEN_ENDINGS if voice.spoken else TYPED_ENDINGS, rng)
+    return [
+        Aside(first, 0, spoken_as(opening, voice), sure=True),
+        Aside(last, 0, spoken_as(closing, voice), sure=True),
+    ]
 
 
-def endings(voice: Voice) -> Sequence[str]:
-    """Return ways to end."""
-    return SPOKEN_ENDINGS if voice.spoken else TYPED_ENDINGS
+def small_talk(
+    voice: Voice, keys: Sequence[str], rng: np.random.Generator
+) -> list[Aside]:
+    """Return what has nothing to do with the turns, in random order and places.
 
-
-def small_talk(voice: Voice) -> Sequence[str]:
-    """Return what has nothing to do with the turns."""
-    return SMALL_TALK if voice.spoken else TYPED_TALK
+    Args:
+        voice: Who speaks.
+        keys: Of the steps that it can stand before.
+        rng: Source of chance.
+    """
+    pool = SMALL_TALK if voice.spoken else TYPED_TALK
+    return [
+        Aside(
+            str(rng.choice(keys)),
+            float(rng.uniform(-60, -5)),
+            spoken_as(pool[int(number)], voice),
+            sure=True,
+        )
+        for number in rng.permutation(len(pool))
+    ]
 
 
 def disturbed(

@@ -37,7 +37,7 @@ __all__ = [
 
 Size = Literal["terse", "plain", "wordy"]
 Focus = Mapping[str, str]
-"""Labels by the part of a step that they are for: `side`, `cue`, `step`."""
+"""Labels by the part of a step that they are for: `side`, `cue`, or `step` for all."""
 
 NAMELESS = ("the corridor", "this path", "the hallway", "this corridor", "this way")
 OWN_NAME = re.compile(r".* (Lane|Street|Row|Road|Avenue|Alley|Way)")
@@ -138,8 +138,7 @@ def turn_clause(
     told = _bracketed(pattern, focus.get("cue")).format(**words)
     if voice.please and rng.random() < 0.4:
         told = f"please {told}" if is_command(told) else told
-    told = spoken_as(told, voice)
-    return mark(focus["step"], told) if "step" in focus else told
+    return spoken_as(told, voice)
 
 
 def merged_clause(turn: Turn, rng: np.random.Generator, focus: Focus) -> str:
@@ -159,7 +158,7 @@ def skipped_clause(turn: Turn, rng: np.random.Generator) -> str:
 
 
 def arrival_clause(
-    arrival: Arrival, size: Size, voice: Voice, rng: np.random.Generator, focus: Focus
+    arrival: Arrival, size: Size, voice: Voice, rng: np.random.Generator
 ) -> str:
     """Return the end of the way in words."""
     by = arrival.claimed is not None
@@ -173,8 +172,7 @@ def arrival_clause(
     told = one_of(patterns, rng).format(
         goal=goal, there=_there(arrival, rng), thing=thing
     )
-    told = spoken_as(told, voice)
-    return mark(focus["step"], told) if "step" in focus else told
+    return spoken_as(told, voice)
 
 
 def _pattern(turn: Turn, size: Size, voice: Voice, number: int, focus: Focus) -> str:

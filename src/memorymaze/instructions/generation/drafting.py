@@ -13,14 +13,14 @@ import numpy as np
 from memorymaze.instructions.generation.choosing import chosen_plan
 from memorymaze.instructions.generation.kinds import kinds_of
 from memorymaze.instructions.generation.lengths import stratified, wanted_lengths
-from memorymaze.instructions.generation.mistakes import Mistake, made_wrong
+from memorymaze.instructions.generation.mistakes import made_wrong
 from memorymaze.instructions.generation.rates import (
     CellRates,
     ErrorRates,
     cell_rates,
 )
 from memorymaze.instructions.generation.reading import RouteReading
-from memorymaze.instructions.generation.steps import StepPlan
+from memorymaze.instructions.generation.steps import Mistake, StepPlan
 from memorymaze.instructions.generation.voices import Voice, make_voice
 from memorymaze.instructions.generation.walks import WalkMap
 from memorymaze.sites.records import Site

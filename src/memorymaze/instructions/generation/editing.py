@@ -13,12 +13,12 @@ from memorymaze.instructions.generation.drafting import Cell, Draft
 from memorymaze.instructions.generation.grammar import write_draft
 from memorymaze.instructions.generation.kinds import kinds_of
 from memorymaze.instructions.generation.mistakes import (
-    Mistake,
     made_wrong,
     possible_mistakes,
 )
 from memorymaze.instructions.generation.rates import ErrorRates
 from memorymaze.instructions.generation.reading import RouteReading
+from memorymaze.instructions.generation.steps import Mistake
 from memorymaze.instructions.generation.told_sides import certain_sides
 from memorymaze.instructions.generation.voices import make_voice
 from memorymaze.instructions.generation.walks import WalkMap

@@ -2,11 +2,13 @@
 
 from collections.abc import Iterable, Iterator
 
+from memorymaze.instructions.generation.aligning import error_label
 from memorymaze.instructions.generation.drafting import Draft
 from memorymaze.instructions.generation.kinds import meaning_of
+from memorymaze.instructions.generation.layout import Told
 from memorymaze.instructions.generation.marked_text import Marked
-from memorymaze.instructions.generation.mistakes import Mistake
-from memorymaze.instructions.generation.telling import Teller, Told, error_label
+from memorymaze.instructions.generation.steps import Mistake
+from memorymaze.instructions.generation.telling import Teller
 from memorymaze.instructions.records import Failure, Instruction, Span
 from memorymaze.instructions.statistics import word_count
 

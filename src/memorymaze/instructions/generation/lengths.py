@@ -9,6 +9,9 @@ __all__ = ["stratified", "wanted_lengths"]
 
 LONGEST = 3.5
 """Standard deviations above the mean; longer ones are drawn again."""
+STEEPEST = 1.4
+"""Greatest deviation as a multiple of the mean above the least length; beyond it no
+log-normal with a cut tail has these moments, and the least length gives way."""
 
 
 def stratified(count: int, rng: np.random.Generator) -> NDArray[np.float64]:
@@ -35,7 +38,7 @@ def wanted_lengths(
         count: How many.
         rng: Source of chance.
     """
-    least = min(least, 0.8 * mean)
+    least = min(least, mean - deviation / STEEPEST)
     spread = np.log1p((deviation / (mean - least)) ** 2)
     levels = stratified(count, rng)
     top = mean + LONGEST * deviation

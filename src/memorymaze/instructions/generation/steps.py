@@ -10,7 +10,7 @@ from typing import Literal
 from memorymaze.instructions.generation.things import Thing
 from memorymaze.instructions.generation.walks import Side
 
-__all__ = ["Arrival", "Cue", "Leg", "Passing", "StepPlan", "Turn"]
+__all__ = ["Arrival", "Cue", "Leg", "Mistake", "Passing", "StepPlan", "Turn"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,3 +113,20 @@ class StepPlan:
     def without(self, key: str) -> "StepPlan":
         """Return the plan without one turn."""
         return replace(self, turns=tuple(t for t in self.turns if t.key != key))
+
+
+@dataclass(frozen=True, slots=True)
+class Mistake:
+    """One significant error in a plan."""
+
+    kind: str
+    key: str
+    """The step it is in: a turn's key, `start` or `arrival`."""
+    part: str
+    """What of the step is wrong: `side`, `cue`, `step`, or `gone` for a step that is
+    missing."""
+    where: str
+    """Turning point id or place."""
+    detail: str
+    plan: StepPlan
+    """The plan with this error."""

@@ -6,15 +6,19 @@ the right one does, word for word, apart from the error.
 
 import zlib
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
+from memorymaze.instructions.generation.aligning import (
+    focus_of,
+    in_one_breath,
+    keys_in_order,
+)
 from memorymaze.instructions.generation.asides import Aside, leg_asides
 from memorymaze.instructions.generation.chatter import (
-    beginnings,
     disturbed,
-    endings,
+    opening_and_closing,
     small_talk,
 )
 from memorymaze.instructions.generation.clauses import (
@@ -29,23 +33,24 @@ from memorymaze.instructions.generation.clauses import (
     spoken_as,
     turn_clause,
 )
+from memorymaze.instructions.generation.layout import (
+    Told,
+    as_sentence,
+    laid_out,
+    run_together,
+)
 from memorymaze.instructions.generation.marked_text import (
-    Marked,
-    capitalised,
     mark,
     read_marks,
     without_marks,
 )
-from memorymaze.instructions.generation.mistakes import Mistake
-from memorymaze.instructions.generation.steps import Leg, StepPlan, Turn
+from memorymaze.instructions.generation.steps import Leg, Mistake, StepPlan, Turn
 from memorymaze.instructions.generation.voices import Voice
 from memorymaze.instructions.statistics import word_count
 
-__all__ = ["Teller", "Told", "error_label"]
+__all__ = ["Teller"]
 
-START, ARRIVAL = "start", "arrival"
-MERGED_WITHIN = 8.0
-"""Metres between two turns that can be told as one."""
+START, ARRIVAL, END = "start", "arrival", "end"
 SLACK = 2
 """Words that a text may be longer than wanted."""
 AROUND = (
@@ -54,31 +59,6 @@ AROUND = (
     "turn around and walk in the opposite direction",
 )
 LINKS = ("then", "after that", "next", "from there", "and then", "now")
-NOT_JOINED = (
-    "and",
-    "after that",
-    "so",
-    "now",
-    "then",
-    "next",
-    "um",
-    "uh",
-    "er",
-    "well",
-)
-
-
-@dataclass(frozen=True, slots=True)
-class Told:
-    """A plan in words."""
-
-    text: str
-    marks: tuple[Marked, ...]
-
-
-def error_label(number: int) -> str:
-    """Return the label of the n-th error of a text."""
-    return f"error|{number}"
 
 
 class Teller:
@@ -115,104 +95,62 @@ class Teller:
             mistakes: The errors, whose words are labelled in either; where words are
                 missing, the label has no width.
         """
-        focus = self._focus(mistakes)
-        order = self._order(plan, mistakes)
+        focus = focus_of(mistakes)
         items: list[str] = []
-        pending = ""
-        if plan.around:
-            label = focus.get(START, {}).get("step")
-            told = one_of(AROUND, self._rng(START, "around"))
-            told = spoken_as(told, self._voice)
-            items.append(self._sentence(mark(label, told) if label else told))
-        elif label := focus.get(START, {}).get("step"):
-            pending = mark(label, "")
         before = self._around(START)
         if before:
             items.append(" ".join(before))
-        for key in order:
-            words = self._item(plan, key, focus, first=not items)
-            if not without_marks(words):
+        pending = ""
+        label = focus.get(START, {}).get("step")
+        if plan.around:
+            told = one_of(AROUND, self._rng(START, "around"))
+            told = spoken_as(told, self._voice)
+            items.append(as_sentence(mark(label, told) if label else told))
+        elif label:
+            pending = mark(label, "")
+        for key in [*keys_in_order(plan, self._plan, mistakes), ARRIVAL]:
+            words = self._item(plan, key, focus)
+            if without_marks(words):
+                items.append(pending + words)
+                pending = ""
+            else:
                 pending += words
-                continue
-            if self._is_merged(plan, key, focus):
-                items[-1] = items[-1].rstrip(".") + f" {words}."
-                continue
-            items.append(pending + words)
-            pending = ""
-        after = self._around("end")
+        after = self._around(END)
         if after:
             items[-1] = " ".join([items[-1], *after])
-        marked = self._laid_out(items)
-        text, marks = read_marks(marked + pending)
+        text, marks = read_marks(laid_out(items, self._voice) + pending)
         return Told(text, tuple(marks))
 
-    def _order(self, plan: StepPlan, mistakes: Sequence[Mistake]) -> list[str]:
-        """Return the steps of a plan with those that are only in its counterpart."""
-        keys = [turn.key for turn in plan.turns]
-        for mistake in mistakes:
-            wrong = [turn.key for turn in mistake.plan.turns]
-            whole = [turn.key for turn in self._plan.turns]
-            if mistake.part == "gone" and mistake.key not in keys:
-                earlier = [k for k in whole[: whole.index(mistake.key)] if k in keys]
-                place = keys.index(earlier[-1]) + 1 if earlier else 0
-                keys.insert(place, mistake.key)
-            elif mistake.key in wrong and mistake.key not in keys:
-                earlier = [k for k in wrong[: wrong.index(mistake.key)] if k in keys]
-                place = keys.index(earlier[-1]) + 1 if earlier else 0
-                keys.insert(place, mistake.key)
-        return [*keys, ARRIVAL]
-
-    def _focus(self, mistakes: Sequence[Mistake]) -> dict[str, dict[str, str]]:
-        focus: dict[str, dict[str, str]] = {}
-        for number, mistake in enumerate(mistakes):
-            part = "step" if mistake.part == "gone" else mistake.part
-            focus.setdefault(mistake.key, {})[part] = error_label(number)
-        return focus
-
-    def _item(
-        self, plan: StepPlan, key: str, focus: Mapping[str, Focus], *, first: bool
-    ) -> str:
+    def _item(self, plan: StepPlan, key: str, focus: Mapping[str, Focus]) -> str:
         """Return all that is said at one step, or only labels."""
         part = focus.get(key, {})
         turn = next((each for each in plan.turns if each.key == key), None)
+        asides = [each for each in self.asides if each.key == key]
         if key == ARRIVAL:
             core = arrival_clause(
-                plan.arrival, self._core_size(key), self._voice, self._rng(key), part
+                plan.arrival, self._core_size(key), self._voice, self._rng(key)
             )
-            said = plan.arrival.claimed is None
-            asides = [each for each in self.asides if each.key == key and said]
+            if plan.arrival.claimed is not None:
+                asides = []
         elif turn is None:
             return mark(part["step"], "") if "step" in part else ""
         elif self._is_merged(plan, key, focus):
-            return merged_clause(turn, self._rng(key), part)
+            return ""
         else:
             core = self._turn_core(turn, part)
-            asides = [each for each in self.asides if each.key == key]
+            following = plan.turns[plan.turns.index(turn) + 1 :][:1]
+            for each in following:
+                if self._is_merged(plan, each.key, focus):
+                    own = focus.get(each.key, {})
+                    core += f" {merged_clause(each, self._rng(each.key), own)}"
         if not without_marks(core):
             return core
-        core = self._linked(core, key, first=first)
-        told = [(0.0, core)]
+        told = [(0.0, self._linked(core, key))]
         told += [(each.order, self._as_told(each)) for each in asides]
         told.sort(key=lambda each: each[0])
-        return self._joined([text for _, text in told], self._rng(key, "joined"))
-
-    def _joined(self, texts: Sequence[str], rng: np.random.Generator) -> str:
-        """Return texts as sentences, some of them run together."""
-        share = 0.4 if self._voice.spoken else 0.15
-        sentences = [texts[0]]
-        for text, chance in zip(texts[1:], rng.random(len(texts) - 1), strict=True):
-            before, plain = without_marks(sentences[-1]), without_marks(text)
-            fits = len(before.split()) < 12 and not before.endswith(("?", "."))
-            if chance < share and fits and not plain.startswith(NOT_JOINED):
-                link = (
-                    "and then"
-                    if is_command(plain) and not is_command(before)
-                    else "and"
-                )
-                sentences[-1] += f", {link} {text}"
-            else:
-                sentences.append(text)
-        return " ".join(self._sentence(each) for each in sentences)
+        texts = [text for _, text in told]
+        said = run_together(texts, self._voice, self._rng(key, "joined"))
+        return mark(part["step"], said) if "step" in part else said
 
     def _turn_core(self, turn: Turn, part: Focus) -> str:
         if not turn.told:
@@ -222,9 +160,10 @@ class Teller:
         number = self._offset + self._numbers.get(turn.key, len(self._numbers))
         return turn_clause(turn, size, self._voice, rng, part, number)
 
-    def _linked(self, core: str, key: str, *, first: bool) -> str:
+    def _linked(self, core: str, key: str) -> str:
         rng = self._rng(key, "link")
         plain = without_marks(core)
+        first = key == next((turn.key for turn in self._plan.turns), ARRIVAL)
         fits = not first and self.size != "terse" and self._voice.layout == "prose"
         if fits and is_command(plain) and rng.random() < 0.35:
             core = f"{one_of(LINKS, rng)} {core}"
@@ -232,27 +171,11 @@ class Teller:
 
     def _is_merged(self, plan: StepPlan, key: str, focus: Mapping[str, Focus]) -> bool:
         """Tell whether a turn is told in one breath with the one before it."""
+        if not in_one_breath(plan, self._plan, key, focus):
+            return False
         keys = [turn.key for turn in plan.turns]
-        right = [turn.key for turn in self._plan.turns]
-        if key not in keys or key not in right or keys.index(key) == 0:
-            return False
-        place = right.index(key)
-        before, turn = plan.turns[keys.index(key) - 1], plan.turns[keys.index(key)]
-        if (
-            place == 0
-            or right[place - 1] != before.key
-            or {"cue", "step"}
-            & {
-                *focus.get(key, {}),
-                *focus.get(before.key, {}),
-            }
-        ):
-            return False
-        own = self._plan.turns[place]
-        near = own.leg.length < MERGED_WITHIN and own.told and before.told
-        simple = turn.cue.kind != "thing" and turn.cue.ordinal == 1
         # Of three turns in a row the third begins anew.
-        if not (near and simple) or self._is_merged(plan, before.key, focus):
+        if self._is_merged(plan, keys[keys.index(key) - 1], focus):
             return False
         chance = self._rng(key, "merged").random()
         return bool(chance < self._voice.surface.merged_turns)
@@ -275,7 +198,10 @@ class Teller:
         room = words - word_count(self.tell(self._plan).text)
         rng, spoken = self._rng("choice"), self._voice.spoken
         chosen: list[Aside] = []
-        chatter, talk = self._chatter(rng), self._talk(rng)
+        goal = goal_words(self._plan.arrival.goal)
+        keys = [turn.key for turn in self._plan.turns if turn.told]
+        chatter = opening_and_closing(self._voice, goal, START, END, rng)
+        talk = small_talk(self._voice, [*keys, ARRIVAL, END], rng)
         early = [each for each in chatter if rng.random() < (0.4 if spoken else 0.15)]
         some = int(rng.integers(4)) if spoken else 0
         first = [*self._leg_asides(rng), *talk[:some]]
@@ -309,48 +235,11 @@ class Teller:
         kept = rng.random(len(found)) < (0.8 if self._voice.spoken else 0.95)
         return [each for each, keep in zip(found, kept, strict=True) if keep]
 
-    def _chatter(self, rng: np.random.Generator) -> list[Aside]:
-        goal = goal_words(self._plan.arrival.goal)
-        opening = one_of(beginnings(self._voice, goal), rng)
-        closing = one_of(endings(self._voice), rng)
-        told = [Aside(START, 0, opening), Aside("end", 0, closing)]
-        return [
-            Aside(each.key, 0, spoken_as(each.text, self._voice), sure=True)
-            for each in told
-        ]
-
-    def _talk(self, rng: np.random.Generator) -> list[Aside]:
-        keys = [turn.key for turn in self._plan.turns if turn.told] + [ARRIVAL, "end"]
-        pool = small_talk(self._voice)
-        return [
-            Aside(
-                str(rng.choice(keys)),
-                float(rng.uniform(-60, -5)),
-                spoken_as(str(pool[number]), self._voice),
-                sure=True,
-            )
-            for number in rng.permutation(len(pool))
-        ]
-
     def _around(self, key: str) -> list[str]:
         told = sorted(
             (each for each in self.asides if each.key == key), key=lambda a: a.order
         )
-        return [self._sentence(self._as_told(each)) for each in told]
-
-    def _sentence(self, text: str) -> str:
-        ended = without_marks(text).endswith((".", "?", "!"))
-        return capitalised(text) + ("" if ended else ".")
-
-    def _laid_out(self, items: Sequence[str]) -> str:
-        if self._voice.layout == "prose":
-            return " ".join(items)
-        if self._voice.layout == "lines":
-            return "\n".join(items)
-        marker = self._voice.marker
-        return "\n".join(
-            f"{marker.format(n=number)} {item}" for number, item in enumerate(items, 1)
-        )
+        return [as_sentence(self._as_told(each)) for each in told]
 
     def _rng(self, *purpose: str) -> np.random.Generator:
         key = zlib.crc32("|".join(purpose).encode())
