@@ -58,7 +58,7 @@ def kept(
 def test_an_annotator_is_told_the_ways_and_not_the_labels(typed: Typed) -> None:
     said = typed()
     assert "> Turn right, says a." in said
-    assert "2 route_r1_alternative: alternative, 33 m: left at" in said
+    assert "2 route_r1_alternative: alternative, 33 m: left" in said
     assert "written by people" in said
     assert "SECRET" not in said
     assert "extra_turn" not in said
@@ -86,7 +86,7 @@ def test_what_cannot_be_read_is_asked_again(
 def test_breaking_off_keeps_what_is_whole(
     typed: Typed, kept: Callable[[], list[Label]]
 ) -> None:
-    assert "stopped; 1 labels are kept" in typed("1", "y", "1", "no", "0", "q")
+    assert "stopped; 1 label is kept" in typed("1", "y", "1", "no", "0", "q")
     assert [label.instruction for label in kept()] == ["a"]
 
 

@@ -85,10 +85,14 @@ def ask_for_labels(
                 at += 1
     except (_Stop, EOFError, KeyboardInterrupt):
         say("")
-        say(f"stopped; {added} labels are kept in {out}. The same command goes on.")
+        say(f"stopped; {_kept(added, out)}. The same command goes on.")
     else:
-        say(f"done; {added} labels are kept in {out}.")
+        say(f"done; {_kept(added, out)}.")
     return added
+
+
+def _kept(added: int, out: str | Path) -> str:
+    return f"{added} {'label is' if added == 1 else 'labels are'} kept in {out}"
 
 
 def _show(
@@ -116,8 +120,9 @@ def _show(
 
 def _answer(question: Question, annotator: str, ask: Ask, say: Say) -> Label:
     ways = question.ways
+    numbers = "1" if len(ways) == 1 else f"1 to {len(ways)}"
     way = _ask(
-        f"Which way does it describe? 1 to {len(ways)}, or 0 for none of them [1]: ",
+        f"Which way does it describe? {numbers}, or 0 for none of them [1]: ",
         lambda answer: read_way(answer or "1", ways),
         ask,
         say,

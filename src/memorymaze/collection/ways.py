@@ -4,9 +4,12 @@ from pathlib import Path
 
 from memorymaze.errors import SettingsError
 from memorymaze.sites.drawing import draw_site
-from memorymaze.sites.records import Route, Site
+from memorymaze.sites.records import Route, Site, TurningPoint
 
 __all__ = ["draw_ways", "way_in_words", "ways_of"]
+
+BEYOND = 0.5
+"""Metres after a turning point at which one is in the hallway turned into."""
 
 
 def ways_of(site: Site, route: str) -> list[Route]:
@@ -17,13 +20,25 @@ def ways_of(site: Site, route: str) -> list[Route]:
 
 def way_in_words(site: Site, way: Route) -> str:
     """Return a way's length, turns and goal in a line."""
-    names = {point.id: point.name for point in site.turning_points}
-    turns = [
-        f"{turn.direction.replace('_', ' ')} at {names.get(turn.at) or turn.at}"
-        for turn in way.turns
-    ]
+    points = {point.id: point for point in site.turning_points}
+    turns: list[str] = []
+    for turn in way.turns:
+        into = _name_beyond(site, way, points[turn.at])
+        words = turn.direction.replace("_", " ") + (f" into {into}" if into else "")
+        turns.append(f"{words} ({turn.at})")
     walk = ", ".join(turns) or "no turn"
     return f"{way.role}, {way.length:.0f} m: {walk}; to {way.goal}"
+
+
+def _name_beyond(site: Site, way: Route, point: TurningPoint) -> str | None:
+    """Return the name of where a way goes on after a turning point."""
+    crossing = way.line.project(point.polygon.centroid)
+    reach = point.polygon.length / 4 + BEYOND
+    beyond = way.line.interpolate(min(crossing + reach, way.line.length))
+    for place in (*site.corridors, *site.areas):
+        if place.name and place.polygon.covers(beyond):
+            return place.name
+    return None
 
 
 def draw_ways(folder: str | Path, site: Site, route: str) -> Path:
