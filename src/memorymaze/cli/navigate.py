@@ -22,10 +22,6 @@ if TYPE_CHECKING:
     from memorymaze.evaluation.watching import Onlooker
     from memorymaze.sites import Route, Site
 
-if TYPE_CHECKING:
-    from memorymaze.evaluation.watching import Onlooker
-    from memorymaze.sites import Route, Site
-
 __all__ = ["add_parser"]
 
 
@@ -64,21 +60,6 @@ def add_parser(verbs: Verbs) -> None:
         help="with --watch: simulated seconds per second (default: 10; 1 is how fast the "
         "robot really is)",
     )
-    parser.add_argument(
-        "--watch",
-        nargs="?",
-        const="terminal",
-        choices=("terminal", "browser"),
-        help="show the robot on the plan while it drives: in the terminal (alone; plain "
-        "lines where there is none), or in the browser, on a page for this machine only",
-    )
-    parser.add_argument(
-        "--pace",
-        type=float,
-        metavar="X",
-        help="with --watch: simulated seconds per second (default: 10; 1 is how fast the "
-        "robot really is)",
-    )
     parser.set_defaults(run=_run)
 
 
@@ -90,7 +71,6 @@ def _run(options: argparse.Namespace) -> int:
         write_navigation,
     )
     from memorymaze.evaluation.replay.outcome import outcome_line
-    from memorymaze.evaluation.replay.outcome import outcome_line
     from memorymaze.sites import load_site
 
     site = load_site(plan_path(options.site))
@@ -98,8 +78,6 @@ def _run(options: argparse.Namespace) -> int:
     folder = Path(options.out or _default_folder(site.name, route.id))
     check_folder(folder)
     with ExitStack() as stack:
-        onlooker = _onlooker(stack, options, site, route)
-        with ExitStack() as stack:
         onlooker = _onlooker(stack, options, site, route)
         # What a user's agent prints is no result.
         with contextlib.redirect_stdout(sys.stderr):
@@ -114,7 +92,10 @@ def _run(options: argparse.Namespace) -> int:
         if onlooker is not None:
             onlooker.end(outcome_line(run.result))
     if onlooker is not None and onlooker.trouble is not None:
-        print(f"memorymaze: note: could not show it all ({onlooker.trouble})", file=sys.stderr)
+        print(
+            f"memorymaze: note: could not show it all ({onlooker.trouble})",
+            file=sys.stderr,
+        )
     result = run.result
     outcome = "arrived" if result.success else "did not arrive"
     print(f"{outcome}; stopped by {result.stopped_by}")
@@ -135,24 +116,6 @@ def _run(options: argparse.Namespace) -> int:
     for path in write_navigation(run, site, route, folder):
         print(path)
     return 0
-
-
-def _onlooker(
-    stack: ExitStack, options: argparse.Namespace, site: "Site", route: "Route"
-) -> "Onlooker | None":
-    """Open what shows the episode; it closes with the stack."""
-    from memorymaze.errors import SettingsError
-
-    if options.watch is None:
-        if options.pace is not None:
-            raise SettingsError("--pace: expected with --watch, got it alone")
-        return None
-    from memorymaze.evaluation.watching.choice import watching
-
-    title = f"{options.agent} on {site.title}, {route.id} (simulated)"
-    return stack.enter_context(
-        watching(options.watch, site, route, options.text, title, options.pace)
-    )
 
 
 def _onlooker(

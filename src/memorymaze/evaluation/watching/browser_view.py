@@ -113,11 +113,6 @@ class BrowserView:
         self._finished = True
         self._server.publish({"over": words})
 
-    def finish(self, words: str) -> None:
-        """Send how the episode ended."""
-        self._finished = True
-        self._server.publish({"over": words})
-
     def __enter__(self) -> "BrowserView":
         """Begin to serve."""
         self._server.start()

@@ -42,10 +42,6 @@ class View(Protocol):
         """Show how the episode ended."""
         ...
 
-    def finish(self, words: str) -> None:
-        """Show how the episode ended."""
-        ...
-
 
 def check_pace(pace: float) -> float:
     """Refuse a pace without meaning.

@@ -30,8 +30,5 @@ class PlainView:
     def finish(self, words: str) -> None:
         """Leave it to the command line, which says how it ended."""
 
-    def finish(self, words: str) -> None:
-        """Leave it to the command line, which says how it ended."""
-
     def _say(self, text: str) -> None:
         print(" ".join(text.splitlines()), file=self._stream, flush=True)

@@ -62,9 +62,6 @@ class TerminalView:
     def finish(self, words: str) -> None:
         """Leave it to the command line, which says how it ended."""
 
-    def finish(self, words: str) -> None:
-        """Leave it to the command line, which says how it ended."""
-
     def page(self, present: Present) -> "_Page":
         """Return the whole page, to print or to redraw."""
         width, height = self._console.size
