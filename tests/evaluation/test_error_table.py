@@ -1,0 +1,88 @@
+"""What each kind of error costs, from pairs of texts."""
+
+import csv
+import io
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from memorymaze.errors import SettingsError
+from memorymaze.evaluation.results import (
+    EpisodeResult,
+    result_from_line,
+    result_to_line,
+)
+from memorymaze.evaluation.tables import load_runs
+from memorymaze.evaluation.tables.errors import error_rows, error_table
+
+Make = Callable[..., EpisodeResult]
+Write = Callable[..., Path]
+
+
+@pytest.fixture
+def run(write: Write, result: Make) -> Path:
+    """Three pairs with a missing turn, one with an extra turn, one text alone."""
+    results: list[EpisodeResult] = []
+    for name, kind, wrong, right in (
+        ("a", "missing_turn", False, True),
+        ("b", "missing_turn", False, True),
+        ("c", "missing_turn", True, True),
+        ("d", "extra_turn", False, False),
+    ):
+        episode = f"{name}-1"
+        results += [
+            result(episode, success=wrong, error_kinds=(kind,), pair=episode),
+            result(f"{episode}-right", success=right, pair=episode, participant=name),
+        ]
+    return write("run", [*results, result("e-1", success=True)])
+
+
+def test_rows_equal_those_worked_by_hand(run: Path) -> None:
+    rows = {row.kind: row for row in error_rows(load_runs([run])[0])}
+    assert list(rows) == ["none", "extra_turn", "missing_turn", "any"]
+    missing = rows["missing_turn"]
+    assert (missing.texts, missing.pairs) == (3, 3)
+    assert missing.sr.mean == pytest.approx(1 / 3)
+    assert missing.sr_right
+    assert missing.difference
+    assert missing.sr_right.mean == 1.0
+    assert missing.difference.mean == pytest.approx(-2 / 3)
+    assert missing.difference.low is not None
+    assert rows["none"].texts == 1
+    assert rows["none"].difference is None
+    everything = rows["any"]
+    assert everything.difference
+    assert everything.difference.mean == pytest.approx(-0.5)
+
+
+def test_several_kinds_in_one_text_are_a_row_of_their_own(
+    write: Write, result: Make
+) -> None:
+    both = result("a-1", error_kinds=("extra_turn", "missing_turn"), success=False)
+    (row,) = error_rows(load_runs([write("run", [both])])[0])
+    assert (row.kind, row.pairs, row.p) == ("several", 0, None)
+
+
+def test_the_table_says_who_wrote_the_texts(write: Write, result: Make) -> None:
+    folder = write("run", [result("a-1", error_kinds=("x",), source="synthetic")])
+    for style in ("text", "md"):
+        table = error_table(load_runs([folder]), style)
+        assert "written by a program (synthetic), not by people" in table
+
+
+def test_numbers_of_the_csv_are_not_rounded(run: Path) -> None:
+    rows = list(csv.DictReader(io.StringIO(error_table(load_runs([run]), "csv"))))
+    missing = next(row for row in rows if row["error"] == "missing_turn")
+    assert float(missing["difference"]) == -2 / 3
+    assert rows[0]["difference"] == ""
+
+
+def test_a_style_that_this_table_does_not_have_is_refused(run: Path) -> None:
+    with pytest.raises(SettingsError, match="text, md, csv"):
+        error_table(load_runs([run]), "latex")
+
+
+def test_errors_and_pair_are_kept_in_a_line(result: Make) -> None:
+    told = result(error_kinds=("extra_turn", "missing_turn"), pair="a-1")
+    assert result_from_line(result_to_line(told), "file:1") == told
