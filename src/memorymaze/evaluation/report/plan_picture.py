@@ -13,7 +13,7 @@ from markupsafe import Markup
 from shapely import Polygon, get_coordinates
 
 from memorymaze.evaluation.report.plan_style import PLAN_STYLE
-from memorymaze.sites import Corridor, Site
+from memorymaze.sites import Corridor, Landmark, Site
 from memorymaze.sites.label_placing import Box, LabelSpace, PlacedLabel, wrapped
 
 __all__ = ["Frame", "path_data", "plan_frame", "plan_picture", "svg_number"]
@@ -24,6 +24,8 @@ NAME_SIZES = (1.3, 1.0, 0.8, 0.65)
 """Heights of letters, metres."""
 THING_SIZE = 0.45
 """Height of letters, metres; read when one looks closer."""
+FLAT = 0.05
+"""Metres; what is no higher covers the floor."""
 
 
 class Frame(NamedTuple):
@@ -67,10 +69,11 @@ def plan_picture(site: Site) -> str:
         _shapes("room", (room.polygon for room in site.rooms)),
         _shapes("floor", [site.walkable_floor]),
         _shapes("open", (area.polygon for area in site.areas if area.open_air)),
+        _shapes("covering", (t.footprint for t in site.landmarks if _is_flat(t))),
         _shapes("turning", (place.polygon for place in site.turning_points)),
         _shapes("wall", [site.walkable_floor]),
         _lines("door", (get_coordinates(door.line).tolist() for door in site.doors)),
-        _shapes("thing", (t.footprint for t in site.landmarks if t.mount != "ceiling")),
+        _shapes("thing", (t.footprint for t in _things(site))),
         *_labels(site),
         Markup("</svg>\n"),
     ]
@@ -122,7 +125,7 @@ def _labels(site: Site) -> Iterator[Markup]:
     """Write names of rooms, areas and corridors, then of things, where there is room."""
     # A point of LabelSpace is a metre here.
     space = LabelSpace(metres_per_point=1.0)
-    for thing in site.landmarks:
+    for thing in _things(site):
         space.take(thing.footprint.bounds)
     for place in (*site.areas, *site.rooms):
         if place.name:
@@ -144,7 +147,20 @@ def _labels(site: Site) -> Iterator[Markup]:
             wrapped(words), key=lambda lines: abs(len(lines.split("\n")[0]) - 14)
         )
         box = (west, south, east, north)
-        yield _text("word", space.beside(text, box, THING_SIZE, sheet))
+        if _is_flat(thing):
+            yield _text("word", space.inside(wrapped(words), [box], [THING_SIZE]))
+        else:
+            yield _text("word", space.beside(text, box, THING_SIZE, sheet))
+
+
+def _is_flat(thing: Landmark) -> bool:
+    """Tell whether a thing is a covering of the floor, such as a carpet."""
+    return thing.mount == "floor" and thing.size[2] <= FLAT
+
+
+def _things(site: Site) -> list[Landmark]:
+    """Return what stands on the floor or hangs on a wall."""
+    return [t for t in site.landmarks if t.mount != "ceiling" and not _is_flat(t)]
 
 
 def _corridor_label(

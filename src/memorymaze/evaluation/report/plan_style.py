@@ -13,7 +13,7 @@ path{stroke-linejoin:round}
 .floor{fill:var(--floor)}.open{fill:var(--open)}.turning{fill:var(--turn)}
 .wall{fill:none;stroke:var(--wall);stroke-width:.16}
 .door{fill:none;stroke:var(--door);stroke-width:.26}
-.thing{fill:var(--thing)}
+.thing{fill:var(--thing)}.covering{fill:var(--thing);opacity:.35}
 text{font-family:system-ui,"Segoe UI","DejaVu Sans",sans-serif;text-anchor:middle}
 .name{fill:var(--ink)}.way{fill:var(--way);font-style:italic}.word{fill:var(--word)}
 """

@@ -5,9 +5,11 @@ What agents and models wrote is kept as text and never trusted.
 
 import json
 import math
+from bisect import bisect_right
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from itertools import chain
+from typing import Any, NamedTuple
 
 from memorymaze.errors import RunFolderError
 from memorymaze.evaluation.report.event_words import (
@@ -28,6 +30,9 @@ OFF_LINE = 0.06
 OFF_HEADING = 0.15
 """Radians by which a heading may be off the even turn between those that are kept."""
 
+NEARBY = 10.0
+"""Metres from the robot within which people are shown."""
+
 ASKING = frozenset({
     "turning_point_id",
     "detect_turning_point",
@@ -36,6 +41,17 @@ ASKING = frozenset({
     "read_signs",
 })
 """Calls that move nothing; those at the same moment are told in one line."""
+
+
+class Thing(NamedTuple):
+    """Something left in the way; metres and radians."""
+
+    x: float
+    y: float
+    heading: float
+    length: float
+    """Across its front."""
+    depth: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,6 +64,10 @@ class Story:
     understanding: Understanding
     instruction: str | None
     """The text as the trace has it."""
+    things: tuple[Thing, ...] = ()
+    """Left in the way; only in runs with obstacles."""
+    people: tuple[tuple[float, float, float], ...] = ()
+    """Time, x and y of people near the robot, about once a second."""
 
 
 def story_of(entries: Iterable[Mapping[str, Any]], place: str) -> Story:
@@ -67,6 +87,8 @@ def story_of(entries: Iterable[Mapping[str, Any]], place: str) -> Story:
         understanding = understood(listed)
         events = tuple(_events(listed))
         opening = listed[0].get("instruction")
+        things = tuple(_things(listed))
+        people = tuple(_people(listed, walk))
     except StopIteration:
         raise RunFolderError(f"{place}: expected a trajectory, got none") from None
     except (KeyError, TypeError, ValueError, AttributeError) as error:
@@ -75,7 +97,7 @@ def story_of(entries: Iterable[Mapping[str, Any]], place: str) -> Story:
             f"({type(error).__name__}: {error})"
         ) from None
     text = opening if isinstance(opening, str) else None
-    return Story(walk, events, understanding, text)
+    return Story(walk, events, understanding, text, things, people)
 
 
 def story_record(story: Story) -> str:
@@ -84,7 +106,8 @@ def story_record(story: Story) -> str:
     `poses` is flat: time, x, y, heading, and so on; metres, seconds and radians.
     `words` has every text once; `events` is flat: time, kind, index of the text, and
     steps that are worked on then, as index of `sets`. `kinds` names the kinds. `seen`
-    is flat: time, x, y, index of the label.
+    is flat: time, x, y, index of the label. `things` and `people` are flat too: x, y,
+    heading, length, depth; and time, x, y.
     """
     words: dict[str, int] = {}
     sets: dict[tuple[int, ...], int] = {}
@@ -113,6 +136,8 @@ def story_record(story: Story) -> str:
         "sets": list(sets),
         "events": events,
         "seen": seen,
+        "things": [number for thing in story.things for number in map(_short, thing)],
+        "people": [number for each in story.people for number in map(_short, each)],
     }
     # ASCII only, and no character that could end a script or begin a tag.
     text = json.dumps(record, ensure_ascii=True, separators=(",", ":"))
@@ -139,6 +164,28 @@ def _events(entries: Sequence[Mapping[str, Any]]) -> Iterator[Event]:
             yield met_event(entry, number)
     if asked:
         yield from asked_events(asked, len(entries))
+
+
+def _things(entries: Sequence[Mapping[str, Any]]) -> Iterator[Thing]:
+    for entry in entries:
+        if entry["kind"] == "things":
+            for thing in entry["things"]:
+                x, y, heading = map(float, thing["pose"])
+                yield Thing(x, y, heading, *map(float, thing["size"][:2]))
+
+
+def _people(
+    entries: Sequence[Mapping[str, Any]], walk: Trajectory
+) -> Iterator[tuple[float, float, float]]:
+    """Return where people were that were near the robot."""
+    times = [pose.time for pose in walk.poses]
+    for entry in entries:
+        if entry["kind"] == "people":
+            for place in chain.from_iterable(entry["walks"].values()):
+                time, x, y = map(float, place)
+                robot = walk.poses[max(0, bisect_right(times, time) - 1)]
+                if math.hypot(x - robot.x, y - robot.y) <= NEARBY:
+                    yield time, x, y
 
 
 def _kept(walk: Trajectory) -> Iterator[TimedPose]:

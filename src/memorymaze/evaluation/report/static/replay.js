@@ -34,7 +34,10 @@ class Panel {
     this.walked = element("path", { class: "walked" });
     this.robot = element("path", { class: "robot" });
     this.sights = element("g", {});
-    this.moving.append(this.walked, this.sights, this.robot);
+    this.people = [];
+    for (let i = 0; i < data.people.length; i += 3) this.people.push(data.people.slice(i, i + 3));
+    this.crowd = element("g", {});
+    this.moving.append(...things(data.things), this.crowd, this.walked, this.sights, this.robot);
     this.now.hidden = false;
   }
 
@@ -52,6 +55,8 @@ class Panel {
     this.walked.setAttribute("d", isOver ? "" : this.pathUntil(time, x, y));
     this.robot.setAttribute("d", arrow(x, -y, heading, 1.1 * scale));
     this.showSeen(time, x, y, scale);
+    const near = this.people.filter(([then]) => Math.abs(then - time) <= 0.5);
+    this.crowd.replaceChildren(...near.map(([, east, north]) => element("circle", { class: "person", cx: east, cy: -north, r: 0.3 })));
     this.svg.setAttribute("viewBox", isCloseUp ? `${x - 12} ${-y - 8} 24 16` : this.frame);
     let number = -1;
     while (number + 1 < this.events.length && this.events[number + 1].time <= time) number += 1;
@@ -176,6 +181,17 @@ class Clock {
     this.timer = null;
     this.button.textContent = "Play";
   }
+}
+
+// What was left in the way, as rectangles; the length lies across the front.
+function things(flat) {
+  const made = [];
+  for (let i = 0; i < flat.length; i += 5) {
+    const [x, y, heading, length, depth] = flat.slice(i, i + 5);
+    const turn = `translate(${x} ${-y}) rotate(${(-heading * 180) / Math.PI})`;
+    made.push(element("rect", { class: "left-there", x: -depth / 2, y: -length / 2, width: depth, height: length, transform: turn }));
+  }
+  return made;
 }
 
 function arrow(x, y, heading, size) {
