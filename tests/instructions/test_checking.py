@@ -75,6 +75,11 @@ def test_an_instruction_under_two_ids_is_an_error(check: Check) -> None:
     assert len(report.notes) == 1
 
 
+def test_a_wrong_text_and_its_right_counterpart_are_no_duplicates(check: Check) -> None:
+    pair = {"participant": "p", "pair": "a", "source": "synthetic"}
+    assert check(pair, pair | {"text": "LEFT 0"}, pair).notes == ()
+
+
 def test_equal_and_nearly_equal_texts_are_noted(check: Check) -> None:
     report = check(
         {"text": "Turn left, then stop."}, {"text": "turn left THEN stop"}, {}
@@ -119,7 +124,9 @@ def test_what_looks_odd_is_a_note_and_no_error(
     assert note.place.endswith(":2")
 
 
-@pytest.mark.parametrize("where", ["tp_nw", "the start", "end of the way"])
+@pytest.mark.parametrize(
+    "where", ["tp_nw", "after tp_sw", "the start", "end of the way"]
+)
 def test_a_place_of_the_plan_is_no_note(check: Check, where: str) -> None:
     assert check(_failure(where)).notes == ()
 

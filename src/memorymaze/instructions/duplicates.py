@@ -52,7 +52,7 @@ def repeated_texts(instructions: Iterable[Instruction]) -> list[InstructionProbl
     for each in told:
         earlier = first.setdefault(normalised(each.text), each)
         counted_twice = _given(earlier) == _given(each) and earlier.text == each.text
-        if earlier is not each and not counted_twice:
+        if earlier is not each and not counted_twice and not _paired(earlier, each):
             alike = (
                 "the same text" if earlier.text == each.text else "nearly the same text"
             )
@@ -63,7 +63,7 @@ def repeated_texts(instructions: Iterable[Instruction]) -> list[InstructionProbl
                 )
             )
         other = cells.setdefault(_given(each), each)
-        if other is not each and other.text != each.text:
+        if other.text != each.text and not _paired(other, each):
             notes.append(
                 InstructionProblem(
                     place_of(each),
@@ -73,6 +73,11 @@ def repeated_texts(instructions: Iterable[Instruction]) -> list[InstructionProbl
                 )
             )
     return notes
+
+
+def _paired(one: Instruction, other: Instruction) -> bool:
+    """Tell whether a generator made one text from the other."""
+    return one.pair is not None and one.pair == other.pair
 
 
 def _given(each: Instruction) -> tuple[object, ...]:

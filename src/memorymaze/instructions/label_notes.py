@@ -38,9 +38,11 @@ class PlaceNames:
     def has(self, where: str) -> bool:
         """Tell whether some words name a place of the building, or an end of a route.
 
-        A name, category, label, inscription or shape of the plan counts when all of its
-        words are there; with or without the s of a plural.
+        An id counts, and a name, category, label, inscription or shape of the plan when
+        all of its words are there, with or without the s of a plural.
         """
+        if self.ids.intersection(_WORD.findall(where)):
+            return True
         said = _words(where)
         return bool(said & _ENDS) or any(name <= said for name in self.names)
 
