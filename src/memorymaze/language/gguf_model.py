@@ -15,13 +15,14 @@ from pathlib import Path
 from typing import Any
 
 from memorymaze.errors import LanguageModelError, SettingsError
+from memorymaze.extras import how_to_install
 from memorymaze.language.model import Completion, CompletionRequest, Message, Usage
 
 __all__ = ["INSTALL", "GgufModel"]
 
 INSTALL = (
-    "install it with: pip install 'memorymaze[local-llm]' (it is compiled, which takes "
-    "minutes and needs a C++ compiler and CMake)"
+    f"type: {how_to_install('local-llm')} (it is compiled, which takes minutes and needs "
+    "a C++ compiler and CMake)"
 )
 
 CONTEXT = 8192

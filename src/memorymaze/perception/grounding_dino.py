@@ -4,7 +4,6 @@ Needs the extra `detector` (torch and transformers), imported when a model is lo
 """
 
 import copy
-import importlib.util
 import inspect
 import os
 from functools import cached_property
@@ -14,12 +13,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from memorymaze.errors import DetectorError, SettingsError
+from memorymaze.extras import require_extra
 from memorymaze.perception.picture_detector import FoundBox
 
 __all__ = ["DEFAULT_CHECKPOINT", "ZeroShotFinder"]
 
 DEFAULT_CHECKPOINT = "IDEA-Research/grounding-dino-tiny"
-HOW_TO_INSTALL = "type: pip install 'memorymaze[detector]'"
 
 
 class ZeroShotFinder:
@@ -132,12 +131,9 @@ class ZeroShotFinder:
 
     @cached_property
     def _loaded(self) -> "_Loaded":
-        for package in ("torch", "transformers"):
-            if importlib.util.find_spec(package) is None:
-                raise SettingsError(
-                    f"detector grounding-dino: the package {package} is not installed; "
-                    + HOW_TO_INSTALL
-                )
+        require_extra(
+            "detector", "torch", "transformers", purpose="detector grounding-dino"
+        )
         return _Loaded(self._checkpoint, self._device, self._download)
 
 

@@ -3,7 +3,6 @@
 Needs the extra `ocr` (rapidocr and onnxruntime), imported when something is first read.
 """
 
-import importlib.util
 import logging
 import math
 from collections.abc import Sequence
@@ -14,7 +13,8 @@ from typing import Any, NamedTuple, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from memorymaze.errors import DetectorError, SettingsError
+from memorymaze.errors import DetectorError
+from memorymaze.extras import require_extra
 from memorymaze.perception.picture_detector import depth_distance, place_of
 from memorymaze.perception.sign_reading import one_line
 from memorymaze.perception.tracking import Sighting, Tracker
@@ -97,12 +97,13 @@ class TextRecognizer:
 
     @cached_property
     def _engine(self) -> Any:
-        for package in ("rapidocr", "onnxruntime"):
-            if importlib.util.find_spec(package) is None:
-                raise SettingsError(
-                    f"signs: the package {package} is not installed; type: pip install "
-                    "'memorymaze[ocr]', or take --signs truth"
-                )
+        require_extra(
+            "ocr",
+            "rapidocr",
+            "onnxruntime",
+            purpose="signs read from pictures",
+            otherwise="take --signs truth",
+        )
         from rapidocr import RapidOCR
 
         logging.getLogger("RapidOCR").setLevel(logging.ERROR)

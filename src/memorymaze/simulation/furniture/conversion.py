@@ -2,7 +2,6 @@
 
 import io
 import warnings
-from importlib.util import find_spec
 from typing import Any
 from zipfile import ZipFile
 
@@ -11,6 +10,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from memorymaze.errors import SettingsError
+from memorymaze.extras import require_extra
 from memorymaze.simulation.furniture.cleaning import (
     Surface,
     cleaned,
@@ -40,12 +40,9 @@ def check_tools() -> None:
     Raises:
         SettingsError: The extra `models` is not installed.
     """
-    for name in ("fast_simplification", "trimesh"):
-        if find_spec(name) is None:
-            raise SettingsError(
-                f"furniture models: converting needs {name}, which is not installed; "
-                "type: pip install 'memorymaze[models]'"
-            )
+    require_extra(
+        "models", "fast_simplification", "trimesh", purpose="furniture models"
+    )
 
 
 def converted(piece: Piece, archive: ZipFile) -> ObjectModel:

@@ -13,7 +13,7 @@ import numpy as np
 import shapely
 from shapely import LineString, Polygon, STRtree, box
 
-from memorymaze.errors import SettingsError
+from memorymaze.extras import require_extra
 
 if TYPE_CHECKING:
     from navground.core import LineSegment
@@ -60,14 +60,15 @@ class Avoidance:
         Raises:
             SettingsError: The library is not installed.
         """
-        try:
-            from navground import core
-            from navground.core import behaviors, kinematics
-        except ImportError:
-            raise SettingsError(
-                "obstacles: people who walk about need the package navground; install "
-                "it by `pip install 'memorymaze[people]'`, or run with people=0"
-            ) from None
+        require_extra(
+            "people",
+            "navground",
+            purpose="obstacles, people who walk about",
+            otherwise="run with people=0",
+        )
+        from navground import core
+        from navground.core import behaviors, kinematics
+
         self._core: Any = core
         self._behaviors: Any = behaviors
         self._kinematics: Any = kinematics

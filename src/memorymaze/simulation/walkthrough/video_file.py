@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from memorymaze.errors import SettingsError
+from memorymaze.extras import require_extra
 from memorymaze.simulation.walkthrough.spherical import mark_spherical
 
 __all__ = ["VideoFile", "check_video_path"]
@@ -137,11 +138,7 @@ class VideoFile:
 
 
 def _library() -> Any:
-    try:
-        import av
-    except ImportError:
-        raise SettingsError(
-            "videos need the package av; install it by "
-            "`pip install 'memorymaze[video]'`"
-        ) from None
+    require_extra("video", "av", purpose="videos")
+    import av
+
     return av
