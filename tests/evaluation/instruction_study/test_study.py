@@ -2,12 +2,14 @@ import csv
 import io
 import re
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from html.parser import HTMLParser
 
 import pytest
 
 from memorymaze.evaluation.instruction_study import study_instructions, write_study
 from memorymaze.evaluation.instruction_study.named_things import SiteNames
+from memorymaze.evaluation.instruction_study.writing import StudyFormat
 from memorymaze.instructions import Instruction, load_instructions
 from memorymaze.sites import Site
 
@@ -73,6 +75,15 @@ def test_csv_has_one_number_per_row_and_says_who_wrote(
     [length] = [row for row in rows if row["measure"] == "route_length"]
     assert (length["place"], length["route"], length["value"]) == ("loop", "R1", "15.0")
     assert all(float(row["value"]) >= 0 for row in rows)
+
+
+@pytest.mark.parametrize("form", ["text", "csv", "html"])
+def test_texts_without_a_latin_word_and_names_like_formulas_can_be_described(
+    told: Told, tiny_sites: Mapping[str, Site], form: StudyFormat
+) -> None:
+    sites = {"$x^{$": replace(tiny_sites["loop"], name="$x^{$")}
+    shown = write_study([told("左に曲がる", site="$x^{$")], sites, form)
+    assert "1 text written by people." in shown
 
 
 class Page(HTMLParser):

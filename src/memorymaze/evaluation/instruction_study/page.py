@@ -61,7 +61,8 @@ def study_page(study: InstructionStudy, *, seed: int = 0) -> str:
 
 def _plots(study: InstructionStudy) -> Iterator[tuple[str, Picture]]:
     for name, draw in PLOTS.items():
-        if name == "distances" and not study.distances:
+        needed = {"distances": study.distances, "curves": study.vocabularies}
+        if not needed.get(name, True):
             continue
         svg = base64.b64encode(draw(study).encode()).decode()
         alt, caption = _told(name, study)

@@ -1,6 +1,7 @@
 """Plots of the statistics as SVG pictures."""
 
 import io
+import warnings
 from collections.abc import Callable, Sequence
 
 import numpy as np
@@ -34,6 +35,8 @@ STYLE: dict[RcKeyType, object] = {
     "axes.edgecolor": "#8d8f96",
     "figure.facecolor": "#ffffff",
     "svg.fonttype": "path",
+    # A dollar sign in a name is no formula.
+    "text.parse_math": False,
     "svg.hashsalt": "memorymaze",
 }
 
@@ -41,7 +44,9 @@ STYLE: dict[RcKeyType, object] = {
 def _drawn(
     draw: Callable[[Axes], None], size: tuple[float, float], *, title: str
 ) -> str:
-    with rc_context(STYLE):
+    with rc_context(STYLE), warnings.catch_warnings():
+        # Characters that no installed font has are drawn as boxes.
+        warnings.filterwarnings("ignore", message="Glyph .* missing from font")
         figure = Figure(figsize=size, layout="constrained")
         FigureCanvasAgg(figure)
         draw(figure.add_subplot())
@@ -232,4 +237,5 @@ PLOTS: dict[str, Plot] = {
     "things": things_plot,
     "distances": distances_plot,
 }
-"""By name; `distances` only where a stated distance could be compared."""
+"""By name; `distances` only where a stated distance could be compared, `curves` only
+where there are words."""

@@ -65,8 +65,8 @@ class InstructionStudy:
 
     @property
     def equal_words(self) -> int:
-        """The number of words that the smallest vocabulary's texts have."""
-        return min(each.words for each in self.vocabularies)
+        """The number of words that the smallest vocabulary's texts have, 0 for none."""
+        return min((each.words for each in self.vocabularies), default=0)
 
     def rule_misses(self) -> dict[str, float | None]:
         """Return for each counting rule how far it is from the published counts.

@@ -42,7 +42,9 @@ class StudyTable:
 
 def study_tables(study: InstructionStudy) -> list[StudyTable]:
     """Return all tables, in the order in which they are shown."""
-    tables = [*_table_one(study), _vocabulary(study)]
+    tables = _table_one(study)
+    if study.vocabularies:
+        tables.append(_vocabulary(study))
     if any(each.published for each in study.vocabularies):
         tables.append(_rules(study))
     tables += [_speech(study), _things(study)]

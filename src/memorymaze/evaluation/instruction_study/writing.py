@@ -3,10 +3,10 @@
 from collections.abc import Mapping, Sequence
 from typing import Literal
 
-from memorymaze.evaluation.instruction_study.extra import require_extra
 from memorymaze.evaluation.instruction_study.spreadsheet import study_csv
 from memorymaze.evaluation.instruction_study.study import study_instructions
 from memorymaze.evaluation.instruction_study.text import format_study
+from memorymaze.extras import require_extra
 from memorymaze.instructions.records import Instruction
 from memorymaze.sites.records import Site
 
@@ -36,7 +36,12 @@ def write_study(
     """
     if form == "html":
         # Before the work rather than after it.
-        require_extra()
+        require_extra(
+            "analysis",
+            "wordcloud",
+            purpose="--format html",
+            otherwise="choose --format text or csv",
+        )
     study = study_instructions(instructions, sites, seed=seed)
     match form:
         case "text":
