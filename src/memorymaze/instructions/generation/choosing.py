@@ -7,7 +7,7 @@ import numpy as np
 from memorymaze.instructions.generation.reading import RouteReading
 from memorymaze.instructions.generation.steps import Cue, StepPlan, Turn
 from memorymaze.instructions.generation.voices import Voice
-from memorymaze.instructions.generation.walking import walk
+from memorymaze.instructions.generation.walking import is_right
 
 __all__ = ["chosen_plan"]
 
@@ -30,22 +30,17 @@ def chosen_plan(
         fresh = tuple(cue for cue in cues if cue.words not in used)
         turns.append(replace(turn, cue=_cue(turn, fresh, rng)))
     plan = replace(plan, turns=tuple(turns))
-    if not _arrives(reading, plan):
+    if not is_right(reading.floor, reading.route, plan):
         plan = reading.plan
     for turn in plan.turns:
         corner = turn.cue.kind == "forced" and len(plan.turns) > 1
         if rng.random() < voice.surface.skipped_corner and corner:
             shorter = plan.with_turn(turn.key, told=False)
-            if any(each.told for each in shorter.turns) and _arrives(reading, shorter):
+            if any(each.told for each in shorter.turns) and is_right(
+                reading.floor, reading.route, shorter
+            ):
                 plan = shorter
     return plan
-
-
-def _arrives(reading: RouteReading, plan: StepPlan) -> bool:
-    """Tell whether a plan arrives by the turns that it tells, where it tells them."""
-    found = walk(reading.floor, reading.route, plan)
-    told = tuple(turn.at for turn in plan.turns if turn.told)
-    return found.arrived and found.turned == told
 
 
 def _cue(turn: Turn, cues: tuple[Cue, ...], rng: np.random.Generator) -> Cue:

@@ -10,7 +10,7 @@ import numpy as np
 
 from memorymaze.instructions.generation.reading import RouteReading
 from memorymaze.instructions.generation.steps import Mistake, StepPlan
-from memorymaze.instructions.generation.walking import walk
+from memorymaze.instructions.generation.walking import is_wrong
 from memorymaze.instructions.generation.wrong_places import (
     things_not_there,
     wrong_destinations,
@@ -52,7 +52,7 @@ def possible_mistakes(
     proposals = list(MAKERS[kind](reading, plan, rng))
     for number in rng.permutation(len(proposals))[:TRIES]:
         proposal = proposals[number]
-        if not walk(reading.floor, reading.route, proposal.plan).arrived:
+        if is_wrong(reading.floor, reading.route, proposal.plan):
             yield _named(proposal, kind)
 
 
@@ -85,8 +85,7 @@ def _alone(reading: RouteReading, mistake: Mistake, kind: str) -> bool:
     """Tell whether an error would be one without those made before it."""
     again = MAKERS[kind](reading, reading.plan, np.random.default_rng(0))
     return any(
-        each.key == mistake.key
-        and not walk(reading.floor, reading.route, each.plan).arrived
+        each.key == mistake.key and is_wrong(reading.floor, reading.route, each.plan)
         for each in again
     )
 

@@ -13,7 +13,7 @@ from memorymaze.instructions.generation.steps import Arrival, StepPlan, Turn
 from memorymaze.instructions.generation.walks import WalkMap, Way
 from memorymaze.sites.records import Route
 
-__all__ = ["ARRIVED", "Walk", "walk"]
+__all__ = ["ARRIVED", "Walk", "is_right", "is_wrong", "walk"]
 
 ARRIVED = 3.0
 """Metres from the goal within which a description ends right."""
@@ -35,20 +35,23 @@ class Walk:
     """Turning points where the told turns were made."""
 
 
-def walk(floor: WalkMap, route: Route, plan: StepPlan) -> Walk:
+def walk(
+    floor: WalkMap, route: Route, plan: StepPlan, *, corners_counted: bool = False
+) -> Walk:
     """Walk a plan from the route's start; tell where it ends.
 
     Args:
         floor: Turning points of the site.
         route: The way that is to be described.
         plan: What is described.
+        corners_counted: Whether "the first left" may be a corner without a choice.
     """
     way = floor.first_way(route, around=plan.around)
     turned: list[str] = []
     for turn in plan.turns:
         if not turn.told:
             continue
-        there = _place_of(floor, way, turn)
+        there = _place_of(floor, way, turn, corners_counted=corners_counted)
         if isinstance(there, str):
             return Walk(False, None, there, tuple(turned))
         point, heading = there
@@ -82,11 +85,32 @@ def _ahead(floor: WalkMap, way: Way) -> Iterator[tuple[str, float, Way | None]]:
         way = onward
 
 
-def _place_of(floor: WalkMap, way: Way, turn: Turn) -> tuple[str, float] | str:
-    """Return where a turn is to be made, or why that cannot be told.
+def is_right(floor: WalkMap, route: Route, plan: StepPlan) -> bool:
+    """Tell whether a plan arrives, turning where it should, in either way of counting.
 
-    Corners without a choice are not counted among the ways on a side.
+    Some count a corner without a choice among the ways on its side and some do not.
     """
+    told = tuple(turn.at for turn in plan.turns if turn.told)
+    walks = _both(floor, route, plan)
+    return all(found.arrived and found.turned == told for found in walks)
+
+
+def is_wrong(floor: WalkMap, route: Route, plan: StepPlan) -> bool:
+    """Tell whether a plan does not arrive, in either way of counting."""
+    return not any(found.arrived for found in _both(floor, route, plan))
+
+
+def _both(floor: WalkMap, route: Route, plan: StepPlan) -> tuple[Walk, Walk]:
+    return (
+        walk(floor, route, plan),
+        walk(floor, route, plan, corners_counted=True),
+    )
+
+
+def _place_of(
+    floor: WalkMap, way: Way, turn: Turn, *, corners_counted: bool
+) -> tuple[str, float] | str:
+    """Return where a turn is to be made, or why that cannot be told."""
     cue, seen = turn.cue, 0
     for point, heading, onward in _ahead(floor, way):
         only = floor.only_way(point, heading)
@@ -101,7 +125,11 @@ def _place_of(floor: WalkMap, way: Way, turn: Turn) -> tuple[str, float] | str:
         elif here is not None and cue.kind == "thing":
             if cue.words in floor.marks[point]:
                 return point, heading
-        elif here is not None and cue.kind == "ordinal" and not forced:
+        elif (
+            here is not None
+            and cue.kind == "ordinal"
+            and (corners_counted or not forced)
+        ):
             seen += 1
             if seen == cue.ordinal:
                 return point, heading
