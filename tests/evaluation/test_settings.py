@@ -30,6 +30,12 @@ def test_a_value_without_meaning_is_refused(
         replace(settings, **changes)
 
 
+def test_a_run_has_a_time_budget_that_its_file_can_hold(settings: RunSettings) -> None:
+    endless = replace(settings.simulation, time_budget=float("inf"))
+    with pytest.raises(SettingsError, match="time budget: expected a finite number"):
+        replace(settings, simulation=endless)
+
+
 def test_equal_settings_do_not_differ(settings: RunSettings) -> None:
     assert differences(settings, replace(settings)) == []
 

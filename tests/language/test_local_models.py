@@ -64,6 +64,11 @@ def test_what_to_install_is_said(gguf: Path, installed: set[str]) -> None:
         local_model("smollm2")
 
 
+def test_a_file_without_a_path_is_refused() -> None:
+    with pytest.raises(SettingsError, match="expected the path of a GGUF file"):
+        local_model("gguf:")
+
+
 @pytest.mark.parametrize("content", [b"", b"PK\x03\x04", None], ids=repr)
 def test_what_is_no_model_is_said(tmp_path: Path, content: bytes | None) -> None:
     path = tmp_path / "x.gguf"

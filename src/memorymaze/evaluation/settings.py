@@ -107,6 +107,11 @@ class RunSettings:
                 "success distance: expected more than 0 metres, got "
                 f"{self.success_distance!r}"
             )
+        if not math.isfinite(self.simulation.time_budget):
+            raise SettingsError(
+                "time budget: expected a finite number of seconds, got "
+                f"{self.simulation.time_budget!r}"
+            )
 
 
 def stamp_file(path: str | Path, name: str | None = None) -> FileStamp:

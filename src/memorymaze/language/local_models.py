@@ -36,6 +36,10 @@ def local_model(model: str, *, threads: int | None = None) -> GgufModel:
     Raises:
         SettingsError: There is no such file, or what it needs is not installed.
     """
+    if model == GGUF:
+        raise SettingsError(
+            f"--model {GGUF}: expected the path of a GGUF file after the colon, got none"
+        )
     path = _smollm2_file() if model == SMOLLM2 else Path(model[len(GGUF) :])
     return GgufModel(path, name=model_name(model), threads=threads)
 

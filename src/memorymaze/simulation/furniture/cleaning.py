@@ -10,16 +10,22 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.sparse import coo_array, csr_array
-from scipy.sparse.csgraph import breadth_first_order, connected_components
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
+
+from memorymaze.simulation.furniture.mesh_sides import (
+    Floats,
+    Ints,
+    directions,
+    numbered,
+    pairs_in_groups,
+    same_places,
+    smooth_normals,
+    turned_outward,
+)
 
 __all__ = ["Surface", "cleaned", "finished", "thinned"]
 
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
-
-CREASE = math.cos(math.radians(42))
-"""Neighbouring faces that meet at less than this angle share their shading."""
 FLAT = 0.9999
 """Cosine between faces up to which they make a flat quad."""
 HARDNESS = (2, 4, 6)
@@ -50,7 +56,7 @@ def cleaned(surface: Surface) -> Surface:
     """Join equal vertices; drop faces without area and faces that lie twice."""
     span = float(np.ptp(surface.vertices, axis=0).max()) or 1.0
     keys = np.round(surface.vertices / (span * 1e-5))
-    places = _numbered(keys)
+    places = numbered(keys)
     if surface.uv is not None:
         keys = np.column_stack([keys, np.round(surface.uv * 1e4)])
     _, first, joined = np.unique(keys, axis=0, return_index=True, return_inverse=True)
@@ -77,7 +83,7 @@ def _split_the_other_way(spots: Floats, corners: Ints) -> NDArray[np.bool_]:
     """
     again = np.zeros(len(corners), dtype=bool)
     sides = np.concatenate([corners[:, [0, 1]], corners[:, [1, 2]], corners[:, [0, 2]]])
-    first, second = _pairs(_numbered(sides))
+    first, second = pairs_in_groups(numbered(sides))
     first, second = first % len(corners), second % len(corners)
     pairs = np.column_stack([first, second])[first < second]
     if not len(pairs):
@@ -88,12 +94,12 @@ def _split_the_other_way(spots: Floats, corners: Ints) -> NDArray[np.bool_]:
     once = ~twice & ~np.column_stack([twice[:, 1:], np.zeros(len(four), bool)])
     here, there = (spots[four[twice].reshape(-1, 2)[:, end]] for end in (0, 1))
     left, right = (spots[four[once].reshape(-1, 2)[:, end]] for end in (0, 1))
-    first_up = _directions(np.cross(there - here, left - here))
-    second_up = _directions(np.cross(there - here, right - here))
+    first_up = directions(np.cross(there - here, left - here))
+    second_up = directions(np.cross(there - here, right - here))
     flat = np.einsum("ij,ij->i", first_up, second_up) < -FLAT
     pairs, four, twice = pairs[flat], four[flat], twice[flat]
-    quads = _numbered(four[~twice].reshape(-1, 4))
-    cuts = _numbered(four[twice].reshape(-1, 2))
+    quads = numbered(four[~twice].reshape(-1, 4))
+    cuts = numbered(four[twice].reshape(-1, 2))
     first_cut: dict[int, int] = {}
     needed = np.zeros(len(corners), dtype=bool)
     for row, (quad, pair) in enumerate(zip(quads.tolist(), pairs, strict=True)):
@@ -134,15 +140,15 @@ def finished(surface: Surface) -> tuple[Floats, Ints, Floats, Floats | None]:
     Returns:
         Vertices (N, 3), faces (M, 3), unit normals (N, 3) and pictures' (N, 2).
     """
-    places = _places(surface.vertices)
-    faces, closed = _outward(surface, places)
+    places = same_places(surface.vertices)
+    faces, closed = turned_outward(surface.vertices, surface.faces, places)
     turned = faces[~closed][:, ::-1]
     # Back sides must not share normals with the front, so they get corners of their own.
     backs = places.max() + 1 + places if len(turned) else places
     corners = np.concatenate([faces, turned]).reshape(-1)
     groups = np.concatenate([places[faces], backs[turned]]).reshape(-1)
     points = surface.vertices[corners]
-    normals = _smooth_normals(points.reshape(-1, 3, 3), groups)
+    normals = smooth_normals(points.reshape(-1, 3, 3), groups)
     uv = None if surface.uv is None else surface.uv[corners]
     rows = np.column_stack([
         points,
@@ -239,84 +245,9 @@ def _is_foliage(surface: Surface) -> bool:
     return len(areas) > MANY and areas.max() < LARGEST_SHARE * areas.sum()
 
 
-def _outward(surface: Surface, places: Ints) -> tuple[Ints, NDArray[np.bool_]]:
-    """Return the faces, closed pieces turned outward, and which belong to these."""
-    faces = surface.faces
-    count = len(faces)
-    starts = places[faces].reshape(-1)
-    ends = places[np.roll(faces, -1, axis=1)].reshape(-1)
-    owner = np.repeat(np.arange(count), 3)
-    edges = _numbered(
-        np.column_stack([np.minimum(starts, ends), np.maximum(starts, ends)])
-    )
-    shared = np.bincount(edges)[edges] == 2
-    order = np.argsort(edges[shared], kind="stable")
-    pairs = np.flatnonzero(shared)[order].reshape(-1, 2)
-    first, second = owner[pairs[:, 0]], owner[pairs[:, 1]]
-    agree = starts[pairs[:, 0]] != starts[pairs[:, 1]]
-    links = csr_array(
-        coo_array((np.where(agree, 1, 2), (first, second)), shape=(count, count))
-    )
-    links = links + links.T
-    pieces, labels = connected_components(links, directed=False)
-    flipped = np.zeros(count, dtype=bool)
-    # Faces that share two edges would add up; such pieces count as open.
-    relation = links.todok()
-    open_edges = np.bincount(labels[owner[~shared]], minlength=pieces) > 0
-    closed = ~open_edges[labels]
-    for piece in np.flatnonzero(~open_edges):
-        start = int(np.flatnonzero(labels == piece)[0])
-        walk, before = breadth_first_order(links, start, directed=False)
-        for face in walk[1:].tolist():
-            previous = int(before[face])
-            flipped[face] = flipped[previous] ^ (relation[previous, face] == 2)
-    faces = np.where(flipped[:, None], faces[:, ::-1], faces)
-    corners = surface.vertices[faces]
-    volumes = np.einsum(
-        "ij,ij->i", corners[:, 0], np.cross(corners[:, 1], corners[:, 2])
-    )
-    inside_out = np.bincount(labels, volumes, minlength=pieces) < 0
-    faces = np.where((inside_out[labels] & closed)[:, None], faces[:, ::-1], faces)
-    return faces, closed
-
-
-def _smooth_normals(corners: Floats, groups: Ints) -> Floats:
-    """Return a normal per corner: the mean over like-minded faces at its vertex."""
-    across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    sizes = np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-12)
-    flat = across / sizes
-    owner = np.repeat(np.arange(len(corners)), 3)
-    first, second = _pairs(groups)
-    mine, other = owner[first], owner[second]
-    alike = np.einsum("ij,ij->i", flat[mine], flat[other]) > CREASE
-    sums = np.zeros((len(owner), 3))
-    for axis in range(3):
-        sums[:, axis] = np.bincount(
-            first[alike], across[other[alike], axis], len(owner)
-        )
-    lengths = np.linalg.norm(sums, axis=1, keepdims=True)
-    return np.where(lengths > 1e-12, sums / np.maximum(lengths, 1e-12), flat[owner])
-
-
-def _directions(vectors: Floats) -> Floats:
-    return vectors / np.maximum(np.linalg.norm(vectors, axis=1, keepdims=True), 1e-12)
-
-
-def _pairs(groups: Ints) -> tuple[Ints, Ints]:
-    """Return all ordered pairs of rows of the same group, each with itself too."""
-    order = np.argsort(groups, kind="stable")
-    starts = np.flatnonzero(np.diff(groups[order], prepend=-1))
-    counts = np.diff(np.append(starts, len(order)))
-    partners = np.repeat(counts, counts)
-    first = np.repeat(np.arange(len(order)), partners)
-    nth = np.arange(len(first)) - np.repeat(np.cumsum(partners) - partners, partners)
-    second = np.repeat(np.repeat(starts, counts), partners) + nth
-    return order[first], order[second]
-
-
 def _pieces(surface: Surface) -> Ints:
     """Return the number of the connected piece that each face belongs to."""
-    places = _places(surface.vertices)[surface.faces]
+    places = same_places(surface.vertices)[surface.faces]
     count = int(places.max()) + 1
     links = coo_array(
         (
@@ -326,14 +257,4 @@ def _pieces(surface: Surface) -> Ints:
         shape=(count, count),
     )
     _, labels = connected_components(links, directed=False)
-    return _numbered(labels[places[:, 0]][:, None])
-
-
-def _places(vertices: Floats) -> Ints:
-    span = float(np.ptp(vertices, axis=0).max()) or 1.0
-    return _numbered(np.round(vertices / (span * 1e-5)))
-
-
-def _numbered(rows: Floats | Ints) -> Ints:
-    """Return equal numbers for equal rows, from 0 on."""
-    return np.unique(rows, axis=0, return_inverse=True)[1].reshape(-1)
+    return numbered(labels[places[:, 0]][:, None])

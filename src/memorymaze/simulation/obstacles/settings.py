@@ -51,7 +51,7 @@ class ObstacleSettings:
             value = getattr(self, name)
             if not _is_number(value) or not 0 <= value <= LARGEST:
                 raise SettingsError(
-                    f"obstacle setting {name}: expected a number from 0 to "
+                    f"obstacle setting {_told(name)}: expected a number from 0 to "
                     f"{LARGEST:g}, got {value!r}"
                 )
         for name in ("people", "seed"):
@@ -95,6 +95,12 @@ _SHORT_NAMES = {
     "seed": "seed",
     "kinds": "kinds",
 }
+
+
+def _told(name: str) -> str:
+    """Return a setting's name with the one that it has on the command line."""
+    short = next(each for each, full in _SHORT_NAMES.items() if full == name)
+    return name if short == name else f"{short} ({name})"
 
 
 def parse_obstacles(text: str) -> ObstacleSettings:
