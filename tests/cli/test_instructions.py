@@ -34,10 +34,14 @@ def test_statistics_are_written_to_a_file(
     assert "12 texts written by people" in out.read_text(encoding="utf-8")
 
 
-def test_a_page_needs_a_file_to_go_to(memorymaze: Memorymaze) -> None:
-    said = memorymaze("instructions", "stats", "--format", "html")
+def test_a_page_needs_a_file_to_go_to(memorymaze: Memorymaze, tmp_path: Path) -> None:
+    page = ("instructions", "stats", "--format", "html")
+    said = memorymaze(*page)
     assert said.code == 2
     assert "expected --out FILE" in said.err
+    said = memorymaze(*page, "--out", tmp_path)
+    assert said.code == 2
+    assert "expected a file, got a folder" in said.err
 
 
 def test_a_good_file_is_called_good(

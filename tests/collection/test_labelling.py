@@ -210,3 +210,23 @@ def test_a_file_that_is_no_sheet_is_named(
     sheet.write_text("a,b\n1,2\n", encoding="utf-8")
     with pytest.raises(LabelFileError, match="expected the columns of a sheet"):
         read_label_sheet(sheet, questions(instructions, tiny_sites), "bob")
+
+
+def test_plans_are_drawn_once_and_named(
+    instructions: list[Instruction], tiny_sites: dict[str, Site], tmp_path: Path
+) -> None:
+    said: list[str] = []
+
+    def leave(_prompt: str) -> str:
+        return "s"
+
+    ask_for_labels(
+        questions(instructions, tiny_sites),
+        "ada",
+        tmp_path / "ada.jsonl",
+        ask=leave,
+        say=said.append,
+        pictures=tmp_path / "plans",
+    )
+    [picture] = (tmp_path / "plans").iterdir()
+    assert said.count(f"plan: {picture}") == 3

@@ -21,7 +21,7 @@ def format_agreement(found: Sequence[Agreement], annotators: Sequence[str]) -> s
             str(each.items),
             str(each.answers),
             f"{100 * each.kappa.agreement:.1f} %",
-            f"{each.statistic}'s",
+            each.statistic,
             "-" if kappa is None else f"{kappa:.3f}",
             "-" if None in ends else f"[{ends[0]:.3f}, {ends[1]:.3f}]",
         ))

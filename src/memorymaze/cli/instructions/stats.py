@@ -1,6 +1,7 @@
 """`memorymaze instructions stats`: Table I and more about instruction files."""
 
 import argparse
+from pathlib import Path
 
 from memorymaze.cli.instructions.sites_option import add_sites_option
 from memorymaze.cli.verbs import Verbs
@@ -54,6 +55,8 @@ def _run(options: argparse.Namespace) -> int:
         raise SettingsError(f"--seed: expected 0 or more, got {options.seed}")
     if options.format == "html" and options.out is None:
         raise SettingsError("--format html: expected --out FILE, got none")
+    if options.out is not None and Path(options.out).is_dir():
+        raise SettingsError(f"--out {options.out}: expected a file, got a folder")
     sites = load_sites(options.sites)
     read = load_instructions(options.files or None)
     episodes(read, sites)
