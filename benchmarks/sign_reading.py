@@ -23,7 +23,7 @@ from shapely import Point
 
 from benchmarks.measuring import Row
 from memorymaze.geometry.pose import Pose
-from memorymaze.perception.detector_choice import Eyes, SignSource
+from memorymaze.perception.eyes import Eyes, SignSource
 from memorymaze.perception.ocr import PICTURE_SIZE
 from memorymaze.simulation import Scene, SimulatedRobot, build_scene
 from memorymaze.simulation.written_texts import inscription

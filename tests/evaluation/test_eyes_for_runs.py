@@ -10,7 +10,7 @@ from memorymaze.evaluation.eyes_for_runs import checked_eyes, eyes_notes
 from memorymaze.evaluation.navigation import find_route, navigate
 from memorymaze.evaluation.plan import plan_run
 from memorymaze.evaluation.settings import AgentSettings
-from memorymaze.perception.detector_choice import (
+from memorymaze.perception.detector_settings import (
     TRUTH,
     DetectorSettings,
     parse_detector,

@@ -7,7 +7,7 @@ import pytest
 from shapely import LineString
 
 from memorymaze.geometry.pose import Pose
-from memorymaze.perception.detector_choice import Eyes
+from memorymaze.perception.eyes import Eyes
 from memorymaze.simulation import SimulatedRobot, build_scene
 from memorymaze.sites.records import Door
 

@@ -10,7 +10,7 @@ from memorymaze.geometry.grid import FloorGrid
 from memorymaze.geometry.trajectory import Trajectory
 from memorymaze.instructions.records import Episode
 from memorymaze.metrics.score import MetricValues, score_walk
-from memorymaze.perception.detector_choice import Eyes
+from memorymaze.perception.eyes import Eyes
 from memorymaze.simulation import (
     Scene,
     SimulatedRobot,

@@ -15,7 +15,7 @@ from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.settings import RunSettings
 from memorymaze.evaluation.trace import trace_content
 from memorymaze.instructions.records import Episode
-from memorymaze.perception.detector_choice import Eyes
+from memorymaze.perception.eyes import Eyes
 from memorymaze.robot.api import Robot
 from memorymaze.sites import Site
 

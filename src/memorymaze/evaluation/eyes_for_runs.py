@@ -2,12 +2,8 @@
 
 from memorymaze.errors import SettingsError
 from memorymaze.evaluation.settings import RunSettings
-from memorymaze.perception.detector_choice import (
-    TRUTH,
-    DetectorSettings,
-    Eyes,
-    SignSource,
-)
+from memorymaze.perception.detector_settings import TRUTH, DetectorSettings
+from memorymaze.perception.eyes import Eyes, SignSource
 
 __all__ = ["checked_eyes", "eyes_notes"]
 

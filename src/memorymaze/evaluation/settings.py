@@ -10,7 +10,8 @@ from typing import Any
 from memorymaze.errors import SettingsError
 from memorymaze.evaluation.asking import PATIENT, AskingSettings
 from memorymaze.evaluation.inference_time import MEASURED, InferenceTime
-from memorymaze.perception.detector_choice import TRUTH, DetectorSettings, SignSource
+from memorymaze.perception.detector_settings import TRUTH, DetectorSettings
+from memorymaze.perception.eyes import SignSource
 from memorymaze.simulation.furniture.cache import Looks
 from memorymaze.simulation.obstacles import ObstacleSettings
 from memorymaze.simulation.settings import SimulationSettings

@@ -15,7 +15,7 @@ from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import RunRecord, read_run
 from memorymaze.evaluation.tables.bootstrap import MEASURES, Estimate, estimate_means
 from memorymaze.instructions.published import PublishedResult, published_tables
-from memorymaze.perception.detector_choice import TRUTH
+from memorymaze.perception.detector_settings import TRUTH
 
 __all__ = [
     "MeasuredRun",

@@ -7,14 +7,13 @@ import pytest
 from pydantic import TypeAdapter
 
 from memorymaze.errors import SettingsError
-from memorymaze.perception.detector_choice import (
+from memorymaze.perception.detector_settings import (
     TRUTH,
     DetectorSettings,
-    Eyes,
     parse_detector,
-    parse_signs,
 )
 from memorymaze.perception.error_model import ErrorModel
+from memorymaze.perception.eyes import Eyes, parse_signs
 from memorymaze.perception.picture_detector import PictureDetector
 from memorymaze.perception.truth_detector import TruthDetector
 

@@ -1,35 +1,17 @@
-"""Which detector and which reader of signs a run has, by name and settings."""
+"""Which detector a run has, by name and settings, as the command line gives it."""
 
 import difflib
 from collections.abc import Mapping
 from dataclasses import dataclass, fields
-from functools import cached_property
 from typing import Any, Literal, get_args
 
-import numpy as np
-
 from memorymaze.errors import SettingsError
-from memorymaze.perception.detector import Detector
-from memorymaze.perception.error_model import ErrorModel, ErrorSource
-from memorymaze.perception.grounding_dino import DEFAULT_CHECKPOINT, ZeroShotFinder
-from memorymaze.perception.picture_detector import PictureDetector
-from memorymaze.perception.remote_detector import RemoteFinder
-from memorymaze.perception.sign_reading import SignReader, TruthSignReader
-from memorymaze.perception.truth_detector import TruthDetector
-from memorymaze.robot.api import DETECTION_RANGE
+from memorymaze.perception.error_model import ErrorModel
+from memorymaze.perception.grounding_dino import DEFAULT_CHECKPOINT
 
-__all__ = [
-    "TRUTH",
-    "DetectorName",
-    "DetectorSettings",
-    "Eyes",
-    "SignSource",
-    "parse_detector",
-    "parse_signs",
-]
+__all__ = ["TRUTH", "DetectorName", "DetectorSettings", "parse_detector"]
 
 DetectorName = Literal["truth", "grounding-dino", "remote"]
-SignSource = Literal["truth", "ocr"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -167,97 +149,6 @@ def parse_detector(text: str) -> DetectorSettings:
     return DetectorSettings(
         "grounding-dino", checkpoint=first or DEFAULT_CHECKPOINT, **values
     )
-
-
-def parse_signs(text: str) -> SignSource:
-    """Read the source of signs as the command line gives it.
-
-    Raises:
-        SettingsError: It is none.
-    """
-    for known in get_args(SignSource):
-        if text == known:
-            return known
-    raise SettingsError(
-        f"signs: expected one of {', '.join(get_args(SignSource))}; got {text!r}"
-    )
-
-
-@dataclass
-class Eyes:
-    """Makes the detector and the reader of signs of each episode.
-
-    Models are loaded once, when they are first used, and serve all episodes of a
-    process.
-    """
-
-    detector: DetectorSettings = TRUTH
-    """Which detector."""
-    signs: SignSource = "truth"
-    """Where `read_signs` knows texts from."""
-
-    @property
-    def need_pictures(self) -> bool:
-        """Whether anything is drawn for them."""
-        return self.detector.name != "truth" or self.signs != "truth"
-
-    def check(self) -> None:
-        """Find out early what is missing: packages, a checkpoint, a server.
-
-        Raises:
-            SettingsError: Something is.
-        """
-        if self.detector.name != "truth":
-            self._finder.check()
-        if self.signs == "ocr":
-            self._recognizer.check()
-
-    def detector_for(
-        self, rng: np.random.Generator, range_limit: float = DETECTION_RANGE
-    ) -> Detector:
-        """Make the detector of an episode.
-
-        Args:
-            rng: Source of its mistakes; used where it makes any.
-            range_limit: Metres.
-        """
-        if self.detector.name != "truth":
-            return PictureDetector(self._finder, range_limit)
-        model = self.detector.errors
-        errors = None if model is None else ErrorSource(model, rng)
-        return TruthDetector(range_limit, errors)
-
-    def sign_reader(self) -> SignReader:
-        """Make the reader of signs of an episode."""
-        if self.signs == "truth":
-            return TruthSignReader()
-        from memorymaze.perception.ocr import PictureSignReader
-
-        return PictureSignReader(self._recognizer)
-
-    @cached_property
-    def _finder(self) -> ZeroShotFinder | RemoteFinder:
-        settings = self.detector
-        if settings.name == "remote":
-            return RemoteFinder(
-                settings.url or "",
-                box_threshold=settings.box_threshold,
-                text_threshold=settings.text_threshold,
-                timeout=settings.timeout,
-            )
-        return ZeroShotFinder(
-            settings.checkpoint or DEFAULT_CHECKPOINT,
-            box_threshold=settings.box_threshold,
-            text_threshold=settings.text_threshold,
-            device=settings.device,
-            download=settings.download,
-        )
-
-    @cached_property
-    def _recognizer(self) -> Any:
-        from memorymaze.perception.ocr import TextRecognizer
-
-        return TextRecognizer()
 
 
 def _setting(detector: str, part: str) -> tuple[str, Any]:
