@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from memorymaze.errors import SettingsError
+from memorymaze.errors import RunFolderError, SettingsError
 from memorymaze.evaluation.results import (
     EpisodeResult,
     result_from_line,
@@ -33,9 +33,15 @@ def run(write: Write, result: Make) -> Path:
         episode = f"{name}-1"
         results += [
             result(episode, success=wrong, error_kinds=(kind,), pair=episode),
-            result(f"{episode}-right", success=right, pair=episode, participant=name),
+            result(
+                f"{episode}-right",
+                success=right,
+                pair=episode,
+                participant=name,
+                error_kinds=(),
+            ),
         ]
-    return write("run", [*results, result("e-1", success=True)])
+    return write("run", [*results, result("e-1", success=True, error_kinds=())])
 
 
 def test_rows_equal_those_worked_by_hand(run: Path) -> None:
@@ -81,6 +87,13 @@ def test_numbers_of_the_csv_are_not_rounded(run: Path) -> None:
 def test_a_style_that_this_table_does_not_have_is_refused(run: Path) -> None:
     with pytest.raises(SettingsError, match="text, md, csv"):
         error_table(load_runs([run]), "latex")
+
+
+def test_a_run_that_did_not_keep_the_kinds_shows_no_errors_as_none(
+    write: Write, result: Make
+) -> None:
+    with pytest.raises(RunFolderError, match="older version"):
+        error_table(load_runs([write("run", [result("a-1")])]), "text")
 
 
 def test_errors_and_pair_are_kept_in_a_line(result: Make) -> None:

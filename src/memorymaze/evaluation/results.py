@@ -79,8 +79,8 @@ class EpisodeResult:
     """People who followed the instruction; None where nobody is known to have."""
     human_found: int | None = None
     """Of these those who reached the goal."""
-    error_kinds: tuple[str, ...] = ()
-    """Kinds of the significant errors in the instruction."""
+    error_kinds: tuple[str, ...] | None = None
+    """Kinds of the significant errors in the instruction; None in older runs."""
     pair: str | None = None
     """Shared with the same instruction without, or with, its errors."""
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from memorymaze.errors import SettingsError
+from memorymaze.errors import RunFolderError, SettingsError
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.tables.rows import MeasuredRun
 from memorymaze.evaluation.tables.run_notes import run_notes
@@ -55,7 +55,16 @@ class ErrorRow:
 
 
 def error_rows(run: MeasuredRun) -> list[ErrorRow]:
-    """Return the rows of a run, by study and kind."""
+    """Return the rows of a run, by study and kind.
+
+    Raises:
+        RunFolderError: The run was made by a version that did not keep the kinds.
+    """
+    if any(result.error_kinds is None for result in run.results):
+        raise RunFolderError(
+            f"{run.name}: expected results that name the errors in their texts, got some "
+            "of an older version, which did not keep them; run the instructions again"
+        )
     right = {r.pair: r for r in run.results if r.pair and not r.error_kinds}
     rows: list[ErrorRow] = []
     for study in dict.fromkeys(result.study for result in run.results):
@@ -104,7 +113,7 @@ def error_table(runs: Sequence[MeasuredRun], style: str) -> str:
 
 
 def _kind(result: EpisodeResult) -> str:
-    kinds = set(result.error_kinds)
+    kinds = set(result.error_kinds or ())
     return kinds.pop() if len(kinds) == 1 else SEVERAL
 
 
