@@ -11,7 +11,8 @@ from markupsafe import Markup
 from memorymaze.evaluation.instruction_study.clouds import Cloud, word_clouds
 from memorymaze.evaluation.instruction_study.plots import PLOTS
 from memorymaze.evaluation.instruction_study.study import InstructionStudy
-from memorymaze.evaluation.instruction_study.tables import place_title, study_tables
+from memorymaze.evaluation.instruction_study.study_table import place_title
+from memorymaze.evaluation.instruction_study.tables import study_tables
 
 __all__ = ["study_page"]
 

@@ -13,7 +13,7 @@ from matplotlib.ticker import NullLocator
 from matplotlib.typing import RcKeyType
 
 from memorymaze.evaluation.instruction_study.study import InstructionStudy, Vocabulary
-from memorymaze.evaluation.instruction_study.tables import place_title
+from memorymaze.evaluation.instruction_study.study_table import place_title
 from memorymaze.instructions.published import published_tables
 
 __all__ = ["PLOTS", "Plot"]

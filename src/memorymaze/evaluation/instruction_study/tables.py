@@ -2,17 +2,21 @@
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import groupby
 
 from memorymaze.evaluation.instruction_study.named_things import SORTS
 from memorymaze.evaluation.instruction_study.study import InstructionStudy
+from memorymaze.evaluation.instruction_study.study_table import StudyTable, place_title
 from memorymaze.evaluation.instruction_study.text_measures import MEASURES, GroupMeans
-from memorymaze.instructions.distinct_words import COUNTING_RULES
+from memorymaze.evaluation.instruction_study.word_tables import (
+    rules_table,
+    vocabulary_table,
+)
 from memorymaze.instructions.published import PublishedDescriptions, published_tables
 from memorymaze.instructions.statistics import CellStatistics
 
-__all__ = ["StudyTable", "place_title", "study_tables"]
+__all__ = ["study_tables"]
 
 STUDIES = {
     "online": "online (typed while watching)",
@@ -25,41 +29,17 @@ TABLE_ONE_KEY = (
 )
 
 
-@dataclass(frozen=True, slots=True)
-class StudyTable:
-    """A table of words and numbers."""
-
-    name: str
-    """Short, such as `table_1`; the same in CSV."""
-    title: str
-    headings: tuple[str, ...]
-    rows: tuple[tuple[str, ...], ...]
-    labels: int
-    """How many columns at the left say what a row is about."""
-    notes: tuple[str, ...] = ()
-    """Sentences: how it was counted."""
-
-
 def study_tables(study: InstructionStudy) -> list[StudyTable]:
     """Return all tables, in the order in which they are shown."""
     tables = _table_one(study)
     if study.vocabularies:
-        tables.append(_vocabulary(study))
+        tables.append(vocabulary_table(study))
     if any(each.published for each in study.vocabularies):
-        tables.append(_rules(study))
+        tables.append(rules_table(study))
     tables += [_speech(study), _things(study)]
     if study.distances:
         tables.append(_distances(study))
     return tables
-
-
-def place_title(place: str) -> str:
-    """Return the title of a site or building.
-
-    >>> place_title("museum_5f")
-    'Museum 5F'
-    """
-    return place.replace("_", " ").title()
 
 
 def _table_one(study: InstructionStudy) -> list[StudyTable]:
@@ -105,87 +85,6 @@ def _cell(cell: CellStatistics, paper: PublishedDescriptions | None) -> tuple[st
         beside(cell.words_sd, "words_sd"),
         beside(cell.failure_rate, "failure_rate", scale=100),
         beside(cell.alternative_rate, "alternative_rate", scale=100),
-    )
-
-
-def _vocabulary(study: InstructionStudy) -> StudyTable:
-    equal = study.equal_words
-    rows = [
-        (
-            place_title(each.place),
-            each.study,
-            str(each.texts),
-            str(each.words),
-            str(each.distinct[COUNTING_RULES[0].name])
-            + (f" ({each.published})" if each.published else ""),
-            f"{each.curve.at(equal):.0f}",
-        )
-        for each in sorted(
-            study.vocabularies, key=lambda each: (each.place, each.study)
-        )
-    ]
-    return StudyTable(
-        "distinct_words",
-        "Distinct words",
-        ("place", "study", "texts", "words", "distinct", f"among {equal} words"),
-        tuple(rows),
-        2,
-        (
-            f"Words here are {COUNTING_RULES[0].says}. Published counts in brackets; the "
-            "paper does not state its rule.",
-            f"The last column compares equal amounts of text: distinct words among the "
-            f"first {equal}, mean over 20 orders of the texts (type-token curve).",
-        ),
-    )
-
-
-def _rules(study: InstructionStudy) -> StudyTable:
-    compared = sorted(
-        (each for each in study.vocabularies if each.published),
-        key=lambda each: (each.place, each.study),
-    )
-    misses = study.rule_misses()
-    rows: list[tuple[str, ...]] = []
-    for rule in COUNTING_RULES:
-        miss = misses[rule.name]
-        counts = [str(each.distinct[rule.name]) for each in compared]
-        off = "-" if miss is None else f"{100 * miss:.0f}"
-        rows.append((rule.name, *counts, off))
-    rows.append(("published", *(str(each.published) for each in compared), ""))
-    near = min((miss, name) for name, miss in misses.items() if miss is not None)
-    more = [
-        rule.name
-        for rule in COUNTING_RULES
-        if all(
-            onsite.distinct[rule.name] > online.distinct[rule.name]
-            for onsite in compared
-            if onsite.study == "onsite"
-            for online in compared
-            if online.study == "online" and online.place == onsite.place
-        )
-    ]
-    return StudyTable(
-        "counting_rules",
-        "Distinct words by the usual counting rules",
-        (
-            "rule",
-            *(f"{place_title(each.place)} {each.study}" for each in compared),
-            "off by %",
-        ),
-        tuple(rows),
-        1,
-        (
-            f'On these texts the rule nearest to the published counts is "{near[1]}", off '
-            f"by {100 * near[0]:.0f} % on average. These are other texts than the "
-            "paper's, so this does not show which rule the paper used.",
-            "The published counts are higher onsite than online; "
-            + (
-                f"here they are by: {', '.join(more)}."
-                if more
-                else "here they are not, by any of these rules."
-            ),
-            *(f"{rule.name}: {rule.says}." for rule in COUNTING_RULES),
-        ),
     )
 
 

@@ -3,7 +3,8 @@
 import textwrap
 
 from memorymaze.evaluation.instruction_study.study import InstructionStudy
-from memorymaze.evaluation.instruction_study.tables import StudyTable, study_tables
+from memorymaze.evaluation.instruction_study.study_table import StudyTable
+from memorymaze.evaluation.instruction_study.tables import study_tables
 
 __all__ = ["format_study"]
 
