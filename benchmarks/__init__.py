@@ -8,6 +8,7 @@ BENCHMARKS: dict[str, str] = {
     "lidar": "benchmarks.lidar",
     "metrics": "benchmarks.metrics",
     "rendering": "benchmarks.rendering",
+    "scaling": "benchmarks.scaling",
     "sign_reading": "benchmarks.sign_reading",
     "simulation": "benchmarks.simulation",
     "turning_points": "benchmarks.turning_points",

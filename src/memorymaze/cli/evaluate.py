@@ -4,10 +4,11 @@ import argparse
 import contextlib
 import shlex
 import sys
+from collections.abc import Generator
 from dataclasses import replace
 from datetime import datetime
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from memorymaze.cli.agent_options import (
     add_agent_options,
@@ -18,6 +19,9 @@ from memorymaze.cli.agent_options import (
 from memorymaze.cli.error_options import add_error_options, generated_instructions
 from memorymaze.cli.verbs import Verbs
 from memorymaze.cli.wording import counted
+
+if TYPE_CHECKING:
+    from memorymaze.evaluation.workforce import Workforce
 
 __all__ = ["add_parser"]
 
@@ -72,6 +76,12 @@ def add_parser(verbs: Verbs) -> None:
         help="processes (default: 0, one per core)",
     )
     parser.add_argument(
+        "--ray",
+        metavar="ADDRESS",
+        help="workers on a Ray cluster: HOST:PORT, ray://HOST:PORT, auto, or local for "
+        "one on this machine (docs/scaling.md)",
+    )
+    parser.add_argument(
         "--out", metavar="DIR", help="run folder (default: runs/AGENT-TIME)"
     )
     parser.add_argument(
@@ -104,7 +114,6 @@ def _run(options: argparse.Namespace) -> int:
     from memorymaze.evaluation.driver import WALL_LIMIT, run_plan
     from memorymaze.evaluation.plan import plan_run
     from memorymaze.evaluation.summary import summarise, summary_lines
-    from memorymaze.evaluation.workforce import available_cores
 
     if options.workers < 0:
         raise SettingsError(
@@ -123,32 +132,53 @@ def _run(options: argparse.Namespace) -> int:
             **episode_settings(options),
         )
     wall_limit = WALL_LIMIT if options.wall_limit is None else options.wall_limit
-    workers = options.workers or available_cores()
-    print(
-        f"{counted(len(plan.episodes), 'episode')} on {', '.join(plan.sites)}; "
-        f"{counted(workers, 'worker')}; "
-        f"time budget {plan.settings.simulation.time_budget:g} s, call budget "
-        f"{plan.settings.simulation.call_budget}; into {out}",
-        file=sys.stderr,
-    )
-    for estimate in (answers_estimate(plan), cost_estimate(plan)):
-        if estimate:
-            print(estimate, file=sys.stderr)
-    try:
-        results = run_plan(
-            plan, out, workers=workers, resume=options.resume, wall_limit=wall_limit
-        )
-    except KeyboardInterrupt:
+    with _workforce(options) as workforce:
         print(
-            "\nmemorymaze: interrupted; what is finished is kept. To go on:\n  "
-            + _resuming(sys.argv[1:], out),
+            f"{counted(len(plan.episodes), 'episode')} on {', '.join(plan.sites)}; "
+            f"{workforce}; "
+            f"time budget {plan.settings.simulation.time_budget:g} s, call budget "
+            f"{plan.settings.simulation.call_budget}; into {out}",
             file=sys.stderr,
         )
-        return 1
+        for estimate in (answers_estimate(plan), cost_estimate(plan)):
+            if estimate:
+                print(estimate, file=sys.stderr)
+        try:
+            results = run_plan(
+                plan,
+                out,
+                workers=workforce,
+                resume=options.resume,
+                wall_limit=wall_limit,
+            )
+        except KeyboardInterrupt:
+            print(
+                "\nmemorymaze: interrupted; what is finished is kept. To go on:\n  "
+                + _resuming(sys.argv[1:], out),
+                file=sys.stderr,
+            )
+            return 1
     print(f"run {out}")
     print("\n".join(summary_lines(summarise(results, plan.settings))))
     print(f"tables: memorymaze table {shlex.quote(str(out))}")
     return 0
+
+
+@contextlib.contextmanager
+def _workforce(options: argparse.Namespace) -> Generator["Workforce"]:
+    from memorymaze.evaluation.workforce import LocalWorkforce, available_cores
+
+    if options.ray is None:
+        yield LocalWorkforce(options.workers or available_cores())
+        return
+    from memorymaze.evaluation.ray_cluster import open_ray_cluster
+
+    # Ray prints what it has to say of lost workers where results belong.
+    with (
+        contextlib.redirect_stdout(sys.stderr),
+        open_ray_cluster(options.ray, options.workers) as cluster,
+    ):
+        yield cluster
 
 
 def _what_to_follow(options: argparse.Namespace) -> dict[str, Any]:

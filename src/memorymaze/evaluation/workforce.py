@@ -65,6 +65,10 @@ class EpisodePool(Protocol):
 class Workforce(Protocol):
     """Where the workers of a run come from."""
 
+    def __str__(self) -> str:
+        """Say how many there are, and where."""
+        ...
+
     def check(self, settings: RunSettings) -> None:
         """Refuse, before anything is written, what these workers cannot do.
 
@@ -93,6 +97,11 @@ class LocalWorkforce:
 
     workers: int = 0
     """0 for one per core."""
+
+    def __str__(self) -> str:
+        """Say how many there are."""
+        count = self.workers or available_cores()
+        return f"{count} worker{'' if count == 1 else 's'}"
 
     def check(self, settings: RunSettings) -> None:
         """Refuse nothing: this machine made the plan."""

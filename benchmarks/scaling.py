@@ -1,0 +1,141 @@
+"""How many episodes are done in a second by one and two workers, here and by Ray.
+
+Every figure is of whole runs, with their folders, over one fixed sample of the shipped
+instructions: once from the first result to the last (`episodes`), which a long run
+comes close to, and once from the beginning on (`with start-up`). The baseline is one local worker. Processor time and memory of a worker are
+measured beside it. Run it on a machine that does nothing else.
+"""
+
+import io
+import os
+import resource
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager, redirect_stderr
+from pathlib import Path
+
+from benchmarks.measuring import Row
+from memorymaze.evaluation.driver import run_plan
+from memorymaze.evaluation.plan import RunPlan, plan_run
+from memorymaze.evaluation.settings import AgentSettings
+from memorymaze.evaluation.workforce import LocalWorkforce, Workforce
+from memorymaze.sites import BUILTIN_SITE_NAMES
+
+EPISODES = int(os.environ.get("MEMORYMAZE_SCALING_EPISODES", "96"))
+"""Of each agent; a small number gives a rough look."""
+
+NEAR_LINEAR = 1.8
+"""Times one worker's throughput that two are to have, on a machine with two cores."""
+
+AGENTS = ("rules", "oracle")
+
+# One episode on a site, in a process of its own: seconds until it is done, and memory.
+ONE_WORKER = """
+import resource, sys, time
+began = time.perf_counter()
+from memorymaze.evaluation.episode_worker import EpisodeTask, EpisodeWorker
+from memorymaze.evaluation.plan import plan_run
+from memorymaze.evaluation.settings import AgentSettings
+plan = plan_run(AgentSettings("rules"))
+site = sys.argv[1]
+episode = next(e for e in plan.episodes if e.instruction.site == site)
+do = EpisodeWorker(plan.settings, {site: plan.sites[site]})()
+do(EpisodeTask(episode))
+first = time.perf_counter() - began
+began = time.perf_counter()
+do(EpisodeTask(episode))
+second = time.perf_counter() - began
+print(first - second, resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024)
+"""
+
+
+def run() -> list[Row]:
+    rows: list[Row] = []
+    for agent in AGENTS:
+        plan = plan_run(AgentSettings(agent), limit=EPISODES)
+        before = children_seconds()
+        alone, alone_whole = throughput(plan, LocalWorkforce(1))
+        cost = (children_seconds() - before) / len(plan.episodes)
+        what = f"{agent}, {len(plan.episodes)} episodes"
+        rows += [
+            Row(f"{what}: processor time of one", cost * 1e3, "ms"),
+            *two_rows(f"{what}, 1 local worker", (alone, alone_whole)),
+        ]
+        base = (alone, alone_whole)
+        figures = throughput(plan, LocalWorkforce(2))
+        rows += two_rows(f"{what}, 2 local workers", figures, base, NEAR_LINEAR)
+        for workers in (1, 2):
+            with ray_workforce(workers) as cluster:
+                if cluster is None:
+                    break
+                figures = throughput(plan, cluster)
+            target = NEAR_LINEAR if workers == 2 else None
+            name = f"{what}, {workers} worker{'s' * (workers > 1)} on Ray"
+            rows += two_rows(name, figures, base, target)
+    return rows + [row for name in BUILTIN_SITE_NAMES for row in one_worker(name)]
+
+
+def two_rows(
+    name: str,
+    figures: tuple[float, float],
+    baseline: tuple[float | None, float | None] = (None, None),
+    target: float | None = None,
+) -> list[Row]:
+    """Return rows for long runs, which have a target, and for this one as it was."""
+    steady, whole = figures
+    goal = None if target is None or baseline[0] is None else target * baseline[0]
+    unit, what = "/s", "" if baseline[0] is None else "1 local worker"
+    return [
+        Row(f"{name}: episodes", steady, unit, baseline[0], what, goal, True),
+        Row(f"{name}: with start-up", whole, unit, baseline[1], what, None, True),
+    ]
+
+
+def throughput(plan: RunPlan, workforce: Workforce) -> tuple[float, float]:
+    """Return episodes per second from the first result to the last, and over all."""
+    began = time.time()
+    with tempfile.TemporaryDirectory() as folder, redirect_stderr(io.StringIO()):
+        results = run_plan(plan, folder, workers=workforce)
+        # A trace is written as its episode ends, before its result.
+        written = [path.stat().st_mtime for path in Path(folder, "traces").iterdir()]
+    first, last = min(written), max(written)
+    return (len(results) - 1) / (last - first), len(results) / (last - began)
+
+
+@contextmanager
+def ray_workforce(workers: int) -> Iterator[Workforce | None]:
+    """Start a Ray cluster on this machine; None where Ray is not installed."""
+    try:
+        import ray  # noqa: F401
+    except ModuleNotFoundError:
+        print("scaling: ray is not installed; its rows are left out", file=sys.stderr)
+        yield None
+        return
+    from memorymaze.evaluation.ray_cluster import open_ray_cluster
+
+    os.environ.setdefault("RAY_USAGE_STATS_ENABLED", "0")
+    with open_ray_cluster("local", workers) as cluster:
+        yield cluster
+
+
+def one_worker(site: str) -> list[Row]:
+    done = subprocess.run(
+        [sys.executable, "-c", ONE_WORKER, site],
+        check=True,
+        capture_output=True,
+        text=True,
+    )
+    starting, memory = map(float, done.stdout.split())
+    return [
+        Row(f"worker on {site}: start-up", starting, "s"),
+        Row(f"worker on {site}: memory at most", memory, "MB"),
+    ]
+
+
+def children_seconds() -> float:
+    """Return the processor time of all processes that this one started and saw end."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime

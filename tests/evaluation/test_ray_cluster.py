@@ -1,0 +1,239 @@
+"""Runs on a Ray cluster of this machine: lost workers, interruptions, refusals."""
+
+import os
+import secrets
+import shutil
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
+from dataclasses import replace
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+
+from memorymaze.evaluation.driver import run_plan
+from memorymaze.evaluation.plan import RunPlan
+from memorymaze.evaluation.results import EpisodeResult
+from memorymaze.evaluation.run_folder import read_run
+from memorymaze.evaluation.trace import trace_path
+
+pytestmark = pytest.mark.slow
+
+Plan = Callable[..., RunPlan]
+
+# Walks, but first does what a file named after the text's last word says.
+OBEDIENT_AGENT = """
+import os, pathlib, signal, threading
+
+ORDERS = pathlib.Path({orders!r})
+
+class Obedient:
+    name = "obedient"
+
+    def follow(self, instruction, robot, journal, rng):
+        robot.move_forward(3 + 8 * rng.random())
+        order = ORDERS / instruction.split()[-1].strip(".")
+        if order.exists():
+            what = order.read_text().split()
+            if "always" not in what:
+                order.unlink()
+            if "interrupt" in what:
+                os.kill(int(what[1]), signal.SIGINT)
+            if "hang" in what or "interrupt" in what:
+                threading.Event().wait()
+            os.kill(os.getpid(), signal.SIGKILL)
+"""
+
+RAY_START = [
+    *("-m", "ray.scripts.scripts", "start", "--head", "--block"),
+    *("--num-cpus=2", "--include-dashboard=false", "--disable-usage-stats"),
+    "--object-store-memory=100000000",
+]
+FOREIGN_CODE = """
+import sys
+from dataclasses import replace
+from memorymaze.cli.main import main
+from memorymaze.evaluation import ray_pool
+
+stamp = ray_pool.code_stamp()
+ray_pool.code_stamp = lambda: replace(stamp, sha256="0" * 64)
+sys.exit(main())
+"""
+
+
+class Cluster(NamedTuple):
+    address: str
+    environment: dict[str, str]
+
+
+@pytest.fixture(scope="module")
+def cluster() -> Iterator[Cluster]:
+    """A Ray cluster of one node with two cores; leaves no process and no file."""
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        port = free.getsockname()[1]
+    token = secrets.token_hex(32)
+    environment = {**os.environ, "RAY_AUTH_MODE": "token", "RAY_AUTH_TOKEN": token}
+    # Paths of its sockets must be short.
+    folder = tempfile.mkdtemp(prefix="ray", dir="/tmp")
+    command = [*RAY_START, f"--port={port}", f"--temp-dir={folder}"]
+    head = subprocess.Popen(
+        [sys.executable, *command],
+        env=environment,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+    )
+    try:
+        assert head.stdout is not None
+        assert any("runtime started" in line for line in head.stdout)
+        yield Cluster(f"127.0.0.1:{port}", environment)
+    finally:
+        head.terminate()
+        head.communicate(timeout=60)
+        shutil.rmtree(folder, ignore_errors=True)
+    assert wait_until_none_has(token) == []
+
+
+def wait_until_none_has(token: str) -> list[str]:
+    """Give processes with a token in their environment ten seconds to end."""
+    left: list[str] = []
+    for _ in range(100):
+        left = []
+        for process in Path("/proc").glob("[0-9]*"):
+            with suppress(OSError):
+                if token.encode() in (process / "environ").read_bytes():
+                    left.append((process / "cmdline").read_text())
+        if not left:
+            break
+        time.sleep(0.1)
+    return left
+
+
+@pytest.fixture
+def obedient(tmp_path: Path) -> str:
+    """Name of an agent that obeys files in `orders`."""
+    (tmp_path / "orders").mkdir()
+    path = tmp_path / "obedient.py"
+    code = OBEDIENT_AGENT.format(orders=str(tmp_path / "orders"))
+    path.write_text(code, encoding="utf-8")
+    return f"{path}:Obedient"
+
+
+def timeless(results: Sequence[EpisodeResult]) -> list[EpisodeResult]:
+    return [replace(result, wall_s=0.0) for result in results]
+
+
+def evaluating(
+    cluster: Cluster, agent: str, sites: Path, out: Path, *more: str, code: str = ""
+) -> subprocess.Popen[str]:
+    files = ["--instructions", str(sites.parent / "tiny_instructions.jsonl")]
+    options = ["--sites", str(sites), "--out", str(out), "--ray", cluster.address]
+    start = ["-c", code] if code else ["-m", "memorymaze"]
+    command = [*start, "evaluate", "--agent", agent, *files, *options, *more]
+    return subprocess.Popen(
+        [sys.executable, *command],
+        env=cluster.environment,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
+    )
+
+
+def test_a_run_interrupted_and_then_robbed_of_a_worker_equals_the_local_one(
+    cluster: Cluster,
+    tmp_path: Path,
+    obedient: str,
+    tiny_plan: Plan,
+    tiny_sites_folder: Path,
+) -> None:
+    whole = run_plan(tiny_plan(obedient), tmp_path / "local", workers=2)
+    out = tmp_path / "cluster"
+    run = evaluating(cluster, obedient, tiny_sites_folder, out)
+    (tmp_path / "orders/block").write_text(f"interrupt {run.pid}", encoding="utf-8")
+    _, err = run.communicate()
+    assert run.returncode == 1
+    assert f"--out {out} --ray {cluster.address} --resume" in err
+    assert "Traceback" not in err
+    assert len(read_run(out)[1]) < len(whole)
+
+    (tmp_path / "orders/block").write_text("die", encoding="utf-8")
+    run = evaluating(cluster, obedient, tiny_sites_folder, out, "--resume")
+    _, err = run.communicate()
+    assert run.returncode == 0, err
+    assert "2 workers on a Ray cluster of 1 node with 2 cores" in err
+    assert not list((tmp_path / "orders").iterdir())
+    assert timeless(read_run(out)[1]) == timeless(whole)
+    for result in whole:
+        one, other = (
+            trace_path(tmp_path / name, result.episode_id).read_bytes()
+            for name in ("local", "cluster")
+        )
+        assert one == other
+
+
+def test_episodes_that_hang_or_kill_every_worker_are_recorded_as_crashes(
+    cluster: Cluster, tmp_path: Path, obedient: str, tiny_sites_folder: Path
+) -> None:
+    (tmp_path / "orders/block").write_text("always die", encoding="utf-8")
+    (tmp_path / "orders/once").write_text("always hang", encoding="utf-8")
+    out = tmp_path / "run"
+    run = evaluating(cluster, obedient, tiny_sites_folder, out, "--wall-limit", "3")
+    assert run.communicate()[0].startswith(f"run {out}\n")
+    results = {each.episode_id: each for each in read_run(out)[1]}
+    assert len(results) == 12
+    crashes = {
+        name: each.error for name, each in results.items() if each.stopped_by == "crash"
+    }
+    lost = "WorkerLost: the worker process"
+    assert crashes == {
+        "p6-1": f"{lost} died on the cluster, or its node did",
+        "p6-2": f"{lost} took longer than the 3 s a task may",
+    }
+
+
+def test_workers_with_other_code_are_refused(
+    cluster: Cluster, tmp_path: Path, tiny_sites_folder: Path
+) -> None:
+    run = evaluating(
+        cluster, "stop", tiny_sites_folder, tmp_path / "run", code=FOREIGN_CODE
+    )
+    _, err = run.communicate()
+    assert run.returncode == 2
+    assert "has other code than this machine:\n  memorymaze's code: 0.1.0" in err
+    assert "files 000000000000 here" in err
+    assert "Traceback" not in err
+
+
+def test_an_agent_whose_neighbours_do_not_travel_is_told_what_to_do(
+    cluster: Cluster, tmp_path: Path, tiny_sites_folder: Path
+) -> None:
+    (tmp_path / "near.py").write_text("STRIDE = 2\n", encoding="utf-8")
+    (tmp_path / "shy.py").write_text(
+        "from near import STRIDE\nfrom memorymaze.agents import StopAgent\n",
+        encoding="utf-8",
+    )
+    run = evaluating(
+        cluster, f"{tmp_path}/shy.py:StopAgent", tiny_sites_folder, tmp_path / "run"
+    )
+    _, err = run.communicate()
+    assert run.returncode == 2
+    assert "No module named 'near' (shy.py, line 1)" in err
+    assert "of an agent's files only the one that is named travels" in err
+
+
+def test_more_workers_than_the_cluster_has_cores_are_refused(
+    cluster: Cluster, tmp_path: Path, tiny_sites_folder: Path
+) -> None:
+    out = tmp_path / "run"
+    run = evaluating(cluster, "stop", tiny_sites_folder, out, "--workers", "3")
+    _, err = run.communicate()
+    assert run.returncode == 2
+    assert "at least 3 cores, one for each worker, got 2 on 1 node(s)" in err
+    assert not out.exists()
