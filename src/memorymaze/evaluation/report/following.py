@@ -1,5 +1,6 @@
 """How far a walk followed the way described, and where it left it."""
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
@@ -97,10 +98,10 @@ def _near(
 
 def _thinned(points: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return the first and last point, and some at least a stride apart between."""
-    kept = [points[0]]
-    for point in points[1:]:
-        if np.hypot(*(point - kept[-1])) >= STRIDE:
-            kept.append(point)
+    kept: list[tuple[float, float]] = []
+    for x, y in points.tolist():
+        if not kept or math.hypot(x - kept[-1][0], y - kept[-1][1]) >= STRIDE:
+            kept.append((x, y))
     return np.array([*kept, points[-1]])
 
 

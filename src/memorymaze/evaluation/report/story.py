@@ -5,11 +5,15 @@ What agents and models wrote is kept as text and never trusted.
 
 import json
 import math
+import re
 from bisect import bisect_right
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import chain
 from typing import Any, NamedTuple
+
+import numpy as np
+from shapely import LineString, get_coordinates
 
 from memorymaze.errors import RunFolderError
 from memorymaze.evaluation.report.event_words import (
@@ -30,6 +34,8 @@ OFF_LINE = 0.06
 OFF_HEADING = 0.15
 """Radians by which a heading may be off the even turn between those that are kept."""
 
+PIECES = re.compile(r"(?<=; )|(?= \(looked for )")
+"""Where the texts of events are taken apart."""
 NEARBY = 10.0
 """Metres from the robot within which people are shown."""
 
@@ -104,14 +110,16 @@ def story_record(story: Story) -> str:
     """Return a story as JSON that is also a JavaScript expression, short and safe.
 
     `poses` is flat: time, x, y, heading, and so on; metres, seconds and radians.
-    `words` has every text once; `events` is flat: time, kind, index of the text, and
-    steps that are worked on then, as index of `sets`. `kinds` names the kinds. `seen`
+    `words` has every piece of text once; `events` is flat: time, kind, index of the text
+    or list of those of its pieces, and steps that are worked on then, as index of `sets`. `kinds` names the kinds; `program`
+    says that steps are lines of a program, which belong to a call while it is made, and
+    not to the time after the event. `seen`
     is flat: time, x, y, index of the label. `things` and `people` are flat too: x, y,
     heading, length, depth; and time, x, y.
     """
     words: dict[str, int] = {}
     sets: dict[tuple[int, ...], int] = {}
-    events: list[float] = []
+    events: list[float | list[int]] = []
     seen: list[float] = []
     marks = sorted(story.understanding.marks.items())
     current: tuple[int, ...] = ()
@@ -123,7 +131,7 @@ def story_record(story: Story) -> str:
         events += [
             _short(event.time),
             KINDS.index(event.kind),
-            words.setdefault(event.text, len(words)),
+            _pieces(event.text, words),
             sets.setdefault(current, len(sets)),
         ]
         for x, y, label in event.seen:
@@ -131,6 +139,7 @@ def story_record(story: Story) -> str:
             seen.append(words.setdefault(label, len(words)))
     record = {
         "poses": [number for pose in _kept(story.walk) for number in map(_short, pose)],
+        "program": bool(story.understanding.programs),
         "kinds": KINDS,
         "words": list(words),
         "sets": list(sets),
@@ -188,34 +197,28 @@ def _people(
                     yield time, x, y
 
 
-def _kept(walk: Trajectory) -> Iterator[TimedPose]:
-    """Return the poses between which the others lie evenly."""
-    poses = walk.poses
-    first = 0
-    yield poses[0]
-    for index in range(2, len(poses)):
-        if not _is_even(poses[first : index + 1]):
-            first = index - 1
-            yield poses[first]
-    if len(poses) > 1:
-        yield poses[-1]
+def _kept(walk: Trajectory) -> list[TimedPose]:
+    """Return the poses between which the others lie evenly.
+
+    Each coordinate over time is simplified by itself, so that speed is kept too.
+    """
+    table = np.array(walk.poses)
+    times = table[:, 0]
+    headings = np.unwrap(table[:, 3]) * (OFF_LINE / OFF_HEADING)
+    kept = np.zeros(len(times), dtype=bool)
+    kept[[0, -1]] = True
+    if len(times) > 2:
+        for values in (table[:, 1], table[:, 2], headings):
+            curve = LineString(np.column_stack([times, values]))
+            line = curve.simplify(OFF_LINE, preserve_topology=False)
+            kept |= np.isin(times, get_coordinates(line)[:, 0])
+    return [pose for pose, is_kept in zip(walk.poses, kept, strict=True) if is_kept]
 
 
-def _is_even(poses: Sequence[TimedPose]) -> bool:
-    start, end = poses[0], poses[-1]
-    span = end.time - start.time
-    if span <= 0 or span > 5:
-        return False
-    turn = math.remainder(end.heading - start.heading, 2 * math.pi)
-    for pose in poses[1:-1]:
-        share = (pose.time - start.time) / span
-        x = start.x + share * (end.x - start.x)
-        y = start.y + share * (end.y - start.y)
-        heading = start.heading + share * turn
-        off = math.remainder(pose.heading - heading, 2 * math.pi)
-        if math.hypot(pose.x - x, pose.y - y) > OFF_LINE or abs(off) > OFF_HEADING:
-            return False
-    return True
+def _pieces(text: str, words: dict[str, int]) -> int | list[int]:
+    """Return the numbers of a text's pieces, most of which come again and again."""
+    numbers = [words.setdefault(each, len(words)) for each in PIECES.split(text)]
+    return numbers if len(numbers) > 1 else numbers[0]
 
 
 def _short(value: float) -> float:

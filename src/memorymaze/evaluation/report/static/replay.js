@@ -18,13 +18,15 @@ class Panel {
     this.events = [];
     for (let i = 0; i < data.events.length; i += 4) {
       const [time, kind, word, set] = data.events.slice(i, i + 4);
-      this.events.push({ time, kind: data.kinds[kind], text: data.words[word], at: data.sets[set] });
+      const text = [word].flat().map((piece) => data.words[piece]).join("");
+      this.events.push({ time, kind: data.kinds[kind], text, at: data.sets[set] });
     }
     this.seen = [];
     for (let i = 0; i < data.seen.length; i += 4) {
       const [time, x, y, word] = data.seen.slice(i, i + 4);
       this.seen.push({ time, x, y, label: data.words[word] });
     }
+    this.isProgram = data.program;
     this.article = article;
     this.svg = article.querySelector("svg.plan");
     this.frame = this.svg.getAttribute("viewBox");
@@ -63,7 +65,9 @@ class Panel {
     const event = this.events[number];
     this.moveCursor(Math.min(time, this.poses.at(-1)[0]));
     this.markRow(number);
-    const current = new Set(event?.at ?? []);
+    // A call is told when it has ended; its line is at work until then.
+    const atWork = (this.isProgram && this.events[number + 1]) || event;
+    const current = new Set(atWork?.at ?? []);
     this.lines.forEach((line, index) => {
       line.classList.toggle("current", current.has(index));
       if (current.has(index)) line.setAttribute("aria-current", "step");
@@ -75,8 +79,16 @@ class Panel {
     return `${this.title}: ${this.tell(number)}`;
   }
 
-  // The last thing done, and what was seen or noted since.
+  // What is being done, the last thing done before, and what was seen or noted since.
   tell(number) {
+    const next = this.events.slice(number + 1).find((event) => !isQuiet(event));
+    if (next && ["move", "turn"].includes(next.kind)) {
+      return `${this.done(number)} · doing ${next.text.split(" → ")[0]}`;
+    }
+    return this.done(number);
+  }
+
+  done(number) {
     const told = [];
     for (let i = number; i >= 0 && told.length < 3; i -= 1) {
       if (isQuiet(this.events[i])) continue;
