@@ -115,20 +115,26 @@ def frames_of(
                 Eyes(scene, moments, size, smooth=settings.smooth)
             )
         ending: NDArray[np.uint8] | None = None
+        words: Page | None = None
+        written: object = None
         for time in times:
             if ending is not None:
                 yield ending
                 continue
             moment = moments.at(time)
-            page = Page(layout)
+            # Words stay the same for many frames, and take the longest to draw.
+            happened = (moment.step, len(moment.events))
+            if words is None or happened != written:
+                words, written = Page(layout), happened
+                words.write_story(episode.instruction, label, moment.step)
+                words.write_log(moment.events)
+            page = words.copy()
             page.put(plan.picture(moment), layout.plan)
             if eyes is not None and layout.camera is not None:
                 seen = eyes.picture(moment)
                 found = boxes_at(moments, moment)
                 page.put(draw_boxes(seen, found, layout.letter), layout.camera)
             page.write_head(title, f"{time:7.1f} s")
-            page.write_story(episode.instruction, label, moment.step)
-            page.write_log(moment.events)
             page.write_legend(marks)
             if time >= last_time:
                 page.write_outcome(outcome_line(result), arrived=result.success)

@@ -32,6 +32,7 @@ MARKS = {
     "other": "·",
 }
 """Before the words of each kind of event."""
+FIXED_SPACE = "\u00a0"
 LINE = 1.32
 """Heights of letters from one line to the next."""
 
@@ -106,6 +107,12 @@ class Page:
         self._image = Image.new("RGB", layout.size, PAPER)
         self._pen = ImageDraw.Draw(self._image)
 
+    def copy(self) -> "Page":
+        """Return another page on which the same stands."""
+        other = Page(self._layout)
+        other._image.paste(self._image)
+        return other
+
     def picture(self) -> NDArray[np.uint8]:
         """Return the frame: colours, (height, width, 3)."""
         for box in (self._layout.story, self._layout.log):
@@ -146,7 +153,12 @@ class Page:
         program = step.heading.startswith("Program")
         for number, line in enumerate(step.lines):
             at_work = step.current is None or number == step.current
-            sign = "▶ " if number == step.current and len(step.lines) > 1 else ""
+            sign = ""
+            if len(step.lines) > 1 and step.current is not None:
+                sign = "▶ " if number == step.current else FIXED_SPACE * 2
+            # Lines are cut at spaces, which must not take the indentation along.
+            inner = line.lstrip(" ")
+            line = FIXED_SPACE * (len(line) - len(inner)) + inner
             most = 1 if program else 3
             font = font_for(line, letter, mono=program)
             cut = lines_of(f"{sign}{line}", font, wide - letter, most)

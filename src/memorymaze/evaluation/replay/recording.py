@@ -23,6 +23,7 @@ from memorymaze.evaluation.replay.recording_parts import (
 )
 from memorymaze.evaluation.replay.scans import Scans
 from memorymaze.evaluation.replay.settings import ReplaySettings
+from memorymaze.extras import require_extra
 from memorymaze.simulation import build_scene
 
 __all__ = ["VIEW_EVERY", "check_recording_path", "record_replay"]
@@ -157,11 +158,7 @@ def _view_times(moments: Moments, every: float) -> list[float]:
 
 
 def _library() -> Any:
-    try:
-        import rerun
-    except ImportError:
-        raise SettingsError(
-            "recordings for Rerun need the package rerun-sdk; install it by "
-            "`pip install 'memorymaze[rerun]'`"
-        ) from None
+    require_extra("rerun", "rerun", purpose="recordings for Rerun")
+    import rerun
+
     return rerun
