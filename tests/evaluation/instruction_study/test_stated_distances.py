@@ -78,7 +78,7 @@ def test_a_summary_has_median_quartiles_and_spread(told: Told, loop_site: Site) 
         )
     ]
     [of_unit, of_all] = summarise_distances(legs)
-    assert (of_unit.unit, of_all.unit, of_unit.legs) == ("metres", "all", 3)
+    assert (of_unit.unit, of_all.unit, of_unit.legs) == ("metres", "numbers", 3)
     assert of_unit.median == pytest.approx(1.0)
     assert (of_unit.low, of_unit.high) == pytest.approx((0.75, 1.5))
     assert of_unit.factor == pytest.approx(2 ** (2 / 3) ** 0.5)

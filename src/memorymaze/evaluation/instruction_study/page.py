@@ -120,7 +120,7 @@ def _told(name: str, study: InstructionStudy) -> tuple[str, str]:
             found = "; ".join(
                 f"{each.study}: median ratio {each.median:.2f} over {each.legs} legs"
                 for each in study.distances
-                if each.unit == "all"
+                if each.unit == "numbers"
             )
             return (
                 f"Points of stated over true length of legs around the diagonal. {found}.",

@@ -17,6 +17,7 @@ from memorymaze.language.route_description import Length, RoutePlan
 from memorymaze.sites.records import Route, Site
 
 __all__ = [
+    "VAGUE",
     "DistanceSummary",
     "StatedDistance",
     "route_legs",
@@ -30,6 +31,8 @@ SIDES = {
     "right": "right",
     "slight_right": "right",
 }
+VAGUE = "vague"
+"""The unit of words without a number, to which the parser gives a fixed length."""
 ON_THE_TURN = 0.25
 """Metres that a turn on the route's line may lie outside its turning point."""
 
@@ -60,7 +63,7 @@ class DistanceSummary:
 
     study: str
     unit: str
-    """`all` for all units together."""
+    """`numbers` for metres, steps and time together."""
     legs: int
     texts: int
     median: float
@@ -168,12 +171,12 @@ def _without(
 
 
 def summarise_distances(distances: Iterable[StatedDistance]) -> list[DistanceSummary]:
-    """Summarise by study and unit, then per study in all units together."""
+    """Summarise by study and unit; `numbers` is all that was said as a number."""
     groups: dict[tuple[str, str], list[StatedDistance]] = {}
     for each in distances:
-        for unit in (each.unit, "all"):
+        for unit in (each.unit, *([] if each.unit == VAGUE else ["numbers"])):
             groups.setdefault((each.instruction.study, unit), []).append(each)
-    order = {"metres": 0, "steps": 1, "time": 2, "vague": 3, "all": 4}
+    order = {"metres": 0, "steps": 1, "time": 2, "numbers": 3, VAGUE: 4}
     keys = sorted(groups, key=lambda key: (key[0], order[key[1]]))
     return [_summary(*key, groups[key]) for key in keys]
 

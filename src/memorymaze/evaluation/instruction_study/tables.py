@@ -147,8 +147,7 @@ def _things(study: InstructionStudy) -> StudyTable:
             "Each phrase that the parser takes for a thing, once per text, by what of the "
             f"site plan it fits best ({sorts}). Words that the parser misreads end up as "
             "not in the plan.",
-            "Distances: legs with a stated length, in metres, steps, time or words such "
-            'as "a few metres".',
+            "Distances: legs whose length is stated in metres, steps or time.",
         ),
     )
 
@@ -174,7 +173,9 @@ def _distances(study: InstructionStudy) -> StudyTable:
         2,
         (
             "Legs of texts without errors whose turns, as parsed, are in order those of "
-            'the route described. A step counts as 0.7 m, a second as 1 m, "a few" as 3.5. '
+            "the route described. A step counts as 0.7 m, a second as 1 m. Vague: words "
+            'such as "directly" or "a few metres", for which the parser takes a fixed '
+            "length. Numbers: all but these. "
             "Spread: exponential of the standard deviation of the ratios' logarithms, "
             "lengths misread by the parser included.",
         ),

@@ -7,6 +7,7 @@ from statistics import fmean
 
 from memorymaze.evaluation.instruction_study.named_things import SiteNames, named_things
 from memorymaze.evaluation.instruction_study.stated_distances import (
+    VAGUE,
     StatedDistance,
     stated_distances,
 )
@@ -31,7 +32,7 @@ class TextMeasures:
     named: Mapping[str, int]
     """Number of things named, by what of the building they are."""
     lengths: int
-    """Legs whose length is stated."""
+    """Legs whose length is stated in numbers."""
     distances: tuple[StatedDistance, ...]
     """Those of them whose true length is known."""
 
@@ -91,7 +92,7 @@ def measure_text(instruction: Instruction, names: SiteNames) -> TextMeasures:
         word_count(instruction.text),
         Counter(mark.kind for mark in spoken_marks(instruction.text)),
         Counter(thing.sort for thing in named_things(plan, names)),
-        sum(length is not None for length in lengths),
+        sum(length is not None and length.unit != VAGUE for length in lengths),
         tuple(stated_distances(instruction, plan, names.site)),
     )
 
