@@ -9,7 +9,11 @@ from memorymaze.simulation.obstacles.kinds import THING_KINDS
 __all__ = ["LEVELS", "ObstacleSettings", "parse_obstacles"]
 
 
-LARGEST = 1000.0
+MOST_PEOPLE = 1000
+"""On a floor. With far more, an episode does not begin within a minute."""
+
+LARGEST = {"things_per_100m": 100.0, "people_per_100m2": 50.0, "patience": 1000.0}
+"""Of each setting; people at 50 per 100 square metres stand shoulder to shoulder."""
 
 
 def _is_number(value: object) -> bool:
@@ -47,12 +51,12 @@ class ObstacleSettings:
 
     def __post_init__(self) -> None:
         """Check every value."""
-        for name in ("things_per_100m", "people_per_100m2", "patience"):
+        for name, largest in LARGEST.items():
             value = getattr(self, name)
-            if not _is_number(value) or not 0 <= value <= LARGEST:
+            if not _is_number(value) or not 0 <= value <= largest:
                 raise SettingsError(
                     f"obstacle setting {_told(name)}: expected a number from 0 to "
-                    f"{LARGEST:g}, got {value!r}"
+                    f"{largest:g}, got {value!r}"
                 )
         for name in ("people", "seed"):
             value = getattr(self, name)
@@ -61,6 +65,11 @@ class ObstacleSettings:
             raise SettingsError(
                 f"obstacle setting {name}: expected a whole number of at least 0, got "
                 f"{value!r}"
+            )
+        if self.people is not None and self.people > MOST_PEOPLE:
+            raise SettingsError(
+                f"obstacle setting people: expected at most {MOST_PEOPLE}, got "
+                f"{self.people!r}"
             )
         unknown = [kind for kind in self.kinds if kind not in THING_KINDS]
         if unknown or not self.kinds:
