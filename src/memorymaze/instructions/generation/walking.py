@@ -9,8 +9,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
+from memorymaze.instructions.generation.route_ways import Way
 from memorymaze.instructions.generation.steps import Arrival, StepPlan, Turn
-from memorymaze.instructions.generation.walks import WalkMap, Way
+from memorymaze.instructions.generation.walks import WalkMap
 from memorymaze.sites.records import Route
 
 __all__ = ["ARRIVED", "Walk", "is_right", "is_wrong", "walk"]

@@ -4,21 +4,23 @@ This is the floor as a walker knows it who is told where to turn: no grid, no ph
 """
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import pairwise
-from typing import NamedTuple
 
 from shapely import LineString, Point, Polygon, get_parts
-from shapely.ops import substring
 
-from memorymaze.errors import SitePlanError
 from memorymaze.geometry.pose import heading_to, turn_between
+from memorymaze.instructions.generation.route_ways import (
+    Way,
+    carried_on,
+    overlaps,
+    route_ways,
+)
 from memorymaze.instructions.generation.things import Thing, things_of
 from memorymaze.sites.records import Exit, Route, Site, TurningPoint
 
-__all__ = ["Side", "WalkMap", "Way", "side_of", "turn_angle"]
+__all__ = ["Side", "WalkMap", "side_of", "turn_angle"]
 
 Side = str
 """`left`, `right`, `slight_left` or `slight_right`."""
@@ -32,17 +34,6 @@ SLIGHT = math.radians(12)
 NEAR = 5.0
 """Metres from a turning point within which a thing marks it."""
 RAY = 200.0
-
-
-class Way(NamedTuple):
-    """A way out of a turning point, up to the next one."""
-
-    heading: float
-    """Radians."""
-    line: tuple[tuple[float, float], ...]
-    """From where it leaves to where it ends, metres."""
-    end: str | None
-    """Turning point it leads to; None where it ends without one."""
 
 
 def side_of(angle: float) -> str:
@@ -83,7 +74,7 @@ class WalkMap:
             for point in self.site.turning_points
         }
         for route in self.site.routes:
-            for start, way in _route_ways(route, self.passed(route)):
+            for start, way in route_ways(route, self.passed(route)):
                 if start is None:
                     continue
                 known = guessed[start]
@@ -93,7 +84,7 @@ class WalkMap:
                     if abs(turn_between(each.heading, way.heading)) < STRAIGHT
                 ]
                 if same:
-                    known[same[0]] = _carried_on(way, known[same[0]])
+                    known[same[0]] = carried_on(way, known[same[0]])
                 else:
                     known.append(way)
         return {name: tuple(ways) for name, ways in guessed.items()}
@@ -112,18 +103,28 @@ class WalkMap:
 
     def passed(self, route: Route) -> tuple[tuple[float, str], ...]:
         """Return the turning points on a route, each with metres along its line."""
+        known = self._passed.get(route.id)
+        if known is None:
+            known = self._passed[route.id] = self._find_passed(route)
+        return known
+
+    def _find_passed(self, route: Route) -> tuple[tuple[float, str], ...]:
         found: list[tuple[float, str]] = []
         for point in self.site.turning_points:
-            for start, end in _overlaps(route.line, point.polygon):
+            for start, end in overlaps(route.line, point.polygon):
                 found.append(((start + end) / 2, point.id))
         return tuple(sorted(found))
 
     def first_way(self, route: Route, *, around: bool = False) -> Way:
         """Return the way from a route's start, ahead or back."""
-        if not around:
-            return next(way for _, way in _route_ways(route, self.passed(route)))
-        start = (route.start.x, route.start.y)
-        return self._ray(start, route.start.heading + math.pi, None)
+        known = self._first_ways.get((route.id, around))
+        if known is None and around:
+            start = (route.start.x, route.start.y)
+            known = self._ray(start, route.start.heading + math.pi, None)
+        elif known is None:
+            known = next(way for _, way in route_ways(route, self.passed(route)))
+        self._first_ways[route.id, around] = known
+        return known
 
     def leaving(self, point: str, heading: float, side: Side | None) -> Way | None:
         """Return the way that someone takes who comes with a heading.
@@ -198,7 +199,7 @@ class WalkMap:
             (span[0], other.id)
             for other in self.site.turning_points
             if other.id != own
-            for span in _overlaps(line, other.polygon)
+            for span in overlaps(line, other.polygon)
         ]
         if hits:
             end = self.points[min(hits)[1]].polygon.centroid
@@ -207,60 +208,17 @@ class WalkMap:
         return Way(heading, (start, (x, y)), None)
 
     @cached_property
+    def _passed(self) -> dict[str, tuple[tuple[float, str], ...]]:
+        """What was found before, by route id."""
+        return {}
+
+    @cached_property
+    def _first_ways(self) -> dict[tuple[str, bool], Way]:
+        """What was found before, by route id and whether it goes back."""
+        return {}
+
+    @cached_property
     def _floors(self) -> Mapping[str, Polygon]:
         return {
             part.id: part.polygon for part in (*self.site.corridors, *self.site.areas)
         }
-
-
-def _carried_on(way: Way, guess: Way) -> Way:
-    """Return a route's last way with what lies beyond the goal."""
-    if way.end is not None:
-        return way
-    beyond = math.dist(way.line[0], guess.line[-1])
-    if beyond <= math.dist(way.line[0], way.line[-1]):
-        return way
-    return Way(way.heading, (*way.line, guess.line[-1]), guess.end)
-
-
-def _overlaps(line: LineString, polygon: Polygon) -> list[tuple[float, float]]:
-    """Return the stretches of a line inside a polygon, metres along it."""
-    inside = line.intersection(polygon)
-    parts = [inside] if isinstance(inside, LineString) else getattr(inside, "geoms", [])
-    spans = sorted(
-        tuple(
-            sorted((
-                line.project(Point(p.coords[0])),
-                line.project(Point(p.coords[-1])),
-            ))
-        )
-        for p in parts
-        if isinstance(p, LineString) and p.length > 0.05
-    )
-    joined: list[tuple[float, float]] = []
-    for start, end in spans:
-        if joined and start - joined[-1][1] < 0.1:
-            joined[-1] = (joined[-1][0], max(end, joined[-1][1]))
-        else:
-            joined.append((start, end))
-    return joined
-
-
-def _route_ways(
-    route: Route, passed: Sequence[tuple[float, str]]
-) -> Iterator[tuple[str | None, Way]]:
-    """Yield the ways along a route: from its start, then from each turning point."""
-    stops = [(0.0, None), *passed, (route.line.length, None)]
-    for (start, name), (end, following) in pairwise(stops):
-        if end - start < 0.05:
-            if name is None and following is not None:
-                x, y = route.line.coords[0][:2]
-                yield None, Way(route.start_heading, ((x, y), (x, y)), following)
-            continue
-        piece = substring(route.line, start, end)
-        if not isinstance(piece, LineString):
-            raise SitePlanError(f"route {route.id}: expected a line, got a point")
-        line = tuple((float(x), float(y)) for x, y, *_ in piece.coords)
-        # A turn's bend may lie beyond the middle of its polygon.
-        longest = max(pairwise(line), key=lambda leg: math.dist(*leg))
-        yield name, Way(heading_to(*longest), line, following)
