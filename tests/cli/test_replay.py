@@ -92,3 +92,11 @@ def test_a_wrong_episode_is_wrong_usage(
     done = memorymaze("replay", run_folder, "p4-3")
     assert done.code == 2
     assert "did you mean p4-2?" in done.err
+
+
+def test_a_place_that_takes_no_file_is_named_at_once(
+    memorymaze: Memorymaze, given: list[str | Path]
+) -> None:
+    done = memorymaze("replay", *given, *SMALL, "--out", "/proc/walk.mp4")
+    assert (done.code, done.out) == (1, "")
+    assert "/proc/walk.mp4" in done.err

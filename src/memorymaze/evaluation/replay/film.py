@@ -1,6 +1,7 @@
 """From an episode of a run to the file of its video."""
 
 import math
+import os
 import sys
 from collections.abc import Iterator
 from contextlib import ExitStack
@@ -54,6 +55,7 @@ def film_replay(
     """
     settings = settings or ReplaySettings()
     target = check_video_path(path)
+    _try_to_write(target)
     count = frame_count(episode, settings)
     result = episode.result
     title = f"{result.agent} on {result.episode_id} (simulated)"
@@ -140,6 +142,13 @@ def frames_of(
                 page.write_outcome(outcome_line(result), arrived=result.success)
                 ending = page.picture()
             yield page.picture()
+
+
+def _try_to_write(target: Path) -> None:
+    """Find out at once what the encoder would say after minutes, without a name."""
+    probe = target.with_name(f"{target.name}.{os.getpid()}.unfinished")
+    probe.touch()
+    probe.unlink()
 
 
 def _times(episode: RecordedEpisode, settings: ReplaySettings) -> list[float]:
