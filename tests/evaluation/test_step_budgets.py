@@ -87,6 +87,8 @@ def test_only_agents_that_drive_by_steps_get_their_time(
 def test_a_run_tells_how_often_it_will_ask() -> None:
     plan = plan_run(AgentSettings("stop"), limit=12)
     assert answers_estimate(plan) is None
+    replayed = SimpleNamespace(agent=AgentSettings("navid", replay="replies.sqlite"))
+    assert answers_estimate(SimpleNamespace(settings=replayed)) is None  # type: ignore[arg-type]
 
     def asked(**options: str) -> tuple[int, int]:
         agent = AgentSettings("navid", options=tuple(options.items()))

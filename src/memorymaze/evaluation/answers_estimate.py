@@ -17,10 +17,10 @@ def answers_estimate(plan: RunPlan) -> str | None:
     From what walks without a mistake need to what the budget of steps allows.
 
     Returns:
-        None for runs of other agents.
+        None for runs of other agents, and for those that replay answers.
     """
     agent = plan.settings.agent
-    if agent.name != "navid":
+    if agent.name != "navid" or agent.replay is not None:
         return None
     options = read_options(NavidOptions, agent.options, agent=agent.name)
     motions = options.motions
