@@ -32,10 +32,10 @@ NEAR_LINEAR = 1.8
 
 AGENTS = ("rules", "oracle")
 
-# One episode on a site, in a process of its own: seconds until it is done, and memory.
+# The first episode on a site costs more than it does again, by the start-up of a worker.
 ONE_WORKER = """
 import resource, sys, time
-began = time.perf_counter()
+began = time.process_time()
 from memorymaze.evaluation.episode_worker import EpisodeTask, EpisodeWorker
 from memorymaze.evaluation.plan import plan_run
 from memorymaze.evaluation.settings import AgentSettings
@@ -44,10 +44,10 @@ site = sys.argv[1]
 episode = next(e for e in plan.episodes if e.instruction.site == site)
 do = EpisodeWorker(plan.settings, {site: plan.sites[site]})()
 do(EpisodeTask(episode))
-first = time.perf_counter() - began
-began = time.perf_counter()
+first = time.process_time() - began
+began = time.process_time()
 do(EpisodeTask(episode))
-second = time.perf_counter() - began
+second = time.process_time() - began
 print(first - second, resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024)
 """
 
@@ -102,7 +102,13 @@ def throughput(plan: RunPlan, workforce: Workforce) -> tuple[float, float]:
         # A trace is written as its episode ends, before its result.
         written = [path.stat().st_mtime for path in Path(folder, "traces").iterdir()]
     first, last = min(written), max(written)
-    return (len(results) - 1) / (last - first), len(results) / (last - began)
+    figures = (len(results) - 1) / (last - first), len(results) / (last - began)
+    print(
+        f"  {plan.settings.agent.name}, {workforce}: {figures[0]:.2f} /s, with start-up "
+        f"{figures[1]:.2f} /s",
+        file=sys.stderr,
+    )
+    return figures
 
 
 @contextmanager
@@ -117,6 +123,8 @@ def ray_workforce(workers: int) -> Iterator[Workforce | None]:
     from memorymaze.evaluation.ray_cluster import open_ray_cluster
 
     os.environ.setdefault("RAY_USAGE_STATS_ENABLED", "0")
+    # Ray's workers give way to all others by default, which local ones do not.
+    os.environ.setdefault("RAY_worker_niceness", "0")
     with open_ray_cluster("local", workers) as cluster:
         yield cluster
 
@@ -130,7 +138,7 @@ def one_worker(site: str) -> list[Row]:
     )
     starting, memory = map(float, done.stdout.split())
     return [
-        Row(f"worker on {site}: start-up", starting, "s"),
+        Row(f"worker on {site}: start-up, processor time", starting, "s"),
         Row(f"worker on {site}: memory at most", memory, "MB"),
     ]
 

@@ -122,7 +122,7 @@ def _connect(ray: Any, address: str, workers: int) -> None:
         ray.init(address=address, **options)
     except (Exception, SystemExit) as error:
         # Ray ends the process where it finds something else than a cluster.
-        said = str(error).splitlines()[0] if str(error).strip("0123456789") else ""
+        said = str(error).partition("\n")[0].strip("0123456789.")
         raise SettingsError(
             f"--ray {address}: cannot be used as a Ray cluster"
             f"{f' ({said})' if said else ''}. See on its head with `ray status` whether "
