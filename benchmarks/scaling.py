@@ -34,7 +34,7 @@ AGENTS = ("rules", "oracle")
 
 # The first episode on a site costs more than it does again, by the start-up of a worker.
 ONE_WORKER = """
-import resource, sys, time
+import sys, time
 began = time.process_time()
 from memorymaze.evaluation.episode_worker import EpisodeTask, EpisodeWorker
 from memorymaze.evaluation.plan import plan_run
@@ -48,7 +48,9 @@ first = time.process_time() - began
 began = time.process_time()
 do(EpisodeTask(episode))
 second = time.process_time() - began
-print(first - second, resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024)
+# Not ru_maxrss, which begins with that of the process we come from.
+status = dict(line.split(":", 1) for line in open("/proc/self/status"))
+print(first - second, int(status["VmHWM"].split()[0]) / 1024)
 """
 
 
