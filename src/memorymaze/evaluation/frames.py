@@ -13,9 +13,9 @@ from dataclasses import asdict, fields
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from memorymaze.errors import SettingsError
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import read_run
+from memorymaze.extras import require_extra
 
 if TYPE_CHECKING:
     import pandas
@@ -37,12 +37,9 @@ def episode_frame(folders: Sequence[str | Path]) -> "pandas.DataFrame":
         RunFolderError: A folder is no run, or is damaged.
         SettingsError: pandas is not installed.
     """
-    try:
-        import pandas
-    except ImportError:
-        raise SettingsError(
-            "data frames need the package pandas: pip install 'memorymaze[tables]'"
-        ) from None
+    require_extra("tables", "pandas", purpose="data frames")
+    import pandas
+
     rows = [
         {"run": Path(folder).resolve().name, **asdict(result)}
         for folder in folders

@@ -5,7 +5,6 @@ import io
 from collections.abc import Sequence
 from typing import Any
 
-from memorymaze.errors import SettingsError
 from memorymaze.evaluation.safety import PER_DISTANCE, safety
 from memorymaze.evaluation.tables.bootstrap import MEASURES
 from memorymaze.evaluation.tables.inference_cost import (
@@ -19,6 +18,7 @@ from memorymaze.evaluation.tables.rows import (
     TableRow,
     table_rows,
 )
+from memorymaze.extras import require_extra
 
 __all__ = ["columns", "csv_tables", "parquet_tables", "table_records"]
 
@@ -70,13 +70,10 @@ def parquet_tables(runs: Sequence[MeasuredRun], tables: Sequence[TableName]) -> 
     Raises:
         SettingsError: pyarrow is not installed.
     """
-    try:
-        import pyarrow
-        import pyarrow.parquet
-    except ImportError:
-        raise SettingsError(
-            "Parquet needs the package pyarrow: pip install 'memorymaze[tables]'"
-        ) from None
+    require_extra("tables", "pyarrow", purpose="Parquet")
+    import pyarrow
+    import pyarrow.parquet
+
     out = io.BytesIO()
     content = pyarrow.Table.from_pylist(table_records(runs, tables))
     pyarrow.parquet.write_table(content, out)

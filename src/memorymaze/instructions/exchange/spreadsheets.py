@@ -9,7 +9,8 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
-from memorymaze.errors import InstructionFileError, SettingsError
+from memorymaze.errors import InstructionFileError
+from memorymaze.extras import require_extra
 from memorymaze.instructions.exchange.records import parsed
 from memorymaze.instructions.records import Instruction
 from memorymaze.instructions.writing import instruction_record, write_file
@@ -76,7 +77,7 @@ def write_spreadsheet(
     if kind == "csv":
         frame.to_csv(content, index=False, lineterminator="\n", encoding="utf-8")
     else:
-        _needs("pyarrow")
+        require_extra("tables", "pyarrow", purpose="Parquet")
         frame.to_parquet(content, index=False, engine="pyarrow")
     write_file(path, content.getvalue())
 
@@ -90,7 +91,7 @@ def read_spreadsheet(path: str | Path, kind: Kind) -> list[Instruction]:
     """
     pandas = _pandas()
     if kind == "parquet":
-        _needs("pyarrow")
+        require_extra("tables", "pyarrow", purpose="Parquet")
     try:
         if kind == "csv":
             frame = pandas.read_csv(path, dtype=str, keep_default_na=False)
@@ -128,16 +129,7 @@ def _has_value(name: str, value: object) -> bool:
 
 
 def _pandas() -> Any:
-    _needs("pandas")
+    require_extra("tables", "pandas", purpose="CSV and Parquet")
     import pandas
 
     return pandas
-
-
-def _needs(package: str) -> None:
-    from importlib.util import find_spec
-
-    if find_spec(package) is None:
-        raise SettingsError(
-            f"tables need the package {package}: pip install 'memorymaze[tables]'"
-        )
