@@ -152,6 +152,8 @@ class _ModelBody:
     jntadr: _Ints
 
 class MjModel:
+    @staticmethod
+    def from_xml_string(xml: str) -> MjModel: ...
     vis: _Visual
     ngeom: int
     nbody: int

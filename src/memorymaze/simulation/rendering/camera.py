@@ -16,6 +16,7 @@ from memorymaze.errors import RenderingError, SettingsError
 from memorymaze.geometry.pose import Pose
 from memorymaze.simulation.rendering.open_gl import filter_fast, open_context
 from memorymaze.simulation.rendering.sky import SKY_DISTANCE
+from memorymaze.simulation.rendering.viewpoint import geoms_in_view
 from memorymaze.simulation.rendering.visual_scene import (
     HIDDEN_GROUP,
     LARGEST_PICTURE,
@@ -102,7 +103,7 @@ class RenderedCamera:
             SettingsError: A setting has no meaning.
             RenderingError: This machine cannot draw; says what to install.
         """
-        _check(width, height, horizontal_fov, near, far, multisamples)
+        check_camera(width, height, horizontal_fov, near, far, multisamples)
         self.width, self.height = width, height
         self.horizontal_fov = horizontal_fov
         self.near, self.far = near, far
@@ -226,18 +227,10 @@ class RenderedCamera:
         return np.flatnonzero(seen)
 
     def _may_be_seen(self, pose: Pose, pitch: float) -> NDArray[np.bool_]:
-        half = self.horizontal_fov / 2
-        vertical = math.atan(math.tan(half) * self.height / self.width)
-        if abs(pitch) + vertical >= math.pi / 2 - 0.01:
-            half = math.pi
-        elif pitch:
-            # Above and below the level the same picture is wider on the plan.
-            reach = math.tan(half) / math.cos(vertical)
-            half = math.atan2(reach, math.cos(abs(pitch) + vertical))
-        outlook = self._scene.sightlines.outlook(
-            pose.x, pose.y, pose.heading, half, self.far * 1.5
+        size = (self.width, self.height)
+        return geoms_in_view(
+            self._scene, pose, pitch, size, self.horizontal_fov, self.far
         )
-        return outlook.sees(self._scene.centres, self._scene.radii)
 
     def _aim(self, pose: Pose, height: float, pitch: float) -> None:
         ahead = (math.cos(pose.heading), math.sin(pose.heading))
@@ -281,7 +274,7 @@ class RenderedCamera:
         return depth, instances
 
 
-def _check(
+def check_camera(
     width: int,
     height: int,
     horizontal_fov: float,

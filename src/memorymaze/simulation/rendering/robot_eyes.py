@@ -9,7 +9,13 @@ import mujoco
 
 from memorymaze.geometry.pose import Pose
 from memorymaze.simulation.rendering.camera import CameraFrame, RenderedCamera
+from memorymaze.simulation.rendering.filament import FilamentCamera
 from memorymaze.simulation.rendering.panorama import PanoramaCamera, PanoramaFrame
+from memorymaze.simulation.rendering.renderers import (
+    Renderer,
+    open_camera,
+    wanted_renderer,
+)
 from memorymaze.simulation.rendering.visual_scene import (
     VisualScene,
     build_visual_scene,
@@ -27,17 +33,22 @@ def visual_scene_of(scene: Scene) -> VisualScene:
 
 @lru_cache(maxsize=4)
 def _camera_of(
-    scene: Scene, size: tuple[int, int], horizontal_fov: float, owner: tuple[int, int]
-) -> RenderedCamera:
+    scene: Scene,
+    size: tuple[int, int],
+    horizontal_fov: float,
+    renderer: Renderer,
+    owner: tuple[int, int],
+) -> RenderedCamera | FilamentCamera:
     """Return a camera that all robots of a scene share: opening one takes a second.
 
     Args:
         scene: The building.
         size: Width and height, pixels.
         horizontal_fov: Radians.
+        renderer: Draws the colours.
         owner: Process and thread, which alone may use it.
     """
-    return RenderedCamera(visual_scene_of(scene), *size, horizontal_fov)
+    return open_camera(renderer, visual_scene_of(scene), size, horizontal_fov)
 
 
 @lru_cache(maxsize=2)
@@ -67,8 +78,10 @@ class RobotEyes:
     def frame(
         self, pose: Pose, width: int, height: int, horizontal_fov: float
     ) -> CameraFrame:
-        """Take a picture; see `RenderedCamera`."""
-        camera = _camera_of(self._scene, (width, height), horizontal_fov, _owner())
+        """Take a picture with `wanted_renderer`; see `RenderedCamera`."""
+        camera = _camera_of(
+            self._scene, (width, height), horizontal_fov, wanted_renderer(), _owner()
+        )
         self._place_movables()
         return camera.frame(pose)
 

@@ -11,7 +11,9 @@ from tqdm import tqdm
 
 from memorymaze.errors import SettingsError
 from memorymaze.simulation.rendering.camera import RenderedCamera
+from memorymaze.simulation.rendering.filament import FilamentCamera
 from memorymaze.simulation.rendering.panorama import PanoramaCamera
+from memorymaze.simulation.rendering.renderers import RENDERERS, Renderer, open_camera
 from memorymaze.simulation.rendering.robot_eyes import visual_scene_of
 from memorymaze.simulation.scene import Scene
 from memorymaze.simulation.walkthrough.tour import tour_of
@@ -47,6 +49,8 @@ class WalkthroughSettings:
     """Radians; of no meaning in a panorama."""
     multisamples: int = 4
     """Samples per pixel that smooth edges."""
+    renderer: Renderer = "classic"
+    """Draws it: `classic`, or `filament` for quality, which draws no panoramas."""
 
     @property
     def width(self) -> int:
@@ -70,6 +74,16 @@ class WalkthroughSettings:
             raise SettingsError(
                 "walkthrough: expected a size of even numbers from 16 to 4096 pixels, "
                 f"got {width}x{height}"
+            )
+        if self.renderer not in RENDERERS:
+            raise SettingsError(
+                f"walkthrough: expected a renderer of {', '.join(RENDERERS)}, got "
+                f"{self.renderer!r}"
+            )
+        if self.panorama and self.renderer != "classic":
+            raise SettingsError(
+                "walkthrough: expected the classic renderer for a panorama, got "
+                f"{self.renderer!r}; leave one of the two out"
             )
         if self.panorama and width != 2 * height:
             raise SettingsError(
@@ -149,17 +163,17 @@ def film_walkthrough(
 @contextmanager
 def _camera(
     scene: Scene, settings: WalkthroughSettings
-) -> Generator[RenderedCamera | PanoramaCamera]:
+) -> Generator[RenderedCamera | FilamentCamera | PanoramaCamera]:
     looks = visual_scene_of(scene)
     if settings.panorama:
         camera = PanoramaCamera(looks, settings.width, settings.multisamples)
     else:
-        camera = RenderedCamera(
+        camera = open_camera(
+            settings.renderer,
             looks,
-            settings.width,
-            settings.height_in_pixels,
+            (settings.width, settings.height_in_pixels),
             settings.horizontal_fov,
-            multisamples=settings.multisamples,
+            settings.multisamples,
         )
     with camera:
         yield camera
