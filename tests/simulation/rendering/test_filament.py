@@ -2,6 +2,7 @@
 
 import ctypes
 import math
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -115,3 +116,27 @@ def test_a_film_by_filament_ends_well_and_prints_only_its_result(
     assert "frames" in done.stdout
     assert "FEngine" not in done.stderr
     assert (tmp_path / "film.mp4").stat().st_size > 0
+
+
+@pytest.mark.filament
+def test_a_robot_that_drew_with_filament_leaves_the_process_in_peace(
+    tiny_sites_folder: Path,
+) -> None:
+    program = f"""
+from memorymaze.geometry.pose import Pose
+from memorymaze.simulation import SimulatedRobot, build_scene
+from memorymaze.sites import load_site
+
+site = load_site({str(next(tiny_sites_folder.glob("corridor*")))!r})
+robot = SimulatedRobot(build_scene(site), Pose(2.0, 0.0, 0.0))
+print(robot.camera_frame(48, 32).rgb.shape)
+"""
+    done = subprocess.run(
+        [sys.executable, "-c", program],
+        capture_output=True,
+        text=True,
+        env={**os.environ, "MEMORYMAZE_RENDERER": "filament"},
+        check=False,
+    )
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout == "(32, 48, 3)\n"

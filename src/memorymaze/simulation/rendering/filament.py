@@ -2,6 +2,7 @@
 
 import atexit
 import math
+import os
 import weakref
 from dataclasses import replace
 from types import TracebackType
@@ -68,10 +69,10 @@ class FilamentCamera:
         self._scene = scene
         self._engine = engine_of_this_process()
         self._classic: RenderedCamera | None = None
-        self._is_open = True
         with without_chatter():
             self._drawn = FilamentScene(self._engine, scene, multisamples)
             self._aim_at_memory()
+            self._is_open = True
             # The first picture takes seconds, and the engine talks about it.
             self._draw(Pose(0.0, 0.0, 0.0), CAMERA_HEIGHT, 0.0)
         _cameras.add(self)
@@ -117,14 +118,25 @@ class FilamentCamera:
 
     def close(self) -> None:
         """Give back its memory; it takes no more pictures."""
-        if self._is_open:
+        if self._is_open and self._classic is not None:
+            self._classic.close()
+        self.release()
+
+    def release(self) -> None:
+        """Give back what Filament holds of it, in an order that it survives.
+
+        Left to the garbage collector, users could go after what they use.
+        """
+        if self._is_open and self._engine.process == os.getpid():
             self._is_open = False
-            if self._classic is not None:
-                self._classic.close()
-            # Users go before what they use.
             self._read = self._request = None
             self._target = None
             self._drawn.close()
+
+    def __del__(self) -> None:
+        """Release it."""
+        if getattr(self, "_is_open", False):
+            self.release()
 
     def __enter__(self) -> "FilamentCamera":
         """Return itself."""
@@ -161,7 +173,7 @@ class FilamentCamera:
 
 
 @atexit.register
-def _close_all() -> None:
-    """Close in order what the interpreter would take down in any order."""
+def _release_all() -> None:
+    """Release what is still open; by now OpenGL may be gone, so nothing else."""
     for camera in list(_cameras):
-        camera.close()
+        camera.release()

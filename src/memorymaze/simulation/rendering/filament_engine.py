@@ -31,7 +31,7 @@ _VULKAN_SUCCESS = 0
 
 @dataclass(frozen=True)
 class Engine:
-    """Filament in this process; there is one at most, for each keeps 150 MB."""
+    """Filament in this process; one at most, for each takes much memory."""
 
     library: Any
     """The module `mujoco.mjrf`, which brings no types."""

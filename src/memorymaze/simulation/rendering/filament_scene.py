@@ -35,7 +35,7 @@ pools of light under lamps are painted already, so there are no lamps for them."
 
 
 class FilamentScene:
-    """Everything of a `VisualScene` on the side of Filament; keeps about 150 MB."""
+    """Everything of a `VisualScene` on the side of Filament."""
 
     def __init__(self, engine: Engine, looks: VisualScene, multisamples: int) -> None:
         """Copy a building; takes seconds.

@@ -113,7 +113,8 @@ def film_walkthrough(
 ) -> int:
     """Write the video of a route; it is there in full or not at all.
 
-    The same building, route and settings give the same frames on one machine.
+    The same building, route and settings give the same frames on one machine, except
+    by Filament, whose frames differ by a little noise.
 
     Args:
         scene: The building.
