@@ -89,8 +89,8 @@ def test_a_recorded_run_is_replayed_without_a_server(
     asking = AgentSettings(
         "code_generation", model="fake", parser=False, base_url=server, record=replies
     )
-    asked = run_plan(plan(asking), tmp_path / "asked", workers=1)
-    assert [(one.model_calls, one.tokens) for one in asked] == [(1, 120), (1, 120)]
+    asked = run_plan(plan(asking, 3), tmp_path / "asked", workers=1)
+    assert [(one.model_calls, one.tokens) for one in asked] == [(1, 120)] * 3
     assert {one.stopped_by for one in asked} == {"agent"}
     assert any(one.success for one in asked)
     notes = [
@@ -100,12 +100,12 @@ def test_a_recorded_run_is_replayed_without_a_server(
     ]
     assert {"model_reply", "program"} <= set(notes)
     replaying = replace(asking, base_url=None, record=None, replay=replies)
-    replayed = run_plan(plan(replaying), tmp_path / "replayed", workers=1)
+    replayed = run_plan(plan(replaying, 3), tmp_path / "replayed", workers=1)
     assert [replace(one, wall_s=0) for one in replayed] == [
         replace(one, wall_s=0) for one in asked
     ]
     parsing = replace(replaying, parser=True)
-    other = run_plan(plan(parsing), tmp_path / "other", workers=1)
+    other = run_plan(plan(parsing, 3), tmp_path / "other", workers=1)
     assert {one.stopped_by for one in other} == {"model_error"}
     assert all("no reply of fake is recorded" in str(one.error) for one in other)
 

@@ -25,7 +25,7 @@ def safe_name(identifier: str) -> str:
     >>> safe_name("onl-museum_5f-r1-04-2")
     'onl-museum_5f-r1-04-2'
     >>> safe_name("../Etc/passwd")
-    'etc-passwd-78bb2ce5eb'
+    'etc-passwd-28c79e5bab'
     """
     stem = re.sub(r"[^a-z0-9_-]+", "-", identifier.lower()).strip("-")[:LONGEST]
     if stem == identifier and stem and stem not in RESERVED:
