@@ -28,11 +28,14 @@ def answers_estimate(plan: RunPlan) -> str | None:
     for episode in plan.episodes:
         told = episode.instruction
         site = plan.sites[told.site]
-        fewest += fewest_answers(
+        fair = fair_steps(site.routes, motions.forward_m, motions.turn_deg)
+        limit = options.step_limit(fair) or 0
+        perfect = fewest_answers(
             site.route(told.reference_route), motions.most, motions.turn_deg
         )
-        fair = fair_steps(site.routes, motions.forward_m, motions.turn_deg)
-        most += options.step_limit(fair) or 0
+        # Where the budget does not suffice for the route, it ends the walk.
+        fewest += min(perfect, limit)
+        most += limit
     hours = [answers * SECONDS_PER_ANSWER / 3600 for answers in (fewest, most)]
     return (
         f"the policy will be asked about {fewest} times if it makes no mistake, and at "
