@@ -51,12 +51,13 @@ def count_cell(row: TableRow) -> str:
     return "" if row.episodes is None else str(row.episodes)
 
 
-def estimate_cell(estimate: Estimate) -> str:
-    """Write a mean with its interval where there is one.
+def estimate_cell(estimate: Estimate, sign: str = "") -> str:
+    """Write a mean with its interval where there is one; `sign="+"` for differences.
 
     >>> estimate_cell(Estimate(0.5, 0.25, 0.75))
     '0.50 [0.25, 0.75]'
     """
     if estimate.low is None or estimate.high is None:
-        return f"{estimate.mean:.2f}"
-    return f"{estimate.mean:.2f} [{estimate.low:.2f}, {estimate.high:.2f}]"
+        return f"{estimate.mean:{sign}.2f}"
+    low, high = f"{estimate.low:{sign}.2f}", f"{estimate.high:{sign}.2f}"
+    return f"{estimate.mean:{sign}.2f} [{low}, {high}]"

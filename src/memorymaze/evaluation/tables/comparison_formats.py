@@ -5,7 +5,7 @@ import io
 import textwrap
 from typing import Literal
 
-from memorymaze.evaluation.tables.cells import STUDY_TITLES
+from memorymaze.evaluation.tables.cells import STUDY_TITLES, estimate_cell
 from memorymaze.evaluation.tables.comparison import (
     COMPARED,
     Comparison,
@@ -145,10 +145,7 @@ def _outcomes(row: ComparisonRow) -> str:
 
 
 def _difference(row: ComparisonRow, name: str) -> str:
-    estimate = row.difference[name]
-    if estimate.low is None or estimate.high is None:
-        return f"{estimate.mean:+.2f}"
-    return f"{estimate.mean:+.2f} [{estimate.low:+.2f}, {estimate.high:+.2f}]"
+    return estimate_cell(row.difference[name], "+")
 
 
 def _p(value: float) -> str:

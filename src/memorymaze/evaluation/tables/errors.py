@@ -9,6 +9,8 @@ import numpy as np
 
 from memorymaze.errors import RunFolderError, SettingsError
 from memorymaze.evaluation.results import EpisodeResult
+from memorymaze.evaluation.tables.cells import estimate_cell
+from memorymaze.evaluation.tables.columns import markdown_columns, text_columns
 from memorymaze.evaluation.tables.rows import MeasuredRun
 from memorymaze.evaluation.tables.run_notes import run_notes
 from memorymaze.instructions.generation.kinds import ERROR_KINDS
@@ -105,7 +107,7 @@ def error_table(runs: Sequence[MeasuredRun], style: str) -> str:
     parts: list[str] = []
     for run in runs:
         lines = [HEADINGS, *(_cells(row) for row in error_rows(run))]
-        write = _text if style == "text" else _markdown
+        write = text_columns if style == "text" else markdown_columns
         notes = "\n".join(f"- {note}" for note in run_notes(run))
         title = f"Success by kind of error: {run.label}"
         parts.append(f"{title}\n\n{write(lines)}\n\n{KEY}\n\n{notes}\n")
@@ -171,25 +173,7 @@ def _cells(row: ErrorRow) -> tuple[str, ...]:
 
 
 def _shown(estimate: Estimate | None, sign: str = "") -> str:
-    if estimate is None:
-        return "-"
-    mean = f"{estimate.mean:{sign}.2f}"
-    if estimate.low is None or estimate.high is None:
-        return mean
-    return f"{mean} [{estimate.low:{sign}.2f}, {estimate.high:{sign}.2f}]"
-
-
-def _text(lines: Sequence[Sequence[str]]) -> str:
-    widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
-    return "\n".join(
-        "  ".join(c.ljust(w) for c, w in zip(line, widths, strict=True)).rstrip()
-        for line in lines
-    )
-
-
-def _markdown(lines: Sequence[Sequence[str]]) -> str:
-    head, *rest = ("| " + " | ".join(line) + " |" for line in lines)
-    return "\n".join([head, "|" + "---|" * len(lines[0]), *rest])
+    return "-" if estimate is None else estimate_cell(estimate, sign)
 
 
 def _csv(rows: Iterable[ErrorRow]) -> str:

@@ -9,6 +9,8 @@ import numpy as np
 
 from memorymaze.errors import SettingsError
 from memorymaze.evaluation.results import EpisodeResult
+from memorymaze.evaluation.tables.cells import estimate_cell
+from memorymaze.evaluation.tables.columns import markdown_columns, text_columns
 from memorymaze.evaluation.tables.rows import MeasuredRun
 from memorymaze.evaluation.tables.run_notes import run_notes
 from memorymaze.instructions.sail import DEVELOPMENT, paragraph_of
@@ -89,7 +91,7 @@ def sail_table(runs: Sequence[MeasuredRun], style: str) -> str:
     parts: list[str] = []
     for run in runs:
         lines = [HEADINGS, *(_cells(row) for row in sail_rows(run))]
-        write = _text if style == "text" else _markdown
+        write = text_columns if style == "text" else markdown_columns
         title = f"SAIL, final position: {run.label}"
         notes = "\n".join(f"- {note}" for note in [*run_notes(run), _range(run)])
         parts.append(f"{title}\n\n{write(lines)}\n\n{KEY}\n\n{notes}\n")
@@ -146,30 +148,15 @@ def _range(run: MeasuredRun) -> str:
 
 
 def _cells(row: SailRow) -> tuple[str, ...]:
-    low, high = row.success.low, row.success.high
-    interval = "" if low is None or high is None else f" [{low:.2f}, {high:.2f}]"
     people = "-" if row.people is None else f"{row.people:.2f} ({row.followers} trials)"
     return (
         row.paragraphs,
         row.map,
         str(row.texts),
         str(row.episodes),
-        f"{row.success.mean:.2f}{interval}",
+        estimate_cell(row.success),
         people,
     )
-
-
-def _text(lines: Sequence[Sequence[str]]) -> str:
-    widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
-    return "\n".join(
-        "  ".join(c.ljust(w) for c, w in zip(line, widths, strict=True)).rstrip()
-        for line in lines
-    )
-
-
-def _markdown(lines: Sequence[Sequence[str]]) -> str:
-    head, *rest = ("| " + " | ".join(line) + " |" for line in lines)
-    return "\n".join([head, "|" + "---|" * len(lines[0]), *rest])
 
 
 def _csv(rows: Iterable[SailRow]) -> str:
