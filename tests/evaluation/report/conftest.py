@@ -1,13 +1,12 @@
 """Two tiny runs, one of them hostile, and the reports on them."""
 
 import json
-import shutil
 from collections.abc import Callable, Generator
 from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import Browser, Page, sync_playwright
+from playwright.sync_api import Browser, Page
 
 from memorymaze.evaluation.driver import run_plan
 from memorymaze.evaluation.plan import plan_run
@@ -25,8 +24,6 @@ HOSTILE = (
 """What somebody might say who wants to take over a page."""
 
 HOSTILE_ID = "a/../<b>&'\"x"
-
-BROWSERS = ("chromium", "chromium-browser", "google-chrome")
 
 AGENT = """
 HOSTILE = {hostile!r}
@@ -133,24 +130,6 @@ def hostile_report(tmp_path_factory: pytest.TempPathFactory) -> Path:
     run = make_run(folder / "run", f"{folder / 'agent.py'}:Hostile", instructions)
     make_report(folder / "out", run, instruction_files=[instructions])
     return folder / "out"
-
-
-@pytest.fixture(scope="session")
-def browser() -> Generator[Browser]:
-    """The Chromium that is installed on this machine."""
-    path = next(filter(None, map(shutil.which, BROWSERS)), None)
-    if path is None:
-        pytest.fail(
-            "these tests look at pages in Chromium, and none is installed; type: "
-            "sudo apt-get install chromium (scripts/setup_browser.sh does it)"
-        )
-    arguments = ["--no-sandbox", "--disable-gpu", "--disable-background-networking"]
-    with sync_playwright() as playwright:
-        chromium = playwright.chromium.launch(
-            executable_path=path, headless=True, args=arguments
-        )
-        yield chromium
-        chromium.close()
 
 
 @pytest.fixture

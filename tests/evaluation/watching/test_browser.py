@@ -1,4 +1,3 @@
-import shutil
 import threading
 from collections.abc import Callable, Generator
 from http.client import HTTPConnection
@@ -7,14 +6,12 @@ from urllib.parse import urlsplit
 
 import pytest
 from axe_playwright_python.sync_playwright import Axe
-from playwright.sync_api import Page, sync_playwright
+from playwright.sync_api import Browser, Page
 
 from memorymaze.evaluation.episode import EpisodeRun
 from memorymaze.evaluation.watching import Onlooker, Present
 from memorymaze.evaluation.watching.browser_view import BrowserView
 from memorymaze.sites import Site
-
-BROWSERS = ("chromium", "chromium-browser", "google-chrome")
 
 
 @pytest.fixture
@@ -77,13 +74,10 @@ def test_a_walk_goes_on_when_nobody_comes(view: BrowserView) -> None:
 
 
 @pytest.fixture
-def page() -> Generator[Page]:
-    path = next((found for name in BROWSERS if (found := shutil.which(name))), None)
-    assert path, "expected Chromium: apt-get install chromium"
-    with sync_playwright() as player:
-        browser = player.chromium.launch(executable_path=path, args=["--no-sandbox"])
-        yield browser.new_page(bypass_csp=True)
-        browser.close()
+def page(browser: Browser) -> Generator[Page]:
+    opened = browser.new_page(bypass_csp=True)
+    yield opened
+    opened.close()
 
 
 def test_the_page_shows_the_walk_and_its_end(
