@@ -25,13 +25,17 @@ def test_a_replay_has_a_frame_for_every_equal_step_and_one_for_the_end(
     assert frames[0].shape == (240, 320, 3)
 
 
-def test_the_same_episode_gives_the_same_file(
+def test_the_same_episode_gives_the_same_pictures(
     crowded_episode: RecordedEpisode, tmp_path: Path
 ) -> None:
-    one, other = tmp_path / "one.mp4", tmp_path / "other.mp4"
-    film_replay(crowded_episode, one, QUICK)
-    film_replay(crowded_episode, other, QUICK)
-    assert one.read_bytes() == other.read_bytes()
+    films: list[list[np.ndarray]] = []
+    for name in ("one.mp4", "other.mp4"):
+        film_replay(crowded_episode, tmp_path / name, QUICK)
+        with av.open(tmp_path / name) as film:
+            films.append([f.to_ndarray(format="rgb24") for f in film.decode(video=0)])
+    assert len(films[0]) == len(films[1])
+    for one, other in zip(*films, strict=True):
+        assert np.abs(one.astype(int) - other).mean() < 0.5
 
 
 def test_what_breaks_off_leaves_the_file_as_it_was(

@@ -15,8 +15,8 @@ from memorymaze.simulation.walkthrough.spherical import mark_spherical
 
 __all__ = ["VideoFile", "check_video_path"]
 
-QUALITY = {"crf": "20", "preset": "fast", "threads": "2"}
-"""Of x264; a fixed number of threads, because it has a part in what comes out."""
+QUALITY = {"crf": "20", "preset": "fast", "threads": "1"}
+"""Of x264; a single thread, because threads have a part in what comes out."""
 
 BT709, LIMITED_RANGE = 1, 1
 """Numbers of colour space, primaries, transfer and range in H.264."""
