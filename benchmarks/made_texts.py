@@ -9,15 +9,15 @@ import argparse
 import sys
 import time
 
-from memorymaze.instructions.generation import (
+from memorymaze.instructions.published import published_tables
+from memorymaze.instructions.statistics import describe_corpus
+from memorymaze.sites import load_sites
+from memorymaze.writing import (
     ErrorRates,
     cells_of,
     drafts,
     instructions_of,
 )
-from memorymaze.instructions.published import published_tables
-from memorymaze.instructions.statistics import describe_corpus
-from memorymaze.sites import load_sites
 
 POINTS, MEAN, SD = 0.03, 0.05, 0.15
 TITLE = "study   site        route it.  mean (paper)           SD (paper)             FR %           AR %"

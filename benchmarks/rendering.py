@@ -15,7 +15,7 @@ from pathlib import Path
 
 from benchmarks.measuring import Row, timed
 from memorymaze.geometry.pose import Pose, heading_to
-from memorymaze.simulation.rendering import (
+from memorymaze.pictures.rendering import (
     RenderedCamera,
     VisualScene,
     build_visual_scene,

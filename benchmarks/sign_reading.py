@@ -25,8 +25,9 @@ from benchmarks.measuring import Row
 from memorymaze.geometry.pose import Pose
 from memorymaze.perception.eyes import Eyes, SignSource
 from memorymaze.perception.ocr import PICTURE_SIZE
+from memorymaze.pictures import robot_cameras
 from memorymaze.simulation import Scene, SimulatedRobot, build_scene
-from memorymaze.simulation.written_texts import inscription
+from memorymaze.simulation.senses.written_texts import inscription
 from memorymaze.sites import BUILTIN_SITE_NAMES, Site, builtin_site, load_site
 from memorymaze.sites.records import Door, Landmark
 
@@ -96,7 +97,12 @@ def measure(
     eyes = Eyes(signs=source)
     scene = build_scene(site)
     for place in list(standpoints(scene))[::every]:
-        robot = SimulatedRobot(scene, place.pose, sign_reader=eyes.sign_reader())
+        robot = SimulatedRobot(
+            scene,
+            place.pose,
+            sign_reader=eyes.sign_reader(),
+            cameras=robot_cameras,
+        )
         began = time.perf_counter()
         signs = robot.read_signs()
         seconds.append(time.perf_counter() - began)

@@ -16,7 +16,7 @@ from memorymaze.simulation import (
     SimulationSettings,
     build_scene,
 )
-from memorymaze.simulation.wheeled_base import WheeledBase
+from memorymaze.simulation.motion.wheeled_base import WheeledBase
 from memorymaze.sites import (
     BUILTIN_SITE_NAMES,
     Route,

@@ -24,10 +24,10 @@ from memorymaze.geometry.pose import Pose, turn_between
 from memorymaze.perception.turning_points import TurningPointFinder
 from memorymaze.robot.api import Direction
 from memorymaze.simulation import SimulatedRobot, build_scene
-from memorymaze.simulation.lidar import Lidar, LidarSettings
-from memorymaze.simulation.odometry import Odometry, OdometrySettings
-from memorymaze.simulation.turning_directions import direction_of
-from memorymaze.simulation.turning_points import TurningPointVisits
+from memorymaze.simulation.motion.turning_directions import direction_of
+from memorymaze.simulation.senses.lidar import Lidar, LidarSettings
+from memorymaze.simulation.senses.odometry import Odometry, OdometrySettings
+from memorymaze.simulation.senses.turning_points import TurningPointVisits
 from memorymaze.sites import BUILTIN_SITE_NAMES, Site, builtin_site, load_site
 from memorymaze.sites.records import Route
 

@@ -17,13 +17,13 @@ from shapely import Point
 from shapely import box as rectangle
 
 from memorymaze.geometry.pose import Pose
+from memorymaze.pictures.furniture.cache import Looks
+from memorymaze.pictures.furniture.fitting import furniture_for
+from memorymaze.pictures.looks.assembly import Order
+from memorymaze.pictures.looks.catalogue import archetype_of
+from memorymaze.pictures.rendering.camera import RenderedCamera
+from memorymaze.pictures.rendering.visual_scene import build_visual_scene
 from memorymaze.simulation.furnishing import landmark_solid
-from memorymaze.simulation.furniture.cache import Looks
-from memorymaze.simulation.furniture.fitting import furniture_for
-from memorymaze.simulation.looks.assembly import Order
-from memorymaze.simulation.looks.catalogue import archetype_of
-from memorymaze.simulation.rendering.camera import RenderedCamera
-from memorymaze.simulation.rendering.visual_scene import build_visual_scene
 from memorymaze.sites import load_sites
 from memorymaze.sites.records import Area, Landmark, Mount, Site
 

@@ -16,7 +16,7 @@ from PIL import Image, ImageDraw
 from shapely import LineString
 
 from memorymaze.geometry.pose import Pose
-from memorymaze.simulation.rendering import (
+from memorymaze.pictures.rendering import (
     PanoramaCamera,
     RenderedCamera,
     VisualScene,

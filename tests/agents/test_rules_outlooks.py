@@ -11,7 +11,7 @@ from memorymaze.agents.rules.outlooks import (
     outlook_cost,
     walls_cost,
 )
-from memorymaze.language.route_description import (
+from memorymaze.understanding import (
     ANY_FLOOR,
     Length,
     Outlook,

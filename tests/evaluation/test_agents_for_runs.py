@@ -5,7 +5,6 @@ from pathlib import Path
 import pytest
 
 from memorymaze.agents import AGENTS
-from memorymaze.agents.options import list_options
 from memorymaze.errors import SettingsError
 from memorymaze.evaluation.agent_listing import agent_listing
 from memorymaze.evaluation.agents_for_runs import (
@@ -17,6 +16,7 @@ from memorymaze.evaluation.agents_for_runs import (
 from memorymaze.evaluation.oracle import OracleAgent
 from memorymaze.evaluation.plan import RunPlan
 from memorymaze.evaluation.settings import AgentSettings
+from memorymaze.options import list_options
 
 OWN_AGENT = """
 from dataclasses import dataclass

@@ -7,9 +7,9 @@ import pytest
 
 from memorymaze.errors import RunFolderError
 from memorymaze.evaluation.results import EpisodeResult
-from memorymaze.evaluation.tables import Place, load_runs
-from memorymaze.evaluation.tables.comparison import Outcomes, compare_runs
-from memorymaze.evaluation.tables.comparison_formats import format_comparison
+from memorymaze.results.tables import Place, load_runs
+from memorymaze.results.tables.comparison import Outcomes, compare_runs
+from memorymaze.results.tables.comparison_formats import format_comparison
 
 Make = Callable[..., EpisodeResult]
 Write = Callable[..., Path]

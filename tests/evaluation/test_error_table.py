@@ -13,8 +13,8 @@ from memorymaze.evaluation.results import (
     result_from_line,
     result_to_line,
 )
-from memorymaze.evaluation.tables import load_runs
-from memorymaze.evaluation.tables.errors import error_rows, error_table
+from memorymaze.results.tables import load_runs
+from memorymaze.results.tables.errors import error_rows, error_table
 
 Make = Callable[..., EpisodeResult]
 Write = Callable[..., Path]

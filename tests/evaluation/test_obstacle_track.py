@@ -15,9 +15,9 @@ from memorymaze.evaluation.results import EpisodeResult, result_from_line
 from memorymaze.evaluation.run_folder import RunRecord, open_run_folder, read_run
 from memorymaze.evaluation.settings import RunSettings, differences
 from memorymaze.evaluation.summary import summarise, summary_lines
-from memorymaze.evaluation.tables import load_runs
-from memorymaze.evaluation.tables.formats import format_tables
 from memorymaze.evaluation.trace import read_trace
+from memorymaze.results.tables import load_runs
+from memorymaze.results.tables.formats import format_tables
 from memorymaze.simulation.obstacles import ObstacleSettings
 
 Make = Callable[..., EpisodeResult]

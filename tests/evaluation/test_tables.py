@@ -5,7 +5,7 @@ import pytest
 
 from memorymaze.errors import RunFolderError
 from memorymaze.evaluation.results import EpisodeResult
-from memorymaze.evaluation.tables import Place, TableRow, load_runs, table_rows
+from memorymaze.results.tables import Place, TableRow, load_runs, table_rows
 
 Make = Callable[..., EpisodeResult]
 Write = Callable[..., Path]

@@ -9,6 +9,7 @@ import pytest
 from shapely import Point, Polygon, box
 
 from memorymaze.geometry.pose import Pose
+from memorymaze.pictures import robot_cameras
 from memorymaze.simulation import (
     Scene,
     SimulatedRobot,
@@ -108,6 +109,7 @@ def put_robot() -> PutRobot:
             SimulationSettings(**settings),
             np.random.default_rng(seed),
             None if events is None else events.append,
+            cameras=robot_cameras,
         )
 
     return put

@@ -33,9 +33,9 @@ def add_parser(verbs: Verbs) -> None:
 
 
 def _run(options: argparse.Namespace) -> int:
-    from memorymaze.evaluation.tables import load_runs
-    from memorymaze.evaluation.tables.comparison import compare_runs
-    from memorymaze.evaluation.tables.comparison_formats import format_comparison
+    from memorymaze.results.tables import load_runs
+    from memorymaze.results.tables.comparison import compare_runs
+    from memorymaze.results.tables.comparison_formats import format_comparison
 
     folders = [options.first, options.second]
     first, second = load_runs(folders, exclude_dev=options.exclude_dev)

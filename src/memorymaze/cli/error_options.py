@@ -52,9 +52,8 @@ def generated_instructions(
                     "--errors RATES, or leave it out"
                 )
         return options.instructions
-    from memorymaze.evaluation.generation import GenerationRequest
-    from memorymaze.evaluation.generation.for_runs import instructions_for_run
-    from memorymaze.instructions.generation import parse_rates
+    from memorymaze.writing import GenerationRequest, parse_rates
+    from memorymaze.writing.for_runs import instructions_for_run
 
     if options.sail is not None:
         raise SettingsError("--errors: SAIL has its own texts; leave out --sail")

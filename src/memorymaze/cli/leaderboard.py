@@ -40,7 +40,7 @@ def add_parser(verbs: Verbs) -> None:
 def _run(options: argparse.Namespace) -> int:
     from tqdm import tqdm
 
-    from memorymaze.evaluation.report.leaderboard import (
+    from memorymaze.results.report.leaderboard import (
         read_leaderboard,
         write_leaderboard,
     )

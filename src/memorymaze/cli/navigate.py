@@ -19,7 +19,7 @@ from memorymaze.cli.plan_argument import plan_path
 from memorymaze.cli.verbs import Verbs
 
 if TYPE_CHECKING:
-    from memorymaze.evaluation.watching import Onlooker
+    from memorymaze.results.watching import Onlooker
     from memorymaze.sites import Route, Site
 
 __all__ = ["add_parser"]
@@ -70,7 +70,7 @@ def _run(options: argparse.Namespace) -> int:
         navigate,
         write_navigation,
     )
-    from memorymaze.evaluation.replay.outcome import outcome_line
+    from memorymaze.results.replay.outcome import outcome_line
     from memorymaze.sites import load_site
 
     site = load_site(plan_path(options.site))
@@ -128,7 +128,7 @@ def _onlooker(
         if options.pace is not None:
             raise SettingsError("--pace: expected with --watch, got it alone")
         return None
-    from memorymaze.evaluation.watching.choice import watching
+    from memorymaze.results.watching.choice import watching
 
     title = f"{options.agent} on {site.title}, {route.id} (simulated)"
     return stack.enter_context(

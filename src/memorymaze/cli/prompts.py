@@ -68,11 +68,11 @@ def _run(options: argparse.Namespace) -> int:
         CodeGenerationOptions,
         CodeGenerationRequests,
     )
-    from memorymaze.agents.options import read_options
-    from memorymaze.evaluation.durable_files import write_new
+    from memorymaze.durable_files import write_new
     from memorymaze.evaluation.offline_inference import offline_requests
     from memorymaze.instructions.corpus import load_instructions
     from memorymaze.language.batch_files import read_replies
+    from memorymaze.options import read_options
 
     given = read_options(
         CodeGenerationOptions, given_options(options.set), agent=options.agent

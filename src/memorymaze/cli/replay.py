@@ -64,8 +64,8 @@ def add_parser(verbs: Verbs) -> None:
 
 
 def _run(options: argparse.Namespace) -> int:
-    from memorymaze.evaluation.replay import load_episode
-    from memorymaze.evaluation.replay.settings import ReplaySettings
+    from memorymaze.results.replay import load_episode
+    from memorymaze.results.replay.settings import ReplaySettings
 
     settings = ReplaySettings(
         size=options.size,
@@ -77,21 +77,21 @@ def _run(options: argparse.Namespace) -> int:
     name = quote(options.episode, safe="")[:100]
     video = options.out or (None if options.rerun else f"replay-{name}.mp4")
     if video is not None:
-        from memorymaze.simulation.walkthrough.video_file import check_video_path
+        from memorymaze.pictures.films.video_file import check_video_path
 
         check_video_path(video)
     if options.rerun is not None:
-        from memorymaze.evaluation.replay.recording import check_recording_path
+        from memorymaze.results.replay.recording import check_recording_path
 
         check_recording_path(options.rerun)
     episode = load_episode(options.run_folder, options.episode, options.sites)
     if options.rerun is not None:
-        from memorymaze.evaluation.replay.recording import record_replay
+        from memorymaze.results.replay.recording import record_replay
 
         record_replay(episode, options.rerun, settings, progress=True)
         print(options.rerun)
     if video is not None:
-        from memorymaze.evaluation.replay.film import film_replay
+        from memorymaze.results.replay.film import film_replay
 
         count = film_replay(episode, video, settings, progress=True)
         print(f"{video}: {count / settings.fps:.0f} s, {count} frames")

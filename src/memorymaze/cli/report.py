@@ -52,7 +52,7 @@ def _run(options: argparse.Namespace) -> int:
     from tqdm import tqdm
 
     from memorymaze.errors import SettingsError
-    from memorymaze.evaluation.report import read_sources, write_report
+    from memorymaze.results.report import read_sources, write_report
 
     if options.sail is not None and (options.instructions or options.sites):
         raise SettingsError(

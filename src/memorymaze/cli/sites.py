@@ -151,7 +151,7 @@ def _check(args: argparse.Namespace) -> int:
 
 def _without_a_look(path: Path, found: "list[SiteProblem]") -> "list[SiteProblem]":
     """Return a warning for each category of a sound plan that nothing looks like."""
-    from memorymaze.simulation.looks.catalogue import archetype_of
+    from memorymaze.pictures.looks.catalogue import archetype_of
     from memorymaze.sites import load_site
     from memorymaze.sites.problems import SiteProblem
 
@@ -177,8 +177,8 @@ def _without_a_look(path: Path, found: "list[SiteProblem]") -> "list[SiteProblem
 
 
 def _draw(args: argparse.Namespace) -> int:
+    from memorymaze.drawing.plan_picture import draw_site
     from memorymaze.sites import load_site
-    from memorymaze.sites.drawing import draw_site
 
     path = plan_path(args.site)
     site = load_site(path)
@@ -189,8 +189,8 @@ def _draw(args: argparse.Namespace) -> int:
 
 
 def _models(args: argparse.Namespace) -> int:
-    from memorymaze.simulation.furniture.cache import build_cache, cache_folder
-    from memorymaze.simulation.furniture.libraries import DEBIAN_FOLDER
+    from memorymaze.pictures.furniture.cache import build_cache, cache_folder
+    from memorymaze.pictures.furniture.libraries import DEBIAN_FOLDER
 
     def told(line: str) -> None:
         print(line, file=sys.stderr)

@@ -39,7 +39,7 @@ def add_parser(verbs: Verbs) -> None:
 def _run(options: argparse.Namespace) -> int:
     from tqdm import tqdm
 
-    from memorymaze.evaluation.submission import check_submission
+    from memorymaze.results.submission import check_submission
 
     with tqdm(unit="trace", disable=not sys.stderr.isatty()) as bar:
 

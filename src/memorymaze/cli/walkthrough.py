@@ -57,11 +57,11 @@ def add_parser(verbs: Verbs) -> None:
 
 def _run(options: argparse.Namespace) -> int:
     from memorymaze.evaluation.navigation import find_route
-    from memorymaze.simulation import build_scene
-    from memorymaze.simulation.walkthrough import (
+    from memorymaze.pictures.films import (
         WalkthroughSettings,
         film_walkthrough,
     )
+    from memorymaze.simulation import build_scene
     from memorymaze.sites import load_site
 
     settings = WalkthroughSettings(

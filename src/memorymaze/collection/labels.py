@@ -11,7 +11,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from memorymaze.collection.ways import ways_of
 from memorymaze.errors import LabelFileError, SettingsError
-from memorymaze.instructions.generation.kinds import ERROR_KINDS
+from memorymaze.instructions.error_kinds import ERROR_KINDS
 from memorymaze.instructions.records import Failure, Instruction
 from memorymaze.sites.records import Site
 

@@ -2,8 +2,8 @@
 
 from pathlib import Path
 
+from memorymaze.drawing.plan_picture import draw_site
 from memorymaze.errors import SettingsError
-from memorymaze.sites.drawing import draw_site
 from memorymaze.sites.records import Route, Site, TurningPoint
 
 __all__ = ["draw_ways", "way_in_words", "ways_of"]

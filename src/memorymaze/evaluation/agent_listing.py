@@ -3,13 +3,13 @@
 import textwrap
 from collections.abc import Iterator, Sequence
 
-from memorymaze.agents.options import list_options
 from memorymaze.evaluation.agents_for_runs import (
     Need,
     agent_names,
     agent_options,
     known_agent,
 )
+from memorymaze.options import list_options
 
 __all__ = ["agent_listing"]
 

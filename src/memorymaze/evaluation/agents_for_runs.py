@@ -1,7 +1,7 @@
 """From the name of an agent to the agent: the table of those that come with the package.
 
 To add one: an entry in `_KNOWN`, with how it is made, its dataclass of options (see
-`memorymaze.agents.options`), and what it needs.
+`memorymaze.options`), and what it needs.
 """
 
 import difflib
@@ -11,7 +11,6 @@ from typing import Any, Literal
 
 from memorymaze.agents import AGENTS
 from memorymaze.agents.agent import Agent
-from memorymaze.agents.options import read_options
 from memorymaze.agents.rules import RulesAgent, RulesOptions
 from memorymaze.errors import SettingsError
 from memorymaze.evaluation.language_models import build_language_model
@@ -27,6 +26,7 @@ from memorymaze.evaluation.program_replay import (
 )
 from memorymaze.evaluation.settings import AgentSettings
 from memorymaze.instructions.records import Episode
+from memorymaze.options import read_options
 
 __all__ = [
     "AgentFor",

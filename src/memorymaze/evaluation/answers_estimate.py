@@ -1,9 +1,9 @@
 """How often a run will ask its policy, said before it begins."""
 
 from memorymaze.agents.navid.settings import NavidOptions
-from memorymaze.agents.options import read_options
 from memorymaze.evaluation.plan import RunPlan
 from memorymaze.evaluation.step_budgets import fair_steps, fewest_answers
+from memorymaze.options import read_options
 
 __all__ = ["SECONDS_PER_ANSWER", "answers_estimate"]
 

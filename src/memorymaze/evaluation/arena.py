@@ -11,6 +11,7 @@ from memorymaze.geometry.trajectory import Trajectory
 from memorymaze.instructions.records import Episode
 from memorymaze.metrics.score import MetricValues, score_walk
 from memorymaze.perception.eyes import Eyes
+from memorymaze.pictures import robot_cameras
 from memorymaze.simulation import (
     Scene,
     SimulatedRobot,
@@ -90,6 +91,7 @@ class Arena:
             sign_reader=self.eyes.sign_reader(),
             obstacles_rng=placing,
             keep_free=episode.reference_path,
+            cameras=robot_cameras,
         )
 
     def score(

@@ -1,8 +1,8 @@
 """What a run will cost, said before it begins: an estimate, with what it rests on."""
 
-from memorymaze.agents.options import read_options
 from memorymaze.evaluation.plan import RunPlan
 from memorymaze.language.model import CompletionRequest
+from memorymaze.options import read_options
 
 __all__ = ["CHARACTERS_PER_TOKEN", "REPLY_TOKENS", "cost_estimate"]
 

@@ -21,7 +21,7 @@ def checked_eyes(detector: DetectorSettings, signs: SignSource) -> Eyes:
     eyes = Eyes(detector, signs)
     if eyes.need_pictures:
         # Only these runs load OpenGL.
-        from memorymaze.simulation.rendering.open_gl import choose_backend
+        from memorymaze.pictures.rendering.open_gl import choose_backend
 
         choose_backend()
     eyes.check()

@@ -11,7 +11,7 @@ from memorymaze.robot.api import (
 )
 from memorymaze.robot.steps import CameraPicture
 from memorymaze.simulation import SimulatedRobot
-from memorymaze.simulation.lidar import LidarScan
+from memorymaze.simulation.senses.lidar import LidarScan
 
 __all__ = ["HandedRobot"]
 

@@ -2,7 +2,7 @@
 
 from memorymaze.evaluation.agents_for_runs import agent_needs
 from memorymaze.perception.detector_settings import TRUTH, DetectorSettings
-from memorymaze.simulation.furniture.cache import Looks, looks_in_use
+from memorymaze.pictures.furniture.cache import Looks, looks_in_use
 
 __all__ = ["looks_of_run"]
 

@@ -10,10 +10,11 @@ from typing import Any
 
 import numpy as np
 
+from memorymaze.drawing.obstacles import Met, ThingInTheWay
+from memorymaze.durable_files import write_whole
 from memorymaze.errors import RunFolderError, SettingsError
 from memorymaze.evaluation.agents_for_runs import build_agent
 from memorymaze.evaluation.arena import Arena
-from memorymaze.evaluation.durable_files import write_whole
 from memorymaze.evaluation.episode import EpisodeRun, Watcher, run_episode
 from memorymaze.evaluation.eyes_for_runs import checked_eyes
 from memorymaze.evaluation.looks_for_runs import looks_of_run
@@ -29,7 +30,6 @@ from memorymaze.simulation import SimulationSettings
 from memorymaze.simulation.obstacles import ObstacleSettings
 from memorymaze.simulation.settings import TurningPoints
 from memorymaze.sites import Route, Site
-from memorymaze.sites.drawing_obstacles import Met, ThingInTheWay
 
 __all__ = ["check_folder", "find_route", "navigate", "write_navigation"]
 
@@ -183,7 +183,7 @@ def write_navigation(
     Raises:
         RunFolderError: The folder cannot be written.
     """
-    from memorymaze.sites.drawing import draw_site
+    from memorymaze.drawing.plan_picture import draw_site
 
     content: dict[str, Any] = {
         "site": site.name,

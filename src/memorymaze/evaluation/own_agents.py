@@ -11,9 +11,9 @@ from types import ModuleType
 from typing import Any
 
 from memorymaze.agents.agent import Agent
-from memorymaze.agents.options import read_options
 from memorymaze.errors import SettingsError
 from memorymaze.evaluation.agent_failures import failure_line
+from memorymaze.options import read_options
 
 __all__ = ["checked_agent", "make_own_agent", "own_options"]
 

@@ -15,13 +15,13 @@ from typing import Any
 
 from pydantic import TypeAdapter, ValidationError
 
-from memorymaze.errors import RunFolderError, SettingsError
-from memorymaze.evaluation.durable_files import (
+from memorymaze.durable_files import (
     append_line,
     locked,
     remove_leftovers,
     write_whole,
 )
+from memorymaze.errors import RunFolderError, SettingsError
 from memorymaze.evaluation.provenance import CodeStamp
 from memorymaze.evaluation.results import (
     EpisodeResult,

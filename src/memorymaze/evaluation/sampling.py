@@ -3,8 +3,8 @@
 from collections.abc import Sequence
 
 from memorymaze.errors import SettingsError
-from memorymaze.evaluation.settings import check_whole
 from memorymaze.instructions.records import Episode
+from memorymaze.options import check_whole
 
 __all__ = ["of_split", "sample"]
 

@@ -10,9 +10,10 @@ from typing import Any
 from memorymaze.errors import SettingsError
 from memorymaze.evaluation.asking import PATIENT, AskingSettings
 from memorymaze.evaluation.inference_time import MEASURED, InferenceTime
+from memorymaze.options import check_whole
 from memorymaze.perception.detector_settings import TRUTH, DetectorSettings
 from memorymaze.perception.eyes import SignSource
-from memorymaze.simulation.furniture.cache import Looks
+from memorymaze.pictures.furniture.cache import Looks
 from memorymaze.simulation.obstacles import ObstacleSettings
 from memorymaze.simulation.settings import SimulationSettings
 
@@ -20,7 +21,6 @@ __all__ = [
     "AgentSettings",
     "FileStamp",
     "RunSettings",
-    "check_whole",
     "differences",
     "stamp_file",
 ]
@@ -161,15 +161,3 @@ def _flat(value: Mapping[str, Any], prefix: str = "") -> Iterable[tuple[str, Any
             yield from _flat(part, f"{prefix}{name}.")
         else:
             yield prefix + name, part
-
-
-def check_whole(name: str, value: int, *, least: int) -> None:
-    """Refuse what is not a whole number of at least `least`.
-
-    Raises:
-        SettingsError: It is not; names the setting.
-    """
-    if type(value) is not int or value < least:
-        raise SettingsError(
-            f"{name}: expected a whole number of at least {least}, got {value!r}"
-        )

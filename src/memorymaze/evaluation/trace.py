@@ -12,8 +12,8 @@ from urllib.parse import quote
 
 import numpy as np
 
+from memorymaze.durable_files import write_whole
 from memorymaze.errors import RunFolderError
-from memorymaze.evaluation.durable_files import write_whole
 
 __all__ = [
     "keep_trace",

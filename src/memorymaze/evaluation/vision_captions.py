@@ -25,7 +25,7 @@ from memorymaze.language.model import (
 from memorymaze.language.prompt_texts import load_prompt
 from memorymaze.robot.viewpoints import EIGHT_DIRECTIONS, Panorama
 from memorymaze.simulation import Scene, SimulatedRobot
-from memorymaze.simulation.look_around import look_around, sector_headings
+from memorymaze.simulation.senses.look_around import look_around, sector_headings
 from memorymaze.sites import Site
 from memorymaze.sites.navigation_graph import Viewpoint
 
@@ -211,8 +211,8 @@ def take_pictures(scene: Scene, viewpoint: Viewpoint) -> tuple[Picture, ...]:
 @lru_cache(maxsize=4)
 def _camera(scene: Scene) -> Any:
     # Runs that never draw load neither OpenGL nor the looks of things.
-    from memorymaze.simulation.rendering import RenderedCamera
-    from memorymaze.simulation.rendering.robot_eyes import visual_scene_of
+    from memorymaze.pictures.rendering import RenderedCamera
+    from memorymaze.pictures.rendering.robot_eyes import visual_scene_of
 
     return RenderedCamera(
         visual_scene_of(scene), PICTURE_WIDTH, PICTURE_HEIGHT, PICTURE_FOV

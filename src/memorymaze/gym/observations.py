@@ -12,7 +12,7 @@ from gymnasium import spaces
 from memorymaze.errors import SettingsError
 from memorymaze.gym.instruction_space import InstructionSpace
 from memorymaze.simulation import SimulatedRobot
-from memorymaze.simulation.lidar import LidarSettings
+from memorymaze.simulation.senses.lidar import LidarSettings
 
 __all__ = ["SENSORS", "Senses", "Sensor"]
 

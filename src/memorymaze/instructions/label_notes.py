@@ -4,7 +4,7 @@ import difflib
 import re
 from collections.abc import Iterable, Iterator, Mapping
 
-from memorymaze.instructions.generation.kinds import ERROR_KINDS
+from memorymaze.instructions.error_kinds import ERROR_KINDS
 from memorymaze.instructions.problems import InstructionProblem, place_of
 from memorymaze.instructions.records import Failure, Instruction
 from memorymaze.sites.records import Route, Site

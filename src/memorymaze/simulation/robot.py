@@ -5,12 +5,16 @@ from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import asdict
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from memorymaze.errors import CommandError, EpisodeOver, SettingsError
+from memorymaze.errors import (
+    CommandError,
+    EpisodeOver,
+    RenderingError,
+    SettingsError,
+)
 from memorymaze.geometry.pose import Pose, turn_between
 from memorymaze.geometry.trajectory import Trajectory
 from memorymaze.perception.sign_reading import SignReader, TruthSignReader
@@ -26,24 +30,25 @@ from memorymaze.robot.api import (
 )
 from memorymaze.robot.steps import CameraPicture
 from memorymaze.simulation.call_log import CallLog
-from memorymaze.simulation.driving import Driver, TimeIsUp
-from memorymaze.simulation.elsewhere import camera_elsewhere
-from memorymaze.simulation.lidar import Lidar, LidarScan, LidarSettings
-from memorymaze.simulation.lidar_turning_points import LidarTurningPoints
+from memorymaze.simulation.cameras import (
+    CameraFrame,
+    CameraMaker,
+    PanoramaFrame,
+    RobotCameras,
+)
+from memorymaze.simulation.motion.driving import Driver, TimeIsUp
+from memorymaze.simulation.motion.pilot import Pilot
+from memorymaze.simulation.motion.turning_directions import parse_direction
 from memorymaze.simulation.obstacles.closeness import NearMiss
 from memorymaze.simulation.obstacles.surroundings import Surroundings
-from memorymaze.simulation.odometry import Odometry, OdometrySettings
-from memorymaze.simulation.pilot import Pilot
 from memorymaze.simulation.scene import Scene
+from memorymaze.simulation.senses.elsewhere import camera_elsewhere
+from memorymaze.simulation.senses.lidar import Lidar, LidarScan, LidarSettings
+from memorymaze.simulation.senses.lidar_turning_points import LidarTurningPoints
+from memorymaze.simulation.senses.odometry import Odometry, OdometrySettings
+from memorymaze.simulation.senses.visibility import RayCamera
 from memorymaze.simulation.settings import TIMESTEP, SimulationSettings
 from memorymaze.simulation.trace import Collision, TraceEvent
-from memorymaze.simulation.turning_directions import parse_direction
-from memorymaze.simulation.visibility import RayCamera
-
-if TYPE_CHECKING:
-    from memorymaze.simulation.rendering.camera import CameraFrame
-    from memorymaze.simulation.rendering.panorama import PanoramaFrame
-    from memorymaze.simulation.rendering.robot_eyes import RobotEyes
 
 __all__ = ["SimulatedRobot"]
 
@@ -72,6 +77,7 @@ class SimulatedRobot:
         keep_free: Sequence[tuple[float, float]] = (),
         lidar: LidarSettings | None = None,
         odometry: OdometrySettings | None = None,
+        cameras: CameraMaker | None = None,
     ) -> None:
         """Put a robot into a building.
 
@@ -92,6 +98,8 @@ class SimulatedRobot:
                 child of `rng` gives the noise.
             odometry: How far its odometry is off, for `turning_points="lidar"`; exact
                 when None. Another child of `rng` gives the noise.
+            cameras: What draws its pictures, such as `memorymaze.pictures.robot_cameras`;
+                None for a robot that takes none.
 
         Raises:
             SettingsError: There are to be people, and the package for them is missing.
@@ -120,6 +128,7 @@ class SimulatedRobot:
         self._log = CallLog(self.settings, on_event)
         self._detector = detector or TruthDetector(self.settings.detection_range)
         self._sign_reader = sign_reader or TruthSignReader()
+        self._camera_maker = cameras
         self._refused_turns = 0
         self._look: tuple[tuple[float, Pose], RayCamera] | None = None
         """When and where the camera looked last, and what it sees there."""
@@ -409,7 +418,7 @@ class SimulatedRobot:
 
     def camera_frame(
         self, width: int = 640, height: int = 480, horizontal_fov: float = math.pi / 2
-    ) -> "CameraFrame":
+    ) -> CameraFrame:
         """Draw what the camera sees from where the robot is: colours, depth, ids.
 
         The first call builds the building's looks, which takes seconds.
@@ -424,7 +433,7 @@ class SimulatedRobot:
         """
         return self._eyes.frame(self.pose, width, height, horizontal_fov)
 
-    def panorama(self, width: int = 1024) -> "PanoramaFrame":
+    def panorama(self, width: int = 1024) -> PanoramaFrame:
         """Draw the view all round from the camera's place.
 
         Args:
@@ -436,11 +445,13 @@ class SimulatedRobot:
         return self._eyes.panorama(self.pose, width)
 
     @cached_property
-    def _eyes(self) -> "RobotEyes":
-        # Runs that never draw load neither OpenGL nor the looks of things.
-        from memorymaze.simulation.rendering.robot_eyes import RobotEyes
-
-        return RobotEyes(self.scene, self._driver.base.data)
+    def _eyes(self) -> RobotCameras:
+        if self._camera_maker is None:
+            raise RenderingError(
+                "expected a robot with cameras, got one made without; give "
+                "SimulatedRobot cameras=memorymaze.pictures.robot_cameras"
+            )
+        return self._camera_maker(self.scene, self._driver.base.data)
 
     @property
     def pose(self) -> Pose:

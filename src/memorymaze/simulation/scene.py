@@ -14,21 +14,21 @@ import mujoco
 from shapely import Polygon
 from shapely.geometry.polygon import orient
 
-from memorymaze.simulation.clearance import Clearance
 from memorymaze.simulation.furnishing import Solid, door_solid, landmark_solid
-from memorymaze.simulation.obstacles.bodies import add_movables
-from memorymaze.simulation.obstacles.kinds import Movable, people, things
-from memorymaze.simulation.obstacles.placing import stretches
-from memorymaze.simulation.obstacles.settings import ObstacleSettings
-from memorymaze.simulation.obstacles.walks import Walks
-from memorymaze.simulation.straight_ways import StraightWays
-from memorymaze.simulation.walls import walls_around
-from memorymaze.simulation.wheeled_base import (
+from memorymaze.simulation.motion.clearance import Clearance
+from memorymaze.simulation.motion.straight_ways import StraightWays
+from memorymaze.simulation.motion.wheeled_base import (
     FLOOR_CONTACT,
     ROBOT_GROUP,
     SOLID_CONTACT,
     add_wheeled_base,
 )
+from memorymaze.simulation.obstacles.bodies import add_movables
+from memorymaze.simulation.obstacles.kinds import Movable, people, things
+from memorymaze.simulation.obstacles.placing import stretches
+from memorymaze.simulation.obstacles.settings import ObstacleSettings
+from memorymaze.simulation.obstacles.walks import Walks
+from memorymaze.simulation.walls import walls_around
 from memorymaze.sites.records import Door, Landmark, Site
 
 __all__ = [

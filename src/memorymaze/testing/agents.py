@@ -15,6 +15,7 @@ from memorymaze.errors import (
 )
 from memorymaze.evaluation.agent_failures import failure_line
 from memorymaze.evaluation.agents_for_runs import checked_agent
+from memorymaze.pictures import robot_cameras
 from memorymaze.robot.api import (
     Detection,
     Direction,
@@ -89,7 +90,9 @@ def _museum() -> Callable[[], Robot]:
     scene = build_scene(builtin_site("museum_5f"))
     start = scene.site.reference_route("R2").start
     settings = SimulationSettings(time_budget=40.0, call_budget=300)
-    return lambda: SimulatedRobot(scene, start, settings, np.random.default_rng(0))
+    return lambda: SimulatedRobot(
+        scene, start, settings, np.random.default_rng(0), cameras=robot_cameras
+    )
 
 
 def _followed(agent: Agent, text: str, robot: Robot) -> list[str]:

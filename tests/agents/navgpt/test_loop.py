@@ -6,9 +6,9 @@ import pytest
 from memorymaze.agents import Journal
 from memorymaze.agents.navgpt import LoopLimits, NavGPTAgent, NavGPTOptions
 from memorymaze.agents.navgpt.settings import loop_limits
-from memorymaze.agents.options import read_options
 from memorymaze.errors import EpisodeOver, LanguageModelError, SettingsError
 from memorymaze.language.scripted_model import ScriptedLanguageModel
+from memorymaze.options import read_options
 
 Make = Callable[..., Any]
 Go = Callable[[str], str]

@@ -14,14 +14,14 @@ from memorymaze.agents.rules.floor_map import Sighting
 from memorymaze.agents.rules.outlooks import first_heading_cost
 from memorymaze.agents.rules.walker import Walker
 from memorymaze.geometry.pose import wrap_angle
-from memorymaze.language.route_description import (
+from memorymaze.robot.api import Robot
+from memorymaze.understanding import (
     ANY_FLOOR,
     RoutePlan,
     describe,
     is_floor,
     parse_route_description,
 )
-from memorymaze.robot.api import Robot
 
 __all__ = ["RulesAgent", "RulesOptions"]
 

@@ -23,7 +23,7 @@ from memorymaze.agents.rules.evidence import (
 from memorymaze.agents.rules.floor_map import FloorMap, Point, Stretch
 from memorymaze.agents.rules.outlooks import outlook_cost, outlook_of, walls_cost
 from memorymaze.geometry.pose import wrap_angle
-from memorymaze.language.route_description import (
+from memorymaze.understanding import (
     Leg,
     Length,
     RoutePlan,

@@ -14,7 +14,7 @@ from memorymaze.agents.rules.evidence import (
 )
 from memorymaze.agents.rules.floor_map import FloorMap, Point, Sighting, Stretch
 from memorymaze.agents.rules.walker import Walker
-from memorymaze.language.route_description import (
+from memorymaze.understanding import (
     RoutePlan,
     Turn,
     is_common,

@@ -13,7 +13,7 @@ from itertools import pairwise
 from memorymaze.agents.rules.floor_map import AT_CROSSING, SEES_FAR, FloorMap, Point
 from memorymaze.agents.rules.outlooks import crossing_floor_cost
 from memorymaze.geometry.pose import wrap_angle
-from memorymaze.language.route_description import (
+from memorymaze.understanding import (
     Length,
     Mention,
     Passing,

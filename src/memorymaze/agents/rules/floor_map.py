@@ -10,7 +10,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 
 from memorymaze.geometry.pose import wrap_angle
-from memorymaze.language.route_description import ANY_FLOOR, is_floor
+from memorymaze.understanding import ANY_FLOOR, is_floor
 
 __all__ = [
     "AT_CROSSING",

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 
 from memorymaze.agents.rules.floor_map import SEES_FAR, FloorMap
 from memorymaze.geometry.pose import wrap_angle
-from memorymaze.language.route_description import (
+from memorymaze.understanding import (
     Mention,
     Outlook,
     RoutePlan,

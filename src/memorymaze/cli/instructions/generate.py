@@ -77,9 +77,8 @@ def add_parser(actions: Verbs) -> None:
 
 
 def _run(options: argparse.Namespace) -> int:
-    from memorymaze.evaluation.generation import GenerationRequest, make_instructions
-    from memorymaze.instructions.generation import parse_rates
     from memorymaze.instructions.writing import write_instructions
+    from memorymaze.writing import GenerationRequest, make_instructions, parse_rates
 
     default = "failure=1" if options.sources else "published"
     request = GenerationRequest(
@@ -109,9 +108,9 @@ def _run(options: argparse.Namespace) -> int:
 
 def _model(options: argparse.Namespace) -> "LanguageModel | None":
     from memorymaze.errors import SettingsError
-    from memorymaze.evaluation.generation import GRAMMAR
     from memorymaze.evaluation.language_models import build_language_model
     from memorymaze.evaluation.settings import AgentSettings
+    from memorymaze.writing import GRAMMAR
 
     if options.engine == GRAMMAR:
         for name in ("base_url", "record", "replay"):

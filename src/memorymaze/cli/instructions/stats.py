@@ -45,10 +45,10 @@ def add_parser(actions: Verbs) -> None:
 
 def _run(options: argparse.Namespace) -> int:
     from memorymaze.errors import SettingsError
-    from memorymaze.evaluation.instruction_study import write_study
     from memorymaze.instructions.corpus import load_instructions
     from memorymaze.instructions.episodes import episodes
     from memorymaze.instructions.writing import write_file
+    from memorymaze.results.instruction_study import write_study
     from memorymaze.sites import load_sites
 
     if options.seed < 0:

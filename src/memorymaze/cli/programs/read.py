@@ -38,7 +38,7 @@ def add_parser(actions: Verbs) -> None:
 
 
 def _run(options: argparse.Namespace) -> int:
-    from memorymaze.evaluation.durable_files import write_new
+    from memorymaze.durable_files import write_new
     from memorymaze.evaluation.offline_inference import programs_from_replies
     from memorymaze.evaluation.program_files import program_lines
     from memorymaze.language.batch_files import read_replies

@@ -4,8 +4,8 @@ from collections.abc import Sequence
 
 import mujoco
 
+from memorymaze.simulation.motion.wheeled_base import SOLID_CONTACT
 from memorymaze.simulation.obstacles.kinds import Movable
-from memorymaze.simulation.wheeled_base import SOLID_CONTACT
 
 __all__ = ["MOVABLE_GROUP", "add_movables"]
 

@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 
 from memorymaze.geometry.pose import Pose
+from memorymaze.simulation.motion.wheeled_base import ROBOT_RADIUS
 from memorymaze.simulation.obstacles.crowd import Crowd
-from memorymaze.simulation.wheeled_base import ROBOT_RADIUS
 
 __all__ = ["CLOSE", "Closeness", "NearMiss"]
 

@@ -9,13 +9,13 @@ from numpy.typing import NDArray
 from shapely import Polygon
 
 from memorymaze.geometry.pose import turn_between
-from memorymaze.simulation.clearance import Clearance
-from memorymaze.simulation.detours import make_detours
+from memorymaze.simulation.motion.clearance import Clearance
+from memorymaze.simulation.motion.detours import make_detours
+from memorymaze.simulation.motion.wheeled_base import ROBOT_RADIUS
 from memorymaze.simulation.obstacles.avoidance import Avoidance, Disc
 from memorymaze.simulation.obstacles.kinds import Movable
 from memorymaze.simulation.obstacles.person import Person
 from memorymaze.simulation.obstacles.walks import Walks
-from memorymaze.simulation.wheeled_base import ROBOT_RADIUS
 
 __all__ = ["Crowd", "RobotMotion"]
 

@@ -8,7 +8,7 @@ import numpy as np
 from shapely import Point, Polygon
 
 from memorymaze.geometry.pose import Pose
-from memorymaze.simulation.clearance import Clearance
+from memorymaze.simulation.motion.clearance import Clearance
 from memorymaze.simulation.obstacles.closeness import Closeness
 from memorymaze.simulation.obstacles.crowd import Crowd, RobotMotion
 from memorymaze.simulation.obstacles.kinds import Movable

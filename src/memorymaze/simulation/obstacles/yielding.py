@@ -4,9 +4,9 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from memorymaze.simulation.motion.wheeled_base import ROBOT_RADIUS
 from memorymaze.simulation.obstacles.crowd import Crowd
 from memorymaze.simulation.obstacles.person import Person
-from memorymaze.simulation.wheeled_base import ROBOT_RADIUS
 
 __all__ = ["LANE_STEP", "STANDING", "Hindrance", "find_hindrance"]
 

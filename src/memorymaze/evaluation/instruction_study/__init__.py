@@ -1,9 +1,0 @@
-"""What instructions say, in numbers: Table I, words, marks of speech, distances."""
-
-from memorymaze.evaluation.instruction_study.study import (
-    InstructionStudy,
-    study_instructions,
-)
-from memorymaze.evaluation.instruction_study.writing import write_study
-
-__all__ = ["InstructionStudy", "study_instructions", "write_study"]

@@ -1,6 +1,0 @@
-"""Reports and leaderboards: folders of static pages made from run folders."""
-
-from memorymaze.evaluation.report.site_report import write_report
-from memorymaze.evaluation.report.sources import read_sources
-
-__all__ = ["read_sources", "write_report"]

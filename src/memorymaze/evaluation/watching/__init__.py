@@ -1,6 +1,0 @@
-"""Looking on while a robot drives: in the terminal, as plain lines, or in a browser."""
-
-from memorymaze.evaluation.watching.onlooker import Onlooker, View
-from memorymaze.evaluation.watching.present import Present
-
-__all__ = ["Onlooker", "Present", "View"]

@@ -1,0 +1,180 @@
+"""From a route to the file of its walkthrough."""
+
+import math
+import sys
+from collections.abc import Generator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+
+from tqdm import tqdm
+
+from memorymaze.errors import SettingsError
+from memorymaze.pictures.films.tour import tour_of
+from memorymaze.pictures.films.video_file import VideoFile, check_video_path
+from memorymaze.pictures.rendering.camera import RenderedCamera
+from memorymaze.pictures.rendering.filament import FilamentCamera
+from memorymaze.pictures.rendering.panorama import PanoramaCamera
+from memorymaze.pictures.rendering.renderers import RENDERERS, Renderer, open_camera
+from memorymaze.pictures.rendering.robot_eyes import visual_scene_of
+from memorymaze.simulation.scene import Scene
+from memorymaze.sites.records import Route
+
+__all__ = ["WalkthroughSettings", "film_walkthrough"]
+
+EYE_HEIGHT = 1.6
+"""Metres over the floor: eyes of somebody who walks, or a camera held there."""
+SECONDS_BETWEEN_LINES = 15.0
+
+
+@dataclass(frozen=True, slots=True)
+class WalkthroughSettings:
+    """What a walkthrough looks like.
+
+    Raises:
+        SettingsError: A value has no meaning; the message names it and the range.
+    """
+
+    size: tuple[int, int] | None = None
+    """Width and height, pixels, even; None for 960 x 540, all round 1280 x 640."""
+    panorama: bool = False
+    """Whether it looks all round (equirectangular, for players of 360-degree videos)."""
+    fps: float = 20.0
+    """Frames per second."""
+    speed: float = 1.0
+    """Times as fast as the robot drives, which is up to 1 m/s."""
+    height: float = EYE_HEIGHT
+    """Of the eyes over the floor, metres."""
+    horizontal_fov: float = math.pi / 2
+    """Radians; of no meaning in a panorama."""
+    multisamples: int = 4
+    """Samples per pixel that smooth edges."""
+    renderer: Renderer = "classic"
+    """Draws it: `classic`, or `filament` for quality, which draws no panoramas."""
+
+    @property
+    def width(self) -> int:
+        """Pixels."""
+        return self.size[0] if self.size else (1280 if self.panorama else 960)
+
+    @property
+    def height_in_pixels(self) -> int:
+        """Pixels."""
+        return self.size[1] if self.size else (640 if self.panorama else 540)
+
+    def __post_init__(self) -> None:
+        """Check every value."""
+        width, height = self.width, self.height_in_pixels
+        if (
+            min(width, height) < 16
+            or width % 2
+            or height % 2
+            or max(width, height) > 4096
+        ):
+            raise SettingsError(
+                "walkthrough: expected a size of even numbers from 16 to 4096 pixels, "
+                f"got {width}x{height}"
+            )
+        if self.renderer not in RENDERERS:
+            raise SettingsError(
+                f"walkthrough: expected a renderer of {', '.join(RENDERERS)}, got "
+                f"{self.renderer!r}"
+            )
+        if self.panorama and self.renderer != "classic":
+            raise SettingsError(
+                "walkthrough: expected the classic renderer for a panorama, got "
+                f"{self.renderer!r}; leave one of the two out"
+            )
+        if self.panorama and width != 2 * height:
+            raise SettingsError(
+                "walkthrough: expected a panorama twice as wide as high, got "
+                f"{width}x{height}"
+            )
+        for name, lowest, highest in (
+            ("fps", 1.0, 120.0),
+            ("speed", 0.1, 20.0),
+            ("height", 0.2, 2.5),
+        ):
+            value = getattr(self, name)
+            if not lowest <= value <= highest:
+                raise SettingsError(
+                    f"walkthrough: expected {name} from {lowest:g} to {highest:g}, got "
+                    f"{value!r}"
+                )
+
+
+def film_walkthrough(
+    scene: Scene,
+    route: Route,
+    path: str | Path,
+    settings: WalkthroughSettings | None = None,
+    *,
+    progress: bool = False,
+) -> int:
+    """Write the video of a route; it is there in full or not at all.
+
+    The same building, route and settings give the same frames on one machine, except
+    by Filament, whose frames differ by a little noise.
+
+    Args:
+        scene: The building.
+        route: Where from and where to.
+        path: An mp4 file, which is replaced.
+        settings: What it looks like; the defaults when None.
+        progress: Whether to show a bar with the time left on stderr.
+
+    Returns:
+        How many frames it has.
+
+    Raises:
+        SettingsError: The file cannot be there, or the package for videos is missing.
+        RenderingError: This machine cannot draw; says what to install.
+        MemoryMazeError: The route cannot be driven.
+        OSError: The file cannot be written to its end.
+    """
+    settings = settings or WalkthroughSettings()
+    target = check_video_path(path)
+    tour = tour_of(scene, route)
+    count = tour.frame_count(settings.fps, settings.speed)
+    title = f"Walkthrough of {scene.site.title}, {route.id} (simulated)"
+    with (
+        VideoFile(
+            target,
+            settings.width,
+            settings.height_in_pixels,
+            settings.fps,
+            title=title,
+            spherical=settings.panorama,
+        ) as video,
+        tqdm(
+            total=count,
+            unit="frame",
+            file=sys.stderr,
+            disable=not progress,
+            mininterval=0.5 if sys.stderr.isatty() else SECONDS_BETWEEN_LINES,
+        ) as bar,
+        _camera(scene, settings) as camera,
+    ):
+        for pose in tour.poses(settings.fps, settings.speed):
+            video.add(camera.picture(pose, settings.height))
+            bar.update()
+    return count
+
+
+@contextmanager
+def _camera(
+    scene: Scene, settings: WalkthroughSettings
+) -> Generator[RenderedCamera | FilamentCamera | PanoramaCamera]:
+    looks = visual_scene_of(scene)
+    if settings.panorama:
+        camera = PanoramaCamera(looks, settings.width, settings.multisamples)
+    else:
+        camera = open_camera(
+            settings.renderer,
+            looks,
+            (settings.width, settings.height_in_pixels),
+            settings.horizontal_fov,
+            settings.multisamples,
+        )
+    with camera:
+        yield camera

@@ -1,0 +1,304 @@
+"""Pictures that people hang up: landscapes, skies, maps, papers, posters, films."""
+
+from functools import cache
+
+import numpy as np
+from PIL import Image, ImageDraw
+
+from memorymaze.pictures.looks.boards import Pixels, blank, pixels_of, whole
+from memorymaze.pictures.looks.colours import Rgb, ink_on, mixed, rgb255, shade
+from memorymaze.simulation.senses.lettering import Field, write
+
+__all__ = [
+    "cork_board",
+    "film",
+    "flag",
+    "framed_photos",
+    "headlined",
+    "landscape",
+    "marker_board",
+    "painting",
+    "poster",
+    "scene_into",
+]
+
+WHITE: Rgb = (1.0, 1.0, 1.0)
+NIGHT: Rgb = (0.04, 0.05, 0.14)
+
+
+@cache
+def painting(width: float, height: float, colour: Rgb, variant: int) -> Pixels:
+    """Return a painted landscape in tones of a colour, within a mount."""
+    image = blank(width, height, (0.93, 0.91, 0.86))
+    landscape(image, whole(image).inset(0.08), colour, variant)
+    return pixels_of(image)
+
+
+def landscape(image: Image.Image, field: Field, colour: Rgb, variant: int) -> None:
+    """Draw hills under a sky with a sun into a field of a picture."""
+    rng = np.random.default_rng(variant + 71)
+    width, height = int(field.width), int(field.height)
+    left, top = int(field.left), int(field.top)
+    high, low = np.array(shade(colour, 1.35)), np.array(shade(colour, 1.8))
+    rows = np.linspace(0, 1, height)[:, None, None]
+    sky = Image.fromarray((255 * (high * (1 - rows) + low * rows)).astype(np.uint8))
+    image.paste(sky.resize((width, height)), (left, top))
+    draw = ImageDraw.Draw(image)
+    r = 0.1 * min(width, height)
+    x, y = left + width * rng.uniform(0.2, 0.8), top + height * 0.28
+    draw.ellipse([x - r, y - r, x + r, y + r], rgb255((1.0, 0.93, 0.7)))
+    across = np.linspace(0, 1, 60)
+    for layer in range(4):
+        line = np.full_like(across, 0.42 + 0.15 * layer)
+        for _ in range(3):
+            swing, pace, phase = rng.uniform((0.02, 3, 0), (0.06, 11, 6))
+            line += swing * np.sin(pace * across + phase)
+        crest = zip(
+            (left + across * (width - 1)).tolist(),
+            (top + np.clip(line, 0, 1) * (height - 1)).tolist(),
+            strict=True,
+        )
+        bottom = top + height - 1
+        outline = [(left, bottom), *crest, (left + width - 1, bottom)]
+        draw.polygon(outline, rgb255(shade(colour, 1.15 - 0.22 * layer)))
+
+
+def scene_into(image: Image.Image, field: Field, colour: Rgb, variant: int) -> None:
+    """Draw a picture of the kind exhibitions show: a sky, hills, curves or cells."""
+    kind = variant % 4
+    if kind == 0:
+        landscape(image, field, colour, variant)
+        return
+    rng = np.random.default_rng(variant + 13)
+    draw = ImageDraw.Draw(image)
+    left, top, right, bottom = field
+    ground = NIGHT if kind == 1 else shade(colour, 0.45 if kind == 2 else 1.7)
+    draw.rectangle([left, top, right - 1, bottom - 1], rgb255(ground))
+    short = min(field.width, field.height)
+
+    def spot(x: float, y: float, r: float, fill: Rgb) -> None:
+        # Spots stay inside the field, as a crop would have it.
+        x = min(max(x, left + r), right - r)
+        y = min(max(y, top + r), bottom - r)
+        draw.ellipse([x - r, y - r, x + r, y + r], rgb255(fill))
+
+    if kind == 1:
+        for x, y in rng.random((60, 2)):
+            spot(left + x * field.width, top + y * field.height, 1, WHITE)
+        x, y, r = left + 0.6 * field.width, top + 0.5 * field.height, 0.3 * short
+        spot(x, y, r, shade(colour, 1.25))
+        spot(x - 0.3 * r, y - 0.3 * r, 0.35 * r, shade(colour, 1.5))
+        spot(x + 0.3 * r, y + 0.4 * r, 0.22 * r, shade(colour, 0.9))
+    elif kind == 2:
+        for row in range(3):
+            t = np.linspace(0, 1, 40)
+            wave = 0.5 + (0.1 + 0.07 * row) * np.sin(t * (6 + 4 * row) + row)
+            line = [
+                (left + a * field.width, top + b * field.height)
+                for a, b in zip(t, wave, strict=True)
+            ]
+            draw.line(line, rgb255(shade(colour, 1.3 + 0.2 * row)), 4)
+    else:
+        for x, y, r in rng.random((14, 3)):
+            spot(
+                left + x * field.width,
+                top + y * field.height,
+                short * (0.04 + 0.1 * r),
+                shade(colour, 0.6 + 0.8 * r),
+            )
+
+
+@cache
+def poster(width: float, height: float, text: str, colour: Rgb, variant: int) -> Pixels:
+    """Return a poster: its words large over a picture."""
+    image = blank(width, height, colour)
+    everything = whole(image)
+    cut = everything.top + (0.62 if text else 0.0) * everything.height
+    lower = Field(0, cut, everything.right, everything.bottom)
+    scene_into(image, lower, mixed(colour, (0.5, 0.5, 0.5), 0.15), variant)
+    ImageDraw.Draw(image).rectangle(
+        [0, cut - 3, image.width, cut + 3], rgb255(ink_on(colour))
+    )
+    upper = Field(0, 0, everything.right, cut - 3).inset(0.06)
+    write(image, upper, text, ink_on(colour))
+    return pixels_of(image)
+
+
+@cache
+def headlined(
+    width: float, height: float, text: str, ground: Rgb, variant: int
+) -> Pixels:
+    """Return an exhibition panel: a headline, small print and a picture."""
+    image = blank(width, height, ground)
+    ink = ink_on(ground)
+    field = whole(image).inset(0.06)
+    cut = field.top + 0.36 * field.height
+    write(
+        image,
+        Field(field.left, field.top, field.right, cut),
+        text,
+        ink,
+        align=0.0,
+        most_lines=3,
+    )
+    body = Field(field.left, cut + 0.05 * field.height, field.right, field.bottom)
+    middle = body.left + 0.42 * body.width
+    _small_print(
+        image,
+        Field(body.left, body.top, middle - 0.03 * body.width, body.bottom),
+        mixed(ground, ink, 0.62),
+        variant,
+    )
+    accent = ground if ink[0] > 0.5 else (0.2, 0.42, 0.62)
+    scene_into(
+        image,
+        Field(middle, body.top, body.right, body.bottom),
+        shade(accent, 1.2),
+        variant,
+    )
+    return pixels_of(image)
+
+
+@cache
+def cork_board(
+    width: float, height: float, text: str, ground: Rgb, variant: int
+) -> Pixels:
+    """Return a notice board: a strip with its words over pinned papers."""
+    image = blank(width, height, ground)
+    rng = np.random.default_rng(variant + 3)
+    pixels = np.array(image, dtype=float) + rng.normal(
+        0, 9, (image.height, image.width, 1)
+    )
+    image = Image.fromarray(np.clip(pixels, 0, 255).astype(np.uint8))
+    draw = ImageDraw.Draw(image)
+    everything = whole(image).inset(0.05)
+    cut = everything.top
+    if text:
+        cut = everything.top + 0.27 * everything.height
+        strip = Field(everything.left, everything.top, everything.right, cut)
+        draw.rectangle([*strip], rgb255((0.97, 0.96, 0.92)))
+        write(image, strip.inset(0.1), text, (0.08, 0.1, 0.2))
+    papers = [
+        WHITE,
+        (1.0, 0.95, 0.6),
+        (0.75, 0.9, 1.0),
+        (1.0, 0.8, 0.8),
+        (0.8, 0.95, 0.8),
+    ]
+    columns = max(3, round(4.4 * everything.width / everything.height / 1.4))
+    step_x = everything.width / columns
+    step_y = (everything.bottom - cut) / 2
+    for column in range(columns):
+        for row in range(2):
+            if rng.random() < 0.15:
+                continue
+            w, h = step_x * rng.uniform(0.6, 0.85), step_y * rng.uniform(0.6, 0.86)
+            x = everything.left + column * step_x + rng.uniform(0.05, 0.15) * step_x
+            y = cut + row * step_y + rng.uniform(0.08, 0.14) * step_y
+            sheet = Field(x, y, x + w, y + h)
+            paper = papers[int(rng.integers(len(papers)))]
+            draw.rectangle([*sheet], rgb255(paper))
+            _small_print(image, sheet.inset(0.16), mixed(paper, (0, 0, 0), 0.55), row)
+            pin = rgb255((0.8, 0.1, 0.1))
+            draw.ellipse([x + w / 2 - 3, y + 1, x + w / 2 + 3, y + 7], pin)
+    return pixels_of(image)
+
+
+@cache
+def marker_board(width: float, height: float, text: str, variant: int) -> Pixels:
+    """Return a whiteboard with strokes of markers, or its words."""
+    image = blank(width, height, (0.97, 0.98, 0.98))
+    field = whole(image).inset(0.12)
+    if text:
+        write(image, field, text, (0.1, 0.15, 0.5))
+        return pixels_of(image)
+    rng = np.random.default_rng(variant + 29)
+    draw = ImageDraw.Draw(image)
+    inks: list[Rgb] = [(0.1, 0.15, 0.55), (0.75, 0.1, 0.1), (0.05, 0.4, 0.2)]
+    for row in range(5):
+        y = field.top + (row + 0.5) * field.height / 6
+        end = field.left + field.width * rng.uniform(0.3, 0.55)
+        xs = np.arange(field.left, end, 5)
+        ys = y + rng.normal(0, 3.5, len(xs))
+        points = list(zip(xs.tolist(), ys.tolist(), strict=True))
+        draw.line(points, rgb255(inks[row % 3]), 2)
+    x, y = field.left + 0.8 * field.width, field.top + 0.4 * field.height
+    r = 0.16 * field.height
+    draw.ellipse([x - r, y - r, x + r, y + r], outline=rgb255(inks[1]), width=3)
+    draw.line([x - 2 * r, y + 2 * r, x + r, y - 2 * r], rgb255(inks[0]), 3)
+    return pixels_of(image)
+
+
+@cache
+def film(
+    width: float, height: float, text: str, variant: int, *, tiles: int = 1
+) -> Pixels:
+    """Return what a screen shows: a picture with its words, in tiles on a video wall."""
+    image = blank(width, height, NIGHT)
+    everything = whole(image)
+    colours: list[Rgb] = [
+        (0.1, 0.35, 0.7),
+        (0.1, 0.5, 0.5),
+        (0.4, 0.25, 0.6),
+        (0.6, 0.3, 0.2),
+    ]
+    tall = everything.height > 1.2 * everything.width
+    edge = everything.height * ((0.56 if tall else 0.48) if text else 0.0)
+    # Words stand above the picture on tall screens and below it on broad ones.
+    words = Field(0, 0, everything.right, edge)
+    shown = Field(0, edge, everything.right, everything.bottom)
+    if text and not tall:
+        words = Field(0, everything.bottom - edge, everything.right, everything.bottom)
+        shown = Field(0, 0, everything.right, everything.bottom - edge)
+    scene_into(image, shown.inset(0.03), colours[variant % 4], variant // 4 + variant)
+    write(image, words.inset(0.08), text, WHITE)
+    draw = ImageDraw.Draw(image)
+    for place in range(1, tiles):
+        x, y = image.width * place / tiles, image.height * place / tiles
+        draw.line([x, 0, x, image.height], 0, 3)
+        draw.line([0, y, image.width, y], 0, 3)
+    return pixels_of(image)
+
+
+@cache
+def framed_photos(width: float, height: float, tone: Rgb) -> Pixels:
+    """Return rows of small framed portraits."""
+    image = blank(width, height, (0.88, 0.87, 0.84))
+    draw = ImageDraw.Draw(image)
+    rows, columns = 3, max(3, round(3 * width / height))
+    w, h = image.width / columns, image.height / rows
+    for row in range(rows):
+        for column in range(columns):
+            x, y = (column + 0.12) * w, (row + 0.1) * h
+            draw.rectangle([x, y, x + 0.76 * w, y + 0.8 * h], rgb255(shade(tone, 0.6)))
+            inner = (x + 0.06 * w, y + 0.06 * h, x + 0.7 * w, y + 0.74 * h)
+            draw.rectangle(inner, rgb255((0.82, 0.82, 0.8)))
+            cx, cy, r = x + 0.38 * w, y + 0.33 * h, 0.12 * h
+            dark = rgb255((0.3 + 0.05 * (column % 3), 0.28, 0.27))
+            draw.ellipse([cx - r, cy - r, cx + r, cy + r], dark)
+            draw.pieslice([cx - 2 * r, cy + r, cx + 2 * r, cy + 5 * r], 180, 360, dark)
+    return pixels_of(image)
+
+
+@cache
+def flag(width: float, height: float, first: Rgb, second: Rgb) -> Pixels:
+    """Return a flag of three bands with a disc."""
+    image = blank(width, height, first)
+    draw = ImageDraw.Draw(image)
+    w, h = image.size
+    draw.rectangle([0, h / 3, w, 2 * h / 3], rgb255(second))
+    r = 0.12 * min(w, h)
+    draw.ellipse([w / 2 - r, h / 2 - r, w / 2 + r, h / 2 + r], rgb255(first))
+    return pixels_of(image)
+
+
+def _small_print(image: Image.Image, field: Field, ink: Rgb, variant: int) -> None:
+    """Draw bars where small print would stand, which nobody reads."""
+    draw = ImageDraw.Draw(image)
+    rng = np.random.default_rng(variant + 7)
+    step = max(5.0, field.height / 9)
+    y = field.top
+    while y + step * 0.4 < field.bottom:
+        end = field.left + field.width * rng.uniform(0.65, 1.0)
+        draw.rectangle([field.left, y, end, y + step * 0.34], rgb255(ink))
+        y += step

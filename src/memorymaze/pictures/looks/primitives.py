@@ -1,0 +1,306 @@
+"""Shapes that most things are made of: boxes, plates, turned and extruded solids."""
+
+import math
+from collections.abc import Sequence
+from functools import cache
+from itertools import pairwise, product
+
+import numpy as np
+
+from memorymaze.pictures.looks.shape import Axis, Floats, Ints, Shape, crossed
+from memorymaze.pictures.looks.triangulation import triangles_of
+
+__all__ = ["Span", "ball", "box", "cylinder", "extruded", "lathed", "plate", "tapered"]
+
+Span = tuple[float, float]
+"""From and to along an axis, metres."""
+
+THINNEST = 1e-4
+"""Metres of material that even a box without thickness has."""
+SOFT_BEND_DEG = 40.0
+"""Bends of an outline up to this angle look round, sharper ones like an edge."""
+
+
+def box(x: Span, y: Span, z: Span, bevel: float = 0.0) -> Shape:
+    """Return an upright box.
+
+    Args:
+        x: From the back to the front.
+        y: Across.
+        z: From the bottom to the top.
+        bevel: Metres taken off its edges, shaded round; at most half its smallest side.
+    """
+    low, high = _corners(x, y, z)
+    half = (high - low) / 2
+    if bevel <= 0:
+        signs, normals, faces = _box_template()
+        return Shape((low + high) / 2 + signs * half, faces, normals)
+    bevel = min(bevel, *(half * 0.999))
+    signs, normals, faces = _bevelled_template()
+    points = signs * (half - bevel) + normals * bevel
+    return Shape((low + high) / 2 + points, faces, normals)
+
+
+def tapered(x: Span, y: Span, z: Span, top_x: Span, top_y: Span) -> Shape:
+    """Return a block whose top is another rectangle than its bottom, with flat faces."""
+    signs, _, faces = _box_template()
+    low, high = _corners(x, y, z)
+    top_low, top_high = _corners(top_x, top_y, z)
+    up = signs[:, 2:] > 0
+    points = np.where(
+        signs > 0, np.where(up, top_high, high), np.where(up, top_low, low)
+    )
+    a, b, c = (points[faces[:, corner]] for corner in range(3))
+    across = crossed(b - a, c - a)
+    across /= np.linalg.norm(across, axis=1, keepdims=True)
+    normals = np.empty_like(points)
+    for corner in range(3):
+        normals[faces[:, corner]] = across
+    return Shape(points, faces, normals)
+
+
+def plate(
+    x: Span, y: Span, z: Span, *, both_sides: bool = False, roof: bool = False
+) -> Shape:
+    """Return a box whose front shows a whole picture; its rim has a corner's colour.
+
+    Args:
+        x: From the back to the front, which shows the picture.
+        y: From the picture's left to its right.
+        z: From its bottom to its top.
+        both_sides: The back shows it too, readable from there.
+        roof: The top shows it and not the front, readable from the front.
+    """
+    signs, normals, faces = _box_template()
+    low, high = _corners(x, y, z)
+    points = (low + high) / 2 + signs * (high - low) / 2
+    uv = np.full((len(points), 2), 0.004)
+    right, top = (signs[:, 1] + 1) / 2, (signs[:, 2] + 1) / 2
+    picture = np.column_stack([right, 1 - top])
+    front = normals[:, 2] > 0.5 if roof else normals[:, 0] > 0.5
+    if roof:
+        picture = np.column_stack([right, (signs[:, 0] + 1) / 2])
+    uv[front] = picture[front]
+    if both_sides:
+        back = normals[:, 0] < -0.5
+        uv[back] = np.column_stack([1 - right, 1 - top])[back]
+    return Shape(points, faces, normals, uv)
+
+
+def lathed(profile: Sequence[tuple[float, float]], sides: int = 16) -> Shape:
+    """Return a solid turned about the z axis.
+
+    A picture is wrapped round it once, its middle at the front, its top at the end of
+    the profile.
+
+    Args:
+        profile: Radius and height, from the lowest to the highest point of the outside;
+            closed with flat ends where it does not start or end on the axis.
+        sides: Corners of its circles.
+    """
+    return _lathed(tuple((float(r), float(z)) for r, z in profile), sides)
+
+
+@cache
+def _lathed(profile: tuple[tuple[float, float], ...], sides: int) -> Shape:
+    points = [profile[0]]
+    points += [b for a, b in pairwise(profile) if math.dist(a, b) > 1e-9]
+    if points[0][0] > 0:
+        points.insert(0, (0.0, points[0][1]))
+    if points[-1][0] > 0:
+        points.append((0.0, points[-1][1]))
+    angles = (np.arange(sides + 1) % sides) * (2 * math.pi / sides) + math.pi
+    circle = np.column_stack([np.cos(angles), np.sin(angles)])
+    lengths = [math.dist(a, b) for a, b in pairwise(points)]
+    up = np.cumsum([0.0, *lengths]) / sum(lengths)
+    turn = np.linspace(0, 1, sides + 1)
+    rings: list[tuple[Floats, Floats, Floats]] = []
+    faces: list[Ints] = []
+    for run in _runs(points):
+        outward = _outward(points, run)
+        for position, at in enumerate(run):
+            radius, height = points[at]
+            nr, nz = outward[position]
+            start = len(rings) * (sides + 1)
+            ring = np.column_stack([circle * radius, np.full(sides + 1, height)])
+            normals = np.column_stack([circle * nr, np.full(sides + 1, nz)])
+            uv = np.column_stack([turn, np.full(sides + 1, 1 - up[at])])
+            rings.append((ring, normals, uv))
+            if position:
+                faces.append(_band(start, sides, points[run[position - 1]][0], radius))
+    shape = Shape(
+        np.concatenate([ring for ring, _, _ in rings]),
+        np.concatenate(faces),
+        np.concatenate([normals for _, normals, _ in rings]),
+        np.concatenate([uv for _, _, uv in rings]),
+    )
+    shape.vertices.flags.writeable = False
+    return shape
+
+
+def cylinder(
+    radius: float, z: Span, sides: int = 16, top: float | None = None
+) -> Shape:
+    """Return an upright cylinder, or a cone's stump with another radius at its top."""
+    return lathed([(radius, z[0]), (radius if top is None else top, z[1])], sides)
+
+
+def ball(radius: float, sides: int = 16, rings: int = 10) -> Shape:
+    """Return a ball about the origin."""
+    angles = np.linspace(-math.pi / 2, math.pi / 2, rings + 1)
+    profile = [(radius * math.cos(a), radius * math.sin(a)) for a in angles]
+    profile[0], profile[-1] = (0.0, -radius), (0.0, radius)
+    return lathed(profile, sides)
+
+
+def extruded(outline: Sequence[tuple[float, float]], span: Span, along: Axis) -> Shape:
+    """Return a solid with the same outline all along an axis.
+
+    Args:
+        outline: Corners of a simple polygon in the other two axes in alphabetic order:
+            (y, z) along x, (x, z) along y, (x, y) along z.
+        span: Where it begins and ends on the axis.
+        along: That axis.
+    """
+    flat = np.array(outline, dtype=float)
+    following = np.roll(flat, -1, axis=0)
+    if np.sum(flat[:, 0] * following[:, 1] - flat[:, 1] * following[:, 0]) < 0:
+        flat = flat[::-1]
+        following = np.roll(flat, -1, axis=0)
+    count = len(flat)
+    edges = following - flat
+    edges /= np.linalg.norm(edges, axis=1, keepdims=True)
+    sideways = np.column_stack([edges[:, 1], -edges[:, 0]])
+    before = np.roll(sideways, 1, axis=0)
+    soft = np.einsum("ij,ij->i", sideways, before) > math.cos(
+        math.radians(SOFT_BEND_DEG)
+    )
+    mean = sideways + before
+    mean /= np.maximum(np.linalg.norm(mean, axis=1, keepdims=True), 1e-9)
+    at_start = np.where(soft[:, None], mean, sideways)
+    at_end = np.where(np.roll(soft, -1)[:, None], np.roll(mean, -1, axis=0), sideways)
+    zero, one = np.full((count, 1), span[0]), np.full((count, 1), span[1])
+    none = np.zeros((count, 1))
+    points = np.concatenate([
+        np.hstack([flat, zero]),
+        np.hstack([following, zero]),
+        np.hstack([following, one]),
+        np.hstack([flat, one]),
+        np.hstack([flat, zero]),
+        np.hstack([flat, one]),
+    ])
+    normals = np.concatenate([
+        np.hstack([at_start, none]),
+        np.hstack([at_end, none]),
+        np.hstack([at_end, none]),
+        np.hstack([at_start, none]),
+        np.tile((0.0, 0.0, -1.0), (count, 1)),
+        np.tile((0.0, 0.0, 1.0), (count, 1)),
+    ])
+    side = np.arange(count)
+    cap = triangles_of(flat)
+    faces = np.concatenate([
+        np.column_stack([side, side + count, side + 2 * count]),
+        np.column_stack([side, side + 2 * count, side + 3 * count]),
+        cap[:, ::-1] + 4 * count,
+        cap + 5 * count,
+    ])
+    order = {"z": (0, 1, 2), "y": (0, 2, 1), "x": (2, 0, 1)}[along]
+    if along == "y":
+        faces = faces[:, ::-1]
+    return Shape(points[:, order], faces, normals[:, order])
+
+
+def _corners(x: Span, y: Span, z: Span) -> tuple[Floats, Floats]:
+    """Return the lowest and the highest corner; spans may be given either way round."""
+    ends = np.array([x, y, z], dtype=float)
+    low, high = ends.min(axis=1), ends.max(axis=1)
+    return low, np.maximum(high, low + THINNEST)
+
+
+def _runs(points: list[tuple[float, float]]) -> list[list[int]]:
+    """Split a profile at its sharp bends, which both neighbours share."""
+    runs = [[0]]
+    for at in range(1, len(points)):
+        runs[-1].append(at)
+        if at + 1 < len(points):
+            (ar, az), (br, bz), (cr, cz) = points[at - 1 : at + 2]
+            bend = math.atan2(cz - bz, cr - br) - math.atan2(bz - az, br - ar)
+            bend = abs((bend + math.pi) % (2 * math.pi) - math.pi)
+            if bend > math.radians(SOFT_BEND_DEG):
+                runs.append([at])
+    return runs
+
+
+def _outward(
+    points: list[tuple[float, float]], run: list[int]
+) -> list[tuple[float, float]]:
+    sides = np.array([
+        (points[b][1] - points[a][1], points[a][0] - points[b][0])
+        for a, b in pairwise(run)
+    ])
+    sides /= np.linalg.norm(sides, axis=1, keepdims=True)
+    padded = np.concatenate([sides[:1], sides, sides[-1:]])
+    means = padded[:-1] + padded[1:]
+    means /= np.linalg.norm(means, axis=1, keepdims=True)
+    return [(float(r), float(z)) for r, z in means]
+
+
+def _band(start: int, sides: int, below: float, above: float) -> Ints:
+    low = np.arange(start - sides - 1, start - 1)
+    high = low + sides + 1
+    triangles: list[Ints] = []
+    if below > 0:
+        triangles.append(np.column_stack([low, low + 1, high + 1]))
+    if above > 0:
+        triangles.append(np.column_stack([low, high + 1, high]))
+    if below > 0 and above <= 0:
+        triangles = [np.column_stack([low, low + 1, high])]
+    return np.concatenate([np.empty((0, 3), dtype=np.int64), *triangles])
+
+
+@cache
+def _box_template() -> tuple[Floats, Floats, Ints]:
+    signs: list[tuple[float, ...]] = []
+    normals: list[tuple[float, ...]] = []
+    faces: list[tuple[int, int, int]] = []
+    for axis, side in product(range(3), (-1.0, 1.0)):
+        first, second = (axis + 1) % 3, (axis + 2) % 3
+        start = len(signs)
+        for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1)):
+            corner = [0.0, 0.0, 0.0]
+            corner[axis], corner[first], corner[second] = side, a, b
+            signs.append(tuple(corner))
+            normals.append(tuple(side * (each == axis) for each in range(3)))
+        quad = [(0, 1, 2), (0, 2, 3)] if side > 0 else [(0, 2, 1), (0, 3, 2)]
+        faces += [(start + i, start + j, start + k) for i, j, k in quad]
+    return np.array(signs, dtype=float), np.array(normals), np.array(faces)
+
+
+@cache
+def _bevelled_template() -> tuple[Floats, Floats, Ints]:
+    """Join the six faces, drawn apart, by twelve edges and eight corners."""
+    signs, normals, flat = _box_template()
+    rows = {
+        (tuple(sign), int(np.argmax(np.abs(normal)))): row
+        for row, (sign, normal) in enumerate(zip(signs, normals, strict=True))
+    }
+    faces: list[tuple[int, ...]] = [tuple(map(int, face)) for face in flat]
+    for axis, a, b in product(range(3), (-1.0, 1.0), (-1.0, 1.0)):
+        first, second = (axis + 1) % 3, (axis + 2) % 3
+        ends: list[tuple[int, int]] = []
+        for end in (-1.0, 1.0):
+            corner = [0.0, 0.0, 0.0]
+            corner[axis], corner[first], corner[second] = end, a, b
+            ends.append((rows[tuple(corner), first], rows[tuple(corner), second]))
+        (p, q), (r, s) = ends
+        faces += [(p, q, s), (p, s, r)]
+    faces += [
+        tuple(rows[corner, axis] for axis in range(3))
+        for corner in product((-1.0, 1.0), repeat=3)
+    ]
+    outside = signs + 0.3 * normals
+    turned = [
+        face if np.linalg.det(outside[list(face)]) > 0 else face[::-1] for face in faces
+    ]
+    return signs, normals, np.array(turned)

@@ -1,0 +1,21 @@
+"""Pictures of a building: a scene for the eye, and cameras that draw it with OpenGL.
+
+Nothing here is imported, and no OpenGL loaded, until someone asks for a camera.
+"""
+
+from memorymaze.pictures.rendering.camera import Camera, CameraFrame, RenderedCamera
+from memorymaze.pictures.rendering.panorama import PanoramaCamera, PanoramaFrame
+from memorymaze.pictures.rendering.visual_scene import (
+    VisualScene,
+    build_visual_scene,
+)
+
+__all__ = [
+    "Camera",
+    "CameraFrame",
+    "PanoramaCamera",
+    "PanoramaFrame",
+    "RenderedCamera",
+    "VisualScene",
+    "build_visual_scene",
+]

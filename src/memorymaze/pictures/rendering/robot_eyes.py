@@ -1,0 +1,101 @@
+"""What a simulated robot's cameras see; opened when someone first looks."""
+
+import math
+import os
+import threading
+from functools import lru_cache
+
+import mujoco
+
+from memorymaze.geometry.pose import Pose
+from memorymaze.pictures.rendering.camera import CameraFrame, RenderedCamera
+from memorymaze.pictures.rendering.filament import FilamentCamera
+from memorymaze.pictures.rendering.panorama import PanoramaCamera, PanoramaFrame
+from memorymaze.pictures.rendering.renderers import (
+    Renderer,
+    open_camera,
+    wanted_renderer,
+)
+from memorymaze.pictures.rendering.visual_scene import (
+    VisualScene,
+    build_visual_scene,
+)
+from memorymaze.simulation.scene import Scene
+
+__all__ = ["RobotEyes", "visual_scene_of"]
+
+
+@lru_cache(maxsize=4)
+def visual_scene_of(scene: Scene) -> VisualScene:
+    """Return what a physics scene looks like; built once for each scene."""
+    return build_visual_scene(scene.site, scene.movables)
+
+
+@lru_cache(maxsize=4)
+def _camera_of(
+    scene: Scene,
+    size: tuple[int, int],
+    horizontal_fov: float,
+    renderer: Renderer,
+    owner: tuple[int, int],
+) -> RenderedCamera | FilamentCamera:
+    """Return a camera that all robots of a scene share: opening one takes a second.
+
+    Args:
+        scene: The building.
+        size: Width and height, pixels.
+        horizontal_fov: Radians.
+        renderer: Draws the colours.
+        owner: Process and thread, which alone may use it.
+    """
+    return open_camera(renderer, visual_scene_of(scene), size, horizontal_fov)
+
+
+@lru_cache(maxsize=2)
+def _panorama_camera_of(
+    scene: Scene, width: int, owner: tuple[int, int]
+) -> PanoramaCamera:
+    return PanoramaCamera(visual_scene_of(scene), width)
+
+
+def _owner() -> tuple[int, int]:
+    return os.getpid(), threading.get_ident()
+
+
+class RobotEyes:
+    """Cameras on a robot, with the things and people that the physics knows of."""
+
+    def __init__(self, scene: Scene, data: mujoco.MjData) -> None:
+        """Look at a scene.
+
+        Args:
+            scene: The building.
+            data: Physics state, for where things and people are.
+        """
+        self._scene = scene
+        self._data = data
+
+    def frame(
+        self, pose: Pose, width: int, height: int, horizontal_fov: float
+    ) -> CameraFrame:
+        """Take a picture with `wanted_renderer`; see `RenderedCamera`."""
+        camera = _camera_of(
+            self._scene, (width, height), horizontal_fov, wanted_renderer(), _owner()
+        )
+        self._place_movables()
+        return camera.frame(pose)
+
+    def panorama(self, pose: Pose, width: int) -> PanoramaFrame:
+        """Look all round; see `PanoramaCamera`."""
+        camera = _panorama_camera_of(self._scene, width, _owner())
+        self._place_movables()
+        return camera.frame(pose)
+
+    def _place_movables(self) -> None:
+        places: dict[str, Pose] = {}
+        for name, row in self._scene.mocap_ids.items():
+            x, y, z = self._data.mocap_pos[row].tolist()
+            if z > 0:  # the others are parked under the floor
+                w, _, _, rise = self._data.mocap_quat[row].tolist()
+                places[name] = Pose(x, y, 2 * math.atan2(rise, w))
+        visual_scene_of(self._scene).place(places)

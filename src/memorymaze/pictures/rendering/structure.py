@@ -1,0 +1,219 @@
+"""Floor, walls and ceiling as meshes in slices small enough to be left out unseen."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from shapely import Point, Polygon, STRtree
+from shapely.geometry.polygon import orient
+
+from memorymaze.pictures.looks import surfaces
+from memorymaze.pictures.looks.object_model import Material
+from memorymaze.pictures.rendering.beyond import outer_face, reveal_and_view, shaft
+from memorymaze.pictures.rendering.floor_parts import (
+    BAY,
+    FloorPart,
+    floor_parts,
+    sliced,
+)
+from memorymaze.pictures.rendering.glazing import (
+    BAR,
+    balustrade,
+    glass_wall,
+    wind_screen,
+)
+from memorymaze.pictures.rendering.openings import (
+    Surroundings,
+    openings_of,
+)
+from memorymaze.pictures.rendering.sight import hiding_segments
+from memorymaze.pictures.rendering.slices import (
+    SKIRTING_HEIGHT,
+    Hole,
+    Kind,
+    Slice,
+    ceiling_kind,
+    foot_shade,
+    solid_of,
+    upright,
+    wall_uv,
+)
+from memorymaze.pictures.rendering.wall_faces import WallFace, wall_faces
+from memorymaze.simulation.scene import rings_with_things_above
+from memorymaze.sites.records import Site
+
+__all__ = ["Structure", "structure_of"]
+
+SKIRTING_DEPTH = 0.01
+
+
+@dataclass(frozen=True, eq=False)
+class Structure:
+    """All of a building but its doors and landmarks."""
+
+    slices: list[Slice]
+    hiding: NDArray[np.float64]
+    """Pieces of wall that hide what is behind, (n, 4): x, y to x, y, metres."""
+
+
+def structure_of(site: Site) -> Structure:
+    """Build floors, ceilings and walls of a site."""
+    parts = floor_parts(site)
+    height = site.ceiling_height
+    slices: list[Slice] = []
+    middles: list[tuple[FloorPart, Polygon]] = []
+    for part in parts:
+        for polygon in sliced(part):
+            slices.append(_floor_and_ceiling(part, polygon, height))
+            middles.append((part, polygon))
+    tree = STRtree([polygon for _, polygon in middles])
+    open_rings = rings_with_things_above(site)
+    surroundings = Surroundings(site)
+    faces = list(wall_faces(site.walkable_floor, parts, openings_of(site)))
+    for face in faces:
+        made = slices[int(tree.nearest(Point(face.at(face.length / 2, 0.05))))]
+        made.points = np.concatenate([
+            made.points,
+            [face.at(0.0), face.at(face.length)],
+        ])
+        if face.ring in open_rings:
+            balustrade(made, face)
+        elif face.part.open_air:
+            wind_screen(made, face, height)
+        else:
+            _wall(made, face, height, surroundings)
+    holes = orient(site.walkable_floor).interiors
+    for ring in sorted(open_rings):
+        slices.append(shaft(Polygon(holes[ring - 1]), height))
+    return Structure(slices, hiding_segments(faces, open_rings, surroundings))
+
+
+def _pattern(part: FloorPart) -> NDArray[np.float64]:
+    """Return the matrix (3, 2) that lays a bay's picture on the plan."""
+    cosine, sine = math.cos(part.heading), math.sin(part.heading)
+    along = (cosine / BAY, sine / BAY, -(part.x * cosine + part.y * sine) / BAY)
+    across = (-sine / BAY, cosine / BAY, -(-part.x * sine + part.y * cosine) / BAY)
+    return np.column_stack([along, across])
+
+
+def _floor_and_ceiling(part: FloorPart, polygon: Polygon, height: float) -> Slice:
+    made = Slice(np.array(polygon.exterior.coords)[:, :2])
+    # Parts that touch leave rounding gaps; a hair of overlap closes them.
+    wide = polygon.buffer(0.004, join_style="mitre")
+    pattern = _pattern(part)
+    key: tuple[Kind, Material] = ("floor", surfaces.floor(part.floor_material))
+    made.builders[key].polygon(wide, 0.0, pattern, up=True)
+    if part.open_air:
+        made.shows_sky = True
+        return made
+    kind = ceiling_kind(height)
+    made.builders["ceiling", surfaces.ceiling(kind)].polygon(
+        wide, height, pattern, up=False
+    )
+    _lamps(made, part, polygon, height)
+    return made
+
+
+def _lamps(made: Slice, part: FloorPart, polygon: Polygon, height: float) -> None:
+    """Add a lamp in the middle of each bay of a corridor, in a grid in a hall."""
+    rows = 1 if not part.is_hall and part.width < 3.6 else 0
+    low, high = _extent(part, polygon)
+    first = math.ceil(low[0] / BAY - 0.5)
+    glow = surfaces.solid(1.0, 0.99, 0.95, 1.0, 1.0)
+    rim = surfaces.solid(0.80, 0.81, 0.82)
+    hang = 0.55 if ceiling_kind(height) == "slats" else 0.0
+    bottom = height - hang - 0.03
+    inner = polygon.buffer(1e-6)
+    for bay in range(first, math.ceil(high[0] / BAY - 0.5)):
+        x = (bay + 0.5) * BAY
+        if rows:
+            places = [0.0]
+        else:
+            begin = math.ceil(low[1] / BAY - 0.5)
+            places = [
+                (row + 0.5) * BAY
+                for row in range(begin, math.ceil(high[1] / BAY - 0.5))
+            ]
+        for y in places:
+            centre = part.world(np.array([[x, y]]))[0]
+            corners = part.world(
+                np.array([(x + sx * 0.6, y + sy * 0.15) for sx, sy in _SQUARE])
+            )
+            lamp = Polygon(corners)
+            if not inner.covers(Polygon([tuple(centre)] * 3).buffer(0.01)):
+                continue
+            if not part.polygon.buffer(0.05).covers(lamp):
+                continue
+            made.builders["ceiling", glow].polygon(
+                lamp, bottom - 0.001, np.zeros((3, 2)), up=False
+            )
+            (ax, ay), (bx, by) = corners[0], corners[1]
+            along = ((bx - ax) / 1.2, (by - ay) / 1.2)
+            made.builders["ceiling", rim].block(
+                (ax - along[0] * 0.02, ay - along[1] * 0.02),
+                along,
+                1.24,
+                (-along[1], along[0]),
+                (-0.02, 0.32),
+                (bottom, bottom + 0.06 if hang else height),
+            )
+
+
+_SQUARE = ((-1, -1), (1, -1), (1, 1), (-1, 1))
+
+
+def _extent(
+    part: FloorPart, polygon: Polygon
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    local = part.local(np.array(polygon.exterior.coords)[:, :2])
+    return local.min(axis=0), local.max(axis=0)
+
+
+def _wall(
+    made: Slice, face: WallFace, height: float, surroundings: Surroundings
+) -> None:
+    holes = list(face.holes)
+    if face.part.wall_material == "glass":
+        holes += glass_wall(made, face, height)
+    builder = made.builders["wall", surfaces.wall(face.part.wall_material)]
+    for low, high, bottom, top in solid_of(face.length, height, holes):
+        upright(builder, face, (low, high), (bottom, top), 0.0, wall_uv(face, height))
+    _skirting(made, face, holes)
+    foot_shade(made, face, holes)
+    for hole in _runs(holes):
+        reveal_and_view(made, face, hole, height, surroundings)
+    if face.ring == 0:
+        outer_face(made, face, height, holes, surroundings)
+
+
+def _runs(holes: list[Hole]) -> list[Hole]:
+    """Join openings that only a bar parts: behind them is one room."""
+    runs: list[Hole] = []
+    for low, high, bottom, top in sorted(holes):
+        if runs and low - runs[-1][1] < 2 * BAR and runs[-1][2:] == (bottom, top):
+            low = runs.pop()[0]
+        runs.append((low, high, bottom, top))
+    return runs
+
+
+def _skirting(made: Slice, face: WallFace, holes: list[Hole]) -> None:
+    colours = {
+        "wood_panel": (0.24, 0.16, 0.10),
+        "brick": (0.30, 0.29, 0.28),
+        "concrete": (0.36, 0.36, 0.36),
+        "glass": (0.30, 0.31, 0.33),
+    }
+    colour = colours.get(face.part.wall_material, (0.38, 0.37, 0.36))
+    builder = made.builders["wall", surfaces.solid(*colour)]
+    for low, high, bottom, _ in solid_of(face.length, SKIRTING_HEIGHT, holes):
+        if bottom > 0:
+            continue
+        upright(builder, face, (low, high), (0.0, SKIRTING_HEIGHT), SKIRTING_DEPTH)
+        (ax, ay), (bx, by) = face.at(low), face.at(high)
+        (cx, cy), (dx, dy) = (
+            face.at(high, SKIRTING_DEPTH),
+            face.at(low, SKIRTING_DEPTH),
+        )
+        z = SKIRTING_HEIGHT
+        builder.quad([(dx, dy, z), (ax, ay, z), (bx, by, z), (cx, cy, z)][::-1])

@@ -1,0 +1,127 @@
+"""What the robot's camera saw in an episode, drawn anew at the poses of its trace."""
+
+import math
+from types import TracebackType
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image, ImageDraw
+
+from memorymaze.errors import RunFolderError
+from memorymaze.geometry.pose import turn_between
+from memorymaze.pictures.rendering.camera import CameraFrame, RenderedCamera
+from memorymaze.pictures.rendering.robot_eyes import visual_scene_of
+from memorymaze.results.replay.lettering import font_for
+from memorymaze.results.replay.moments import Moment, Moments, Sighting
+from memorymaze.simulation.scene import Scene
+
+__all__ = ["PICTURE_SIZE", "Eyes", "boxes_at", "draw_boxes"]
+
+PICTURE_SIZE = (640, 480)
+"""Pixels of the robot's own picture, which boxes refer to."""
+BOX_SHOWN = 0.5
+"""Simulated seconds that a box stays on the picture."""
+SAME_PLACE = 0.4
+"""Metres from where something was detected within which its box roughly fits."""
+SAME_WAY = 0.1
+"""Radians, likewise."""
+BOX = "#ffe14d"
+EDGE = "#202020"
+
+
+class Eyes:
+    """The robot's camera, for the length of a film; use it in a `with`."""
+
+    def __init__(
+        self, scene: Scene, moments: Moments, size: tuple[int, int], *, smooth: bool
+    ) -> None:
+        """Open the camera.
+
+        Args:
+            scene: The building, with the movables of the run.
+            moments: Of the episode.
+            size: Width and height of the pictures, pixels.
+            smooth: Whether edges are smoothed, which takes longer.
+
+        Raises:
+            RenderingError: This machine cannot draw; says what to install.
+            RunFolderError: The trace tells of things that the scene does not have.
+        """
+        self._looks = visual_scene_of(scene)
+        unknown = moments.movables - self._looks.movable_geoms.keys()
+        if unknown:
+            raise RunFolderError(
+                f"expected a trace with the things and people of its run's settings, "
+                f"got {min(unknown)!r} too; was it made by another version?"
+            )
+        self._things = moments.things
+        self._camera = RenderedCamera(
+            self._looks, *size, math.pi / 2, multisamples=4 if smooth else 0
+        )
+
+    def picture(self, moment: Moment) -> NDArray[np.uint8]:
+        """Return what the camera saw: colours, (height, width, 3)."""
+        self._looks.place({**self._things, **moment.people})
+        return self._camera.picture(moment.pose)
+
+    def frame(self, moment: Moment) -> CameraFrame:
+        """Return what the camera saw, with depth."""
+        self._looks.place({**self._things, **moment.people})
+        return self._camera.frame(moment.pose)
+
+    def __enter__(self) -> "Eyes":
+        """Return itself."""
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        """Close the camera."""
+        self._camera.close()
+
+
+def boxes_at(moments: Moments, moment: Moment) -> list[Sighting]:
+    """Return what was detected just before, where its box still fits the picture.
+
+    Args:
+        moments: Of the episode.
+        moment: Of the picture.
+    """
+    fitting = [
+        each
+        for each in moments.sightings
+        if moment.time - BOX_SHOWN < each.time <= moment.time
+        and math.dist(each.pose[:2], moment.pose[:2]) < SAME_PLACE
+        and abs(turn_between(each.pose.heading, moment.pose.heading)) < SAME_WAY
+    ]
+    latest = {each.label: each.time for each in fitting}
+    return [each for each in fitting if each.time == latest[each.label]]
+
+
+def draw_boxes(
+    picture: NDArray[np.uint8], found: list[Sighting], letter: int
+) -> NDArray[np.uint8]:
+    """Draw boxes of detected things on a picture, with their names.
+
+    Args:
+        picture: Colours, (height, width, 3).
+        found: What to draw.
+        letter: Height of letters, pixels.
+    """
+    if not found:
+        return picture
+    page = Image.fromarray(picture)
+    pen = ImageDraw.Draw(page)
+    across = page.width / PICTURE_SIZE[0]
+    for each in found:
+        left, top, right, bottom = (across * number for number in each.box)
+        pen.rectangle((left - 1, top - 1, right + 1, bottom + 1), outline=EDGE, width=4)
+        pen.rectangle((left, top, right, bottom), outline=BOX, width=2)
+        font = font_for(each.label, letter)
+        place = (left + 3, max(0.0, top - letter - 5))
+        pen.rectangle(pen.textbbox(place, each.label, font=font), fill=EDGE)
+        pen.text(place, each.label, BOX, font)
+    return np.asarray(page)

@@ -1,0 +1,160 @@
+"""From an episode of a run to the file of its video."""
+
+import math
+import os
+import sys
+from collections.abc import Iterator
+from contextlib import ExitStack
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+from tqdm import tqdm
+
+from memorymaze.drawing.pixels import draw_plan
+from memorymaze.pictures.films.video_file import VideoFile, check_video_path
+from memorymaze.results.replay.eyes import Eyes, boxes_at, draw_boxes
+from memorymaze.results.replay.moments import Moments
+from memorymaze.results.replay.outcome import outcome_line, source_line
+from memorymaze.results.replay.page import Page, layout_of
+from memorymaze.results.replay.plan_view import SMOOTHING, PlanView, legend_of
+from memorymaze.results.replay.recorded_episode import RecordedEpisode
+from memorymaze.results.replay.settings import ReplaySettings
+from memorymaze.simulation import build_scene
+
+__all__ = ["SECONDS_BETWEEN_LINES", "film_replay", "frame_count", "frames_of"]
+
+SECONDS_BETWEEN_LINES = 15.0
+
+
+def film_replay(
+    episode: RecordedEpisode,
+    path: str | Path,
+    settings: ReplaySettings | None = None,
+    *,
+    progress: bool = False,
+) -> int:
+    """Write the video of an episode; it is there in full or not at all.
+
+    The same episode and settings give the same file on one machine.
+
+    Args:
+        episode: What to show.
+        path: An mp4 file, which is replaced.
+        settings: What it looks like; the defaults when None.
+        progress: Whether to show a bar with the time left on stderr.
+
+    Returns:
+        How many frames it has.
+
+    Raises:
+        SettingsError: The file cannot be there, or the package for videos is missing.
+        RenderingError: This machine cannot draw; says what to install.
+        RunFolderError: The trace does not fit the run's settings.
+        OSError: The file cannot be written to its end.
+    """
+    settings = settings or ReplaySettings()
+    target = check_video_path(path)
+    _try_to_write(target)
+    count = frame_count(episode, settings)
+    result = episode.result
+    title = f"{result.agent} on {result.episode_id} (simulated)"
+    with (
+        VideoFile(target, *settings.size, settings.fps, title=title) as video,
+        tqdm(
+            total=count,
+            unit="frame",
+            file=sys.stderr,
+            disable=not progress,
+            mininterval=0.5 if sys.stderr.isatty() else SECONDS_BETWEEN_LINES,
+        ) as bar,
+    ):
+        for picture in frames_of(episode, settings):
+            video.add(picture)
+            bar.update()
+    return count
+
+
+def frame_count(episode: RecordedEpisode, settings: ReplaySettings) -> int:
+    """Return how many frames a replay has."""
+    return len(_times(episode, settings))
+
+
+def frames_of(
+    episode: RecordedEpisode, settings: ReplaySettings
+) -> Iterator[NDArray[np.uint8]]:
+    """Draw a replay frame by frame, at equal steps of simulated time.
+
+    Yields:
+        Colours, (height, width, 3).
+
+    Raises:
+        RenderingError: This machine cannot draw; says what to install.
+        RunFolderError: The trace does not fit the run's settings.
+    """
+    moments = Moments(episode.entries, episode.story)
+    result, site = episode.result, episode.site
+    layout = layout_of(settings.size, camera=settings.camera)
+    title = f"{result.agent} · {site.title} · {result.route} · simulated"
+    label = source_line(result)
+    sheet = draw_plan(
+        site,
+        [episode.route],
+        np.vstack([moments.points, np.array(episode.route.line.coords)[:, :2]]),
+        (SMOOTHING * layout.plan.width, SMOOTHING * layout.plan.height),
+        magnified=SMOOTHING * layout.letter / 15,
+    )
+    plan = PlanView(sheet, moments, layout.letter)
+    marks = legend_of(episode.route, moments)
+    times = _times(episode, settings)
+    last_time = moments.duration
+    with ExitStack() as stack:
+        eyes = None
+        if layout.camera is not None:
+            scene = build_scene(site, episode.record.settings.obstacles)
+            size = (layout.camera.width, layout.camera.height)
+            eyes = stack.enter_context(
+                Eyes(scene, moments, size, smooth=settings.smooth)
+            )
+        ending: NDArray[np.uint8] | None = None
+        words: Page | None = None
+        written: object = None
+        for time in times:
+            if ending is not None:
+                yield ending
+                continue
+            moment = moments.at(time)
+            # Words stay the same for many frames, and take the longest to draw.
+            happened = (moment.step, len(moment.events))
+            if words is None or happened != written:
+                words, written = Page(layout), happened
+                words.write_story(episode.instruction, label, moment.step)
+                words.write_log(moment.events)
+            page = words.copy()
+            page.put(plan.picture(moment), layout.plan)
+            if eyes is not None and layout.camera is not None:
+                seen = eyes.picture(moment)
+                found = boxes_at(moments, moment)
+                page.put(draw_boxes(seen, found, layout.letter), layout.camera)
+            page.write_head(title, f"{time:7.1f} s")
+            page.write_legend(marks)
+            if time >= last_time:
+                page.write_outcome(outcome_line(result), arrived=result.success)
+                ending = page.picture()
+            yield page.picture()
+
+
+def _try_to_write(target: Path) -> None:
+    """Find out at once what the encoder would say after minutes, without a name."""
+    probe = target.with_name(f"{target.name}.{os.getpid()}.unfinished")
+    probe.touch()
+    probe.unlink()
+
+
+def _times(episode: RecordedEpisode, settings: ReplaySettings) -> list[float]:
+    """Return the simulated time of every frame, seconds; the last one often."""
+    duration = episode.story.walk.duration
+    step = settings.speed / settings.fps
+    whole = math.ceil(duration / step - 1e-9)
+    held = 1 + round(settings.hold * settings.fps)
+    return [number * step for number in range(whole)] + [duration] * held

@@ -1,0 +1,146 @@
+"""A robot, its way so far and the people around it, on a plan, moment by moment."""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image, ImageDraw
+
+from memorymaze.drawing.pixels import PlanSheet
+from memorymaze.drawing.routes import route_color
+from memorymaze.geometry.pose import Pose
+from memorymaze.results.replay.lettering import font_for
+from memorymaze.results.replay.moments import Moment, Moments
+from memorymaze.simulation.motion.wheeled_base import ROBOT_RADIUS
+from memorymaze.sites import Route
+
+__all__ = ["SMOOTHING", "PlanView", "legend_of"]
+
+SMOOTHING = 2
+"""Pixels drawn per pixel shown, each way, so that slanted edges are smooth."""
+WALK, ROBOT = "#111111", "#111111"
+PEOPLE, THINGS, FOUND = "#0b7285", "#c2185b", "#7a4fb5"
+VIEW = (255, 213, 79, 90)
+"""Of what the camera can see."""
+HALF_VIEW = math.pi / 4
+VIEW_RANGE = 4.0
+"""Metres within which the robot reports what it detects."""
+FOUND_SHOWN = 4.0
+"""Seconds that something detected stays on the plan."""
+
+
+def legend_of(route: Route, moments: Moments) -> list[tuple[str, str, str]]:
+    """Return sign, colour and meaning of the marks that an episode can have."""
+    marks = [("━", route_color(route.route), "way described"), ("━", WALK, "driven")]
+    if moments.sightings:
+        marks.append(("◆", FOUND, "detected"))
+    if moments.walks_of_people:
+        marks.append(("●", PEOPLE, "person"))
+    if moments.things:
+        marks.append(("☒", THINGS, "left in the way"))
+    return marks
+
+
+class PlanView:
+    """Draws moments in the order of time."""
+
+    def __init__(self, sheet: PlanSheet, moments: Moments, letter: int) -> None:
+        """Begin with an empty plan.
+
+        Args:
+            sheet: `SMOOTHING` times as large as what is to be seen.
+            moments: Of the episode.
+            letter: Height of letters on the finished picture, pixels.
+        """
+        self._sheet = sheet
+        self._moments = moments
+        self._font = font_for("", letter * SMOOTHING)
+        self._walk = Image.fromarray(sheet.picture)
+        self._drawn = 0
+        self._line = max(2, round(letter * SMOOTHING / 6))
+        pen = ImageDraw.Draw(self._walk)
+        for pose in moments.things.values():
+            x, y = sheet.pixel(pose.x, pose.y)
+            side = max(0.3 * sheet.scale, 3.0 * self._line)
+            box = (x - side, y - side, x + side, y + side)
+            pen.rectangle(box, fill="white", outline=THINGS, width=self._line)
+            pen.line((box[0], box[1], box[2], box[3]), THINGS, self._line)
+            pen.line((box[0], box[3], box[2], box[1]), THINGS, self._line)
+
+    def picture(self, moment: Moment) -> NDArray[np.uint8]:
+        """Return the plan at a moment, none earlier than those before it.
+
+        Returns:
+            Colours, (height, width, 3).
+        """
+        self._go_on(moment)
+        page = self._walk.copy()
+        pen = ImageDraw.Draw(page, "RGBA")
+        self._draw_view(pen, moment.pose)
+        self._draw_found(pen, moment.time)
+        for pose in moment.people.values():
+            self._draw_person(pen, pose)
+        self._draw_robot(pen, moment.pose)
+        return np.asarray(page.reduce(SMOOTHING))
+
+    def _go_on(self, moment: Moment) -> None:
+        points = self._moments.points[self._drawn : moment.walked]
+        places = [self._sheet.pixel(*point) for point in points.tolist()]
+        places.append(self._sheet.pixel(moment.pose.x, moment.pose.y))
+        if len(places) > 1:
+            ImageDraw.Draw(self._walk).line(places, WALK, self._line, joint="curve")
+        # The last pose drawn is where the next piece begins.
+        self._drawn = max(0, moment.walked - 1)
+
+    def _draw_view(self, pen: ImageDraw.ImageDraw, pose: Pose) -> None:
+        x, y = self._sheet.pixel(pose.x, pose.y)
+        reach = VIEW_RANGE * self._sheet.scale
+        ahead = -math.degrees(pose.heading)
+        half = math.degrees(HALF_VIEW)
+        box = (x - reach, y - reach, x + reach, y + reach)
+        pen.pieslice(box, ahead - half, ahead + half, fill=VIEW)
+
+    def _draw_found(self, pen: ImageDraw.ImageDraw, now: float) -> None:
+        labelled: set[str] = set()
+        for each in reversed(self._moments.sightings):
+            if not now - FOUND_SHOWN <= each.time <= now or each.label in labelled:
+                continue
+            labelled.add(each.label)
+            x, y = self._sheet.pixel(each.x, each.y)
+            half = 3.5 * self._line
+            diamond = [(x, y - half), (x + half, y), (x, y + half), (x - half, y)]
+            pen.polygon(diamond, fill=FOUND, outline="white")
+            at = (x + 2 * half, y)
+            for width, colour in ((self._line, "white"), (0, FOUND)):
+                pen.text(
+                    at,
+                    each.label,
+                    colour,
+                    self._font,
+                    anchor="lm",
+                    stroke_width=width,
+                    stroke_fill="white",
+                )
+
+    def _draw_person(self, pen: ImageDraw.ImageDraw, pose: Pose) -> None:
+        x, y = self._sheet.pixel(pose.x, pose.y)
+        radius = max(0.25 * self._sheet.scale, 3.2 * self._line)
+        box = (x - radius, y - radius, x + radius, y + radius)
+        pen.ellipse(box, fill=PEOPLE, outline="white", width=self._line // 2 + 1)
+        tip = (
+            x + 2 * radius * math.cos(pose.heading),
+            y - 2 * radius * math.sin(pose.heading),
+        )
+        pen.line([(x, y), tip], PEOPLE, self._line)
+
+    def _draw_robot(self, pen: ImageDraw.ImageDraw, pose: Pose) -> None:
+        x, y = self._sheet.pixel(pose.x, pose.y)
+        size = max(1.6 * ROBOT_RADIUS * self._sheet.scale, 6.5 * self._line)
+        # An arrow head, with a notch behind.
+        shape = ((1.3, 0.0), (-0.9, 0.8), (-0.4, 0.0), (-0.9, -0.8))
+        cosine, sine = math.cos(pose.heading), math.sin(pose.heading)
+        corners = [
+            (x + size * (a * cosine - b * sine), y - size * (a * sine + b * cosine))
+            for a, b in shape
+        ]
+        pen.polygon(corners, fill=ROBOT, outline="white", width=self._line // 2 + 1)

@@ -1,0 +1,123 @@
+"""An episode of a run as its folder keeps it, with the plan it took place on."""
+
+import difflib
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from memorymaze.errors import SettingsError
+from memorymaze.evaluation.results import EpisodeResult
+from memorymaze.evaluation.run_folder import RunRecord, read_run
+from memorymaze.evaluation.settings import RunSettings, stamp_file
+from memorymaze.evaluation.trace import read_trace, trace_path
+from memorymaze.results.report.story import Story, story_of
+from memorymaze.sites import (
+    BUILTIN_SITE_NAMES,
+    Route,
+    Site,
+    builtin_site_path,
+    load_site,
+    load_sites,
+)
+
+__all__ = ["RecordedEpisode", "load_episode"]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class RecordedEpisode:
+    """All that is known of an episode that is over."""
+
+    record: RunRecord
+    result: EpisodeResult
+    entries: tuple[dict[str, Any], ...]
+    """Of its trace, see `docs/data_formats.md`."""
+    story: Story
+    """The trace in words."""
+    site: Site
+
+    @property
+    def route(self) -> Route:
+        """The way that the instruction describes."""
+        return self.site.route(self.result.reference_route)
+
+    @property
+    def instruction(self) -> str:
+        """What the agent was told."""
+        return self.story.instruction or ""
+
+
+def load_episode(
+    folder: str | Path, episode_id: str, sites_folder: str | Path | None = None
+) -> RecordedEpisode:
+    """Read an episode from a run folder, and the plan it took place on.
+
+    Args:
+        folder: Of the run.
+        episode_id: As `episodes.jsonl` has it.
+        sites_folder: Folder of the run's site plans; None for the shipped ones.
+
+    Raises:
+        SettingsError: The run has no such episode, or the plan is not there or not the
+            one that the run was made with.
+        RunFolderError: The folder is no run, or the trace is missing or damaged.
+        SitePlanError: A plan cannot be used.
+    """
+    path = Path(folder)
+    record, results = read_run(path)
+    by_id = {result.episode_id: result for result in results}
+    result = by_id.get(episode_id)
+    if result is None:
+        raise SettingsError(_no_such_episode(path, episode_id, list(by_id)))
+    entries = tuple(read_trace(path, episode_id))
+    story = story_of(entries, str(trace_path(path, episode_id)))
+    site = _site_of(record.settings, result.site, sites_folder)
+    if not any(route.id == result.reference_route for route in site.routes):
+        raise SettingsError(
+            f"{path}: expected a route {result.reference_route!r} in the plan "
+            f"{site.name}, got none; is {site.source} the plan of this run?"
+        )
+    return RecordedEpisode(record, result, entries, story, site)
+
+
+def _no_such_episode(path: Path, wanted: str, known: list[str]) -> str:
+    if not known:
+        return (
+            f"{path}: expected a run with finished episodes, got none; is it going on?"
+        )
+    near = difflib.get_close_matches(wanted, known, n=3, cutoff=0.5)
+    hint = (
+        f"did you mean {', '.join(near)}?"
+        if near
+        else f"they are named like {known[0]}"
+    )
+    return (
+        f"episode: expected one of the {len(known)} that {path} has finished, got "
+        f"{wanted!r}; {hint}"
+    )
+
+
+def _site_of(settings: RunSettings, name: str, sites_folder: str | Path | None) -> Site:
+    """Return the plan of this name, if it is the one the run was made with."""
+    if sites_folder is not None:
+        sites = load_sites(sites_folder)
+        if name not in sites:
+            raise SettingsError(
+                f"--sites {sites_folder}: expected the plan of {name}, got "
+                f"{', '.join(sites)}"
+            )
+        site = sites[name]
+    elif name in BUILTIN_SITE_NAMES:
+        site = load_site(builtin_site_path(name))
+    else:
+        raise SettingsError(
+            f"the episode took place in {name}, whose plan is not shipped; name the "
+            "folder of the run's plans with --sites DIR"
+        )
+    stamp = next((each for each in settings.sites if each.name == name), None)
+    if stamp is not None and stamp_file(site.source).sha256 != stamp.sha256:
+        raise SettingsError(
+            f"{site.source}: expected the plan that the run was made with (sha256 "
+            f"{stamp.sha256[:12]}…), got another one of the same name; name the folder "
+            "of the run's plans with --sites DIR"
+        )
+    return site

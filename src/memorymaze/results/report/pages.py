@@ -1,0 +1,138 @@
+"""Writing the pages of a site: templates filled, static files copied."""
+
+from collections.abc import Mapping
+from importlib.resources import files
+from pathlib import Path
+from typing import Any
+
+from jinja2 import Environment, PackageLoader, StrictUndefined
+from markupsafe import Markup
+
+from memorymaze.drawing.svg import svg_number
+from memorymaze.errors import SettingsError
+from memorymaze.results.report.error_kinds import kind_title
+from memorymaze.results.report.file_names import route_page, safe_name
+from memorymaze.results.report.outcomes import (
+    OUTCOMES,
+    ending_words,
+    outcome_of,
+)
+from memorymaze.results.tables.bootstrap import Estimate
+from memorymaze.results.tables.cells import STUDY_TITLES, estimate_cell
+from memorymaze.results.tables.rows import Place, place_title
+
+__all__ = ["Pages"]
+
+ROOM = "memorymaze.results.report"
+
+POLICY = (
+    "default-src 'none'; img-src 'self' file: data:; style-src 'self' file: "
+    "'unsafe-inline'; script-src 'self' file:; base-uri 'none'; form-action 'none'"
+)
+"""Content security policy of every page: what it shows cannot bring a script along."""
+
+
+class Pages:
+    """A folder that becomes a site of static pages."""
+
+    def __init__(self, folder: str | Path) -> None:
+        """Make the folder.
+
+        Raises:
+            SettingsError: It exists already and is not empty, or cannot be made.
+        """
+        self.folder = Path(folder)
+        try:
+            if self.folder.exists() and (
+                not self.folder.is_dir() or any(self.folder.iterdir())
+            ):
+                raise SettingsError(
+                    f"--out {folder}: exists already; choose another name, or delete it"
+                )
+            self.folder.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            raise SettingsError(
+                f"--out {folder}: cannot be made ({error.strerror})"
+            ) from None
+        self._templates = Environment(
+            loader=PackageLoader(ROOM),
+            autoescape=True,
+            undefined=StrictUndefined,
+            trim_blocks=True,
+            lstrip_blocks=True,
+        )
+        words: dict[str, Any] = {
+            "OUTCOMES": OUTCOMES,
+            "ending_words": ending_words,
+            "outcome_of": outcome_of,
+            "place_name": _place_name,
+            "policy": POLICY,
+            "route_page": route_page,
+        }
+        self._templates.globals.update(words)
+        self._templates.filters.update({
+            "difference": _difference,
+            "file": safe_name,
+            "kind": kind_title,
+            "number": svg_number,
+            "study": study_title,
+            "value": _estimate,
+        })
+
+    def write(
+        self, path: str, template: str, view: Mapping[str, Any], *, title: str
+    ) -> None:
+        """Write a page.
+
+        Args:
+            path: Inside the folder, with `/`.
+            template: Name of the template's file.
+            view: What it shows; everything is escaped but `Markup`.
+            title: Of the page.
+        """
+        root = "../" * path.count("/")
+        text = self._templates.get_template(template).render(
+            **view, title=title, root=root, path=path
+        )
+        self.write_text(path, text)
+
+    def write_text(self, path: str, text: str) -> None:
+        """Write a file; characters that UTF-8 does not know become `?`."""
+        file = self.folder / path
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_bytes(text.encode("utf-8", "replace"))
+
+    def copy_static(self, *names: str) -> None:
+        """Copy style and scripts from the package."""
+        for name in names:
+            content = (files(ROOM) / "static" / name).read_text(encoding="utf-8")
+            self.write_text(f"static/{name}", content)
+
+
+def study_title(study: str) -> str:
+    """Return how a study is headed; its name where it is none of the paper's."""
+    return STUDY_TITLES.get(study, f"Study {study}")
+
+
+def _place_name(place: tuple[str, str]) -> str:
+    return place_title([Place(*place)])
+
+
+def _estimate(estimate: Estimate) -> Markup:
+    """Write a mean with its interval."""
+    return _with_interval(estimate_cell(estimate))
+
+
+def _difference(estimate: Estimate) -> Markup:
+    """Write a difference of means with its interval; always with a sign."""
+    interval = ""
+    if estimate.low is not None and estimate.high is not None:
+        interval = f" [{estimate.low:+.2f}, {estimate.high:+.2f}]"
+    return _with_interval(f"{estimate.mean:+.2f}{interval}")
+
+
+def _with_interval(cell: str) -> Markup:
+    mean, _, interval = cell.partition(" ")
+    if not interval:
+        return Markup("{}").format(mean)
+    return Markup('{} <span class="interval">{}</span>').format(mean, interval)

@@ -1,0 +1,269 @@
+"""The report on runs: a folder of pages that need neither server nor network."""
+
+from collections.abc import Callable, Sequence
+from itertools import combinations
+from pathlib import Path
+from typing import Any
+
+from memorymaze.drawing.svg import (
+    Frame,
+    path_data,
+    plan_frame,
+    plan_picture,
+)
+from memorymaze.errors import RunFolderError
+from memorymaze.evaluation.results import EpisodeResult
+from memorymaze.evaluation.trace import read_trace, trace_path
+from memorymaze.results.report.distributions import MEASURES, spreads
+from memorymaze.results.report.episode_view import (
+    EpisodeRow,
+    EpisodeView,
+    RunInEpisode,
+    told_text,
+)
+from memorymaze.results.report.error_kinds import error_kinds
+from memorymaze.results.report.file_names import route_page, safe_name
+from memorymaze.results.report.following import follow
+from memorymaze.results.report.pages import Pages
+from memorymaze.results.report.route_view import (
+    WalkOfRun,
+    picture_frame,
+    run_on_route,
+    simplified,
+)
+from memorymaze.results.report.settings_rows import settings_rows
+from memorymaze.results.report.sources import Sources
+from memorymaze.results.report.story import Story, story_of, story_record
+from memorymaze.results.report.table_view import (
+    compare_pair,
+    count_endings,
+    table_groups,
+    written_by,
+)
+from memorymaze.results.tables import Place
+from memorymaze.results.tables.run_notes import run_notes
+from memorymaze.sites import Route, Site
+
+__all__ = ["write_report"]
+
+
+def write_report(
+    sources: Sources,
+    folder: str | Path,
+    *,
+    progress: Callable[[int, int], None] | None = None,
+) -> list[str]:
+    """Write a report as a site of static pages; `index.html` is where it begins.
+
+    Equal runs, instructions and plans give equal files. A trace that cannot be read
+    costs its own walk only, and its page says so.
+
+    Args:
+        sources: What it tells of.
+        folder: Made; must not hold anything yet.
+        progress: Told how many episodes of how many are done.
+
+    Returns:
+        What readers should know: files not found, traces that cannot be read.
+
+    Raises:
+        SettingsError: The folder is not empty, or cannot be made.
+    """
+    pages = Pages(folder)
+    return _Report(sources, pages).write(progress)
+
+
+class _Report:
+    def __init__(self, sources: Sources, pages: Pages) -> None:
+        self._sources = sources
+        self._runs = sources.runs
+        self._pages = pages
+        self._walks: dict[Place, list[list[WalkOfRun]]] = {}
+        self._rows: dict[Place, list[EpisodeRow]] = {}
+        self._problems: list[str] = []
+        self._by_id: list[dict[str, EpisodeResult]] = [
+            {each.episode_id: each for each in run.measured.results}
+            for run in self._runs
+        ]
+        order = {
+            result.episode_id: Place(result.site, result.route)
+            for run in self._runs
+            for result in run.measured.results
+        }
+        self._episodes = sorted(order, key=lambda each: (order[each], each))
+        self._places = sorted(set(order.values()))
+        self._written = written_by(sources)
+        measured = [run.measured for run in self._runs]
+        self._second = table_groups(measured, "II")
+
+    def write(self, progress: Callable[[int, int], None] | None) -> list[str]:
+        self._pages.copy_static("report.css", "replay.js", "timeline.js", "tables.js")
+        for name, site in self._sources.sites.items():
+            self._pages.write_text(f"plans/{safe_name(name)}.svg", plan_picture(site))
+        around = [None, *self._episodes, None]
+        for number, episode in enumerate(self._episodes, start=1):
+            self._write_episode(episode, around[number - 1], around[number + 1])
+            if progress is not None:
+                progress(number, len(self._episodes))
+        for place in self._places:
+            self._write_route(place)
+        self._write_overview()
+        return [*self._sources.notes, *self._problems]
+
+    def _page(self, path: str, template: str, title: str, **view: Any) -> None:
+        shown = {"runs": self._runs, "places": self._places, "written": self._written}
+        self._pages.write(path, template, shown | view, title=title)
+
+    # -- episodes
+
+    def _write_episode(
+        self, episode: str, before: str | None, after: str | None
+    ) -> None:
+        runs = [
+            self._run_in_episode(number, by_id[episode])
+            for number, by_id in enumerate(self._by_id)
+            if episode in by_id
+        ]
+        first = runs[0].result
+        place = Place(first.site, first.route)
+        site = self._sources.sites[first.site]
+        told = self._sources.instructions.get(first.instruction_id)
+        route = site.route(first.reference_route)
+        walks = self._walks.setdefault(place, [[] for _ in self._runs])
+        for each in runs:
+            if each.story is not None and each.line is not None:
+                distance = each.run.measured.record.settings.success_distance
+                following = follow(
+                    list(route.line.coords), each.story.walk.points, distance
+                )
+                walk = WalkOfRun(each.result, each.line, following)
+                walks[each.number].append(walk)
+                self._pages.write_text(
+                    each.data_file,
+                    "(window.replayData = window.replayData || {})["
+                    f'"{each.number}"] = {story_record(each.story)};\n',
+                )
+        view = EpisodeView(episode, first, told, told_text(told, runs), tuple(runs))
+        failures = None if told is None else tuple(f.kind for f in told.failures)
+        self._rows.setdefault(place, []).append(
+            EpisodeRow(
+                episode,
+                first,
+                failures,
+                tuple(by_id.get(episode) for by_id in self._by_id),
+            )
+        )
+        self._page(
+            f"episodes/{safe_name(episode)}.html",
+            "episode.html",
+            f"Episode {episode}",
+            view=view,
+            route=route,
+            site=site,
+            frame=plan_frame(site),
+            way=path_data([list(route.line.coords)]),
+            before=before,
+            after=after,
+        )
+
+    def _run_in_episode(self, number: int, result: EpisodeResult) -> RunInEpisode:
+        run = self._runs[number]
+        story: Story | None = None
+        problem: str | None = None
+        try:
+            place = str(trace_path(run.folder, result.episode_id))
+            story = story_of(read_trace(run.folder, result.episode_id), place)
+        except RunFolderError as error:
+            problem = str(error)
+            self._problems.append(problem)
+        line = None if story is None else simplified(story.walk)
+        return RunInEpisode(run, number, result, story, problem, line)
+
+    # -- routes
+
+    def _write_route(self, place: Place) -> None:
+        site = self._sources.sites[place.site]
+        by_run = self._walks[place]
+        routes = self._ways(place)
+        everything = [walk for walks in by_run for walk in walks]
+        self._page(
+            route_page(place),
+            "route.html",
+            f"Route {place.route}, {site.title}",
+            place=place,
+            site=site,
+            routes=routes,
+            frame=picture_frame(site, routes, everything),
+            whole=plan_frame(site),
+            ways=_drawn(routes),
+            views=[
+                run_on_route(run, site, walks)
+                for run, walks in zip(self._runs, by_run, strict=True)
+            ],
+            tables=[each for each in self._second if each.places == (place,)],
+            rows=self._rows[place],
+        )
+
+    def _ways(self, place: Place) -> list[Route]:
+        """Return the ways that the episodes on a route describe."""
+        names = {row.first.reference_route for row in self._rows[place]}
+        site = self._sources.sites[place.site]
+        return [site.route(name) for name in sorted(names)]
+
+    # -- the rest
+
+    def _tile(self, place: Place) -> tuple[Place, Site, Frame, list[str]]:
+        site = self._sources.sites[place.site]
+        return place, site, plan_frame(site), _drawn(self._ways(place))
+
+    def _write_overview(self) -> None:
+        measured = [run.measured for run in self._runs]
+        self._page(
+            "index.html",
+            "index.html",
+            "Report on " + ", ".join(run.measured.label for run in self._runs),
+            notes=[run_notes(each) for each in measured],
+            warnings=[*self._sources.notes, *self._problems],
+            endings=[count_endings(run) for run in self._runs],
+            means=[each for each in self._second if each.is_mean],
+            tiles=[self._tile(place) for place in self._places],
+        )
+        self._page(
+            "tables.html",
+            "tables.html",
+            "Tables",
+            second=self._second,
+            third=table_groups(measured, "III"),
+            comparisons=[
+                compare_pair(one, two) for one, two in combinations(self._runs, 2)
+            ],
+        )
+        self._page(
+            "distributions.html",
+            "distributions.html",
+            "Distributions",
+            spreads=[(measure, spreads(self._runs, measure)) for measure in MEASURES],
+        )
+        self._page(
+            "errors.html",
+            "errors.html",
+            "Errors in instructions",
+            kinds=error_kinds(self._runs, self._sources.instructions),
+            warnings=self._sources.notes,
+        )
+        self._page(
+            "episodes.html",
+            "episodes.html",
+            "Episodes",
+            rows=[row for place in self._places for row in self._rows[place]],
+        )
+        self._page(
+            "settings.html",
+            "settings.html",
+            "Settings of the runs",
+            settings=[settings_rows(run.measured.record) for run in self._runs],
+        )
+
+
+def _drawn(routes: Sequence[Route]) -> list[str]:
+    return [path_data([list(route.line.coords)]) for route in routes]

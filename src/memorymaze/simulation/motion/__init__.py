@@ -1,0 +1,1 @@
+"""How the robot moves: its wheels, the lines it keeps to, turns, detours."""

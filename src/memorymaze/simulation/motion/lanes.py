@@ -1,0 +1,245 @@
+"""The line a robot really drives: along a straight way, and round what stands on it."""
+
+import math
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Literal, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from memorymaze.geometry import polyline
+from memorymaze.geometry.pose import Pose, turn_between
+from memorymaze.simulation.motion.clearance import Clearance
+from memorymaze.simulation.motion.detours import SPACING, make_detours
+from memorymaze.simulation.motion.straight_ways import StraightWay
+from memorymaze.simulation.motion.wheeled_base import ROBOT_RADIUS
+
+__all__ = [
+    "MIN_CLEARANCE",
+    "Lane",
+    "LaneEnd",
+    "Station",
+    "lane_along",
+    "lane_round_things",
+    "plan_lane",
+]
+
+LaneEnd = Literal["wall", "obstacle", "done"]
+"""What is behind the last station of a lane."""
+
+SLANTED_END_GAP = 0.45
+"""The same, measured square to a wall that the way meets at a slant."""
+MIN_CLEARANCE = ROBOT_RADIUS + 0.07
+"""Distance in metres that a lane keeps from walls and obstacles wherever it can."""
+LEAST_CLEARANCE = ROBOT_RADIUS + 0.05
+"""Distance in metres that a lane keeps from them everywhere."""
+TIGHT_SPEED = 0.4
+"""Metres per second where there is less room than `MIN_CLEARANCE`."""
+OBSTACLE_GAP = 0.25
+"""Metres left between the robot's shell and an obstacle it cannot pass, at least."""
+END_OBSTACLE_DEPTH = 1.2
+"""An obstacle whose front is this near to the end wall is part of it, metres."""
+SIDEWAYS_ACCELERATION = 0.8
+"""Greatest acceleration in bends, metres per second squared."""
+
+FloatArray = NDArray[np.float64]
+
+
+class Station(NamedTuple):
+    """A place on a lane."""
+
+    x: float
+    y: float
+    heading: float
+    """Of the lane towards the next station, radians."""
+    curvature: float
+    """1 / metres, left positive."""
+    s: float
+    """Metres from the lane's start."""
+    speed: float
+    """Greatest speed for its curvature and the room beside it, metres per second."""
+    course: float
+    """Heading of the straight way beside it, radians."""
+    way_x: float
+    way_y: float
+    """Point of the straight way beside it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Lane:
+    """A line to drive along, from where the robot is."""
+
+    stations: tuple[Station, ...]
+    """At least one."""
+    end: LaneEnd
+    """What is behind its last station."""
+
+    @property
+    def length(self) -> float:
+        """Metres."""
+        return self.stations[-1].s
+
+
+def plan_lane(
+    way: StraightWay, pose: Pose, clearance: Clearance, max_speed: float
+) -> Lane:
+    """Plan the drive along a straight way: onto it, round obstacles, up to its end.
+
+    Where an obstacle cannot be passed within 2 m to either side of the way, the lane
+    ends before it.
+
+    Args:
+        way: From `StraightWays.way` for this pose.
+        pose: Where the robot is.
+        clearance: Distances on this floor.
+        max_speed: Metres per second.
+    """
+    base, courses = _stations_of(way)
+    open_ahead = clearance.to_walls(base) >= SLANTED_END_GAP
+    count = 1 + int(np.flatnonzero(open_ahead)[-1]) if open_ahead.any() else 1
+    if way.halt < 0.01 or count < 2:
+        here = np.array([pose[:2]])
+        return _lane(here, base[:1], courses[:1], np.array([max_speed]), "wall")
+    base, courses = base[:count], courses[:count]
+    normals = _normals(base)
+    start_offset = float((np.array(pose[:2]) - base[0]) @ normals[0])
+    offsets = _joining_profile(len(base), start_offset)
+    end: LaneEnd = "wall"
+    usable = len(base)
+    room = clearance.to_anything(base + offsets[:, None] * normals)
+    if (room < MIN_CLEARANCE).any():
+        least = np.full(usable, LEAST_CLEARANCE)
+        # Whoever starts in a tight place may leave it as tightly.
+        least[:8] = min(LEAST_CLEARANCE, max(float(room[0]) - 1e-3, ROBOT_RADIUS))
+        offsets, usable = make_detours(
+            base, normals, offsets, MIN_CLEARANCE, least, clearance
+        )
+        if usable < len(base):
+            beyond = base[usable : usable + round(1.0 / SPACING)]
+            to_wall = polyline.length(way.points) - usable * SPACING
+            walls_alone = clearance.to_walls(beyond)
+            if to_wall > END_OBSTACLE_DEPTH and (walls_alone >= MIN_CLEARANCE).all():
+                end = "obstacle"
+            usable = max(1, usable - round(OBSTACLE_GAP / SPACING))
+    driven = (base + offsets[:, None] * normals)[:usable]
+    room = clearance.to_anything(driven)
+    speeds = np.where(room < MIN_CLEARANCE - 1e-6, TIGHT_SPEED, max_speed)
+    return _lane(driven, base[:usable], courses[:usable], speeds, end)
+
+
+def lane_along(points: FloatArray, max_speed: float) -> Lane:
+    """Return the lane along a given line, its corners rounded by some centimetres.
+
+    Args:
+        points: Vertices, metres, shape (N, 2), N >= 2.
+        max_speed: Metres per second.
+    """
+    base = _rounded(polyline.resample(points, SPACING), 2)
+    speeds = np.full(len(base), max_speed)
+    return _lane(base, base, _headings(base), speeds, "done")
+
+
+def lane_round_things(
+    points: FloatArray,
+    place: tuple[float, float],
+    max_speed: float,
+    clearance: Clearance,
+) -> Lane:
+    """Return the lane from a place back to a given line, and round what stands on it.
+
+    It ends as `obstacle` where the rest of the line cannot be reached.
+
+    Args:
+        points: Vertices of the line, metres, shape (N, 2), N >= 2.
+        place: Where the robot is, beside the line's beginning; metres.
+        max_speed: Metres per second.
+        clearance: Distances to everything that stands.
+    """
+    base = _rounded(polyline.resample(points, SPACING), 2)
+    normals = _normals(base)
+    aside = float((np.array(place) - base[0]) @ normals[0])
+    offsets = _joining_profile(len(base), aside)
+    room = clearance.to_anything(base + offsets[:, None] * normals)
+    end: LaneEnd = "done"
+    usable = len(base)
+    if (room < MIN_CLEARANCE).any():
+        # Lines may lead along walls more closely than lanes do; there they are kept to.
+        least = np.minimum(LEAST_CLEARANCE, clearance.to_walls(base) - 1e-3)
+        least[:8] = np.minimum(least[:8], max(float(room[0]) - 1e-3, ROBOT_RADIUS))
+        offsets, usable = make_detours(
+            base, normals, offsets, MIN_CLEARANCE, least, clearance
+        )
+        if usable < len(base):
+            end = "obstacle"
+            usable = max(1, usable - round(OBSTACLE_GAP / SPACING))
+    driven = (base + offsets[:, None] * normals)[:usable]
+    room = clearance.to_anything(driven)
+    speeds = np.where(room < MIN_CLEARANCE - 1e-6, TIGHT_SPEED, max_speed)
+    return _lane(driven, base[:usable], _headings(base)[:usable], speeds, end)
+
+
+def _stations_of(way: StraightWay) -> tuple[FloatArray, FloatArray]:
+    """Return points at even steps along the way up to its halt, and its courses."""
+    along = polyline.arc_lengths(way.points)
+    at = np.linspace(0.0, way.halt, max(2, math.ceil(way.halt / SPACING) + 1))
+    points = np.asarray(way.points)
+    base = np.column_stack([np.interp(at, along, points[:, k]) for k in (0, 1)])
+    piece = np.clip(np.searchsorted(along, at, side="right") - 1, 0, len(points) - 2)
+    if len(way.courses) > 1:
+        base = _rounded(base, 8)
+    return base, np.asarray(way.courses)[piece]
+
+
+def _rounded(points: FloatArray, passes: int) -> FloatArray:
+    rounded = points.copy()
+    for _ in range(passes):
+        rounded[1:-1] = (rounded[:-2] + 2 * rounded[1:-1] + rounded[2:]) / 4
+    return rounded
+
+
+def _normals(points: FloatArray) -> FloatArray:
+    """Return unit vectors to the left of the line at its points."""
+    tangents = np.gradient(points, axis=0)
+    tangents /= np.hypot(tangents[:, 0], tangents[:, 1])[:, None]
+    return np.column_stack([-tangents[:, 1], tangents[:, 0]])
+
+
+def _joining_profile(count: int, offset: float) -> FloatArray:
+    """Return offsets that lead smoothly from the robot's place onto the way."""
+    distance = max(1.0, 4 * abs(offset))
+    part = np.minimum(np.arange(count) * SPACING / distance, 1.0)
+    return offset * (1 - part * part * (3 - 2 * part))
+
+
+def _headings(points: FloatArray) -> FloatArray:
+    """Return the heading from each point to the next; the last repeats."""
+    steps = np.diff(points, axis=0)
+    headings = np.arctan2(steps[:, 1], steps[:, 0])
+    return np.append(headings, headings[-1])
+
+
+def _lane(
+    driven: FloatArray,
+    base: FloatArray,
+    courses: FloatArray,
+    speeds: FloatArray,
+    end: LaneEnd,
+) -> Lane:
+    if len(driven) == 1:
+        (x, y), (way_x, way_y) = driven[0].tolist(), base[0].tolist()
+        course, speed = float(courses[0]), float(speeds[0])
+        station = Station(x, y, course, 0.0, 0.0, speed, course, way_x, way_y)
+        return Lane((station,), end)
+    headings = _headings(driven)
+    s = polyline.arc_lengths(driven)
+    bends = np.array([turn_between(a, b) for a, b in pairwise(headings.tolist())])
+    curvature = np.append(bends / np.diff(s), 0.0)
+    tightness = np.maximum(np.abs(curvature), np.abs(np.roll(curvature, 1)))
+    in_bends = np.sqrt(SIDEWAYS_ACCELERATION / np.maximum(tightness, 1e-6))
+    columns = (
+        *(driven[:, 0], driven[:, 1], headings, curvature, s),
+        *(np.minimum(in_bends, speeds), courses, base[:, 0], base[:, 1]),
+    )
+    rows = zip(*(column.tolist() for column in columns), strict=True)
+    return Lane(tuple(Station(*row) for row in rows), end)

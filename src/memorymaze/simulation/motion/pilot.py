@@ -1,0 +1,295 @@
+"""What the control API's motions mean: moving on, turning into ways, following a line."""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from memorymaze.geometry.pose import turn_between, wrap_angle
+from memorymaze.robot.api import DIRECTIONS, Direction, MoveEnd, TurnResult
+from memorymaze.simulation.motion.clearance import Clearance
+from memorymaze.simulation.motion.driving import DriveEnd, Driver
+from memorymaze.simulation.motion.lanes import Lane, plan_lane
+from memorymaze.simulation.motion.path_following import LaneFollower
+from memorymaze.simulation.motion.primitive_motions import (
+    drive_on,
+    go_straight,
+    spin_by,
+)
+from memorymaze.simulation.motion.route_following import follow_line
+from memorymaze.simulation.motion.turning_directions import direction_of, exit_meant
+from memorymaze.simulation.motion.wheeled_base import ROBOT_RADIUS
+from memorymaze.simulation.obstacles.surroundings import Surroundings
+from memorymaze.simulation.scene import Scene
+from memorymaze.simulation.senses.turning_point_source import Stay
+from memorymaze.simulation.settings import SimulationSettings
+
+__all__ = ["Pilot"]
+
+REPLAN_OFFSET = 0.35
+"""Metres beside its lane from which on a robot plans anew."""
+REPLAN_ANGLE = math.radians(40)
+"""Angle to its lane from which on a robot plans anew."""
+SPIN_FIRST = math.radians(8)
+"""Angle to a new lane's beginning from which on the robot first turns on the spot."""
+BACK_SECTOR = math.radians(35)
+"""`around` faces an exit that lies within this angle of a half turn."""
+LOOK_AROUND = 1.5
+"""Seconds of waiting from one look for a way round people who stand to the next."""
+GETS_PAST = 1.5
+"""Metres that a way round people must lead on for the robot to take it."""
+
+
+class Pilot:
+    """Steers one robot through one episode.
+
+    It keeps a course: the heading of the way the robot is on. Directions are told
+    relative to it and not to the heading of the moment, which differs while the robot
+    goes round an obstacle. Every motion raises `TimeIsUp` when the time budget ends.
+    """
+
+    def __init__(
+        self, scene: Scene, driver: Driver, settings: SimulationSettings
+    ) -> None:
+        """Begin with the start heading as the course."""
+        self._scene = scene
+        self._driver = driver
+        self._settings = settings
+        around = driver.surroundings
+        self._clearance = scene.clearance if around is None else around.clearance
+        self._patience = math.inf if around is None else around.patience
+        self._course = driver.pose.heading
+        self._fresh = True
+        self._towards: str | None = None
+        self._follower: LaneFollower | None = None
+
+    def come_to_rest(self) -> None:
+        """Brake until the robot stands."""
+        self._driver.come_to_rest(self._follower)
+
+    def move(self, distance: float) -> MoveEnd:
+        """Drive up to some metres along the straight way; return why it ended."""
+        driver = self._driver
+        follower = self._follower
+        if follower is not None:
+            follower.update(driver.pose)
+        if (
+            follower is None
+            or abs(follower.offset) > REPLAN_OFFSET
+            or abs(follower.off_course) > REPLAN_ANGLE
+        ):
+            follower = self._planned()
+        if driver.surroundings is None:
+            how = driver.follow(follower, distance, self._settings.rolling_speed)
+        else:
+            how, follower = self._move_among_people(
+                follower, distance, driver.surroundings
+            )
+        self._course = follower.station.course
+        if how == "distance":
+            return "done"
+        if how == "held":
+            self._follower = None
+            return "obstacle"
+        if how == "end":
+            return "obstacle" if follower.lane.end == "obstacle" else "wall"
+        self._follower = None
+        return self._what_blocks()
+
+    def _what_blocks(self) -> MoveEnd:
+        collisions = self._driver.collisions
+        things = ("landmark", "thing", "person")
+        hit_thing = bool(collisions) and collisions[-1].kind in things
+        return "obstacle" if hit_thing else "wall"
+
+    def _move_among_people(
+        self, follower: LaneFollower, distance: float, surroundings: Surroundings
+    ) -> tuple[DriveEnd, LaneFollower]:
+        """Drive on; wait for people, or go round those who stand, as patience lasts."""
+        driver = self._driver
+        until = driver.distance + distance
+        driver.held_for = 0.0
+        while True:
+            left = max(until - driver.distance, 1e-3)
+            how = driver.follow(
+                follower,
+                left,
+                self._settings.rolling_speed,
+                min(driver.held_for + LOOK_AROUND, surroundings.patience),
+            )
+            if how != "held":
+                return how, follower
+            if driver.held_for >= surroundings.patience:
+                self.come_to_rest()
+                return how, follower
+            clearance = surroundings.clearance_now(driver.pose[:2])
+            if clearance is not None:
+                follower = self._round_people(follower, clearance)
+
+    def _round_people(
+        self, follower: LaneFollower, clearance: Clearance
+    ) -> LaneFollower:
+        """Return a lane round those who stand; the old one where there is no way."""
+        pose = self._driver.pose
+        way = self._scene.straight_ways.way(
+            (pose.x, pose.y), self._course, fresh=self._fresh, towards=self._towards
+        )
+        lane = plan_lane(way, pose, clearance, self._settings.max_speed)
+        hindrance = self._driver.hindrance
+        past = GETS_PAST + (0.0 if hindrance is None else hindrance.ahead)
+        if lane.length < min(past, follower.remaining):
+            return follower
+        return self._joined(lane)
+
+    def _planned(self) -> LaneFollower:
+        driver = self._driver
+        self.come_to_rest()
+        pose = driver.pose
+        way = self._scene.straight_ways.way(
+            (pose.x, pose.y), self._course, fresh=self._fresh, towards=self._towards
+        )
+        lane = plan_lane(way, pose, self._clearance, self._settings.max_speed)
+        follower = self._joined(lane)
+        self._fresh = False
+        return follower
+
+    def _joined(self, lane: Lane) -> LaneFollower:
+        """Begin a lane, facing along it."""
+        driver = self._driver
+        follower = LaneFollower(lane)
+        follower.update(driver.pose)
+        if lane.length > 0 and abs(follower.off_course) > SPIN_FIRST:
+            driver.spin_to(lane.stations[0].heading)
+            follower.update(driver.pose)
+        self._follower = follower
+        return follower
+
+    def directions(self) -> list[Direction]:
+        """Return where one can go on from the turning point the robot is in."""
+        stay = self._driver.turning_points.current
+        if stay is None:
+            return []
+        found = {
+            direction_of(turn_between(self._course, each.heading))
+            for each in stay.onward()
+        }
+        return [direction for direction in DIRECTIONS if direction in found]
+
+    def turn(self, direction: Direction) -> TurnResult:
+        """Face the way that lies in a direction, if there is one."""
+        stay = self._driver.turning_points.current
+        if direction == "around":
+            return self._turn_around(stay)
+        if stay is None:
+            return TurnResult(
+                False,
+                0.0,
+                "this is not a turning point; only 'around' is possible here",
+            )
+        exits = stay.choices()
+        angles = [turn_between(self._course, each.heading) for each in exits]
+        chosen = exit_meant(direction, angles)
+        if chosen is None:
+            there_are = ", ".join((*self.directions(), "around"))
+            return TurnResult(
+                False,
+                0.0,
+                f"no way lies {_in_words(direction)}; there are: {there_are}",
+            )
+        return self._turn_into(stay, chosen, direction)
+
+    def _turn_into(self, stay: Stay, chosen: int, direction: str) -> TurnResult:
+        driver = self._driver
+        self.come_to_rest()
+        before = driver.pose.heading
+        place = (driver.pose.x, driver.pose.y)
+        if self._follower is not None:
+            station = self._follower.station
+            place = (station.way_x, station.way_y)
+        way = stay.choices()[chosen]
+        meeting = stay.meeting_point(chosen, place, self._course)
+        if self._clearance.is_free([driver.pose[:2], meeting], ROBOT_RADIUS + 0.02):
+            driver.drive_to(*meeting, patience=self._patience)
+        driver.spin_to(way.heading)
+        self._face(way.heading, way.to)
+        angle = math.degrees(turn_between(before, driver.pose.heading))
+        return TurnResult(
+            True, angle, f"turned {abs(angle):.0f} degrees, {_in_words(direction)}"
+        )
+
+    def _turn_around(self, stay: Stay | None) -> TurnResult:
+        driver = self._driver
+        self.come_to_rest()
+        before = driver.pose.heading
+        back = self._course + math.pi
+        towards = None
+        behind = min(
+            () if stay is None else stay.everywhere(),
+            key=lambda each: abs(turn_between(back, each.heading)),
+            default=None,
+        )
+        if (
+            behind is not None
+            and abs(turn_between(back, behind.heading)) <= BACK_SECTOR
+        ):
+            back, towards = behind.heading, behind.to
+        driver.spin_to(back)
+        self._face(back, towards)
+        angle = math.degrees(turn_between(before, driver.pose.heading))
+        return TurnResult(True, angle, "turned around")
+
+    def _face(self, course: float, towards: str | None) -> None:
+        """Take a new course, from where the robot stands."""
+        self._course = wrap_angle(course)
+        self._towards = towards
+        self._fresh = True
+        self._follower = None
+        self._driver.turning_points.note_turn()
+
+    def step_forward(self, distance: float) -> float:
+        """Drive straight ahead, without keeping to the way; return metres moved."""
+        self.come_to_rest()
+        moved = go_straight(self._driver, distance, self._settings, self._patience)
+        self._stand_anew()
+        return moved
+
+    def rotate(self, angle: float) -> float:
+        """Turn on the spot by some radians; return what was turned."""
+        self.come_to_rest()
+        turned = spin_by(self._driver, angle, self._settings)
+        self._stand_anew()
+        self._driver.turning_points.note_turn()
+        return turned
+
+    def drive(self, speed: float, turn_rate: float, seconds: float) -> float:
+        """Go for speeds for some time, rolling on afterwards; return metres driven."""
+        driver, period = self._driver, self._settings.control_period
+        driven = drive_on(driver, speed, turn_rate, seconds, period)
+        self._stand_anew()
+        if turn_rate:
+            driver.turning_points.note_turn()
+        return driven
+
+    def _stand_anew(self) -> None:
+        """Take the way the robot faces as its course."""
+        self._course = self._driver.pose.heading
+        self._towards = None
+        self._fresh = True
+        self._follower = None
+
+    def follow(self, points: NDArray[np.float64]) -> MoveEnd:
+        """Drive along a given line, (N, 2) metres, to its end."""
+        self._follower = None
+        how = follow_line(self._driver, points, self._settings.max_speed)
+        self._face(self._driver.pose.heading, None)
+        if how == "blocked":
+            return self._what_blocks()
+        return "done" if how == "arrived" else "obstacle"
+
+
+def _in_words(direction: str) -> str:
+    return {
+        "forward": "straight on",
+        "left": "to the left",
+        "right": "to the right",
+    }.get(direction, direction.replace("_", " "))

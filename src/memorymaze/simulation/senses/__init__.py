@@ -1,0 +1,1 @@
+"""What the robot perceives without pictures: rays, LiDAR, odometry, turning points."""

@@ -1,0 +1,210 @@
+"""The robot's LiDAR: laser scans of the physics scene, in one plane or 16 beams.
+
+A scan sees everything that has a geom, except the robot itself: walls, door leaves,
+landmarks, and in a 3D scan floor and ceiling. Glass is seen like any wall.
+"""
+
+import math
+from dataclasses import dataclass, fields
+
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+
+from memorymaze.errors import SettingsError
+from memorymaze.geometry.pose import Pose
+from memorymaze.simulation.motion.wheeled_base import ROBOT_GROUP
+from memorymaze.simulation.scene import FLOOR_GROUP, Scene
+
+__all__ = ["Lidar", "LidarScan", "LidarSettings"]
+
+FloatArray = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class LidarSettings:
+    """What a LiDAR measures and how well.
+
+    Raises:
+        SettingsError: A value has no meaning; the message names it and the range.
+    """
+
+    rays: int = 360
+    """Per beam, evenly round the full circle."""
+    beams: int = 1
+    """Evenly from `-elevation` to `elevation`; 1 scans the horizontal plane."""
+    elevation: float = math.radians(15)
+    """Of the outermost beams, radians; of no meaning with one beam."""
+    height: float = 0.4
+    """Of the sensor over the floor, on the robot's axis, metres."""
+    nearest: float = 0.1
+    """Metres; what is nearer gives no return."""
+    farthest: float = 20.0
+    """Metres; what is farther gives no return."""
+    noise: float = 0.0
+    """Standard deviation of a measured range, metres."""
+    drop_out: float = 0.0
+    """Probability of a ray to give no return although something is there."""
+
+    @classmethod
+    def sixteen_beams(cls, rays: int = 900) -> "LidarSettings":
+        """Return a 3D LiDAR's settings: 16 beams from -15 to 15 degrees."""
+        return cls(rays=rays, beams=16)
+
+    def __post_init__(self) -> None:
+        """Check every value."""
+        ranges = {
+            "rays": (1, math.inf),
+            "beams": (1, math.inf),
+            "elevation": (0.0, math.pi / 2),
+            "height": (0.0, math.inf),
+            "nearest": (0.0, self.farthest),
+            "farthest": (0.0, math.inf),
+            "noise": (0.0, math.inf),
+            "drop_out": (0.0, 1.0),
+        }
+        for each in fields(self):
+            value = getattr(self, each.name)
+            lowest, highest = ranges[each.name]
+            whole = each.name in ("rays", "beams")
+            if (
+                not isinstance(value, int if whole else int | float)
+                or isinstance(value, bool)
+                or not math.isfinite(value)
+                or not lowest <= value <= highest
+            ):
+                kind = "whole number" if whole else "number"
+                raise SettingsError(
+                    f"LiDAR setting {each.name}: expected a {kind} from {lowest} to "
+                    f"{highest}, got {value!r}"
+                )
+
+
+@dataclass(frozen=True, eq=False)
+class LidarScan:
+    """What one turn of a LiDAR measured, in the robot's frame; it knows no pose."""
+
+    ranges: FloatArray
+    """Metres along each ray, shape (beams, rays) or with one beam (rays,). `inf`
+    where nothing came back: nothing within `farthest`, something within `nearest`, or
+    a ray that dropped out. Never nan."""
+    angles: FloatArray
+    """Of the rays in the horizontal plane, radians from straight ahead, left positive,
+    ascending from -pi; shape (rays,)."""
+    elevations: FloatArray
+    """Of the beams, radians, up positive, shape (beams,)."""
+    time: float
+    """Simulated seconds."""
+
+    def points(self) -> FloatArray:
+        """Return where the rays ended: metres in the robot's frame, shape (N, 3).
+
+        x ahead, y to the left, z up from the sensor; only rays that gave a return.
+        """
+        ranges = np.atleast_2d(self.ranges)
+        level = ranges * np.cos(self.elevations)[:, np.newaxis]
+        with np.errstate(invalid="ignore"):  # inf times a sine of 0
+            points = np.stack(
+                [
+                    level * np.cos(self.angles),
+                    level * np.sin(self.angles),
+                    ranges * np.sin(self.elevations)[:, np.newaxis],
+                ],
+                axis=-1,
+            )
+        return points[np.isfinite(ranges)]
+
+
+class Lidar:
+    """A LiDAR in one simulated building."""
+
+    def __init__(
+        self,
+        scene: Scene,
+        data: mujoco.MjData | None = None,
+        settings: LidarSettings | None = None,
+        rng: np.random.Generator | None = None,
+    ) -> None:
+        """Mount a LiDAR.
+
+        Args:
+            scene: The building.
+            data: Physics state whose geoms are seen; None for the empty building.
+            settings: The sensor's; the defaults when None.
+            rng: Source of noise and drop-outs; needed when there are any.
+
+        Raises:
+            SettingsError: There are noise or drop-outs and no source of them.
+        """
+        self.settings = settings or LidarSettings()
+        """What it measures and how well."""
+        if rng is None and (self.settings.noise > 0 or self.settings.drop_out > 0):
+            raise SettingsError(
+                "LiDAR with noise or drop-outs: expected a random generator, got None"
+            )
+        self._rng = rng
+        self._model = scene.model
+        if data is None:
+            data = mujoco.MjData(scene.model)
+            mujoco.mj_kinematics(scene.model, data)
+        self._data = data
+        count = self.settings.rays
+        step = 2 * math.pi / count
+        self._angles: FloatArray = np.arange(count, dtype=np.float64) * step - math.pi
+        elevation = self.settings.elevation if self.settings.beams > 1 else 0.0
+        self._elevations: FloatArray = np.linspace(
+            -elevation, elevation, self.settings.beams, dtype=np.float64
+        )
+        for each in (self._angles, self._elevations):
+            each.setflags(write=False)
+        # Directions in the robot's frame: ahead, left and up, shape (beams * rays,).
+        level = np.cos(self._elevations)[:, np.newaxis]
+        self._ahead = (level * np.cos(self._angles)).ravel()
+        self._left = (level * np.sin(self._angles)).ravel()
+        self._directions = np.empty((count * self.settings.beams, 3))
+        self._directions[:, 2] = np.repeat(np.sin(self._elevations), count)
+        self._geoms = np.empty(len(self._directions), dtype=np.int32)
+        self._groups = np.ones(6, dtype=np.uint8)
+        self._groups[ROBOT_GROUP] = 0
+        if not self._elevations.any():
+            self._groups[FLOOR_GROUP] = 0  # never met
+
+    def scan(self, pose: Pose, time: float = 0.0) -> LidarScan:
+        """Measure once all around, in no time.
+
+        Args:
+            pose: Of the robot that carries the sensor.
+            time: Simulated seconds, for the scan's time stamp.
+        """
+        settings = self.settings
+        cosine, sine = math.cos(pose.heading), math.sin(pose.heading)
+        directions = self._directions
+        np.multiply(self._ahead, cosine, out=directions[:, 0])
+        directions[:, 0] -= self._left * sine
+        np.multiply(self._ahead, sine, out=directions[:, 1])
+        directions[:, 1] += self._left * cosine
+        ranges = np.empty(len(directions))
+        mujoco.mj_multiRay(
+            self._model,
+            self._data,
+            np.array([pose.x, pose.y, settings.height]),
+            directions.ravel(),
+            self._groups,
+            True,
+            -1,
+            self._geoms,
+            ranges,
+            None,
+            len(directions),
+            settings.farthest,
+        )
+        ranges[self._geoms < 0] = math.inf
+        if self._rng is not None:
+            if settings.noise > 0:
+                ranges += self._rng.normal(0.0, settings.noise, len(ranges))
+            if settings.drop_out > 0:
+                ranges[self._rng.random(len(ranges)) < settings.drop_out] = math.inf
+        ranges[(ranges < settings.nearest) | (ranges > settings.farthest)] = math.inf
+        if settings.beams > 1:
+            ranges = ranges.reshape(settings.beams, settings.rays)
+        return LidarScan(ranges, self._angles, self._elevations, time)

@@ -1,0 +1,155 @@
+"""What a robot truly sees in eight directions from a place, described by templates."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import chain
+
+from shapely import Point
+
+from memorymaze.geometry.pose import Pose, turn_between, wrap_angle
+from memorymaze.perception.visible_object import VisibleObject
+from memorymaze.robot.viewpoints import (
+    EIGHT_DIRECTIONS,
+    Outlook,
+    Panorama,
+    SeenThing,
+)
+from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.scene import Scene
+from memorymaze.simulation.senses.scene_sentences import (
+    Surface,
+    View,
+    summary_sentence,
+    thing_words,
+    view_sentence,
+)
+
+__all__ = ["TEMPLATES", "look_around", "sector_headings"]
+
+TEMPLATES = "templates"
+"""What describes the looks of this module."""
+
+THINGS_WITHIN = 3.0
+"""Metres; farther things are not told with angle and distance."""
+SEEN_WITHIN = 10.0
+"""Metres; farther things are not named in a sentence."""
+LOOKS_AHEAD = tuple(math.radians(each) for each in (0, -10, 10, -20, 20))
+"""How open a direction is is measured along these rays, from its middle."""
+WIDTH_MEASURED_AT = 2.0
+"""Metres ahead, where the width of a way is measured."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Sighting:
+    heading: float
+    """Radians."""
+    seen: VisibleObject
+
+
+def sector_headings() -> tuple[float, ...]:
+    """Return the middles of the eight directions: north, then clockwise; radians."""
+    step = 2 * math.pi / EIGHT_DIRECTIONS
+    return tuple(
+        wrap_angle(math.pi / 2 - number * step) for number in range(EIGHT_DIRECTIONS)
+    )
+
+
+def look_around(robot: SimulatedRobot, x: float, y: float) -> Panorama:
+    """Return what is seen from a place, with people and things where they are now.
+
+    The camera looks in eight directions. A thing that several looks show is told once, in
+    the direction of its middle.
+
+    Args:
+        robot: Whose camera it is; it stays where it is.
+        x: Metres.
+        y: Metres.
+    """
+    headings = sector_headings()
+    sightings = _sightings(robot, x, y, headings)
+    sectors: list[list[_Sighting]] = [[] for _ in headings]
+    for each in sightings:
+        nearest = min(
+            range(EIGHT_DIRECTIONS),
+            key=lambda k: abs(turn_between(headings[k], each.heading)),
+        )
+        sectors[nearest].append(each)
+    views = [
+        _view(robot.scene, x, y, heading, seen)
+        for heading, seen in zip(headings, sectors, strict=True)
+    ]
+    outlooks = tuple(
+        Outlook(heading, view_sentence(view), _within_reach(seen))
+        for heading, view, seen in zip(headings, views, sectors, strict=True)
+    )
+    everything = sorted(
+        chain.from_iterable(sectors), key=lambda each: each.seen.distance
+    )
+    summary = summary_sentence(
+        views,
+        _surface(robot.scene, x, y),
+        [each.seen.description for each in everything],
+    )
+    return Panorama(outlooks, summary, TEMPLATES)
+
+
+def _sightings(
+    robot: SimulatedRobot, x: float, y: float, headings: Sequence[float]
+) -> list[_Sighting]:
+    """Return each thing seen once: as the look shows it that has it most central."""
+    best: dict[tuple[object, ...], tuple[float, _Sighting]] = {}
+    for heading in headings:
+        camera = robot.camera_view_from(Pose(x, y, heading))
+        for seen in camera.visible_objects(SEEN_WITHIN):
+            which = (seen.description, seen.position)
+            aside = abs(seen.bearing)
+            if which not in best or aside < best[which][0]:
+                there = _Sighting(wrap_angle(heading + seen.bearing), seen)
+                best[which] = (aside, there)
+    return sorted((each for _, each in best.values()), key=lambda s: s.seen.distance)
+
+
+def _within_reach(sightings: Sequence[_Sighting]) -> tuple[SeenThing, ...]:
+    return tuple(
+        SeenThing(thing_words(each.seen.description), each.heading, each.seen.distance)
+        for each in sightings
+        if each.seen.distance <= THINGS_WITHIN
+    )
+
+
+def _view(
+    scene: Scene, x: float, y: float, heading: float, seen: Sequence[_Sighting]
+) -> View:
+    rays = [wrap_angle(heading + aside) for aside in LOOKS_AHEAD]
+    depths = [_to_wall(scene, x, y, ray) for ray in rays]
+    depth = max(depths)
+    ray = rays[depths.index(depth)]
+    ahead = min(WIDTH_MEASURED_AT, depth / 2)
+    ux, uy = math.cos(ray), math.sin(ray)
+    px, py = x + ahead * ux, y + ahead * uy
+    width = sum(_to_wall(scene, px, py, ray + side * math.pi / 2) for side in (-1, 1))
+    return View(
+        depth=depth,
+        width=width,
+        surface=_surface(scene, px, py),
+        things=tuple((each.seen.description, each.seen.distance) for each in seen),
+    )
+
+
+def _to_wall(scene: Scene, x: float, y: float, heading: float) -> float:
+    """Return metres to the first wall; 0 where there is no floor."""
+    crossings = scene.clearance.wall_crossings(
+        (x, y), (math.cos(heading), math.sin(heading))
+    )
+    return crossings[0] if crossings else 0.0
+
+
+def _surface(scene: Scene, x: float, y: float) -> Surface:
+    """Return what floor and walls are made of at or nearest to a place."""
+    here = Point(x, y)
+    part = min(
+        (*scene.site.corridors, *scene.site.areas),
+        key=lambda each: each.polygon.distance(here),
+    )
+    return Surface(part.floor_material, part.wall_material)

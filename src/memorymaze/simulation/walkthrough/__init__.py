@@ -1,9 +1,0 @@
-"""Walkthroughs: the first-person video of a route, as people are shown it in studies."""
-
-from memorymaze.simulation.walkthrough.filming import (
-    WalkthroughSettings,
-    film_walkthrough,
-)
-from memorymaze.simulation.walkthrough.tour import Tour, tour_of
-
-__all__ = ["Tour", "WalkthroughSettings", "film_walkthrough", "tour_of"]

@@ -1,0 +1,339 @@
+"""From events to legs: every piece of meaning finds its place on the route.
+
+This is where what speakers leave out is inferred: a length or a landmark between two
+turns is a stretch of walking; a place named at the end of a sentence belongs to the
+turn before it; an opening named and then taken is a turn.
+"""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Literal
+
+from memorymaze.routes.plan import (
+    Length,
+    Mention,
+    Passing,
+    Side,
+    Turn,
+    Way,
+)
+from memorymaze.understanding.drafts import Draft, place_of
+from memorymaze.understanding.events import Event
+from memorymaze.understanding.floors import is_floor
+from memorymaze.understanding.lengths import SEGMENT_METRES
+from memorymaze.understanding.restating import Restating
+
+__all__ = ["assemble"]
+
+_AT_ONCE = Length(4.0, "vague")
+_LONGEST_OPEN = 3
+"""Clauses after which an opening that was named counts as left alone."""
+
+
+def assemble(events: Sequence[Event]) -> list[Draft]:
+    """Return the legs in order; the last has no turn and leads to the destination."""
+    return _Assembly(events).run()
+
+
+class _Assembly:
+    def __init__(self, events: Sequence[Event]) -> None:
+        self._events = events
+        self._done: list[Draft] = []
+        self._draft = Draft()
+        self._restating = Restating(events)
+        self._way: Event | None = None
+        """An opening that was named but neither taken nor left yet."""
+        self._way_age = 0
+        self._last: list[Mention] = []
+        """Where the thing named last was put, so that a side can still be added."""
+        self._side: Side | None = None
+        """A side said before its thing: `on the left is …`."""
+
+    def run(self) -> list[Draft]:
+        for at, event in enumerate(self._events):
+            self._take(event, at)
+        self._end_at_an_opening()
+        self._settle_way()
+        self._end_on_a_side()
+        return [*self._done, self._draft]
+
+    def _take(self, event: Event, at: int) -> None:
+        match event.kind:
+            case "turn":
+                self._add_turn(event, at)
+            case "sentence" | "clause" | "then":
+                self._close_clause(event)
+            case "length":
+                self._add_length(event)
+            case "thing":
+                self._add_thing(event, at)
+            case "side":
+                self._add_side(event)
+            case "end" | "junction":
+                self._add_place(event, at)
+            case "pass_ways":
+                self._settle_way()
+                self._draft.passings.append(Passing(event.count, _flank(event)))
+            case "way" if event.back and self._done:
+                self._change_last_turn(ordinal=event.ordinal)
+            case "way":
+                self._settle_way()
+                self._way, self._way_age = event, 0
+                self._last = []
+            case "take" if self._way is not None:
+                self._turn_into(self._way, at)
+            case "refuse" if self._way is not None:
+                self._leave(self._way)
+            case "too_far":
+                draft = self._done[-1] if self._done else self._draft
+                draft.too_far.append(event.phrase)
+            case "ahead":
+                self._add_ahead(event, at)
+            case "wall" if event.side is not None:
+                self._face_anew(at, always=False)
+                self._draft.walls.append(event.side)
+            case "restate":
+                self._restating.announce()
+            case "at_once":
+                self._draft.at_once = True
+            case "forced" if self._done and self._draft.is_new:
+                self._change_last_turn(forced=True)
+            case "straight":
+                if self._way is not None and not self._way.likely:
+                    self._leave(self._way)
+                self._draft.straight = True
+            case _:
+                pass
+
+    def _close_clause(self, event: Event) -> None:
+        self._side = None
+        self._way_age += 1
+        if event.kind == "sentence":
+            if self._way is not None and self._way.taken:
+                self._settle_way()
+            self._restating.new_sentence()
+        if self._way_age > _LONGEST_OPEN:
+            self._settle_way()
+
+    # -- turns
+
+    def _add_turn(self, event: Event, at: int) -> None:
+        event = self._with_named_way(event)
+        way: Way | None = event.way
+        if way is None and event.ordinal is not None:
+            way = self._passed_side()
+        if self._restating.repeats(at, way, event.ordinal, self._done, self._draft):
+            self._done[-1].lengths.extend(self._draft.lengths)
+            self._draft = Draft()
+            return
+        if way is None and self._draft.is_new and self._done:
+            return
+        draft = self._draft
+        ordinal = event.ordinal
+        if event.nearest and (
+            draft.has_passed_things or draft.lengths or draft.passings
+        ):
+            ordinal = None
+        at_once = (draft.at_once or event.at_once) and bool(self._done)
+        if at_once and not draft.lengths and not draft.mentions:
+            draft.lengths.append(_AT_ONCE)
+        draft.turn = Turn(
+            way or "forward_or_side",
+            ordinal=ordinal,
+            at_end=draft.at_end,
+            junction=draft.junction,
+            immediate=at_once,
+            forced=event.forced,
+            doubt=event.doubt,
+        )
+        draft.plain_last = (
+            event.emphatic and not event.commanded and self._follows_a_thing(at)
+        )
+        self._done.append(draft)
+        self._draft = Draft()
+        self._last = []
+
+    def _with_named_way(self, event: Event) -> Event:
+        """Join a turn with the opening named before it, if they agree."""
+        named = self._way
+        if named is None:
+            return event
+        way = event.way or _flank(named) or self._passed_side()
+        if named.side is not None and named.side != way:
+            self._settle_way()
+            return event
+        self._way = None
+        if event.ordinal is not None:
+            return replace(event, way=way)
+        return replace(event, way=way, ordinal=named.ordinal, nearest=named.nearest)
+
+    def _follows_a_thing(self, at: int) -> bool:
+        """Tell whether the sentence named a thing last, not bound to a place."""
+        arrives = False
+        for number in range(at - 1, -1, -1):
+            earlier = self._events[number]
+            if earlier.kind in {"sentence", "turn", "then"}:
+                return arrives
+            if earlier.kind == "arrive":
+                return True
+            if earlier.kind == "thing" and earlier.relation != "at":
+                return earlier.relation in {"see", "into"}
+        return arrives
+
+    def _passed_side(self) -> Literal["left", "right"] | None:
+        """`Skip the first left and take the second`: the side is said once."""
+        for passing in reversed(self._draft.passings):
+            if passing.side is not None:
+                return passing.side
+        return None
+
+    def _change_last_turn(self, **changes: object) -> None:
+        last = self._done[-1]
+        if last.turn is not None:
+            last.turn = replace(last.turn, **changes)  # type: ignore[arg-type]
+
+    def _end_at_an_opening(self) -> None:
+        """`To the second crossing`, said last: one walks that far and no farther."""
+        way = self._way
+        if way is None or way.taken or way.side is not None or self._draft.lengths:
+            return
+        if way.ordinal is not None and way.ordinal > 0:
+            self._way = None
+            metres = way.ordinal * SEGMENT_METRES
+            length = Length(metres, "segments", float(way.ordinal))
+            self._draft.lengths.append(length)
+
+    def _end_on_a_side(self) -> None:
+        """`Room 2347, left.`: the last word tells the side of the destination."""
+        if not self._done or not self._draft.is_new:
+            return
+        last = self._done[-1]
+        turn = last.turn
+        if turn is None or turn.at_end or turn.ordinal is not None:
+            return
+        if last.plain_last and last.mentions and turn.way in {"left", "right"}:
+            self._done.pop()
+            side: Side = "left" if turn.way == "left" else "right"
+            last.mentions[-1] = replace(last.mentions[-1], side=side, place="along")
+            last.turn = None
+            self._draft = last
+
+    # -- openings that are named before it is said what to do with them
+
+    def _turn_into(self, way: Event, at: int) -> None:
+        self._way = None
+        self._add_turn(replace(way, kind="turn", way=_flank(way)), at)
+
+    def _leave(self, way: Event) -> None:
+        self._way = None
+        self._draft.passings.append(Passing(1, _flank(way)))
+
+    def _settle_way(self) -> None:
+        way, self._way = self._way, None
+        if way is None:
+            return
+        if way.taken or (way.likely and _flank(way)):
+            self._turn_into(way, 0)
+        elif _flank(way):
+            self._leave(way)
+
+    def _settle_likely_way(self) -> None:
+        """What is said next is about the way behind an opening surely taken."""
+        if self._way is not None and self._way.likely and self._way_age:
+            self._settle_way()
+
+    # -- what is on a leg and at its end
+
+    def _add_length(self, event: Event) -> None:
+        self._settle_likely_way()
+        if event.length is not None:
+            draft = self._done[-1] if event.back and self._done else self._draft
+            draft.lengths.append(event.length)
+
+    def _add_thing(self, event: Event, at: int) -> None:
+        if event.relation == "from":
+            return
+        if event.relation == "away":
+            self._draft.behind.append(event.phrase)
+            return
+        back = bool(self._done) and (event.back or self._ends_the_turn(event, at))
+        draft = self._done[-1] if back else self._draft
+        draft.mentions.append(
+            Mention(
+                event.phrase,
+                place_of(event, back),
+                side=self._side,
+                weak=event.relation == "into",
+                nth=event.ordinal,
+                subject=event.subject,
+                ignored=event.ignored,
+            )
+        )
+        self._side = None
+        self._last = draft.mentions
+
+    def _add_ahead(self, event: Event, at: int) -> None:
+        """Add what lies along a way; the way may be a new one."""
+        self._settle_likely_way()
+        if event.turns or (self._draft.has_ended and is_floor(event.phrase)):
+            self._face_anew(at, always=True)
+        self._draft.ahead.append(event.phrase)
+        self._draft.straight = self._draft.straight or event.walks
+        self._last = []
+
+    def _face_anew(self, at: int, *, always: bool) -> None:
+        """Turn to what is said next, unless one has just turned or still stands."""
+        draft = self._draft
+        if not draft.is_new or (always and draft.walls and draft.ahead):
+            self._add_turn(Event("turn", way="facing"), at)
+
+    def _add_side(self, event: Event) -> None:
+        if event.of_goal:
+            self._draft.side = event.side
+        elif event.likely:
+            self._side = event.side
+        elif self._way is not None and self._way.side is None and not self._last:
+            self._way = replace(self._way, side=event.side)
+        elif self._last and self._last[-1].side is None:
+            self._last[-1] = replace(self._last[-1], side=event.side)
+
+    def _add_place(self, event: Event, at: int) -> None:
+        """Add an end of the way or a kind of junction."""
+        if event.kind == "end":
+            self._settle_likely_way()
+        placed = event.kind == "junction" or event.relation == "at"
+        back = event.back or (
+            placed and self._ends_the_turn(replace(event, relation="at"), at)
+        )
+        if not (back and self._done):
+            self._draft.at_end = self._draft.at_end or event.kind == "end"
+            self._draft.junction = event.junction or self._draft.junction
+        elif event.kind == "end":
+            self._change_last_turn(at_end=True)
+        else:
+            self._change_last_turn(junction=event.junction)
+
+    def _ends_the_turn(self, event: Event, at: int) -> bool:
+        """`Turn right, opposite the hall.`: a place said last is that of the turn."""
+        if event.relation not in {"at", "beside", "before", "after"} or not self._done:
+            return False
+        if not self._draft.is_new:
+            return False
+        for number in range(at + 1, len(self._events)):
+            kind = self._events[number].kind
+            if kind == "sentence":
+                break
+            if kind not in {"side", "clause", "thing", "take"}:
+                return False
+        for number in range(at - 1, -1, -1):
+            kind = self._events[number].kind
+            if kind in {"sentence", "turn"}:
+                return kind == "turn"
+        return False
+
+
+def _flank(event: Event) -> Literal["left", "right"] | None:
+    """Return the side of an event if it is a side to turn to."""
+    if event.side == "left":
+        return "left"
+    return "right" if event.side == "right" else None

@@ -1,0 +1,269 @@
+"""Cutting text into chunks: the smallest pieces that mean something on their own.
+
+Kinds of chunk, one letter each so that rules can be patterns over strings of kinds:
+
+`.` sentence end, `,` comma, `&` and/but/or, `>` then, `L` a bare direction, `S` a side
+(`on the left`), `2` two turns in one word (`right-left`), `m` both sides, `H` straight,
+`O` ordinal, `J` junction noun, `M` length, `n` number, `E` end of the way, `T` turn
+verb, `G` go verb, `K` the way bends, `V` see verb, `B` is/there is, `Z` it's/that's,
+`A` at/by/when/where, `w` next to, `b` go back, `Q` before/after, `U` until/to, `t` into, `P` past, `I` ignore,
+`X` not, `Y` take that one, `D` by itself, `C` sorry/no wait, `c` if, `o` too far,
+`s` back to the wall, `u` turn around, `R` you have arrived, `a` again, `r` so, `e` yes, `d` front right, `i` at once, `h` maybe, `f` filler, `N` a thing's name (made of
+the content words `W`).
+"""
+
+import re
+from dataclasses import dataclass, replace
+
+from memorymaze.routes.plan import Length, Way
+from memorymaze.understanding.lengths import (
+    LENGTH,
+    NUMBER,
+    SEGMENTS,
+    read_length,
+    read_number,
+    read_segments,
+)
+from memorymaze.understanding.plain_words import in_plain_words
+from memorymaze.understanding.words import (
+    CLOCK,
+    FILLERS,
+    ORDINALS,
+    PATTERNS,
+)
+
+__all__ = ["Chunk", "cut", "normalise"]
+
+_LENGTH = re.compile(LENGTH)
+_SEGMENTS = re.compile(SEGMENTS)
+_NUMBER = re.compile(NUMBER + r"\b")
+_PATTERNS = tuple(
+    (kind, re.compile(pattern if kind in ".," else rf"(?:{pattern})"))
+    for kind, pattern in PATTERNS
+)
+_WORD = re.compile(r"[^\W_][\w&+-]*(?:'(?!s\b)\w+)?")
+_COUNTED = re.compile(
+    r"(?:(?<=^)|(?<=[.;!?\n]))\s*(?:and |ok(?:ay)?,? |so,? )?"
+    r"(?:\(?\d{1,2}[.):]+(?!\d)"
+    r"|(?:(?:number|step|point|sign|part|stage)\s+)?"
+    r"(?:one|two|three|four|five|six|seven|eight|nine|ten|\d{1,2})\s*[,:.)]"
+    r"(?!\s*(?:two|three|four|five|six|seven|eight|nine|ten|\d)\b)"
+    r"|(?:first(?:ly)?|second(?:ly)?|third(?:ly)?|fourth(?:ly)?|fifth(?:ly)?|sixth(?:ly)?"
+    r"|seventh(?:ly)?|eighth(?:ly)?|ninth(?:ly)?|tenth(?:ly)?|last(?:ly)?|finally)\s*[,:])\s*"
+)
+_JOINER = re.compile(
+    r"(?:of (?:the |a |an )?|that (?:says?|reads?) |which says |saying |marked |labell?ed "
+    r"|called |named |with (?:the )?(?:name|text|words?|letters?) |about (?:the )?)"
+)
+
+_PROPER_WAY = re.compile(
+    r"(?:corridor|hallway|hall|passage|passageway|walkway|way|street|path|lane|road|aisle"
+    r"|alley|exit)s?"
+)
+
+
+_PLAIN_SIGNS = {
+    "\u2019": "'", "\u2018": "'", "`": "'", "\u201c": '"', "\u201d": '"',
+    "\u2026": "...", "\u2014": ", ", " \u2013 ": ", ", "\u2013": "-",
+    " - ": ", ", "\u2192": " then ", "\u00bd": ".5", "\t": " ", "\r": "\n",
+}  # fmt: skip
+"""Quotes, dashes and arrows, and what is read for them."""
+
+
+@dataclass(frozen=True, slots=True)
+class Chunk:
+    """One piece of a description."""
+
+    kind: str
+    text: str
+    start: int
+    """Offset in the normalised text."""
+    way: Way | None = None
+    """Direction of `L` and `S`; first direction of `2`."""
+    second_way: Way | None = None
+    """Second direction of `2`."""
+    number: float | None = None
+    """Value of `O` and `n`."""
+    length: Length | None = None
+    """Value of `M`."""
+
+
+def normalise(text: str) -> str:
+    """Return the text in lower case with plain quotes, dashes and list marks."""
+    text = text.lower()
+    for old, new in _PLAIN_SIGNS.items():
+        text = text.replace(old, new)
+    text = re.sub(r"\bur\b", "your", text)
+    text = re.sub(r"\b(left|right)-(\w+)-(left|right)\b(?! hand)", _unless_and, text)
+    text = _drop_inline_counting(text)
+    text = in_plain_words(text)
+    return _COUNTED.sub("; ", text)
+
+
+def _unless_and(match: re.Match[str]) -> str:
+    if match[2] in {"and", "then"}:
+        return f"{match[1]}-{match[3]}"
+    return f"{match[1]}, {match[2]}, {match[3]}"
+
+
+def _drop_inline_counting(text: str) -> str:
+    """Turn `1 straight 2 left 3 right` into three sentences."""
+    marks: list[re.Match[str]] = []
+    for match in re.finditer(
+        r"(?<![\w.,-])(\d{1,2})(?=[.):]?\s+[a-z])(?!\s*(?:m|met|step|sec|min|pace|feet|ft|yard|o'?clock|or|to|and)\b)(?!\s*(?:met|step|sec|min|pace|yard|o'?clock))",
+        text,
+    ):
+        if int(match[1]) == len(marks) + 1:
+            marks.append(match)
+    if len(marks) < 3 or marks[0].start() > len(text) // 2:
+        return text
+    for match in reversed(marks):
+        rest = re.sub(r"^[.):]", "", text[match.end() :])
+        text = text[: match.start()] + "; " + rest
+    return text
+
+
+def cut(text: str) -> list[Chunk]:
+    """Cut a normalised text into chunks; content words become names of things."""
+    chunks: list[Chunk] = []
+    at = 0
+    while at < len(text):
+        if text[at] == " ":
+            at += 1
+            continue
+        chunk = _chunk_at(text, at)
+        if chunk is None:
+            at += 1
+            continue
+        chunks.append(chunk)
+        at += max(len(chunk.text), 1)
+    return _with_pronouns(_join_names(chunks, text))
+
+
+def _with_pronouns(chunks: list[Chunk]) -> list[Chunk]:
+    """Put the last thing's name for `it` in `face the clock and go to it`."""
+    resolved: list[Chunk] = []
+    name: Chunk | None = None
+    for chunk in chunks:
+        before = "".join(each.kind for each in resolved[-3:])
+        if chunk.text == "it" and name is not None and re.search("GH?U$", before):
+            resolved.append(replace(name, start=chunk.start))
+            continue
+        if chunk.kind == "N":
+            name = chunk
+        resolved.append(chunk)
+    return resolved
+
+
+def _chunk_at(text: str, at: int) -> Chunk | None:
+    match = _LENGTH.match(text, at)
+    if match:
+        return Chunk("M", match[0], at, length=read_length(match))
+    match = _SEGMENTS.match(text, at)
+    if match:
+        return Chunk("M", match[0], at, length=read_segments(match))
+    for kind, pattern in _PATTERNS:
+        match = pattern.match(text, at)
+        if match and match[0].strip():
+            return _valued(kind, match[0], at)
+    match = _NUMBER.match(text, at)
+    if match:
+        word = match[0]
+        if word in {"a", "an", "some", "half", "one"}:
+            return Chunk("f", word, at)
+        return Chunk("n", word, at, number=read_number(word))
+    match = _WORD.match(text, at)
+    if match:
+        kind = "f" if match[0] in FILLERS else "W"
+        return Chunk(kind, match[0], at)
+    return None
+
+
+def _valued(kind: str, words: str, at: int) -> Chunk:
+    chunk = Chunk(kind, words, at)
+    if kind == "O":
+        ordinal = ORDINALS.get(words.removeprefix("very "))
+        if ordinal is None:
+            ordinal = read_number(words.split()[-1].strip("#."))
+        return replace(chunk, number=float(ordinal))
+    if kind == "2":
+        first, second = re.findall(r"left|right", words)[:2]
+        return replace(chunk, way=first, second_way=second)
+    if kind == "d":
+        side, other = ("left", "right") if "left" in words else ("right", "left")
+        return replace(chunk, way=side, second_way=other)
+    if kind in {"L", "S"}:
+        return replace(chunk, way=_way_of(words))
+    if kind == "s" and (side := re.search(r"\b(left|right)\b", words)):
+        return replace(chunk, way=_way_of(side[1]))
+    return chunk
+
+
+def _way_of(words: str) -> Way | None:
+    clock = re.search(r"(\w+) ?o'? ?clock", words)
+    if clock:
+        way = CLOCK.get(clock[1])
+        return None if way == "behind" else way  # type: ignore[return-value]
+    side = "left" if "left" in words else "right"
+    slanted = re.search(
+        r"slight|half|soft|gentl|\bbit\b|little|diagonal|keep|stay|bear|veer", words
+    )
+    if slanted:
+        return "slight_left" if side == "left" else "slight_right"
+    return side  # type: ignore[return-value]
+
+
+def _join_names(chunks: list[Chunk], text: str) -> list[Chunk]:
+    """Join content words and what binds them into names of things."""
+    joined: list[Chunk] = []
+    at = 0
+    while at < len(chunks):
+        chunk = chunks[at]
+        if chunk.kind != "W" and not _is_code(chunk):
+            joined.append(chunk)
+            at += 1
+            continue
+        last = at
+        while True:
+            after = last + 1
+            if after >= len(chunks):
+                break
+            following = chunks[after]
+            gap = text[chunks[last].start + len(chunks[last].text) : following.start]
+            if following.kind in "Wn" and gap in {"", " ", "-", " - ", "' "}:
+                last = after
+                continue
+            if (
+                following.kind == "J"
+                and gap == " "
+                and _PROPER_WAY.fullmatch(following.text)
+            ):
+                last = after
+                continue
+            if gap == "'" and following.kind == "W":
+                last = after
+                continue
+            if following.text == "'s" and after + 1 < len(chunks):
+                if chunks[after + 1].kind == "W":
+                    last = after + 1
+                    continue
+                break
+            bound = _JOINER.match(text, following.start)
+            if bound and following.kind in "fAZBw":
+                tail = [
+                    i
+                    for i in range(after, min(after + 5, len(chunks)))
+                    if chunks[i].start >= bound.end()
+                ]
+                if tail and (chunks[tail[0]].kind in "Wn"):
+                    last = tail[0]
+                    continue
+            break
+        end = chunks[last].start + len(chunks[last].text)
+        joined.append(Chunk("N", text[chunk.start : end], chunk.start))
+        at = last + 1
+    return joined
+
+
+def _is_code(chunk: Chunk) -> bool:
+    return chunk.kind == "n" and chunk.text.isdigit() and len(chunk.text) >= 3

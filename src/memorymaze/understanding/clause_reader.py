@@ -1,0 +1,332 @@
+"""From one clause to its events, from left to right."""
+
+import re
+from collections.abc import Sequence
+from dataclasses import replace
+
+from memorymaze.understanding.chunks import Chunk
+from memorymaze.understanding.clause import Clause, side_of
+from memorymaze.understanding.directions import (
+    comes_before_its_thing,
+    faces,
+    is_on_both_sides,
+    is_turn,
+    names_a_way,
+    speaks_of_ways,
+)
+from memorymaze.understanding.events import Event, Relation
+from memorymaze.understanding.floors import floor_phrase, wall_phrase
+from memorymaze.understanding.openings import (
+    read_left_alone,
+    read_opening,
+)
+from memorymaze.understanding.things import is_lane, thing_phrase
+
+__all__ = ["ClauseReader"]
+
+_AT_IT = re.compile(r"(?:at|in|when|where|once|the|far|very|its|by)\b")
+_AHEAD = re.compile(r"(?:straight |dead |right )?(?:ahead|front)\b")
+_ROUND = re.compile(r"round|around|bend|curve|curl|wind")
+_REACHED = re.compile(r"reach|come|comes|get to|arrive|hit|face|facing|meet")
+_LEAVING = re.compile(r"leav|\b(?:of|from|out|off|exit)\b")
+_TOWARDS = re.compile(r"towards?\b")
+_LOOSE = {"with", "among", "in", "inside", "between"}
+
+
+class ClauseReader:
+    """Reads one clause."""
+
+    def __init__(self, chunks: Sequence[Chunk], before: Sequence[Event]) -> None:
+        """Take a clause without its joint, and the events of all clauses before."""
+        self._clause = Clause(chunks, before)
+        self._turned = False
+        self._facing = False
+        """Whether what is named next is what one turns to."""
+        self._read: list[Event] = []
+
+    def read(self) -> list[Event]:
+        """Return the events of the clause."""
+        clause = self._clause
+        if clause.is_recap:
+            self._add(Event("recap"))
+        if clause.has("a") and not clause.kinds:
+            self._add(Event("restate"))
+        if clause.has("i"):
+            self._add(Event("at_once"))
+        if speaks_of_ways(clause):
+            return self._read
+        ignores = clause.kinds.find("I")
+        denies = clause.kinds.find("X")
+        end = len(clause.kinds)
+        if ignores >= 0 and (denies < 0 or ignores < denies):
+            self._read_negative(0)
+        elif denies >= 0:
+            self._read_positive(0, denies)
+            if not re.search("B.*XJ", clause.kinds):
+                self._read_negative(denies + 1)
+        else:
+            self._read_positive(0, end)
+        if clause.has("D") and not self._turned:
+            self._add(Event("forced"))
+        return self._read
+
+    def _add(self, event: Event) -> None:
+        self._read.append(event)
+
+    # -- what is not to be done
+
+    def _read_negative(self, start: int) -> None:
+        """Things left alone are on the way; ways left alone are passed."""
+        clause = self._clause
+        found = False
+        at = start
+        while at < len(clause.kinds):
+            chunk = clause.chunks[at]
+            kind = chunk.kind
+            if kind == "N" and (phrase := thing_phrase(chunk.text)):
+                found = True
+                self._add(Event("thing", phrase=phrase, relation="past", ignored=True))
+            elif kind == "L" and not re.search("[TGOJ]", clause.kinds[start:]):
+                found = True  # "not left": says only what the turn is not
+            elif kind in "OJL" or (kind == "S" and self._is_of_a_way(at)):
+                event, at = read_left_alone(clause, at)
+                found = True
+                self._add(event)
+            elif kind == "m":
+                found = True
+                self._add(Event("pass_ways"))
+            elif kind == "E":
+                self._add(Event("end", relation="until"))
+            elif kind == "M":
+                self._add(Event("length", length=chunk.length))
+            at += 1
+        if not found:
+            self._add(Event("refuse"))
+
+    def _is_of_a_way(self, at: int) -> bool:
+        near = self._clause.kinds[max(at - 2, 0) : at + 2]
+        return re.search("[TGJO]", near) is not None
+
+    # -- what is to be done
+
+    def _read_positive(self, start: int, end: int) -> None:
+        at = start
+        while at < end:
+            at = self._read_at(at)
+
+    def _read_at(self, at: int) -> int:
+        """Read what stands at an index; return the index after it."""
+        clause = self._clause
+        chunk = clause.chunks[at]
+        kind = chunk.kind
+        if kind == "s":
+            self._add(Event("wall", side=side_of(chunk) or "behind"))
+            return at + 1
+        if kind == "u":
+            self._take(Event("turn", way="around"))
+            return at + 1
+        if faces(clause, at):
+            self._facing = True
+            return at + 1
+        if self._facing and kind in "GTLSUE":
+            self._facing = kind == "U" and clause.kinds[at + 1 : at + 2] == "N"
+        if kind in "OJ" or (kind == "n" and clause.kinds[at + 1 : at + 2] == "J"):
+            events, at = read_opening(clause, at, turned=self._turned)
+            for event in events:
+                self._take(event)
+            return at
+        if kind in "2d":
+            self._read_pair(at)
+        elif kind in "LS":
+            self._read_direction(at)
+        elif kind == "N":
+            if clause.kinds[at + 1 :] in {"S", "L"} and is_lane(chunk.text):
+                return self._read_lane(at)
+            self._read_thing(at)
+        elif kind == "M":
+            back = self._turned and clause.kind_before(at) in {"A", "Q"}
+            self._add(Event("length", length=chunk.length, back=back))
+        elif kind == "E":
+            at_it = _AT_IT.match(chunk.text) is not None
+            back = self._turned and at_it
+            self._add(Event("end", relation="at" if at_it else "until", back=back))
+        elif kind == "Y":
+            self._add(Event("take"))
+        elif kind == "R":
+            self._add(Event("arrive"))
+        elif kind == "H" and clause.kind_before(at) == "N" and _AHEAD.match(chunk.text):
+            self._add(Event("side", side="ahead"))
+        elif kind == "H":
+            self._add(Event("straight"))
+        elif (
+            kind == "K"
+            and _ROUND.search(chunk.text)
+            and not re.search("[LS]", clause.kinds[at + 1 :])
+        ):
+            self._take(Event("turn", forced=True))
+        return at + 1
+
+    def _take(self, event: Event) -> None:
+        """Add an event of `read_opening`; turns learn how they were said."""
+        if event.kind != "turn":
+            self._turned = self._turned or event.taken
+            self._add(event)
+            return
+        clause = self._clause
+        first = not self._turned and not any(
+            e.kind in {"length", "thing", "end"} for e in self._read
+        )
+        self._add(
+            replace(
+                event,
+                doubt=0.5 if clause.has("h") else 0.0,
+                forced=event.forced or clause.has("D"),
+                at_once=event.at_once or clause.has("i"),
+                emphatic=first and clause.kinds[:1] in {"L", "O", "Z", "S"},
+                again=clause.has("a"),
+                commanded=clause.has_verb,
+                apposed=first and clause.kinds[:1] == "Z",
+            )
+        )
+        self._turned = True
+
+    def _read_pair(self, at: int) -> None:
+        """`Right-left` and `front right`: two turns in one word."""
+        clause = self._clause
+        chunk = clause.chunks[at]
+        diagonal = chunk.kind == "d"
+        if diagonal and clause.kind_before(at) == "N" and "front" in chunk.text:
+            self._take(Event("turn", way=chunk.way))  # "at the window front left"
+        elif not is_on_both_sides(clause, at):
+            self._take(Event("turn", way=chunk.way))
+            self._take(
+                Event(
+                    "turn",
+                    way=chunk.second_way,
+                    at_once=True,
+                    joined=True,
+                    forced=diagonal,
+                )
+            )
+
+    def _read_direction(self, at: int) -> None:
+        clause = self._clause
+        chunk = clause.chunks[at]
+        after_turn = not self._read or self._read[-1].kind == "turn"
+        turn = is_turn(clause, at, after_turn=after_turn)
+        if chunk.kind == "L" and clause.kind_before(at) == "P":
+            self._add(Event("pass_ways", count=1, side=side_of(chunk)))
+        elif names_a_way(clause, at, turn=turn):
+            self._add(Event("way", side=side_of(chunk), likely=True))
+        elif turn:
+            bends = "K" in clause.kinds[:at]
+            self._take(Event("turn", way=chunk.way, forced=bends))
+        elif chunk.way is not None or chunk.kind == "S":
+            first = comes_before_its_thing(clause, at)
+            goal = clause.kinds.startswith(("Z", "R")) and "N" not in clause.kinds
+            self._add(Event("side", side=side_of(chunk), likely=first, of_goal=goal))
+
+    # -- things
+
+    def _read_lane(self, at: int) -> int:
+        """`Meteorite Lane on the left`: the name of a way, and where it opens."""
+        self._read_thing(at)
+        likely = re.search("[BVPA]", self._clause.kinds) is None
+        side = side_of(self._clause.chunks[at + 1])
+        self._add(Event("way", side=side, likely=likely))
+        return at + 2
+
+    def _read_thing(self, at: int) -> None:
+        clause = self._clause
+        words = clause.chunks[at].text
+        look = floor_phrase(words) or wall_phrase(words)
+        phrase = look or thing_phrase(words)
+        if not phrase:
+            return
+        relation = self._relation(at, is_look=look is not None)
+        if self._facing:
+            self._add(Event("ahead", phrase=phrase, turns=True))
+            return
+        if look is not None and self._is_way(at, relation):
+            takes = clause.chunks[at - 1].kind == "T" if at else False
+            self._add(Event("ahead", phrase=look, turns=takes, walks=True))
+            return
+        if clause.kind_before(at) == "A" and _TOWARDS.match(clause.chunks[at - 1].text):
+            self._add(Event("ahead", phrase=phrase, walks=True))
+        counted = clause.kind_before(at) == "O"
+        nth = int(clause.chunks[at - 1].number or 1) if counted else None
+        back = self._turned and relation in {"at", "beside", "before", "after"}
+        self._add(
+            Event(
+                "thing",
+                phrase=phrase,
+                relation=relation,
+                subject=clause.kinds[at + 1 : at + 2] == "B",
+                back=back,
+                ordinal=nth,
+            )
+        )
+
+    def _is_way(self, at: int, relation: Relation) -> bool:
+        """Tell `follow the blue path` from `until the blue path`."""
+        bound = self._clause.kinds[:at].rstrip("H")
+        if bound.endswith("JA") and self._clause.chunks[at - 1].text in _LOOSE:
+            bound = bound[:-2]  # "along the hall with the blue floor"
+        before = bound[-1:]
+        if before == "T":
+            return True
+        if before == "G":
+            verb = self._clause.chunks[len(bound) - 1].text
+            return not (_LEAVING.search(verb) or verb.startswith("start"))
+        return before == "t" or (relation == "into" and self._turned)
+
+    def _relation(self, at: int, *, is_look: bool = False) -> Relation:
+        """What binds a thing to its clause: the nearest binding word before it."""
+        chunks = self._clause.chunks
+        junction = False
+        for index in range(at - 1, -1, -1):
+            chunk = chunks[index]
+            if junction and chunk.kind in "JS":
+                continue
+            if chunk.text in _LOOSE and re.search("JS?$", self._clause.kinds[:index]):
+                junction = True  # "at the crossing with the clock": it is bound so
+                continue
+            if is_look and chunk.kind == "V" and self._clause.kind_before(index) == "U":
+                return "until"  # "until you see a blue carpet"
+            relation = self._bond(chunk)
+            if relation is not None:
+                return relation
+        if self._clause.kinds.startswith("JA"):
+            return "at"  # "this crossing with the clock": where one is by now
+        return "see"
+
+    def _bond(self, chunk: Chunk) -> Relation | None:
+        onward: Relation = "into" if self._turned else "see"
+        match chunk.kind:
+            case "A":
+                if chunk.text.startswith("away"):
+                    return "away"
+                if chunk.text.startswith(("from", "out", "off")):
+                    return "from"
+                loose = chunk.text in _LOOSE or _TOWARDS.match(chunk.text)
+                return "see" if loose else "at"
+            case "w":
+                return "beside"
+            case "Q":
+                return "before" if "before" in chunk.text else "after"
+            case "U":
+                return "until"
+            case "t":
+                return "into"
+            case "P":
+                return "past"
+            case "V":
+                return "until" if _REACHED.search(chunk.text) else "see"
+            case "G":
+                return "from" if _LEAVING.search(chunk.text) else onward
+            case "B" | "Z" | "J" | "O" | "S":
+                return "see"
+            case "L" | "M" | "2" | "E" | "R":
+                return onward
+            case _:
+                return None

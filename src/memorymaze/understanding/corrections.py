@@ -1,0 +1,189 @@
+"""Self-corrections and stutters: what was taken back is removed.
+
+"Turn left, no wait, sorry, right" becomes "turn right"; "right, right" one turn.
+"""
+
+import re
+from dataclasses import replace
+
+from memorymaze.routes.plan import Length
+from memorymaze.understanding.chunks import Chunk
+
+__all__ = ["apply_corrections"]
+
+_CLASSES = {
+    "L": "way",
+    "S": "way",
+    "2": "way",
+    "O": "order",
+    "M": "length",
+    "n": "length",
+}
+_NEUTRAL = set(",.fhi>&r")
+_VERBS = set("TGZBVUHKAYDX")
+_REACH = 3
+"""How many other words may stand between what is taken back and the correction."""
+
+
+def apply_corrections(chunks: list[Chunk]) -> list[Chunk]:
+    """Return the chunks without what the speaker took back."""
+    chunks = list(chunks)
+    at = 0
+    while at < len(chunks):
+        if not _is_marker(chunks, at):
+            at += 1
+            continue
+        end = at + 1
+        while end < len(chunks) and (
+            chunks[end].kind in _NEUTRAL
+            or _is_marker(chunks, end)
+            or (chunks[end].kind == "X" and chunks[end].text == "no")
+        ):
+            end += 1
+        new = _first_value(chunks, end)
+        old = None if new is None else _last_value(chunks, at, chunks[new])
+        if new is None or old is None:
+            at = end
+            continue
+        chunks = _replaced(chunks, old, new)
+        at = old + 1
+    chunks = _without_echoes([chunk for chunk in chunks if chunk.kind != "C"])
+    return _without_adverbs(chunks)
+
+
+def _without_adverbs(chunks: list[Chunk]) -> list[Chunk]:
+    """Drop `right` from `right after the desk, turn left`."""
+    kept: list[Chunk] = []
+    for chunk in chunks:
+        contrast = "".join(c.kind for c in kept[-5:] if c.kind != "f")
+        if chunk.kind == "L" and re.search("L,XL,$", contrast):
+            lefts = [c for c in kept[-6:] if c.kind == "L"]
+            if lefts[0].way == chunk.way != lefts[-1].way:
+                continue
+        kept.append(chunk)
+    chunks = kept
+    kinds = "".join("f" if chunk.kind in "hir" else chunk.kind for chunk in chunks)
+    adverbs = {
+        match.start(1)
+        for match in re.finditer(r"[,.]f*(L)[QA]f*(?:Nf*)+,f*[TG]f*[LS]", kinds)
+        if chunks[match.start(1)].text == "right"
+    }
+    return [chunk for at, chunk in enumerate(chunks) if at not in adverbs]
+
+
+def _without_echoes(chunks: list[Chunk]) -> list[Chunk]:
+    """Drop the second of `right, yes, right` and of `first left, first left`."""
+    kept: list[Chunk] = []
+    for chunk in chunks:
+        if chunk.kind == "d" and any(c.kind == "d" for c in kept[-4:]):
+            continue
+        if chunk.kind in "LS" and _is_echo(kept, chunk):
+            if kept[-1].kind == "O":
+                kept.pop()
+            continue
+        kept.append(chunk)
+    return [chunk for chunk in kept if chunk.kind != "e"]
+
+
+def _is_echo(before: list[Chunk], chunk: Chunk) -> bool:
+    gap = ""
+    for earlier in reversed(before):
+        if earlier.kind in "LS":
+            ordinals = gap.count("O") == 1 and re.fullmatch("O[,f]+", gap) is not None
+            return earlier.way == chunk.way and (
+                ordinals
+                or ("e" in gap and re.fullmatch("O?[,.fherZ>&]*", gap) is not None)
+            )
+        gap += earlier.kind
+        if len(gap) > 8:
+            return False
+    return False
+
+
+def _is_marker(chunks: list[Chunk], at: int) -> bool:
+    chunk = chunks[at]
+    if chunk.kind == "C":
+        return True
+    if chunk.kind == "X" and chunk.text == "no":
+        before = at == 0 or chunks[at - 1].kind in ",."
+        after = at + 1 < len(chunks) and chunks[at + 1].kind in ",."
+        return before and after
+    return False
+
+
+def _first_value(chunks: list[Chunk], start: int) -> int | None:
+    """Index of the first thing said after a marker that can replace something."""
+    others = 0
+    for at in range(start, min(start + 8, len(chunks))):
+        kind = chunks[at].kind
+        if kind in _CLASSES:
+            return at
+        if kind in "IYo" or others >= _REACH:
+            return None
+        if kind == "N" or (kind == "." and at > start):
+            return None
+        if kind not in _NEUTRAL:
+            others += 1
+    return None
+
+
+def _last_value(chunks: list[Chunk], marker: int, new: Chunk) -> int | None:
+    """Index of what the new value replaces: the last of its class before."""
+    others = 0
+    for at in range(marker - 1, max(marker - 12, -1), -1):
+        chunk = chunks[at]
+        if _CLASSES.get(chunk.kind) == _CLASSES[new.kind]:
+            subject = chunk.kind == "L" and chunks[at + 1].kind == "B"
+            return None if subject else at
+        if chunk.kind not in _NEUTRAL:
+            others += 1
+        if others > _REACH:
+            return None
+    return None
+
+
+def _replaced(chunks: list[Chunk], old: int, new: int) -> list[Chunk]:
+    """Drop everything from the old value up to the new one.
+
+    Things named between the old value and the marker stay; an ordinal before the old
+    value goes when the new value brings its own.
+    """
+    value = chunks[new]
+    if chunks[old].kind == "M" and value.kind == "n" and value.number is not None:
+        before = chunks[old].length
+        assert_length = Length(
+            value.number * _unit_metres(chunks[old]),
+            before.unit if before else "metres",
+        )
+        value = Chunk("M", value.text, value.start, length=assert_length)
+    if chunks[old].kind == "S" and value.kind == "L":
+        value = replace(value, kind="S", text=chunks[old].text)
+    kept = [chunk for chunk in chunks[old + 1 : new] if chunk.kind == "N"]
+    start = old
+    if (
+        value.kind in "LS2"
+        and start > 0
+        and chunks[start - 1].kind == "O"
+        and any(chunk.kind == "O" for chunk in chunks[old:new])
+    ):
+        start -= 1
+    ordinals = [chunk for chunk in chunks[old + 1 : new] if chunk.kind == "O"][-1:]
+    rest = new + 1
+    while rest < len(chunks) and chunks[rest].kind in _NEUTRAL - {"."}:
+        rest += 1
+    if not (rest < len(chunks) and _same_way(chunks[rest], value)):
+        rest = new
+    return [*chunks[:start], *kept, *ordinals, value, *chunks[rest + 1 :]]
+
+
+def _same_way(chunk: Chunk, other: Chunk) -> bool:
+    return chunk.kind in "LS" and other.kind in "LS" and chunk.way == other.way
+
+
+def _unit_metres(chunk: Chunk) -> float:
+    """Metres of one of the units that a length was counted in."""
+    if chunk.length is None:
+        return 1.0
+    if chunk.length.unit == "steps":
+        return 0.7
+    return 60.0 if re.search(r"\bmin", chunk.text) else 1.0

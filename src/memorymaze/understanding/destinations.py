@@ -1,0 +1,159 @@
+"""Which of the things named is the destination."""
+
+import re
+
+from memorymaze.routes.plan import Mention, Side
+from memorymaze.understanding.chunks import Chunk
+from memorymaze.understanding.drafts import Draft
+from memorymaze.understanding.floors import (
+    floor_phrase,
+    is_floor,
+    wall_phrase,
+)
+from memorymaze.understanding.things import (
+    is_common,
+    place_on_sign,
+    thing_phrase,
+)
+
+__all__ = ["find_destinations"]
+
+_ANNOUNCED = re.compile(
+    r"(?:(?:way|route|directions?|looking|trying to (?:get|go)|want(?:s|ed)? to (?:get|go)"
+    r"|guide you|take you|bring you|goal|trip)(?: is)? (?:to|for|into) (?:the |a |your )?"
+    r"|arriv(?:e|ed|es|ing) (?:at|to|in)? ?(?:the )?"
+    r"|(?:destination|goal)(?: is|:)? (?:the )?|finish(?:es)? (?:at|in) (?:the )?)$"
+)
+_ENTERED = re.compile(
+    r"(?:that's|that is|this is|it's|there's|here is|here's|there is|then is|you're (?:at|in|on)"
+    r"|you are (?:at|in|on|now on)|means|find|reach|see|to|into) (?:the |your |a |now on the )*$"
+)
+_ASKED = re.compile(r"\s*[?:!.]")
+_ALONE = re.compile(
+    r"(?:(?:oh|ah|hm+|well|okay|ok|um|uh|so|yes|now|to|for)?[ ,.]*)*(?:the |your )?"
+)
+"""What may stand around the destination when a text begins with it alone."""
+_ASIDE = re.compile(
+    r" (?:is|comes|are|was) (?:just )?(?:before|after|opposite|across|first|behind)\b"
+)
+_MAX = 3
+
+
+def find_destinations(
+    last: Draft, drafts: list[Draft], chunks: list[Chunk], text: str
+) -> tuple[tuple[str, ...], Side | None, int | None]:
+    """Return words for the destination, its side, and which of its kind it is.
+
+    The likeliest words come first. Things named on the last stretch are weighed by how they are named: announced as
+    the destination, said to be ahead or on a side, named last or more than once.
+
+    Args:
+        last: The stretch after the last turn.
+        drafts: All stretches.
+        chunks: Chunks of the whole text.
+        text: The normalised text.
+    """
+    scores: dict[str, float] = {}
+    sides: dict[str, Side | None] = {}
+    named = _weights_in_text(chunks, text)
+    candidates = list(last.mentions)
+    counted = any(length.count is not None for length in last.lengths)
+    if counted or any(is_floor(m.phrase) and m.place == "turn" for m in candidates):
+        # "You see a clock. Go two blocks.": the end is told by the blocks.
+        candidates = [m for m in candidates if m.place not in {"along", "passed"}]
+    if not candidates and drafts and last.is_new:
+        candidates = [m for m in drafts[-1].mentions if m.place in {"target", "along"}]
+    passed = {m.phrase for m in last.mentions if m.side == "behind"}
+    for order, mention in enumerate(candidates):
+        if mention.phrase in passed or mention.ignored or is_floor(mention.phrase):
+            continue
+        score = _score(mention) + named.get(mention.phrase, 0.0)
+        score += 1.2 * (order + 1) / len(candidates)
+        if score > scores.get(mention.phrase, -9.0):
+            scores[mention.phrase] = score
+            sides[mention.phrase] = mention.side or sides.get(mention.phrase)
+    for phrase in list(scores):
+        place = place_on_sign(phrase)
+        if place is not None:
+            score = scores.pop(phrase)
+            if place:
+                scores[place] = max(scores.get(place, 0.0), score)
+    for phrase, weight in named.items():
+        if weight >= 3.0:
+            scores[phrase] = max(scores.get(phrase, 0.0), weight)
+    if not scores and not counted:
+        before = _named_on_the_way(drafts)
+        is_at_a_place = last.at_end or last.junction is not None
+        scores = {
+            p: w + text.rfind(p) / len(text)
+            for p, w in named.items()
+            if p and not (is_at_a_place and p in before)
+        }
+    if not scores:
+        return (), last.side, None
+    if not all(map(is_common, scores)):
+        scores = {p: score - 3.0 * is_common(p) for p, score in scores.items()}
+    ranked = sorted(scores, key=lambda phrase: -scores[phrase])
+    best = scores[ranked[0]]
+    kept = tuple(p for p in ranked if scores[p] >= best - 1.6)[:_MAX]
+    nth = next((m.nth for m in last.mentions if m.nth is not None), None)
+    side: Side | None = sides.get(kept[0]) or last.side
+    if side is None:
+        side = next(
+            (m.side for m in last.mentions if is_common(m.phrase) and m.side), None
+        )
+    return kept, side, nth
+
+
+def _named_on_the_way(drafts: list[Draft]) -> set[str]:
+    """Return what was said to be at turns, to be passed, to be seen or to lie ahead."""
+    return {
+        phrase
+        for draft in drafts
+        for phrase in (
+            *draft.ahead,
+            *(mention.phrase for mention in draft.mentions),
+        )
+    }
+
+
+def _score(mention: Mention) -> float:
+    score = 0.0
+    if mention.side == "ahead":
+        score += 1.2
+    elif mention.side is not None:
+        score += 0.6
+    if mention.place in {"turn", "target"}:
+        score += 0.6
+    if mention.subject:
+        score += 0.8
+    if mention.place in {"before_turn", "after_turn", "passed", "beside"}:
+        score -= 1.0
+    if re.search(r"\d", mention.phrase):
+        score += 0.4
+    return score
+
+
+def _weights_in_text(chunks: list[Chunk], text: str) -> dict[str, float]:
+    """Weigh every name by the words before it and by how often it is said."""
+    weights: dict[str, float] = {}
+    for chunk in chunks:
+        if chunk.kind != "N":
+            continue
+        phrase = thing_phrase(chunk.text)
+        if not phrase or floor_phrase(chunk.text) or wall_phrase(chunk.text):
+            continue
+        before = text[max(0, chunk.start - 40) : chunk.start]
+        weight = min(weights.get(phrase, -0.4) + 0.4, 4.0)
+        after = text[chunk.start + len(chunk.text) :]
+        if _ASIDE.match(after):
+            weight -= 1.5
+        share = chunk.start / max(len(text), 1)
+        if chunk.start < 25 and _ASKED.match(after) and _ALONE.fullmatch(before):
+            weight += 3.0
+        elif _ANNOUNCED.search(before):
+            weight += 3.0 if share < 0.25 or share > 0.8 else 1.0
+        elif share > 0.7 and _ENTERED.search(before):
+            weight += 1.0
+        weights[phrase] = weight
+    return weights

@@ -1,0 +1,113 @@
+"""From chunks to events: cutting sentences into clauses and reading each."""
+
+import re
+from collections.abc import Sequence
+
+from memorymaze.understanding.chunks import Chunk
+from memorymaze.understanding.clause_reader import ClauseReader
+from memorymaze.understanding.events import Event
+from memorymaze.understanding.things import thing_phrase
+
+__all__ = ["read_clauses", "split_clauses"]
+
+_OPENERS = "TGIXPKOM2AwQEVYsu"
+"""Kinds of chunk that begin a new clause after `and`."""
+
+
+def split_clauses(chunks: Sequence[Chunk]) -> list[list[Chunk]]:
+    """Cut at punctuation and joints; the joint is the last chunk of its clause.
+
+    "and" is a joint only where something new to do follows.
+    """
+    clauses: list[list[Chunk]] = [[]]
+    for at, chunk in enumerate(chunks):
+        if chunk.kind == "f":
+            continue
+        if chunk.kind in ".,>" or (chunk.kind == "&" and _joins(chunks, at)):
+            clauses[-1].append(chunk)
+            clauses.append([])
+        elif chunk.kind != "&":
+            if chunk.kind in "TG" and _starts_anew(clauses[-1], chunk):
+                clauses[-1].append(Chunk(",", "", chunk.start))
+                clauses.append([])
+            clauses[-1].append(chunk)
+    return [clause for clause in clauses if clause]
+
+
+def _joins(chunks: Sequence[Chunk], at: int) -> bool:
+    """Tell whether an `and` joins clauses; else it joins things."""
+    following = at + 1
+    while following < len(chunks) and chunks[following].kind in "fhira":
+        following += 1
+    if following == len(chunks):
+        return False
+    kind = chunks[following].kind
+    if kind == "L":
+        return at == 0 or chunks[at - 1].kind not in "LS"
+    return kind in _OPENERS
+
+
+def _starts_anew(clause: Sequence[Chunk], chunk: Chunk) -> bool:
+    """Tell whether a motion verb begins a new clause in unpunctuated text."""
+    kinds = "".join(c.kind for c in clause[-40:])
+    if not kinds:
+        return False
+    if chunk.text in {"do", "take", "turn"} and kinds[-1] in "OJ":
+        return False
+    if chunk.kind == "G" and kinds[-1] in "LS2" and not re.search("[TGK]", kinds):
+        return False
+    ended = re.search("[LSMENJHY2]$", kinds)
+    return ended is not None and re.search("[TGPKLS2M]", kinds) is not None
+
+
+def read_clauses(
+    clauses: Sequence[list[Chunk]], before: Sequence[Event]
+) -> list[Event]:
+    """Return the events of one sentence, with marks between its clauses.
+
+    Args:
+        clauses: The clauses of the sentence.
+        before: Events of the sentences before.
+    """
+    events: list[Event] = []
+    told = list(before[-60:])
+    missing = False
+    for number, clause in enumerate(clauses):
+        joint = clause[-1] if clause[-1].kind in ".,>&" else None
+        body = clause[:-1] if joint is not None else clause
+        missing = missing or _speaks_of_missing(body, clauses[number:])
+        if missing:
+            said = [
+                Event("too_far", phrase=phrase)
+                for chunk in body
+                if chunk.kind == "N" and (phrase := thing_phrase(chunk.text))
+            ]
+        else:
+            said = ClauseReader(body, told).read()
+        said.append(_mark(joint))
+        events.extend(said)
+        told.extend(said)
+    return events
+
+
+def _mark(joint: Chunk | None) -> Event:
+    if joint is not None and joint.kind == ".":
+        return Event("sentence", counted=";" in joint.text)
+    return Event("then" if joint is not None and joint.kind == ">" else "clause")
+
+
+def _speaks_of_missing(body: list[Chunk], rest: Sequence[list[Chunk]]) -> bool:
+    """Tell whether from here the sentence is about having gone wrong.
+
+    `If you go right, …` is as little to be done as `If you reach the toilets you have
+    gone too far`.
+    """
+    kinds = "".join(chunk.kind for chunk in body)
+    later = "".join(chunk.kind for clause in rest[:12] for chunk in clause)
+    if "o" not in later and not ("b" in later and "c" in later):
+        return re.match("h*c", kinds) is not None and bool(
+            re.search("[TG].*[LS]", kinds)
+        )
+    if re.search("[cob]", kinds):
+        return True
+    return re.search("[L2M]", later) is None

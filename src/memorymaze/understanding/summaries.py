@@ -1,0 +1,119 @@
+"""Overviews: a sentence that only tells in short what the others tell in full."""
+
+import re
+from collections.abc import Sequence
+
+from memorymaze.understanding.events import Event
+
+__all__ = ["without_overviews"]
+
+_OVERVIEW = re.compile(
+    r"\b(?:overall|in short|in brief|basically|in general|generally|big picture|in total"
+    r"|altogether|the whole (?:thing|way|walk|route)|the general idea|to sum up|summary"
+    r"|think of it|the idea|zig ?zag|the shape|essentially|shortly)\b"
+)
+_DETAIL = re.compile(
+    r"\b(?:in (?:more )?detail|the details?(?: are| is|:)|step by step|more (?:exactly|precisely)"
+    r"|to be (?:exact|precise))\b"
+)
+
+
+def without_overviews(sentences: list[tuple[str, list[Event]]]) -> list[Event]:
+    """Return the events of all sentences but overviews.
+
+    An overview has two turns or more that are told again, in order, by the sentences
+    after it, or before it when it comes last.
+
+    Args:
+        sentences: Words and events of each sentence.
+    """
+    sentences = _after_outline(sentences)
+    turns = [[e.way for e in events if e.kind == "turn"] for _, events in sentences]
+    kept: list[Event] = []
+    for at, (words, events) in enumerate(sentences):
+        others = [way for ways in turns[at + 1 :] for way in ways]
+        if at <= 1 and _OVERVIEW.search(words) and len(others) >= 2:
+            said = [e for e in events if e.kind == "turn"]
+            if not said or (len(said) == 1 and not said[0].commanded):
+                continue
+            if (
+                len(said) >= 4
+                and len(others) < len(said)
+                and _within(others, turns[at])
+            ):
+                return [*kept, *events, *sentences[-1][1]]
+        if at <= 2 and len(turns[at]) >= 2 and _OVERVIEW.search(words):
+            if _within(turns[at], others):
+                continue
+        elif at and re.match(r"\W*so,? (?:again|that's|in short|overall)", words):
+            before = [way for ways in turns[:at] for way in ways]
+            if len(turns[at]) >= 2 and _within(turns[at], before):
+                continue
+        kept.extend(events)
+    return _without_recaps(kept)
+
+
+def _after_outline(
+    sentences: list[tuple[str, list[Event]]],
+) -> list[tuple[str, list[Event]]]:
+    """Keep what follows `in detail:`, when the way is told there."""
+    for at, (words, _) in enumerate(sentences):
+        found = _DETAIL.search(words)
+        if found is None or at > len(sentences) * 0.6:
+            continue
+        later = [e for _, said in sentences[at:] for e in said if e.kind == "turn"]
+        if len(later) >= 2:
+            return sentences[at:]
+    return sentences
+
+
+def _without_recaps(events: list[Event]) -> list[Event]:
+    """Drop turns that only say the last ones again: `so right and left`."""
+    kept: list[Event] = []
+    said: list[Event] = []
+    fresh, same_sentence = True, False
+    dropped: set[int] = set()
+    for at, event in enumerate(events):
+        if event.kind == "recap" or (event.kind == "turn" and at not in dropped):
+            run = _turns_ahead(events, at, whole=event.kind == "recap")
+            ways = [events[i].way for i in run]
+            if (
+                (fresh and (same_sentence or event.kind == "recap"))
+                and 2 <= len(ways) <= 3
+                and ways == [e.way for e in said[-len(ways) :]]
+            ):
+                dropped.update(run)
+        if at in dropped:
+            continue
+        if event.kind == "turn":
+            said.append(event)
+            fresh = same_sentence = True
+        elif event.kind == "sentence":
+            same_sentence = False
+        elif event.kind in {"length", "end", "pass_ways", "way", "junction"}:
+            fresh = False
+        if event.kind != "recap":
+            kept.append(event)
+    return kept
+
+
+def _turns_ahead(events: list[Event], start: int, *, whole: bool) -> list[int]:
+    """Indices of the turns to the end of the sentence, or of a joined pair."""
+    run: list[int] = []
+    for at in range(start, len(events)):
+        event = events[at]
+        if event.kind == "sentence":
+            break
+        if event.kind == "turn":
+            run.append(at)
+            if not whole and len(run) == 2:
+                return run if event.joined else []
+        elif not whole:
+            return []
+    return run if whole else []
+
+
+def _within(short: Sequence[object], long: Sequence[object]) -> bool:
+    """Tell whether the short sequence is the long one with gaps."""
+    rest = iter(long)
+    return all(any(way == other for other in rest) for way in short)

@@ -1,0 +1,242 @@
+"""Put single steps into words: a turn, two turns at once, the destination."""
+
+import re
+from collections.abc import Mapping, Sequence
+from typing import Literal
+
+import numpy as np
+
+from memorymaze.writing.marked_text import mark
+from memorymaze.writing.phrases import (
+    ARRIVALS,
+    ARRIVALS_BY,
+    MERGED,
+    ORDINALS,
+    SKIPPED,
+    SLIGHT,
+    SPOKEN_TURNS,
+    TURNS,
+)
+from memorymaze.writing.steps import Arrival, Leg, Turn
+from memorymaze.writing.things import with_article
+from memorymaze.writing.voices import Voice
+
+__all__ = [
+    "Focus",
+    "Size",
+    "arrival_clause",
+    "goal_words",
+    "is_command",
+    "merged_clause",
+    "one_of",
+    "place_words",
+    "skipped_clause",
+    "spoken_as",
+    "turn_clause",
+]
+
+Size = Literal["terse", "plain", "wordy"]
+Focus = Mapping[str, str]
+"""Labels by the part of a step that they are for: `side`, `cue`, or `step` for all."""
+
+NAMELESS = ("the corridor", "this path", "the hallway", "this corridor", "this way")
+OWN_NAME = re.compile(r".* (Lane|Street|Row|Road|Avenue|Alley|Way)")
+COMMANDS = frozenset({
+    "bear",
+    "continue",
+    "count",
+    "follow",
+    "go",
+    "ignore",
+    "just",
+    "keep",
+    "make",
+    "pass",
+    "please",
+    "stay",
+    "stop",
+    "take",
+    "turn",
+    "walk",
+})
+PLACED = frozenset({
+    "at",
+    "before",
+    "behind",
+    "beside",
+    "by",
+    "in",
+    "near",
+    "next",
+    "opposite",
+})
+"""Words that begin a destination which is a place beside something."""
+CORRECTIONS = ("no, sorry,", "no wait,", "I mean", "no no,", "or rather", "sorry,")
+CONTRACTIONS = (
+    (re.compile(r"\b([Yy]ou|[Ii]t|[Tt]hey) will\b"), r"\1'll"),
+    (re.compile(r"\b([Tt]hat|[Ii]t|[Tt]here) is\b(?= \w)"), r"\1's"),
+    (re.compile(r"\b([Yy]ou|[Tt]hey) are\b(?= \w)"), r"\1're"),
+    (re.compile(r"\bI am\b(?= \w)"), "I'm"),
+    (re.compile(r"\bI would\b"), "I'd"),
+    (re.compile(r"\b([Dd])o not\b"), r"\1on't"),
+    (re.compile(r"\bcannot\b"), "can't"),
+    (re.compile(r"\b([Yy]ou|I) have\b(?= (?:gone|passed|reached|been))"), r"\1've"),
+)
+
+
+def one_of(patterns: Sequence[str], rng: np.random.Generator) -> str:
+    """Draw one of some patterns."""
+    return patterns[int(rng.integers(len(patterns)))]
+
+
+def spoken_as(text: str, voice: Voice) -> str:
+    """Return a text with the contractions of a speaker."""
+    if voice.contracted:
+        for long, short in CONTRACTIONS:
+            text = long.sub(short, text)
+    return text
+
+
+def place_words(leg: Leg, rng: np.random.Generator) -> str:
+    """Return the words for the corridor of a stretch."""
+    if leg.name and rng.random() < 0.3:
+        if OWN_NAME.fullmatch(leg.name) or leg.name.lower().startswith("the "):
+            return leg.name
+        return f"the {leg.name}"
+    return one_of(NAMELESS, rng)
+
+
+def turn_clause(
+    turn: Turn,
+    size: Size,
+    voice: Voice,
+    rng: np.random.Generator,
+    focus: Focus,
+    number: int,
+) -> str:
+    """Return a turn in words, without capital or full stop; labels are inside it.
+
+    Args:
+        turn: What is told.
+        size: How much is said.
+        voice: Who speaks.
+        rng: Source of chance.
+        focus: Labels for parts of it.
+        number: Which of the speaker's patterns is used; turns in a row have numbers
+            in a row, so that no two of them sound the same.
+    """
+    pattern = _pattern(turn, size, voice, number, focus)
+    side = _side(turn, pattern, voice, rng, focus)
+    words = {
+        "side": side,
+        "ord": ORDINALS[turn.cue.ordinal - 1],
+        "thing": turn.cue.words if turn.cue.proper else f"the {turn.cue.words}",
+        "place": place_words(turn.leg, rng),
+    }
+    if turn.cue.kind == "thing" and "cue" in focus and rng.random() < 0.3:
+        words["thing"] = _indefinite(turn.cue.words)
+    told = _bracketed(pattern, focus.get("cue")).format(**words)
+    if voice.please and rng.random() < 0.4:
+        told = f"please {told}" if is_command(told) else told
+    return spoken_as(told, voice)
+
+
+def merged_clause(turn: Turn, rng: np.random.Generator, focus: Focus) -> str:
+    """Return the words for a turn that follows right after the one before."""
+    side = turn.side.rpartition("_")[2]
+    side = mark(focus["side"], side) if "side" in focus else side
+    told = one_of(MERGED, rng).format(side=side)
+    return mark("merged_turns", told)
+
+
+def skipped_clause(turn: Turn, rng: np.random.Generator) -> str:
+    """Return what is said of a corner that is left to the listener, or nothing."""
+    if rng.random() < 0.25:
+        return mark("skipped_corner", "")
+    place = place_words(turn.leg, rng)
+    return mark("skipped_corner", one_of(SKIPPED, rng).format(place=place))
+
+
+def arrival_clause(
+    arrival: Arrival, size: Size, voice: Voice, rng: np.random.Generator
+) -> str:
+    """Return the end of the way in words."""
+    by = arrival.claimed is not None
+    patterns = (ARRIVALS_BY if by else ARRIVALS)[size]
+    thing = (
+        "" if arrival.beside is None else with_article(arrival.beside, definite=True)
+    )
+    goal = goal_words(arrival.goal)
+    if " in " in goal and rng.random() < 0.6:
+        goal = goal.partition(" in ")[0]
+    told = one_of(patterns, rng).format(
+        goal=goal, there=_there(arrival, rng), thing=thing
+    )
+    return spoken_as(told, voice)
+
+
+def _pattern(turn: Turn, size: Size, voice: Voice, number: int, focus: Focus) -> str:
+    cue = turn.cue
+    if turn.side.startswith("slight"):
+        patterns = list(SLIGHT["thing" if cue.kind == "thing" else "place"][size])
+    else:
+        kind: str = cue.kind
+        if kind == "ordinal":
+            kind = "first" if cue.ordinal == 1 else "later"
+        patterns = list(TURNS[kind][size])
+        if voice.spoken and size != "terse":
+            patterns = [*SPOKEN_TURNS[kind], *patterns]
+    if turn.leg.length < 6:
+        patterns = [each for each in patterns if "{place}" not in each] or patterns
+    if "cue" in focus:
+        patterns = [each for each in patterns if "[" in each] or patterns
+    return patterns[number % len(patterns)]
+
+
+def _side(
+    turn: Turn, pattern: str, voice: Voice, rng: np.random.Generator, focus: Focus
+) -> str:
+    side = turn.side.rpartition("_")[2]
+    told = mark(focus["side"], side) if "side" in focus else side
+    corrected = rng.random() < voice.surface.restart
+    correction = one_of(CORRECTIONS, rng)
+    if corrected and pattern.endswith("{side}"):
+        other = {"left": "right", "right": "left"}[side]
+        return f"{mark('restart', f'{other}, {correction}')} {told}"
+    return told
+
+
+def _bracketed(pattern: str, label: str | None) -> str:
+    if label is None:
+        return pattern.replace("[", "").replace("]", "")
+    before, _, rest = pattern.partition("[")
+    cue, _, after = rest.partition("]")
+    return before + mark(label, cue) + after
+
+
+def _indefinite(words: str) -> str:
+    return f"{'an' if words[0] in 'aeiou' else 'a'} {words}"
+
+
+def is_command(told: str) -> bool:
+    """Tell whether a clause begins with a verb in the imperative."""
+    first = told.split(maxsplit=1)[0]
+    return first in COMMANDS
+
+
+def goal_words(goal: str) -> str:
+    """Return a destination with the article that plain English gives it."""
+    head = goal.split(maxsplit=1)[0]
+    if head in PLACED:
+        return f"the place {goal}"
+    if head in {"the", "The"} or goal[0].isupper() or head in {"a", "an"}:
+        return goal
+    return f"the {goal}"
+
+
+def _there(arrival: Arrival, rng: np.random.Generator) -> str:
+    told = {"left", "right"} & set(arrival.goal.split())
+    if arrival.side is None or told:
+        return one_of(("straight ahead", "right in front of you", "ahead of you"), rng)
+    side = arrival.side
+    return one_of((f"on the {side}", f"on your {side}", f"on the {side} side"), rng)

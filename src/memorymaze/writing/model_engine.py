@@ -1,0 +1,178 @@
+"""Have a language model write a draft; check what it wrote as far as a program can.
+
+The model gets the typed steps of the right and the wrong plan, and marks in its reply
+every word that tells to turn and every word of an error. The marks are checked.
+"""
+
+import re
+from collections.abc import Sequence
+from dataclasses import replace
+from itertools import islice
+
+from memorymaze.errors import LanguageModelError
+from memorymaze.instructions.corpus import load_instructions
+from memorymaze.instructions.records import Instruction
+from memorymaze.instructions.statistics import word_count
+from memorymaze.language.model import CompletionRequest, LanguageModel, Message
+from memorymaze.language.prompt_texts import load_prompt
+from memorymaze.writing.aligning import error_label
+from memorymaze.writing.drafting import Draft
+from memorymaze.writing.grammar import told_instruction
+from memorymaze.writing.layout import Told
+from memorymaze.writing.marked_text import Marked
+from memorymaze.writing.step_listing import listed_errors, listed_steps
+from memorymaze.writing.steps import StepPlan
+from memorymaze.writing.told_sides import commands
+
+__all__ = ["written_by_model"]
+
+ATTEMPTS = 3
+EXAMPLES = 2
+TAG = re.compile(r"<(/?)(turn|error)(?: n=\"?(\d+)\"?)?(/?)>")
+TEXT = re.compile(r"<(wrong|right)>(.*?)</\1>", re.DOTALL)
+LENGTHS = (0.4, 2.5)
+"""Least and greatest factor between the wanted and the written number of words."""
+
+
+def written_by_model(
+    draft: Draft, model: LanguageModel, *, paired: bool
+) -> list[Instruction]:
+    """Have a model write a draft; return its text, and with `paired` the right one too.
+
+    Raises:
+        LanguageModelError: No reply came, or none kept to the plan after three
+            attempts; says what was wrong with the last one.
+    """
+    system = load_prompt("tell_route", examples=_examples(draft))
+    asked = load_prompt(
+        "tell_route_task",
+        study="typed by somebody who watches a video of the way"
+        if draft.cell.study == "online"
+        else "spoken from memory by a passer-by, written down word for word",
+        words=str(round(draft.words)),
+        right=listed_steps(draft.plan),
+        wrong=listed_steps(draft.told_plan),
+        errors=listed_errors(draft.mistakes),
+    )
+    messages = [Message("system", system), Message("user", asked)]
+    complaint = ""
+    for attempt in range(ATTEMPTS):
+        seed = (draft.seed + attempt) % 2**31
+        reply = model.complete(
+            CompletionRequest(tuple(messages), temperature=0.8, seed=seed)
+        ).text
+        try:
+            return _read(reply, draft, paired=paired)
+        except ValueError as error:
+            complaint = str(error)
+            messages += [
+                Message("assistant", reply),
+                Message("user", f"Not yet: {complaint}. Write both texts again."),
+            ]
+    raise LanguageModelError(
+        f"{model.name}: after {ATTEMPTS} attempts its text does not keep to the plan "
+        f"({complaint})"
+    )
+
+
+def _examples(draft: Draft) -> str:
+    """Return texts that prompts may be built from, as examples of the tone."""
+    known = [each for each in load_instructions() if each.split == "dev"]
+    own = [each for each in known if each.study == draft.cell.study] or known
+    other = (each for each in own if each.route != draft.cell.route)
+    return "\n\n".join(each.text for each in islice(other, EXAMPLES))
+
+
+def _read(reply: str, draft: Draft, *, paired: bool) -> list[Instruction]:
+    """Return the records of a reply.
+
+    Raises:
+        ValueError: It does not keep to the plan; says how.
+    """
+    texts = {kind: text.strip() for kind, text in TEXT.findall(reply)}
+    if not draft.mistakes:
+        texts.setdefault("wrong", texts.get("right", ""))
+        texts.setdefault("right", texts["wrong"])
+    for kind in ("right", "wrong"):
+        if not texts.get(kind):
+            raise ValueError(
+                f"expected a text between <{kind}> and </{kind}>, got none"
+            )
+    right = _told(texts["right"], draft, draft.plan)
+    wrong = _told(texts["wrong"], draft, draft.told_plan)
+    if draft.mistakes and _apart_from_errors(right) != _apart_from_errors(wrong):
+        raise ValueError(
+            "expected both texts to be the same, word for word, outside <error> marks"
+        )
+    pair = draft.id if paired and draft.mistakes else None
+    written = [told_instruction(draft, wrong, pair=pair)]
+    if pair is not None:
+        written.append(told_instruction(draft, right, pair=pair, right=True))
+    return [replace(each, source="llm") for each in written]
+
+
+def _told(marked: str, draft: Draft, plan: StepPlan) -> Told:
+    """Take the marks out of a text and check them against a plan."""
+    text, sides, errors = _without_tags(marked)
+    numbers = [number for number, _, _ in errors]
+    if sorted(numbers) != list(range(1, len(draft.mistakes) + 1)):
+        raise ValueError(
+            f"expected errors 1 to {len(draft.mistakes)} marked once each, got {numbers}"
+        )
+    expected = [turn.side.rpartition("_")[2] for turn in plan.turns if turn.told]
+    said = [text[start:end].lower() for start, end in sides]
+    if said != expected:
+        raise ValueError(
+            f"expected the turns {', '.join(expected) or 'none'}, in this order and each "
+            f"in <turn> marks, got {', '.join(said) or 'none'}"
+        )
+    starts = {start for start, _ in sides}
+    unmarked = [each for each in commands(text) if each.start not in starts]
+    if unmarked:
+        raise ValueError(
+            f"expected no other turns, got {text[unmarked[0].start - 12 :][:24]!r}"
+        )
+    words = word_count(text)
+    if not LENGTHS[0] * draft.words <= words <= LENGTHS[1] * draft.words:
+        raise ValueError(f"expected about {draft.words:.0f} words, got {words}")
+    goal = plan.arrival.goal.split(" in ")[0].split()[-1]
+    if goal.lower() not in text.lower():
+        raise ValueError(f"expected a word of the destination ({plan.arrival.goal})")
+    marks = [Marked(error_label(n - 1), start, end) for n, start, end in errors]
+    return Told(text, tuple(sorted(marks, key=lambda each: each.start)))
+
+
+def _without_tags(
+    marked: str,
+) -> tuple[str, list[tuple[int, int]], list[tuple[int, int, int]]]:
+    """Return the text, the places of turns, and number and place of errors."""
+    text, last = "", 0
+    turns: list[tuple[int, int]] = []
+    errors: list[tuple[int, int, int]] = []
+    begun: list[tuple[str, int, int]] = []
+    for tag in TAG.finditer(marked):
+        text += marked[last : tag.start()]
+        last = tag.end()
+        closing, name, number, alone = tag.groups()
+        if not closing:
+            begun.append((name, int(number or 1), len(text)))
+        if closing or alone:
+            if not begun or begun[-1][0] != name:
+                raise ValueError(f"expected marks that close in order, got {tag[0]}")
+            _, n, start = begun.pop()
+            if name == "turn":
+                turns.append((start, len(text)))
+            else:
+                errors.append((n, start, len(text)))
+    if begun:
+        raise ValueError(f"expected the mark <{begun[-1][0]}> to be closed")
+    return text + marked[last:], sorted(turns), errors
+
+
+def _apart_from_errors(told: Told) -> Sequence[str]:
+    """Return the words of a text outside its errors."""
+    kept, last = "", 0
+    for each in told.marks:
+        kept += told.text[last : each.start] + " "
+        last = each.end
+    return re.findall(r"[\w']+", (kept + told.text[last:]).lower())

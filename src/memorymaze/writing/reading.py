@@ -1,0 +1,276 @@
+"""Read from a route what a right description of it says."""
+
+import math
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from functools import cached_property
+from itertools import pairwise
+
+from shapely import LineString, Point, Polygon
+from shapely.ops import substring
+from shapely.prepared import PreparedGeometry, prep
+
+from memorymaze.errors import SitePlanError
+from memorymaze.geometry.pose import heading_to, turn_between
+from memorymaze.sites.records import Route, RouteTurn
+from memorymaze.writing.steps import (
+    Arrival,
+    Cue,
+    Leg,
+    Passing,
+    StepPlan,
+    Turn,
+)
+from memorymaze.writing.things import Thing
+from memorymaze.writing.walking import walk
+from memorymaze.writing.walks import WalkMap, side_of
+
+__all__ = ["RouteReading"]
+
+BESIDE = 4.5
+"""Metres from the way within which things are mentioned."""
+AHEAD = math.radians(40)
+"""A destination within this bearing lies ahead."""
+
+
+@dataclass(frozen=True)
+class RouteReading:
+    """One route of a site, ready to be described.
+
+    Raises:
+        SitePlanError: When read: the route's turns do not lie on its line, or no right
+            description of it can be found.
+    """
+
+    floor: WalkMap
+    route: Route
+
+    @cached_property
+    def plan(self) -> StepPlan:
+        """The right description with the plainest cues; it arrives."""
+        turns = tuple(
+            Turn(f"turn{n}", turn.direction, cues[0], leg, turn.at)
+            for n, (turn, cues, leg) in enumerate(
+                zip(self.route.turns, self.cues, self.legs[:-1], strict=True)
+            )
+        )
+        plan = StepPlan(self.floor.site.name, self.route.id, turns, self._arrival)
+        found = walk(self.floor, self.route, plan)
+        if not found.arrived:
+            raise SitePlanError(
+                f"{self.floor.site.name}, {self.route.id}: expected turns that lead to "
+                f"the goal, got a walk that does not arrive ({found.lost or found.end}); "
+                "check the exits of the turning points on the route"
+            )
+        return plan
+
+    @cached_property
+    def stops(self) -> tuple[float, ...]:
+        """Metres along the line where the turns are, in order."""
+        stops: list[float] = []
+        passed = iter(self.floor.passed(self.route))
+        for turn in self.route.turns:
+            found = next((at for at, point in passed if point == turn.at), None)
+            if found is None:
+                raise SitePlanError(
+                    f"{self.floor.site.name}, {self.route.id}: expected its turns in "
+                    f"order along its line, got {turn.at!r}, which is not met there"
+                )
+            stops.append(found)
+        return tuple(stops)
+
+    @cached_property
+    def between(self) -> tuple[tuple[str, ...], ...]:
+        """Turning points passed straight on before each turn, and after the last."""
+        edges = (-1.0, *self.stops, math.inf)
+        passed = self.floor.passed(self.route)
+        return tuple(
+            tuple(point for at, point in passed if low < at < high)
+            for low, high in pairwise(edges)
+        )
+
+    @cached_property
+    def headings(self) -> dict[str, float]:
+        """The heading on coming to each turning point of the route, radians."""
+        ways = self.floor.first_way(self.route)
+        found: dict[str, float] = {}
+        turns = {turn.at: turn.direction for turn in self.route.turns}
+        for _ in range(len(self.floor.passed(self.route)) + 1):
+            if ways is None or ways.end is None:
+                break
+            found.setdefault(ways.end, ways.heading)
+            side = turns.get(ways.end)
+            onward = self.floor.leaving(ways.end, ways.heading, side)
+            ways = onward or self.floor.only_way(ways.end, ways.heading)
+        return found
+
+    @cached_property
+    def legs(self) -> tuple[Leg, ...]:
+        """The stretches before each turn, and the last one."""
+        edges = (0.0, *self.stops, self.route.line.length)
+        legs: list[Leg] = []
+        for n, (low, high) in enumerate(pairwise(edges)):
+            turn = self.route.turns[n] if n < len(self.route.turns) else None
+            legs.append(self._leg(low, high, self.between[n], turn))
+        return tuple(legs)
+
+    @cached_property
+    def cues(self) -> tuple[tuple[Cue, ...], ...]:
+        """For every turn the cues that mean it, the plainest first."""
+        first = [Cue("ordinal")] * len(self.route.turns)
+        found: list[tuple[Cue, ...]] = []
+        for n, turn in enumerate(self.route.turns):
+            good = tuple(
+                cue for cue in self._proposals(n) if self._leads_to(n, cue, first)
+            )
+            if not good:
+                raise SitePlanError(
+                    f"{self.floor.site.name}, {self.route.id}: expected a way to say "
+                    f"where to turn {turn.direction} at {turn.at!r}, got none; check "
+                    "its exits"
+                )
+            first[n] = good[0]
+            found.append(good)
+        return tuple(found)
+
+    def _leads_to(self, n: int, cue: Cue, before: list[Cue]) -> bool:
+        """Tell whether the n-th turn is made where it should be with this cue."""
+        turns = [
+            Turn(str(k), each.direction, cue if k == n else before[k], Leg(0), each.at)
+            for k, each in enumerate(self.route.turns[: n + 1])
+        ]
+        plan = StepPlan("", "", tuple(turns), self._arrival)
+        wanted = tuple(turn.at for turn in turns)
+        return walk(self.floor, self.route, plan).turned == wanted
+
+    def _proposals(self, n: int) -> Iterator[Cue]:
+        turn = self.route.turns[n]
+        heading = self.headings.get(turn.at)
+        if heading is not None and self.floor.leaving(turn.at, heading, None) is None:
+            if self.floor.only_way(turn.at, heading) is not None:
+                yield Cue("forced")
+            yield Cue("end")
+        for ordinal in range(1, 7):
+            yield Cue("ordinal", ordinal)
+        counts = Counter(thing.words for thing in self.floor.things)
+        marks = sorted(
+            (thing for thing in self._things_at(turn.at) if counts[thing.words] <= 2),
+            key=lambda thing: thing.id,
+        )
+        for thing in marks:
+            yield Cue("thing", words=thing.words, proper=thing.proper)
+
+    def _things_at(self, point: str) -> list[Thing]:
+        words = self.floor.marks[point]
+        polygon = self.floor.points[point].polygon
+        near = [
+            thing
+            for thing in self.floor.things
+            if thing.words in words and polygon.distance(Point(thing.position)) <= 4.0
+        ]
+        line = self.route.line
+        return [each for each in near if line.distance(Point(each.position)) < 7.0]
+
+    def _leg(
+        self, low: float, high: float, points: tuple[str, ...], turn: RouteTurn | None
+    ) -> Leg:
+        line = substring(self.route.line, low, high)
+        if not isinstance(line, LineString) or line.length < 0.01:
+            return Leg(0.0)
+        openings: list[str] = []
+        for point in points:
+            heading = self.headings.get(point)
+            for side in ("left", "right"):
+                if (
+                    heading is not None
+                    and self.floor.leaving(point, heading, side) is not None
+                ):
+                    openings.append(side)
+        parts = [*self.floor.site.corridors, *self.floor.site.areas]
+        part = max(parts, key=lambda p: p.polygon.intersection(line).length)
+        return Leg(
+            length=line.length,
+            passing=tuple(self._passing(line)),
+            openings=tuple(openings),
+            floor=part.floor_material,
+            name=part.name,
+            beyond=None if turn is None else self._beyond(turn),
+        )
+
+    def _passing(self, line: LineString) -> Iterator[Passing]:
+        seen: set[str] = set()
+        found: list[tuple[float, Thing, Point]] = []
+        for thing in self.floor.things:
+            spot = Point(thing.position)
+            if line.distance(spot) > BESIDE:
+                continue
+            at = line.project(spot)
+            if not 0.3 < at < line.length - 0.3:
+                continue
+            sight = LineString([line.interpolate(at), spot])
+            if self._visible.contains(sight):
+                found.append((at, thing, spot))
+        for at, thing, spot in sorted(found, key=lambda each: each[0]):
+            if thing.words in seen:
+                continue
+            seen.add(thing.words)
+            here, further = line.interpolate(at - 0.2), line.interpolate(at + 0.2)
+            bearing = turn_between(
+                heading_to((here.x, here.y), (further.x, further.y)),
+                heading_to((here.x, here.y), (spot.x, spot.y)),
+            )
+            yield Passing(thing, side_of(bearing), at)
+
+    @cached_property
+    def _visible(self) -> "PreparedGeometry[Polygon]":
+        return prep(self.floor.site.walkable_floor.buffer(0.6))
+
+    def _beyond(self, turn: RouteTurn) -> Thing | None:
+        """Return what one meets who does not turn."""
+        heading = self.headings.get(turn.at)
+        onward = None if heading is None else self.floor.leaving(turn.at, heading, None)
+        if onward is None or math.dist(onward.line[0], onward.line[-1]) < 4.0:
+            return None
+        counts = Counter(thing.words for thing in self.floor.things)
+        line = LineString(onward.line)
+        ahead = [
+            (line.project(Point(thing.position)), thing)
+            for thing in self.floor.things
+            if counts[thing.words] == 1
+            and line.distance(Point(thing.position)) < 3.0
+            and self.route.line.distance(Point(thing.position)) > 5.0
+            and line.project(Point(thing.position)) > 3.0
+        ]
+        return min(ahead, key=lambda each: each[0], default=(0.0, None))[1]
+
+    @cached_property
+    def _arrival(self) -> Arrival:
+        line = self.route.line
+        x, y = line.coords[-1][:2]
+        site = self.floor.site
+        goals = {
+            **{t.id: t.position for t in site.landmarks},
+            **{d.id: d.line.interpolate(0.5, normalized=True) for d in site.doors},
+            **{r.id: r.polygon.centroid for r in site.rooms},
+        }
+        goal = goals.get(self.route.goal_landmark)
+        side = None
+        if goal is not None and math.dist((x, y), (goal.x, goal.y)) > 0.3:
+            back = line.interpolate(max(0.0, line.length - 0.5))
+            bearing = turn_between(
+                heading_to((back.x, back.y), (x, y)),
+                heading_to((x, y), (goal.x, goal.y)),
+            )
+            side = (
+                side_of(bearing) if AHEAD < abs(bearing) < math.radians(140) else None
+            )
+        near = [
+            passing.thing
+            for passing in self.legs[-1].passing
+            if math.dist(passing.thing.position, (x, y)) < 5.0
+            and passing.thing.id != self.route.goal_landmark
+        ]
+        beside = near[-1] if near else None
+        leg = replace(self.legs[-1])
+        return Arrival(self.route.goal, (float(x), float(y)), leg, side, beside)

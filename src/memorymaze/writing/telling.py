@@ -1,0 +1,252 @@
+"""Put a plan into words of a wanted length, in one speaker's voice.
+
+Every step has its own stream of random numbers, so that a plan with an error reads as
+the right one does, word for word, apart from the error.
+"""
+
+import zlib
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from memorymaze.instructions.statistics import word_count
+from memorymaze.writing.aligning import (
+    focus_of,
+    in_one_breath,
+    keys_in_order,
+)
+from memorymaze.writing.asides import Aside, leg_asides
+from memorymaze.writing.chatter import (
+    disturbed,
+    opening_and_closing,
+    small_talk,
+)
+from memorymaze.writing.clauses import (
+    Focus,
+    Size,
+    arrival_clause,
+    goal_words,
+    is_command,
+    merged_clause,
+    one_of,
+    skipped_clause,
+    spoken_as,
+    turn_clause,
+)
+from memorymaze.writing.layout import (
+    Told,
+    as_sentence,
+    laid_out,
+    run_together,
+)
+from memorymaze.writing.marked_text import (
+    mark,
+    read_marks,
+    without_marks,
+)
+from memorymaze.writing.steps import Leg, Mistake, StepPlan, Turn
+from memorymaze.writing.voices import Voice
+
+__all__ = ["Teller"]
+
+START, ARRIVAL, END = "start", "arrival", "end"
+SLACK = 2
+"""Words that a text may be longer than wanted."""
+AROUND = (
+    "first turn around and go back the other way",
+    "you have to go back the way behind you first",
+    "turn around and walk in the opposite direction",
+)
+LINKS = ("then", "after that", "next", "from there", "and then", "now")
+
+
+class Teller:
+    """One description by one speaker: the right plan, and the same with errors.
+
+    Attributes:
+        size: How much is said at each turn.
+        asides: What is said besides, chosen for the right plan.
+    """
+
+    def __init__(self, plan: StepPlan, voice: Voice, seed: int, words: float) -> None:
+        """Choose what is said.
+
+        Args:
+            plan: The right plan.
+            voice: Who speaks.
+            seed: Of the words.
+            words: How long the text should be.
+        """
+        self._plan = plan
+        self._voice = voice
+        self._seed = seed
+        self._numbers = {turn.key: n for n, turn in enumerate(plan.turns)}
+        self._offset = int(self._rng("offset").integers(60))
+        self.size: Size = self._fitting_size(words)
+        self.asides: tuple[Aside, ...] = ()
+        self.asides = tuple(self._fitting_asides(words))
+
+    def tell(self, plan: StepPlan, mistakes: Sequence[Mistake] = ()) -> Told:
+        """Put the right plan, or one with errors, into words.
+
+        Args:
+            plan: The right plan, or `mistakes[-1].plan`.
+            mistakes: The errors, whose words are labelled in either; where words are
+                missing, the label has no width.
+        """
+        focus = focus_of(mistakes)
+        items: list[str] = []
+        before = self._around(START)
+        if before:
+            items.append(" ".join(before))
+        pending = ""
+        label = focus.get(START, {}).get("step")
+        if plan.around:
+            told = one_of(AROUND, self._rng(START, "around"))
+            told = spoken_as(told, self._voice)
+            items.append(as_sentence(mark(label, told) if label else told))
+        elif label:
+            pending = mark(label, "")
+        for key in [*keys_in_order(plan, self._plan, mistakes), ARRIVAL]:
+            words = self._item(plan, key, focus)
+            if without_marks(words):
+                items.append(pending + words)
+                pending = ""
+            else:
+                pending += words
+        after = self._around(END)
+        if after:
+            items[-1] = " ".join([items[-1], *after])
+        text, marks = read_marks(laid_out(items, self._voice) + pending)
+        return Told(text, tuple(marks))
+
+    def _item(self, plan: StepPlan, key: str, focus: Mapping[str, Focus]) -> str:
+        """Return all that is said at one step, or only labels."""
+        part = focus.get(key, {})
+        turn = next((each for each in plan.turns if each.key == key), None)
+        asides = [each for each in self.asides if each.key == key]
+        if key == ARRIVAL:
+            core = arrival_clause(
+                plan.arrival, self._core_size(key), self._voice, self._rng(key)
+            )
+            if plan.arrival.claimed is not None:
+                asides = []
+        elif turn is None:
+            return mark(part["step"], "") if "step" in part else ""
+        elif self._is_merged(plan, key, focus):
+            return ""
+        else:
+            core = self._turn_core(turn, part)
+            following = plan.turns[plan.turns.index(turn) + 1 :][:1]
+            for each in following:
+                if self._is_merged(plan, each.key, focus):
+                    own = focus.get(each.key, {})
+                    core += f" {merged_clause(each, self._rng(each.key), own)}"
+        if not without_marks(core):
+            return core
+        told = [(0.0, self._linked(core, key))]
+        told += [(each.order, self._as_told(each)) for each in asides]
+        told.sort(key=lambda each: each[0])
+        texts = [text for _, text in told]
+        said = run_together(texts, self._voice, self._rng(key, "joined"))
+        return mark(part["step"], said) if "step" in part else said
+
+    def _turn_core(self, turn: Turn, part: Focus) -> str:
+        if not turn.told:
+            return skipped_clause(turn, self._rng(turn.key))
+        size = self._core_size(turn.key)
+        rng = self._rng(turn.key)
+        number = self._offset + self._numbers.get(turn.key, len(self._numbers))
+        return turn_clause(turn, size, self._voice, rng, part, number)
+
+    def _linked(self, core: str, key: str) -> str:
+        rng = self._rng(key, "link")
+        plain = without_marks(core)
+        first = key == next((turn.key for turn in self._plan.turns), ARRIVAL)
+        fits = not first and self.size != "terse" and self._voice.layout == "prose"
+        if fits and is_command(plain) and rng.random() < 0.35:
+            core = f"{one_of(LINKS, rng)} {core}"
+        return disturbed(core, self._voice, rng, turn=True)
+
+    def _is_merged(self, plan: StepPlan, key: str, focus: Mapping[str, Focus]) -> bool:
+        """Tell whether a turn is told in one breath with the one before it."""
+        if not in_one_breath(plan, self._plan, key, focus):
+            return False
+        keys = [turn.key for turn in plan.turns]
+        # Of three turns in a row the third begins anew.
+        if self._is_merged(plan, keys[keys.index(key) - 1], focus):
+            return False
+        chance = self._rng(key, "merged").random()
+        return bool(chance < self._voice.surface.merged_turns)
+
+    def _core_size(self, key: str) -> Size:
+        if self.size != "wordy":
+            return self.size
+        return "wordy" if self._rng(key, "size").random() < 0.45 else "plain"
+
+    def _fitting_size(self, words: float) -> Size:
+        self.asides = ()
+        for size in ("wordy", "plain", "terse"):
+            self.size = size
+            length = word_count(self.tell(self._plan).text)
+            if size == "terse" or length <= {"wordy": 0.6, "plain": 0.9}[size] * words:
+                return size
+        return "terse"
+
+    def _fitting_asides(self, words: float) -> Sequence[Aside]:
+        room = words - word_count(self.tell(self._plan).text)
+        rng, spoken = self._rng("choice"), self._voice.spoken
+        chosen: list[Aside] = []
+        goal = goal_words(self._plan.arrival.goal)
+        keys = [turn.key for turn in self._plan.turns if turn.told]
+        chatter = opening_and_closing(self._voice, goal, START, END, rng)
+        talk = small_talk(self._voice, [*keys, ARRIVAL, END], rng)
+        early = [each for each in chatter if rng.random() < (0.4 if spoken else 0.15)]
+        some = int(rng.integers(4)) if spoken else 0
+        first = [*self._leg_asides(rng), *talk[:some]]
+        for pool in (early, first, chatter, talk[some:]):
+            for number in rng.permutation(len(pool)):
+                aside = pool[number]
+                length = word_count(without_marks(self._as_told(aside)))
+                if aside not in chosen and length <= room + SLACK and room > SLACK:
+                    room -= length
+                    chosen.append(aside)
+        return chosen
+
+    def _as_told(self, aside: Aside) -> str:
+        rng = self._rng(aside.key, aside.text)
+        return disturbed(aside.text, self._voice, rng, sure=aside.sure)
+
+    def _leg_asides(self, rng: np.random.Generator) -> list[Aside]:
+        found: list[Aside] = []
+        known = {turn.cue.words for turn in self._plan.turns}
+        before = None
+        for turn in self._plan.turns:
+            leg, before = _on_new_floor(turn.leg, before), turn.leg
+            if turn.told and not self._is_merged(self._plan, turn.key, {}):
+                own = self._rng(turn.key, "asides")
+                side = turn.side.rpartition("_")[2]
+                found += leg_asides(leg, turn.key, side, self._voice, own, known)
+        own = self._rng(ARRIVAL, "asides")
+        last = _on_new_floor(self._plan.arrival.leg, before)
+        found += leg_asides(last, ARRIVAL, None, self._voice, own, known)
+        # Some of what could be said is left to chatter, more of it in speech.
+        kept = rng.random(len(found)) < (0.8 if self._voice.spoken else 0.95)
+        return [each for each, keep in zip(found, kept, strict=True) if keep]
+
+    def _around(self, key: str) -> list[str]:
+        told = sorted(
+            (each for each in self.asides if each.key == key), key=lambda a: a.order
+        )
+        return [as_sentence(self._as_told(each)) for each in told]
+
+    def _rng(self, *purpose: str) -> np.random.Generator:
+        key = zlib.crc32("|".join(purpose).encode())
+        return np.random.default_rng([self._seed, key])
+
+
+def _on_new_floor(leg: Leg, before: Leg | None) -> Leg:
+    """Return a stretch whose floor is only known where it changes."""
+    same = before is not None and before.floor == leg.floor
+    return replace(leg, floor=None) if same else leg

@@ -1,0 +1,169 @@
+"""Walk a plan on the turning points of a site: does its description arrive?
+
+The walker knows the plan alone: it goes straight on, follows corners that leave no
+choice, turns where a cue comes true, and looks for the destination on the last stretch.
+"""
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+from memorymaze.sites.records import Route
+from memorymaze.writing.route_ways import Way
+from memorymaze.writing.steps import Arrival, StepPlan, Turn
+from memorymaze.writing.walks import WalkMap
+
+__all__ = ["ARRIVED", "Walk", "is_right", "is_wrong", "walk"]
+
+ARRIVED = 3.0
+"""Metres from the goal within which a description ends right."""
+SEEN = 6.0
+"""Metres from the last stretch within which a destination is seen."""
+MOST_POINTS = 60
+
+
+@dataclass(frozen=True, slots=True)
+class Walk:
+    """What comes of walking a plan."""
+
+    arrived: bool
+    end: tuple[float, float] | None
+    """Where it ends, metres; None where the walker is lost."""
+    lost: str
+    """Why no step could be done; empty where the walk ends by itself."""
+    turned: tuple[str, ...]
+    """Turning points where the told turns were made."""
+
+
+def walk(
+    floor: WalkMap, route: Route, plan: StepPlan, *, corners_counted: bool = False
+) -> Walk:
+    """Walk a plan from the route's start; tell where it ends.
+
+    Args:
+        floor: Turning points of the site.
+        route: The way that is to be described.
+        plan: What is described.
+        corners_counted: Whether "the first left" may be a corner without a choice.
+    """
+    way = floor.first_way(route, around=plan.around)
+    turned: list[str] = []
+    for turn in plan.turns:
+        if not turn.told:
+            continue
+        there = _place_of(floor, way, turn, corners_counted=corners_counted)
+        if isinstance(there, str):
+            return Walk(False, None, there, tuple(turned))
+        point, heading = there
+        onward = floor.leaving(point, heading, turn.side)
+        if onward is None:
+            lost = f"no way lies {turn.side} at {point}"
+            return Walk(False, None, lost, tuple(turned))
+        turned.append(point)
+        way = onward
+    end = _destination(floor, way, plan.arrival)
+    if end is None:
+        lost = "the destination is not on the last stretch"
+        return Walk(False, None, lost, tuple(turned))
+    x, y = route.line.coords[-1][:2]
+    return Walk(math.dist(end, (x, y)) <= ARRIVED, end, "", tuple(turned))
+
+
+def _ahead(floor: WalkMap, way: Way) -> Iterator[tuple[str, float, Way | None]]:
+    """Yield turning points ahead, the heading there, and the way straight on.
+
+    Corners without a choice are followed.
+    """
+    for _ in range(MOST_POINTS):
+        if way.end is None:
+            return
+        onward = floor.leaving(way.end, way.heading, None)
+        yield way.end, way.heading, onward
+        onward = onward or floor.only_way(way.end, way.heading)
+        if onward is None:
+            return
+        way = onward
+
+
+def is_right(floor: WalkMap, route: Route, plan: StepPlan) -> bool:
+    """Tell whether a plan arrives, turning where it should, in either way of counting.
+
+    Some count a corner without a choice among the ways on its side and some do not.
+    """
+    told = tuple(turn.at for turn in plan.turns if turn.told)
+    walks = _both(floor, route, plan)
+    return all(found.arrived and found.turned == told for found in walks)
+
+
+def is_wrong(floor: WalkMap, route: Route, plan: StepPlan) -> bool:
+    """Tell whether a plan does not arrive, in either way of counting."""
+    return not any(found.arrived for found in _both(floor, route, plan))
+
+
+def _both(floor: WalkMap, route: Route, plan: StepPlan) -> tuple[Walk, Walk]:
+    return (
+        walk(floor, route, plan),
+        walk(floor, route, plan, corners_counted=True),
+    )
+
+
+def _place_of(
+    floor: WalkMap, way: Way, turn: Turn, *, corners_counted: bool
+) -> tuple[str, float] | str:
+    """Return where a turn is to be made, or why that cannot be told."""
+    cue, seen = turn.cue, 0
+    for point, heading, onward in _ahead(floor, way):
+        only = floor.only_way(point, heading)
+        forced = onward is None and only is not None
+        here = floor.leaving(point, heading, turn.side)
+        if cue.kind == "forced":
+            if forced:
+                return point, heading
+        elif cue.kind == "end":
+            if onward is None and not (forced and here is None):
+                return point, heading
+        elif here is not None and cue.kind == "thing":
+            if cue.words in floor.marks[point]:
+                return point, heading
+        elif (
+            here is not None
+            and cue.kind == "ordinal"
+            and (corners_counted or not forced)
+        ):
+            seen += 1
+            if seen == cue.ordinal:
+                return point, heading
+    told = cue.words or f"{cue.kind} {cue.ordinal}"
+    return f"nowhere to turn {turn.side} ({told}) before the way ends"
+
+
+def _destination(
+    floor: WalkMap, way: Way, arrival: Arrival
+) -> tuple[float, float] | None:
+    """Return the place on the last stretch that is nearest to the destination."""
+    lines = [way.line]
+    lines += [
+        onward.line
+        for point, heading, straight in _ahead(floor, way)
+        if (onward := straight or floor.only_way(point, heading)) is not None
+    ]
+    spots = [_nearest(line, arrival.place) for line in lines]
+    near = [spot for spot in spots if math.dist(spot, arrival.place) <= SEEN]
+    return min(near, key=lambda spot: math.dist(spot, arrival.place), default=None)
+
+
+def _nearest(
+    line: Sequence[tuple[float, float]], place: tuple[float, float]
+) -> tuple[float, float]:
+    best = line[0]
+    for (ax, ay), (bx, by) in pairwise(line):
+        length = (bx - ax) ** 2 + (by - ay) ** 2
+        if length == 0:
+            continue
+        part = ((place[0] - ax) * (bx - ax) + (place[1] - ay) * (by - ay)) / length
+        part = min(1.0, max(0.0, part))
+        spot = (ax + part * (bx - ax), ay + part * (by - ay))
+        if math.dist(spot, place) < math.dist(best, place):
+            best = spot
+    return best

@@ -1,0 +1,224 @@
+"""Which turning point follows which on a site plan, and what stands near them.
+
+This is the floor as a walker knows it who is told where to turn: no grid, no physics.
+"""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+from shapely import LineString, Point, Polygon, get_parts
+
+from memorymaze.geometry.pose import heading_to, turn_between
+from memorymaze.sites.records import Exit, Route, Site, TurningPoint
+from memorymaze.writing.route_ways import (
+    Way,
+    carried_on,
+    overlaps,
+    route_ways,
+)
+from memorymaze.writing.things import Thing, things_of
+
+__all__ = ["Side", "WalkMap", "side_of", "turn_angle"]
+
+Side = str
+"""`left`, `right`, `slight_left` or `slight_right`."""
+
+STRAIGHT = math.radians(28)
+"""A way that differs less from the walker's heading goes straight on."""
+BACK = math.radians(150)
+"""A way that differs more goes back."""
+SLIGHT = math.radians(12)
+"""The least bend that is told as a slight turn."""
+NEAR = 5.0
+"""Metres from a turning point within which a thing marks it."""
+RAY = 200.0
+
+
+def side_of(angle: float) -> str:
+    """Return which side a signed turn in radians goes: left or right."""
+    return "left" if angle > 0 else "right"
+
+
+def turn_angle(side: Side) -> float:
+    """Return the signed turn that a side stands for, radians."""
+    angle = math.pi / 4 if side.startswith("slight") else math.pi / 2
+    return angle if side.endswith("left") else -angle
+
+
+@dataclass(frozen=True)
+class WalkMap:
+    """A floor as turning points and the ways between them.
+
+    The lines of routes count before what is guessed from the plan's polygons.
+    """
+
+    site: Site
+
+    @cached_property
+    def points(self) -> Mapping[str, TurningPoint]:
+        """Turning points by id."""
+        return {point.id: point for point in self.site.turning_points}
+
+    @cached_property
+    def things(self) -> tuple[Thing, ...]:
+        """All that people could mention."""
+        return things_of(self.site)
+
+    @cached_property
+    def ways(self) -> Mapping[str, tuple[Way, ...]]:
+        """Ways out of each turning point."""
+        guessed = {
+            point.id: [self._way(point, leaving) for leaving in point.exits]
+            for point in self.site.turning_points
+        }
+        for route in self.site.routes:
+            for start, way in route_ways(route, self.passed(route)):
+                if start is None:
+                    continue
+                known = guessed[start]
+                same = [
+                    index
+                    for index, each in enumerate(known)
+                    if abs(turn_between(each.heading, way.heading)) < STRAIGHT
+                ]
+                if same:
+                    known[same[0]] = carried_on(way, known[same[0]])
+                else:
+                    known.append(way)
+        return {name: tuple(ways) for name, ways in guessed.items()}
+
+    @cached_property
+    def marks(self) -> Mapping[str, frozenset[str]]:
+        """The words for things that stand near each turning point."""
+        return {
+            point.id: frozenset(
+                thing.words
+                for thing in self.things
+                if point.polygon.distance(Point(thing.position)) <= NEAR
+            )
+            for point in self.site.turning_points
+        }
+
+    def passed(self, route: Route) -> tuple[tuple[float, str], ...]:
+        """Return the turning points on a route, each with metres along its line."""
+        known = self._passed.get(route.id)
+        if known is None:
+            known = self._passed[route.id] = self._find_passed(route)
+        return known
+
+    def _find_passed(self, route: Route) -> tuple[tuple[float, str], ...]:
+        found: list[tuple[float, str]] = []
+        for point in self.site.turning_points:
+            for start, end in overlaps(route.line, point.polygon):
+                found.append(((start + end) / 2, point.id))
+        return tuple(sorted(found))
+
+    def first_way(self, route: Route, *, around: bool = False) -> Way:
+        """Return the way from a route's start, ahead or back."""
+        known = self._first_ways.get((route.id, around))
+        if known is None and around:
+            start = (route.start.x, route.start.y)
+            known = self._ray(start, route.start.heading + math.pi, None)
+        elif known is None:
+            known = next(way for _, way in route_ways(route, self.passed(route)))
+        self._first_ways[route.id, around] = known
+        return known
+
+    def leaving(self, point: str, heading: float, side: Side | None) -> Way | None:
+        """Return the way that someone takes who comes with a heading.
+
+        Args:
+            point: Turning point id.
+            heading: Radians, before the turn.
+            side: Where to turn; None to go straight on.
+
+        Returns:
+            None where no way lies there.
+        """
+        angles = [(turn_between(heading, w.heading), w) for w in self.ways[point]]
+        if side is None:
+            fitting = [(abs(a), w) for a, w in angles if abs(a) < STRAIGHT]
+        else:
+            wanted = turn_angle(side)
+            least = SLIGHT if side.startswith("slight") else STRAIGHT
+            fitting = [
+                (abs(a - wanted), w)
+                for a, w in angles
+                if least <= abs(a) < BACK and (a > 0) == (wanted > 0)
+            ]
+        return min(fitting, default=(0.0, None), key=lambda pair: pair[0])[1]
+
+    def only_way(self, point: str, heading: float) -> Way | None:
+        """Return the way on where a turning point leaves no choice, else None."""
+        onward = [
+            way
+            for way in self.ways[point]
+            if abs(turn_between(heading, way.heading)) < BACK
+        ]
+        return onward[0] if len(onward) == 1 else None
+
+    def _way(self, point: TurningPoint, leaving: Exit) -> Way:
+        centre = (point.polygon.centroid.x, point.polygon.centroid.y)
+        floor = self._floors.get(leaving.to)
+        if leaving.to in self.points:
+            end = self.points[leaving.to].polygon.centroid
+            return Way(leaving.heading, (centre, (end.x, end.y)), leaving.to)
+        ahead: list[tuple[float, str]] = []
+        for other in self.site.turning_points if floor is not None else ():
+            if other.id == point.id or not other.polygon.intersects(floor):
+                continue
+            middle = (other.polygon.centroid.x, other.polygon.centroid.y)
+            turn = turn_between(leaving.heading, heading_to(centre, middle))
+            along = math.dist(centre, middle) * math.cos(turn)
+            aside = abs(math.dist(centre, middle) * math.sin(turn))
+            if along > 0.5 and aside < max(3.0, 0.35 * along):
+                ahead.append((along, other.id))
+        if not ahead:
+            return self._ray(centre, leaving.heading, point.id)
+        end = self.points[min(ahead)[1]].polygon.centroid
+        return Way(leaving.heading, (centre, (end.x, end.y)), min(ahead)[1])
+
+    def _ray(self, start: tuple[float, float], heading: float, own: str | None) -> Way:
+        """Walk straight on until a turning point or a wall."""
+        far = (
+            start[0] + RAY * math.cos(heading),
+            start[1] + RAY * math.sin(heading),
+        )
+        free = LineString([start, far]).intersection(self.site.walkable_floor)
+        pieces = [p for p in get_parts(free) if isinstance(p, LineString)]
+        reach = [p for p in pieces if p.distance(Point(start)) < 0.1 and p.length > 0]
+        if not reach:
+            return Way(heading, (start, start), None)
+        line = LineString([
+            start,
+            max(reach[0].coords, key=lambda c: math.dist(c, start)),
+        ])
+        hits = [
+            (span[0], other.id)
+            for other in self.site.turning_points
+            if other.id != own
+            for span in overlaps(line, other.polygon)
+        ]
+        if hits:
+            end = self.points[min(hits)[1]].polygon.centroid
+            return Way(heading, (start, (end.x, end.y)), min(hits)[1])
+        x, y = line.coords[-1][:2]
+        return Way(heading, (start, (x, y)), None)
+
+    @cached_property
+    def _passed(self) -> dict[str, tuple[tuple[float, str], ...]]:
+        """What was found before, by route id."""
+        return {}
+
+    @cached_property
+    def _first_ways(self) -> dict[tuple[str, bool], Way]:
+        """What was found before, by route id and whether it goes back."""
+        return {}
+
+    @cached_property
+    def _floors(self) -> Mapping[str, Polygon]:
+        return {
+            part.id: part.polygon for part in (*self.site.corridors, *self.site.areas)
+        }

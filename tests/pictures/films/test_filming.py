@@ -1,0 +1,108 @@
+import math
+from pathlib import Path
+from typing import Any
+
+import av
+import numpy as np
+import pytest
+
+from memorymaze.errors import SettingsError
+from memorymaze.geometry.pose import Pose
+from memorymaze.pictures.films import WalkthroughSettings, film_walkthrough
+from memorymaze.pictures.rendering import PanoramaCamera, RenderedCamera
+from memorymaze.pictures.rendering.robot_eyes import visual_scene_of
+from memorymaze.simulation import Scene
+
+
+def frames_of(path: Path) -> list[np.ndarray]:
+    with av.open(str(path)) as film:
+        return [each.to_ndarray(format="rgb24") for each in film.decode(video=0)]
+
+
+def likeness(one: np.ndarray, other: np.ndarray) -> float:
+    """Return the correlation of two pictures."""
+    return float(np.corrcoef(one.ravel(), other.ravel())[0, 1])
+
+
+def test_a_film_shows_the_way_from_its_start_to_its_goal(
+    scenes: dict[str, Scene], tmp_path: Path
+) -> None:
+    scene, path = scenes["corridor"], tmp_path / "film.mp4"
+    settings = WalkthroughSettings(size=(96, 64), fps=2, speed=4)
+    count = film_walkthrough(scene, scene.site.routes[0], path, settings)
+    frames = frames_of(path)
+    assert len(frames) == count
+    looks = visual_scene_of(scene)
+    with RenderedCamera(looks, 96, 64, math.pi / 2, multisamples=4) as camera:
+        first = camera.picture(Pose(2.0, 0.0, 0.0), 1.6)
+        last = camera.picture(Pose(16.5, 0.0, 0.0), 1.6)
+    assert likeness(frames[0], first) > 0.98 > likeness(frames[0], last)
+    assert likeness(frames[-1], last) > 0.98
+
+
+def test_the_same_settings_give_the_same_film(
+    scenes: dict[str, Scene], tmp_path: Path
+) -> None:
+    scene = scenes["corridor"]
+    settings = WalkthroughSettings(size=(64, 48), fps=1, speed=8)
+    films = [tmp_path / "one.mp4", tmp_path / "other.mp4"]
+    for path in films:
+        film_walkthrough(scene, scene.site.routes[0], path, settings)
+    assert films[0].read_bytes() == films[1].read_bytes()
+
+
+def test_a_panorama_looks_all_round(scenes: dict[str, Scene], tmp_path: Path) -> None:
+    scene, path = scenes["corridor"], tmp_path / "film.mp4"
+    settings = WalkthroughSettings(size=(128, 64), fps=1, speed=10, panorama=True)
+    film_walkthrough(scene, scene.site.routes[0], path, settings)
+    with PanoramaCamera(visual_scene_of(scene), 128, 4) as camera:
+        around = camera.picture(Pose(2.0, 0.0, 0.0), 1.6)
+        assert (camera.frame(Pose(2.0, 0.0, 0.0), 1.6).rgb == around).all()
+    assert likeness(frames_of(path)[0], around) > 0.95
+    assert b"equirectangular" in path.read_bytes()
+
+
+def test_a_film_that_is_broken_off_leaves_nothing(
+    scenes: dict[str, Scene], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def interrupt(*_: Any) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(RenderedCamera, "picture", interrupt)
+    scene = scenes["corridor"]
+    settings = WalkthroughSettings(size=(64, 48), fps=1, speed=8)
+    with pytest.raises(KeyboardInterrupt):
+        film_walkthrough(scene, scene.site.routes[0], tmp_path / "a.mp4", settings)
+    assert not list(tmp_path.iterdir())
+
+
+def test_the_bar_goes_to_stderr(
+    scenes: dict[str, Scene], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    scene = scenes["corridor"]
+    settings = WalkthroughSettings(size=(32, 32), fps=1, speed=10)
+    route, path = scene.site.routes[0], tmp_path / "a.mp4"
+    count = film_walkthrough(scene, route, path, settings, progress=True)
+    said = capsys.readouterr()
+    assert said.out == ""
+    assert f"{count}/{count}" in said.err
+
+
+@pytest.mark.parametrize(
+    ("settings", "said"),
+    [
+        ({"size": (63, 48)}, "even numbers"),
+        ({"size": (0, 48)}, "even numbers"),
+        ({"size": (9000, 48)}, "16 to 4096"),
+        ({"size": (640, 480), "panorama": True}, "twice as wide"),
+        ({"fps": 0}, "fps from 1 to 120"),
+        ({"fps": math.nan}, "fps"),
+        ({"speed": -1}, "speed from 0.1 to 20"),
+        ({"height": 5}, "height from"),
+    ],
+)
+def test_settings_without_meaning_are_refused(
+    settings: dict[str, Any], said: str
+) -> None:
+    with pytest.raises(SettingsError, match=said):
+        WalkthroughSettings(**settings)

@@ -1,0 +1,122 @@
+import os
+from collections.abc import Callable
+from pathlib import Path
+
+import av
+import numpy as np
+import pytest
+
+from memorymaze.errors import SettingsError
+from memorymaze.pictures.films.spherical import mark_spherical
+from memorymaze.pictures.films.video_file import VideoFile, check_video_path
+
+Write = Callable[..., Path]
+RED, BLUE = (200, 40, 30), (20, 60, 210)
+
+
+def plain(colour: tuple[int, int, int]) -> np.ndarray:
+    return np.full((48, 64, 3), colour, dtype=np.uint8)
+
+
+@pytest.fixture
+def write(tmp_path: Path) -> Write:
+    """Write three frames, red, red and blue, of a tenth of a second each."""
+
+    def written(name: str = "film.mp4", **settings: bool) -> Path:
+        path = tmp_path / name
+        with VideoFile(path, 64, 48, 10, title="A film", **settings) as video:
+            for colour in (RED, RED, BLUE):
+                video.add(plain(colour))
+        return path
+
+    return written
+
+
+def test_players_read_what_was_written(write: Write) -> None:
+    with av.open(str(write())) as film:
+        (stream,) = film.streams.video
+        frames = [each.to_ndarray(format="rgb24") for each in film.decode(video=0)]
+        assert (stream.width, stream.height, stream.average_rate) == (64, 48, 10)
+        assert stream.codec_context.name == "h264"
+        assert float(stream.duration * stream.time_base) == pytest.approx(0.3)
+        assert film.metadata["title"] == "A film"
+    colours = np.array([frame.mean(axis=(0, 1)) for frame in frames])
+    assert colours == pytest.approx(np.array([RED, RED, BLUE]), abs=8)
+
+
+def test_the_same_frames_give_the_same_file(write: Write) -> None:
+    assert write("one.mp4").read_bytes() == write("other.mp4").read_bytes()
+
+
+def test_a_spherical_video_says_so_and_still_plays(write: Write) -> None:
+    path = write(spherical=True)
+    content = path.read_bytes()
+    assert b"<GSpherical:ProjectionType>equirectangular<" in content
+    assert b"GSpherical" not in write("flat.mp4").read_bytes()
+    with av.open(str(path)) as film:
+        assert len(list(film.decode(video=0))) == 3
+
+
+def test_only_files_with_their_index_last_can_be_marked(tmp_path: Path) -> None:
+    odd = tmp_path / "odd.mp4"
+    odd.write_bytes(b"\0\0\0\x08free")
+    with pytest.raises(ValueError, match="moov last"):
+        mark_spherical(odd)
+    assert odd.read_bytes() == b"\0\0\0\x08free"
+
+
+@pytest.mark.parametrize("ends", [KeyboardInterrupt, ValueError])
+def test_what_breaks_off_leaves_no_half_file_and_keeps_the_old_one(
+    tmp_path: Path, ends: type[BaseException]
+) -> None:
+    path = tmp_path / "film.mp4"
+    path.write_bytes(b"as it was")
+
+    def film() -> None:
+        with VideoFile(path, 64, 48, 10, title="") as video:
+            video.add(plain(RED))
+            raise ends
+
+    with pytest.raises(ends):
+        film()
+    assert [each.name for each in tmp_path.iterdir()] == ["film.mp4"]
+    assert path.read_bytes() == b"as it was"
+
+
+def test_a_file_of_this_name_is_replaced_when_all_is_there(write: Write) -> None:
+    path = write()
+    whole = path.read_bytes()
+    path.write_bytes(b"as it was")
+    assert write().read_bytes() == whole
+    assert [each.name for each in path.parent.iterdir()] == ["film.mp4"]
+
+
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        ("film.avi", r"named \*\.mp4"),
+        ("film", r"named \*\.mp4"),
+        ("nowhere/film.mp4", "make .*nowhere first"),
+        ("folder.mp4", "got the folder"),
+    ],
+)
+def test_a_file_that_cannot_be_is_refused(tmp_path: Path, name: str, said: str) -> None:
+    (tmp_path / "folder.mp4").mkdir()
+    with pytest.raises(SettingsError, match=said):
+        check_video_path(tmp_path / name)
+
+
+def test_a_folder_without_leave_to_write_is_refused(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(os, "access", lambda *_: False)
+    with pytest.raises(SettingsError, match="leave to write"):
+        check_video_path(tmp_path / "film.mp4")
+
+
+def test_without_the_library_it_says_what_to_install(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(__import__("sys").modules, "av", None)
+    with pytest.raises(SettingsError, match=r"pip install 'memorymaze\[video\]'"):
+        check_video_path(tmp_path / "film.mp4")

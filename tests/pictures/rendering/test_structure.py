@@ -1,0 +1,97 @@
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import shapely
+from shapely import LineString, box
+
+from memorymaze.pictures.rendering.floor_parts import floor_parts, sliced
+from memorymaze.pictures.rendering.openings import Opening, Surroundings
+from memorymaze.pictures.rendering.structure import structure_of
+from memorymaze.pictures.rendering.wall_faces import wall_faces
+from memorymaze.sites import Site
+from memorymaze.sites.records import Door, Room
+
+SITES = ["corridor", "crossing", "l_shape", "loop", "slanted_crossing", "two_rooms"]
+
+
+@pytest.mark.parametrize("name", SITES)
+def test_parts_cover_the_floor_once(name: str, tiny_sites: dict[str, Site]) -> None:
+    site = tiny_sites[name]
+    parts = floor_parts(site)
+    assert sum(part.polygon.area for part in parts) == pytest.approx(
+        site.walkable_floor.area, abs=1e-3
+    )
+    pieces = [piece for part in parts for piece in sliced(part)]
+    assert shapely.union_all(pieces).area == pytest.approx(
+        site.walkable_floor.area, abs=1e-3
+    )
+
+
+@pytest.mark.parametrize("name", SITES)
+def test_faces_cover_the_boundary_once(name: str, tiny_sites: dict[str, Site]) -> None:
+    floor = tiny_sites[name].walkable_floor
+    faces = list(wall_faces(floor, floor_parts(tiny_sites[name]), ()))
+    assert sum(face.length for face in faces) == pytest.approx(
+        floor.boundary.length, abs=0.05
+    )
+    for face in faces:
+        assert floor.covers(shapely.Point(face.at(face.length / 2, 0.02)))
+
+
+def test_an_opening_breaks_the_wall_it_is_in(corridor_site: Site) -> None:
+    north = corridor_site.walkable_floor.bounds[3]
+    opening = Opening(8.0, north, -math.pi / 2, 0.6, 1.0, 2.0)
+    faces = wall_faces(
+        corridor_site.walkable_floor, floor_parts(corridor_site), [opening]
+    )
+    holes = [
+        (face.at(low)[0], face.at(high)[0], bottom, top, face.at(low)[1])
+        for face in faces
+        for low, high, bottom, top in face.holes
+    ]
+    assert min(min(hole[:2]) for hole in holes) == pytest.approx(7.4)
+    assert max(max(hole[:2]) for hole in holes) == pytest.approx(8.6)
+    for *_, bottom, top, y in holes:
+        assert (bottom, top, y) == (1.0, 2.0, pytest.approx(north))
+
+
+def test_ceilings_are_missing_only_in_the_open_air(two_rooms: Site) -> None:
+    def kinds(site: Site) -> set[str]:
+        return {kind for each in structure_of(site).slices for kind, _ in each.meshes()}
+
+    outside = replace(
+        two_rooms,
+        corridors=(),
+        turning_points=(),
+        areas=(replace(two_rooms.areas[0], open_air=True),),
+        doors=(),
+        landmarks=(),
+    )
+    assert "ceiling" in kinds(two_rooms)
+    assert "ceiling" not in kinds(outside)
+
+
+def test_what_is_behind_a_wall_decides_what_one_sees(corridor_site: Site) -> None:
+    west, _, east, north = corridor_site.walkable_floor.bounds
+    room = Room("r", box(west, north + 0.1, west + 5, north + 4), "Office", "office")
+    surroundings = Surroundings(replace(corridor_site, rooms=(room,)))
+    assert surroundings.behind(west + 2, north, math.pi / 2)[0] == "room"
+    assert surroundings.behind(east - 2, north, math.pi / 2)[0] == "outdoors"
+
+
+def test_walls_hide_but_glass_to_the_open_air_does_not(corridor_site: Site) -> None:
+    plain = structure_of(replace(corridor_site, rooms=(), doors=(), landmarks=()))
+    x = corridor_site.walkable_floor.centroid.x
+    north = corridor_site.walkable_floor.bounds[3]
+    door = Door(
+        "d", LineString([(x - 0.5, north), (x + 0.5, north)]), None, "glass", "clear",
+        None, "closed",
+    )  # fmt: skip
+    glazed = structure_of(replace(corridor_site, rooms=(), doors=(door,), landmarks=()))
+
+    def length(segments: np.ndarray) -> float:
+        return float(np.hypot(*(segments[:, 2:] - segments[:, :2]).T).sum())
+
+    assert length(plain.hiding) - length(glazed.hiding) == pytest.approx(0.96, abs=0.01)

@@ -1,0 +1,102 @@
+import json
+import re
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from axe_playwright_python.sync_playwright import Axe
+from playwright.sync_api import Page
+
+from memorymaze.errors import SettingsError
+from memorymaze.results.report.leaderboard import (
+    Leaderboard,
+    read_leaderboard,
+    write_leaderboard,
+)
+
+TESTS = Path(__file__).parents[2]
+
+
+def read(folder: Path) -> Leaderboard:
+    return read_leaderboard(
+        folder,
+        instruction_files=[TESTS / "tiny_instructions.jsonl"],
+        sites_folder=TESTS / "tiny_sites",
+    )
+
+
+@pytest.fixture
+def submitted(runs: dict[str, Path], tmp_path: Path) -> Path:
+    """`rules` and `stop` by committed code, one by edited code, and no run at all."""
+    folder = tmp_path / "submitted"
+    for name, run in (("rules", "rules"), ("stop", "stop"), ("edited", "stop")):
+        shutil.copytree(runs[run], folder / name)
+        file = folder / name / "run.json"
+        record = json.loads(file.read_text(encoding="utf-8"))
+        record["code"]["commit"] = "0123456789" + "+" * (name == "edited")
+        file.write_text(json.dumps(record), encoding="utf-8")
+    (folder / "nothing").mkdir()
+    (folder / "README").write_text("not a run", encoding="utf-8")
+    return folder
+
+
+def test_runs_stand_in_the_order_of_their_success(
+    submitted: Path, tmp_path: Path, opened: Callable[..., Page]
+) -> None:
+    write_leaderboard(read(submitted), tmp_path / "out")
+    page = opened(tmp_path / "out" / "index.html")
+    rows = page.locator("table").first.locator("tbody").first.locator("tr")
+    assert [re.split(r"\s+", text)[:2] for text in rows.all_inner_texts()] == [
+        ["1", "rules"],
+        ["2", "stop"],
+    ]
+    head = page.get_by_role("columnheader", name="SPD (m)", exact=True).first
+    head.get_by_role("button").press("Enter")
+    assert head.get_attribute("aria-sort") == "ascending"
+    head.get_by_role("button").press("Enter")
+    assert head.get_attribute("aria-sort") == "descending"
+    assert "stop" in rows.first.inner_text()
+    page.get_by_role("link", name="rules").first.click()
+    assert "settings.seed" in page.locator("main").inner_text()
+
+
+def test_the_page_passes_the_accessibility_checks_of_axe(
+    submitted: Path, tmp_path: Path, opened: Callable[..., Page]
+) -> None:
+    write_leaderboard(read(submitted), tmp_path / "out")
+    page = opened(tmp_path / "out" / "index.html", bypass_csp=True)
+    found = Axe().run(page, options={"preload": False}).response["violations"]
+    assert [each["id"] for each in found] == []
+
+
+def test_runs_that_cannot_stand_on_it_are_listed_with_the_reason(
+    submitted: Path, tmp_path: Path
+) -> None:
+    board = read(submitted)
+    assert [each.name for each in board.standing] == ["rules", "stop"]
+    reasons = {each.name: each.reasons[0] for each in board.refused}
+    assert "expected a run by committed code" in reasons["edited"]
+    assert "a folder without run.json" in reasons["nothing"]
+    write_leaderboard(board, tmp_path / "out")
+    text = (tmp_path / "out" / "index.html").read_text(encoding="utf-8")
+    assert "expected a run by committed code" in text
+    assert "README" not in text
+
+
+def test_a_leaderboard_without_runs_says_so(tmp_path: Path) -> None:
+    (tmp_path / "in" / "nothing").mkdir(parents=True)
+    write_leaderboard(read(tmp_path / "in"), tmp_path / "out")
+    text = (tmp_path / "out" / "index.html").read_text(encoding="utf-8")
+    assert "No run stands on this leaderboard yet" in text
+
+
+def test_a_folder_that_holds_no_runs_is_refused(
+    runs: dict[str, Path], tmp_path: Path
+) -> None:
+    with pytest.raises(SettingsError, match="got a run folder"):
+        read(runs["stop"])
+    with pytest.raises(SettingsError, match="got none"):
+        read(tmp_path)
+    with pytest.raises(SettingsError, match="No such file"):
+        read(tmp_path / "none")

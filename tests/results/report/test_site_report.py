@@ -1,0 +1,133 @@
+import re
+import shutil
+from collections.abc import Callable
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+
+from memorymaze.errors import RunFolderError, SettingsError
+from memorymaze.evaluation.trace import trace_path
+from memorymaze.results.report import read_sources
+
+TESTS = Path(__file__).parents[2]
+TINY_SITES = TESTS / "tiny_sites"
+TINY_INSTRUCTIONS = TESTS / "tiny_instructions.jsonl"
+
+Reported = Callable[..., list[str]]
+
+
+def files_of(folder: Path) -> dict[str, bytes]:
+    return {
+        str(file.relative_to(folder)): file.read_bytes()
+        for file in sorted(folder.rglob("*"))
+        if file.is_file()
+    }
+
+
+def test_equal_runs_give_equal_files(
+    report: Path, runs: dict[str, Path], reported: Reported, tmp_path: Path
+) -> None:
+    reported(tmp_path / "again", *runs.values())
+    assert files_of(tmp_path / "again") == files_of(report)
+
+
+def test_nothing_is_fetched_from_elsewhere(report: Path) -> None:
+    for name, content in files_of(report).items():
+        links = re.findall(rb"(?:src|href|url)\s*[=(]\s*[\"']?\s*(\w+:|//)", content)
+        assert links == [], name
+
+
+def test_every_link_leads_to_a_file_or_place_of_the_report(report: Path) -> None:
+    for page in report.rglob("*.html"):
+        text = page.read_text(encoding="utf-8")
+        for link in re.findall(r'(?:src|href)="([^"]+)"', text):
+            file, _, place = link.partition("#")
+            target = (page.parent / file) if file else page
+            assert target.resolve().is_file(), (page, link)
+            if place and target.suffix == ".html":
+                assert f'id="{place}"' in target.read_text(encoding="utf-8"), link
+
+
+def test_every_page_says_that_a_model_wrote_the_instructions(
+    hostile_report: Path,
+) -> None:
+    for page in hostile_report.rglob("*.html"):
+        assert "LANGUAGE MODEL, not by people" in page.read_text(encoding="utf-8")
+
+
+def test_pages_have_one_first_heading_and_skip_no_level(report: Path) -> None:
+    for page in report.rglob("*.html"):
+        text = page.read_text(encoding="utf-8")
+        levels = [int(level) for level in re.findall(r"<h(\d)", text)]
+        assert levels.count(1) == 1, page
+        assert all(after - before <= 1 for before, after in pairwise(levels)), page
+
+
+def test_tables_have_captions_and_heads_with_scope(report: Path) -> None:
+    for page in report.rglob("*.html"):
+        text = page.read_text(encoding="utf-8")
+        assert text.count("<table") == text.count("<caption"), page
+        assert re.findall(r"<th(?![^>]*scope=)[ >]", text) == [], page
+
+
+def test_any_id_gives_a_harmless_file_name(hostile_report: Path) -> None:
+    for file in hostile_report.rglob("*"):
+        assert re.fullmatch(r"[a-z0-9_-]+(\.[a-z]+)?", file.name), file
+    [page] = (hostile_report / "episodes").iterdir()
+    assert re.fullmatch(r"a-b-x-[0-9a-f]{10}\.html", page.name)
+
+
+def test_a_trace_that_cannot_be_read_costs_its_own_walk_only(
+    runs: dict[str, Path], reported: Reported, tmp_path: Path
+) -> None:
+    run = shutil.copytree(runs["rules"], tmp_path / "rules")
+    traces = sorted((run / "traces").iterdir())
+    traces[0].write_bytes(b"nothing")
+    episode = traces[0].name.removesuffix(".jsonl.gz")
+    assert trace_path(run, episode) == traces[0]
+    [note] = reported(tmp_path / "out", run)
+    assert "the trace is damaged" in note
+    pages = {
+        p.stem: p.read_text("utf-8") for p in (tmp_path / "out/episodes").iterdir()
+    }
+    assert "trace cannot be read" in pages.pop(episode)
+    assert all("trace cannot be read" not in text for text in pages.values())
+
+
+def test_instructions_that_were_not_found_are_taken_from_the_traces(
+    runs: dict[str, Path], reported: Reported, tmp_path: Path
+) -> None:
+    [note] = reported(tmp_path / "out", runs["stop"], instruction_files=[])
+    assert "tiny_instructions.jsonl" in note
+    assert "--instructions" in note
+    page = next((tmp_path / "out/episodes").iterdir()).read_text(encoding="utf-8")
+    assert "nothing is known of errors" in page
+    assert "could be read" not in page
+    errors = (tmp_path / "out/errors.html").read_text(encoding="utf-8")
+    assert "nothing is known of errors" in errors
+
+
+def test_a_folder_with_something_in_it_is_left_alone(
+    runs: dict[str, Path], reported: Reported, tmp_path: Path
+) -> None:
+    (tmp_path / "mine.txt").write_text("keep", encoding="utf-8")
+    with pytest.raises(SettingsError, match="exists already"):
+        reported(tmp_path, runs["stop"])
+    assert [file.name for file in tmp_path.iterdir()] == ["mine.txt"]
+
+
+def test_what_cannot_be_reported_on_is_named(
+    runs: dict[str, Path], tmp_path: Path
+) -> None:
+    stop = runs["stop"]
+    with pytest.raises(RunFolderError, match="no such folder"):
+        read_sources([tmp_path / "none"])
+    with pytest.raises(SettingsError, match="once, got it twice"):
+        read_sources([stop, stop], sites_folder=TINY_SITES)
+    with pytest.raises(SettingsError, match="expected its plan among"):
+        read_sources([stop])
+    other = tmp_path / "other.jsonl"
+    other.write_bytes(TINY_INSTRUCTIONS.read_bytes() + b"\n")
+    with pytest.raises(SettingsError, match="with another content"):
+        read_sources([stop], instruction_files=[other], sites_folder=TINY_SITES)

@@ -1,0 +1,160 @@
+import json
+from typing import Any
+
+import pytest
+
+from memorymaze.errors import RunFolderError
+from memorymaze.results.report.story import story_of, story_record
+from memorymaze.results.report.understanding import understood
+
+
+def call(time: float, name: str, arguments: dict[str, Any], result: Any) -> Any:
+    return {
+        "kind": "call",
+        "time": time,
+        "pose": [0.0, 0.0, 0.0],
+        "call": name,
+        "arguments": arguments,
+        "result": result,
+    }
+
+
+def note(about: str, **told: Any) -> dict[str, Any]:
+    return {"kind": "note", "time": 0.0, "about": about, **told}
+
+
+def walk(*poses: tuple[float, float, float, float]) -> dict[str, Any]:
+    return {"kind": "trajectory", "poses": [list(pose) for pose in poses]}
+
+
+DOOR = {"label": "door", "distance": 2.0, "bearing_deg": 90.0, "score": 1.0}
+
+
+def test_questions_at_one_moment_are_told_in_one_line_each_for_looks_and_others() -> (
+    None
+):
+    story = story_of(
+        [
+            {"kind": "episode", "instruction": "go"},
+            call(1.0, "detect_from_RGB_image", {"object": "door"}, [DOOR]),
+            call(1.0, "turning_point_id", {}, 4),
+            call(1.0, "detect_from_RGB_image", {"object": "lift"}, []),
+            call(2.0, "detect_from_RGB_image", {"object": "lift"}, []),
+            walk((0, 0, 0, 0)),
+        ],
+        "trace",
+    )
+    assert [event.text for event in story.events] == [
+        "saw door 2.0 m 90° left (looked for door, lift)",
+        "turning_point_id() → 4",
+        "saw nothing (looked for lift)",
+    ]
+    [(x, y, label)] = story.events[0].seen
+    assert (round(x, 6), round(y, 6), label) == (0.0, 2.0, "door")
+
+
+def test_calls_are_told_with_what_they_returned() -> None:
+    moved = {"distance": 0.5, "reason": "wall"}
+    story = story_of(
+        [
+            call(1.0, "move_forward", {"distance": 1.0}, moved),
+            call(2.0, "turn", {"direction": "left"}, {"message": "turned"}),
+            {"kind": "collision", "time": 3.0, "with": "wall", "object_id": "w1"},
+            walk((0, 0, 0, 0)),
+        ],
+        "trace",
+    )
+    assert [event.text for event in story.events] == [
+        "move_forward(1.00) → 0.50 m, wall",
+        "turn(left) → turned",
+        "touched a wall (w1)",
+    ]
+
+
+def test_poses_on_a_straight_way_are_left_out_and_corners_kept() -> None:
+    east = [(step / 5, step / 5, 0.0, 0.0) for step in range(20)]
+    north = [(4 + step / 5, 3.8, step / 5, 1.57) for step in range(20)]
+    record = json.loads(
+        story_record(story_of([walk(*east, *north)], "trace")).replace("\\u003c", "<")
+    )
+    kept = [
+        tuple(record["poses"][i : i + 4]) for i in range(0, len(record["poses"]), 4)
+    ]
+    assert kept[0][:3] == (0, 0, 0)
+    assert kept[-1][:3] == (7.8, 3.8, 3.8)
+    assert any(abs(x - 3.8) < 0.01 and y == 0 for _, x, y, _ in kept)
+    assert len(kept) < 8
+
+
+def test_a_record_holds_no_character_that_could_end_a_script() -> None:
+    story = story_of(
+        [note("said", text="</script>\u2028&\ud800<!--"), walk((0, 0, 0, 0))], "trace"
+    )
+    record = story_record(story)
+    assert record.isascii()
+    assert not set("<>&") & set(record)
+    assert json.loads(record)["words"] == ["said: </script>\u2028&\ud800<!--"]
+
+
+def test_long_texts_are_cut_and_say_so() -> None:
+    story = story_of([note("said", text="x" * 5000), walk((0, 0, 0, 0))], "trace")
+    assert len(story.events[0].text) < 700
+    assert "5006 characters; the trace has them all" in story.events[0].text
+
+
+@pytest.mark.parametrize(
+    "entries",
+    [
+        pytest.param([{"kind": "episode"}], id="no trajectory"),
+        pytest.param([{"no": "kind"}], id="no kind"),
+        pytest.param([walk((0, 0, 0))], id="short pose"),  # type: ignore[arg-type]
+        pytest.param([{"kind": "call"}, walk((0, 0, 0, 0))], id="call without a name"),
+        pytest.param([walk((0, float("nan"), 0, 0))], id="not a number"),
+    ],
+)
+def test_entries_that_no_episode_leaves_are_refused(entries: list[Any]) -> None:
+    with pytest.raises(RunFolderError, match=r"^trace: "):
+        story_of(entries, "trace")
+
+
+def test_a_step_is_worked_on_from_the_note_that_those_before_are_done() -> None:
+    found = understood([
+        note("plan", steps=["1. turn left", "2. turn right", "3. stop"]),
+        note("decision", legs_done=1),
+        note("decision", legs_done=99),
+        note("arrival", reason="seen"),
+    ])
+    assert found.steps == ("turn left", "turn right", "stop")
+    assert found.marks == {0: (0,), 1: (1,), 2: (2,), 3: (2,)}
+    assert found.is_exact
+
+
+def test_lines_of_a_program_are_those_that_may_make_the_call() -> None:
+    program = "for way in ['left']:\n    turn(way)\nturn('right')\nmove_forward(2)\n"
+    found = understood([
+        note("program", program=program),
+        call(0.0, "turn", {"direction": "left"}, None),
+        call(0.0, "turn", {"direction": "right"}, None),
+        call(0.0, "move_forward", {"distance": 2.0}, None),
+        call(0.0, "stop", {}, None),
+    ])
+    assert found.marks == {1: (1,), 2: (1, 2), 3: (3,), 4: ()}
+    assert not found.is_exact
+
+
+def test_a_program_that_is_none_is_shown_without_marks() -> None:
+    found = understood([
+        note("program", program="turn('left'\n"),
+        call(0.0, "turn", {"direction": "left"}, None),
+    ])
+    assert found.programs == (("turn('left'",),)
+    assert found.marks == {1: ()}
+
+
+def test_lines_are_counted_through_all_programs() -> None:
+    found = understood([
+        note("program", program="stop()\nstop()"),
+        note("program", program="turn('left')"),
+        call(0.0, "turn", {"direction": "left"}, None),
+    ])
+    assert found.marks == {2: (2,)}

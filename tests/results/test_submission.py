@@ -1,0 +1,155 @@
+import gzip
+import json
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from memorymaze.evaluation import submission
+from memorymaze.evaluation.driver import run_plan
+from memorymaze.evaluation.plan import plan_run
+from memorymaze.evaluation.settings import AgentSettings
+from memorymaze.evaluation.trace import trace_path
+from memorymaze.results.submission import Submission, check_submission
+
+TESTS = Path(__file__).parents[1]
+CORPUS: dict[str, Any] = {
+    "instruction_files": [TESTS / "tiny_instructions.jsonl"],
+    "sites_folder": TESTS / "tiny_sites",
+}
+
+
+@pytest.fixture(scope="module")
+def finished(tmp_path_factory: pytest.TempPathFactory) -> Callable[..., Path]:
+    """Run an agent over the tiny corpus; each run is made once."""
+    made: dict[str, Path] = {}
+
+    def run(agent: str, **changes: Any) -> Path:
+        key = f"{agent} {changes}"
+        if key not in made:
+            made[key] = tmp_path_factory.mktemp("runs") / "run"
+            plan = plan_run(AgentSettings(agent), **CORPUS, **changes)
+            run_plan(plan, made[key], workers=1)
+        return made[key]
+
+    return run
+
+
+@pytest.fixture
+def rules(finished: Callable[..., Path], tmp_path: Path) -> Path:
+    """A copy of a run of `rules` by committed code, to be spoilt."""
+    folder = tmp_path / "rules"
+    run = finished("rules")
+    for file in run.rglob("*"):
+        if file.is_file():
+            copy = folder / file.relative_to(run)
+            copy.parent.mkdir(parents=True, exist_ok=True)
+            copy.write_bytes(file.read_bytes())
+    record = json.loads((folder / "run.json").read_text(encoding="utf-8"))
+    record["code"]["commit"] = "0123456789abcdef"
+    (folder / "run.json").write_text(json.dumps(record), encoding="utf-8")
+    return folder
+
+
+def check(folder: Path) -> Submission:
+    return check_submission(folder, **CORPUS)
+
+
+def edit_result(folder: Path, **changes: Any) -> str:
+    """Change the first result; return its id."""
+    file = folder / "episodes.jsonl"
+    first, *others = file.read_text(encoding="utf-8").splitlines()
+    record = json.loads(first) | changes
+    file.write_text("\n".join([json.dumps(record), *others, ""]), encoding="utf-8")
+    return record["episode_id"]
+
+
+def test_a_whole_run_by_committed_code_is_ready(rules: Path) -> None:
+    found = check(rules)
+    assert found.problems == ()
+    assert found.track == "default"
+
+
+def test_a_prettier_result_than_the_trajectory_gives_is_found(rules: Path) -> None:
+    episode = edit_result(rules, cls=0.999, spd=0.0)
+    problems = check(rules).problems
+    assert any(f"{episode!r}: expected spd" in each for each in problems)
+
+
+def test_a_success_that_the_agent_did_not_end_is_found(rules: Path) -> None:
+    edit_result(rules, success=True, stopped_by="budget")
+    assert any("stopped by budget" in each for each in check(rules).problems)
+
+
+def test_a_missing_or_damaged_trace_is_found(rules: Path) -> None:
+    episode = edit_result(rules)
+    trace_path(rules, episode).write_bytes(b"nothing")
+    assert any("the trace is damaged" in each for each in check(rules).problems)
+    trace_path(rules, episode).unlink()
+    assert any("no such file" in each for each in check(rules).problems)
+
+
+def test_a_trace_with_a_call_that_needs_answers_is_found(rules: Path) -> None:
+    episode = edit_result(rules)
+    path = trace_path(rules, episode)
+    call = {"kind": "call", "call": "follow", "arguments": {}}
+    content = gzip.decompress(path.read_bytes()) + json.dumps(call).encode() + b"\n"
+    path.write_bytes(gzip.compress(content))
+    assert any("the call follow" in each for each in check(rules).problems)
+
+
+def test_edited_code_and_missing_episodes_are_found(rules: Path) -> None:
+    record = json.loads((rules / "run.json").read_text(encoding="utf-8"))
+    record["code"]["commit"] += "+"
+    (rules / "run.json").write_text(json.dumps(record), encoding="utf-8")
+    file = rules / "episodes.jsonl"
+    lines = file.read_text(encoding="utf-8").splitlines()
+    file.write_text("\n".join([*lines[1:], ""]), encoding="utf-8")
+    problems = check(rules).problems
+    assert any("expected a run by committed code" in each for each in problems)
+    assert any(f"1 of {len(lines)} episodes have no result" in e for e in problems)
+
+
+@pytest.mark.parametrize(
+    ("changes", "message"),
+    [
+        ({"limit": 3}, "setting limit: None expected, got 3"),
+        ({"success_distance": 5.0}, "setting success_distance: 3.0 expected, got 5.0"),
+        ({"time_budget": 9.0}, "setting simulation.time_budget"),
+    ],
+)
+def test_other_settings_than_the_default_are_named(
+    finished: Callable[..., Path], changes: dict[str, Any], message: str
+) -> None:
+    problems = check(finished("stop", **changes)).problems
+    assert any(each.startswith(message) for each in problems)
+
+
+def test_an_agent_that_is_given_the_answers_is_refused(
+    finished: Callable[..., Path],
+) -> None:
+    problems = check(finished("oracle")).problems
+    assert "agent: oracle is given the answers" in problems
+
+
+def test_another_corpus_than_the_leaderboards_is_refused(
+    rules: Path, tmp_path: Path
+) -> None:
+    other = tmp_path / "other.jsonl"
+    text = (TESTS / "tiny_instructions.jsonl").read_text(encoding="utf-8")
+    other.write_text(text.replace("left", "right", 1), encoding="utf-8")
+    found = check_submission(
+        rules, instruction_files=[other], sites_folder=CORPUS["sites_folder"]
+    )
+    assert any(each.startswith("setting instructions[0]") for each in found.problems)
+
+
+def test_own_agents_and_graphs_are_remarked_on(rules: Path) -> None:
+    settings = check(rules).record.settings
+    own = replace(settings, agent=AgentSettings("mine.py:Agent"))
+    [remark] = submission.remarks(own, [])
+    assert "must be published" in remark
+    [remark] = submission.remarks(replace(settings, agent=AgentSettings("navgpt")), [])
+    assert "navigation graph" in remark

@@ -1,0 +1,103 @@
+import math
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+
+from memorymaze.geometry.pose import Pose
+from memorymaze.simulation import (
+    Scene,
+    SimulatedRobot,
+    SimulationSettings,
+    build_scene,
+)
+from memorymaze.simulation.motion.driving import Driver
+
+PutRobot = Callable[..., SimulatedRobot]
+
+
+def driver_at(scene: Scene, x: float, y: float, degrees: float = 0.0) -> Driver:
+    return Driver(
+        scene,
+        Pose(x, y, math.radians(degrees)),
+        SimulationSettings(),
+        np.random.default_rng(0),
+    )
+
+
+def push(driver: Driver, seconds: float, speed: float = 0.5) -> None:
+    for _ in range(round(seconds / 0.05)):
+        driver.tick(speed, 0.0, 0.0)
+
+
+def test_walls_and_obstacles_stop_the_robot_for_real(plans: Any) -> None:
+    site = plans.site(
+        plans.corridor("way", 0, -1, 10, 1),
+        plans.thing("crate", 5, 0, size=(1.0, 0.6, 0.3)),
+    )
+    scene = build_scene(site)
+    against_crate = driver_at(scene, 3, 0)
+    push(against_crate, 10)
+    assert against_crate.pose.x == pytest.approx(4.7 - 0.25, abs=0.03)
+    against_wall = driver_at(scene, 8, 0)
+    push(against_wall, 10)
+    assert against_wall.pose.x == pytest.approx(9.75, abs=0.03)
+
+
+def test_pushing_against_a_thing_is_one_collision_with_it(plans: Any) -> None:
+    site = plans.site(
+        plans.corridor("way", 0, -1, 10, 1),
+        plans.thing("crate", 5, 0, size=(1.0, 0.6, 1.0)),
+    )
+    driver = driver_at(build_scene(site), 3, 0)
+    push(driver, 8)
+    (collision,) = driver.collisions
+    assert (collision.kind, collision.object_id) == ("landmark", "crate")
+    assert collision.pose.x == pytest.approx(4.45, abs=0.05)
+    push(driver, 4, speed=-0.5)
+    push(driver, 8)
+    assert len(driver.collisions) == 2
+
+
+def test_the_robot_stays_upright_and_on_the_floor(scenes: dict[str, Scene]) -> None:
+    driver = driver_at(scenes["corridor"], 2, 0.3)
+    rng = np.random.default_rng(5)
+    for _ in range(600):
+        driver.tick(float(rng.uniform(-1, 1)), float(rng.uniform(-2, 2)), 0.0)
+        z, w, i, j = driver.base.data.qpos[[2, 3, 4, 5]].tolist()
+        assert abs(z) < 0.01
+        assert math.hypot(i, j) < 0.02 + 0 * w
+
+
+def test_speed_and_acceleration_keep_their_limits(
+    scenes: dict[str, Scene], put_robot: PutRobot
+) -> None:
+    robot = put_robot(scenes["corridor"], 1, 0, wheel_noise=0.0, sampling_period=0.05)
+    robot.move_forward(15)
+    poses = robot.trajectory().poses
+    times = np.array([pose.time for pose in poses])
+    speeds = np.diff([pose.x for pose in poses]) / np.diff(times)
+    assert speeds.max() == pytest.approx(1.0, abs=0.02)
+    assert np.abs(np.diff(speeds)).max() < 1.5 * 0.05 * 1.6
+
+
+def test_turning_on_the_spot_stays_on_the_spot(scenes: dict[str, Scene]) -> None:
+    driver = driver_at(scenes["corridor"], 2, 0)
+    driver.spin_to(2.5)
+    assert driver.pose.heading == pytest.approx(2.5, abs=0.01)
+    assert math.dist(driver.pose[:2], (2, 0)) < 0.02
+
+
+def test_backs_up_to_a_point_close_behind(scenes: dict[str, Scene]) -> None:
+    driver = driver_at(scenes["corridor"], 5, 0)
+    driver.drive_to(4.2, 0.1)
+    assert math.dist(driver.pose[:2], (4.2, 0.1)) < 0.05
+    assert abs(driver.pose.heading) < 0.3
+
+
+def test_turns_and_drives_to_a_point_far_behind(scenes: dict[str, Scene]) -> None:
+    driver = driver_at(scenes["corridor"], 8, 0)
+    driver.drive_to(4, 0)
+    assert math.dist(driver.pose[:2], (4, 0)) < 0.05
+    assert abs(driver.pose.heading) > 3

@@ -1,0 +1,112 @@
+import math
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from memorymaze.errors import EpisodeOver
+from memorymaze.geometry.pose import Pose
+from memorymaze.simulation import SimulatedRobot, SimulationSettings, build_scene
+from memorymaze.simulation.motion.viewpoint_walk import ViewpointWalk
+from memorymaze.sites import Site
+from memorymaze.sites.navigation_graph import (
+    NavigationGraph,
+    Viewpoint,
+    navigation_graph,
+)
+
+Make = Callable[..., SimulatedRobot]
+
+
+@pytest.fixture
+def robot_in() -> Make:
+    def make(
+        site: Site, start: Pose | None = None, time_budget: float = 600.0
+    ) -> SimulatedRobot:
+        return SimulatedRobot(
+            build_scene(site),
+            start or site.reference_route("R1").start,
+            SimulationSettings(time_budget=time_budget),
+            np.random.default_rng(0),
+        )
+
+    return make
+
+
+def test_it_really_drives_from_viewpoint_to_viewpoint(
+    t_site: Site, robot_in: Make
+) -> None:
+    robot = robot_in(t_site)
+    graph = navigation_graph(t_site)
+    walk = ViewpointWalk(robot, graph)
+    places = {each.id: each for each in graph.viewpoints}
+    for _ in range(4):
+        before = robot.time
+        way = max(walk.ways_on(), key=lambda way: way.heading)
+        journey = walk.go_to(way.viewpoint)
+        assert journey.end == "arrived"
+        assert journey.distance == pytest.approx(way.distance, abs=0.1)
+        assert walk.viewpoint == way.viewpoint
+        assert math.dist(robot.pose[:2], places[way.viewpoint][1:]) < 0.1
+        assert robot.time - before > way.distance, "at no more than 1 m/s"
+    assert robot.collisions == ()
+    assert robot.trajectory().poses[-1][1:3] == pytest.approx(robot.pose[:2])
+
+
+def test_it_begins_at_the_nearest_viewpoint_facing_as_the_episode_does(
+    t_site: Site, robot_in: Make
+) -> None:
+    robot = robot_in(t_site, Pose(0.3, -6.0, math.pi / 2))
+    graph = navigation_graph(t_site)
+    walk = ViewpointWalk(robot, graph)
+    assert walk.viewpoint == graph.nearest(0.3, -6.0).id
+    assert walk.start_heading == pytest.approx(math.pi / 2)
+    assert math.dist(robot.pose[:2], graph.nearest(0.3, -6.0)[1:]) < 0.1
+
+
+def test_it_refuses_to_go_where_no_way_leads(t_site: Site, robot_in: Make) -> None:
+    robot = robot_in(t_site)
+    graph = navigation_graph(t_site)
+    walk = ViewpointWalk(robot, graph)
+    here, before = robot.pose, robot.time
+    far = graph.nearest(-11, 0).id
+    assert walk.go_to(far).end == "not_adjacent"
+    assert walk.go_to("f" * 32).end == "unknown"
+    assert walk.go_to(walk.viewpoint).end == "not_adjacent"
+    assert (robot.pose, robot.time) == (here, before)
+
+
+def test_a_blocked_way_is_told_and_the_robot_comes_back(
+    t_site: Site, robot_in: Make
+) -> None:
+    """The edge of this graph leads through a wall."""
+    start, beyond = Viewpoint("a" * 32, 0.0, -5.0), Viewpoint("b" * 32, 4.0, -5.0)
+    graph = NavigationGraph("t_junction", (start, beyond), frozenset({(0, 1)}))
+    robot = robot_in(t_site, Pose(0.0, -5.0, math.pi / 2))
+    walk = ViewpointWalk(robot, graph)
+    journey = walk.go_to(beyond.id)
+    assert (journey.end, journey.reason) == ("blocked", "wall")
+    assert journey.distance > 1.0
+    assert walk.viewpoint == start.id
+    assert math.dist(robot.pose[:2], start[1:]) < 0.2
+    assert len(robot.collisions) >= 1
+
+
+def test_a_budget_that_runs_out_on_the_way_ends_the_episode(
+    t_site: Site, robot_in: Make
+) -> None:
+    graph = navigation_graph(t_site)
+    robot = robot_in(t_site, Pose(*graph.viewpoints[0][1:], 0.0), time_budget=1.5)
+    walk = ViewpointWalk(robot, graph)
+    far = max(walk.ways_on(), key=lambda way: way.distance).viewpoint
+    with pytest.raises(EpisodeOver) as over:
+        walk.go_to(far)
+    assert over.value.stopped_by == robot.stopped_by == "budget"
+    assert walk.viewpoint == graph.viewpoints[0].id
+
+
+def test_a_robot_by_itself_has_no_graph(t_site: Site, robot_in: Make) -> None:
+    robot = robot_in(t_site)
+    ViewpointWalk(robot, navigation_graph(t_site))
+    names = {name for name in dir(robot) if not name.startswith("_")}
+    assert not names & {"viewpoint", "ways_on", "look_around", "go_to", "graph"}

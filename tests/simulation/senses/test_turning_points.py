@@ -1,0 +1,74 @@
+import math
+from typing import Any
+
+import pytest
+from shapely import box
+
+from memorymaze.simulation import build_scene
+from memorymaze.simulation.senses.turning_points import (
+    TurningPointVisits,
+    meeting_point,
+)
+from memorymaze.sites import Site
+
+
+def test_of_overlapping_turning_points_the_nearest_centre_counts(plans: Any) -> None:
+    ways = [("way", 0), ("way", 180)]
+    site = plans.site(
+        plans.corridor("way", 0, -1, 20, 1),
+        plans.turning_point("west", box(4, -1, 8, 1), ways),
+        plans.turning_point("east", box(6, -1, 10, 1), ways),
+    )
+    visits = TurningPointVisits(site)
+    seen: list[str | None] = []
+    for x in (3, 5, 6.5, 7.5, 9, 11):
+        visits.update(x, 0, 0.0)
+        seen.append(None if visits.current is None else visits.current.point.id)
+    assert seen == [None, "west", "west", "east", "east", None]
+    assert visits.number is None
+    visits.update(5, 0, math.pi)
+    assert visits.number == 1
+
+
+def test_the_way_it_came_is_taken_at_the_edge_not_at_the_end(t_site: Site) -> None:
+    visits = TurningPointVisits(t_site)
+    visits.update(0, -2, math.pi / 2)
+    visits.update(0, -0.9, math.pi / 2)
+    visits.update(0.3, 0, 0.0)
+    assert visits.current is not None
+    assert [each.to for each in visits.current.onward()] == ["bar", "bar"]
+    # Out to the east, and back in from there.
+    visits.update(3, 0, 0.0)
+    visits.update(0.9, 0, math.pi)
+    assert {round(math.degrees(each.heading)) for each in visits.current.onward()} == {
+        -90,
+        180,
+    }
+
+
+def test_turning_is_done_where_the_middle_lines_meet(
+    t_site: Site, slanted_crossing_site: Site
+) -> None:
+    for site, come_from, course, way_out, expected in (
+        (t_site, (0.1, -5), 90, 0, (0.1, 0)),
+        (slanted_crossing_site, (-5, 0.2), 0, 50, (0.168, 0.2)),
+    ):
+        point = next(
+            each
+            for each in site.turning_points
+            if each.id in ("tp_junction", "tp_crossing")
+        )
+        chosen = min(
+            point.exits, key=lambda each: abs(math.degrees(each.heading) - way_out)
+        )
+        ways = build_scene(site).straight_ways
+        place = meeting_point(point, chosen, come_from, math.radians(course), ways)
+        assert place == pytest.approx(expected, abs=0.01)
+
+
+def test_an_exit_into_an_area_is_taken_through_the_centre(two_rooms: Site) -> None:
+    point = next(each for each in two_rooms.turning_points if each.id == "tp_west")
+    hall = next(each for each in point.exits if each.to == "west_hall")
+    ways = build_scene(two_rooms).straight_ways
+    place = meeting_point(point, hall, (5, 2.5), math.pi / 2, ways)
+    assert place == pytest.approx((5, 3), abs=0.01)

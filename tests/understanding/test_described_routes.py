@@ -1,0 +1,266 @@
+"""What short route descriptions mean, in wordings of many kinds."""
+
+from typing import NamedTuple
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from memorymaze.understanding import RoutePlan, parse_route_description
+
+
+class Told(NamedTuple):
+    """What a listener would take from a description; None leaves a field open."""
+
+    ways: str
+    """Ways of all turns, in order."""
+    ordinals: tuple[int | None, ...] | None = None
+    at_end: tuple[bool, ...] | None = None
+    metres: tuple[float | None, ...] | None = None
+    things: tuple[str, ...] = ()
+    """Things named on the legs that end with a turn."""
+
+
+TURNS = {
+    "Hang a right.": Told("right"),
+    "Go straight and turn right.": Told("right", (None,), (False,), (None,)),
+    "left, right, left": Told("left right left"),
+    "TURN LEFT THEN TURN RIGHT": Told("left right"),
+    "Turn left, then immediately right.": Told("left right"),
+    "Turn slightly left.": Told("slight_left"),
+    "Hi there! Nice to meet you. Please turn left, thanks!": Told("left"),
+    # which of several ways
+    "Take the second left.": Told("left", (2,)),
+    "take the 3rd right": Told("right", (3,)),
+    "Take the last right.": Told("right", (-1,)),
+    "Take the first left, then the second right.": Told("left right", (1, 2)),
+    "Continue to the second crossing and turn left.": Told("left", (2,)),
+    "Walk past two corridors on your right and take the third one.": Told(
+        "right", (3,)
+    ),
+    # ways to leave alone
+    "Don't take the first left, take the second.": Told("left", (2,)),
+    "Ignore the first corridor on the left and take the second.": Told("left", (2,)),
+    "Do not turn left. Turn right.": Told("right"),
+    "You should not turn right, turn left instead.": Told("left"),
+    # where a corridor ends
+    "Go to the end of the corridor and turn left.": Told("left", at_end=(True,)),
+    "Walk until the end, then right.": Told("right", at_end=(True,)),
+    "Go on until the corridor ends, then turn left.": Told("left", at_end=(True,)),
+    "At the end of the hallway hang a left.": Told("left", at_end=(True,)),
+    # how far
+    "Walk 20 metres and turn right.": Told("right", metres=(20.0,)),
+    "Turn right after 12 meters.": Told("right", metres=(12.0,)),
+    "Walk straight ahead for 30 m, then go left.": Told("left", metres=(30.0,)),
+    "Walk 10 to 20 metres and turn left.": Told("left", metres=(15.0,)),
+    "Go 50 feet and make a right.": Told("right", metres=(15.24,)),
+    # what one sees
+    "Go past the kitchen and turn left.": Told("left", things=("kitchen",)),
+    "Walk past the kitchen and the toilets, then turn right.": Told(
+        "right", things=("kitchen", "toilets")
+    ),
+    "Turn left at the printer.": Told("left", things=("printer",)),
+    "Go straight until you see a clock, then turn right.": Told(
+        "right", things=("clock",)
+    ),
+    "Go down the hall, pass the printer on your right, and at the plant turn left.": (
+        Told("left", things=("printer", "plant"))
+    ),
+    # second thoughts
+    "Turn left, no sorry, right.": Told("right"),
+    "Turn left, I mean right.": Told("right"),
+    "Turn right. Oh wait, I meant left.": Told("left"),
+    "Turn left. No wait, turn right.": Told("right"),
+    # lists
+    "1. Turn left\n2. Turn right at the red sofa\n3. Stop at the door": Told(
+        "left right", things=("red sofa",)
+    ),
+    "1) Go straight.\n2) Turn left.\n3) Turn right.": Told("left right"),
+    # none at all
+    "Walk ten metres, the office is on the left side.": Told(""),
+    "Keep going straight, the destination is at the end of the corridor.": Told(""),
+}
+
+
+@pytest.mark.parametrize("text", TURNS)
+def test_a_description_gives_its_turns_in_order_with_what_is_said_of_them(
+    text: str,
+) -> None:
+    told = TURNS[text]
+    legs = parse_route_description(text).legs
+    assert [leg.turn.way for leg in legs] == told.ways.split()
+    if told.ordinals is not None:
+        assert tuple(leg.turn.ordinal for leg in legs) == told.ordinals
+    if told.at_end is not None:
+        assert tuple(leg.turn.at_end for leg in legs) == told.at_end
+    if told.metres is not None:
+        lengths = [leg.length.metres if leg.length else None for leg in legs]
+        assert lengths == pytest.approx(list(told.metres))
+    named = [mention.phrase for leg in legs for mention in leg.mentions]
+    assert set(told.things) <= set(named)
+
+
+@pytest.mark.parametrize(
+    ("text", "shortest", "longest"),
+    [
+        ("Walk about thirty steps, then turn left.", 15.0, 27.0),
+        ("Walk 40 paces, then turn right.", 20.0, 40.0),
+        ("Walk for one minute, then turn left.", 30.0, 90.0),
+        ("Walk for two minutes and then turn right.", 60.0, 180.0),
+    ],
+)
+def test_steps_and_minutes_become_metres_of_a_human_walk(
+    text: str, shortest: float, longest: float
+) -> None:
+    (leg,) = parse_route_description(text).legs
+    assert leg.length is not None
+    assert shortest <= leg.length.metres <= longest
+    assert leg.length.unit != "metres"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "At the T junction turn right.",
+        "You come to a T-junction. Go right.",
+        "Go straight until the T-junction and turn right.",
+    ],
+)
+def test_a_t_junction_is_told_from_other_places(text: str) -> None:
+    (leg,) = parse_route_description(text).legs
+    assert (leg.turn.way, leg.turn.junction) == ("right", "t")
+    (plain,) = parse_route_description("Go straight and turn right.").legs
+    assert plain.turn.junction is None
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["Follow the bend to the right.", "The corridor bends to the right. Follow it."],
+)
+def test_a_bend_is_a_turn_without_a_choice(text: str) -> None:
+    (leg,) = parse_route_description(text).legs
+    assert leg.turn.way == "right"
+    assert leg.turn.forced
+
+
+@pytest.mark.parametrize(
+    "text", ["Maybe turn left, I think.", "You will probably have to go left."]
+)
+def test_a_hedged_turn_is_still_a_turn_but_doubted(text: str) -> None:
+    (hedged,) = parse_route_description(text).legs
+    (plain,) = parse_route_description("Turn left.").legs
+    assert hedged.turn.way == plain.turn.way == "left"
+    assert hedged.turn.doubt > plain.turn.doubt
+
+
+@pytest.mark.parametrize(
+    ("text", "thing"),
+    [
+        ("Turn left. If you reach the piano you have gone too far.", "piano"),
+        ("Make a left. If you see the lockers, you went too far.", "lockers"),
+    ],
+)
+def test_a_warning_names_what_lies_behind_the_turn_and_adds_no_turn(
+    text: str, thing: str
+) -> None:
+    (leg,) = parse_route_description(text).legs
+    assert leg.turn.way == "left"
+    assert leg.too_far == (thing,)
+    assert thing not in [mention.phrase for mention in leg.mentions]
+
+
+@pytest.mark.parametrize(
+    ("text", "destination", "side", "nth"),
+    [
+        ("Turn left; the library will be on your right.", "library", "right", None),
+        ("Walk to the end, the lift is on the left.", "lift", "left", None),
+        ("Room 12 is on the right.", "room 12", "right", None),
+        ("Take the first right and stop at the aquarium.", "aquarium", None, None),
+        ("Stop in front of the aquarium.", "aquarium", None, None),
+        ("The piano is the destination.", "piano", None, None),
+        ("Go to the fourth door on the left.", "door", "left", 4),
+        ("Take the last door on the left.", "door", "left", -1),
+    ],
+)
+def test_the_destination_is_known_with_its_side_and_number(
+    text: str, destination: str, side: str | None, nth: int | None
+) -> None:
+    arrival = parse_route_description(text).arrival
+    assert arrival.destinations[0] == destination
+    assert (arrival.side, arrival.nth) == (side, nth)
+
+
+def test_a_length_after_the_last_turn_belongs_to_the_arrival() -> None:
+    plan = parse_route_description("Turn right, then walk 15 metres to the lockers.")
+    (leg,) = plan.legs
+    assert leg.length is None
+    assert plan.arrival.length is not None
+    assert plan.arrival.length.metres == pytest.approx(15.0)
+    assert plan.arrival.destinations[0] == "lockers"
+
+
+@pytest.mark.parametrize("text", ["", " \n\t", "🙂🙃", "...", "?!", "\x00", "1. 2. 3."])
+def test_what_says_nothing_gives_a_plan_without_turns(text: str) -> None:
+    plan = parse_route_description(text)
+    assert plan.legs == ()
+    assert plan.arrival.destinations == ()
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "supercalifragilistic" * 500,
+        "left" * 1000,
+        "9" * 400,
+        "Turn left after " + "9" * 400 + " metres.",
+        " ".join(f"word{number}" for number in range(10_000)),
+    ],
+    ids=["long word", "long way", "long number", "long length", "ten thousand words"],
+)
+def test_texts_of_any_size_are_read(text: str) -> None:
+    assert isinstance(parse_route_description(text), RoutePlan)
+
+
+@settings(max_examples=100, deadline=None)
+@given(st.text())
+def test_any_text_is_read_and_always_in_the_same_way(text: str) -> None:
+    plan = parse_route_description(text)
+    assert isinstance(plan, RoutePlan)
+    assert parse_route_description(text) == plan
+
+
+WORDS = """
+left right turn go walk take the a first second last next one and then until end of
+corridor past kitchen door on your into , . ; : ( ) ! ? 1. 2) don't not no sorry wait
+if you reach too far 10 twenty 0 -1 99999999999999999999 1/2 metres steps feet minutes
+maybe T-junction crossing bend follow destination is there room skip again either before
+after opposite around straight slightly see both there's stop 🙂
+"""
+
+
+@settings(max_examples=100, deadline=None)
+@given(st.lists(st.sampled_from([*WORDS.split(), "\n"]), max_size=25).map(" ".join))
+def test_words_of_routes_in_any_order_are_read_and_always_in_the_same_way(
+    text: str,
+) -> None:
+    plan = parse_route_description(text)
+    assert parse_route_description(text) == plan
+    assert all(leg.length is None or leg.length.metres >= 0 for leg in plan.legs)
+
+
+WAYS = st.lists(st.sampled_from(["left", "right"]), min_size=1, max_size=8)
+
+
+@settings(max_examples=40, deadline=None)
+@given(WAYS)
+def test_equal_turns_in_a_numbered_list_are_different_turns(ways: list[str]) -> None:
+    lines = [f"{number}) Turn {way}" for number, way in enumerate(ways, 1)]
+    legs = parse_route_description("\n".join(lines)).legs
+    assert [leg.turn.way for leg in legs] == ways
+
+
+@settings(max_examples=40, deadline=None)
+@given(WAYS)
+def test_equal_turns_joined_by_then_are_different_turns(ways: list[str]) -> None:
+    legs = parse_route_description(f"Turn {', then turn '.join(ways)}.").legs
+    assert [leg.turn.way for leg in legs] == ways
