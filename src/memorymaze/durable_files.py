@@ -8,8 +8,6 @@ from pathlib import Path
 
 from memorymaze.errors import RunFolderError, SettingsError
 
-__all__ = ["append_line", "locked", "remove_leftovers", "write_new", "write_whole"]
-
 UNFINISHED = ".unfinished"
 
 

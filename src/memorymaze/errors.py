@@ -1,27 +1,5 @@
 """All exceptions a user can meet; each message says what, where and what to do."""
 
-__all__ = [
-    "CaseFileError",
-    "CommandError",
-    "DetectorError",
-    "EpisodeOver",
-    "InstructionFileError",
-    "InstructionFileWarning",
-    "InterpreterLostError",
-    "LabelFileError",
-    "LanguageModelError",
-    "MemoryMazeError",
-    "ProgramError",
-    "ProgramFileError",
-    "RecordedPicturesWarning",
-    "RenderingError",
-    "RunFolderError",
-    "SettingsError",
-    "SitePlanError",
-    "SpendingLimitReached",
-    "UndefinedMetricError",
-]
-
 
 class MemoryMazeError(Exception):
     """Base of every error that is the input's fault and not the program's."""

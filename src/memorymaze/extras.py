@@ -4,8 +4,6 @@ from importlib.util import find_spec
 
 from memorymaze.errors import SettingsError
 
-__all__ = ["how_to_install", "require_extra"]
-
 
 def how_to_install(extra: str) -> str:
     """Return what to type to get an extra: `pip install 'memorymaze[video]'`."""

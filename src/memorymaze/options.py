@@ -25,8 +25,6 @@ from typing import Any, Literal, TypeVar, Union, get_args, get_origin, get_type_
 
 from memorymaze.errors import SettingsError
 
-__all__ = ["Option", "check_whole", "list_options", "read_options"]
-
 Options = TypeVar("Options")
 
 

@@ -11,8 +11,6 @@ import numpy as np
 from memorymaze.language.model import Completion
 from memorymaze.robot.api import Robot
 
-__all__ = ["Agent", "Journal"]
-
 COUNTS = frozenset({"model_calls", "tokens"})
 AMOUNTS = frozenset({"cost_usd", "inference_s"})
 

@@ -5,8 +5,6 @@ import numpy as np
 from memorymaze.agents.agent import Journal
 from memorymaze.robot.api import Robot
 
-__all__ = ["StopAgent"]
-
 
 class StopAgent:
     """Says "we are there" at once, whatever it is told."""

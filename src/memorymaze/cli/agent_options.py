@@ -13,14 +13,6 @@ from memorymaze.cli.model_options import (
 if TYPE_CHECKING:
     from memorymaze.evaluation.settings import AgentSettings
 
-__all__ = [
-    "add_agent_options",
-    "add_episode_options",
-    "agent_settings",
-    "episode_settings",
-    "given_options",
-]
-
 
 def add_agent_options(parser: argparse.ArgumentParser, default: str | None) -> None:
     """Add `--agent` and the options of its language model."""

@@ -8,8 +8,6 @@ from pydantic import BaseModel, Field, StrictStr, ValidationError
 from memorymaze.errors import CaseFileError, UndefinedMetricError
 from memorymaze.metrics.graph import NavigationGraph
 
-__all__ = ["CaseRecord", "Graphs", "read_case"]
-
 Metres = Annotated[float, Field(strict=True, allow_inf_nan=False)]
 
 SHOWN = 40
@@ -76,10 +74,6 @@ class Graphs:
 
 def read_case(place: str, case: object) -> CaseRecord:
     """Return a checked case.
-
-    Args:
-        place: Where it stands in the file, for messages.
-        case: As JSON gave it.
 
     Raises:
         CaseFileError: Something is missing or of the wrong kind.

@@ -4,8 +4,6 @@ import argparse
 
 from memorymaze.cli.verbs import Verbs
 
-__all__ = ["add_parser"]
-
 
 def add_parser(verbs: Verbs) -> None:
     """Add the verb to the command line."""

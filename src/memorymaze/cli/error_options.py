@@ -3,8 +3,6 @@
 import argparse
 from pathlib import Path
 
-__all__ = ["add_error_options", "generated_instructions"]
-
 PER_CELL = 5
 
 

@@ -23,8 +23,6 @@ from memorymaze.cli.wording import counted
 if TYPE_CHECKING:
     from memorymaze.evaluation.workforce import Workforce
 
-__all__ = ["add_parser"]
-
 
 def add_parser(verbs: Verbs) -> None:
     """Add the verb to the command line."""

@@ -6,8 +6,6 @@ import sys
 from memorymaze.cli.verbs import Verbs
 from memorymaze.cli.wording import counted
 
-__all__ = ["add_parser"]
-
 
 def add_parser(verbs: Verbs) -> None:
     """Add the verb to the command line."""

@@ -36,8 +36,6 @@ from memorymaze.errors import (
     SettingsError,
 )
 
-__all__ = ["main"]
-
 DONE, FAILED, WRONG_USAGE = 0, 1, 2
 
 
@@ -46,9 +44,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
     Args:
         arguments: Without the program's name; those of this process when None.
-
-    Returns:
-        Exit code.
     """
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):

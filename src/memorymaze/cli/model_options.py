@@ -7,8 +7,6 @@ if TYPE_CHECKING:
     from memorymaze.evaluation.asking import AskingSettings
     from memorymaze.evaluation.inference_time import InferenceTime
 
-__all__ = ["add_model_options", "asking_settings", "inference_time"]
-
 PATIENCE = ("request_timeout", "retries", "max_requests")
 SPENDING = ("price", "max_cost", "max_tokens_total")
 
@@ -70,10 +68,6 @@ def add_model_options(parser: argparse.ArgumentParser) -> None:
 
 def asking_settings(options: argparse.Namespace, *, asks: bool) -> "AskingSettings":
     """Return how the model is asked.
-
-    Args:
-        options: From the command line.
-        asks: Whether the agent asks a language model.
 
     Raises:
         SettingsError: A value has no meaning, or no model is asked.

@@ -22,8 +22,6 @@ if TYPE_CHECKING:
     from memorymaze.results.watching import Onlooker
     from memorymaze.sites import Route, Site
 
-__all__ = ["add_parser"]
-
 
 def add_parser(verbs: Verbs) -> None:
     """Add the verb to the command line."""

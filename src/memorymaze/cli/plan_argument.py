@@ -5,8 +5,6 @@ from pathlib import Path
 
 from memorymaze.errors import SettingsError
 
-__all__ = ["plan_path"]
-
 
 def plan_path(name: str) -> Path:
     """Return the plan of one of the benchmark's sites, or the file of this name.

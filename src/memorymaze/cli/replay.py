@@ -6,8 +6,6 @@ from urllib.parse import quote
 
 from memorymaze.cli.verbs import Verbs
 
-__all__ = ["add_parser"]
-
 
 def add_parser(verbs: Verbs) -> None:
     """Add the verb to the command line."""

@@ -5,8 +5,6 @@ import sys
 
 from memorymaze.cli.verbs import Verbs
 
-__all__ = ["add_parser"]
-
 
 def add_parser(verbs: Verbs) -> None:
     """Add the verb to the command line."""

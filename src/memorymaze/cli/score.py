@@ -16,8 +16,6 @@ from memorymaze.errors import CaseFileError, UndefinedMetricError
 if TYPE_CHECKING:
     from memorymaze.cli.case_records import Graphs
 
-__all__ = ["add_parser"]
-
 CASE_LISTS = ("cases", "undefined_cases")
 
 

@@ -13,8 +13,6 @@ if TYPE_CHECKING:
     from memorymaze.sites import Site
     from memorymaze.sites.problems import SiteProblem
 
-__all__ = ["add_parser"]
-
 DONE, FAILED = 0, 1
 
 

@@ -5,8 +5,6 @@ from pathlib import Path
 
 from memorymaze.cli.verbs import Verbs
 
-__all__ = ["add_parser"]
-
 
 def add_parser(verbs: Verbs) -> None:
     """Add the verb to the command line."""

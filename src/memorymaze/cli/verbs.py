@@ -3,8 +3,6 @@
 from argparse import ArgumentParser
 from typing import Protocol
 
-__all__ = ["Verbs"]
-
 
 class Verbs(Protocol):
     """What `ArgumentParser.add_subparsers` returns."""

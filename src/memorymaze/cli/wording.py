@@ -1,7 +1,5 @@
 """How numbers are said."""
 
-__all__ = ["counted"]
-
 
 def counted(number: int, what: str) -> str:
     """Return a number with its noun.

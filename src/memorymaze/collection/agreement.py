@@ -12,8 +12,6 @@ from memorymaze.errors import LabelFileError
 from memorymaze.instructions.records import Instruction
 from memorymaze.sites.records import Site
 
-__all__ = ["QUESTIONS", "Agreement", "agreement", "file_labels"]
-
 DRAWS = 2000
 LEVEL = 0.95
 UNDEFINED_DRAWS = 0.05
@@ -95,12 +93,6 @@ def agreement(
     Only instructions that all of them labelled count. Intervals hold 95 % of 2,000
     draws of participants, with all their instructions, since the texts of one person
     resemble each other; there is none where more than 5 % of the draws have no kappa.
-
-    Args:
-        labels: By annotator and instruction.
-        instructions: What they are about.
-        sites: Sites by name.
-        rng: Draws the participants.
 
     Raises:
         LabelFileError: There are fewer than two annotators, or they share nothing.

@@ -5,8 +5,6 @@ from collections.abc import Sequence
 from memorymaze.collection.agreement import Agreement
 from memorymaze.collection.consensus import Consensus
 
-__all__ = ["format_agreement", "format_open"]
-
 HEADINGS = ("label", "n", "answers", "agreement", "statistic", "kappa", "95 % interval")
 
 

@@ -9,8 +9,6 @@ from memorymaze.collection.ways import ways_of
 from memorymaze.instructions.records import Failure, Instruction
 from memorymaze.sites.records import Site
 
-__all__ = ["Question", "questions", "read_kind", "read_way", "read_yes_or_no"]
-
 YES, NO = ("yes", "y", "1", "true"), ("no", "n", "0", "false")
 
 

@@ -7,8 +7,6 @@ from dataclasses import dataclass, replace
 from memorymaze.collection.labels import NO_WAY, Label
 from memorymaze.instructions.records import Failure, Instruction
 
-__all__ = ["Consensus", "consensus", "merged"]
-
 
 @dataclass(frozen=True, slots=True)
 class Consensus:

@@ -15,8 +15,6 @@ from memorymaze.collection.labels import KINDS, NO_WAY, Label, append_labels
 from memorymaze.collection.ways import draw_ways, way_in_words, ways_of
 from memorymaze.instructions.records import WRITTEN_BY, Failure
 
-__all__ = ["ask_for_labels"]
-
 Ask = Callable[[str], str]
 Say = Callable[[str], None]
 Answer = TypeVar("Answer")
@@ -59,9 +57,6 @@ def ask_for_labels(
         ask: Shows a prompt and returns what is typed.
         say: Shows a line.
         pictures: Folder for plans with the ways drawn in; None for words only.
-
-    Returns:
-        How many labels were added.
 
     Raises:
         LabelFileError: The file cannot be written.

@@ -9,8 +9,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["Kappa", "cohens_kappa", "fleiss_kappa"]
-
 FloatArray = NDArray[np.float64]
 
 

@@ -17,8 +17,6 @@ from memorymaze.errors import LabelFileError
 from memorymaze.instructions.records import WRITTEN_BY, Failure
 from memorymaze.instructions.writing import write_file
 
-__all__ = ["read_label_sheet", "write_label_sheet"]
-
 GIVEN = (
     "instruction",
     "site",
@@ -77,11 +75,6 @@ def read_label_sheet(
     path: str | Path, questions: Sequence[Question], annotator: str
 ) -> list[Label]:
     """Read the rows of a sheet that are filled in.
-
-    Args:
-        path: The sheet, with commas or semicolons.
-        questions: Instructions that it may be about.
-        annotator: Who filled it in.
 
     Returns:
         A label per filled row; rows where nothing is filled in are left for later.

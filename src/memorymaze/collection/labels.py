@@ -15,17 +15,6 @@ from memorymaze.instructions.error_kinds import ERROR_KINDS
 from memorymaze.instructions.records import Failure, Instruction
 from memorymaze.sites.records import Site
 
-__all__ = [
-    "KINDS",
-    "NO_WAY",
-    "Label",
-    "append_labels",
-    "check_annotator",
-    "latest_labels",
-    "read_labels",
-    "text_stamp",
-]
-
 OTHER_KIND = "other"
 KINDS = {kind.name: kind.meaning for kind in ERROR_KINDS} | {
     OTHER_KIND: "another significant error; say which"

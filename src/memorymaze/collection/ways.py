@@ -6,8 +6,6 @@ from memorymaze.drawing.plan_picture import draw_site
 from memorymaze.errors import SettingsError
 from memorymaze.sites.records import Route, Site, TurningPoint
 
-__all__ = ["draw_ways", "way_in_words", "ways_of"]
-
 BEYOND = 0.5
 """Metres after a turning point at which one is in the hallway turned into."""
 

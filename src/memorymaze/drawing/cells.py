@@ -10,8 +10,6 @@ from shapely import contains_xy, get_coordinates, segmentize, union_all
 
 from memorymaze.sites import Site
 
-__all__ = ["CellMap", "Extent", "cell_map", "plan_extent"]
-
 MARGIN = 2.0
 """Metres shown round the plan."""
 WALL = 0.6

@@ -10,9 +10,6 @@ from matplotlib.font_manager import FontProperties
 from matplotlib.textpath import text_to_path
 from numpy.typing import NDArray
 
-__all__ = ["Box", "LabelSpace", "PlacedLabel", "wrapped"]
-
-
 Box = tuple[float, float, float, float]
 """West, south, east, north; metres on the plan."""
 
@@ -143,14 +140,7 @@ class LabelSpace:
     def beside(
         self, text: str, thing: Box, font_size: float, sheet: Box
     ) -> PlacedLabel | None:
-        """Write a text beside a thing, or give up.
-
-        Args:
-            text: One line or more.
-            thing: What is labelled.
-            font_size: Points.
-            sheet: The whole drawing.
-        """
+        """Write a text beside a thing, or give up."""
         wide, high = self.extent(text, font_size)
         gap = 2 * self.metres_per_point
         for x, y in _spots_around(thing, wide, high, gap):

@@ -11,8 +11,6 @@ from shapely.geometry.base import BaseGeometry
 from memorymaze.drawing.label_placing import Box, LabelSpace, PlacedLabel, wrapped
 from memorymaze.sites.records import Corridor, Landmark, Route, Site
 
-__all__ = ["draw_labels"]
-
 ROOM_COLOR = "#444444"
 LANDMARK_COLOR = "#1d5a2b"
 DOOR_COLOR = "#6b3a10"
@@ -46,16 +44,6 @@ def draw_labels(
 
     Walls, doors, things and routes stay uncovered. Equal things beside each other share
     a label, and rare things are labelled first.
-
-    Args:
-        axes: In metres.
-        site: What is drawn.
-        routes: Those that are drawn.
-        space: Boxes that are taken.
-        magnified: Factor on font sizes.
-
-    Returns:
-        How many names and labels found no room.
     """
     lines = [door.line for door in site.doors] + [route.line for route in routes]
     for line in (*lines, site.walkable_floor.boundary):

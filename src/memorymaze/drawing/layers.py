@@ -16,22 +16,6 @@ from shapely import Polygon, get_coordinates, orient_polygons
 
 from memorymaze.sites.records import Site
 
-__all__ = [
-    "DOOR_COLORS",
-    "FLOOR_COLOR",
-    "LANDMARK_COLORS",
-    "OPEN_AIR_COLOR",
-    "OTHER_DOOR_COLOR",
-    "ROOM_COLOR",
-    "TURNING_POINT_COLOR",
-    "WALL_COLOR",
-    "draw_doors",
-    "draw_floor",
-    "draw_landmarks",
-    "draw_rooms",
-    "draw_turning_points",
-]
-
 FLOOR_COLOR = "#fffaf0"
 AREA_COLOR = "#fdf1d8"
 OPEN_AIR_COLOR = "#e3f1da"

@@ -13,8 +13,6 @@ from memorymaze.drawing.obstacles import Met, met_marks
 from memorymaze.drawing.routes import WALK_COLOR, route_lines
 from memorymaze.sites.records import Route, Site
 
-__all__ = ["FOOT", "HEAD", "draw_scale_and_north", "write_head", "write_legend"]
-
 HEAD = 0.9
 """Inches above the plan."""
 FOOT = 1.25
@@ -52,15 +50,7 @@ def write_head(figure: Figure, site: Site, sheet_high: float) -> None:
 def draw_scale_and_north(
     figure: Figure, site: Site, scale: float, sheet_wide: float, sheet_high: float
 ) -> None:
-    """Draw a scale bar and a north arrow in the upper right corner.
-
-    Args:
-        figure: The sheet.
-        site: What is drawn on it.
-        scale: Inches per metre.
-        sheet_wide: Inches.
-        sheet_high: Inches.
-    """
+    """Draw a scale bar and a north arrow in the upper right corner."""
     corner = figure.add_axes((
         1 - CORNER / sheet_wide,
         1 - 0.85 / sheet_high,

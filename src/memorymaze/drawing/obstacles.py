@@ -11,8 +11,6 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch, Polygon
 from numpy.typing import NDArray
 
-__all__ = ["Met", "ThingInTheWay", "draw_met", "met_marks"]
-
 THING_COLOR = "#e0218a"
 PEOPLE_COLOR = "#0b8f8f"
 LEAST_SIDE = 0.45
@@ -49,12 +47,7 @@ class Met:
 
 
 def draw_met(axes: Axes, met: Met) -> None:
-    """Draw things where they stand, with their names, and people's walks as arrows.
-
-    Args:
-        axes: In metres.
-        met: What to draw.
-    """
+    """Draw things where they stand, with their names, and people's walks as arrows."""
     for walk in met.walks:
         axes.plot(*walk.T, color=PEOPLE_COLOR, linewidth=0.7, alpha=0.5, zorder=7.7)
         axes.plot(*walk[0], "o", color=PEOPLE_COLOR, markersize=4, zorder=7.8)

@@ -16,8 +16,6 @@ from memorymaze.drawing.labels import draw_labels
 from memorymaze.drawing.routes import draw_routes, route_color
 from memorymaze.sites import Route, Site
 
-__all__ = ["PlanSheet", "draw_plan"]
-
 AROUND = 6.0
 """Metres of plan shown round the walk and the way described."""
 DOTS_PER_INCH = 100

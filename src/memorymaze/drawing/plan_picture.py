@@ -28,8 +28,6 @@ from memorymaze.errors import SettingsError
 from memorymaze.geometry.trajectory import Trajectory
 from memorymaze.sites.records import Route, Site
 
-__all__ = ["DRAWING_SUFFIXES", "draw_site"]
-
 DRAWING_SUFFIXES = (".png", ".svg", ".pdf")
 MARGIN = 2.0
 """Metres of paper round the plan."""

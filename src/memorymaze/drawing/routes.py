@@ -11,8 +11,6 @@ from shapely import LineString, get_coordinates
 
 from memorymaze.sites.records import Route
 
-__all__ = ["WALK_COLOR", "draw_routes", "draw_walk", "route_color", "route_lines"]
-
 ROUTE_COLORS = ("#d7301f", "#1f5fbf", "#2a8a3e", "#8a3ea8", "#c77700")
 WALK_COLOR = "#111111"
 ALTERNATIVE_DASHES = (

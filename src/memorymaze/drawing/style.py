@@ -1,7 +1,5 @@
 """Colours and lines of plans, light and dark."""
 
-__all__ = ["PLAN_STYLE"]
-
 PLAN_STYLE = """
 :root{--room:#edebe6;--edge:#c9c5bc;--floor:#fffdf8;--open:#e6f0de;--turn:#dfe9f3;\
 --wall:#4a4a4a;--door:#8a5a2b;--thing:#b9c7b3;--ink:#4d4a44;--way:#6d5a2e;--word:#3d5a3a}

@@ -16,8 +16,6 @@ from memorymaze.drawing.label_placing import Box, LabelSpace, PlacedLabel, wrapp
 from memorymaze.drawing.style import PLAN_STYLE
 from memorymaze.sites import Corridor, Landmark, Site
 
-__all__ = ["Frame", "path_data", "plan_frame", "plan_picture", "svg_number"]
-
 MARGIN = 1.5
 """Metres of paper round the plan."""
 NAME_SIZES = (1.3, 1.0, 0.8, 0.65)

@@ -7,8 +7,6 @@ from pathlib import Path
 
 from memorymaze.errors import LanguageModelError, ProgramError
 
-__all__ = ["WorkerLost", "failure_line", "failure_traceback"]
-
 LINE_LENGTH = 500
 """Characters of a failure's line, at most."""
 

@@ -11,8 +11,6 @@ from memorymaze.evaluation.agents_for_runs import (
 )
 from memorymaze.options import list_options
 
-__all__ = ["agent_listing"]
-
 _NEEDS: dict[Need, str] = {
     "answers": "the reference path of its episode (no method to compare with)",
     "camera": "pictures from the robot's camera",

@@ -16,7 +16,6 @@ from memorymaze.errors import SettingsError
 from memorymaze.evaluation.language_models import build_language_model
 from memorymaze.evaluation.oracle import OracleAgent
 from memorymaze.evaluation.own_agents import (
-    checked_agent,
     make_own_agent,
     own_options,
 )
@@ -27,20 +26,6 @@ from memorymaze.evaluation.program_replay import (
 from memorymaze.evaluation.settings import AgentSettings
 from memorymaze.instructions.records import Episode
 from memorymaze.options import read_options
-
-__all__ = [
-    "AgentFor",
-    "KnownAgent",
-    "Need",
-    "agent_names",
-    "agent_needs",
-    "agent_options",
-    "build_agent",
-    "checked_agent",
-    "has_language_model",
-    "has_parser",
-    "known_agent",
-]
 
 AgentFor = Callable[[Episode], Agent]
 """Gives the agent that follows an episode; most look at no episode."""

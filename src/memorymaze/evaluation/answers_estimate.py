@@ -5,8 +5,6 @@ from memorymaze.evaluation.plan import RunPlan
 from memorymaze.evaluation.step_budgets import fair_steps, fewest_answers
 from memorymaze.options import read_options
 
-__all__ = ["SECONDS_PER_ANSWER", "answers_estimate"]
-
 SECONDS_PER_ANSWER = 2.0
 """Assumed where the time of a whole run is told."""
 

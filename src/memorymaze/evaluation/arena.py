@@ -22,8 +22,6 @@ from memorymaze.simulation import (
 from memorymaze.simulation.obstacles import ObstacleSettings
 from memorymaze.sites import Site
 
-__all__ = ["Arena"]
-
 
 class Arena:
     """A site in which any number of episodes can take place, one after the other.

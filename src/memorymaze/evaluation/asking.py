@@ -6,8 +6,6 @@ from typing import Literal
 from memorymaze.errors import SettingsError
 from memorymaze.language.pricing import TokenPrice
 
-__all__ = ["PATIENT", "AskingSettings"]
-
 GrammarServer = Literal["llama.cpp", "vllm"]
 
 

@@ -9,8 +9,6 @@ from memorymaze.errors import SettingsError
 from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.sites.records import Route
 
-__all__ = ["default_time_budget", "perfect_time"]
-
 GENEROSITY = 3.0
 """A run's time budget lets a perfect follower finish any route this many times over."""
 

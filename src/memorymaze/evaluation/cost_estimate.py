@@ -4,8 +4,6 @@ from memorymaze.evaluation.plan import RunPlan
 from memorymaze.language.model import CompletionRequest
 from memorymaze.options import read_options
 
-__all__ = ["CHARACTERS_PER_TOKEN", "REPLY_TOKENS", "cost_estimate"]
-
 CHARACTERS_PER_TOKEN = 4.0
 """Assumed of English text and code."""
 REPLY_TOKENS = 1000

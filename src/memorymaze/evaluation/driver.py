@@ -18,8 +18,6 @@ from memorymaze.evaluation.trace import keep_trace
 from memorymaze.evaluation.worker_pool import Lost
 from memorymaze.evaluation.workforce import LocalWorkforce, Workforce
 
-__all__ = ["WALL_LIMIT", "run_plan"]
-
 WALL_LIMIT = 3600.0
 """Real seconds an episode may take when nobody says otherwise."""
 

@@ -36,8 +36,6 @@ from memorymaze.instructions.records import Episode
 from memorymaze.robot.api import Robot
 from memorymaze.simulation import SimulatedRobot
 
-__all__ = ["EpisodeRun", "Watcher", "run_episode"]
-
 
 @dataclass(frozen=True, slots=True)
 class EpisodeRun:

@@ -19,8 +19,6 @@ from memorymaze.perception.eyes import Eyes
 from memorymaze.robot.api import Robot
 from memorymaze.sites import Site
 
-__all__ = ["EpisodeDone", "EpisodeTask", "EpisodeWorker", "LimitReached"]
-
 
 @dataclass(frozen=True, slots=True)
 class EpisodeDone:
@@ -57,11 +55,7 @@ class EpisodeWorker:
     sites: dict[str, Site]
 
     def __call__(self) -> Callable[[EpisodeTask], EpisodeDone | LimitReached]:
-        """Make the agent; return the function.
-
-        Raises:
-            SettingsError: The agent cannot be made.
-        """
+        """Make the agent; return the function."""
         agent_for = build_agent(self.settings.agent)
         obstacles = self.settings.obstacles
         eyes = Eyes(self.settings.detector, self.settings.signs)

@@ -5,8 +5,6 @@ from memorymaze.evaluation.settings import RunSettings
 from memorymaze.perception.detector_settings import TRUTH, DetectorSettings
 from memorymaze.perception.eyes import Eyes, SignSource
 
-__all__ = ["checked_eyes", "eyes_notes"]
-
 
 def checked_eyes(detector: DetectorSettings, signs: SignSource) -> Eyes:
     """Return eyes that can be used here.

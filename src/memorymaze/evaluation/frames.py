@@ -20,8 +20,6 @@ from memorymaze.extras import require_extra
 if TYPE_CHECKING:
     import pandas
 
-__all__ = ["episode_frame"]
-
 
 def episode_frame(folders: Sequence[str | Path]) -> "pandas.DataFrame":
     """Return one row per episode of some runs.
@@ -29,9 +27,6 @@ def episode_frame(folders: Sequence[str | Path]) -> "pandas.DataFrame":
     Columns are `run` (name of the folder) and the fields of `EpisodeResult`, in that
     order; see `docs/data_formats.md`. Rows are in the order of the folders, and within
     a run in that of episode ids. A run that is still going on gives what it has.
-
-    Args:
-        folders: Run folders.
 
     Raises:
         RunFolderError: A folder is no run, or is damaged.

@@ -21,8 +21,6 @@ from memorymaze.sites.navigation_graph import (
     navigation_graph,
 )
 
-__all__ = ["Describe", "NavGPTOnGraph", "graph_of", "longest_route_viewpoints"]
-
 VIEWPOINT_SPACING = 2.25
 """Metres between viewpoints along corridors, as in R2R."""
 DRIVING_ROOM = 0.3

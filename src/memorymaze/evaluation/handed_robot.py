@@ -13,8 +13,6 @@ from memorymaze.robot.steps import CameraPicture
 from memorymaze.simulation import SimulatedRobot
 from memorymaze.simulation.senses.lidar import LidarScan
 
-__all__ = ["HandedRobot"]
-
 
 class HandedRobot:
     """Passes on the control API, single steps, pictures and the LiDAR; has no more.
@@ -32,11 +30,7 @@ class HandedRobot:
         self.__robot = robot
 
     def __getattr__(self, name: str) -> object:
-        """Refuse what agents do not get.
-
-        Raises:
-            AttributeError: Always.
-        """
+        """Refuse what agents do not get."""
         raise AttributeError(
             f"a robot that follows an instruction has no {name!r}: agents get what is in "
             "memorymaze.robot.api and memorymaze.robot.steps, and lidar_scan()",

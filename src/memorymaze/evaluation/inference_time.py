@@ -6,13 +6,6 @@ from dataclasses import dataclass
 from memorymaze.errors import LanguageModelError, SettingsError
 from memorymaze.language.model import Completion
 
-__all__ = [
-    "MEASURED",
-    "InferenceTime",
-    "describe_inference_time",
-    "parse_inference_time",
-]
-
 EXPECTED = (
     "--inference-time: expected measured, none, seconds per reply such as 2.5, or "
     "start=SECONDS,prompt=TOKENS_PER_SECOND,reply=TOKENS_PER_SECOND"

@@ -8,8 +8,6 @@ from memorymaze.language.local_models import is_local, local_model, model_name
 from memorymaze.language.model import LanguageModel
 from memorymaze.language.pricing import PricedModel
 
-__all__ = ["build_language_model"]
-
 
 def build_language_model(settings: AgentSettings) -> LanguageModel:
     """Make the language model of an agent: a server's, a local one, recorded replies.

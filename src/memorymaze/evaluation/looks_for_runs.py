@@ -4,18 +4,11 @@ from memorymaze.evaluation.agents_for_runs import agent_needs
 from memorymaze.perception.detector_settings import TRUTH, DetectorSettings
 from memorymaze.pictures.furniture.cache import Looks, looks_in_use
 
-__all__ = ["looks_of_run"]
-
 
 def looks_of_run(agent: str, detector: DetectorSettings, signs: str) -> Looks | None:
     """Return how things look to the cameras of a run; None where it has none.
 
     Users' own agents may take pictures, so their runs say it too.
-
-    Args:
-        agent: Its name.
-        detector: Eyes of `detect_from_RGB_image`.
-        signs: Where `read_signs` knows texts from.
 
     Raises:
         SettingsError: `MEMORYMAZE_LOOKS` asks for what is not there.

@@ -7,15 +7,9 @@ from memorymaze.evaluation.graph_agents import NavGPTOnGraph
 from memorymaze.evaluation.language_models import build_language_model
 from memorymaze.evaluation.settings import AgentSettings
 
-__all__ = ["navgpt_for_runs"]
-
 
 def navgpt_for_runs(settings: AgentSettings, options: NavGPTOptions) -> NavGPTOnGraph:
     """Make the agent, and what describes to it what is seen.
-
-    Args:
-        settings: Name the language model.
-        options: The agent's own.
 
     Raises:
         SettingsError: No model is named, or a file cannot be used.

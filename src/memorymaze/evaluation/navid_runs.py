@@ -15,8 +15,6 @@ from memorymaze.language.local_models import is_local
 from memorymaze.robot.api import Robot
 from memorymaze.simulation import SimulatedRobot
 
-__all__ = ["NavidOnSite", "build_navid"]
-
 
 class NavidOnSite:
     """The agent with the budget `fair` of the site that it is on."""

@@ -31,8 +31,6 @@ from memorymaze.simulation.obstacles import ObstacleSettings
 from memorymaze.simulation.settings import TurningPoints
 from memorymaze.sites import Route, Site
 
-__all__ = ["check_folder", "find_route", "navigate", "write_navigation"]
-
 FILES = ("trajectory.json", "trace.jsonl", "picture.png")
 
 
@@ -176,9 +174,6 @@ def write_navigation(
     run: EpisodeRun, site: Site, route: Route, folder: Path
 ) -> list[Path]:
     """Write `trajectory.json`, `trace.jsonl` and `picture.png` into a folder.
-
-    Returns:
-        The files.
 
     Raises:
         RunFolderError: The folder cannot be written.

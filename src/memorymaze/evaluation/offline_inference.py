@@ -20,13 +20,6 @@ from memorymaze.language.json_lines import some
 from memorymaze.language.model import Completion
 from memorymaze.language.reply_reading import read_program, read_steps
 
-__all__ = [
-    "OfflineRequests",
-    "ReadPrograms",
-    "offline_requests",
-    "programs_from_replies",
-]
-
 _ID = re.compile(r"(parse|program)((?:\+\w+)*)/(.+)", re.DOTALL)
 
 

@@ -8,8 +8,6 @@ from memorymaze.agents.agent import Journal
 from memorymaze.robot.api import Robot
 from memorymaze.simulation import SimulatedRobot
 
-__all__ = ["OracleAgent"]
-
 
 class OracleAgent:
     """Follows the reference path of its episode and stops at the goal.

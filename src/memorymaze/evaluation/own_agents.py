@@ -15,8 +15,6 @@ from memorymaze.errors import SettingsError
 from memorymaze.evaluation.agent_failures import failure_line
 from memorymaze.options import read_options
 
-__all__ = ["checked_agent", "make_own_agent", "own_options"]
-
 
 def own_options(name: str) -> type | None:
     """Return the dataclass of an agent's options: its attribute `Options`, if any.
@@ -85,10 +83,6 @@ def _find(name: str) -> Any:
 
 def checked_agent(name: str, agent: Any) -> Agent:
     """Return an agent that has what every episode needs of one.
-
-    Args:
-        name: As the user calls it, for messages.
-        agent: Anything.
 
     Raises:
         SettingsError: It has no `name` of one line, or no `follow` with four arguments.

@@ -21,8 +21,6 @@ from memorymaze.simulation.obstacles import ObstacleSettings
 from memorymaze.simulation.settings import SimulationSettings, TurningPoints
 from memorymaze.sites import Site, load_sites
 
-__all__ = ["EpisodeCorpus", "RunPlan", "plan_run"]
-
 
 @dataclass(frozen=True, slots=True)
 class EpisodeCorpus:

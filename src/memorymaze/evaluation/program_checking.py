@@ -14,8 +14,6 @@ from memorymaze.instructions.records import Instruction
 from memorymaze.language.json_lines import some
 from memorymaze.language.program_screening import screen_program
 
-__all__ = ["CheckedPrograms", "Remark", "check_programs"]
-
 Kind = Literal["problem", "unsafe", "crash", "model_error", "note"]
 """`problem`: the file cannot be used so. `unsafe`, `crash`, `model_error`: a record that
 can be used, and how its episode will end. `note`: worth knowing."""
@@ -56,10 +54,6 @@ def check_programs(
     path: str | Path, instructions: Sequence[Instruction]
 ) -> CheckedPrograms:
     """Find what is wrong with a file of programs; no program is run.
-
-    Args:
-        path: The file.
-        instructions: That each want a program.
 
     Raises:
         ProgramFileError: The file cannot be read, is not UTF-8, or is empty.

@@ -17,16 +17,6 @@ from pydantic import Field, StringConstraints, TypeAdapter, ValidationError
 from memorymaze.language.json_lines import json_record, lines_of, listed, shown
 from memorymaze.language.model import Completion, Usage
 
-__all__ = [
-    "ProgramFile",
-    "ProgramRecord",
-    "ProgramReply",
-    "load_programs",
-    "missing_programs",
-    "program_lines",
-    "read_programs",
-]
-
 Text = Annotated[str, StringConstraints(min_length=1, pattern=r"\S")]
 Count = Annotated[int, Field(ge=0)]
 Amount = Annotated[float, Field(ge=0, allow_inf_nan=False)]
@@ -170,11 +160,7 @@ def _without_nothing(record: dict[str, Any]) -> dict[str, Any]:
 
 
 def _record(line: str) -> tuple[ProgramRecord, list[str]]:
-    """Read one line; return the record and the names of fields that nobody knows.
-
-    Raises:
-        ValueError: It is no record of a program.
-    """
+    """Read one line; return the record and the names of fields that nobody knows."""
     content = json_record(line)
     unknown = [name for name in content if name not in _FIELDS]
     unset = [name for name in _FIELDS if name not in content]

@@ -24,14 +24,6 @@ from memorymaze.language.pricing import TokenPrice
 from memorymaze.language.sandbox import run_program
 from memorymaze.robot.api import Robot
 
-__all__ = [
-    "ProgramReplay",
-    "check_programs_for",
-    "load_agents_programs",
-    "replayed_programs",
-    "with_programs",
-]
-
 
 class ProgramReplay:
     """Runs the program of one episode; asks no model.

@@ -8,8 +8,6 @@ from tqdm import tqdm
 
 from memorymaze.evaluation.results import EpisodeResult
 
-__all__ = ["Progress"]
-
 SECONDS_BETWEEN_LINES = 15.0
 
 

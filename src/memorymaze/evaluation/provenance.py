@@ -12,8 +12,6 @@ from platform import python_version
 
 import memorymaze
 
-__all__ = ["CodeStamp", "code_stamp"]
-
 PACKAGES = ("mujoco", "numpy", "pydantic-monty", "scipy", "shapely")
 """Packages whose version can change a result."""
 OPTIONAL_PACKAGES = ("navground",)

@@ -18,8 +18,6 @@ from memorymaze.evaluation.travelling_files import (
 )
 from memorymaze.evaluation.workforce import EpisodePool, available_cores
 
-__all__ = ["RayWorkforce", "open_ray_cluster"]
-
 ANSWER_TIME = 10.0
 """Seconds that the cluster's address has for taking a connection."""
 
@@ -132,11 +130,7 @@ def _connect(ray: Any, address: str, workers: int) -> None:
 
 
 def _check_answers(address: str) -> None:
-    """See whether anything listens there; Ray itself would try for minutes.
-
-    Raises:
-        SettingsError: Nothing does, or it is no address.
-    """
+    """See whether anything listens there; Ray itself would try for minutes."""
     host, colon, port = address.removeprefix("ray://").rpartition(":")
     if not (host and colon and port.isdigit() and 0 < int(port) < 65536):
         raise SettingsError(

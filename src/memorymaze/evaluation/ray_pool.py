@@ -18,8 +18,6 @@ from memorymaze.errors import MemoryMazeError, SettingsError
 from memorymaze.evaluation.provenance import code_stamp
 from memorymaze.evaluation.worker_pool import LEAVING_TIME, LOOKING_PERIOD, STARTS, Lost
 
-__all__ = ["RayPool"]
-
 Task = TypeVar("Task")
 Outcome = TypeVar("Outcome")
 

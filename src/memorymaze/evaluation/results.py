@@ -8,8 +8,6 @@ from pydantic import FiniteFloat, TypeAdapter, ValidationError
 
 from memorymaze.errors import RunFolderError
 
-__all__ = ["EpisodeResult", "StoppedBy", "result_from_line", "result_to_line"]
-
 StoppedBy = Literal["agent", "budget", "stuck", "crash", "unsafe", "model_error"]
 """Who or what ended an episode; only `agent` can be a success."""
 
@@ -99,10 +97,6 @@ def result_to_line(result: EpisodeResult) -> str:
 
 def result_from_line(line: str, place: str) -> EpisodeResult:
     """Read a result from one line of JSON.
-
-    Args:
-        line: JSON text.
-        place: `file:line`, for messages.
 
     Raises:
         RunFolderError: The line is not an episode's result; names place and field.

@@ -30,8 +30,6 @@ from memorymaze.evaluation.results import (
 )
 from memorymaze.evaluation.settings import RunSettings, differences
 
-__all__ = ["RunFolder", "RunRecord", "open_run_folder", "read_run"]
-
 FORMAT = 1
 """Of the run folder; older folders are refused, not guessed at."""
 

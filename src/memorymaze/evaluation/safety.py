@@ -6,8 +6,6 @@ from statistics import fmean
 
 from memorymaze.evaluation.results import EpisodeResult
 
-__all__ = ["PER_DISTANCE", "Safety", "safety"]
-
 PER_DISTANCE = ("collisions", "person_collisions", "near_misses")
 """Counts that are told per 100 m driven."""
 
@@ -28,9 +26,6 @@ class Safety:
 
 def safety(results: Sequence[EpisodeResult]) -> Safety:
     """Return how safe episodes were; rates are sums over sums, and 0 without driving.
-
-    Args:
-        results: At least one.
 
     Raises:
         ValueError: There are no results.

@@ -8,15 +8,6 @@ from memorymaze.evaluation.settings import AgentSettings
 from memorymaze.instructions.sail import EDGE, load_sail, maze_site, sail_episodes
 from memorymaze.simulation.settings import SimulationSettings
 
-__all__ = [
-    "SAIL_DETECTION_RANGE",
-    "SAIL_SUCCESS_DISTANCE",
-    "SAIL_TIME_BUDGET",
-    "sail_abilities",
-    "sail_agent",
-    "sail_corpus",
-]
-
 SAIL_SUCCESS_DISTANCE = EDGE / 2
 """Metres: at the right node, not at its neighbour."""
 SAIL_TIME_BUDGET = 400.0

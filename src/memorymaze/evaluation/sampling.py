@@ -6,8 +6,6 @@ from memorymaze.errors import SettingsError
 from memorymaze.instructions.records import Episode
 from memorymaze.options import check_whole
 
-__all__ = ["of_split", "sample"]
-
 
 def sample(episodes: Sequence[Episode], limit: int | None) -> list[Episode]:
     """Return at most `limit` episodes: alike many of every route of every study.

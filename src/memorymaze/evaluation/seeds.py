@@ -4,8 +4,6 @@ import hashlib
 
 import numpy as np
 
-__all__ = ["detector_generator", "episode_generators", "obstacle_generator"]
-
 
 def episode_generators(
     seed: int, episode_id: str
@@ -20,12 +18,7 @@ def episode_generators(
 
 
 def detector_generator(seed: int, episode_id: str) -> np.random.Generator:
-    """Return the generator of the mistakes that an episode's detector makes.
-
-    Args:
-        seed: Of the run.
-        episode_id: Of the episode.
-    """
+    """Return the generator of the mistakes that an episode's detector makes."""
     # The third child: the first two are the robot's and the agent's.
     return np.random.default_rng(_root(seed, episode_id).spawn(3)[2])
 

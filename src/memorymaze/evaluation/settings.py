@@ -17,14 +17,6 @@ from memorymaze.pictures.furniture.cache import Looks
 from memorymaze.simulation.obstacles import ObstacleSettings
 from memorymaze.simulation.settings import SimulationSettings
 
-__all__ = [
-    "AgentSettings",
-    "FileStamp",
-    "RunSettings",
-    "differences",
-    "stamp_file",
-]
-
 
 @dataclass(frozen=True, slots=True)
 class FileStamp:

@@ -15,14 +15,6 @@ from memorymaze.evaluation.budgets import GENEROSITY, default_time_budget
 from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.sites.records import Route
 
-__all__ = [
-    "fair_steps",
-    "fewest_answers",
-    "perfect_steps",
-    "stepping_time_budget",
-    "time_budget_for",
-]
-
 STEP_M = 0.25
 TURN_DEG = 30
 STEP_SECONDS = 1.5

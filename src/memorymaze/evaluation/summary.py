@@ -11,8 +11,6 @@ from memorymaze.evaluation.safety import safety
 from memorymaze.evaluation.settings import RunSettings
 from memorymaze.instructions.records import WRITTEN_BY
 
-__all__ = ["summarise", "summary_lines"]
-
 MEANS = (
     "success",
     "oracle_success",
@@ -56,10 +54,6 @@ def summarise(
     """Return counts, means and sums over all results, and per study and route.
 
     The means are over episodes; the tables' means over routes are another thing.
-
-    Args:
-        results: At least one.
-        settings: Of the run.
 
     Raises:
         ValueError: There are no results.

@@ -15,15 +15,6 @@ import numpy as np
 from memorymaze.durable_files import write_whole
 from memorymaze.errors import RunFolderError
 
-__all__ = [
-    "keep_trace",
-    "read_trace",
-    "trace_content",
-    "trace_lines",
-    "trace_path",
-    "write_trace",
-]
-
 NAME_LIMIT = 150
 """Longest file stem made of an episode id; longer ones are cut and numbered."""
 

@@ -8,14 +8,6 @@ from memorymaze.geometry.trajectory import Trajectory
 from memorymaze.instructions.records import Episode
 from memorymaze.simulation import SimulatedRobot, TraceEvent
 
-__all__ = [
-    "call_entry",
-    "closing_entries",
-    "note_entry",
-    "opening_entry",
-    "surroundings_entries",
-]
-
 
 def opening_entry(name: str, episode: Episode, settings: RunSettings) -> dict[str, Any]:
     """Say what is followed, from where, by whom."""

@@ -23,8 +23,6 @@ from memorymaze.evaluation.looks_for_runs import looks_of_run
 from memorymaze.evaluation.settings import AgentSettings, RunSettings
 from memorymaze.sites import Site
 
-__all__ = ["TravellingWorker", "check_can_travel", "pack_files"]
-
 LOOPBACK = ("//localhost", "//127.", "//[::1]")
 
 
@@ -38,11 +36,7 @@ class TravellingWorker:
     """Name and content, by what they are: `agent`, `programs`, `replay`."""
 
     def __call__(self) -> Callable[[EpisodeTask], EpisodeDone | LimitReached]:
-        """Write the files, see that this machine has what the run needs, and prepare.
-
-        Raises:
-            MemoryMazeError: It has not.
-        """
+        """Write the files, see that this machine has what the run needs, and prepare."""
         places = _unpack(self.files) if self.files else {}
         settings = replace(self.settings, agent=_placed(self.settings.agent, places))
         _check_here(self.settings)
@@ -82,10 +76,6 @@ def pack_files(settings: RunSettings) -> dict[str, tuple[str, bytes]]:
 
 def check_can_travel(settings: RunSettings, nodes: int) -> None:
     """Refuse settings that only processes of one machine can keep together.
-
-    Args:
-        settings: Of the run.
-        nodes: Machines of the cluster.
 
     Raises:
         SettingsError: Names the option, and what to do instead.

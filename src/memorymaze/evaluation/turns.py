@@ -5,8 +5,6 @@ from memorymaze.metrics import turns
 from memorymaze.metrics.turns import Turn
 from memorymaze.sites import Route, Site
 
-__all__ = ["turns_in_order", "turns_taken"]
-
 
 def turns_taken(site: Site, walk: Trajectory) -> list[Turn]:
     """Return the turns of a walk in the site's turning points, in their order.

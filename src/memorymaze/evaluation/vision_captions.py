@@ -29,8 +29,6 @@ from memorymaze.simulation.senses.look_around import look_around, sector_heading
 from memorymaze.sites import Site
 from memorymaze.sites.navigation_graph import Viewpoint
 
-__all__ = ["Captions", "VisionCaptions", "read_captions", "take_pictures"]
-
 PICTURE_WIDTH, PICTURE_HEIGHT = 256, 512
 """Pixels. As wide as a direction, and high enough for floor and ceiling."""
 PICTURE_FOV = math.radians(45)

@@ -21,8 +21,6 @@ from typing import Generic, TypeVar
 from memorymaze.errors import MemoryMazeError
 from memorymaze.evaluation.agent_failures import failure_line
 
-__all__ = ["Lost", "WorkerPool"]
-
 Task = TypeVar("Task")
 Outcome = TypeVar("Outcome")
 

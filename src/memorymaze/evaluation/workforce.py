@@ -16,14 +16,6 @@ from memorymaze.evaluation.plan import RunPlan
 from memorymaze.evaluation.settings import RunSettings
 from memorymaze.evaluation.worker_pool import Lost, WorkerPool
 
-__all__ = [
-    "EpisodeOutcome",
-    "EpisodePool",
-    "LocalWorkforce",
-    "Workforce",
-    "available_cores",
-]
-
 EpisodeOutcome = EpisodeDone | LimitReached | Lost
 
 
@@ -80,14 +72,7 @@ class Workforce(Protocol):
     def pool(
         self, plan: RunPlan, folder: Path, episodes: int, wall_limit: float
     ) -> EpisodePool:
-        """Return workers for a plan; they start when they are needed.
-
-        Args:
-            plan: Settings and sites of the episodes.
-            folder: The run's folder, on this machine.
-            episodes: How many there are to do.
-            wall_limit: Real seconds an episode may take.
-        """
+        """Return workers for a plan; they start when they are needed."""
         ...
 
 

@@ -7,8 +7,6 @@ from numpy.typing import NDArray
 from scipy.sparse import csr_array
 from scipy.sparse.csgraph import dijkstra
 
-__all__ = ["DistanceRows"]
-
 NUMBERS_KEPT = 20_000_000
 """Distances remembered between calls, at most (160 MB)."""
 

@@ -12,8 +12,6 @@ from shapely import MultiPolygon, Polygon
 
 from memorymaze.errors import UndefinedMetricError
 
-__all__ = ["HAIRLINE", "Floor"]
-
 FloatArray = NDArray[np.float64]
 BoolArray = NDArray[np.bool_]
 

@@ -24,8 +24,6 @@ from memorymaze.geometry.distance_rows import DistanceRows
 from memorymaze.geometry.floor import Floor
 from memorymaze.geometry.shortest_walk import ShortestWalks
 
-__all__ = ["FloorGrid"]
-
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.intp]
 BoolArray = NDArray[np.bool_]

@@ -9,8 +9,6 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["Projection", "arc_lengths", "length", "point_at", "project", "resample"]
-
 FloatArray = NDArray[np.float64]
 
 

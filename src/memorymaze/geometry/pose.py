@@ -6,8 +6,6 @@ Metres and radians; x east, y north; angles counter-clockwise from +x in (-pi, p
 import math
 from typing import NamedTuple
 
-__all__ = ["Pose", "bearing_to", "heading_to", "turn_between", "wrap_angle"]
-
 
 class Pose(NamedTuple):
     """Where something stands and which way it faces."""

@@ -14,8 +14,6 @@ from shapely import MultiPolygon, Polygon
 from memorymaze.errors import UndefinedMetricError
 from memorymaze.geometry.floor import Floor
 
-__all__ = ["ShortestWalks"]
-
 FloatArray = NDArray[np.float64]
 
 

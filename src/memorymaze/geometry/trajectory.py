@@ -11,8 +11,6 @@ from numpy.typing import NDArray
 from memorymaze.geometry import polyline
 from memorymaze.geometry.pose import Pose
 
-__all__ = ["TimedPose", "Trajectory"]
-
 
 class TimedPose(NamedTuple):
     """Where something stood at a moment, and which way it faced."""

@@ -18,8 +18,6 @@ from memorymaze.geometry import polyline
 from memorymaze.simulation import SimulatedRobot, SimulationSettings
 from memorymaze.sites import Route
 
-__all__ = ["ActionSet", "ContinuousActions", "DiscreteActions", "action_set"]
-
 
 @dataclass(frozen=True, slots=True)
 class DiscreteActions:

@@ -24,8 +24,6 @@ from memorymaze.metrics.success import SUCCESS_DISTANCE
 from memorymaze.simulation import SimulatedRobot, SimulationSettings
 from memorymaze.simulation.obstacles import ObstacleSettings
 
-__all__ = ["NavigationEnvironment"]
-
 Observation = dict[str, Any]
 Information = dict[str, Any]
 

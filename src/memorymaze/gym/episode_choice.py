@@ -10,8 +10,6 @@ from memorymaze.instructions.episodes import episodes
 from memorymaze.instructions.records import Episode
 from memorymaze.sites import BUILTIN_SITE_NAMES, Site, builtin_site, load_site
 
-__all__ = ["choose_episodes", "find_episode", "open_site"]
-
 
 def open_site(site: str | Path) -> Site:
     """Load one of the benchmark's sites by name, or a plan.

@@ -11,8 +11,6 @@ from typing import Any, overload
 from gymnasium.spaces import Text
 from gymnasium.vector.utils import read_from_shared_memory
 
-__all__ = ["InstructionSpace"]
-
 
 class InstructionSpace(Text):
     """Texts of some characters and up to some length."""

@@ -14,8 +14,6 @@ from memorymaze.gym.instruction_space import InstructionSpace
 from memorymaze.simulation import SimulatedRobot
 from memorymaze.simulation.senses.lidar import LidarSettings
 
-__all__ = ["SENSORS", "Senses", "Sensor"]
-
 Sensor = Literal["rgb", "depth", "lidar"]
 
 SENSORS: tuple[Sensor, ...] = ("rgb", "depth", "lidar")

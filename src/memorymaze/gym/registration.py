@@ -2,8 +2,6 @@
 
 import gymnasium
 
-__all__ = ["ENVIRONMENTS", "register_environments"]
-
 ENVIRONMENTS: dict[str, str | None] = {
     "MemoryMaze/University-v0": "university",
     "MemoryMaze/Museum5F-v0": "museum_5f",

@@ -7,8 +7,6 @@ from typing import Any, Literal
 
 from memorymaze.errors import SettingsError
 
-__all__ = ["Progress", "RewardSettings", "reward_settings"]
-
 
 @dataclass(frozen=True, slots=True)
 class Progress:

@@ -18,8 +18,6 @@ from memorymaze.instructions.records import Instruction
 from memorymaze.instructions.text_damage import invisible_characters, text_damage
 from memorymaze.sites.records import Site
 
-__all__ = ["CheckReport", "check_instruction_files"]
-
 FOREIGN_SHARE = 0.3
 """Share of letters outside the Latin script from which a text is hardly English."""
 

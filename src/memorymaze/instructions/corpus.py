@@ -18,8 +18,6 @@ from memorymaze.instructions.problems import (
 )
 from memorymaze.instructions.records import Instruction
 
-__all__ = ["BUILTIN_CORPUS", "load_instructions", "read_instruction_file"]
-
 BUILTIN_CORPUS = Path(str(files("memorymaze.instructions") / "data/role_played.jsonl"))
 """The shipped corpus: 564 texts written by a language model (see its README)."""
 

@@ -11,15 +11,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-__all__ = [
-    "COUNTING_RULES",
-    "CountingRule",
-    "TypeTokenCurve",
-    "distinct_words",
-    "tokens",
-    "type_token_curve",
-]
-
 WORD = re.compile(r"[a-z']+")
 LETTERS = re.compile(r"[a-z]+")
 CLOUD_WORD = re.compile(r"\w[\w']+")

@@ -8,8 +8,6 @@ from memorymaze.instructions.problems import InstructionProblem, place_of
 from memorymaze.instructions.records import Instruction
 from memorymaze.sites.records import Site
 
-__all__ = ["double_counts", "normalised", "odd_ids", "repeated_texts"]
-
 _NO_WORD = re.compile(r"[\W_]+")
 
 

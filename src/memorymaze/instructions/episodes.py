@@ -12,8 +12,6 @@ from memorymaze.instructions.problems import (
 from memorymaze.instructions.records import Episode, Instruction
 from memorymaze.sites.records import Site
 
-__all__ = ["episodes", "site_problems"]
-
 
 def episodes(
     instructions: Iterable[Instruction], sites: Mapping[str, Site]

@@ -4,8 +4,6 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Literal
 
-__all__ = ["ERROR_KINDS", "SURFACE_KINDS", "ErrorKind", "kinds_of", "meaning_of"]
-
 Study = Literal["online", "onsite"]
 
 

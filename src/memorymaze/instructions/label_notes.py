@@ -9,8 +9,6 @@ from memorymaze.instructions.problems import InstructionProblem, place_of
 from memorymaze.instructions.records import Failure, Instruction
 from memorymaze.sites.records import Route, Site
 
-__all__ = ["PlaceNames", "label_notes"]
-
 _ENDS = frozenset(("start", "beginning", "end", "goal", "destination", "route", "way"))
 """Places that every route has."""
 _ID = re.compile(r"[a-z]+\d*(?:_[a-z0-9]+)+")

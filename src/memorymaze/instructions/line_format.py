@@ -17,8 +17,6 @@ from pydantic import (
 from memorymaze.instructions.problems import InstructionProblem
 from memorymaze.instructions.records import Failure, Followers, Instruction, Span
 
-__all__ = ["parse_line"]
-
 Text = Annotated[str, StringConstraints(min_length=1, pattern=r"\S")]
 
 
@@ -108,10 +106,6 @@ def parse_line(
     line: str, place: str
 ) -> tuple[Instruction | None, list[str], list[InstructionProblem]]:
     """Read one line.
-
-    Args:
-        line: JSON text.
-        place: `file:line`, for messages.
 
     Returns:
         The instruction, or None where something is wrong; the names of fields that

@@ -6,8 +6,6 @@ from dataclasses import dataclass
 from memorymaze.errors import InstructionFileError
 from memorymaze.instructions.records import Instruction
 
-__all__ = ["InstructionProblem", "place_of", "refusal", "repeated_ids"]
-
 PROBLEMS_SHOWN = 20
 
 

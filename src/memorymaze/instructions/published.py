@@ -6,13 +6,6 @@ from functools import cache
 from importlib.resources import files
 from typing import Any, Literal
 
-__all__ = [
-    "PublishedDescriptions",
-    "PublishedResult",
-    "PublishedTables",
-    "published_tables",
-]
-
 Study = Literal["online", "onsite"]
 
 

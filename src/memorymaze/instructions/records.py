@@ -5,8 +5,6 @@ from typing import Literal
 
 from memorymaze.geometry.pose import Pose
 
-__all__ = ["WRITTEN_BY", "Episode", "Failure", "Followers", "Instruction", "Span"]
-
 WRITTEN_BY = {
     "human": "people",
     "llm": "a LANGUAGE MODEL, not by people",

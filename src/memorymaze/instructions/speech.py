@@ -8,8 +8,6 @@ import re
 from dataclasses import dataclass
 from typing import Literal
 
-__all__ = ["CORRECTIONS", "FILLERS", "HEDGES", "SpokenMark", "spoken_marks"]
-
 Kind = Literal["hedge", "filler", "correction"]
 
 HEDGES = (

@@ -11,12 +11,6 @@ from memorymaze.errors import InstructionFileError
 from memorymaze.instructions.records import Instruction
 from memorymaze.sites.records import Site
 
-__all__ = [
-    "CellStatistics",
-    "describe_corpus",
-    "word_count",
-]
-
 LIST_MARKER = re.compile(r"\(?\d+[.):]|[-*\u2022\u2013\u2014]")
 
 

@@ -3,8 +3,6 @@
 import re
 import unicodedata
 
-__all__ = ["invisible_characters", "mojibake", "text_damage"]
-
 _OUTSIDE_ASCII = re.compile(r"[^\x00-\x7f]+")
 _INVISIBLE = re.compile("[\u00ad\u200b-\u200f\u202a-\u202e\u2060-\u2069\ufeff]")
 """Soft hyphens, zero-width characters, and those that turn the direction of writing."""

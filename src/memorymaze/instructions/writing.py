@@ -9,8 +9,6 @@ from typing import Any
 from memorymaze.errors import InstructionFileError
 from memorymaze.instructions.records import Instruction
 
-__all__ = ["instruction_record", "lines", "write_file", "write_instructions"]
-
 
 def instruction_record(instruction: Instruction) -> dict[str, Any]:
     """Return the JSON record of an instruction, which `parse_line` reads back."""

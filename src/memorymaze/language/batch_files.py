@@ -18,8 +18,6 @@ from memorymaze.language.json_lines import json_record, lines_of, listed, shown
 from memorymaze.language.model import Completion, CompletionRequest, Usage
 from memorymaze.language.usable_text import why_unusable
 
-__all__ = ["BatchReply", "read_replies", "request_line"]
-
 Count = Annotated[int, Field(ge=0)]
 
 
@@ -149,11 +147,7 @@ def read_replies(paths: Sequence[str | Path]) -> dict[str, BatchReply]:
 
 
 def _reply(line: str, place: str) -> BatchReply:
-    """Read one line.
-
-    Raises:
-        ValueError: It is no reply.
-    """
+    """Read one line."""
     record = json_record(line)
     if "custom_id" not in record:
         raise ValueError(

@@ -12,8 +12,6 @@ import openai
 
 from memorymaze.errors import LanguageModelError
 
-__all__ = ["bounded_client"]
-
 LONGEST_ANSWER = 8 * 2**20
 """Bytes of an answer beyond which it is taken for garbage."""
 

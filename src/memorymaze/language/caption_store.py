@@ -16,8 +16,6 @@ from pydantic import TypeAdapter, ValidationError
 from memorymaze.errors import LanguageModelError, SettingsError
 from memorymaze.language.model import Completion
 
-__all__ = ["CaptionKey", "CaptionStore", "digest"]
-
 _REPLIES = TypeAdapter(tuple[Completion, ...])
 
 BUSY_TIMEOUT = 60.0

@@ -18,8 +18,6 @@ from memorymaze.errors import LanguageModelError, SettingsError
 from memorymaze.extras import how_to_install
 from memorymaze.language.model import Completion, CompletionRequest, Message, Usage
 
-__all__ = ["INSTALL", "GgufModel"]
-
 INSTALL = (
     f"type: {how_to_install('local-llm')} (it is compiled, which takes minutes and needs "
     "a C++ compiler and CMake)"

@@ -15,8 +15,6 @@ from collections.abc import Iterator
 from memorymaze.robot.api import DIRECTIONS, Robot
 from memorymaze.robot.specification import API_NAMES
 
-__all__ = ["program_grammar", "steps_grammar"]
-
 MOST_STEPS = 12
 DEPTH = 2
 """Loops and conditions inside one another, at most."""

@@ -7,8 +7,6 @@ from typing import Any
 
 from memorymaze.errors import ProgramFileError
 
-__all__ = ["json_record", "lines_of", "listed", "shown", "some"]
-
 PROBLEMS_SHOWN = 20
 
 

@@ -6,8 +6,6 @@ from pathlib import Path
 from memorymaze.errors import SettingsError
 from memorymaze.language.gguf_model import INSTALL, GgufModel
 
-__all__ = ["is_local", "local_model", "model_name"]
-
 SMOLLM2 = "smollm2"
 SMOLLM2_FILE = "SmolLM2-135M-Instruct.Q4_1.gguf"
 GGUF = "gguf:"

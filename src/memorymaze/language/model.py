@@ -3,16 +3,6 @@
 from dataclasses import dataclass
 from typing import Literal, Protocol
 
-__all__ = [
-    "Completion",
-    "CompletionRequest",
-    "LanguageModel",
-    "Message",
-    "Picture",
-    "Usage",
-    "takes_grammar",
-]
-
 
 @dataclass(frozen=True, slots=True)
 class Picture:

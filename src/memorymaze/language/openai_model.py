@@ -13,8 +13,6 @@ from memorymaze.language.bounded_http import bounded_client
 from memorymaze.language.model import Completion, CompletionRequest, Message, Usage
 from memorymaze.language.usable_text import why_unusable
 
-__all__ = ["OpenAIModel"]
-
 LONGEST_DELAY = 60.0
 """Seconds that are waited at most before an attempt."""
 

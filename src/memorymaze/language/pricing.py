@@ -11,8 +11,6 @@ from memorymaze.language.model import (
     takes_grammar,
 )
 
-__all__ = ["PricedModel", "TokenPrice", "parse_price"]
-
 
 @dataclass(frozen=True, slots=True)
 class TokenPrice:

@@ -15,8 +15,6 @@ from typing import Any
 from memorymaze.errors import ProgramError
 from memorymaze.robot.specification import API_NAMES, API_RECORDS
 
-__all__ = ["FORBIDDEN_BUILTINS", "Finding", "first_error", "read_findings"]
-
 FORBIDDEN_BUILTINS = frozenset({
     "__import__",
     "breakpoint",

@@ -26,8 +26,6 @@ from memorymaze.language.sandbox_values import read_arguments, to_sandbox
 from memorymaze.robot.api import Robot
 from memorymaze.robot.specification import API_NAMES
 
-__all__ = ["SOURCE_NAME", "ProgramExecution", "reaching_out"]
-
 SOURCE_NAME = "<python-input-"
 """How the interpreter names the program's own text, followed by a number."""
 

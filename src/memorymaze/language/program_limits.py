@@ -4,8 +4,6 @@ from dataclasses import dataclass
 
 from memorymaze.errors import SettingsError
 
-__all__ = ["DEFAULT_LIMITS", "LONGEST_COMPUTING_TIME", "ProgramLimits"]
-
 LONGEST_COMPUTING_TIME = 60.0
 """The highest computing time that can be allowed, seconds."""
 
@@ -30,11 +28,7 @@ class ProgramLimits:
     """Characters of the program itself."""
 
     def __post_init__(self) -> None:
-        """Check the limits.
-
-        Raises:
-            SettingsError: A limit is not above 0, or the computing time too long.
-        """
+        """Check the limits."""
         for name in self.__slots__:
             value = getattr(self, name)
             if not value > 0:

@@ -8,8 +8,6 @@ from memorymaze.errors import EpisodeOver, ProgramError
 from memorymaze.language.sandbox import DEFAULT_LIMITS, ProgramLimits, run_program
 from memorymaze.robot.api import Robot
 
-__all__ = ["screen_program"]
-
 _HALT = "stop()\n"
 """Put before a program: it halts before its own first line."""
 _LINE = re.compile(r"^line (\d+)")
@@ -17,10 +15,6 @@ _LINE = re.compile(r"^line (\d+)")
 
 def screen_program(program: str, limits: ProgramLimits = DEFAULT_LIMITS) -> list[str]:
     """Parse a program and check its types against the control API.
-
-    Args:
-        program: Python source.
-        limits: How much a program may use.
 
     Returns:
         What the type checker doubts, without refusing the program for it.

@@ -3,8 +3,6 @@
 import re
 from importlib.resources import files
 
-__all__ = ["load_prompt"]
-
 _SLOT = re.compile(r"\{([A-Z_]+)\}")
 
 

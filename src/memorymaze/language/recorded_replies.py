@@ -30,8 +30,6 @@ from memorymaze.language.model import (
     takes_grammar,
 )
 
-__all__ = ["RecordingModel", "ReplayingModel", "request_key"]
-
 _BUSY_TIMEOUT = 60.0
 """Seconds to wait while another process writes."""
 

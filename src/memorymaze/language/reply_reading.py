@@ -12,8 +12,6 @@ from textwrap import dedent
 from memorymaze.errors import LanguageModelError
 from memorymaze.robot.specification import API_NAMES
 
-__all__ = ["read_program", "read_steps"]
-
 _REFINED = re.compile(
     r"^[ \t#*_]*refined[ \t]+(?:steps|program|output|code)\b[ \t*_:]*"
     r"|^[ \t*_]*(?:steps|program)[ \t*_]*:[ \t*_]*",

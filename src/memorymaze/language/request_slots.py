@@ -13,8 +13,6 @@ from memorymaze.language.model import (
     takes_grammar,
 )
 
-__all__ = ["QueuedModel"]
-
 LOOKING_PERIOD = 0.02
 """Seconds between looks for a free place."""
 

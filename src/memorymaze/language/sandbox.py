@@ -30,8 +30,6 @@ from memorymaze.language.sandbox_workers import open_session
 from memorymaze.robot.api import Robot
 from memorymaze.robot.specification import api_stub
 
-__all__ = ["DEFAULT_LIMITS", "ProgramLimits", "run_program"]
-
 _HIDDEN_ATTRIBUTE = re.compile(r"has no attribute '(__\w+__)'")
 _CALLED_BACK = re.compile(r"external function '(\w+)' cannot suspend")
 _INTERRUPTED = re.compile(r"SIGINT|SIGTERM|SIGHUP")

@@ -11,8 +11,6 @@ from typing import Any
 from memorymaze.robot.api import Robot
 from memorymaze.robot.specification import API_NAMES
 
-__all__ = ["read_arguments", "to_sandbox"]
-
 
 def read_arguments(
     call: str, args: tuple[Any, ...], kwargs: dict[str, Any], text_limit: int

@@ -18,8 +18,6 @@ from pydantic_monty import Monty, MontySession, ResourceLimits
 from memorymaze.errors import SettingsError
 from memorymaze.language.program_limits import LONGEST_COMPUTING_TIME
 
-__all__ = ["open_session"]
-
 GRACE = 0.5
 """Seconds after its time limit at which an interpreter that hangs is killed."""
 
@@ -36,10 +34,6 @@ def open_session(limits: ResourceLimits, type_stub: str) -> MontySession:
     It has a worker process to itself. Its clock stands still, sleeping takes no
     time, and unseeded random numbers are the same each time, so that a program does
     the same whenever it is run.
-
-    Args:
-        limits: What the interpreter enforces inside the worker.
-        type_stub: What a program is type-checked against.
 
     Raises:
         SettingsError: The interpreter is not installed, or this process was forked

@@ -5,8 +5,6 @@ from collections.abc import Callable, Sequence
 from memorymaze.errors import LanguageModelError
 from memorymaze.language.model import Completion, CompletionRequest, Usage
 
-__all__ = ["ScriptedLanguageModel"]
-
 
 class ScriptedLanguageModel:
     """Answers from a list, one reply per request, or from a function.

@@ -15,8 +15,6 @@ from memorymaze.language.model import (
     takes_grammar,
 )
 
-__all__ = ["Ledger", "LimitedModel", "Spent"]
-
 
 class Spent(NamedTuple):
     """What was spent so far."""

@@ -1,7 +1,5 @@
 """Which texts of a server count as replies; the same online and in files."""
 
-__all__ = ["LONGEST_REPLY", "why_unusable"]
-
 LONGEST_REPLY = 200_000
 """Characters beyond which a reply is taken for garbage."""
 
@@ -9,13 +7,7 @@ LONGEST_REPLY = 200_000
 def why_unusable(
     text: object, finish_reason: object = None, refusal: object = None
 ) -> str | None:
-    """Say what is wrong with the text of an answer, or return None when it is a reply.
-
-    Args:
-        text: What stands where the text should be.
-        finish_reason: Why the model ended, as the server says.
-        refusal: What the server says instead of a text.
-    """
+    """Say what is wrong with the text of an answer, or return None when it is a reply."""
     if not isinstance(text, str) or not text.strip():
         said = ""
         if isinstance(refusal, str):

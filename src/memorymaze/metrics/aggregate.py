@@ -8,8 +8,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from memorymaze.errors import UndefinedMetricError
 
-__all__ = ["Estimate", "mean", "participant_bootstrap", "tallies"]
-
 FloatArray = NDArray[np.float64]
 
 

@@ -7,8 +7,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from memorymaze.errors import UndefinedMetricError
 
-__all__ = ["checked_distances", "checked_metres", "checked_success_distance"]
-
 
 def checked_distances(distances: ArrayLike, ndim: int) -> NDArray[np.float64]:
     """Return distances as a float array, metres.

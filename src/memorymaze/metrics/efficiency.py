@@ -6,8 +6,6 @@ from numpy.typing import ArrayLike
 from memorymaze.errors import UndefinedMetricError
 from memorymaze.metrics.checks import checked_distances, checked_metres
 
-__all__ = ["path_length", "spl"]
-
 
 def path_length(step_lengths: ArrayLike) -> float:
     """Return the length of a path: PL = sum_i d(p_i, p_i+1).

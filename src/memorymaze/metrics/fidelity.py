@@ -15,8 +15,6 @@ from memorymaze.metrics.checks import (
 )
 from memorymaze.metrics.success import SUCCESS_DISTANCE
 
-__all__ = ["cls", "coverage", "dtw", "ndtw", "sdtw"]
-
 
 def coverage(distances: ArrayLike, success_distance: float = SUCCESS_DISTANCE) -> float:
     """Return path coverage: PC = mean over r of exp(-min_p d(r, p) / th).

@@ -10,8 +10,6 @@ from scipy.sparse import coo_array, csr_array
 from memorymaze.errors import UndefinedMetricError
 from memorymaze.geometry.distance_rows import DistanceRows
 
-__all__ = ["NavigationGraph"]
-
 
 class NavigationGraph:
     """An undirected graph; distances are sums of edge lengths, never straight lines.

@@ -8,8 +8,6 @@ from numpy.typing import ArrayLike
 from memorymaze.errors import UndefinedMetricError
 from memorymaze.metrics.aggregate import tallies
 
-__all__ = ["sign_flip_test"]
-
 ROUNDING = 1e-12
 
 

@@ -13,8 +13,6 @@ from memorymaze.geometry.grid import FloorGrid
 from memorymaze.metrics import efficiency, fidelity, success
 from memorymaze.metrics.success import SUCCESS_DISTANCE
 
-__all__ = ["DistanceSource", "MetricValues", "score_path", "score_walk"]
-
 Node = TypeVar("Node", contravariant=True)
 """What a graph calls its places: names, or numbers."""
 

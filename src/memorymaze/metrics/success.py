@@ -8,8 +8,6 @@ from numpy.typing import ArrayLike
 
 from memorymaze.metrics.checks import checked_distances, checked_success_distance
 
-__all__ = ["SUCCESS_DISTANCE", "navigation_error", "oracle_success", "success"]
-
 SUCCESS_DISTANCE = 3.0
 """Metres; nearer than this to the goal is success (Anderson et al. 2018b)."""
 

@@ -14,8 +14,6 @@ from shapely import Polygon
 from memorymaze.geometry.pose import turn_between
 from memorymaze.geometry.trajectory import Trajectory
 
-__all__ = ["Turn", "turns_in_order", "turns_taken"]
-
 LEAST_TURN = np.deg2rad(10)
 """Changes of heading within a place from which on they are a turn."""
 

@@ -1,7 +1,8 @@
 """From what a camera sees to things with names; no sites and no answers in here."""
 
+from memorymaze.perception.detector import Detector
 from memorymaze.perception.tracking import Sighting, Tracker
-from memorymaze.perception.truth_detector import Detector, TruthDetector
+from memorymaze.perception.truth_detector import TruthDetector
 from memorymaze.perception.visible_object import (
     CameraView,
     ObjectDescription,

@@ -6,8 +6,6 @@ from functools import lru_cache
 
 from memorymaze.perception.noun_phrase import words_of
 
-__all__ = ["Appearance", "appearance_score", "is_appearance_word", "parse_appearance"]
-
 _COLORS = {
     "red": "crimson scarlet maroon burgundy ruby vermilion cherry reddish",
     "orange": "tangerine amber apricot",

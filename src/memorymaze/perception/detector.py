@@ -6,8 +6,6 @@ from memorymaze.errors import CommandError
 from memorymaze.perception.visible_object import CameraView
 from memorymaze.robot.api import Detection
 
-__all__ = ["LONGEST_QUERY", "Detector", "check_query"]
-
 LONGEST_QUERY = 300
 """Characters."""
 

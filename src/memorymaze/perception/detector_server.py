@@ -23,8 +23,6 @@ from memorymaze.perception.grounding_dino import DEFAULT_CHECKPOINT, ZeroShotFin
 from memorymaze.perception.picture_detector import ObjectFinder
 from memorymaze.perception.remote_detector import DetectionReply, DetectionRequest
 
-__all__ = ["FinderFor", "main", "make_server"]
-
 FinderFor = Callable[[float, float], ObjectFinder]
 """Gives the model for a box threshold and a text threshold."""
 

@@ -9,8 +9,6 @@ from memorymaze.errors import SettingsError
 from memorymaze.perception.error_model import ErrorModel
 from memorymaze.perception.grounding_dino import DEFAULT_CHECKPOINT
 
-__all__ = ["TRUTH", "DetectorName", "DetectorSettings", "parse_detector"]
-
 DetectorName = Literal["truth", "grounding-dino", "remote"]
 
 

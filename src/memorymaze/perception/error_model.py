@@ -15,8 +15,6 @@ from memorymaze.errors import SettingsError
 from memorymaze.geometry.pose import Pose
 from memorymaze.perception.visible_object import VisibleObject
 
-__all__ = ["ErrorModel", "ErrorSource", "Phantom"]
-
 REFERENCE_SIZE = 64.0
 """Pixels; square root of the box's area of the reference thing."""
 REFERENCE_DISTANCE = 2.0
@@ -133,13 +131,7 @@ class ErrorSource:
         return 0.5 + 0.3 * self._uniform("score", pose, query, _key(thing))
 
     def phantoms(self, pose: Pose, query: str, range_limit: float) -> list[Phantom]:
-        """Return the boxes of a look where nothing is.
-
-        Args:
-            pose: Where the camera is.
-            query: What is looked for.
-            range_limit: Metres.
-        """
+        """Return the boxes of a look where nothing is."""
         rng = np.random.default_rng(self._digest("phantoms", pose, query, ""))
         return [
             _phantom(rng, range_limit) for _ in range(rng.poisson(self.model.phantoms))

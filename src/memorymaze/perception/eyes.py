@@ -17,8 +17,6 @@ from memorymaze.perception.sign_reading import SignReader, TruthSignReader
 from memorymaze.perception.truth_detector import TruthDetector
 from memorymaze.robot.api import DETECTION_RANGE
 
-__all__ = ["Eyes", "SignSource", "parse_signs"]
-
 SignSource = Literal["truth", "ocr"]
 
 

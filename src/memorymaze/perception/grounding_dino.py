@@ -16,8 +16,6 @@ from memorymaze.errors import DetectorError, SettingsError
 from memorymaze.extras import require_extra
 from memorymaze.perception.picture_detector import FoundBox
 
-__all__ = ["DEFAULT_CHECKPOINT", "ZeroShotFinder"]
-
 DEFAULT_CHECKPOINT = "IDEA-Research/grounding-dino-tiny"
 
 

@@ -5,8 +5,6 @@ from functools import lru_cache
 from memorymaze.perception.lexicon import kind_distance, names_person, word_set
 from memorymaze.perception.noun_phrase import NounPhrase, head_splits
 
-__all__ = ["BY_SUBJECT", "category_score", "is_place", "stands_for"]
-
 BY_SUBJECT = 0.7
 """What a thing shows, holds or names ("rocket" for a rocket model)."""
 _SOMEBODY = 0.75

@@ -9,15 +9,6 @@ from collections.abc import Iterator
 from functools import cache, lru_cache
 from importlib.resources import files
 
-__all__ = [
-    "is_adjective",
-    "is_noun",
-    "kind_distance",
-    "names_person",
-    "singular",
-    "word_set",
-]
-
 _PLURAL_ENDINGS = (
     ("ies", "y"),
     ("ves", "f"),

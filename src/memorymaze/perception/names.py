@@ -20,16 +20,6 @@ from memorymaze.perception.noun_phrase import (
 )
 from memorymaze.perception.visible_object import ObjectDescription
 
-__all__ = [
-    "BY_NAME",
-    "SIZE_WORDS",
-    "bearer_score",
-    "leads_to",
-    "name_score",
-    "points_elsewhere",
-    "words_on",
-]
-
 BY_NAME = 0.9
 """A proper name asked for as if it were a kind ("library", for its door)."""
 BY_WORDS = 0.65

@@ -10,16 +10,6 @@ from functools import lru_cache
 
 from memorymaze.perception.lexicon import is_noun, singular, word_set
 
-__all__ = [
-    "NounPhrase",
-    "head_splits",
-    "parse_name",
-    "parse_words",
-    "plain_text",
-    "split_words",
-    "words_of",
-]
-
 _DETERMINERS = word_set(
     "a an the this that these those any some all every each another other same",
     "one ones two three four five six seven eight nine ten several many few both",

@@ -22,14 +22,6 @@ from memorymaze.perception.visible_object import CameraView
 from memorymaze.robot.api import READING_RANGE, SignText
 from memorymaze.robot.steps import CameraPicture
 
-__all__ = [
-    "PICTURE_SIZE",
-    "FoundLine",
-    "PictureSignReader",
-    "Recognizer",
-    "TextRecognizer",
-]
-
 PICTURE_SIZE = (1280, 960)
 """Pixels of the picture that signs are read from: the camera's view, drawn finer."""
 LEAST_SCORE = 0.7

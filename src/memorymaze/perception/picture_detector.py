@@ -19,8 +19,6 @@ from memorymaze.perception.visible_object import CameraView
 from memorymaze.robot.api import DETECTION_RANGE, Detection
 from memorymaze.robot.steps import CameraPicture
 
-__all__ = ["FoundBox", "ObjectFinder", "PictureDetector", "depth_distance", "place_of"]
-
 Box = tuple[float, float, float, float]
 
 SAME_THING = 0.7

@@ -20,8 +20,6 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_valida
 from memorymaze.errors import DetectorError, SettingsError
 from memorymaze.perception.picture_detector import FoundBox
 
-__all__ = ["DetectionReply", "DetectionRequest", "RemoteFinder"]
-
 LONGEST_REPLY = 4_000_000
 """Bytes."""
 WORTH_ANOTHER_TRY = frozenset({408, 425, 429, 500, 502, 503, 504})

@@ -17,8 +17,6 @@ from memorymaze.perception.noun_phrase import (
     words_of,
 )
 
-__all__ = ["parse_request", "without_lead_in"]
-
 _LEAD_IN = re.compile(
     r"^(?:(?:please|hey|ok(?:ay)?|robot,|can|could|do|does|did|would|you|i|we|to|now|is|"
     r"are|was|there|find|detect|locate|see|want|need|try|what|where|which|looks?|like|"

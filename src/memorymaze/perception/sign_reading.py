@@ -7,14 +7,6 @@ from memorymaze.perception.tracking import Sighting, Tracker
 from memorymaze.perception.visible_object import CameraView, VisibleText
 from memorymaze.robot.api import READING_RANGE, SignText
 
-__all__ = [
-    "LEAST_LETTER",
-    "WIDEST_FACING",
-    "SignReader",
-    "TruthSignReader",
-    "one_line",
-]
-
 LEAST_LETTER = 5.0
 """Pixels of a capital letter in the 640x480 picture below which nothing is read."""
 WIDEST_FACING = math.radians(60)

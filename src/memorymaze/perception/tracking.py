@@ -5,8 +5,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
-__all__ = ["LEAST_GATE", "Sighting", "Tracker"]
-
 LEAST_GATE = 0.3
 """Metres; how far the middle of a small thing may seem to have moved."""
 

@@ -4,14 +4,12 @@ import math
 from typing import NamedTuple
 
 from memorymaze.geometry.pose import Pose
-from memorymaze.perception.detector import LONGEST_QUERY, Detector, check_query
+from memorymaze.perception.detector import check_query
 from memorymaze.perception.error_model import ErrorSource, Phantom
 from memorymaze.perception.tracking import Sighting, Tracker
 from memorymaze.perception.visible_object import CameraView, VisibleObject
 from memorymaze.perception.vocabulary import MATCH_THRESHOLD, match_score
 from memorymaze.robot.api import DETECTION_RANGE, Detection
-
-__all__ = ["LONGEST_QUERY", "Detector", "TruthDetector"]
 
 
 class TruthDetector:

@@ -8,8 +8,6 @@ from typing import Literal, Protocol
 from memorymaze.geometry.pose import Pose
 from memorymaze.robot.steps import CameraPicture
 
-__all__ = ["CameraView", "ObjectDescription", "VisibleObject", "VisibleText"]
-
 
 @dataclass(frozen=True, slots=True)
 class ObjectDescription:

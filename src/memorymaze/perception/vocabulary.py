@@ -29,8 +29,6 @@ from memorymaze.perception.noun_phrase import (
 from memorymaze.perception.request import parse_request, without_lead_in
 from memorymaze.perception.visible_object import ObjectDescription
 
-__all__ = ["MATCH_THRESHOLD", "match_score"]
-
 MATCH_THRESHOLD = 0.5
 """A thing is found when its score is at least this."""
 _PLAIN_WORD = 0.9

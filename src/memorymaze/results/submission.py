@@ -23,8 +23,6 @@ from memorymaze.simulation.obstacles import ObstacleSettings
 from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.sites import Site, load_sites
 
-__all__ = ["Submission", "Track", "check_submission", "remarks"]
-
 Track = Literal["default", "obstacles"]
 
 ROUNDING = 0.02

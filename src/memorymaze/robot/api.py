@@ -7,19 +7,6 @@ The docstrings of `Robot` are the specification a language model is prompted wit
 from dataclasses import dataclass
 from typing import Literal, Protocol, runtime_checkable
 
-__all__ = [
-    "DETECTION_RANGE",
-    "DIRECTIONS",
-    "READING_RANGE",
-    "Detection",
-    "Direction",
-    "MoveEnd",
-    "MoveResult",
-    "Robot",
-    "SignText",
-    "TurnResult",
-]
-
 Direction = Literal[
     "left",
     "right",

@@ -14,8 +14,6 @@ from typing import NamedTuple
 
 from memorymaze.robot import api
 
-__all__ = ["API_NAMES", "API_RECORDS", "api_specification", "api_stub"]
-
 API_NAMES: tuple[str, ...] = tuple(
     name for name in vars(api.Robot) if not name.startswith("_")
 )

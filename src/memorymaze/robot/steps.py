@@ -13,8 +13,6 @@ from numpy.typing import NDArray
 
 from memorymaze.robot.api import Robot
 
-__all__ = ["CameraPicture", "SteppingRobot"]
-
 
 @dataclass(frozen=True, eq=False)
 class CameraPicture:

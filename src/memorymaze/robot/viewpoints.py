@@ -9,17 +9,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal, Protocol
 
-__all__ = [
-    "EIGHT_DIRECTIONS",
-    "Journey",
-    "JourneyEnd",
-    "Outlook",
-    "Panorama",
-    "SeenThing",
-    "ViewpointRobot",
-    "WayOn",
-]
-
 EIGHT_DIRECTIONS = 8
 """Directions of a look around: north first, then clockwise, 45 degrees apart."""
 

@@ -7,21 +7,6 @@ a stretch of walking with all that is said about it, and the turn that ends it.
 from dataclasses import dataclass, field
 from typing import Literal
 
-__all__ = [
-    "Arrival",
-    "Junction",
-    "Leg",
-    "Length",
-    "Mention",
-    "Outlook",
-    "Passing",
-    "Place",
-    "RoutePlan",
-    "Side",
-    "Turn",
-    "Way",
-]
-
 Way = Literal[
     "left",
     "right",

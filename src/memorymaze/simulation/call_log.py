@@ -7,8 +7,6 @@ from memorymaze.geometry.pose import Pose, turn_between
 from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.simulation.trace import TraceEvent
 
-__all__ = ["CallLog"]
-
 STILL_DISTANCE = 0.01
 """Metres driven below which a call brought no motion."""
 STILL_ANGLE = 0.02
@@ -70,14 +68,6 @@ class CallLog:
         distance: float,
     ) -> None:
         """Report a call.
-
-        Args:
-            call: Name of the function.
-            arguments: By parameter name.
-            result: What it returns, as JSON knows it.
-            time: Simulated seconds.
-            pose: Where the robot is now.
-            distance: Odometer, metres.
 
         Raises:
             EpisodeOver: Too many calls in a row changed nothing.

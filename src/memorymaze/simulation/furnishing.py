@@ -16,8 +16,6 @@ from shapely import LineString
 
 from memorymaze.sites.records import Door, Landmark, Site
 
-__all__ = ["Solid", "door_solid", "landmark_solid"]
-
 DOOR_HEIGHT = 2.1
 DOOR_PROUD = 0.02
 HANGING_HEIGHT = 2.3

@@ -8,8 +8,6 @@ import os
 
 from memorymaze.errors import RenderingError
 
-__all__ = ["ENGINE_VERSION"]
-
 try:
     import mujoco
 except (AttributeError, OSError, RuntimeError) as error:

@@ -17,8 +17,9 @@ from memorymaze.errors import (
 )
 from memorymaze.geometry.pose import Pose, turn_between
 from memorymaze.geometry.trajectory import Trajectory
+from memorymaze.perception.detector import Detector
 from memorymaze.perception.sign_reading import SignReader, TruthSignReader
-from memorymaze.perception.truth_detector import Detector, TruthDetector
+from memorymaze.perception.truth_detector import TruthDetector
 from memorymaze.perception.visible_object import CameraView
 from memorymaze.robot.api import (
     Detection,
@@ -49,8 +50,6 @@ from memorymaze.simulation.senses.odometry import Odometry, OdometrySettings
 from memorymaze.simulation.senses.visibility import RayCamera
 from memorymaze.simulation.settings import TIMESTEP, SimulationSettings
 from memorymaze.simulation.trace import Collision, TraceEvent
-
-__all__ = ["SimulatedRobot"]
 
 
 class SimulatedRobot:

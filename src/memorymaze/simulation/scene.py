@@ -31,15 +31,6 @@ from memorymaze.simulation.obstacles.walks import Walks
 from memorymaze.simulation.walls import walls_around
 from memorymaze.sites.records import Door, Landmark, Site
 
-__all__ = [
-    "BALUSTRADE_HEIGHT",
-    "FLOOR_GROUP",
-    "Scene",
-    "SceneObject",
-    "build_scene",
-    "rings_with_things_above",
-]
-
 FLOOR_GROUP, WALL_GROUP, DOOR_GROUP, LANDMARK_GROUP = 0, 1, 2, 3
 
 BALUSTRADE_HEIGHT = 1.1

@@ -7,8 +7,6 @@ from typing import Literal, get_args
 from memorymaze.errors import SettingsError
 from memorymaze.robot.api import DETECTION_RANGE
 
-__all__ = ["TIMESTEP", "SimulationSettings", "TurningPoints"]
-
 TIMESTEP = 0.01
 """Seconds of a physics step."""
 

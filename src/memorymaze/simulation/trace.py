@@ -5,8 +5,6 @@ from dataclasses import dataclass
 
 from memorymaze.geometry.pose import Pose
 
-__all__ = ["Collision", "TraceEvent"]
-
 
 @dataclass(frozen=True, slots=True)
 class TraceEvent:

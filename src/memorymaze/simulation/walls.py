@@ -7,8 +7,6 @@ from dataclasses import dataclass
 from shapely import Polygon
 from shapely.geometry.polygon import orient
 
-__all__ = ["WALL_THICKNESS", "Wall", "walls_around"]
-
 WALL_THICKNESS = 0.1
 """Metres; all of it stands outside the floor."""
 
@@ -36,9 +34,6 @@ def walls_around(floor: Polygon) -> list[Wall]:
 
     The walls' inner faces lie exactly on the boundary. Where the floor's corner is
     convex the walls reach past it by their thickness, so that no ray slips between.
-
-    Args:
-        floor: Walkable floor, metres.
     """
     turned = orient(floor)
     rings = [turned.exterior, *turned.interiors]

@@ -10,8 +10,6 @@ from memorymaze.sites import plan_models as models
 from memorymaze.sites.problems import PLAN, Finding, Rule
 from memorymaze.sites.records import Site
 
-__all__ = ["benchmark_findings", "wording_findings"]
-
 
 @dataclass(frozen=True, slots=True)
 class _Expected:

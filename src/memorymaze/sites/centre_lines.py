@@ -4,8 +4,6 @@ import math
 
 from shapely import LineString, Polygon
 
-__all__ = ["corridor_centre_line"]
-
 
 def corridor_centre_line(polygon: Polygon) -> LineString:
     """Return the line between the middles of a corridor's two short ends.

@@ -17,8 +17,6 @@ from memorymaze.sites.soundness import (
 )
 from memorymaze.sites.thing_rules import thing_findings
 
-__all__ = ["check_site"]
-
 
 def check_site(path: str | Path) -> list[SiteProblem]:
     """Find everything in a plan that breaks a rule of the format.

@@ -14,8 +14,6 @@ from memorymaze.sites import records
 from memorymaze.sites.problems import Finding, Rule
 from memorymaze.sites.reading import PlanContent
 
-__all__ = ["site_from_content"]
-
 Record = TypeVar("Record")
 
 SMALLEST_AREA = 0.01
@@ -38,10 +36,6 @@ def site_from_content(
     content: PlanContent, source: str
 ) -> tuple[records.Site | None, dict[str, str], list[Finding]]:
     """Make a Site of all features whose shapes are sound.
-
-    Args:
-        content: What was read of the plan.
-        source: Path of the plan.
 
     Returns:
         The site, or None when the plan has no usable header; the kinds of the

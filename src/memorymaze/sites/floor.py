@@ -6,8 +6,6 @@ from shapely import Polygon, union_all
 
 from memorymaze.errors import SitePlanError
 
-__all__ = ["floor_pieces", "union_of_floor"]
-
 SEAM_GAP = 1e-3
 """Half the width in metres of the gaps and slivers that are closed."""
 SEAM_KINK = 5e-3

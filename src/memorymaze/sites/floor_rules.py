@@ -9,8 +9,6 @@ from memorymaze.geometry.pose import turn_between
 from memorymaze.sites.problems import PLAN, Finding
 from memorymaze.sites.records import Area, Corridor, Site, TurningPoint
 
-__all__ = ["exact_floor", "floor_findings"]
-
 CORRIDOR_WIDTHS = (1.8, 8.0)
 """Metres; the wider half is for the ways between a museum's exhibits."""
 FLOOR_ACROSS = (35.0, 110.0)
@@ -44,12 +42,7 @@ def exact_floor(site: Site) -> Polygon:
 
 
 def floor_findings(site: Site, floor: Polygon) -> Iterator[Finding]:
-    """Find what is wrong with the floor.
-
-    Args:
-        site: With a floor that hangs together.
-        floor: Its `exact_floor`.
-    """
+    """Find what is wrong with the floor."""
     yield from _seams(site, floor)
     yield from _extent(floor)
     yield from _narrow_places(site)

@@ -8,15 +8,6 @@ from memorymaze.sites.reading import read_plan
 from memorymaze.sites.records import Site
 from memorymaze.sites.soundness import soundness_findings
 
-__all__ = [
-    "BUILTIN_SITE_NAMES",
-    "builtin_site",
-    "builtin_site_path",
-    "load_site",
-    "load_sites",
-    "plan_paths",
-]
-
 BUILTIN_SITE_NAMES: tuple[str, ...] = ("university", "museum_5f", "museum_7f")
 """The three floors of the benchmark."""
 

@@ -24,8 +24,6 @@ from memorymaze.geometry.floor import Floor
 from memorymaze.sites.records import Site
 from memorymaze.sites.viewpoint_placing import place_viewpoints
 
-__all__ = ["CAMERA_HEIGHT", "NavigationGraph", "Viewpoint", "navigation_graph"]
-
 FloatArray = NDArray[np.float64]
 
 CAMERA_HEIGHT = 1.25

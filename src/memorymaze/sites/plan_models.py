@@ -9,20 +9,6 @@ from typing import Annotated, Literal
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field
 from pydantic_core import PydanticCustomError
 
-__all__ = [
-    "FEATURE_MODELS",
-    "AnchorModel",
-    "AreaFeature",
-    "CorridorFeature",
-    "DoorFeature",
-    "FeatureModel",
-    "LandmarkFeature",
-    "PlanHeader",
-    "RoomFeature",
-    "RouteFeature",
-    "TurningPointFeature",
-]
-
 FARTHEST = 100_000.0
 """No coordinate of a building is farther than this many metres from the origin."""
 

@@ -2,8 +2,6 @@
 
 from typing import Literal, NamedTuple
 
-__all__ = ["PLAN", "Finding", "Rule", "Severity", "SiteProblem"]
-
 Severity = Literal["error", "warning"]
 
 Rule = Literal[

@@ -12,8 +12,6 @@ from pydantic_core import ErrorDetails
 from memorymaze.sites.plan_models import FEATURE_MODELS, FeatureModel, PlanHeader
 from memorymaze.sites.problems import PLAN, Finding, Rule
 
-__all__ = ["PlanContent", "read_plan"]
-
 Model = TypeVar("Model", bound=BaseModel)
 
 

@@ -16,20 +16,6 @@ from memorymaze.geometry.pose import Pose
 from memorymaze.sites.centre_lines import corridor_centre_line
 from memorymaze.sites.floor import union_of_floor
 
-__all__ = [
-    "Anchor",
-    "Area",
-    "Corridor",
-    "Door",
-    "Exit",
-    "Landmark",
-    "Room",
-    "Route",
-    "RouteTurn",
-    "Site",
-    "TurningPoint",
-]
-
 Mount = Literal["floor", "wall", "ceiling"]
 
 

@@ -11,8 +11,6 @@ from memorymaze.geometry.pose import heading_to, turn_between
 from memorymaze.sites.problems import Finding
 from memorymaze.sites.records import Route, Site
 
-__all__ = ["route_findings"]
-
 LENGTH_SLACK = 0.005
 """Metres between `length_m` and the length of the line."""
 CLEARANCE = 0.45

@@ -8,8 +8,6 @@ from memorymaze.sites.floor import floor_pieces
 from memorymaze.sites.problems import PLAN, Finding
 from memorymaze.sites.records import Site
 
-__all__ = ["FLOOR_RULES", "floor_is_complete", "soundness_findings"]
-
 SMALLEST_FREE_FLOOR = 0.01
 """Square metres."""
 FLOOR_ACROSS = 2000.0

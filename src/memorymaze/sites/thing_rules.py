@@ -8,8 +8,6 @@ from shapely import Point, Polygon
 from memorymaze.sites.problems import Finding
 from memorymaze.sites.records import Door, Landmark, Site
 
-__all__ = ["thing_findings"]
-
 DOOR_WIDTHS = (0.8, 2.4)
 """Metres."""
 DOOR_OFF_WALL = 0.05
@@ -29,12 +27,7 @@ FREE_IN_FRONT = 0.25
 
 
 def thing_findings(site: Site, floor: Polygon) -> Iterator[Finding]:
-    """Find what is wrong with rooms, doors and landmarks.
-
-    Args:
-        site: With a floor that hangs together.
-        floor: Its exact floor, metres.
-    """
+    """Find what is wrong with rooms, doors and landmarks."""
     rooms = {room.id: room.polygon for room in site.rooms}
     for room in site.rooms:
         covered = room.polygon.intersection(floor).area

@@ -11,8 +11,6 @@ from shapely.ops import nearest_points
 
 from memorymaze.sites.records import Area, Site
 
-__all__ = ["place_viewpoints"]
-
 FloatArray = NDArray[np.float64]
 
 APART = 0.6

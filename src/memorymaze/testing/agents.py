@@ -14,7 +14,7 @@ from memorymaze.errors import (
     SettingsError,
 )
 from memorymaze.evaluation.agent_failures import failure_line
-from memorymaze.evaluation.agents_for_runs import checked_agent
+from memorymaze.evaluation.own_agents import checked_agent
 from memorymaze.pictures import robot_cameras
 from memorymaze.robot.api import (
     Detection,
@@ -28,8 +28,6 @@ from memorymaze.robot.steps import CameraPicture, SteppingRobot
 from memorymaze.simulation import SimulatedRobot, SimulationSettings, build_scene
 from memorymaze.sites import builtin_site
 from memorymaze.testing.expectation import expect
-
-__all__ = ["INSTRUCTIONS", "check_agent"]
 
 Result = TypeVar("Result")
 

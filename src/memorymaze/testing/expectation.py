@@ -1,7 +1,5 @@
 """How a broken contract is told."""
 
-__all__ = ["expect"]
-
 
 def expect(kept: bool, expected: str, got: object) -> None:
     """Do nothing where a contract is kept.

@@ -15,8 +15,6 @@ from memorymaze.robot.api import (
 )
 from memorymaze.testing.expectation import expect
 
-__all__ = ["check_robot"]
-
 SLACK = 0.05
 """Metres, and metres per metre, by which odometers and moves may differ."""
 

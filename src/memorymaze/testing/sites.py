@@ -17,8 +17,6 @@ from memorymaze.sites import Route, load_site
 from memorymaze.sites import check_site as find_problems
 from memorymaze.testing.expectation import expect
 
-__all__ = ["check_site"]
-
 COVERAGE = 0.9
 """CLS of a perfect follower, at least."""
 

@@ -23,8 +23,6 @@ from memorymaze.understanding.floors import is_floor
 from memorymaze.understanding.lengths import SEGMENT_METRES
 from memorymaze.understanding.restating import Restating
 
-__all__ = ["assemble"]
-
 _AT_ONCE = Length(4.0, "vague")
 _LONGEST_OPEN = 3
 """Clauses after which an opening that was named counts as left alone."""

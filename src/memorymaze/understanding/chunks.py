@@ -32,8 +32,6 @@ from memorymaze.understanding.words import (
     PATTERNS,
 )
 
-__all__ = ["Chunk", "cut", "normalise"]
-
 _LENGTH = re.compile(LENGTH)
 _SEGMENTS = re.compile(SEGMENTS)
 _NUMBER = re.compile(NUMBER + r"\b")

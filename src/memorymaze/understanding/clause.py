@@ -9,8 +9,6 @@ from memorymaze.routes.plan import Side
 from memorymaze.understanding.chunks import Chunk
 from memorymaze.understanding.events import Event
 
-__all__ = ["Clause", "is_aside", "side_of", "towards_a_side"]
-
 _ADVERBS = "hiDar"
 _RECAP = re.compile(r"\b(?:both|like|i said)\b")
 

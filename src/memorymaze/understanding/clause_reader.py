@@ -22,8 +22,6 @@ from memorymaze.understanding.openings import (
 )
 from memorymaze.understanding.things import is_lane, thing_phrase
 
-__all__ = ["ClauseReader"]
-
 _AT_IT = re.compile(r"(?:at|in|when|where|once|the|far|very|its|by)\b")
 _AHEAD = re.compile(r"(?:straight |dead |right )?(?:ahead|front)\b")
 _ROUND = re.compile(r"round|around|bend|curve|curl|wind")

@@ -9,8 +9,6 @@ from dataclasses import replace
 from memorymaze.routes.plan import Length
 from memorymaze.understanding.chunks import Chunk
 
-__all__ = ["apply_corrections"]
-
 _CLASSES = {
     "L": "way",
     "S": "way",

@@ -13,8 +13,6 @@ from memorymaze.routes.plan import (
     Turn,
 )
 
-__all__ = ["describe"]
-
 _WAYS = {
     "left": "turn left",
     "right": "turn right",

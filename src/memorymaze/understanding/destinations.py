@@ -16,8 +16,6 @@ from memorymaze.understanding.things import (
     thing_phrase,
 )
 
-__all__ = ["find_destinations"]
-
 _ANNOUNCED = re.compile(
     r"(?:(?:way|route|directions?|looking|trying to (?:get|go)|want(?:s|ed)? to (?:get|go)"
     r"|guide you|take you|bring you|goal|trip)(?: is)? (?:to|for|into) (?:the |a |your )?"
@@ -46,12 +44,6 @@ def find_destinations(
 
     The likeliest words come first. Things named on the last stretch are weighed by how they are named: announced as
     the destination, said to be ahead or on a side, named last or more than once.
-
-    Args:
-        last: The stretch after the last turn.
-        drafts: All stretches.
-        chunks: Chunks of the whole text.
-        text: The normalised text.
     """
     scores: dict[str, float] = {}
     sides: dict[str, Side | None] = {}

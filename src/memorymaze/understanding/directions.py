@@ -9,16 +9,6 @@ from memorymaze.understanding.clause import (
     towards_a_side,
 )
 
-__all__ = [
-    "comes_before_its_thing",
-    "faces",
-    "is_of_a_sign",
-    "is_on_both_sides",
-    "is_turn",
-    "names_a_way",
-    "speaks_of_ways",
-]
-
 _SIGN = re.compile(
     r"\b(?:sign|board|arrow|screen|signs|arrows|shows?|points?|pointing)\b"
 )

@@ -17,8 +17,6 @@ from memorymaze.routes.plan import (
 from memorymaze.understanding.events import Event
 from memorymaze.understanding.lengths import combine_lengths
 
-__all__ = ["Draft", "arrival_of", "leg_of", "place_of"]
-
 _PLACES: dict[str, Place] = {
     "at": "turn",
     "until": "turn",

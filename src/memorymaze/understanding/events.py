@@ -5,8 +5,6 @@ from typing import Literal
 
 from memorymaze.routes.plan import Junction, Length, Side, Way
 
-__all__ = ["Event", "EventKind", "Relation"]
-
 EventKind = Literal[
     "turn",
     "length",

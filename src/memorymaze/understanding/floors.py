@@ -2,8 +2,6 @@
 
 import re
 
-__all__ = ["ANY_FLOOR", "floor_phrase", "is_floor", "wall_phrase"]
-
 ANY_FLOOR = "floor"
 """What to look for to learn whether coverings can be told at all."""
 

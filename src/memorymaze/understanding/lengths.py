@@ -6,17 +6,6 @@ from typing import Literal
 
 from memorymaze.routes.plan import Length
 
-__all__ = [
-    "LENGTH",
-    "NUMBER",
-    "SEGMENTS",
-    "SEGMENT_METRES",
-    "combine_lengths",
-    "read_length",
-    "read_number",
-    "read_segments",
-]
-
 _Unit = Literal["metres", "steps", "time", "vague", "segments"]
 _LOOSE_UNITS: tuple[_Unit, ...] = ("vague", "time")
 """Units that do not count beside others."""

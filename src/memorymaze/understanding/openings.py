@@ -8,8 +8,6 @@ from memorymaze.understanding.clause import Clause, side_of
 from memorymaze.understanding.events import Event
 from memorymaze.understanding.words import ORDINALS
 
-__all__ = ["read_left_alone", "read_opening"]
-
 _TAKEN = re.compile(r"opening|turn|gap|exit|fork|branch")
 """Nouns for openings that one takes, not merely walks along."""
 
@@ -36,9 +34,6 @@ def read_opening(
         clause: The clause.
         start: Index of an ordinal, a junction noun, or a number before one.
         turned: Whether the clause has told a turn already.
-
-    Returns:
-        What they say, and the index after them.
     """
     opening, at = _words_of(clause, start)
     before, after = clause.kinds[:start], clause.kinds[at:]

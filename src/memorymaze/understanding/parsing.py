@@ -10,8 +10,6 @@ from memorymaze.understanding.events import Event
 from memorymaze.understanding.reading import read_clauses, split_clauses
 from memorymaze.understanding.summaries import without_overviews
 
-__all__ = ["parse_route_description"]
-
 
 def parse_route_description(text: str) -> RoutePlan:
     """Return the plan that an English route description gives."""

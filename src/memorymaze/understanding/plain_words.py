@@ -2,8 +2,6 @@
 
 import re
 
-__all__ = ["in_plain_words"]
-
 _numbers = r"(?:\d|one|two|three|four|five|six|seven|eight|nine)"
 _PLAIN_WORDS = tuple(
     (re.compile(pattern), plain)

@@ -8,8 +8,6 @@ from memorymaze.understanding.clause_reader import ClauseReader
 from memorymaze.understanding.events import Event
 from memorymaze.understanding.things import thing_phrase
 
-__all__ = ["read_clauses", "split_clauses"]
-
 _OPENERS = "TGIXPKOM2AwQEVYsu"
 """Kinds of chunk that begin a new clause after `and`."""
 
@@ -63,12 +61,7 @@ def _starts_anew(clause: Sequence[Chunk], chunk: Chunk) -> bool:
 def read_clauses(
     clauses: Sequence[list[Chunk]], before: Sequence[Event]
 ) -> list[Event]:
-    """Return the events of one sentence, with marks between its clauses.
-
-    Args:
-        clauses: The clauses of the sentence.
-        before: Events of the sentences before.
-    """
+    """Return the events of one sentence, with marks between its clauses."""
     events: list[Event] = []
     told = list(before[-60:])
     missing = False

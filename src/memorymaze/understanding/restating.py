@@ -6,8 +6,6 @@ from memorymaze.routes.plan import Way
 from memorymaze.understanding.drafts import Draft
 from memorymaze.understanding.events import Event
 
-__all__ = ["Restating"]
-
 
 class Restating:
     """Knows whether the sentence at hand only says the last turn again."""
@@ -41,13 +39,6 @@ class Restating:
         It does when it goes the same way, nothing else was said in between, and
         nothing (`then`, `again`, the next item of a list, a new landmark) says that it
         is a new one.
-
-        Args:
-            at: Index of the turn.
-            way: Where it leads.
-            ordinal: Which opening it takes.
-            done: Finished legs.
-            draft: What was said since.
         """
         event = self._events[at]
         last = done[-1].turn if done else None

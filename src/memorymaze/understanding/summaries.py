@@ -5,8 +5,6 @@ from collections.abc import Sequence
 
 from memorymaze.understanding.events import Event
 
-__all__ = ["without_overviews"]
-
 _OVERVIEW = re.compile(
     r"\b(?:overall|in short|in brief|basically|in general|generally|big picture|in total"
     r"|altogether|the whole (?:thing|way|walk|route)|the general idea|to sum up|summary"
@@ -23,9 +21,6 @@ def without_overviews(sentences: list[tuple[str, list[Event]]]) -> list[Event]:
 
     An overview has two turns or more that are told again, in order, by the sentences
     after it, or before it when it comes last.
-
-    Args:
-        sentences: Words and events of each sentence.
     """
     sentences = _after_outline(sentences)
     turns = [[e.way for e in events if e.kind == "turn"] for _, events in sentences]

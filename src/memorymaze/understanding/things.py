@@ -4,8 +4,6 @@ import re
 
 from memorymaze.understanding.words import FILLERS, SURFACES, UNSEEN
 
-__all__ = ["is_common", "is_lane", "place_on_sign", "thing_phrase"]
-
 _NUMBERS = {
     "one": "1", "two": "2", "three": "3", "four": "4", "five": "5", "six": "6",
     "seven": "7", "eight": "8", "nine": "9", "ten": "10", "eleven": "11",

@@ -5,8 +5,6 @@ place the first pattern that matches wins. Words that no pattern claims are cont
 words, from which the names of things are made.
 """
 
-__all__ = ["CLOCK", "ORDINALS", "PATTERNS", "SIDES", "SURFACES", "UNSEEN"]
-
 ORDINALS: dict[str, int] = {
     "first": 1, "1st": 1, "next": 1, "nearest": 1, "very next": 1, "very first": 1,
     "second": 2, "2nd": 2, "third": 3, "3rd": 3, "fourth": 4, "4th": 4,

@@ -5,8 +5,6 @@ from collections.abc import Mapping, Sequence
 from memorymaze.writing.clauses import Focus
 from memorymaze.writing.steps import Mistake, StepPlan
 
-__all__ = ["error_label", "focus_of", "in_one_breath", "keys_in_order"]
-
 MERGED_WITHIN = 8.0
 """Metres between two turns that can be told as one."""
 

@@ -15,8 +15,6 @@ from memorymaze.writing.steps import Leg, Passing
 from memorymaze.writing.things import is_plural, with_article
 from memorymaze.writing.voices import Voice
 
-__all__ = ["Aside", "leg_asides", "stated_length"]
-
 STEP = 0.7
 """Metres."""
 PACE = 1.2

@@ -13,8 +13,6 @@ from memorymaze.writing.clauses import (
 from memorymaze.writing.marked_text import mark, without_marks
 from memorymaze.writing.voices import Voice
 
-__all__ = ["disturbed", "opening_and_closing", "small_talk"]
-
 SPOKEN_BEGINNINGS = (
     "okay, so, to {goal}",
     "let me think for a moment",
@@ -123,15 +121,7 @@ FRESH_STARTS = ("so you, ", "and then you, ", "there's, ", "it's, ", "and, and "
 def opening_and_closing(
     voice: Voice, goal: str, first: str, last: str, rng: np.random.Generator
 ) -> list[Aside]:
-    """Return a way to begin and a way to end.
-
-    Args:
-        voice: Who speaks.
-        goal: The destination with its article.
-        first: Key of what is said first.
-        last: Key of what is said last.
-        rng: Source of chance.
-    """
+    """Return a way to begin and a way to end."""
     if voice.again:
         openings: Sequence[str] = SPOKEN_AGAIN if voice.spoken else TYPED_AGAIN
     else:
@@ -147,13 +137,7 @@ def opening_and_closing(
 def small_talk(
     voice: Voice, keys: Sequence[str], rng: np.random.Generator
 ) -> list[Aside]:
-    """Return what has nothing to do with the turns, in random order and places.
-
-    Args:
-        voice: Who speaks.
-        keys: Of the steps that it can stand before.
-        rng: Source of chance.
-    """
+    """Return what has nothing to do with the turns, in random order and places."""
     pool = SMALL_TALK if voice.spoken else TYPED_TALK
     return [
         Aside(
@@ -174,15 +158,7 @@ def disturbed(
     turn: bool = False,
     sure: bool = False,
 ) -> str:
-    """Put the fillers, hedges and fresh starts of a speaker into a sentence.
-
-    Args:
-        text: Marked, without capital or full stop.
-        voice: Who speaks.
-        rng: Source of chance.
-        turn: Whether the sentence tells where to go.
-        sure: Whether it takes no hedge.
-    """
+    """Put the fillers, hedges and fresh starts of a speaker into a sentence."""
     filler, hedge, again, inside = rng.random(4)
     plain = without_marks(text)
     doubtful = any(word in plain for word in DOUBTFUL)

@@ -9,8 +9,6 @@ from memorymaze.writing.steps import Cue, StepPlan, Turn
 from memorymaze.writing.voices import Voice
 from memorymaze.writing.walking import is_right
 
-__all__ = ["chosen_plan"]
-
 THING_WEIGHT, ORDINAL_WEIGHTS, END_WEIGHT = 1.2, (1.2, 0.9, 0.3), 1.3
 RARE = 0.02
 """Weight of a cue that nobody would choose who has another."""

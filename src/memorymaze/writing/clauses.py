@@ -21,20 +21,6 @@ from memorymaze.writing.steps import Arrival, Leg, Turn
 from memorymaze.writing.things import with_article
 from memorymaze.writing.voices import Voice
 
-__all__ = [
-    "Focus",
-    "Size",
-    "arrival_clause",
-    "goal_words",
-    "is_command",
-    "merged_clause",
-    "one_of",
-    "place_words",
-    "skipped_clause",
-    "spoken_as",
-    "turn_clause",
-]
-
 Size = Literal["terse", "plain", "wordy"]
 Focus = Mapping[str, str]
 """Labels by the part of a step that they are for: `side`, `cue`, or `step` for all."""

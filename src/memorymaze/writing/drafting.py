@@ -25,8 +25,6 @@ from memorymaze.writing.steps import Mistake, StepPlan
 from memorymaze.writing.voices import Voice, make_voice
 from memorymaze.writing.walks import WalkMap
 
-__all__ = ["Cell", "Draft", "cells_of", "drafts"]
-
 Study = Literal["online", "onsite"]
 Iteration = Literal[1, 2]
 STUDIES: tuple[Study, ...] = ("online", "onsite")

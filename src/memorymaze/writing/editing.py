@@ -26,8 +26,6 @@ from memorymaze.writing.told_sides import certain_sides
 from memorymaze.writing.voices import make_voice
 from memorymaze.writing.walks import WalkMap
 
-__all__ = ["with_errors"]
-
 EDITABLE = frozenset({
     "incorrect_direction",
     "missing_turn",

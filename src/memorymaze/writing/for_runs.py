@@ -8,17 +8,12 @@ from memorymaze.instructions.writing import instruction_record, lines
 from memorymaze.writing.making import make_instructions
 from memorymaze.writing.request import GenerationRequest
 
-__all__ = ["GENERATED", "instructions_for_run"]
-
 GENERATED = "generated.jsonl"
 """In the run folder."""
 
 
 def instructions_for_run(folder: Path, request: GenerationRequest) -> Path:
     """Make a run's instructions, unless they lie in its folder already.
-
-    Returns:
-        The instruction file.
 
     Raises:
         RunFolderError: The folder holds a run, or other instructions.

@@ -12,8 +12,6 @@ from memorymaze.writing.marked_text import Marked
 from memorymaze.writing.steps import Mistake
 from memorymaze.writing.telling import Teller
 
-__all__ = ["instructions_of", "spans_of", "told_instruction", "write_draft"]
-
 NEAR_ENOUGH = 3
 """Words between the wanted and the written length."""
 REVISIONS = 3

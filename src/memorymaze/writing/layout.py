@@ -13,8 +13,6 @@ from memorymaze.writing.marked_text import (
 )
 from memorymaze.writing.voices import Voice
 
-__all__ = ["Told", "as_sentence", "laid_out", "run_together"]
-
 RUN_TOGETHER = {True: 0.4, False: 0.15}
 """Share of sentences joined to the one before, in speech and in typing."""
 LONGEST_FIRST = 12

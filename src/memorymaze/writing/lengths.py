@@ -5,8 +5,6 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["stratified", "wanted_lengths"]
-
 LONGEST = 3.5
 """Standard deviations above the mean; longer ones are drawn again."""
 STEEPEST = 1.4

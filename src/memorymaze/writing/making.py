@@ -15,8 +15,6 @@ from memorymaze.writing.grammar import write_draft
 from memorymaze.writing.model_engine import written_by_model
 from memorymaze.writing.request import GenerationRequest
 
-__all__ = ["Made", "make_instructions"]
-
 
 @dataclass(frozen=True, slots=True)
 class Made:

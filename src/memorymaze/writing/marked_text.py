@@ -6,8 +6,6 @@ While a text is put together, labels are kept inside it between control characte
 
 from typing import NamedTuple
 
-__all__ = ["Marked", "capitalised", "mark", "read_marks", "without_marks"]
-
 OPEN, END_OF_LABEL, CLOSE = "\x02", "\x1f", "\x03"
 
 

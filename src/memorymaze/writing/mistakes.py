@@ -23,8 +23,6 @@ from memorymaze.writing.wrong_turns import (
     wrong_starts,
 )
 
-__all__ = ["made_wrong", "possible_mistakes"]
-
 TRIES = 40
 """Proposals that are walked, at most."""
 
@@ -45,9 +43,6 @@ def possible_mistakes(
         plan: A plan for it; right, or wrong in other steps.
         kind: A name from `ERROR_KINDS`.
         rng: Source of chance.
-
-    Yields:
-        Errors with which the plan does not arrive.
     """
     proposals = list(MAKERS[kind](reading, plan, rng))
     for number in rng.permutation(len(proposals))[:TRIES]:

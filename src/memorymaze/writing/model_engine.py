@@ -24,8 +24,6 @@ from memorymaze.writing.step_listing import listed_errors, listed_steps
 from memorymaze.writing.steps import StepPlan
 from memorymaze.writing.told_sides import commands
 
-__all__ = ["written_by_model"]
-
 ATTEMPTS = 3
 EXAMPLES = 2
 TAG = re.compile(r"<(/?)(turn|error)(?: n=\"?(\d+)\"?)?(/?)>")
@@ -84,11 +82,7 @@ def _examples(draft: Draft) -> str:
 
 
 def _read(reply: str, draft: Draft, *, paired: bool) -> list[Instruction]:
-    """Return the records of a reply.
-
-    Raises:
-        ValueError: It does not keep to the plan; says how.
-    """
+    """Return the records of a reply."""
     texts = {kind: text.strip() for kind, text in TEXT.findall(reply)}
     if not draft.mistakes:
         texts.setdefault("wrong", texts.get("right", ""))

@@ -6,17 +6,6 @@ brackets says where; a pattern without brackets leaves that to the listener.
 
 from collections.abc import Mapping, Sequence
 
-__all__ = [
-    "ARRIVALS",
-    "ARRIVALS_BY",
-    "MERGED",
-    "ORDINALS",
-    "SKIPPED",
-    "SLIGHT",
-    "SPOKEN_TURNS",
-    "TURNS",
-]
-
 ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth")
 
 Patterns = Mapping[str, Sequence[str]]

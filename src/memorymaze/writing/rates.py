@@ -13,8 +13,6 @@ from memorymaze.instructions.error_kinds import (
 )
 from memorymaze.instructions.published import published_tables
 
-__all__ = ["CellRates", "ErrorRates", "cell_rates", "parse_rates"]
-
 FAILURE, PUBLISHED, NONE = "failure", "published", "none"
 
 

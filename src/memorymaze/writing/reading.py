@@ -26,8 +26,6 @@ from memorymaze.writing.things import Thing
 from memorymaze.writing.walking import walk
 from memorymaze.writing.walks import WalkMap, side_of
 
-__all__ = ["RouteReading"]
-
 BESIDE = 4.5
 """Metres from the way within which things are mentioned."""
 AHEAD = math.radians(40)

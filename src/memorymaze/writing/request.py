@@ -8,8 +8,6 @@ from memorymaze.errors import SettingsError
 from memorymaze.options import check_whole
 from memorymaze.writing.rates import ErrorRates
 
-__all__ = ["GRAMMAR", "GenerationRequest"]
-
 GRAMMAR = "grammar"
 TABLE_ONE = ErrorRates()
 

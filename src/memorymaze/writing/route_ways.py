@@ -12,8 +12,6 @@ from memorymaze.errors import SitePlanError
 from memorymaze.geometry.pose import heading_to
 from memorymaze.sites.records import Route
 
-__all__ = ["Way", "carried_on", "overlaps", "route_ways"]
-
 
 class Way(NamedTuple):
     """A way out of a turning point, up to the next one."""

@@ -7,8 +7,6 @@ from memorymaze.writing.phrases import ORDINALS
 from memorymaze.writing.steps import Cue, Leg, Mistake, StepPlan, Turn
 from memorymaze.writing.things import with_article
 
-__all__ = ["listed_errors", "listed_steps"]
-
 THINGS = 4
 """Things named per stretch."""
 

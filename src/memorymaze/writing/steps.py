@@ -10,8 +10,6 @@ from typing import Literal
 from memorymaze.writing.things import Thing
 from memorymaze.writing.walks import Side
 
-__all__ = ["Arrival", "Cue", "Leg", "Mistake", "Passing", "StepPlan", "Turn"]
-
 
 @dataclass(frozen=True, slots=True)
 class Passing:

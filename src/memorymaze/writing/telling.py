@@ -48,8 +48,6 @@ from memorymaze.writing.marked_text import (
 from memorymaze.writing.steps import Leg, Mistake, StepPlan, Turn
 from memorymaze.writing.voices import Voice
 
-__all__ = ["Teller"]
-
 START, ARRIVAL, END = "start", "arrival", "end"
 SLACK = 2
 """Words that a text may be longer than wanted."""
@@ -70,14 +68,7 @@ class Teller:
     """
 
     def __init__(self, plan: StepPlan, voice: Voice, seed: int, words: float) -> None:
-        """Choose what is said.
-
-        Args:
-            plan: The right plan.
-            voice: Who speaks.
-            seed: Of the words.
-            words: How long the text should be.
-        """
+        """Choose what is said."""
         self._plan = plan
         self._voice = voice
         self._seed = seed

@@ -5,8 +5,6 @@ from dataclasses import dataclass
 
 from memorymaze.sites.records import Door, Landmark, Site
 
-__all__ = ["Thing", "is_plural", "things_of", "with_article"]
-
 NEVER_TOLD = frozenset({"large window", "window", "lamp", "light", "power outlet"})
 """Categories that are everywhere and say nothing."""
 PLAIN_DOORS = {

@@ -4,8 +4,6 @@ import re
 from collections.abc import Sequence
 from typing import NamedTuple
 
-__all__ = ["ToldSide", "certain_sides", "commands"]
-
 COMMAND = re.compile(
     r"\b(?:turn(?:ing)?|go(?:ing)?|bear(?:ing)?|make|take|taking|keep|then|and|at the end,?)"
     r"(?: (?:a|the|another|your|slight|slightly|sharp|first|second|third|next|to the|"

@@ -6,8 +6,6 @@ from typing import Literal
 
 import numpy as np
 
-__all__ = ["Surface", "Voice", "default_surface", "make_voice"]
-
 Layout = Literal["prose", "numbered", "lines"]
 Unit = Literal["metres", "steps", "seconds"]
 

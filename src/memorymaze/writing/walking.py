@@ -14,8 +14,6 @@ from memorymaze.writing.route_ways import Way
 from memorymaze.writing.steps import Arrival, StepPlan, Turn
 from memorymaze.writing.walks import WalkMap
 
-__all__ = ["ARRIVED", "Walk", "is_right", "is_wrong", "walk"]
-
 ARRIVED = 3.0
 """Metres from the goal within which a description ends right."""
 SEEN = 6.0

@@ -20,8 +20,6 @@ from memorymaze.writing.route_ways import (
 )
 from memorymaze.writing.things import Thing, things_of
 
-__all__ = ["Side", "WalkMap", "side_of", "turn_angle"]
-
 Side = str
 """`left`, `right`, `slight_left` or `slight_right`."""
 

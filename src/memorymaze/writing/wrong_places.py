@@ -22,8 +22,6 @@ from memorymaze.writing.things import Thing, with_article
 from memorymaze.writing.walks import side_of
 from memorymaze.writing.wrong_turns import plain_side, turns_with_choice
 
-__all__ = ["things_not_there", "wrong_destinations"]
-
 NOT_THERE = (
     "red telephone box",
     "grand piano",

@@ -14,16 +14,6 @@ from memorymaze.writing.steps import Cue, Leg, Mistake, StepPlan, Turn
 from memorymaze.writing.walking import is_wrong, walk
 from memorymaze.writing.walks import Side
 
-__all__ = [
-    "extra_turns",
-    "missing_turns",
-    "plain_side",
-    "turns_with_choice",
-    "wrong_points",
-    "wrong_sides",
-    "wrong_starts",
-]
-
 OPPOSITE = {"left": "right", "right": "left"}
 
 

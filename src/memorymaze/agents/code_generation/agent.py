@@ -19,8 +19,6 @@ from memorymaze.language.sandbox import DEFAULT_LIMITS, ProgramLimits, run_progr
 from memorymaze.robot.api import Robot
 from memorymaze.robot.specification import API_NAMES
 
-__all__ = ["CodeGenerationAgent"]
-
 MOST_CALLS_TOLD = 200
 """Of what a failed program did, the model is told this many calls at most."""
 

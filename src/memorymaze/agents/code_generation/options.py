@@ -5,8 +5,6 @@ from typing import Literal
 
 from memorymaze.errors import SettingsError
 
-__all__ = ["CodeGenerationOptions"]
-
 
 @dataclass(frozen=True, slots=True)
 class CodeGenerationOptions:

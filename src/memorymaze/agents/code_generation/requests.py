@@ -13,8 +13,6 @@ from memorymaze.language.model import CompletionRequest, Message
 from memorymaze.language.prompt_texts import load_prompt
 from memorymaze.robot.specification import api_specification
 
-__all__ = ["CodeGenerationRequests"]
-
 _FIRST_STAGE = re.compile(r"^First (\w+):\n.*?^Refined \1:", re.MULTILINE | re.DOTALL)
 """In an example: from the first output to where the refined one begins."""
 

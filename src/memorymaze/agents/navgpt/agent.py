@@ -17,8 +17,6 @@ from memorymaze.language.model import CompletionRequest, LanguageModel, Message
 from memorymaze.language.prompt_texts import load_prompt
 from memorymaze.robot.viewpoints import ViewpointRobot
 
-__all__ = ["NavGPTAgent"]
-
 
 class NavGPTAgent:
     """Follows an instruction by asking a language model for each next viewpoint.

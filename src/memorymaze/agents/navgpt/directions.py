@@ -4,15 +4,6 @@ import math
 
 from memorymaze.geometry.pose import wrap_angle
 
-__all__ = [
-    "DIRECTION_NAMES",
-    "compass_degrees",
-    "relative_words",
-    "sector_bounds",
-    "sector_of",
-    "turn_words",
-]
-
 DIRECTION_NAMES = (
     "Front",
     "Front Right",

@@ -14,8 +14,6 @@ from memorymaze.agents.navgpt.directions import (
 )
 from memorymaze.robot.viewpoints import Panorama, SeenThing, WayOn
 
-__all__ = ["Place", "history_line", "observation_text", "summary_text", "ways_text"]
-
 SECTORS = len(DIRECTION_NAMES)
 
 

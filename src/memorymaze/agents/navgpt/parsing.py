@@ -4,8 +4,6 @@ import re
 from dataclasses import dataclass
 from typing import Literal
 
-__all__ = ["MOVE_ACTION", "Finish", "Move", "Unreadable", "read_reply", "thought_of"]
-
 MOVE_ACTION = "go_to_viewpoint"
 """The only action there is."""
 

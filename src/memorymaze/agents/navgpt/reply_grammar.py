@@ -4,15 +4,9 @@ from collections.abc import Sequence
 
 from memorymaze.agents.navgpt.parsing import MOVE_ACTION
 
-__all__ = ["reply_grammar"]
-
 
 def reply_grammar(viewpoints: Sequence[str]) -> str:
-    """Return the grammar of one thought with a move or a final answer.
-
-    Args:
-        viewpoints: Ids that the move may name.
-    """
+    """Return the grammar of one thought with a move or a final answer."""
     rules = [
         r'root ::= "Thought: " thought "\n" (finish | move)'
         if viewpoints

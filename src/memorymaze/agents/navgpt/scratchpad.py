@@ -2,8 +2,6 @@
 
 from dataclasses import dataclass, replace
 
-__all__ = ["Scratchpad"]
-
 LONGEST_FAILURE = 400
 """Characters of a reply that could not be used; the rest is not shown again."""
 

@@ -6,8 +6,6 @@ from typing import Literal
 
 from memorymaze.errors import SettingsError
 
-__all__ = ["LoopLimits", "NavGPTOptions", "loop_limits"]
-
 RELEASED_ITERATIONS = 10
 RELEASED_SCRATCHPAD = 7000
 FAIR_ITERATIONS = 2.0

@@ -23,8 +23,6 @@ from memorymaze.agents.navgpt.settings import LoopLimits
 from memorymaze.errors import EpisodeOver
 from memorymaze.robot.viewpoints import Journey, ViewpointRobot
 
-__all__ = ["Ask", "Counts", "Walk"]
-
 Ask = Callable[[str, str, Sequence[str]], str]
 """Returns the model's reply, given what is told of the start, the steps so far, and the
 ids of the viewpoints listed."""
@@ -54,15 +52,7 @@ class Walk:
         *,
         faithful: bool = False,
     ) -> None:
-        """Begin where the robot is.
-
-        Args:
-            ask: Asks the model.
-            robot: At the start of an episode.
-            journal: Where everything is noted.
-            limits: When to break off.
-            faithful: Whether the released code's faults are kept.
-        """
+        """Begin where the robot is."""
         self.counts = Counts()
         """What happened so far."""
         self._ask = ask

@@ -30,8 +30,6 @@ from memorymaze.errors import CommandError, EpisodeOver, LanguageModelError
 from memorymaze.robot.api import Robot
 from memorymaze.robot.steps import SteppingRobot
 
-__all__ = ["NavidAgent"]
-
 STILL_METRES = 0.01
 """A step ahead of less is none."""
 

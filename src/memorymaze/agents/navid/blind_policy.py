@@ -11,8 +11,6 @@ from memorymaze.agents.navid.reply_grammar import reply_grammar
 from memorymaze.agents.navid.vision_policy import asked_again, rules
 from memorymaze.language.model import CompletionRequest, LanguageModel, Message
 
-__all__ = ["BlindPolicy"]
-
 SAID_MOTIONS = 40
 """Motions so far that the model is told, each with its whole length: the last ones."""
 
@@ -23,13 +21,7 @@ class BlindPolicy:
     def __init__(
         self, model: LanguageModel, *, temperature: float = 0.0, max_tokens: int = 300
     ) -> None:
-        """Prepare.
-
-        Args:
-            model: Needs to understand text only.
-            temperature: Of each request.
-            max_tokens: Longest reply.
-        """
+        """Prepare."""
         self._model = model
         self._temperature = temperature
         self._max_tokens = max_tokens

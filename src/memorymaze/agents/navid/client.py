@@ -19,8 +19,6 @@ from memorymaze.agents.navid.protocol import (
 )
 from memorymaze.errors import LanguageModelError, SettingsError
 
-__all__ = ["PolicyServer"]
-
 Reply = TypeVar("Reply", bound=BaseModel)
 
 LONGEST_ANSWER = 1_000_000
@@ -141,12 +139,7 @@ class PolicyServer:
             time.sleep(self._first_delay * 2 ** (attempt - 1))
 
     def _send(self, method: str, path: str, body: str | None) -> tuple[int, bytes]:
-        """Return status and body of the answer.
-
-        Raises:
-            LanguageModelError: The answer is too long.
-            httpx2.HTTPError: No answer came.
-        """
+        """Return status and body of the answer."""
         latest = time.monotonic() + self._timeout
         received = bytearray()
         with self._client.stream(

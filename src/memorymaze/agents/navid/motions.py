@@ -3,8 +3,6 @@
 from dataclasses import dataclass
 from typing import Literal
 
-__all__ = ["STANDARD_MOTIONS", "Command", "Motion", "Motions"]
-
 Motion = Literal["forward", "left", "right", "stop"]
 
 

@@ -12,8 +12,6 @@ from PIL import Image
 from memorymaze.agents.navid.motions import Command, Motion, Motions
 from memorymaze.language.model import Completion, Picture
 
-__all__ = ["Answer", "Frame", "Policy", "PolicySession", "Task", "frame_name"]
-
 WIDTH, HEIGHT = 640, 480
 """Pixels of the pictures that are sent."""
 FIELD_OF_VIEW_DEG = 90.0

@@ -17,23 +17,6 @@ from pydantic.json_schema import models_json_schema
 
 from memorymaze.agents.navid.motions import Motion
 
-__all__ = [
-    "PROTOCOL",
-    "VERSION",
-    "Acknowledgement",
-    "ActReply",
-    "ActRequest",
-    "ActionSpace",
-    "CameraDescription",
-    "CloseRequest",
-    "Failure",
-    "MotionReply",
-    "ReplyUsage",
-    "ResetRequest",
-    "ServerInfo",
-    "message_schema",
-]
-
 PROTOCOL = "memorymaze-navid"
 VERSION = 1
 

@@ -36,8 +36,6 @@ from memorymaze.language.model import (
     Usage,
 )
 
-__all__ = ["RemotePolicy"]
-
 CAMERA = CameraDescription(
     width=WIDTH,
     height=HEIGHT,
@@ -91,11 +89,7 @@ class ReplayedPolicy:
     """Gives the recorded answers of a policy server, which need not be there."""
 
     def __init__(self, model: LanguageModel) -> None:
-        """Prepare.
-
-        Args:
-            model: A `ReplayingModel`.
-        """
+        """Prepare."""
         self._model = model
 
     @property

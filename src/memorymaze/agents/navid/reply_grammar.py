@@ -4,8 +4,6 @@ import functools
 
 from memorymaze.agents.navid.motions import Motions
 
-__all__ = ["reply_grammar"]
-
 
 @functools.cache
 def reply_grammar(motions: Motions) -> str:

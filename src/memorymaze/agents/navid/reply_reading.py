@@ -13,8 +13,6 @@ from typing import Any, cast
 
 from memorymaze.agents.navid.motions import Command, Motion, Motions
 
-__all__ = ["Unreadable", "read_reply", "read_reply_as_released"]
-
 LONGEST_REPLY = 20_000
 """Characters beyond which a reply is not read."""
 

@@ -24,8 +24,6 @@ from collections.abc import Callable
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from typing import Any
 
-__all__ = ["ScriptedPolicy", "Sessions", "make_server"]
-
 PROTOCOL = "memorymaze-navid"
 PROTOCOL_VERSION = 1
 LONGEST_REQUEST = 8_000_000
@@ -256,12 +254,7 @@ def make_server(policy: Any, host: str = "127.0.0.1", port: int = 0) -> Any:
 
 
 def _maker(options: argparse.Namespace) -> Callable[[], Any]:
-    """Return what makes the policy.
-
-    Raises:
-        OSError: A file cannot be read.
-        ValueError: A file has not what was asked for.
-    """
+    """Return what makes the policy."""
     if options.policy is None:
         script = SCRIPT
         if options.script is not None:

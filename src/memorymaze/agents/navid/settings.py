@@ -7,8 +7,6 @@ from typing import Literal
 from memorymaze.agents.navid.motions import Motions
 from memorymaze.errors import SettingsError
 
-__all__ = ["NavidOptions"]
-
 RELEASED_STEPS = 400
 """Steps after which the released evaluation on R2R breaks off; on RxR it is 500."""
 

@@ -13,15 +13,9 @@ from memorymaze.language.model import (
 )
 from memorymaze.language.prompt_texts import load_prompt
 
-__all__ = ["VisionPolicy", "asked_again", "chosen_frames", "rules"]
-
 
 def chosen_frames(past: int, wanted: int) -> list[int]:
     """Return which past pictures to show: evenly spread, the first and the last too.
-
-    Args:
-        past: How many there are.
-        wanted: How many to show at most.
 
     >>> chosen_frames(5, 8), chosen_frames(100, 4), chosen_frames(100, 1)
     ([0, 1, 2, 3, 4], [0, 33, 66, 99], [99])

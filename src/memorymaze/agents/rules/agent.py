@@ -23,8 +23,6 @@ from memorymaze.understanding import (
     parse_route_description,
 )
 
-__all__ = ["RulesAgent", "RulesOptions"]
-
 SAME_HEADING = math.radians(35)
 """Ways to face that differ by less are one."""
 METRE_BACK = 0.012

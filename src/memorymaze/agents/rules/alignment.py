@@ -29,8 +29,6 @@ from memorymaze.understanding import (
     RoutePlan,
 )
 
-__all__ = ["Aligner", "Branch", "Ending", "Standing"]
-
 UNSAID_TURN = 4.0
 """Cost of a turn that the description leaves out where one could go on."""
 UNSAID_CHOICE = 2.6

@@ -21,8 +21,6 @@ from memorymaze.understanding import (
     is_floor,
 )
 
-__all__ = ["Arrivals", "approach"]
-
 POORLY_SEEN = 1.0
 """Nats lost, times one minus the score, by stopping at something seen."""
 COMMON = 1.3
@@ -258,12 +256,7 @@ class Arrivals:
 
 
 def approach(walker: Walker, sighting: Sighting) -> None:
-    """Walk up to a thing just seen; into the place behind it when it is a door.
-
-    Args:
-        walker: The robot, facing the thing.
-        sighting: The thing.
-    """
+    """Walk up to a thing just seen; into the place behind it when it is a door."""
     for _ in range(14 + int(sighting.distance)):
         seen = [s for s in walker.look((sighting.phrase,)) if s.track == sighting.track]
         if not seen:

@@ -22,18 +22,6 @@ from memorymaze.understanding import (
     is_floor,
 )
 
-__all__ = [
-    "Choices",
-    "distance_to_line",
-    "junction_cost",
-    "length_cost",
-    "mentions_cost",
-    "ordinal_cost",
-    "passings_cost",
-    "too_far_cost",
-    "way_cost",
-]
-
 SPREAD = {"metres": 0.4, "steps": 0.45, "time": 0.6, "vague": 0.9, "segments": 0.5}
 """Standard deviation of the logarithm of a length from memory, by what was counted."""
 GREATEST = {"metres": 3.5, "steps": 3.2, "time": 2.4, "vague": 1.6, "segments": 4.0}
@@ -154,14 +142,7 @@ def junction_cost(turn: Turn, choices: Choices) -> float:
 
 
 def ordinal_cost(turn: Turn, on_side: int, of_all: int, choices: Choices) -> float:
-    """Compare `the second left` with the openings met, this one included.
-
-    Args:
-        turn: The turn.
-        on_side: Openings met on the side of the turn.
-        of_all: Junctions met.
-        choices: The ways at this place.
-    """
+    """Compare `the second left` with the openings met, this one included."""
     if turn.ordinal == -1:
         return 1.2 if choices.forward is not None else 0.0
     if turn.ordinal is not None:
@@ -173,14 +154,7 @@ def ordinal_cost(turn: Turn, on_side: int, of_all: int, choices: Choices) -> flo
 def passings_cost(
     passings: Sequence[Passing], left: int, right: int, crossings: int
 ) -> float:
-    """Compare the openings that were to be left alone with those left alone.
-
-    Args:
-        passings: What was said.
-        left: Openings on the left that were passed.
-        right: Openings on the right.
-        crossings: Junctions of any kind.
-    """
+    """Compare the openings that were to be left alone with those left alone."""
     cost = 0.0
     told: dict[str | None, int] = {}
     for passing in passings:

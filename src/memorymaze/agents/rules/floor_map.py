@@ -12,17 +12,6 @@ from dataclasses import dataclass, field
 from memorymaze.geometry.pose import wrap_angle
 from memorymaze.understanding import ANY_FLOOR, is_floor
 
-__all__ = [
-    "AT_CROSSING",
-    "SEES_FAR",
-    "Crossing",
-    "FloorMap",
-    "Point",
-    "Sighting",
-    "Stretch",
-    "View",
-]
-
 Point = tuple[float, float]
 
 ALONG = math.radians(30)

@@ -13,14 +13,6 @@ from memorymaze.understanding import (
     is_floor,
 )
 
-__all__ = [
-    "crossing_floor_cost",
-    "first_heading_cost",
-    "outlook_cost",
-    "outlook_of",
-    "walls_cost",
-]
-
 OTHER_FLOOR = 2.8
 """The way has another floor than the one said."""
 FLOOR_BEYOND = 0.8

@@ -13,8 +13,6 @@ from memorymaze.agents.rules.floor_map import (
 from memorymaze.geometry.pose import wrap_angle
 from memorymaze.robot.api import Direction, Robot
 
-__all__ = ["Walker", "direction_angle"]
-
 STRIDE = 0.8
 """Metres between two looks."""
 LONG_STRIDE = 1.2

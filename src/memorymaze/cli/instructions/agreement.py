@@ -7,8 +7,6 @@ from memorymaze.cli.instructions.sites_option import add_sites_option
 from memorymaze.cli.verbs import Verbs
 from memorymaze.cli.wording import counted
 
-__all__ = ["add_parser"]
-
 
 def add_parser(actions: Verbs) -> None:
     """Add the action to `memorymaze instructions`."""

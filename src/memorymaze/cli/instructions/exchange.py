@@ -7,8 +7,6 @@ from memorymaze.cli.instructions.sites_option import add_sites_option
 from memorymaze.cli.verbs import Verbs
 from memorymaze.cli.wording import counted
 
-__all__ = ["add_parser"]
-
 FORMATS = {
     "r2r": "Room-to-Room: R2R_SPLIT.json with the navigation graphs beside it",
     "vln_ce": "VLN-CE: SPLIT.json.gz and its ground truth",

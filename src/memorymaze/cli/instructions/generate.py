@@ -11,8 +11,6 @@ from memorymaze.cli.wording import counted
 if TYPE_CHECKING:
     from memorymaze.language.model import LanguageModel
 
-__all__ = ["add_parser"]
-
 
 def add_parser(actions: Verbs) -> None:
     """Add the action to `memorymaze instructions`."""

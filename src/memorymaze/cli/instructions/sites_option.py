@@ -2,8 +2,6 @@
 
 import argparse
 
-__all__ = ["add_sites_option"]
-
 
 def add_sites_option(parser: argparse.ArgumentParser) -> None:
     """Add the option."""

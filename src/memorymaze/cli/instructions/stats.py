@@ -6,8 +6,6 @@ from pathlib import Path
 from memorymaze.cli.instructions.sites_option import add_sites_option
 from memorymaze.cli.verbs import Verbs
 
-__all__ = ["add_parser"]
-
 
 def add_parser(actions: Verbs) -> None:
     """Add the action to `memorymaze instructions`."""

@@ -5,8 +5,6 @@ import argparse
 from memorymaze.cli.verbs import Verbs
 from memorymaze.cli.wording import counted
 
-__all__ = ["add_parser"]
-
 
 def add_parser(actions: Verbs) -> None:
     """Add the action to `memorymaze programs`."""

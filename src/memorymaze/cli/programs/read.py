@@ -6,8 +6,6 @@ import sys
 from memorymaze.cli.verbs import Verbs
 from memorymaze.cli.wording import counted
 
-__all__ = ["add_parser"]
-
 
 def add_parser(actions: Verbs) -> None:
     """Add the action to `memorymaze programs`."""

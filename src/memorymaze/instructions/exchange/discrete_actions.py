@@ -9,8 +9,6 @@ from numpy.typing import ArrayLike
 from memorymaze.geometry.polyline import length, point_at, project
 from memorymaze.geometry.pose import Pose, bearing_to, wrap_angle
 
-__all__ = ["FORWARD", "LEFT", "RIGHT", "STOP", "DiscreteWalk", "walk_along"]
-
 STOP, FORWARD, LEFT, RIGHT = 0, 1, 2, 3
 """Numbers of the actions in VLN-CE."""
 LOOK_AHEAD = 0.75

@@ -8,8 +8,6 @@ from numpy.typing import ArrayLike, NDArray
 from memorymaze.geometry.polyline import resample
 from memorymaze.sites.navigation_graph import NavigationGraph, Viewpoint
 
-__all__ = ["viewpoints_along"]
-
 STEP = 0.5
 """Metres between the places of the line that are compared with viewpoints."""
 CHANGE = 0.05

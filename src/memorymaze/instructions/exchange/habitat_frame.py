@@ -8,8 +8,6 @@ from collections.abc import Sequence
 
 from memorymaze.geometry.pose import Pose, wrap_angle
 
-__all__ = ["from_position", "to_heading", "to_position", "to_rotation"]
-
 
 def to_position(x: float, y: float) -> list[float]:
     """Return a point on the floor in Habitat's frame, metres, shape (3,)."""

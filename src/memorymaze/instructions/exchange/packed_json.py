@@ -9,8 +9,6 @@ from typing import Any
 from memorymaze.errors import InstructionFileError
 from memorymaze.instructions.writing import write_file
 
-__all__ = ["read_json", "write_json"]
-
 
 def read_json(path: str | Path) -> Any:
     """Read a JSON file; gzipped where its name ends in `.gz`.

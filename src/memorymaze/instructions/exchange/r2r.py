@@ -33,8 +33,6 @@ from memorymaze.instructions.writing import instruction_record
 from memorymaze.sites.navigation_graph import NavigationGraph, navigation_graph
 from memorymaze.sites.records import Route, Site
 
-__all__ = ["read_r2r", "write_r2r"]
-
 Paths = Mapping[tuple[str, ...], list[tuple[Site, Route]]]
 
 

@@ -11,8 +11,6 @@ from memorymaze.instructions.problems import InstructionProblem, refusal
 from memorymaze.instructions.records import Instruction
 from memorymaze.sites.records import Route, Site
 
-__all__ = ["OWN_FIELD", "Unlabelled", "by_split", "own_or_new", "parsed", "split_of"]
-
 OWN_FIELD = "memorymaze"
 """Where a foreign record keeps what its format has no place for."""
 

@@ -18,8 +18,6 @@ from memorymaze.instructions.writing import instruction_record, write_file
 if TYPE_CHECKING:
     import pandas
 
-__all__ = ["instruction_frame", "read_spreadsheet", "write_spreadsheet"]
-
 Kind = Literal["csv", "parquet"]
 
 COLUMNS = (

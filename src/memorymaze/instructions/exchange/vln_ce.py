@@ -31,8 +31,6 @@ from memorymaze.instructions.records import Instruction
 from memorymaze.instructions.writing import instruction_record
 from memorymaze.sites.records import Route, Site
 
-__all__ = ["read_vln_ce", "write_vln_ce"]
-
 SAME_PLACE = 0.01
 """Metres within which two points are the same."""
 SAME_HEADING = math.radians(0.5)

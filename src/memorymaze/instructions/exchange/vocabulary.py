@@ -5,8 +5,6 @@ from collections import Counter
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-__all__ = ["WordNumbers"]
-
 PADDING, UNKNOWN = 0, 1
 TOKEN = re.compile(r"\w+|[^\w\s]")
 SHORTEST = 200

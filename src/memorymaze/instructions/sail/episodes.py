@@ -10,8 +10,6 @@ from memorymaze.instructions.sail.records import Paragraph
 from memorymaze.instructions.sail.sites import route_name, site_name
 from memorymaze.sites.records import Site
 
-__all__ = ["DEVELOPMENT", "HEADINGS", "paragraph_of", "sail_episodes"]
-
 HEADINGS = {"east": 0.0, "north": 90.0, "west": 180.0, "south": 270.0}
 """Start headings by name, degrees counter-clockwise from east."""
 DEVELOPMENT = "dev"

@@ -26,8 +26,6 @@ from memorymaze.instructions.sail.records import (
 )
 from memorymaze.instructions.sail.soundness import check_corpus
 
-__all__ = ["load_sail"]
-
 Read = TypeVar("Read")
 
 MAZES, PARAGRAPHS = "maps.json", "instructions.jsonl"

@@ -24,8 +24,6 @@ from memorymaze.instructions.sail.records import (
     Paragraph,
 )
 
-__all__ = ["has_original_layout", "read_original_layout"]
-
 _FILE = re.compile(r"([A-Za-z]+)_[A-Za-z]+\d*_(\d+)_(\d+)_Dirs_(\d+)")
 _POSE = re.compile(r"\(\s*(-?\d+)\s*,\s*(-?\d+)\s*,\s*-?\d+\s*\)")
 _CELL = re.compile(r"\s*(-?\d+)\s*,\s*(-?\d+)\s*")

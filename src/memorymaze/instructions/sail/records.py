@@ -3,8 +3,6 @@
 from dataclasses import dataclass
 from functools import cached_property
 
-__all__ = ["Cell", "Corpus", "Hall", "Maze", "Node", "Paragraph"]
-
 Cell = tuple[int, int]
 """Column and row of a node; columns grow east, rows grow SOUTH."""
 

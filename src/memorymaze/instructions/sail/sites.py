@@ -16,8 +16,6 @@ from typing import Any
 from memorymaze.instructions.sail.records import Cell, Hall, Maze
 from memorymaze.sites import Site, load_site
 
-__all__ = ["EDGE", "HALL_WIDTH", "maze_plan", "maze_site", "route_name", "site_name"]
-
 EDGE = 4.0
 """Metres from node to node."""
 HALL_WIDTH = 2.0

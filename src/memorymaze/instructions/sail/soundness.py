@@ -5,8 +5,6 @@ from collections import Counter
 from memorymaze.errors import InstructionFileError
 from memorymaze.instructions.sail.records import Corpus, Maze, Paragraph
 
-__all__ = ["check_corpus"]
-
 
 def check_corpus(corpus: Corpus) -> None:
     """Check all that later steps rely on.

@@ -31,8 +31,6 @@ from memorymaze.perception.turning_points.ways import (
     crossing,
 )
 
-__all__ = ["SensedTurningPoint", "TurningPointFinder"]
-
 FloatArray = NDArray[np.float64]
 
 WAY_BACK = math.radians(75)

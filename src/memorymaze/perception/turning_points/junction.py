@@ -7,14 +7,6 @@ from dataclasses import dataclass, field
 from memorymaze.geometry.pose import turn_between
 from memorymaze.perception.turning_points.ways import SensedWay, reach_along
 
-__all__ = [
-    "SAME_PLACE",
-    "SAME_WAY",
-    "Junction",
-    "is_turning_point",
-    "is_worth_telling",
-]
-
 BEND = math.radians(15)
 """A way that bends less goes straight on: alone it makes no turning point."""
 SAME_WAY = math.radians(35)

@@ -8,8 +8,6 @@ from scipy import ndimage
 
 from memorymaze.geometry.pose import Pose
 
-__all__ = ["CELL", "LocalMap"]
-
 FloatArray = NDArray[np.float64]
 BoolArray = NDArray[np.bool_]
 

@@ -8,8 +8,6 @@ from numpy.typing import NDArray
 
 from memorymaze.geometry.pose import Pose
 
-__all__ = ["WallDirections"]
-
 FloatArray = NDArray[np.float64]
 
 SCAN_SPACING = 0.4
@@ -43,13 +41,7 @@ class WallDirections:
         self._all: FloatArray | None = None
 
     def add(self, pose: Pose, angles: FloatArray, ranges: FloatArray) -> None:
-        """Take note of a scan, if the robot has driven on since the last one kept.
-
-        Args:
-            pose: Of the robot, in the odometry's frame.
-            angles: As for `LocalMap.add`.
-            ranges: As for `LocalMap.add`.
-        """
+        """Take note of a scan, if the robot has driven on since the last one kept."""
         last = self._last
         if last is not None and math.dist(last[:2], pose[:2]) < SCAN_SPACING:
             return
@@ -72,12 +64,6 @@ class WallDirections:
 
     def along(self, x: float, y: float, radius: float, heading: float) -> FloatArray:
         """Return the directions of the walls around a place that are near a heading.
-
-        Args:
-            x: Metres.
-            y: Metres.
-            radius: Of what counts as around, metres.
-            heading: Radians.
 
         Returns:
             Radians, the one with most wall first, shape (N,); N is 0 where no walls

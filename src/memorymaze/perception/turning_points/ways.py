@@ -11,8 +11,6 @@ from scipy import ndimage
 from memorymaze.geometry.pose import turn_between, wrap_angle
 from memorymaze.perception.turning_points.local_map import CELL
 
-__all__ = ["Mouth", "SensedWay", "Surroundings", "crossing", "reach_along"]
-
 FloatArray = NDArray[np.float64]
 BoolArray = NDArray[np.bool_]
 

@@ -20,8 +20,6 @@ from memorymaze.pictures.rendering.robot_eyes import visual_scene_of
 from memorymaze.simulation.scene import Scene
 from memorymaze.sites.records import Route
 
-__all__ = ["WalkthroughSettings", "film_walkthrough"]
-
 EYE_HEIGHT = 1.6
 """Metres over the floor: eyes of somebody who walks, or a camera held there."""
 SECONDS_BETWEEN_LINES = 15.0

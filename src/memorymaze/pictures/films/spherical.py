@@ -9,8 +9,6 @@ import uuid
 from collections.abc import Iterator
 from pathlib import Path
 
-__all__ = ["mark_spherical"]
-
 SPHERICAL_ID = uuid.UUID("ffcc8263-f855-4a93-8814-587a02521fdd")
 PROPERTIES = {
     "Spherical": "true",

@@ -15,8 +15,6 @@ from memorymaze.simulation.scene import Scene
 from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.sites.records import Route
 
-__all__ = ["Tour", "tour_of"]
-
 TOUR_SETTINGS = SimulationSettings(
     # Slow turns: a robot's own are too fast to look at.
     max_turn_rate=math.radians(45),

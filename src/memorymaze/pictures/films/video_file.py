@@ -13,8 +13,6 @@ from memorymaze.errors import SettingsError
 from memorymaze.extras import require_extra
 from memorymaze.pictures.films.spherical import mark_spherical
 
-__all__ = ["VideoFile", "check_video_path"]
-
 QUALITY = {"crf": "20", "preset": "fast", "threads": "1"}
 """Of x264; a single thread, because threads have a part in what comes out."""
 

@@ -24,17 +24,6 @@ from memorymaze.pictures.furniture.libraries import (
 )
 from memorymaze.pictures.looks.object_model import Material, MeshPart, ObjectModel
 
-__all__ = [
-    "LOOKS_VARIABLE",
-    "Credit",
-    "Looks",
-    "build_cache",
-    "cache_folder",
-    "credits_in",
-    "load_model",
-    "looks_in_use",
-]
-
 Looks = Literal["own", "sweethome3d"]
 """How things look: as made by this project's code alone, or by furniture models too."""
 
@@ -105,9 +94,6 @@ def build_cache(
     Args:
         folder: With the furniture libraries (`.sh3f`).
         told: Hears about each model, and why one is left out.
-
-    Returns:
-        The models, those of an archetype together.
 
     Raises:
         SettingsError: There are no libraries, or a tool to convert them is missing.

@@ -3,8 +3,6 @@
 Only where they are recognised at least as well, and no words have to stand on them.
 """
 
-__all__ = ["CHOICE", "SIDEWAYS", "UNPAINTED"]
-
 CHOICE: dict[str, tuple[str, ...]] = {
     "aquarium": ("Scopia/aquarium",),
     "armchair": (

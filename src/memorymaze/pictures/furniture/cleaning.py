@@ -24,8 +24,6 @@ from memorymaze.pictures.furniture.mesh_sides import (
     turned_outward,
 )
 
-__all__ = ["Surface", "cleaned", "finished", "thinned"]
-
 FLAT = 0.9999
 """Cosine between faces up to which they make a flat quad."""
 HARDNESS = (2, 4, 6)

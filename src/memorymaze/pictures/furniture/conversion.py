@@ -20,8 +20,6 @@ from memorymaze.pictures.furniture.cleaning import (
 from memorymaze.pictures.furniture.libraries import Piece
 from memorymaze.pictures.looks.object_model import Material, MeshPart, ObjectModel
 
-__all__ = ["MOST_TRIANGLES", "check_tools", "converted"]
-
 MOST_TRIANGLES = 4000
 LARGEST_TEXTURE = 256
 """Pixels along a side."""
@@ -47,10 +45,6 @@ def check_tools() -> None:
 
 def converted(piece: Piece, archive: ZipFile) -> ObjectModel:
     """Convert a piece: cleaned, at most `MOST_TRIANGLES`, in its catalogue's size.
-
-    Args:
-        piece: What to convert.
-        archive: Its library, open.
 
     Raises:
         SettingsError: Its file cannot be read as a model.

@@ -17,8 +17,6 @@ from memorymaze.pictures.looks.assembly import Order
 from memorymaze.pictures.looks.colours import Rgb, colours_of
 from memorymaze.pictures.looks.object_model import Material, MeshPart, ObjectModel
 
-__all__ = ["furniture_for"]
-
 MOST_STRETCH = 1.8
 """A model may become this much longer in one direction, compared with another."""
 NEARLY = 1.2

@@ -11,8 +11,6 @@ from numpy.typing import NDArray
 
 from memorymaze.errors import SettingsError
 
-__all__ = ["DEBIAN_FOLDER", "INSTALLING", "Piece", "library_files", "pieces_of"]
-
 DEBIAN_FOLDER = Path("/usr/share/sweethome3d/furniture")
 INSTALLING = "apt-get install sweethome3d-furniture"
 

@@ -7,17 +7,6 @@ from numpy.typing import NDArray
 from scipy.sparse import coo_array, csr_array
 from scipy.sparse.csgraph import breadth_first_order, connected_components
 
-__all__ = [
-    "Floats",
-    "Ints",
-    "directions",
-    "numbered",
-    "pairs_in_groups",
-    "same_places",
-    "smooth_normals",
-    "turned_outward",
-]
-
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 

@@ -7,8 +7,6 @@ from memorymaze.pictures.looks.paints import paint
 from memorymaze.pictures.looks.primitives import ball
 from memorymaze.pictures.looks.tubes import limb
 
-__all__ = ["animal"]
-
 DARK: Rgb = (0.07, 0.06, 0.06)
 
 

@@ -12,8 +12,6 @@ from memorymaze.pictures.looks.colours import Rgb, rgb255, shade
 from memorymaze.pictures.looks.paints import paint, picture
 from memorymaze.pictures.looks.primitives import box, plate
 
-__all__ = ["aquarium", "aquarium_window"]
-
 DARK: Rgb = (0.13, 0.14, 0.16)
 SEA: Rgb = (0.1, 0.4, 0.62)
 FISH: tuple[Rgb, ...] = (

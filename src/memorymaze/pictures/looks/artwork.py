@@ -9,19 +9,6 @@ from memorymaze.pictures.looks.boards import Pixels, blank, pixels_of, whole
 from memorymaze.pictures.looks.colours import Rgb, ink_on, mixed, rgb255, shade
 from memorymaze.simulation.senses.lettering import Field, write
 
-__all__ = [
-    "cork_board",
-    "film",
-    "flag",
-    "framed_photos",
-    "headlined",
-    "landscape",
-    "marker_board",
-    "painting",
-    "poster",
-    "scene_into",
-]
-
 WHITE: Rgb = (1.0, 1.0, 1.0)
 NIGHT: Rgb = (0.04, 0.05, 0.14)
 

@@ -11,8 +11,6 @@ from memorymaze.pictures.looks.primitives import Span
 from memorymaze.pictures.looks.shape import Floats, Shape, joined
 from memorymaze.sites.records import Mount
 
-__all__ = ["Assembly", "Order"]
-
 PICTURE_SPAN = 2.0
 """Metres that a picture covers where a shape does not say how it lies."""
 
@@ -99,13 +97,7 @@ class Assembly:
         return turned
 
     def model(self, length: float, depth: float, height: float) -> ObjectModel:
-        """Return what was put together, stretched to fill its box exactly.
-
-        Args:
-            length: Along y, metres.
-            depth: Along x, metres.
-            height: Along z, metres.
-        """
+        """Return what was put together, stretched to fill its box exactly."""
         whole = {
             material: joined(*(_with_uv(shape, material) for shape in shapes))
             for material, shapes in self.shapes.items()

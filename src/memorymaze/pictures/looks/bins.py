@@ -8,8 +8,6 @@ from memorymaze.pictures.looks.colours import Rgb, ink_on, shade
 from memorymaze.pictures.looks.paints import metal, paint, picture
 from memorymaze.pictures.looks.primitives import box, cylinder, lathed, plate, tapered
 
-__all__ = ["recycling_bin", "recycling_bins", "trash_can"]
-
 DARK: Rgb = (0.08, 0.08, 0.09)
 STEEL: Rgb = (0.7, 0.71, 0.73)
 WHITE: Rgb = (0.96, 0.96, 0.95)

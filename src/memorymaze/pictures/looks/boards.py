@@ -16,16 +16,6 @@ from memorymaze.pictures.looks.pictograms import (
 from memorymaze.simulation.senses.lettering import Field, write
 from memorymaze.simulation.senses.signposts import Signpost, signposts
 
-__all__ = [
-    "Pixels",
-    "blank",
-    "exit_board",
-    "pictogram_board",
-    "pixels_of",
-    "sign_board",
-    "whole",
-]
-
 Pixels = NDArray[np.uint8]
 
 PIXELS_PER_METRE = 300

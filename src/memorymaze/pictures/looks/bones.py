@@ -8,8 +8,6 @@ from memorymaze.pictures.looks.paints import metal, paint, picture
 from memorymaze.pictures.looks.primitives import ball, box, plate
 from memorymaze.pictures.looks.tubes import limb, tube
 
-__all__ = ["skeleton", "skull", "whale_skeleton"]
-
 BONE: Rgb = (0.88, 0.82, 0.68)
 DARK: Rgb = (0.07, 0.06, 0.06)
 

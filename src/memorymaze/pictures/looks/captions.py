@@ -6,8 +6,6 @@ from memorymaze.pictures.looks.colours import Rgb, is_wooden, shade
 from memorymaze.pictures.looks.paints import paint, picture
 from memorymaze.pictures.looks.primitives import Span, box, plate
 
-__all__ = ["header", "plinth"]
-
 DARK: Rgb = (0.13, 0.13, 0.15)
 STONE: Rgb = (0.6, 0.59, 0.56)
 

@@ -6,8 +6,6 @@ from memorymaze.pictures.looks.colours import Rgb, ink_on, shade
 from memorymaze.pictures.looks.paints import glass, metal, paint, picture, wood
 from memorymaze.pictures.looks.primitives import Span, box, lathed, plate
 
-__all__ = ["display_case", "drop_box"]
-
 STEEL: Rgb = (0.66, 0.68, 0.7)
 DARK: Rgb = (0.14, 0.14, 0.15)
 SPINES: tuple[Rgb, ...] = (

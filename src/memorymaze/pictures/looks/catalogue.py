@@ -56,8 +56,6 @@ from memorymaze.pictures.looks.object_model import ObjectModel
 from memorymaze.pictures.looks.windows import is_window, window_model
 from memorymaze.sites.records import Landmark, Mount
 
-__all__ = ["ARCHETYPES", "archetype_of", "model_for_landmark", "model_of"]
-
 VARIANTS = 6
 """Things of one kind, size, colour and text come in at most so many looks."""
 
@@ -202,9 +200,6 @@ ARCHETYPES: dict[str, tuple[Callable[[Order], Assembly], tuple[str, ...]]] = {
 def archetype_of(category: str) -> str | None:
     """Return the archetype of a category of a site plan.
 
-    Args:
-        category: Such as `old wooden bench`.
-
     Returns:
         Its name, a key of `ARCHETYPES`; None for a category that nothing is known of,
         which is shown as a box with its name.
@@ -221,10 +216,6 @@ def model_for_landmark(landmark: Landmark, looks: Looks = "own") -> ObjectModel:
     """Return how a landmark looks.
 
     Landmarks that differ in nothing one sees share one model.
-
-    Args:
-        landmark: Of a site plan.
-        looks: Whether converted furniture models may stand for it.
     """
     if is_window(landmark):
         return window_model(landmark)

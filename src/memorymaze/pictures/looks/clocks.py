@@ -6,8 +6,6 @@ from memorymaze.pictures.looks.paints import glass, metal, paint, wood
 from memorymaze.pictures.looks.primitives import box, cylinder, extruded, lathed
 from memorymaze.pictures.looks.tubes import tube
 
-__all__ = ["clock", "grandfather_clock"]
-
 
 def clock(order: Order) -> Assembly:
     """Build a round wall clock with marks and hands at ten past ten."""

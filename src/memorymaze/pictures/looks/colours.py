@@ -3,8 +3,6 @@
 import re
 from functools import cache
 
-__all__ = ["Rgb", "colours_of", "ink_on", "is_wooden", "mixed", "rgb255", "shade"]
-
 Rgb = tuple[float, float, float]
 """Red, green, blue in [0, 1]."""
 

@@ -6,8 +6,6 @@ from memorymaze.pictures.looks.colours import Rgb, is_wooden, shade
 from memorymaze.pictures.looks.paints import metal, paint, picture, wood
 from memorymaze.pictures.looks.primitives import box, plate
 
-__all__ = ["counter", "kitchen_counter"]
-
 WHITE: Rgb = (0.9, 0.9, 0.88)
 OAK: Rgb = (0.7, 0.52, 0.33)
 STEEL: Rgb = (0.66, 0.68, 0.7)

@@ -15,8 +15,6 @@ from memorymaze.pictures.looks.primitives import plate
 from memorymaze.simulation.furnishing import DOOR_HEIGHT
 from memorymaze.sites.records import Door
 
-__all__ = ["add_label"]
-
 PICTOGRAMS: dict[str, tuple[Pictogram, ...]] = {
     "women": ("woman",),
     "men": ("man",),

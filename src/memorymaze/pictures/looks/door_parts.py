@@ -12,28 +12,6 @@ from memorymaze.pictures.looks.shape import Floats, Shape, joined
 from memorymaze.simulation.furnishing import DOOR_HEIGHT, DOOR_PROUD
 from memorymaze.sites.records import Door
 
-__all__ = [
-    "CASING",
-    "CASING_FRONT",
-    "DARK",
-    "DOUBLE_FROM",
-    "FRONT",
-    "STEEL",
-    "Parts",
-    "add",
-    "casing",
-    "door_colour",
-    "door_model",
-    "frame_line",
-    "handle",
-    "leaves",
-    "ordered",
-    "pane",
-    "swinging",
-    "threshold_pane",
-    "upright_grain",
-]
-
 STEEL: Rgb = (0.70, 0.71, 0.73)
 DARK: Rgb = (0.16, 0.17, 0.18)
 DOUBLE_FROM = 1.35

@@ -36,8 +36,6 @@ from memorymaze.pictures.looks.paints import glass, glow, metal, paint, picture,
 from memorymaze.pictures.looks.primitives import box, plate
 from memorymaze.sites.records import Door
 
-__all__ = ["DOOR_STYLES", "is_seen_through", "model_for_door"]
-
 
 def is_seen_through(door: Door) -> bool:
     """Whether one sees what is behind the door: it is glazed or open."""

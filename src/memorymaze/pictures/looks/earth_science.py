@@ -13,8 +13,6 @@ from memorymaze.pictures.looks.primitives import ball, box, cylinder, lathed, pl
 from memorymaze.pictures.looks.shape import smoothed
 from memorymaze.pictures.looks.tubes import Point3, tube
 
-__all__ = ["core_sample", "drill_head", "listening_horn", "rock", "seismograph"]
-
 DARK: Rgb = (0.13, 0.13, 0.15)
 GREY: Rgb = (0.32, 0.34, 0.37)
 

@@ -9,8 +9,6 @@ from memorymaze.pictures.looks.paints import glass, glow, metal, paint, picture
 from memorymaze.pictures.looks.primitives import box, lathed, plate
 from memorymaze.pictures.looks.tubes import tube
 
-__all__ = ["escalator", "floor_lamp", "pillar"]
-
 STEEL: Rgb = (0.7, 0.71, 0.73)
 DARK: Rgb = (0.1, 0.1, 0.11)
 

@@ -7,8 +7,6 @@ from memorymaze.pictures.looks.primitives import box, lathed
 from memorymaze.pictures.looks.tables import legs_into, table
 from memorymaze.pictures.looks.tubes import tube
 
-__all__ = ["chess_table", "foosball_table"]
-
 STEEL: Rgb = (0.66, 0.68, 0.7)
 DARK: Rgb = (0.2, 0.2, 0.22)
 

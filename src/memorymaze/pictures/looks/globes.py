@@ -12,8 +12,6 @@ from memorymaze.pictures.looks.primitives import ball, cylinder, lathed, plate
 from memorymaze.pictures.looks.shape import Shape
 from memorymaze.pictures.looks.tubes import Point3, tube
 
-__all__ = ["globe", "hanging_planets", "planet_model"]
-
 STEEL: Rgb = (0.7, 0.71, 0.73)
 BANDED = ("jupiter", "saturn", "uranus", "neptune", "venus")
 

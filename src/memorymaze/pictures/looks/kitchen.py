@@ -6,8 +6,6 @@ from memorymaze.pictures.looks.paints import glass, glow, metal, paint
 from memorymaze.pictures.looks.primitives import box, cylinder, lathed
 from memorymaze.pictures.looks.tubes import tube
 
-__all__ = ["microwave", "refrigerator", "sink", "water_cooler"]
-
 WHITE: Rgb = (0.93, 0.93, 0.93)
 STEEL: Rgb = (0.7, 0.71, 0.73)
 DARK: Rgb = (0.1, 0.1, 0.11)

@@ -6,8 +6,6 @@ from memorymaze.pictures.looks.colours import Rgb, shade
 from memorymaze.pictures.looks.paints import metal, paint
 from memorymaze.pictures.looks.primitives import box
 
-__all__ = ["cabinet", "coin_lockers", "filing_cabinet", "lockers", "mailboxes"]
-
 STEEL: Rgb = (0.66, 0.68, 0.7)
 DARK: Rgb = (0.14, 0.14, 0.15)
 

@@ -9,8 +9,6 @@ from memorymaze.pictures.looks.boards import Pixels, blank, pixels_of, whole
 from memorymaze.pictures.looks.colours import Rgb, ink_on, rgb255, shade
 from memorymaze.simulation.senses.lettering import Field, write
 
-__all__ = ["earth", "floor_map", "planet", "world_map"]
-
 SEA: Rgb = (0.14, 0.36, 0.66)
 LAND: Rgb = (0.28, 0.52, 0.24)
 ICE: Rgb = (0.93, 0.95, 0.96)

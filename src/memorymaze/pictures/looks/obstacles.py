@@ -8,8 +8,6 @@ from memorymaze.pictures.looks.colours import Rgb, shade
 from memorymaze.pictures.looks.paints import metal, paint, picture
 from memorymaze.pictures.looks.primitives import box, lathed, plate
 
-__all__ = ["cardboard_boxes", "placeholder", "queue_barrier", "traffic_cone"]
-
 CARDBOARD: Rgb = (0.72, 0.55, 0.36)
 STEEL: Rgb = (0.7, 0.71, 0.73)
 DARK: Rgb = (0.12, 0.12, 0.14)

@@ -5,8 +5,6 @@ from memorymaze.pictures.looks.colours import Rgb, ink_on, shade
 from memorymaze.pictures.looks.paints import glass, glow, metal, paint
 from memorymaze.pictures.looks.primitives import box, cylinder, lathed, tapered
 
-__all__ = ["coffee_machine", "photocopier", "printer"]
-
 WHITE: Rgb = (0.9, 0.9, 0.9)
 STEEL: Rgb = (0.68, 0.7, 0.72)
 DARK: Rgb = (0.1, 0.1, 0.11)

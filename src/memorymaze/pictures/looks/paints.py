@@ -8,16 +8,6 @@ from numpy.typing import NDArray
 from memorymaze.pictures.looks.colours import Rgb
 from memorymaze.pictures.looks.object_model import Material
 
-__all__ = [
-    "glass",
-    "glow",
-    "grain",
-    "metal",
-    "paint",
-    "picture",
-    "wood",
-]
-
 DULL, POLISHED = 0.1, 0.5
 """The two degrees of shininess of paints: few, so that they can be drawn at once."""
 

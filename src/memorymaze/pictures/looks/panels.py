@@ -9,18 +9,6 @@ from memorymaze.pictures.looks.paints import metal, paint, picture, wood
 from memorymaze.pictures.looks.primitives import box, plate, tapered
 from memorymaze.pictures.looks.signs import sheet
 
-__all__ = [
-    "exhibit_panel",
-    "floor_map",
-    "framed",
-    "information_panel",
-    "menu_board",
-    "notice_board",
-    "poster",
-    "whiteboard",
-    "world_map",
-]
-
 WHITE: Rgb = (0.93, 0.93, 0.92)
 STEEL: Rgb = (0.68, 0.70, 0.72)
 DARK: Rgb = (0.16, 0.17, 0.19)

@@ -11,8 +11,6 @@ from memorymaze.pictures.looks.colours import Rgb, rgb255, shade
 from memorymaze.pictures.looks.paints import paint, picture
 from memorymaze.pictures.looks.primitives import box, plate
 
-__all__ = ["shop_window", "viewing_window", "window"]
-
 FRAME: Rgb = (0.88, 0.88, 0.87)
 DARK: Rgb = (0.2, 0.21, 0.23)
 GOODS: tuple[Rgb, ...] = (

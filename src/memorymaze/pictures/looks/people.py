@@ -11,8 +11,6 @@ from memorymaze.pictures.looks.paints import metal, paint
 from memorymaze.pictures.looks.primitives import ball, box, cylinder
 from memorymaze.pictures.looks.tubes import Point3, limb, lofted, ring
 
-__all__ = ["Clothes", "person", "space_suit", "walker"]
-
 SKINS: tuple[Rgb, ...] = (
     (0.92, 0.74, 0.62),
     (0.78, 0.57, 0.42),

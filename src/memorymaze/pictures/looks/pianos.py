@@ -6,8 +6,6 @@ from memorymaze.pictures.looks.paints import metal, paint
 from memorymaze.pictures.looks.primitives import box, extruded, tapered
 from memorymaze.pictures.looks.tubes import tube
 
-__all__ = ["grand_piano", "piano"]
-
 DARK: Rgb = (0.1, 0.1, 0.11)
 IVORY: Rgb = (0.96, 0.95, 0.91)
 

@@ -9,8 +9,6 @@ from memorymaze.pictures.looks.colours import Rgb, rgb255
 from memorymaze.simulation.senses.lettering import Field
 from memorymaze.simulation.senses.signposts import Arrow
 
-__all__ = ["Pictogram", "draw_arrow", "draw_pictogram"]
-
 Pictogram = Literal[
     "woman", "man", "wheelchair", "running", "cross", "heart", "stroller", "flame"
 ]

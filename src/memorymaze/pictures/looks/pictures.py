@@ -8,8 +8,6 @@ from memorymaze.pictures.looks.panels import framed
 from memorymaze.pictures.looks.primitives import box, extruded, plate
 from memorymaze.pictures.looks.signs import sheet
 
-__all__ = ["flag", "framed_photos", "mirror", "mural", "painting"]
-
 WHITE: Rgb = (0.93, 0.93, 0.92)
 STEEL: Rgb = (0.68, 0.70, 0.72)
 OAK: Rgb = (0.66, 0.48, 0.30)

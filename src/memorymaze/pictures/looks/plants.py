@@ -11,8 +11,6 @@ from memorymaze.pictures.looks.primitives import box, lathed
 from memorymaze.pictures.looks.shape import Floats, Shape
 from memorymaze.pictures.looks.tubes import leaves, tube
 
-__all__ = ["planter", "potted_plant"]
-
 SOIL: Rgb = (0.2, 0.13, 0.08)
 GREENS: tuple[Rgb, ...] = ((0.13, 0.42, 0.15), (0.2, 0.52, 0.2), (0.1, 0.33, 0.16))
 POTS: tuple[Rgb, ...] = ((0.72, 0.38, 0.25), (0.88, 0.87, 0.84), (0.25, 0.26, 0.28))

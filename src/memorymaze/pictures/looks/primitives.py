@@ -10,8 +10,6 @@ import numpy as np
 from memorymaze.pictures.looks.shape import Axis, Floats, Ints, Shape, crossed
 from memorymaze.pictures.looks.triangulation import triangles_of
 
-__all__ = ["Span", "ball", "box", "cylinder", "extruded", "lathed", "plate", "tapered"]
-
 Span = tuple[float, float]
 """From and to along an axis, metres."""
 

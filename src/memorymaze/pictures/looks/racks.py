@@ -7,8 +7,6 @@ from memorymaze.pictures.looks.paints import metal, paint
 from memorymaze.pictures.looks.primitives import ball, box, lathed
 from memorymaze.pictures.looks.tubes import tube
 
-__all__ = ["brochure_rack", "coat_rack", "ladder", "tray_rack", "umbrella_stand"]
-
 STEEL: Rgb = (0.7, 0.71, 0.73)
 DARK: Rgb = (0.15, 0.15, 0.16)
 PRINTS: tuple[Rgb, ...] = (

@@ -14,14 +14,6 @@ from memorymaze.pictures.looks.primitives import (
 )
 from memorymaze.pictures.looks.tubes import tube
 
-__all__ = [
-    "aed_box",
-    "call_button_panel",
-    "fire_extinguisher",
-    "fire_hydrant_box",
-    "switch_board",
-]
-
 RED: Rgb = (0.78, 0.08, 0.08)
 STEEL: Rgb = (0.7, 0.71, 0.73)
 DARK: Rgb = (0.1, 0.1, 0.11)

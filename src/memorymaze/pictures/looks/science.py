@@ -10,8 +10,6 @@ from memorymaze.pictures.looks.paints import glass, glow, metal, paint, picture
 from memorymaze.pictures.looks.primitives import box, cylinder, lathed, plate
 from memorymaze.pictures.looks.tubes import Point3, limb, tube
 
-__all__ = ["city_model", "cloud_chamber", "detector_tube", "dna_model", "robot_arm"]
-
 STEEL: Rgb = (0.7, 0.71, 0.73)
 DARK: Rgb = (0.13, 0.13, 0.15)
 GREY: Rgb = (0.32, 0.34, 0.37)

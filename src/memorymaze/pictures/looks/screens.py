@@ -7,8 +7,6 @@ from memorymaze.pictures.looks.colours import Rgb
 from memorymaze.pictures.looks.paints import paint, picture
 from memorymaze.pictures.looks.primitives import box, plate, tapered
 
-__all__ = ["computer_terminal", "kiosk", "screen", "touch_screen", "video_wall"]
-
 BLACK: Rgb = (0.07, 0.07, 0.08)
 WHITE: Rgb = (0.9, 0.9, 0.9)
 GLOW = 0.55

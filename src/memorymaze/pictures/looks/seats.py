@@ -7,8 +7,6 @@ from memorymaze.pictures.looks.paints import metal, paint, wood
 from memorymaze.pictures.looks.primitives import box, cylinder
 from memorymaze.pictures.looks.tubes import limb, tube
 
-__all__ = ["armchair", "bench", "chair", "sofa", "stacked_chairs", "stool"]
-
 CHROME: Rgb = (0.72, 0.73, 0.75)
 BLUE: Rgb = (0.2, 0.33, 0.55)
 OAK: Rgb = (0.66, 0.46, 0.28)

@@ -7,8 +7,6 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Axis", "Floats", "Ints", "Shape", "crossed", "joined", "smoothed"]
-
 Axis = Literal["x", "y", "z"]
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]

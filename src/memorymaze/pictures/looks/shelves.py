@@ -6,8 +6,6 @@ from memorymaze.pictures.looks.colours import Rgb
 from memorymaze.pictures.looks.paints import metal, paint
 from memorymaze.pictures.looks.primitives import box, lathed
 
-__all__ = ["bookshelf", "paper_shelf", "wall_shelf"]
-
 DARK: Rgb = (0.14, 0.14, 0.15)
 OAK: Rgb = (0.72, 0.54, 0.35)
 SPINES: tuple[Rgb, ...] = (

@@ -9,17 +9,6 @@ from memorymaze.pictures.looks.pictograms import Pictogram
 from memorymaze.pictures.looks.primitives import box, plate
 from memorymaze.simulation.senses.signposts import signposts
 
-__all__ = [
-    "a_frame",
-    "banner",
-    "exit_sign",
-    "hanging_sign",
-    "restroom_sign",
-    "room_number_sign",
-    "sheet",
-    "sign",
-]
-
 WHITE: Rgb = (0.93, 0.93, 0.92)
 STEEL: Rgb = (0.68, 0.70, 0.72)
 DARK: Rgb = (0.16, 0.17, 0.19)

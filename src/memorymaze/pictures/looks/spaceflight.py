@@ -16,8 +16,6 @@ from memorymaze.pictures.looks.primitives import (
 )
 from memorymaze.pictures.looks.tubes import tube
 
-__all__ = ["rocket", "rocket_engine", "space_station_module"]
-
 WHITE: Rgb = (0.93, 0.93, 0.93)
 STEEL: Rgb = (0.7, 0.71, 0.73)
 DARK: Rgb = (0.14, 0.14, 0.16)

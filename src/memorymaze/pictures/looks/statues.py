@@ -11,8 +11,6 @@ from memorymaze.pictures.looks.primitives import ball, box, cylinder
 from memorymaze.pictures.looks.shape import Floats
 from memorymaze.pictures.looks.tubes import limb, lofted, ring
 
-__all__ = ["bust", "robot", "sculpture", "statue"]
-
 STONE: Rgb = (0.6, 0.59, 0.56)
 
 

@@ -14,20 +14,6 @@ from scipy.ndimage import gaussian_filter, zoom
 from memorymaze.errors import SettingsError
 from memorymaze.pictures.looks.object_model import Material
 
-__all__ = [
-    "FLOOR_MATERIALS",
-    "WALL_MATERIALS",
-    "blob_shadow",
-    "ceiling",
-    "dim_view",
-    "dim_wall",
-    "facade",
-    "floor",
-    "foot_shade",
-    "solid",
-    "wall",
-]
-
 Floats = NDArray[np.float64]
 
 PIXELS = 512

@@ -7,16 +7,6 @@ from memorymaze.pictures.looks.paints import metal, paint
 from memorymaze.pictures.looks.primitives import box, cylinder, lathed
 from memorymaze.pictures.looks.tubes import tube
 
-__all__ = [
-    "coffee_table",
-    "desk",
-    "high_table",
-    "legs_into",
-    "parasol_table",
-    "round_table",
-    "table",
-]
-
 WHITE: Rgb = (0.9, 0.9, 0.88)
 OAK: Rgb = (0.7, 0.52, 0.33)
 STEEL: Rgb = (0.66, 0.68, 0.7)

@@ -4,8 +4,6 @@ import numpy as np
 
 from memorymaze.pictures.looks.shape import Floats, Ints
 
-__all__ = ["triangles_of"]
-
 
 def triangles_of(outline: Floats) -> Ints:
     """Cut a simple polygon into triangles by clipping ears.

@@ -7,8 +7,6 @@ import numpy as np
 
 from memorymaze.pictures.looks.shape import Floats, Shape, crossed, joined, smoothed
 
-__all__ = ["Point3", "leaves", "limb", "lofted", "ring", "tube"]
-
 Point3 = tuple[float, float, float]
 
 

@@ -8,8 +8,6 @@ from memorymaze.pictures.looks.primitives import box, cylinder, extruded, plate
 from memorymaze.pictures.looks.tubes import Point3, limb, tube
 from memorymaze.pictures.looks.wheels import spoked_wheel
 
-__all__ = ["bicycle", "car", "exercise_bike", "suitcase"]
-
 STEEL: Rgb = (0.72, 0.73, 0.75)
 DARK: Rgb = (0.09, 0.09, 0.1)
 

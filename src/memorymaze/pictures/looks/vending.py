@@ -12,8 +12,6 @@ from memorymaze.pictures.looks.paints import glass, glow, metal, paint, picture
 from memorymaze.pictures.looks.primitives import ball, box, cylinder, plate, tapered
 from memorymaze.simulation.senses.lettering import Field, write
 
-__all__ = ["capsule_machine", "ticket_machine", "vending_machine"]
-
 WHITE: Rgb = (0.9, 0.9, 0.9)
 STEEL: Rgb = (0.68, 0.7, 0.72)
 DARK: Rgb = (0.1, 0.1, 0.11)

@@ -13,8 +13,6 @@ from memorymaze.pictures.looks.primitives import (
 )
 from memorymaze.pictures.looks.tubes import tube
 
-__all__ = ["drinking_fountain", "eyewash_station", "hand_sanitizer", "sanitizer_stand"]
-
 WHITE: Rgb = (0.93, 0.93, 0.93)
 STEEL: Rgb = (0.7, 0.71, 0.73)
 DARK: Rgb = (0.1, 0.1, 0.11)

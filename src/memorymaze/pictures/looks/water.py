@@ -16,8 +16,6 @@ from memorymaze.pictures.looks.primitives import (
 )
 from memorymaze.pictures.looks.tubes import limb, tube
 
-__all__ = ["submersible", "wave_tank"]
-
 DARK: Rgb = (0.13, 0.14, 0.16)
 STEEL: Rgb = (0.66, 0.68, 0.7)
 SEA: Rgb = (0.1, 0.4, 0.62)

@@ -16,8 +16,6 @@ from memorymaze.pictures.looks.primitives import (
 )
 from memorymaze.pictures.looks.tubes import tube
 
-__all__ = ["anemometer", "sundial", "telescope"]
-
 STEEL: Rgb = (0.7, 0.71, 0.73)
 DARK: Rgb = (0.13, 0.13, 0.15)
 WHITE: Rgb = (0.93, 0.93, 0.93)

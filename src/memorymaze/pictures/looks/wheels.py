@@ -11,8 +11,6 @@ from memorymaze.pictures.looks.primitives import box, cylinder, lathed, plate
 from memorymaze.pictures.looks.shape import Shape
 from memorymaze.pictures.looks.tubes import Point3, limb, tube
 
-__all__ = ["spoked_wheel", "stroller_rack", "trolley", "wheelchair"]
-
 STEEL: Rgb = (0.72, 0.73, 0.75)
 DARK: Rgb = (0.09, 0.09, 0.1)
 

@@ -10,8 +10,6 @@ from memorymaze.pictures.looks.primitives import box, plate
 from memorymaze.pictures.looks.shape import Shape, joined
 from memorymaze.sites.records import Landmark
 
-__all__ = ["WINDOW_CATEGORIES", "is_window", "window_model"]
-
 WINDOW_CATEGORIES = frozenset({
     "large window",
     "shop window",

@@ -11,8 +11,6 @@ from numpy.typing import NDArray
 
 from memorymaze.pictures.looks.object_model import Material, MeshPart
 
-__all__ = ["OPAQUE_FROM", "PlacedMeshes", "SpecAssembler"]
-
 PALETTE_EDGE = 64
 """Colours along an edge of the palette."""
 SWATCH = 4

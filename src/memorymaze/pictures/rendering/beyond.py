@@ -20,8 +20,6 @@ from memorymaze.pictures.rendering.slices import (
 )
 from memorymaze.pictures.rendering.wall_faces import WallFace
 
-__all__ = ["outer_face", "reveal_and_view", "shaft"]
-
 SHAFT_DEPTH = 5.0
 """How far one looks down a hole with a balustrade, metres."""
 OUTSIDE_TOP, OUTSIDE_BOTTOM = 0.5, -4.5

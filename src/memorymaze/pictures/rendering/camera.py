@@ -25,8 +25,6 @@ from memorymaze.pictures.rendering.visual_scene import (
 from memorymaze.simulation.cameras import CameraFrame
 from memorymaze.simulation.motion.wheeled_base import CAMERA_HEIGHT
 
-__all__ = ["Camera", "CameraFrame", "RenderedCamera"]
-
 
 class Camera(Protocol):
     """Something that takes pictures of a building."""
@@ -259,6 +257,7 @@ def check_camera(
     far: float,
     multisamples: int,
 ) -> None:
+    """Refuse what no camera can be; lengths in metres, the field of view in radians."""
     rules: Sequence[tuple[bool, str, object]] = (
         (1 <= width <= LARGEST_PICTURE, f"a width of 1 to {LARGEST_PICTURE}", width),
         (1 <= height <= LARGEST_PICTURE, f"a height of 1 to {LARGEST_PICTURE}", height),

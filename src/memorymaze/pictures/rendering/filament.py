@@ -27,8 +27,6 @@ from memorymaze.pictures.rendering.viewpoint import geoms_in_view
 from memorymaze.pictures.rendering.visual_scene import VisualScene
 from memorymaze.simulation.motion.wheeled_base import CAMERA_HEIGHT
 
-__all__ = ["FilamentCamera"]
-
 NEAR, FAR = 0.05, 100.0
 """Metres."""
 

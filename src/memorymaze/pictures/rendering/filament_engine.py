@@ -18,8 +18,6 @@ from typing import Any
 
 from memorymaze.errors import RenderingError
 
-__all__ = ["Engine", "check_vulkan", "engine_of_this_process", "without_chatter"]
-
 HOW_TO_INSTALL = (
     "on Debian and Ubuntu type: apt-get install mesa-vulkan-drivers libvulkan1 "
     "(or: bash scripts/setup_graphics.sh filament); the classic renderer needs neither"

@@ -11,8 +11,6 @@ from numpy.typing import NDArray
 from memorymaze.pictures.rendering.filament_engine import Engine
 from memorymaze.pictures.rendering.visual_scene import CEILING, VisualScene
 
-__all__ = ["FilamentScene"]
-
 LIGHTS = """
 <mujoco>
   <custom>
@@ -38,13 +36,7 @@ class FilamentScene:
     """Everything of a `VisualScene` on the side of Filament."""
 
     def __init__(self, engine: Engine, looks: VisualScene, multisamples: int) -> None:
-        """Copy a building; takes seconds.
-
-        Args:
-            engine: Draws it.
-            looks: The building.
-            multisamples: Samples per pixel that smooth edges.
-        """
+        """Copy a building; takes seconds."""
         library, context = engine.library, engine.context
         lights = mujoco.MjModel.from_xml_string(LIGHTS)
         lit = mujoco.MjData(lights)
@@ -81,14 +73,7 @@ class FilamentScene:
         ]
 
     def show(self, seen: NDArray[np.bool_], x: float, y: float, z: float) -> None:
-        """Leave in the scene only what may be seen, where it is now.
-
-        Args:
-            seen: Of each geom.
-            x: Of the camera, metres.
-            y: Of the camera, metres.
-            z: Of the camera, metres.
-        """
+        """Leave in the scene only what may be seen, where it is now."""
         for number in np.flatnonzero(seen & ~self._shown):
             self.handle.add_renderable(self._parts[number])
         for number in np.flatnonzero(self._shown & ~seen):

@@ -11,8 +11,6 @@ from shapely.geometry.base import BaseGeometry
 
 from memorymaze.sites.records import Area, Corridor, Site, TurningPoint
 
-__all__ = ["BAY", "FloorPart", "floor_parts", "polygons_of", "sliced"]
-
 BAY = 2.4
 """Metres between lamps; the pictures of floors, walls and ceilings repeat with it."""
 SLICE = 6.0

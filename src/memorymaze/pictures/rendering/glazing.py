@@ -15,8 +15,6 @@ from memorymaze.pictures.rendering.slices import (
 from memorymaze.pictures.rendering.wall_faces import WallFace
 from memorymaze.simulation.scene import BALUSTRADE_HEIGHT
 
-__all__ = ["BAR", "balustrade", "glass_wall", "wind_screen"]
-
 RAIL_BOTTOM, RAIL_TOP = 0.12, 0.22
 """Of glass walls: metres of frame below and above the panes."""
 MODULE = 1.4

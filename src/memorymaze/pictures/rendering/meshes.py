@@ -9,8 +9,6 @@ from shapely import Polygon
 
 from memorymaze.pictures.looks.object_model import Material, MeshPart
 
-__all__ = ["MeshBuilder"]
-
 Vector = tuple[float, float, float]
 
 

@@ -11,8 +11,6 @@ import mujoco
 
 from memorymaze.errors import RenderingError
 
-__all__ = ["Backend", "DrawingContext", "choose_backend", "filter_fast", "open_context"]
-
 Backend = Literal["egl", "osmesa"]
 
 HOW_TO_INSTALL = (
@@ -108,9 +106,6 @@ def filter_fast(buffers: mujoco.MjrContext) -> None:
     """Read each texture from one of its sizes instead of mixing two.
 
     In software this takes an eighth off a picture's time, and hardly shows.
-
-    Args:
-        buffers: Of the current context.
     """
     from OpenGL import GL
 

@@ -12,8 +12,6 @@ from memorymaze.pictures.looks.windows import is_window
 from memorymaze.simulation.furnishing import door_solid, landmark_solid
 from memorymaze.sites.records import Site
 
-__all__ = ["DOUBLE_WALL", "Behind", "Opening", "Surroundings", "openings_of"]
-
 Behind = Literal["outdoors", "room"]
 
 DEEPEST = 2.6
@@ -82,13 +80,7 @@ class Surroundings:
         prepare(self._floor)
 
     def behind(self, x: float, y: float, heading: float) -> tuple[Behind, float]:
-        """Return what is behind a wall, and how many metres deep one can look into it.
-
-        Args:
-            x: On the wall's face, metres.
-            y: On the wall's face, metres.
-            heading: Into the wall, radians.
-        """
+        """Return what is behind a wall, and how many metres deep one can look into it."""
         dx, dy = math.cos(heading), math.sin(heading)
         near = Point(x + 0.5 * dx, y + 0.5 * dy)
         ray = LineString([

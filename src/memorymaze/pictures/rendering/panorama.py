@@ -14,8 +14,6 @@ from memorymaze.pictures.rendering.visual_scene import VisualScene
 from memorymaze.simulation.cameras import PanoramaFrame
 from memorymaze.simulation.motion.wheeled_base import CAMERA_HEIGHT
 
-__all__ = ["PanoramaCamera", "PanoramaFrame"]
-
 FACE_FOV = math.radians(94)
 """A little more than a quarter turn, so that no pixel is mixed across a face's edge."""
 FACES: tuple[tuple[float, float], ...] = (

@@ -8,8 +8,6 @@ from memorymaze.pictures.rendering.camera import RenderedCamera
 from memorymaze.pictures.rendering.filament import FilamentCamera
 from memorymaze.pictures.rendering.visual_scene import VisualScene
 
-__all__ = ["RENDERERS", "Renderer", "open_camera", "wanted_renderer"]
-
 Renderer = Literal["classic", "filament"]
 
 RENDERERS: tuple[Renderer, ...] = ("classic", "filament")

@@ -22,8 +22,6 @@ from memorymaze.pictures.rendering.visual_scene import (
 )
 from memorymaze.simulation.scene import Scene
 
-__all__ = ["RobotEyes", "visual_scene_of"]
-
 
 @lru_cache(maxsize=4)
 def visual_scene_of(scene: Scene) -> VisualScene:
@@ -66,12 +64,7 @@ class RobotEyes:
     """Cameras on a robot, with the things and people that the physics knows of."""
 
     def __init__(self, scene: Scene, data: mujoco.MjData) -> None:
-        """Look at a scene.
-
-        Args:
-            scene: The building.
-            data: Physics state, for where things and people are.
-        """
+        """Look at a scene."""
         self._scene = scene
         self._data = data
 

@@ -13,8 +13,6 @@ from numpy.typing import NDArray
 from memorymaze.pictures.rendering.openings import Surroundings
 from memorymaze.pictures.rendering.wall_faces import WallFace
 
-__all__ = ["Outlook", "Sightlines", "hiding_segments"]
-
 FloatArray = NDArray[np.float64]
 
 RAYS_PER_RADIAN = 120
@@ -28,11 +26,6 @@ def hiding_segments(
     """Return the pieces of wall that hide what is behind, (n, 4): x, y to x, y, metres.
 
     Balustrades, glass screens and panes with the open air behind hide nothing.
-
-    Args:
-        faces: Of all walls.
-        open_rings: Rings with a balustrade only.
-        surroundings: What is behind the walls.
     """
     segments: list[tuple[float, float, float, float]] = []
     for face in faces:
@@ -120,15 +113,7 @@ class Sightlines:
     def outlook(
         self, x: float, y: float, heading: float, half_angle: float, far: float
     ) -> Outlook:
-        """Look around.
-
-        Args:
-            x: Of the eye, metres.
-            y: Of the eye, metres.
-            heading: Middle of what is looked at, radians.
-            half_angle: To either side, radians, at most pi.
-            far: Metres after which nothing is looked at.
-        """
+        """Look around."""
         count = max(8, math.ceil(2 * half_angle * RAYS_PER_RADIAN))
         bearings = np.linspace(-half_angle, half_angle, count)
         eye = np.array([x, y])

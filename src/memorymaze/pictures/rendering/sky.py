@@ -8,8 +8,6 @@ from scipy.ndimage import gaussian_filter
 
 from memorymaze.pictures.looks.object_model import Material, MeshPart
 
-__all__ = ["FACES", "SKY_DISTANCE", "sky_dome", "sky_faces"]
-
 Floats = NDArray[np.float64]
 
 PIXELS = 512

@@ -16,19 +16,6 @@ from memorymaze.pictures.rendering.floor_parts import BAY
 from memorymaze.pictures.rendering.meshes import MeshBuilder
 from memorymaze.pictures.rendering.wall_faces import WallFace
 
-__all__ = [
-    "SKIRTING_HEIGHT",
-    "Hole",
-    "Kind",
-    "Slice",
-    "Uv",
-    "ceiling_kind",
-    "foot_shade",
-    "solid_of",
-    "upright",
-    "wall_uv",
-]
-
 Kind = Literal["floor", "ceiling", "wall", "beyond", "decal"]
 """What a mesh belongs to; `beyond` is seen through glass, `decal` is a mere shade."""
 

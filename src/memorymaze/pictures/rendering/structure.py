@@ -43,8 +43,6 @@ from memorymaze.pictures.rendering.wall_faces import WallFace, wall_faces
 from memorymaze.simulation.scene import rings_with_things_above
 from memorymaze.sites.records import Site
 
-__all__ = ["Structure", "structure_of"]
-
 SKIRTING_DEPTH = 0.01
 
 

@@ -8,8 +8,6 @@ from numpy.typing import NDArray
 from memorymaze.geometry.pose import Pose
 from memorymaze.pictures.rendering.visual_scene import VisualScene
 
-__all__ = ["geoms_in_view"]
-
 
 def geoms_in_view(
     scene: VisualScene,

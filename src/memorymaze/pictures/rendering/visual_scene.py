@@ -29,8 +29,6 @@ from memorymaze.simulation.obstacles.kinds import Movable
 from memorymaze.simulation.scene import SceneObject
 from memorymaze.sites.records import Site
 
-__all__ = ["HIDDEN_GROUP", "SHOWN_GROUP", "VisualScene", "build_visual_scene"]
-
 SHOWN_GROUP, HIDDEN_GROUP = 1, 5
 
 LARGEST_PICTURE = 4096

@@ -11,8 +11,6 @@ from shapely.geometry.polygon import orient
 from memorymaze.pictures.rendering.floor_parts import SLICE, FloorPart
 from memorymaze.pictures.rendering.openings import Opening
 
-__all__ = ["WallFace", "wall_faces"]
-
 NEAR_WALL = 0.4
 """Metres between a wall and the middle of what breaks it, at most."""
 STEP = 0.05

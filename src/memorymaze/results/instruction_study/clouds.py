@@ -11,8 +11,6 @@ from wordcloud import WordCloud
 from memorymaze.instructions.distinct_words import FUNCTION_WORDS, tokens
 from memorymaze.results.instruction_study.study import InstructionStudy
 
-__all__ = ["Cloud", "word_clouds"]
-
 SIZE = (560, 340)
 """Pixels."""
 MOST_WORDS = 120

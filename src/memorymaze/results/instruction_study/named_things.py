@@ -12,8 +12,6 @@ from memorymaze.simulation.senses.sight_targets import describe_door, describe_l
 from memorymaze.sites.records import Site
 from memorymaze.understanding import RoutePlan, is_floor
 
-__all__ = ["SORTS", "NamedThing", "SiteNames", "named_things"]
-
 Sort = Literal["landmark", "door", "room", "way", "floor", "unknown"]
 
 SORTS: dict[Sort, str] = {

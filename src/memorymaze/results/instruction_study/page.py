@@ -14,8 +14,6 @@ from memorymaze.results.instruction_study.study import InstructionStudy
 from memorymaze.results.instruction_study.study_table import place_title
 from memorymaze.results.instruction_study.tables import study_tables
 
-__all__ = ["study_page"]
-
 ROOM = "memorymaze.results.instruction_study"
 POLICY = (
     "default-src 'none'; img-src data:; style-src 'unsafe-inline'; base-uri 'none'; "
@@ -35,12 +33,7 @@ class Picture:
 
 
 def study_page(study: InstructionStudy, *, seed: int = 0) -> str:
-    """Return the page; who wrote the texts stands at its head and in every caption.
-
-    Args:
-        study: The statistics.
-        seed: Of the word clouds.
-    """
+    """Return the page; who wrote the texts stands at its head and in every caption."""
     templates = Environment(
         loader=PackageLoader(ROOM),
         autoescape=True,

@@ -16,8 +16,6 @@ from memorymaze.instructions.published import published_tables
 from memorymaze.results.instruction_study.study import InstructionStudy, Vocabulary
 from memorymaze.results.instruction_study.study_table import place_title
 
-__all__ = ["PLOTS", "Plot"]
-
 Plot = Callable[[InstructionStudy], str]
 
 COLORS = {"online": "#1d5fae", "onsite": "#b8481c"}

@@ -9,8 +9,6 @@ from dataclasses import asdict
 from memorymaze.instructions.published import published_tables
 from memorymaze.results.instruction_study.study import InstructionStudy
 
-__all__ = ["COLUMNS", "study_csv"]
-
 COLUMNS: tuple[str, ...] = (
     "written_by",
     "table",

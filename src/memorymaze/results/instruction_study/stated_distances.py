@@ -16,15 +16,6 @@ from memorymaze.instructions.records import Instruction
 from memorymaze.sites.records import Route, Site
 from memorymaze.understanding import Length, RoutePlan
 
-__all__ = [
-    "VAGUE",
-    "DistanceSummary",
-    "StatedDistance",
-    "route_legs",
-    "stated_distances",
-    "summarise_distances",
-]
-
 SIDES = {
     "left": "left",
     "slight_left": "left",

@@ -29,8 +29,6 @@ from memorymaze.results.instruction_study.text_measures import (
 )
 from memorymaze.sites.records import Site
 
-__all__ = ["InstructionStudy", "Vocabulary", "study_instructions"]
-
 
 @dataclass(frozen=True, slots=True)
 class Vocabulary:

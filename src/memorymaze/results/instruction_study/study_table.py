@@ -2,8 +2,6 @@
 
 from dataclasses import dataclass
 
-__all__ = ["StudyTable", "place_title"]
-
 
 @dataclass(frozen=True, slots=True)
 class StudyTable:

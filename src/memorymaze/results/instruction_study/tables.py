@@ -16,8 +16,6 @@ from memorymaze.results.instruction_study.word_tables import (
     vocabulary_table,
 )
 
-__all__ = ["study_tables"]
-
 STUDIES = {
     "online": "online (typed while watching)",
     "onsite": "onsite (spoken from memory)",

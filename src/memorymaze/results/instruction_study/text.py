@@ -6,8 +6,6 @@ from memorymaze.results.instruction_study.study import InstructionStudy
 from memorymaze.results.instruction_study.study_table import StudyTable
 from memorymaze.results.instruction_study.tables import study_tables
 
-__all__ = ["format_study"]
-
 WIDTH = 100
 
 

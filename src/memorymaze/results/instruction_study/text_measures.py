@@ -16,8 +16,6 @@ from memorymaze.results.instruction_study.stated_distances import (
 )
 from memorymaze.understanding import parse_route_description
 
-__all__ = ["MEASURES", "GroupMeans", "TextMeasures", "group_means", "measure_text"]
-
 IN_PLAN = ("landmark", "door", "room", "way")
 
 

@@ -4,8 +4,6 @@ from memorymaze.instructions.distinct_words import COUNTING_RULES
 from memorymaze.results.instruction_study.study import InstructionStudy
 from memorymaze.results.instruction_study.study_table import StudyTable, place_title
 
-__all__ = ["rules_table", "vocabulary_table"]
-
 
 def vocabulary_table(study: InstructionStudy) -> StudyTable:
     """Return the distinct words of every place and study; there is at least one."""

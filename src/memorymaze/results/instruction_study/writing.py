@@ -10,8 +10,6 @@ from memorymaze.results.instruction_study.study import study_instructions
 from memorymaze.results.instruction_study.text import format_study
 from memorymaze.sites.records import Site
 
-__all__ = ["StudyFormat", "write_study"]
-
 StudyFormat = Literal["text", "csv", "html"]
 
 

@@ -6,8 +6,6 @@ from typing import NamedTuple
 from memorymaze.results.report.event_words import Event
 from memorymaze.results.report.understanding import Understanding
 
-__all__ = ["CurrentStep", "step_of"]
-
 LINES_ROUND = 1
 """Lines of a program shown before and after the one at work."""
 

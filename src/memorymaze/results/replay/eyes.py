@@ -15,8 +15,6 @@ from memorymaze.results.replay.lettering import font_for
 from memorymaze.results.replay.moments import Moment, Moments, Sighting
 from memorymaze.simulation.scene import Scene
 
-__all__ = ["PICTURE_SIZE", "Eyes", "boxes_at", "draw_boxes"]
-
 PICTURE_SIZE = (640, 480)
 """Pixels of the robot's own picture, which boxes refer to."""
 BOX_SHOWN = 0.5
@@ -84,12 +82,7 @@ class Eyes:
 
 
 def boxes_at(moments: Moments, moment: Moment) -> list[Sighting]:
-    """Return what was detected just before, where its box still fits the picture.
-
-    Args:
-        moments: Of the episode.
-        moment: Of the picture.
-    """
+    """Return what was detected just before, where its box still fits the picture."""
     fitting = [
         each
         for each in moments.sightings

@@ -22,8 +22,6 @@ from memorymaze.results.replay.recorded_episode import RecordedEpisode
 from memorymaze.results.replay.settings import ReplaySettings
 from memorymaze.simulation import build_scene
 
-__all__ = ["SECONDS_BETWEEN_LINES", "film_replay", "frame_count", "frames_of"]
-
 SECONDS_BETWEEN_LINES = 15.0
 
 
@@ -43,9 +41,6 @@ def film_replay(
         path: An mp4 file, which is replaced.
         settings: What it looks like; the defaults when None.
         progress: Whether to show a bar with the time left on stderr.
-
-    Returns:
-        How many frames it has.
 
     Raises:
         SettingsError: The file cannot be there, or the package for videos is missing.

@@ -7,8 +7,6 @@ import matplotlib
 from matplotlib.font_manager import fontManager
 from PIL import ImageFont
 
-__all__ = ["Font", "font_for", "lines_of"]
-
 Font = ImageFont.FreeTypeFont
 
 WIDE_FROM = 0x2E80

@@ -14,8 +14,6 @@ from memorymaze.results.replay.current_step import CurrentStep, step_of
 from memorymaze.results.report.event_words import Event
 from memorymaze.results.report.story import Story
 
-__all__ = ["Moment", "Moments", "Sighting", "news"]
-
 FACING_SPAN = 0.6
 """Seconds of a person's walk that say which way the person faces."""
 STANDS = 0.05
@@ -59,12 +57,7 @@ class Moments:
     """An episode as a function of simulated time."""
 
     def __init__(self, entries: Sequence[Mapping[str, Any]], story: Story) -> None:
-        """Read what changes in the course of an episode.
-
-        Args:
-            entries: Of the trace.
-            story: The same in words.
-        """
+        """Read what changes in the course of an episode."""
         self._story = story
         table = np.array(story.walk.poses, dtype=np.float64).T
         self._times, self._xs, self._ys = table[0], table[1], table[2]

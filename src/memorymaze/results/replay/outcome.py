@@ -2,8 +2,6 @@
 
 from memorymaze.evaluation.results import EpisodeResult
 
-__all__ = ["ENDINGS", "outcome_line", "source_line"]
-
 ENDINGS = {
     "agent": "the agent said “we are there”",
     "budget": "the time or call budget ran out",

@@ -11,8 +11,6 @@ from memorymaze.results.replay.current_step import CurrentStep
 from memorymaze.results.replay.lettering import font_for, lines_of
 from memorymaze.results.report.event_words import Event
 
-__all__ = ["Box", "Layout", "Page", "layout_of"]
-
 PAPER, INK, GREY, RULE = "#ffffff", "#16181d", "#5a6270", "#c9ced6"
 HEAD, HEAD_INK = "#16181d", "#ffffff"
 STEP, STEP_INK = "#fff3c4", "#16181d"
@@ -140,13 +138,7 @@ class Page:
         self._pen.text(at, right, HEAD_INK, clock, anchor="rm")
 
     def write_story(self, instruction: str, label: str, step: CurrentStep) -> None:
-        """Write the instruction and what the agent works on.
-
-        Args:
-            instruction: The text.
-            label: Who wrote it.
-            step: With its heading.
-        """
+        """Write the instruction and what the agent works on."""
         box, letter = self._layout.story, self._layout.letter
         x, wide = box.x + letter, box.width - 2 * letter
         steps: list[tuple[str, bool]] = []
@@ -213,11 +205,7 @@ class Page:
                 self._pen.text((x + indent, y + number * row), line, INK, font)
 
     def write_legend(self, marks: Sequence[tuple[str, str, str]]) -> None:
-        """Say at the plan's foot what its marks mean.
-
-        Args:
-            marks: Sign, colour and meaning of each.
-        """
+        """Say at the plan's foot what its marks mean."""
         box, letter = self._layout.plan, max(8, round(0.85 * self._layout.letter))
         x, y = box.x + 0.6 * letter, box.y + box.height - 0.9 * letter
         top = box.y + box.height - 1.8 * letter

@@ -14,8 +14,6 @@ from memorymaze.results.replay.moments import Moment, Moments
 from memorymaze.simulation.motion.wheeled_base import ROBOT_RADIUS
 from memorymaze.sites import Route
 
-__all__ = ["SMOOTHING", "PlanView", "legend_of"]
-
 SMOOTHING = 2
 """Pixels drawn per pixel shown, each way, so that slanted edges are smooth."""
 WALK, ROBOT = "#111111", "#111111"

@@ -20,8 +20,6 @@ from memorymaze.sites import (
     load_sites,
 )
 
-__all__ = ["RecordedEpisode", "load_episode"]
-
 
 @dataclass(frozen=True, slots=True, eq=False)
 class RecordedEpisode:

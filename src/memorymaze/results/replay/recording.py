@@ -26,8 +26,6 @@ from memorymaze.results.replay.scans import Scans
 from memorymaze.results.replay.settings import ReplaySettings
 from memorymaze.simulation import build_scene
 
-__all__ = ["VIEW_EVERY", "check_recording_path", "record_replay"]
-
 VIEW_EVERY = 1.0
 """Simulated seconds from one camera picture and scan to the next."""
 

@@ -17,15 +17,6 @@ from memorymaze.simulation.motion.wheeled_base import CAMERA_HEIGHT, ROBOT_RADIU
 if TYPE_CHECKING:
     from memorymaze.sites import Site
 
-__all__ = [
-    "CAMERA",
-    "TIMELINE",
-    "blueprint_of",
-    "log_building",
-    "log_moving",
-    "log_view",
-]
-
 TIMELINE = "simulated_time"
 CAMERA = "world/robot/camera"
 WALL, ROUTE, WALK = (47, 47, 47), (215, 48, 31), (17, 17, 17)

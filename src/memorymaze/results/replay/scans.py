@@ -10,19 +10,12 @@ from memorymaze.results.replay.moments import Moment, Moments
 from memorymaze.simulation.scene import Scene
 from memorymaze.simulation.senses.lidar import Lidar, LidarSettings
 
-__all__ = ["Scans"]
-
 
 class Scans:
     """A LiDAR at the poses of a trace, with the things and people of the moment."""
 
     def __init__(self, scene: Scene, moments: Moments) -> None:
-        """Mount a LiDAR.
-
-        Args:
-            scene: The building, with the movables of the run.
-            moments: Of the episode.
-        """
+        """Mount a LiDAR."""
         self._scene = scene
         self._things = moments.things
         self._data = mujoco.MjData(scene.model)

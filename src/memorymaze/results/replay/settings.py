@@ -4,8 +4,6 @@ from dataclasses import dataclass
 
 from memorymaze.errors import SettingsError
 
-__all__ = ["ReplaySettings"]
-
 
 @dataclass(frozen=True, slots=True)
 class ReplaySettings:

@@ -14,14 +14,6 @@ from memorymaze.geometry.pose import heading_to, turn_between
 from memorymaze.results.report.following import Following
 from memorymaze.sites import Route, Site, TurningPoint
 
-__all__ = [
-    "Decision",
-    "DecisionCount",
-    "count_decisions",
-    "decisions_of",
-    "first_wrong",
-]
-
 WAYS = {
     "left": "turn left",
     "right": "turn right",

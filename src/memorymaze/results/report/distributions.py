@@ -9,8 +9,6 @@ import numpy as np
 
 from memorymaze.results.report.sources import ReportRun
 
-__all__ = ["MEASURES", "Measure", "Spread", "spreads"]
-
 
 @dataclass(frozen=True, slots=True)
 class Measure:

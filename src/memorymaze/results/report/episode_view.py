@@ -13,8 +13,6 @@ from memorymaze.results.report.outcomes import ending_words
 from memorymaze.results.report.sources import ReportRun
 from memorymaze.results.report.story import Story
 
-__all__ = ["EpisodeRow", "EpisodeView", "RunInEpisode"]
-
 
 @dataclass(frozen=True, slots=True)
 class RunInEpisode:

@@ -8,8 +8,6 @@ from memorymaze.instructions.records import Failure, Instruction
 from memorymaze.results.report.sources import ReportRun
 from memorymaze.results.tables.bootstrap import Estimate, estimate_means
 
-__all__ = ["ErrorKind", "FaultyInstruction", "error_kinds", "kind_title"]
-
 NONE = "none"
 ANY = "any"
 

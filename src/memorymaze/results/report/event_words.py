@@ -6,8 +6,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-__all__ = ["KINDS", "Event", "asked_events", "call_event", "met_event", "note_events"]
-
 KINDS = (
     "move",
     "turn",

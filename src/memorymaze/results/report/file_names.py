@@ -3,8 +3,6 @@
 import hashlib
 import re
 
-__all__ = ["route_page", "safe_name"]
-
 LONGEST = 80
 """Characters of an id that a name keeps."""
 

@@ -10,8 +10,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from memorymaze.geometry import polyline
 
-__all__ = ["FollowedTo", "Following", "follow"]
-
 STEP = 0.25
 """Metres between the places on the way that a walk is compared with."""
 STRIDE = 0.4

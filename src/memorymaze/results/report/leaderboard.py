@@ -17,14 +17,6 @@ from memorymaze.results.tables import MeasuredRun, load_runs
 from memorymaze.results.tables.bootstrap import Estimate, estimate_means
 from memorymaze.results.tables.run_notes import run_notes
 
-__all__ = [
-    "Leaderboard",
-    "Refused",
-    "Standing",
-    "read_leaderboard",
-    "write_leaderboard",
-]
-
 TRACK_TITLES: dict[Track, str] = {
     "default": "Default track",
     "obstacles": "Track with obstacles and people",

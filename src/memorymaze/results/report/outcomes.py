@@ -5,8 +5,6 @@ from typing import Literal
 
 from memorymaze.evaluation.results import EpisodeResult
 
-__all__ = ["ENDINGS", "OUTCOMES", "Outcome", "ending_words", "outcome_of"]
-
 Key = Literal["arrived", "elsewhere", "broken"]
 
 ENDINGS = {

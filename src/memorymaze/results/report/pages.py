@@ -21,8 +21,6 @@ from memorymaze.results.tables.bootstrap import Estimate
 from memorymaze.results.tables.cells import STUDY_TITLES, estimate_cell
 from memorymaze.results.tables.rows import Place, place_title
 
-__all__ = ["Pages"]
-
 ROOM = "memorymaze.results.report"
 
 POLICY = (

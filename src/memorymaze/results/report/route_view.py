@@ -21,15 +21,6 @@ from memorymaze.results.report.outcomes import Outcome, outcome_of
 from memorymaze.results.report.sources import ReportRun
 from memorymaze.sites import Route, Site
 
-__all__ = [
-    "DrawnWalk",
-    "HeatCell",
-    "RunOnRoute",
-    "WalkOfRun",
-    "WayCounts",
-    "run_on_route",
-]
-
 SIMPLER = 0.12
 """Metres by which a drawn walk may differ from the real one."""
 CELL = 2.0

@@ -5,8 +5,6 @@ from dataclasses import asdict
 
 from memorymaze.evaluation.run_folder import RunRecord
 
-__all__ = ["settings_rows"]
-
 
 def settings_rows(record: RunRecord) -> list[tuple[str, str]]:
     """Return all that `run.json` says, flat: `settings.seed`, `0`, and so on."""

@@ -44,8 +44,6 @@ from memorymaze.results.tables import Place
 from memorymaze.results.tables.run_notes import run_notes
 from memorymaze.sites import Route, Site
 
-__all__ = ["write_report"]
-
 
 def write_report(
     sources: Sources,

@@ -13,8 +13,6 @@ from memorymaze.instructions.records import Instruction
 from memorymaze.results.tables import MeasuredRun, load_runs
 from memorymaze.sites import Site, load_sites
 
-__all__ = ["ReportRun", "Sources", "read_sources"]
-
 
 @dataclass(frozen=True, slots=True)
 class ReportRun:

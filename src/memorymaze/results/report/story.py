@@ -27,8 +27,6 @@ from memorymaze.results.report.event_words import (
 )
 from memorymaze.results.report.understanding import Understanding, understood
 
-__all__ = ["Story", "story_of", "story_record"]
-
 OFF_LINE = 0.06
 """Metres by which a pose may be off the straight way between those that are kept."""
 OFF_HEADING = 0.15
@@ -78,10 +76,6 @@ class Story:
 
 def story_of(entries: Iterable[Mapping[str, Any]], place: str) -> Story:
     """Make the entries of a trace short.
-
-    Args:
-        entries: From `read_trace`.
-        place: Of the trace, for messages.
 
     Raises:
         RunFolderError: The entries are none that an episode leaves.

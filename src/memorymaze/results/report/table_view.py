@@ -14,16 +14,6 @@ from memorymaze.results.tables.cells import group_title
 from memorymaze.results.tables.comparison import Comparison, compare_runs
 from memorymaze.results.tables.rows import table_rows
 
-__all__ = [
-    "Ending",
-    "Pair",
-    "TableGroup",
-    "compare_pair",
-    "count_endings",
-    "table_groups",
-    "written_by",
-]
-
 
 @dataclass(frozen=True, slots=True)
 class TableGroup:

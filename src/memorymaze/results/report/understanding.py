@@ -5,8 +5,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-__all__ = ["Understanding", "understood"]
-
 LONGEST_PROGRAM = 20_000
 """Characters that are shown of a program."""
 LONGEST_STEP = 1_000

@@ -7,8 +7,6 @@ import numpy as np
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.metrics.aggregate import Estimate, participant_bootstrap
 
-__all__ = ["MEASURES", "Estimate", "estimate_means"]
-
 MEASURES = ("sr", "osr", "spd", "cls")
 """What the paper's tables show of an episode."""
 
@@ -25,9 +23,6 @@ def estimate_means(
     Args:
         cells: Results that belong together, such as those of one route; none empty.
         seed: Of the draws.
-
-    Returns:
-        Estimates by the names in `MEASURES`.
 
     Raises:
         ValueError: There is no cell, or one is empty.

@@ -3,17 +3,6 @@
 from memorymaze.results.tables.bootstrap import Estimate
 from memorymaze.results.tables.rows import TableName, TableRow, place_title
 
-__all__ = [
-    "HEADINGS",
-    "KEY",
-    "STUDY_TITLES",
-    "TITLES",
-    "count_cell",
-    "estimate_cell",
-    "group_title",
-    "parser_cell",
-]
-
 TITLES: dict[TableName, str] = {
     "II": "Table II: methods on every route, both iterations together",
     "III": "Table III: first and second iteration on every route",

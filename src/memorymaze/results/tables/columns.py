@@ -2,8 +2,6 @@
 
 from collections.abc import Sequence
 
-__all__ = ["markdown_columns", "text_columns"]
-
 
 def text_columns(lines: Sequence[Sequence[str]]) -> str:
     """Align cells below each other, two spaces apart, without a last line end.

@@ -13,8 +13,6 @@ from memorymaze.metrics.aggregate import Estimate, participant_bootstrap
 from memorymaze.metrics.paired import sign_flip_test
 from memorymaze.results.tables.rows import MeasuredRun, Place, places_of
 
-__all__ = ["COMPARED", "Comparison", "ComparisonRow", "Outcomes", "compare_runs"]
-
 COMPARED = ("sr", "osr", "spd", "cls", "ndtw")
 """Measures that are compared."""
 
@@ -64,11 +62,6 @@ class Comparison:
 
 def compare_runs(first: MeasuredRun, second: MeasuredRun, seed: int = 0) -> Comparison:
     """Compare two runs on the episodes that both have.
-
-    Args:
-        first: The baseline.
-        second: What is compared with it.
-        seed: Of the draws of intervals and tests.
 
     Raises:
         RunFolderError: No episode is in both runs.

@@ -15,8 +15,6 @@ from memorymaze.results.tables.rows import place_title
 from memorymaze.results.tables.run_notes import run_notes
 from memorymaze.results.tables.text import TEXT_WIDTH
 
-__all__ = ["ComparisonFormat", "format_comparison"]
-
 ComparisonFormat = Literal["text", "md", "csv"]
 
 HEADINGS = {

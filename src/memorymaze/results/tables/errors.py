@@ -17,8 +17,6 @@ from memorymaze.results.tables.columns import markdown_columns, text_columns
 from memorymaze.results.tables.rows import MeasuredRun
 from memorymaze.results.tables.run_notes import run_notes
 
-__all__ = ["ErrorRow", "error_rows", "error_table"]
-
 STYLES = ("text", "md", "csv")
 HEADINGS = (
     "study",

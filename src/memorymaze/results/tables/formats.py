@@ -9,8 +9,6 @@ from memorymaze.results.tables.records import csv_tables
 from memorymaze.results.tables.rows import MeasuredRun, TableName, table_rows
 from memorymaze.results.tables.text import text_table
 
-__all__ = ["TableFormat", "format_tables"]
-
 TableFormat = Literal["text", "md", "latex", "csv"]
 
 

@@ -8,16 +8,6 @@ from memorymaze.evaluation.inference_time import describe_inference_time
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.results.tables.rows import MeasuredRun, TableRow
 
-__all__ = [
-    "COST_COLUMNS",
-    "COST_KEY",
-    "InferenceCost",
-    "any_inference",
-    "cost_cells",
-    "cost_notes",
-    "inference_cost",
-]
-
 COST_COLUMNS = {
     "model_calls": "calls",
     "tokens": "tokens",

@@ -21,8 +21,6 @@ from memorymaze.results.tables.inference_cost import (
 from memorymaze.results.tables.rows import MeasuredRun, TableName, TableRow
 from memorymaze.results.tables.run_notes import run_notes
 
-__all__ = ["latex_table"]
-
 HEADINGS = ("SR $\\uparrow$", "OSR $\\uparrow$", "SPD (m) $\\downarrow$")
 SPECIAL = str.maketrans({
     "\\": r"\textbackslash{}",

@@ -21,8 +21,6 @@ from memorymaze.results.tables.inference_cost import (
 from memorymaze.results.tables.rows import MeasuredRun, TableName, TableRow
 from memorymaze.results.tables.run_notes import run_notes
 
-__all__ = ["markdown_table"]
-
 
 def markdown_table(
     rows: Sequence[TableRow], runs: Sequence[MeasuredRun], table: TableName

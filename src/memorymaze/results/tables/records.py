@@ -20,8 +20,6 @@ from memorymaze.results.tables.rows import (
     table_rows,
 )
 
-__all__ = ["columns", "csv_tables", "parquet_tables", "table_records"]
-
 
 def table_records(
     runs: Sequence[MeasuredRun], tables: Sequence[TableName]

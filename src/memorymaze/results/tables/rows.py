@@ -17,17 +17,6 @@ from memorymaze.instructions.published import PublishedResult, published_tables
 from memorymaze.perception.detector_settings import TRUTH
 from memorymaze.results.tables.bootstrap import MEASURES, Estimate, estimate_means
 
-__all__ = [
-    "MeasuredRun",
-    "Place",
-    "TableName",
-    "TableRow",
-    "load_runs",
-    "place_title",
-    "places_of",
-    "table_rows",
-]
-
 TableName = Literal["II", "III"]
 
 

@@ -11,9 +11,6 @@ from memorymaze.results.tables.inference_cost import cost_notes
 from memorymaze.results.tables.rows import MeasuredRun
 from memorymaze.simulation.obstacles import ObstacleSettings
 
-__all__ = ["run_notes"]
-
-
 LOOKS = {
     "own": "things as memorymaze makes them itself",
     "sweethome3d": "furniture models of Sweet Home 3D (docs/assets.md)",

@@ -16,8 +16,6 @@ from memorymaze.results.tables.columns import markdown_columns, text_columns
 from memorymaze.results.tables.rows import MeasuredRun
 from memorymaze.results.tables.run_notes import run_notes
 
-__all__ = ["SailRow", "is_sail", "sail_rows", "sail_table"]
-
 STUDY = "sail"
 STYLES = ("text", "md", "csv")
 HEADINGS = ("paragraphs", "map", "texts", "episodes", "success [95 %]", "people")

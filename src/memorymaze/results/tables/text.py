@@ -24,8 +24,6 @@ from memorymaze.results.tables.inference_cost import (
 from memorymaze.results.tables.rows import MeasuredRun, TableName, TableRow
 from memorymaze.results.tables.run_notes import run_notes
 
-__all__ = ["TEXT_WIDTH", "text_table"]
-
 TEXT_WIDTH = 118
 
 

@@ -14,8 +14,6 @@ from memorymaze.results.watching.page_server import PageServer
 from memorymaze.results.watching.present import Present
 from memorymaze.sites import Route, Site
 
-__all__ = ["BrowserView"]
-
 PERIOD = 1 / 20
 PLAN_SIZE = (1400, 1050)
 """Pixels."""

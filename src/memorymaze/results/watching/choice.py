@@ -13,8 +13,6 @@ from memorymaze.results.watching.onlooker import (
 from memorymaze.results.watching.plain_view import PlainView
 from memorymaze.sites import Route, Site
 
-__all__ = ["WatchKind", "watching"]
-
 WatchKind = Literal["terminal", "browser"]
 
 

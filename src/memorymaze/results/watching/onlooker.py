@@ -14,8 +14,6 @@ from memorymaze.results.watching.present import (
 )
 from memorymaze.simulation import SimulatedRobot
 
-__all__ = ["DEFAULT_PACE", "Onlooker", "View", "check_pace"]
-
 DEFAULT_PACE = 10.0
 """Simulated seconds per second: a walk of minutes is over before one looks away."""
 PACES = (0.1, 1000.0)

@@ -16,8 +16,6 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-__all__ = ["PageServer"]
-
 HOST = "127.0.0.1"
 KINDS = {
     "": ("page.html", "text/html; charset=utf-8"),
@@ -82,11 +80,7 @@ class PageServer:
             self._grown.notify_all()
 
     def close(self, farewell: float) -> None:
-        """Let open pages fetch the rest, and stop.
-
-        Args:
-            farewell: Seconds that they have for it.
-        """
+        """Let open pages fetch the rest, and stop."""
         end = time.monotonic() + farewell
         with self._grown:
             self._over = True

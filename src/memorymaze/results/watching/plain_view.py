@@ -5,8 +5,6 @@ from typing import TextIO
 from memorymaze.results.replay.current_step import CurrentStep
 from memorymaze.results.watching.present import Present
 
-__all__ = ["PlainView"]
-
 
 class PlainView:
     """Prints every event once, and every new step."""

@@ -12,8 +12,6 @@ from memorymaze.results.report.event_words import Event
 from memorymaze.results.report.story import story_of
 from memorymaze.results.report.understanding import understood
 
-__all__ = ["Present", "Reporter", "present_step"]
-
 KEPT = 60
 """Events that are kept to be shown."""
 STANDING_STILL = {"kind": "trajectory", "poses": [[0.0, 0.0, 0.0, 0.0]]}

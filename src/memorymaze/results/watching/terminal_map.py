@@ -23,8 +23,6 @@ from memorymaze.drawing.cells import (
 from memorymaze.results.watching.present import Present
 from memorymaze.sites import Route, Site
 
-__all__ = ["ASCII", "UNICODE", "Signs", "TerminalMap"]
-
 AROUND = 8.0
 """Metres shown round the way described."""
 
@@ -64,13 +62,7 @@ class TerminalMap:
     """Draws one episode's plan at any size."""
 
     def __init__(self, site: Site, route: Route, signs: Signs = UNICODE) -> None:
-        """Stand for a plan.
-
-        Args:
-            site: Whose plan.
-            route: The way described.
-            signs: Characters to draw with.
-        """
+        """Stand for a plan."""
         self._site, self._signs = site, signs
         west, south, east, north = route.line.bounds
         self._extent = Extent(
@@ -89,9 +81,6 @@ class TerminalMap:
             present: The episode at this moment.
             columns: Of the terminal, at least 1.
             rows: Of the terminal, at least 1.
-
-        Returns:
-            Lines of pieces of one style.
         """
         if not self._extent.holds(present.pose.x, present.pose.y):
             self._extent, self._cells = plan_extent(self._site), None

@@ -16,8 +16,6 @@ from memorymaze.results.watching.present import Present
 from memorymaze.results.watching.terminal_map import ASCII, UNICODE, TerminalMap
 from memorymaze.sites import Route, Site
 
-__all__ = ["TerminalView"]
-
 PERIOD = 1 / 12
 TALLEST = 48
 """Rows used of a tall terminal."""

@@ -7,8 +7,6 @@ import shapely
 from numpy.typing import NDArray
 from shapely import LineString, Polygon, STRtree
 
-__all__ = ["CLEARANCE_RANGE", "Clearance"]
-
 CLEARANCE_RANGE = 1.0
 """Metres; distances are measured up to here."""
 
@@ -64,10 +62,6 @@ class Clearance:
         """Return where a ray crosses walls: metres from its start, ascending.
 
         From a start on the floor the first crossing leaves it, the next comes back.
-
-        Args:
-            start: Metres.
-            direction: Unit vector.
         """
         ux, uy = direction
         offsets = self._edges - np.array(start)

@@ -5,8 +5,6 @@ from dataclasses import dataclass
 
 from memorymaze.sites.records import Corridor
 
-__all__ = ["Axis", "corridor_axis"]
-
 XY = tuple[float, float]
 
 ON_FLOOR = 0.01

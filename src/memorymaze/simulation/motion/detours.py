@@ -10,8 +10,6 @@ from numpy.typing import NDArray
 
 from memorymaze.simulation.motion.clearance import Clearance
 
-__all__ = ["DETOUR_WIDTH", "SPACING", "make_detours"]
-
 SPACING = 0.2
 """Metres between stations."""
 DETOUR_WIDTH = 2.0

@@ -28,8 +28,6 @@ from memorymaze.simulation.senses.turning_point_source import (
 from memorymaze.simulation.settings import TIMESTEP, SimulationSettings
 from memorymaze.simulation.trace import Collision
 
-__all__ = ["DriveEnd", "Driver", "TimeIsUp"]
-
 ARRIVED = 0.015
 """Metres before a lane's end at which the robot brakes for good."""
 BRAKING_SHARE = 0.75
@@ -127,9 +125,6 @@ class Driver:
             turn_rate: Wanted, radians per second.
             travel: The way the robot is going, radians; None while it only turns.
             steps: Physics steps, when fewer than a period's.
-
-        Returns:
-            Metres moved.
 
         Raises:
             TimeIsUp: The time budget is used up.
@@ -240,9 +235,6 @@ class Driver:
         Args:
             seconds: Simulated, at least 0.
 
-        Returns:
-            Seconds stood, a multiple of the physics step.
-
         Raises:
             TimeIsUp: The time budget ended while it came to rest.
         """
@@ -311,10 +303,6 @@ class Driver:
 
     def yielding_speed_to(self, distance: float, course: float) -> float:
         """Return the greatest speed that lets people pass on a straight way.
-
-        Args:
-            distance: Metres still to go.
-            course: The way it goes, radians.
 
         Returns:
             Metres per second; inf where nobody is in the way.

@@ -15,16 +15,6 @@ from memorymaze.simulation.motion.detours import SPACING, make_detours
 from memorymaze.simulation.motion.straight_ways import StraightWay
 from memorymaze.simulation.motion.wheeled_base import ROBOT_RADIUS
 
-__all__ = [
-    "MIN_CLEARANCE",
-    "Lane",
-    "LaneEnd",
-    "Station",
-    "lane_along",
-    "lane_round_things",
-    "plan_lane",
-]
-
 LaneEnd = Literal["wall", "obstacle", "done"]
 """What is behind the last station of a lane."""
 
@@ -88,12 +78,6 @@ def plan_lane(
 
     Where an obstacle cannot be passed within 2 m to either side of the way, the lane
     ends before it.
-
-    Args:
-        way: From `StraightWays.way` for this pose.
-        pose: Where the robot is.
-        clearance: Distances on this floor.
-        max_speed: Metres per second.
     """
     base, courses = _stations_of(way)
     open_ahead = clearance.to_walls(base) >= SLANTED_END_GAP

@@ -10,8 +10,6 @@ import math
 from memorymaze.geometry.pose import Pose
 from memorymaze.simulation.motion.lanes import Lane, Station
 
-__all__ = ["LaneFollower"]
-
 GAIN_P = 2.0
 """Curvature per metre of offset, 1/m^2."""
 GAIN_I = 0.15
@@ -92,11 +90,7 @@ class LaneFollower:
             self._integral = max(-INTEGRAL_LIMIT, min(INTEGRAL_LIMIT, integral))
 
     def turn_rate(self, speed: float) -> float:
-        """Return how fast to turn at a speed; radians per second, left positive.
-
-        Args:
-            speed: Metres per second.
-        """
+        """Return how fast to turn at a speed; radians per second, left positive."""
         curvature = (
             self._curvature
             - GAIN_P * self.offset

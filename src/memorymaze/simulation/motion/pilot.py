@@ -24,8 +24,6 @@ from memorymaze.simulation.scene import Scene
 from memorymaze.simulation.senses.turning_point_source import Stay
 from memorymaze.simulation.settings import SimulationSettings
 
-__all__ = ["Pilot"]
-
 REPLAN_OFFSET = 0.35
 """Metres beside its lane from which on a robot plans anew."""
 REPLAN_ANGLE = math.radians(40)

@@ -10,8 +10,6 @@ from memorymaze.geometry.pose import turn_between
 from memorymaze.simulation.motion.driving import Driver
 from memorymaze.simulation.settings import TIMESTEP, SimulationSettings
 
-__all__ = ["drive_on", "go_straight", "spin_by"]
-
 BLOCKED_DECISIONS = 40
 """Decisions in a row without motion after which the robot gives up."""
 CLOSE_ENOUGH = 0.0004
@@ -48,9 +46,6 @@ def go_straight(
         distance: Metres, greater than 0.
         settings: How fast it may go.
         patience: Seconds.
-
-    Returns:
-        Metres moved ahead.
 
     Raises:
         TimeIsUp: The time budget ran out.
@@ -96,9 +91,6 @@ def spin_by(driver: Driver, angle: float, settings: SimulationSettings) -> float
         angle: Radians, left positive; a full turn is one.
         settings: How fast it may turn.
 
-    Returns:
-        Radians turned.
-
     Raises:
         TimeIsUp: The time budget ran out.
     """
@@ -132,9 +124,6 @@ def drive_on(
         turn_rate: Radians per second, left positive.
         seconds: How long; a multiple of the physics step.
         period: From one decision to the next, seconds.
-
-    Returns:
-        Metres driven.
 
     Raises:
         TimeIsUp: The time budget ran out.

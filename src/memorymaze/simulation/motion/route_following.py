@@ -15,8 +15,6 @@ from memorymaze.simulation.motion.lanes import Lane, lane_along, lane_round_thin
 from memorymaze.simulation.motion.path_following import LaneFollower
 from memorymaze.simulation.obstacles.surroundings import Surroundings
 
-__all__ = ["FollowEnd", "follow_line"]
-
 SHARP_VERTEX = math.radians(25)
 """Bend from which on the robot stops at a vertex and turns on the spot."""
 ALIGNED = math.radians(2)

@@ -19,14 +19,6 @@ from memorymaze.simulation.motion.clearance import Clearance
 from memorymaze.simulation.motion.corridor_axes import Axis, corridor_axis
 from memorymaze.sites.records import Exit, Site, TurningPoint
 
-__all__ = [
-    "BEND_TOLERANCE",
-    "END_GAP",
-    "ENTRY_TOLERANCE",
-    "StraightWay",
-    "StraightWays",
-]
-
 ENTRY_TOLERANCE = math.radians(30)
 """Greatest angle between the robot's course and the corridor it begins to follow."""
 BEND_TOLERANCE = math.radians(15)

@@ -10,8 +10,6 @@ from collections.abc import Mapping, Sequence
 from memorymaze.errors import CommandError
 from memorymaze.robot.api import DIRECTIONS, Direction
 
-__all__ = ["direction_of", "exit_meant", "parse_direction"]
-
 # Upper end of each sector, degrees to either side.
 FORWARD, SLIGHT, SIDE, SHARP = 15, 60, 120, 160
 
@@ -34,9 +32,6 @@ def direction_of(angle: float) -> Direction | None:
 
     >>> direction_of(math.radians(-40)), direction_of(math.pi)
     ('slight_right', None)
-
-    Args:
-        angle: Radians in (-pi, pi].
     """
     degrees = abs(math.degrees(angle))
     left = angle > 0
@@ -57,10 +52,6 @@ def exit_meant(direction: Direction, angles: Sequence[float]) -> int | None:
     The way that carries the word itself comes first; without one, the way nearest to
     the middle of the word's sector within a wider range: `left` finds ways from 30 to
     150 degrees, `forward` the one that bends least up to 60 degrees.
-
-    Args:
-        direction: Any direction except `around`.
-        angles: Radians of the ways, relative, in (-pi, pi].
     """
     lowest, highest, middle = MEANING[direction]
     fitting = [

@@ -12,8 +12,6 @@ from memorymaze.simulation.robot import SimulatedRobot
 from memorymaze.simulation.senses.look_around import look_around
 from memorymaze.sites.navigation_graph import NavigationGraph, Viewpoint
 
-__all__ = ["ViewpointWalk"]
-
 THERE = 0.05
 """Metres from a viewpoint within which the robot is on it."""
 
@@ -93,11 +91,7 @@ class ViewpointWalk:
         return Journey("blocked", gone.distance + back.distance, gone.reason)
 
     def _drive_to(self, there: Viewpoint) -> MoveResult:
-        """Drive straight to a viewpoint.
-
-        Raises:
-            EpisodeOver: A budget ran out.
-        """
+        """Drive straight to a viewpoint."""
         result = self._robot.follow([there[1:]])
         if result.reason == "budget":
             raise EpisodeOver("budget")

@@ -12,16 +12,6 @@ import numpy as np
 from memorymaze.geometry.pose import Pose
 from memorymaze.simulation.settings import TIMESTEP, SimulationSettings
 
-__all__ = [
-    "CAMERA_HEIGHT",
-    "FLOOR_CONTACT",
-    "ROBOT_GROUP",
-    "ROBOT_RADIUS",
-    "SOLID_CONTACT",
-    "WheeledBase",
-    "add_wheeled_base",
-]
-
 ROBOT_RADIUS = 0.25
 """Metres; everything of the robot stays within this circle around its centre."""
 CAMERA_HEIGHT = 1.25

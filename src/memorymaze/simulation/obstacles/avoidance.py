@@ -19,8 +19,6 @@ if TYPE_CHECKING:
     from navground.core import LineSegment
     from navground.core.behaviors import ORCABehavior
 
-__all__ = ["Avoidance", "Disc"]
-
 HORIZON = 5.0
 """Metres within which others are looked at."""
 TIME_HORIZON = 2.0
@@ -52,10 +50,6 @@ class Avoidance:
 
     def __init__(self, floor: Polygon, solids: Sequence[Polygon]) -> None:
         """Index what people cannot walk through.
-
-        Args:
-            floor: Walkable, with holes.
-            solids: Footprints of what stands on it.
 
         Raises:
             SettingsError: The library is not installed.
@@ -104,15 +98,7 @@ class Avoidance:
         others: Sequence[Disc],
         period: float,
     ) -> tuple[float, float]:
-        """Return the velocity nearest to the wanted one that hits nobody.
-
-        Args:
-            mind: From `mind`.
-            me: Who decides.
-            wanted: Metres per second.
-            others: Whom to evade.
-            period: Seconds until the next decision.
-        """
+        """Return the velocity nearest to the wanted one that hits nobody."""
         core = self._core
         mind.position = np.array([me.x, me.y], dtype=np.float32)
         mind.velocity = np.array([me.vx, me.vy], dtype=np.float32)

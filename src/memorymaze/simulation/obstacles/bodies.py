@@ -7,8 +7,6 @@ import mujoco
 from memorymaze.simulation.motion.wheeled_base import SOLID_CONTACT
 from memorymaze.simulation.obstacles.kinds import Movable
 
-__all__ = ["MOVABLE_GROUP", "add_movables"]
-
 MOVABLE_GROUP = 4
 """Geom group of things and people."""
 PARKED = -30.0

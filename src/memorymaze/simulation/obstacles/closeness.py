@@ -6,8 +6,6 @@ from memorymaze.geometry.pose import Pose
 from memorymaze.simulation.motion.wheeled_base import ROBOT_RADIUS
 from memorymaze.simulation.obstacles.crowd import Crowd
 
-__all__ = ["CLOSE", "Closeness", "NearMiss"]
-
 CLOSE = 0.3
 """Metres between the robot's shell and a person below which it is a near miss."""
 APART_AGAIN = 0.4
@@ -38,12 +36,7 @@ class Closeness:
         self._running: dict[str, NearMiss] = {}
 
     def update(self, time: float, pose: Pose) -> None:
-        """Take note of who is near.
-
-        Args:
-            time: Simulated seconds.
-            pose: Where the robot is.
-        """
+        """Take note of who is near."""
         running: dict[str, NearMiss] = {}
         for person in self._crowd.near(pose.x, pose.y, 1.0):
             distance = ((person.x - pose.x) ** 2 + (person.y - pose.y) ** 2) ** 0.5

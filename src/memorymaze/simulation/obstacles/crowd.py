@@ -17,8 +17,6 @@ from memorymaze.simulation.obstacles.kinds import Movable
 from memorymaze.simulation.obstacles.person import Person
 from memorymaze.simulation.obstacles.walks import Walks
 
-__all__ = ["Crowd", "RobotMotion"]
-
 PERIOD = 0.1
 """Seconds from one decision of a person to the next."""
 MEAN_SPEED, SPEED_SPREAD = 1.2, 0.2
@@ -78,17 +76,7 @@ class Crowd:
         robot: tuple[float, float],
         rng: np.random.Generator,
     ) -> None:
-        """Put everyone somewhere on a way.
-
-        Args:
-            records: Who there is.
-            walks: Ways on this site.
-            clearance: Distances to walls and everything that stands.
-            floor: Walkable.
-            solids: Footprints of everything that stands on it.
-            robot: Where the robot begins, metres.
-            rng: Where everyone's choices come from.
-        """
+        """Put everyone somewhere on a way."""
         self._walks = walks
         self._clearance = clearance
         self._avoidance = Avoidance(floor, solids)

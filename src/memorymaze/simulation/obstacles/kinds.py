@@ -4,8 +4,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import cycle, islice
 
-__all__ = ["PERSON", "THING_KINDS", "Movable", "ThingKind", "people", "things"]
-
 PERSON = "person"
 """Category of everyone who walks about."""
 

@@ -8,8 +8,6 @@ from numpy.typing import NDArray
 
 from memorymaze.simulation.obstacles.kinds import Movable
 
-__all__ = ["Person"]
-
 LOOK_AHEAD = 3
 """Points of the way ahead of the nearest one at which a person aims."""
 SEARCHED = 12

@@ -14,8 +14,6 @@ from memorymaze.geometry.pose import Pose
 from memorymaze.simulation.obstacles.kinds import Movable
 from memorymaze.sites.records import Site
 
-__all__ = ["PASSAGE", "Stretch", "footprint", "place_things", "stretches"]
-
 PASSAGE = 0.9
 """Metres that stay free beside a thing, on one side at least."""
 TRIES = 40
@@ -81,12 +79,6 @@ def place_things(
     floor that hung together for a disc of that size still does. Nothing stands in or
     close to turning points, before doors, or near the places to be kept free.
 
-    Args:
-        site: The building.
-        things: What to place.
-        keep_free: Points, metres.
-        rng: Where the choice comes from.
-
     Returns:
         A pose per thing; None where no place was found for it.
     """
@@ -126,11 +118,7 @@ class _Placer:
         return None
 
     def _candidate(self, thing: Movable) -> tuple[Pose, float] | None:
-        """Choose a place along a stretch, at a wall or in the middle.
-
-        Returns:
-            The pose, and the heading square to the stretch.
-        """
+        """Choose a place along a stretch, at a wall or in the middle."""
         rng = self._rng
         stretch = self._stretches[int(rng.choice(len(self._shares), p=self._shares))]
         at = float(rng.uniform(0, stretch.line.length))

@@ -6,9 +6,6 @@ from dataclasses import dataclass, replace
 from memorymaze.errors import SettingsError
 from memorymaze.simulation.obstacles.kinds import THING_KINDS
 
-__all__ = ["LEVELS", "ObstacleSettings", "parse_obstacles"]
-
-
 MOST_PEOPLE = 1000
 """On a floor. With far more, an episode does not begin within a minute."""
 

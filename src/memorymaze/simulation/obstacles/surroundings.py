@@ -17,8 +17,6 @@ from memorymaze.simulation.obstacles.settings import ObstacleSettings
 from memorymaze.simulation.obstacles.yielding import STANDING
 from memorymaze.simulation.scene import Scene
 
-__all__ = ["PlacedThing", "Surroundings"]
-
 PEOPLE_MET = 6.0
 """Metres within which people who stand matter to a way round them."""
 NOTED_EVERY = 1.0
@@ -102,13 +100,7 @@ class Surroundings:
         self._note_people(0.0)
 
     def advance(self, now: float, pose: Pose, velocity: tuple[float, float]) -> None:
-        """Let people walk until a simulated time.
-
-        Args:
-            now: Seconds.
-            pose: Where the robot is.
-            velocity: Of the robot, metres per second.
-        """
+        """Let people walk until a simulated time."""
         if self.crowd is None or self.closeness is None:
             return
         self.crowd.advance(now, RobotMotion(pose.x, pose.y, *velocity))
@@ -121,9 +113,6 @@ class Surroundings:
         """Return distances to everything that stands, people near a place among it.
 
         None when nobody stands there.
-
-        Args:
-            place: Metres.
         """
         crowd = self.crowd
         standing = [

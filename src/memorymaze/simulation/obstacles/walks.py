@@ -13,8 +13,6 @@ from memorymaze.geometry.floor import Floor
 from memorymaze.sites.navigation_graph import navigation_graph
 from memorymaze.sites.records import Site
 
-__all__ = ["WAY_SPACING", "Walks"]
-
 WAY_SPACING = 0.4
 """Metres between the points of a way; at most."""
 BEFORE_DOOR = 0.75

@@ -8,8 +8,6 @@ from memorymaze.simulation.motion.wheeled_base import ROBOT_RADIUS
 from memorymaze.simulation.obstacles.crowd import Crowd
 from memorymaze.simulation.obstacles.person import Person
 
-__all__ = ["LANE_STEP", "STANDING", "Hindrance", "find_hindrance"]
-
 LANE_STEP = 0.2
 """Metres between the places of a lane that are looked at."""
 KEPT = 0.2

@@ -8,8 +8,6 @@ from memorymaze.geometry.pose import Pose
 from memorymaze.simulation.scene import Scene
 from memorymaze.simulation.senses.visibility import RayCamera
 
-__all__ = ["camera_elsewhere"]
-
 
 def camera_elsewhere(scene: Scene, now: mujoco.MjData, pose: Pose) -> RayCamera:
     """Return what the camera would see from a pose, with people and things as now.

@@ -9,8 +9,6 @@ from typing import NamedTuple
 import matplotlib
 from PIL import Image, ImageDraw, ImageFont
 
-__all__ = ["Field", "Lines", "fitted", "write"]
-
 REFERENCE_SIZE = 100
 """Pixels of the font in which widths are measured."""
 SPACE = 35.0
@@ -115,9 +113,6 @@ def write(
         most_lines: At most so many lines for each line of the text.
         bold: In heavy letters.
         tallest: Most height of a line as a share of the field's.
-
-    Returns:
-        The field that the letters cover.
     """
     if not text.strip():
         return Field(field.left, field.top, field.left, field.top)

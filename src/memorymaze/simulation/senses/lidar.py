@@ -16,8 +16,6 @@ from memorymaze.geometry.pose import Pose
 from memorymaze.simulation.motion.wheeled_base import ROBOT_GROUP
 from memorymaze.simulation.scene import FLOOR_GROUP, Scene
 
-__all__ = ["Lidar", "LidarScan", "LidarSettings"]
-
 FloatArray = NDArray[np.float64]
 
 
@@ -170,12 +168,7 @@ class Lidar:
             self._groups[FLOOR_GROUP] = 0  # never met
 
     def scan(self, pose: Pose, time: float = 0.0) -> LidarScan:
-        """Measure once all around, in no time.
-
-        Args:
-            pose: Of the robot that carries the sensor.
-            time: Simulated seconds, for the scan's time stamp.
-        """
+        """Measure once all around, in no time."""
         settings = self.settings
         cosine, sine = math.cos(pose.heading), math.sin(pose.heading)
         directions = self._directions

@@ -11,8 +11,6 @@ from memorymaze.perception.turning_points import SensedWay, TurningPointFinder
 from memorymaze.simulation.senses.lidar import Lidar
 from memorymaze.simulation.senses.odometry import Odometry
 
-__all__ = ["SCAN_PERIOD", "LidarTurningPoints"]
-
 XY = tuple[float, float]
 
 SCAN_PERIOD = 0.2

@@ -25,8 +25,6 @@ from memorymaze.simulation.senses.scene_sentences import (
     view_sentence,
 )
 
-__all__ = ["TEMPLATES", "look_around", "sector_headings"]
-
 TEMPLATES = "templates"
 """What describes the looks of this module."""
 

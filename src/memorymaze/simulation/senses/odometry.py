@@ -8,8 +8,6 @@ import numpy as np
 from memorymaze.errors import SettingsError
 from memorymaze.geometry.pose import Pose, turn_between, wrap_angle
 
-__all__ = ["Odometry", "OdometrySettings"]
-
 
 @dataclass(frozen=True, slots=True)
 class OdometrySettings:
@@ -90,14 +88,7 @@ class Odometry:
         return self._pose
 
     def update(self, truth: Pose) -> Pose:
-        """Take note of a motion.
-
-        Args:
-            truth: Where the robot really is now.
-
-        Returns:
-            Where it believes it is.
-        """
+        """Take note of a motion."""
         before, self._truth = self._truth, truth
         if self._exact:
             self._pose = _seen_from(self._start, truth)

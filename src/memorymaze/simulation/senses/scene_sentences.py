@@ -6,8 +6,6 @@ from dataclasses import dataclass
 
 from memorymaze.perception.visible_object import ObjectDescription
 
-__all__ = ["Surface", "View", "summary_sentence", "thing_words", "view_sentence"]
-
 WALL_CLOSE = 2.0
 """Metres within which a wall is close by."""
 FAR = 7.0
@@ -75,13 +73,7 @@ def view_sentence(view: View) -> str:
 def summary_sentence(
     views: Sequence[View], surface: Surface, things: Sequence[ObjectDescription]
 ) -> str:
-    """Return one sentence on a place, without directions.
-
-    Args:
-        views: All round, each next to the one before.
-        surface: What the place is made of.
-        things: All things seen, the nearest first.
-    """
+    """Return one sentence on a place, without directions."""
     far = [view.depth >= FAR for view in views]
     # A way that two neighbouring directions show is one way.
     ways = sum(

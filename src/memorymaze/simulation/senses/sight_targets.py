@@ -21,14 +21,6 @@ from memorymaze.simulation.obstacles.kinds import Movable
 from memorymaze.simulation.scene import Scene
 from memorymaze.sites.records import Door, Landmark, Site
 
-__all__ = [
-    "SightTargets",
-    "describe_door",
-    "describe_landmark",
-    "movable_targets",
-    "sight_targets",
-]
-
 FloatArray = NDArray[np.float64]
 
 SPACING = 0.18

@@ -3,8 +3,6 @@
 import re
 from typing import Literal, NamedTuple
 
-__all__ = ["Arrow", "Signpost", "signposts"]
-
 Arrow = Literal["left", "right", "ahead", "back"]
 
 ARROWS: dict[str, Arrow] = {

@@ -14,8 +14,6 @@ from memorymaze.simulation.senses.turning_points import (
 )
 from memorymaze.sites.records import Exit
 
-__all__ = ["AnnotatedTurningPoints", "Stay", "TurningPointSource", "WayOut"]
-
 XY = tuple[float, float]
 
 

@@ -13,8 +13,6 @@ from memorymaze.geometry.pose import turn_between
 from memorymaze.simulation.motion.straight_ways import StraightWays
 from memorymaze.sites.records import Exit, Site, TurningPoint
 
-__all__ = ["TurningPointVisits", "Visit", "meeting_point"]
-
 XY = tuple[float, float]
 
 WAY_BACK_TOLERANCE = math.radians(75)

@@ -25,15 +25,6 @@ from memorymaze.simulation.senses.sight_targets import (
 )
 from memorymaze.simulation.senses.written_texts import inscription
 
-__all__ = [
-    "LARGE_AREA",
-    "LEAST_FRACTION",
-    "LEAST_PIXELS",
-    "LEAST_SHARE",
-    "Draw",
-    "RayCamera",
-]
-
 FloatArray = NDArray[np.float64]
 
 WIDTH, HEIGHT = 640, 480
@@ -108,19 +99,11 @@ class RayCamera:
         return self._draw(width, height, horizontal_fov)
 
     def visible_objects(self, range_limit: float) -> list[VisibleObject]:
-        """Return the things seen whose nearest seen part is within the limit.
-
-        Args:
-            range_limit: Metres from the lens.
-        """
+        """Return the things seen whose nearest seen part is within the limit."""
         return [each.thing for each in self._things_seen(range_limit)]
 
     def visible_texts(self, range_limit: float) -> list[VisibleText]:
-        """Return what is written on the things seen within the limit.
-
-        Args:
-            range_limit: Metres from the lens.
-        """
+        """Return what is written on the things seen within the limit."""
         texts = [self._text_on(each) for each in self._things_seen(range_limit)]
         return [each for each in texts if each is not None]
 

@@ -11,8 +11,6 @@ from typing import NamedTuple
 from memorymaze.simulation.scene import Scene
 from memorymaze.sites.records import Door, Landmark
 
-__all__ = ["Inscription", "inscription"]
-
 CAPITAL = 0.73
 """Height of a capital letter as a share of the font's size."""
 BOARD_DEPTH = 0.15
