@@ -1,13 +1,11 @@
 """Results, settings and runs for the tests of this room."""
 
-import shutil
-from collections.abc import Callable, Generator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import Browser, sync_playwright
 
 from memorymaze.evaluation.plan import RunPlan, plan_run
 from memorymaze.evaluation.provenance import CodeStamp
@@ -15,8 +13,6 @@ from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import RunRecord, open_run_folder
 from memorymaze.evaluation.settings import AgentSettings, FileStamp, RunSettings
 from memorymaze.simulation import SimulationSettings
-
-BROWSERS = ("chromium", "chromium-browser", "google-chrome")
 
 TINY_INSTRUCTIONS = Path(__file__).parents[1] / "tiny_instructions.jsonl"
 
@@ -114,21 +110,3 @@ def write(tmp_path: Path, record: RunRecord) -> Callable[..., Path]:
         return tmp_path / name
 
     return finished
-
-
-@pytest.fixture(scope="session")
-def browser() -> Generator[Browser]:
-    """The Chromium that is installed on this machine."""
-    path = next(filter(None, map(shutil.which, BROWSERS)), None)
-    if path is None:
-        pytest.fail(
-            "these tests look at pages in Chromium, and none is installed; type: "
-            "sudo apt-get install chromium (scripts/setup_browser.sh does it)"
-        )
-    arguments = ["--no-sandbox", "--disable-gpu", "--disable-background-networking"]
-    with sync_playwright() as playwright:
-        chromium = playwright.chromium.launch(
-            executable_path=path, headless=True, args=arguments
-        )
-        yield chromium
-        chromium.close()

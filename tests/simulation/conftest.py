@@ -15,7 +15,6 @@ from memorymaze.simulation import (
     SimulatedRobot,
     SimulationSettings,
     TraceEvent,
-    build_scene,
 )
 from memorymaze.sites.records import Area, Corridor, Exit, Landmark, Site, TurningPoint
 
@@ -78,12 +77,6 @@ class Plans:
 def plans() -> Plans:
     """Maker of sites."""
     return Plans()
-
-
-@pytest.fixture(scope="session")
-def scenes(tiny_sites: dict[str, Site]) -> dict[str, Scene]:
-    """Scenes of all tiny sites by name."""
-    return {name: build_scene(site) for name, site in tiny_sites.items()}
 
 
 PutRobot = Callable[..., SimulatedRobot]

@@ -11,6 +11,7 @@ from memorymaze.errors import EpisodeOver
 from memorymaze.geometry.pose import Pose
 from memorymaze.language.model import CompletionRequest
 from memorymaze.language.scripted_model import ScriptedLanguageModel
+from memorymaze.pictures import robot_cameras
 from memorymaze.robot.api import Robot
 from memorymaze.simulation import SimulatedRobot, SimulationSettings, build_scene
 from memorymaze.sites import Site
@@ -46,7 +47,7 @@ def make_robot(corridor_site: Site) -> Callable[[], Robot]:
     """Robots in a corridor, for ten simulated seconds."""
     scene = build_scene(corridor_site)
     settings = SimulationSettings(time_budget=10.0)
-    return lambda: SimulatedRobot(scene, Pose(2, 0, 0), settings)
+    return lambda: SimulatedRobot(scene, Pose(2, 0, 0), settings, cameras=robot_cameras)
 
 
 @pytest.mark.parametrize(
