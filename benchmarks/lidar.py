@@ -18,7 +18,7 @@ from memorymaze.geometry.pose import Pose
 from memorymaze.simulation import build_scene
 from memorymaze.simulation.furnishing import Solid, door_solid, landmark_solid
 from memorymaze.simulation.senses.lidar import Lidar, LidarSettings
-from memorymaze.sites import BUILTIN_SITE_NAMES, Site, builtin_site
+from memorymaze.sites import BUILTIN_SITE_NAMES, Site, load_site
 
 PLAIN = "numpy, all rays with all edges of the plan"
 POSES = 60
@@ -32,7 +32,7 @@ FloatArray = NDArray[np.float64]
 def run() -> list[Row]:
     rows: list[Row] = []
     for name in BUILTIN_SITE_NAMES:
-        site = builtin_site(name)
+        site = load_site(name)
         scene = build_scene(site)
         poses = along_routes(site)
         flat, solid = Lidar(scene), Lidar(scene, None, LidarSettings.sixteen_beams())

@@ -20,7 +20,7 @@ from memorymaze.pictures.rendering import (
     VisualScene,
     build_visual_scene,
 )
-from memorymaze.sites import Site, builtin_site
+from memorymaze.sites import Site, load_site
 
 SITE, ROUTE = "museum_5f", "R1"
 SIZES = ((224, 224), (640, 480))
@@ -41,7 +41,7 @@ BASELINES = (
 
 
 def run() -> list[Row]:
-    site = builtin_site(SITE)
+    site = load_site(SITE)
     scene, took = timed(lambda: build_visual_scene(site))
     rows = [Row(f"looks of {SITE} built", took / 1e3, "s")]
     python = miniworld_python()

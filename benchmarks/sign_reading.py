@@ -28,7 +28,7 @@ from memorymaze.perception.ocr import PICTURE_SIZE
 from memorymaze.pictures import robot_cameras
 from memorymaze.simulation import Scene, SimulatedRobot, build_scene
 from memorymaze.simulation.senses.written_texts import inscription
-from memorymaze.sites import BUILTIN_SITE_NAMES, Site, builtin_site, load_site
+from memorymaze.sites import BUILTIN_SITE_NAMES, Site, load_site
 from memorymaze.sites.records import Door, Landmark
 
 DISTANCE = 3.0
@@ -76,7 +76,7 @@ def run() -> list[Row]:
     for source, target in (("ocr", 0.8), ("truth", None)):
         facing, slanted, seconds = Tally(), Tally(), []
         for name in BUILTIN_SITE_NAMES:
-            measure(builtin_site(name), source, EVERY, facing, slanted, seconds)
+            measure(load_site(name), source, EVERY, facing, slanted, seconds)
         what = f"words read at {DISTANCE:g} m, {source}"
         rows.append(Row(f"{what}, facing", facing.share, "", target=target))
         rows.append(Row(f"{what}, slanted", slanted.share, ""))
@@ -190,9 +190,7 @@ def main() -> int:
     options = parser.parse_args()
     if options.pictures is not None:
         options.pictures.mkdir(parents=True, exist_ok=True)
-    sites = [load_site(plan) for plan in options.plans] or [
-        builtin_site(name) for name in BUILTIN_SITE_NAMES
-    ]
+    sites = [load_site(site) for site in options.plans or BUILTIN_SITE_NAMES]
     for site in sites:
         facing, slanted, seconds = Tally(), Tally(), []
         measure(

@@ -21,7 +21,6 @@ from memorymaze.sites import (
     BUILTIN_SITE_NAMES,
     Route,
     Site,
-    builtin_site,
     load_site,
 )
 
@@ -32,7 +31,7 @@ REPEATS = 3
 def run() -> list[Row]:
     rows: list[Row] = []
     for name in BUILTIN_SITE_NAMES:
-        site = builtin_site(name)
+        site = load_site(name)
         floor_area = site.walkable_floor.area
         rows.append(
             Row(

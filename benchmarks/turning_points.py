@@ -28,7 +28,7 @@ from memorymaze.simulation.motion.turning_directions import direction_of
 from memorymaze.simulation.senses.lidar import Lidar, LidarSettings
 from memorymaze.simulation.senses.odometry import Odometry, OdometrySettings
 from memorymaze.simulation.senses.turning_points import TurningPointVisits
-from memorymaze.sites import BUILTIN_SITE_NAMES, Site, builtin_site, load_site
+from memorymaze.sites import BUILTIN_SITE_NAMES, Site, load_site
 from memorymaze.sites.records import Route
 
 NEAR = 1.5
@@ -54,7 +54,7 @@ def run() -> list[Row]:
     everything = Tally()
     for name in BUILTIN_SITE_NAMES:
         tally = Tally()
-        for walk in walks(builtin_site(name)):
+        for walk in walks(load_site(name)):
             tally.add(walk)
             everything.add(walk)
         rows += tally.rows(name)
@@ -270,11 +270,8 @@ def main() -> int:
     parser.add_argument("--noise", action="store_true", help="of LiDAR and odometry")
     chosen = parser.parse_args()
     for plan in chosen.plan:
-        known = plan in BUILTIN_SITE_NAMES
         tally = Tally()
-        for walk in walks(
-            builtin_site(plan) if known else load_site(Path(plan)), chosen.noise
-        ):
+        for walk in walks(load_site(plan), chosen.noise):
             tally.add(walk)
             for line in failures(walk):
                 print(line)

@@ -1,5 +1,26 @@
 """All exceptions a user can meet; each message says what, where and what to do."""
 
+from collections.abc import Iterable
+from difflib import get_close_matches
+
+
+def did_you_mean(name: object, known: Iterable[str], *, cutoff: float = 0.6) -> str:
+    """Return the end of a message about an unknown name: the known one most like it.
+
+    >>> did_you_mean("universty", ("university", "museum_5f"))
+    "; did you mean 'university'?"
+
+    Args:
+        name: What came.
+        known: What there is.
+        cutoff: How alike the two must be at least, from 0 to 1.
+
+    Returns:
+        Empty where nothing is like it.
+    """
+    near = get_close_matches(str(name), list(known), n=1, cutoff=cutoff)
+    return f"; did you mean {near[0]!r}?" if near else ""
+
 
 class MemoryMazeError(Exception):
     """Base of every error that is the input's fault and not the program's."""

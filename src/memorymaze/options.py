@@ -13,7 +13,6 @@ there is to write; names, types, defaults and meanings are read from it.
 """
 
 import ast
-import difflib
 import inspect
 import math
 import textwrap
@@ -23,7 +22,7 @@ from itertools import pairwise
 from types import NoneType, UnionType
 from typing import Any, Literal, TypeVar, Union, get_args, get_origin, get_type_hints
 
-from memorymaze.errors import SettingsError
+from memorymaze.errors import SettingsError, did_you_mean
 
 Options = TypeVar("Options")
 
@@ -103,8 +102,7 @@ def read_options(
 def _unknown(name: str, names: list[str], agent: str) -> str:
     if not names:
         return f"--set {name}: the agent {agent!r} has no options to set"
-    close = difflib.get_close_matches(name.replace("-", "_"), names, n=1)
-    meant = f"; did you mean {close[0]!r}?" if close else ""
+    meant = did_you_mean(name.replace("-", "_"), names)
     return (
         f"--set {name}: the agent {agent!r} has the options {', '.join(names)}; got "
         f"{name!r}{meant} (memorymaze agents {agent} says what each does)"

@@ -39,7 +39,7 @@ def test_a_walk_leaves_trajectory_trace_and_picture(
     [
         pytest.param(["nowhere", "R1", "Go."], 2, "university", id="site"),
         pytest.param(
-            ["universty", "R1", "Go."], 2, "did you mean university?", id="misspelt"
+            ["universty", "R1", "Go."], 2, "did you mean 'university'?", id="misspelt"
         ),
         pytest.param(["", "R1", "Go."], 2, "got ''", id="no site"),
         pytest.param(["none.geojson", "R1", "Go."], 2, "none.geojson", id="file"),

@@ -91,7 +91,7 @@ def test_a_wrong_episode_is_wrong_usage(
     monkeypatch.chdir(tmp_path)
     done = memorymaze("replay", run_folder, "p4-3")
     assert done.code == 2
-    assert "did you mean p4-2?" in done.err
+    assert "did you mean 'p4-2'?" in done.err
 
 
 def test_a_place_that_takes_no_file_is_named_at_once(

@@ -75,7 +75,7 @@ def test_check_fails_when_a_plan_has_an_error(
 
 
 def test_a_site_that_is_nowhere_is_wrong_usage(command: Command):
-    with pytest.raises(SettingsError, match=r"'universty'.*did you mean university"):
+    with pytest.raises(SettingsError, match=r"'universty'.*did you mean 'university'"):
         command("check", "universty")
     with pytest.raises(SettingsError, match="no such file"):
         command("draw", "nowhere.geojson")

@@ -27,7 +27,7 @@ def test_the_film_of_a_route_is_where_it_says(
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        pytest.param(["universty", "R1"], "did you mean university?", id="site"),
+        pytest.param(["universty", "R1"], "did you mean 'university'?", id="site"),
         pytest.param(["university", "R9"], "route: expected one of R1", id="route"),
         pytest.param(["university", "R1", "--size", "big"], "WIDTHxHEIGHT", id="size"),
         pytest.param(["university", "R1", "--size", "65x48"], "even", id="odd size"),

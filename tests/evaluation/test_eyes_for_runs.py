@@ -7,7 +7,7 @@ import pytest
 from memorymaze.errors import DetectorError, SettingsError
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.eyes_for_runs import checked_eyes, eyes_notes
-from memorymaze.evaluation.navigation import find_route, navigate
+from memorymaze.evaluation.navigation import navigate
 from memorymaze.evaluation.plan import plan_run
 from memorymaze.evaluation.settings import AgentSettings
 from memorymaze.perception.detector_settings import (
@@ -39,7 +39,7 @@ def walk(corridor_site: Site, monkeypatch):
         monkeypatch.setattr(
             "memorymaze.evaluation.navigation.build_agent", lambda _: lambda _: Looker()
         )
-        route = find_route(corridor_site, "R1")
+        route = corridor_site.find_route("R1")
         agent = AgentSettings("looker")
         return navigate(
             corridor_site, route, "Go.", agent, seed=seed, detector=detector

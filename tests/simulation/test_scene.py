@@ -13,9 +13,9 @@ from memorymaze.sites import Site
 
 
 def test_every_door_and_landmark_is_one_geom_of_its_own(
-    builtin_sites: dict[str, Site],
+    load_sites: dict[str, Site],
 ) -> None:
-    for site in builtin_sites.values():
+    for site in load_sites.values():
         scene = build_scene(site)
         records = [*site.doors, *site.landmarks]
         assert set(scene.geom_ids) == {record.id for record in records}
@@ -65,7 +65,7 @@ def test_a_balustrade_stands_round_a_hole_with_something_above(plans: Any) -> No
 def test_scenes_need_no_opengl() -> None:
     program = (
         "import sys; from memorymaze.simulation import build_scene, SimulatedRobot;"
-        "from memorymaze.sites import builtin_site; site = builtin_site('museum_7f');"
+        "from memorymaze.sites import load_site; site = load_site('museum_7f');"
         "robot = SimulatedRobot(build_scene(site), site.routes[0].start);"
         "robot.move_forward(1); robot.detect_from_RGB_image('door');"
         "assert not [m for m in sys.modules if m.startswith(('OpenGL', 'glfw'))]"

@@ -9,9 +9,9 @@ import pytest
 
 from memorymaze.sites import (
     BUILTIN_SITE_NAMES,
-    builtin_site_path,
     check_site,
     load_site,
+    plan_file,
 )
 from memorymaze.sites.problems import Rule
 
@@ -162,7 +162,7 @@ def test_every_rule_is_explained_in_the_document():
 
 @pytest.mark.parametrize("name", BUILTIN_SITE_NAMES)
 def test_the_benchmarks_floors_break_no_rule(name: str):
-    assert check_site(builtin_site_path(name)) == []
+    assert check_site(plan_file(name)) == []
 
 
 def test_tiny_sites_break_rules_of_size_only(tiny_sites_folder: Path):

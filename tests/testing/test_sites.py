@@ -2,13 +2,13 @@ from pathlib import Path
 
 import pytest
 
-from memorymaze.sites import BUILTIN_SITE_NAMES, builtin_site_path
+from memorymaze.sites import BUILTIN_SITE_NAMES, plan_file
 from memorymaze.testing import check_site
 
 
 @pytest.mark.parametrize("name", BUILTIN_SITE_NAMES)
 def test_every_site_of_the_benchmark_keeps_the_contract(name: str) -> None:
-    check_site(builtin_site_path(name))
+    check_site(plan_file(name))
 
 
 @pytest.mark.parametrize(

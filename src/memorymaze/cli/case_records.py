@@ -1,11 +1,10 @@
 """Records of a file of metric cases, checked one by one."""
 
-from difflib import get_close_matches
 from typing import Annotated, Any
 
 from pydantic import BaseModel, Field, StrictStr, ValidationError
 
-from memorymaze.errors import CaseFileError, UndefinedMetricError
+from memorymaze.errors import CaseFileError, UndefinedMetricError, did_you_mean
 from memorymaze.metrics.graph import NavigationGraph
 
 Metres = Annotated[float, Field(strict=True, allow_inf_nan=False)]
@@ -60,8 +59,7 @@ class Graphs:
 
     def _build(self, name: str) -> NavigationGraph | CaseFileError:
         if name not in self._records:
-            near = get_close_matches(name, self._records, n=1)
-            hint = f"; did you mean {near[0]!r}?" if near else ""
+            hint = did_you_mean(name, self._records)
             return CaseFileError(f"unknown graph {name!r}{hint}")
         try:
             record = GraphRecord.model_validate(self._records[name])

@@ -15,7 +15,6 @@ from memorymaze.cli.agent_options import (
     agent_settings,
     episode_settings,
 )
-from memorymaze.cli.plan_argument import plan_path
 from memorymaze.cli.verbs import Verbs
 
 if TYPE_CHECKING:
@@ -64,15 +63,14 @@ def add_parser(verbs: Verbs) -> None:
 def _run(options: argparse.Namespace) -> int:
     from memorymaze.evaluation.navigation import (
         check_folder,
-        find_route,
         navigate,
         write_navigation,
     )
     from memorymaze.results.replay.outcome import outcome_line
     from memorymaze.sites import load_site
 
-    site = load_site(plan_path(options.site))
-    route = find_route(site, options.route)
+    site = load_site(options.site)
+    route = site.find_route(options.route)
     folder = Path(options.out or _default_folder(site.name, route.id))
     check_folder(folder)
     with ExitStack() as stack:

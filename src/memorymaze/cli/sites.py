@@ -5,7 +5,6 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from memorymaze.cli.plan_argument import plan_path
 from memorymaze.cli.verbs import Verbs
 from memorymaze.cli.wording import counted
 
@@ -178,9 +177,8 @@ def _draw(args: argparse.Namespace) -> int:
     from memorymaze.drawing.plan_picture import draw_site
     from memorymaze.sites import load_site
 
-    path = plan_path(args.site)
-    site = load_site(path)
-    out: Path = args.out or Path(f"{path.stem}.png")
+    site = load_site(args.site)
+    out: Path = args.out or Path(f"{Path(site.source).stem}.png")
     draw_site(site, out, routes=args.route or True)
     print(out)
     return DONE
@@ -204,9 +202,9 @@ def _models(args: argparse.Namespace) -> int:
 
 def _plans(plan: str) -> list[Path]:
     """Return the files that a file's, a site's or a folder's name stands for."""
-    from memorymaze.sites import plan_paths
+    from memorymaze.sites import plan_file, plan_paths
 
-    return plan_paths(Path(plan)) if plan and Path(plan).is_dir() else [plan_path(plan)]
+    return plan_paths(Path(plan)) if plan and Path(plan).is_dir() else [plan_file(plan)]
 
 
 def _described(site: "Site") -> str:

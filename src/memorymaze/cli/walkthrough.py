@@ -4,7 +4,6 @@ import argparse
 import re
 from urllib.parse import quote
 
-from memorymaze.cli.plan_argument import plan_path
 from memorymaze.cli.verbs import Verbs
 
 
@@ -54,7 +53,6 @@ def add_parser(verbs: Verbs) -> None:
 
 
 def _run(options: argparse.Namespace) -> int:
-    from memorymaze.evaluation.navigation import find_route
     from memorymaze.pictures.films import (
         WalkthroughSettings,
         film_walkthrough,
@@ -69,8 +67,8 @@ def _run(options: argparse.Namespace) -> int:
         speed=options.speed,
         renderer=options.renderer,
     )
-    site = load_site(plan_path(options.site))
-    route = find_route(site, options.route)
+    site = load_site(options.site)
+    route = site.find_route(options.route)
     # A plan may be called anything, also `../../x`.
     name = quote(f"{site.name}-{options.route}", safe="")[:100]
     path = options.out or f"walkthrough-{name}.mp4"

@@ -1,11 +1,11 @@
 """Checking what annotators answer, typed or in a sheet."""
 
-import difflib
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
 from memorymaze.collection.labels import KINDS, NO_WAY, Label, text_stamp
 from memorymaze.collection.ways import ways_of
+from memorymaze.errors import did_you_mean
 from memorymaze.instructions.records import Failure, Instruction
 from memorymaze.sites.records import Site
 
@@ -81,9 +81,7 @@ def _choice(answer: str, choices: Sequence[str], what: str) -> str:
     for choice in choices:
         if said == choice.casefold():
             return choice
-    close = difflib.get_close_matches(said, choices, n=1)
-    hint = f"; did you mean {close[0]!r}?" if close else ""
     raise ValueError(
         f"expected {what} (0 to {len(choices) - 1}, or {', '.join(choices)}), got "
-        f"{answer!r}{hint}"
+        f"{answer!r}{did_you_mean(said, choices)}"
     )

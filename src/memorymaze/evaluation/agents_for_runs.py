@@ -4,7 +4,6 @@ To add one: an entry in `_KNOWN`, with how it is made, its dataclass of options 
 `memorymaze.options`), and what it needs.
 """
 
-import difflib
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Literal
@@ -12,7 +11,7 @@ from typing import Any, Literal
 from memorymaze.agents import AGENTS
 from memorymaze.agents.agent import Agent
 from memorymaze.agents.rules import RulesAgent, RulesOptions
-from memorymaze.errors import SettingsError
+from memorymaze.errors import SettingsError, did_you_mean
 from memorymaze.evaluation.language_models import build_language_model
 from memorymaze.evaluation.oracle import OracleAgent
 from memorymaze.evaluation.own_agents import (
@@ -164,11 +163,9 @@ def known_agent(name: str) -> KnownAgent:
     """
     if name in _KNOWN:
         return _KNOWN[name]
-    close = difflib.get_close_matches(name, _KNOWN, n=1)
-    hint = f"; did you mean {close[0]!r}?" if close else ""
     raise SettingsError(
         f"agent: expected one of {', '.join(agent_names())}, or your own as "
-        f"module:Class or file.py:Class, got {name!r}{hint}"
+        f"module:Class or file.py:Class, got {name!r}{did_you_mean(name, _KNOWN)}"
     )
 
 

@@ -1,6 +1,5 @@
 """One instruction on one route, looked at closely."""
 
-import difflib
 import json
 import os
 from collections.abc import Sequence
@@ -32,32 +31,6 @@ from memorymaze.simulation.settings import TurningPoints
 from memorymaze.sites import Route, Site
 
 FILES = ("trajectory.json", "trace.jsonl", "picture.png")
-
-
-def find_route(site: Site, name: str) -> Route:
-    """Return a route by its name (`R1`: the reference route) or its id.
-
-    Raises:
-        SettingsError: The site has no such route.
-    """
-    for route in site.routes:
-        if name == route.id or (name == route.route and route.role == "reference"):
-            return route
-    if not site.routes:
-        raise SettingsError(
-            f"route: expected a site with routes, got {site.name}, which has none"
-        )
-    names = [
-        f"{r.route} ({r.id})" if r.role == "reference" else r.id for r in site.routes
-    ]
-    known = [each for r in site.routes for each in (r.route, r.id)]
-    near = difflib.get_close_matches(name.upper(), known, n=1) or (
-        difflib.get_close_matches(name, known, n=1)
-    )
-    meant = f"; did you mean {near[0]!r}?" if near else ""
-    raise SettingsError(
-        f"route: expected one of {', '.join(names)}, got {name!r}{meant}"
-    )
 
 
 def check_folder(folder: Path) -> None:

@@ -5,7 +5,6 @@ place of a program that the model failed to write. What else there can be is in
 `docs/code_generation.md`.
 """
 
-import difflib
 import json
 from collections.abc import Iterable, Sequence
 from dataclasses import asdict, dataclass
@@ -14,6 +13,7 @@ from typing import Annotated, Any
 
 from pydantic import Field, StringConstraints, TypeAdapter, ValidationError
 
+from memorymaze.errors import did_you_mean
 from memorymaze.language.json_lines import json_record, lines_of, listed, shown
 from memorymaze.language.model import Completion, Usage
 
@@ -165,9 +165,9 @@ def _record(line: str) -> tuple[ProgramRecord, list[str]]:
     unknown = [name for name in content if name not in _FIELDS]
     unset = [name for name in _FIELDS if name not in content]
     for name in unknown:
-        close = difflib.get_close_matches(name, unset, n=1, cutoff=0.75)
-        if close:
-            raise ValueError(f"field {name!r} is unknown; did you mean {close[0]!r}?")
+        meant = did_you_mean(name, unset, cutoff=0.75)
+        if meant:
+            raise ValueError(f"field {name!r} is unknown{meant}")
     try:
         record = _RECORD.validate_python(content)
     except ValidationError as error:

@@ -16,13 +16,14 @@ from numpy.typing import NDArray
 from memorymaze.errors import EpisodeOver, SettingsError
 from memorymaze.evaluation.arena import Arena
 from memorymaze.gym.actions import ActionSet, action_set, most_steps
-from memorymaze.gym.episode_choice import choose_episodes, find_episode, open_site
+from memorymaze.gym.episode_choice import choose_episodes, find_episode
 from memorymaze.gym.observations import Senses, Sensor
 from memorymaze.gym.rewards import Progress, RewardChoice, reward_settings
 from memorymaze.instructions.records import Episode
 from memorymaze.metrics.success import SUCCESS_DISTANCE
 from memorymaze.simulation import SimulatedRobot, SimulationSettings
 from memorymaze.simulation.obstacles import ObstacleSettings
+from memorymaze.sites import load_site
 
 Observation = dict[str, Any]
 Information = dict[str, Any]
@@ -39,7 +40,7 @@ def _arena(site: str | Path, obstacles: ObstacleSettings | None) -> Arena:
 def _arena_as_of(
     site: str | Path, changed: int, obstacles: ObstacleSettings | None
 ) -> Arena:
-    return Arena(open_site(site), obstacles)
+    return Arena(load_site(site), obstacles)
 
 
 class NavigationEnvironment(gymnasium.Env[Observation, Any]):

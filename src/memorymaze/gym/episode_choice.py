@@ -1,31 +1,13 @@
 """Which episodes an environment has: of one site, by route, study and split."""
 
-import difflib
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-from memorymaze.errors import SettingsError
+from memorymaze.errors import SettingsError, did_you_mean
 from memorymaze.instructions.corpus import load_instructions
 from memorymaze.instructions.episodes import episodes
 from memorymaze.instructions.records import Episode
-from memorymaze.sites import BUILTIN_SITE_NAMES, Site, builtin_site, load_site
-
-
-def open_site(site: str | Path) -> Site:
-    """Load one of the benchmark's sites by name, or a plan.
-
-    Raises:
-        SettingsError: There is neither.
-        SitePlanError: The plan cannot be used.
-    """
-    if site in BUILTIN_SITE_NAMES:
-        return builtin_site(str(site))
-    if not isinstance(site, str | Path) or not Path(site).is_file():  # pyright: ignore[reportUnnecessaryIsInstance]
-        raise SettingsError(
-            f"site: expected a plan's file or one of {', '.join(BUILTIN_SITE_NAMES)}, "
-            f"got {site!r}"
-        )
-    return load_site(site)
+from memorymaze.sites import Site
 
 
 def choose_episodes(
@@ -80,9 +62,7 @@ def find_episode(choice: Iterable[Episode], name: object) -> Episode:
     known = {each.id: each for each in choice}
     if isinstance(name, str) and name in known:
         return known[name]
-    near = difflib.get_close_matches(str(name), known, n=1)
-    meant = f"; did you mean {near[0]!r}?" if near else ""
     raise SettingsError(
         f"episode_id: expected one of this environment's {len(known)} (see "
-        f"`env.unwrapped.episode_ids`), got {name!r}{meant}"
+        f"`env.unwrapped.episode_ids`), got {name!r}{did_you_mean(name, known)}"
     )

@@ -1,8 +1,8 @@
 """Turn instructions into episodes on the sites they speak of."""
 
-import difflib
 from collections.abc import Iterable, Mapping
 
+from memorymaze.errors import did_you_mean
 from memorymaze.instructions.problems import (
     InstructionProblem,
     place_of,
@@ -75,6 +75,7 @@ def _misplaced(instruction: Instruction, sites: Mapping[str, Site]) -> str | Non
 
 def _not_found(field: str, got: str, known: Iterable[str]) -> str:
     names = sorted(known)
-    close = difflib.get_close_matches(got, names, n=1)
-    hint = f"; did you mean {close[0]!r}?" if close else ""
-    return f"field {field!r}: expected one of {', '.join(names)}, got {got!r}{hint}"
+    return (
+        f"field {field!r}: expected one of {', '.join(names)}, got {got!r}"
+        f"{did_you_mean(got, names)}"
+    )

@@ -1,9 +1,9 @@
 """Labels of instructions that sit ill with the building."""
 
-import difflib
 import re
 from collections.abc import Iterable, Iterator, Mapping
 
+from memorymaze.errors import did_you_mean
 from memorymaze.instructions.error_kinds import ERROR_KINDS
 from memorymaze.instructions.problems import InstructionProblem, place_of
 from memorymaze.instructions.records import Failure, Instruction
@@ -77,8 +77,7 @@ def _notes(each: Instruction, names: PlaceNames, route: Route) -> Iterator[str]:
     for number, failure in enumerate(each.failures):
         field = f"field 'failures.{number}"
         if failure.kind not in known:
-            close = difflib.get_close_matches(failure.kind, known, n=1)
-            hint = f"; did you mean {close[0]!r}?" if close else f": {', '.join(known)}"
+            hint = did_you_mean(failure.kind, known) or f": {', '.join(known)}"
             yield f"{field}.kind': {failure.kind!r} is none of the paper's kinds{hint}"
         if failure in each.failures[:number]:
             yield f"{field}': the same failure stands there twice"
@@ -100,9 +99,9 @@ def _where_note(failure: Failure, names: PlaceNames, route: Route) -> str | None
             return None
         if where in names.ids:
             return None
-        close = difflib.get_close_matches(where, points, n=1)
-        hint = f"; did you mean {close[0]!r}?" if close else ""
-        return f"{where!r} is not in the plan of {site.name}{hint}"
+        return (
+            f"{where!r} is not in the plan of {site.name}{did_you_mean(where, points)}"
+        )
     if not names.has(where):
         return f"{where!r} names no turning point, place or thing of {site.name}"
     return None

@@ -1,6 +1,5 @@
 """The format of one line of an instruction file, checked at the boundary."""
 
-import difflib
 import json
 from typing import Annotated, Any, Literal
 
@@ -14,6 +13,7 @@ from pydantic import (
     model_validator,
 )
 
+from memorymaze.errors import did_you_mean
 from memorymaze.instructions.problems import InstructionProblem
 from memorymaze.instructions.records import Failure, Followers, Instruction, Span
 
@@ -151,9 +151,9 @@ def _unknown_fields(record: dict[str, Any]) -> list[str]:
     unknown = [name for name in record if name not in known]
     unset = [name for name in known if name not in record]
     for name in unknown:
-        meant = difflib.get_close_matches(name, unset, n=1, cutoff=0.75)
+        meant = did_you_mean(name, unset, cutoff=0.75)
         if meant:
-            raise ValueError(f"field {name!r} is unknown; did you mean {meant[0]!r}?")
+            raise ValueError(f"field {name!r} is unknown{meant}")
     return unknown
 
 

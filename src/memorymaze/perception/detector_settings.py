@@ -1,11 +1,10 @@
 """Which detector a run has, by name and settings, as the command line gives it."""
 
-import difflib
 from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from typing import Any, Literal, get_args
 
-from memorymaze.errors import SettingsError
+from memorymaze.errors import SettingsError, did_you_mean
 from memorymaze.perception.error_model import ErrorModel
 from memorymaze.perception.grounding_dino import DEFAULT_CHECKPOINT
 
@@ -122,11 +121,9 @@ def parse_detector(text: str) -> DetectorSettings:
     name, _, rest = text.partition(":")
     known = get_args(DetectorName)
     if name not in known:
-        close = difflib.get_close_matches(name, known, n=1)
-        meant = f"; did you mean {close[0]!r}?" if close else ""
         raise SettingsError(
             f"detector: expected one of {', '.join(known)}, with settings after a "
-            f"colon, got {name!r}{meant}"
+            f"colon, got {name!r}{did_you_mean(name, known)}"
         )
     parts = [part.strip() for part in rest.split(",") if part.strip()]
     first: str | None = None
@@ -153,11 +150,9 @@ def _setting(detector: str, part: str) -> tuple[str, Any]:
     name, equals, value = (piece.strip() for piece in part.partition("="))
     known = _SETTINGS[detector]
     if not equals or name not in known:
-        close = difflib.get_close_matches(name, known, n=1)
-        meant = f"; did you mean {close[0]!r}?" if close else ""
         raise SettingsError(
             f"detector {detector}: expected NAME=VALUE (there are {', '.join(known)}), "
-            f"got {part!r}{meant}"
+            f"got {part!r}{did_you_mean(name, known)}"
         )
     kind = known[name]
     if kind is str:

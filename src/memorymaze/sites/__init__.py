@@ -3,10 +3,9 @@
 from memorymaze.sites.checking import check_site
 from memorymaze.sites.loading import (
     BUILTIN_SITE_NAMES,
-    builtin_site,
-    builtin_site_path,
     load_site,
     load_sites,
+    plan_file,
     plan_paths,
 )
 from memorymaze.sites.problems import SiteProblem
@@ -38,10 +37,9 @@ __all__ = [
     "Site",
     "SiteProblem",
     "TurningPoint",
-    "builtin_site",
-    "builtin_site_path",
     "check_site",
     "load_site",
     "load_sites",
+    "plan_file",
     "plan_paths",
 ]

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from memorymaze.errors import SitePlanError
+from memorymaze.errors import SettingsError, SitePlanError, did_you_mean
 from memorymaze.sites.conversion import site_from_content
 from memorymaze.sites.reading import read_plan
 from memorymaze.sites.records import Site
@@ -12,22 +12,25 @@ BUILTIN_SITE_NAMES: tuple[str, ...] = ("university", "museum_5f", "museum_7f")
 """The three floors of the benchmark."""
 
 
-def load_site(path: str | Path) -> Site:
-    """Load a site plan.
+def load_site(site: str | Path) -> Site:
+    """Load one of the benchmark's sites, or a plan.
 
     Args:
-        path: A GeoJSON file in the format of `docs/site_plans.md`.
+        site: `university`, `museum_5f` or `museum_7f`; else a GeoJSON file in the
+            format of `docs/site_plans.md`.
 
     Raises:
+        SettingsError: There is neither.
         SitePlanError: The plan cannot be used. The message names file, feature and
             rule of the first problem, and how many more there are.
     """
-    plan = read_plan(Path(path))
-    site, broken, shape_findings = site_from_content(plan, str(path))
+    path = plan_file(site)
+    plan = read_plan(path)
+    made, broken, shape_findings = site_from_content(plan, str(path))
     findings = [*plan.findings, *shape_findings]
-    if site is not None:
-        findings += soundness_findings(site, broken)
-    if findings or site is None:
+    if made is not None:
+        findings += soundness_findings(made, broken)
+    if findings or made is None:
         first, *others = findings
         more = (
             f" ({len(others)} more: see them all with `memorymaze sites check {path}`)"
@@ -37,7 +40,7 @@ def load_site(path: str | Path) -> Site:
         raise SitePlanError(
             f"{path}: {first.feature}: {first.rule}: {first.message}{more}"
         )
-    return site
+    return made
 
 
 def load_sites(folder: str | Path | None = None) -> dict[str, Site]:
@@ -54,7 +57,7 @@ def load_sites(folder: str | Path | None = None) -> dict[str, Site]:
             missing or has no plan in it.
     """
     if folder is None:
-        return {name: builtin_site(name) for name in BUILTIN_SITE_NAMES}
+        return {name: load_site(name) for name in BUILTIN_SITE_NAMES}
     paths = plan_paths(Path(folder))
     sites: dict[str, Site] = {}
     for path in paths:
@@ -87,23 +90,17 @@ def plan_paths(folder: Path) -> list[Path]:
     return paths
 
 
-def builtin_site_path(name: str) -> Path:
-    """Return where the plan of one of the benchmark's floors lies.
+def plan_file(site: str | Path) -> Path:
+    """Return the plan's file of one of the benchmark's sites, or the file of this name.
 
     Raises:
-        SitePlanError: There is none of this name.
+        SettingsError: There is neither; says which sites there are.
     """
-    if name not in BUILTIN_SITE_NAMES:
-        raise SitePlanError(
-            f"expected one of the sites {', '.join(BUILTIN_SITE_NAMES)}, got {name!r}"
+    if site in BUILTIN_SITE_NAMES:
+        return Path(__file__).parent / "data" / f"{site}.geojson"
+    if not site or not Path(site).exists():
+        raise SettingsError(
+            f"site: expected a plan's file or one of {', '.join(BUILTIN_SITE_NAMES)}, "
+            f"got {str(site)!r}: no such file{did_you_mean(site, BUILTIN_SITE_NAMES)}"
         )
-    return Path(__file__).parent / "data" / f"{name}.geojson"
-
-
-def builtin_site(name: str) -> Site:
-    """Load one of the benchmark's floors.
-
-    Raises:
-        SitePlanError: There is none of this name.
-    """
-    return load_site(builtin_site_path(name))
+    return Path(site)

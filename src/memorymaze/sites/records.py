@@ -12,6 +12,7 @@ from typing import Literal, cast
 from shapely import LineString, MultiPolygon, Point, Polygon, box, union_all
 from shapely.affinity import affine_transform
 
+from memorymaze.errors import SettingsError, did_you_mean
 from memorymaze.geometry.pose import Pose
 from memorymaze.sites.centre_lines import corridor_centre_line
 from memorymaze.sites.floor import union_of_floor
@@ -250,6 +251,29 @@ class Site:
         known = ", ".join(route.id for route in self.routes) or "none at all"
         raise KeyError(
             f"site {self.name} has no route {route_id!r}; there are: {known}"
+        )
+
+    def find_route(self, name: str) -> Route:
+        """Return a route by its name (`R1`: the reference route) or its id.
+
+        Raises:
+            SettingsError: There is none; lists those there are.
+        """
+        for route in self.routes:
+            if name == route.id or (name == route.route and route.role == "reference"):
+                return route
+        if not self.routes:
+            raise SettingsError(
+                f"route: expected a site with routes, got {self.name}, which has none"
+            )
+        names = [
+            f"{each.route} ({each.id})" if each.role == "reference" else each.id
+            for each in self.routes
+        ]
+        known = [each for route in self.routes for each in (route.route, route.id)]
+        meant = did_you_mean(name.upper(), known) or did_you_mean(name, known)
+        raise SettingsError(
+            f"route: expected one of {', '.join(names)}, got {name!r}{meant}"
         )
 
     def reference_route(self, route: str) -> Route:

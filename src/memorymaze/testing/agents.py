@@ -26,7 +26,7 @@ from memorymaze.robot.api import (
 )
 from memorymaze.robot.steps import CameraPicture, SteppingRobot
 from memorymaze.simulation import SimulatedRobot, SimulationSettings, build_scene
-from memorymaze.sites import builtin_site
+from memorymaze.sites import load_site
 from memorymaze.testing.expectation import expect
 
 Result = TypeVar("Result")
@@ -85,7 +85,7 @@ def check_agent(
 
 
 def _museum() -> Callable[[], Robot]:
-    scene = build_scene(builtin_site("museum_5f"))
+    scene = build_scene(load_site("museum_5f"))
     start = scene.site.reference_route("R2").start
     settings = SimulationSettings(time_budget=40.0, call_budget=300)
     return lambda: SimulatedRobot(

@@ -12,7 +12,7 @@ def test_a_misspelt_episode_is_answered_with_the_nearest(
     episode: RecordedEpisode, tiny_run: Path, tiny_sites_folder: Path
 ) -> None:
     right = episode.result.episode_id
-    with pytest.raises(SettingsError, match=f"did you mean {right}"):
+    with pytest.raises(SettingsError, match=f"did you mean '{right}'"):
         load_episode(tiny_run, right + "0", tiny_sites_folder)
 
 

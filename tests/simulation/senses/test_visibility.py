@@ -246,9 +246,9 @@ def test_door_is_described_by_style_room_and_label(
 
 
 def test_view_agrees_with_a_ray_for_every_pixel_block(
-    builtin_sites: dict[str, Site],
+    load_sites: dict[str, Site],
 ) -> None:
-    site = builtin_sites["museum_7f"]
+    site = load_sites["museum_7f"]
     scene = build_scene(site)
     overlaps: list[float] = []
     for route in site.routes[:2]:
@@ -321,8 +321,8 @@ def test_looking_needs_no_graphics_library() -> None:
     program = (
         "import sys\n"
         "from memorymaze.simulation import SimulatedRobot, build_scene\n"
-        "from memorymaze.sites import builtin_site\n"
-        "site = builtin_site('museum_7f')\n"
+        "from memorymaze.sites import load_site\n"
+        "site = load_site('museum_7f')\n"
         "robot = SimulatedRobot(build_scene(site), site.routes[0].start)\n"
         "robot.detect_from_RGB_image('door')\n"
         "sys.exit('OpenGL' in sys.modules)\n"

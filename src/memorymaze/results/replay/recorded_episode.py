@@ -1,11 +1,10 @@
 """An episode of a run as its folder keeps it, with the plan it took place on."""
 
-import difflib
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from memorymaze.errors import SettingsError
+from memorymaze.errors import SettingsError, did_you_mean
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import RunRecord, read_run
 from memorymaze.evaluation.settings import RunSettings, stamp_file
@@ -15,7 +14,6 @@ from memorymaze.sites import (
     BUILTIN_SITE_NAMES,
     Route,
     Site,
-    builtin_site_path,
     load_site,
     load_sites,
 )
@@ -82,15 +80,10 @@ def _no_such_episode(path: Path, wanted: str, known: list[str]) -> str:
         return (
             f"{path}: expected a run with finished episodes, got none; is it going on?"
         )
-    near = difflib.get_close_matches(wanted, known, n=3, cutoff=0.5)
-    hint = (
-        f"did you mean {', '.join(near)}?"
-        if near
-        else f"they are named like {known[0]}"
-    )
+    hint = did_you_mean(wanted, known) or f"; they are named like {known[0]}"
     return (
         f"episode: expected one of the {len(known)} that {path} has finished, got "
-        f"{wanted!r}; {hint}"
+        f"{wanted!r}{hint}"
     )
 
 
@@ -105,7 +98,7 @@ def _site_of(settings: RunSettings, name: str, sites_folder: str | Path | None) 
             )
         site = sites[name]
     elif name in BUILTIN_SITE_NAMES:
-        site = load_site(builtin_site_path(name))
+        site = load_site(name)
     else:
         raise SettingsError(
             f"the episode took place in {name}, whose plan is not shipped; name the "
