@@ -10,12 +10,12 @@ from memorymaze.evaluation.eyes_for_runs import checked_eyes, eyes_notes
 from memorymaze.evaluation.navigation import navigate
 from memorymaze.evaluation.plan import plan_run
 from memorymaze.evaluation.settings import AgentSettings
-from memorymaze.perception.detector_settings import (
+from memorymaze.perception.error_model import ErrorModel
+from memorymaze.perception.eyes import (
     TRUTH,
     DetectorSettings,
     parse_detector,
 )
-from memorymaze.perception.error_model import ErrorModel
 from memorymaze.sites import Site
 
 
@@ -67,9 +67,7 @@ def test_a_detector_that_fails_is_not_the_agents_crash(
     def fail(self, view, query):
         raise DetectorError("detector at http://x answered 503")
 
-    monkeypatch.setattr(
-        "memorymaze.perception.truth_detector.TruthDetector.detect", fail
-    )
+    monkeypatch.setattr("memorymaze.perception.detector.TruthDetector.detect", fail)
     result = walk(TRUTH).result
 
     assert result.stopped_by == "model_error"

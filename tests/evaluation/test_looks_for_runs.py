@@ -4,7 +4,7 @@ import pytest
 
 from memorymaze.errors import SettingsError
 from memorymaze.evaluation.looks_for_runs import looks_of_run
-from memorymaze.perception.detector_settings import TRUTH
+from memorymaze.perception.eyes import TRUTH
 
 
 def test_runs_without_cameras_do_not_depend_on_looks() -> None:

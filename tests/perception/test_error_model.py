@@ -11,9 +11,9 @@ from hypothesis import strategies as st
 
 from memorymaze.errors import SettingsError
 from memorymaze.geometry.pose import Pose
+from memorymaze.perception.camera_view import ObjectDescription, VisibleObject
+from memorymaze.perception.detector import TruthDetector
 from memorymaze.perception.error_model import ErrorModel, ErrorSource
-from memorymaze.perception.truth_detector import TruthDetector
-from memorymaze.perception.visible_object import ObjectDescription, VisibleObject
 
 REFERENCE = VisibleObject(
     description=ObjectDescription("door"),

@@ -1,7 +1,6 @@
 import pytest
 
-from memorymaze.perception.noun_phrase import head_splits, parse_name
-from memorymaze.perception.request import parse_request
+from memorymaze.perception.noun_phrase import head_splits, parse_name, parse_request
 
 
 @pytest.mark.parametrize(

@@ -128,7 +128,7 @@ def episode_settings(options: argparse.Namespace) -> dict[str, Any]:
     given = {name: getattr(options, name) for name in names}
     settings = {name: value for name, value in given.items() if value is not None}
     if options.detector is not None:
-        from memorymaze.perception.detector_settings import parse_detector
+        from memorymaze.perception.eyes import parse_detector
 
         settings["detector"] = parse_detector(options.detector)
     if options.signs is not None:

@@ -2,8 +2,7 @@
 
 from memorymaze.errors import SettingsError
 from memorymaze.evaluation.settings import RunSettings
-from memorymaze.perception.detector_settings import TRUTH, DetectorSettings
-from memorymaze.perception.eyes import Eyes, SignSource
+from memorymaze.perception.eyes import TRUTH, DetectorSettings, Eyes, SignSource
 
 
 def checked_eyes(detector: DetectorSettings, signs: SignSource) -> Eyes:

@@ -13,7 +13,7 @@ from memorymaze.errors import SettingsError
 from memorymaze.robot.api import Robot
 from memorymaze.robot.viewpoints import Panorama
 from memorymaze.simulation import Scene, SimulatedRobot
-from memorymaze.simulation.motion.viewpoint_walk import ViewpointWalk
+from memorymaze.simulation.viewpoint_walk import ViewpointWalk
 from memorymaze.sites import Site
 from memorymaze.sites.navigation_graph import (
     NavigationGraph,

@@ -1,7 +1,7 @@
 """What cameras show in a run, which is a setting of runs that have cameras."""
 
 from memorymaze.evaluation.agents_for_runs import agent_needs
-from memorymaze.perception.detector_settings import TRUTH, DetectorSettings
+from memorymaze.perception.eyes import TRUTH, DetectorSettings
 from memorymaze.pictures.furniture.cache import Looks, looks_in_use
 
 

@@ -23,8 +23,7 @@ from memorymaze.evaluation.trace import trace_lines
 from memorymaze.instructions.episodes import episodes
 from memorymaze.instructions.records import Instruction
 from memorymaze.metrics.success import SUCCESS_DISTANCE
-from memorymaze.perception.detector_settings import TRUTH, DetectorSettings
-from memorymaze.perception.eyes import SignSource
+from memorymaze.perception.eyes import TRUTH, DetectorSettings, SignSource
 from memorymaze.simulation import SimulationSettings
 from memorymaze.simulation.obstacles import ObstacleSettings
 from memorymaze.simulation.settings import TurningPoints

@@ -15,8 +15,7 @@ from memorymaze.instructions.corpus import BUILTIN_CORPUS, load_instructions
 from memorymaze.instructions.episodes import episodes
 from memorymaze.instructions.records import Episode
 from memorymaze.metrics.success import SUCCESS_DISTANCE
-from memorymaze.perception.detector_settings import TRUTH, DetectorSettings
-from memorymaze.perception.eyes import SignSource
+from memorymaze.perception.eyes import TRUTH, DetectorSettings, SignSource
 from memorymaze.simulation.obstacles import ObstacleSettings
 from memorymaze.simulation.settings import SimulationSettings, TurningPoints
 from memorymaze.sites import Site, load_sites

@@ -11,8 +11,7 @@ from memorymaze.errors import SettingsError
 from memorymaze.evaluation.asking import PATIENT, AskingSettings
 from memorymaze.evaluation.inference_time import MEASURED, InferenceTime
 from memorymaze.options import check_whole
-from memorymaze.perception.detector_settings import TRUTH, DetectorSettings
-from memorymaze.perception.eyes import SignSource
+from memorymaze.perception.eyes import TRUTH, DetectorSettings, SignSource
 from memorymaze.pictures.furniture.cache import Looks
 from memorymaze.simulation.obstacles import ObstacleSettings
 from memorymaze.simulation.settings import SimulationSettings

@@ -25,7 +25,7 @@ from memorymaze.language.model import (
 from memorymaze.language.prompt_texts import load_prompt
 from memorymaze.robot.viewpoints import EIGHT_DIRECTIONS, Panorama
 from memorymaze.simulation import Scene, SimulatedRobot
-from memorymaze.simulation.senses.look_around import look_around, sector_headings
+from memorymaze.simulation.viewpoint_walk import look_around, sector_headings
 from memorymaze.sites import Site
 from memorymaze.sites.navigation_graph import Viewpoint
 

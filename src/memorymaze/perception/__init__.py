@@ -1,14 +1,13 @@
 """From what a camera sees to things with names; no sites and no answers in here."""
 
-from memorymaze.perception.detector import Detector
-from memorymaze.perception.tracking import Sighting, Tracker
-from memorymaze.perception.truth_detector import TruthDetector
-from memorymaze.perception.visible_object import (
+from memorymaze.perception.camera_view import (
     CameraView,
     ObjectDescription,
     VisibleObject,
 )
-from memorymaze.perception.vocabulary import MATCH_THRESHOLD, match_score
+from memorymaze.perception.detector import Detector, TruthDetector
+from memorymaze.perception.matching import MATCH_THRESHOLD, match_score
+from memorymaze.perception.tracking import Sighting, Tracker
 
 __all__ = [
     "MATCH_THRESHOLD",

@@ -13,7 +13,7 @@ import numpy as np
 
 from memorymaze.errors import SettingsError
 from memorymaze.geometry.pose import Pose
-from memorymaze.perception.visible_object import VisibleObject
+from memorymaze.perception.camera_view import VisibleObject
 
 REFERENCE_SIZE = 64.0
 """Pixels; square root of the box's area of the reference thing."""

@@ -13,9 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from memorymaze.geometry.pose import Pose
+from memorymaze.perception.camera_view import CameraView
 from memorymaze.perception.detector import check_query
 from memorymaze.perception.tracking import Sighting, Tracker
-from memorymaze.perception.visible_object import CameraView
 from memorymaze.robot.api import DETECTION_RANGE, Detection
 from memorymaze.robot.steps import CameraPicture
 

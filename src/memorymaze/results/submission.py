@@ -18,7 +18,7 @@ from memorymaze.instructions.corpus import BUILTIN_CORPUS, load_instructions
 from memorymaze.instructions.episodes import episodes
 from memorymaze.instructions.records import Episode
 from memorymaze.metrics.success import SUCCESS_DISTANCE
-from memorymaze.perception.detector_settings import TRUTH
+from memorymaze.perception.eyes import TRUTH
 from memorymaze.simulation.obstacles import ObstacleSettings
 from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.sites import Site, load_sites

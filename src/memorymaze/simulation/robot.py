@@ -17,10 +17,9 @@ from memorymaze.errors import (
 )
 from memorymaze.geometry.pose import Pose, turn_between
 from memorymaze.geometry.trajectory import Trajectory
-from memorymaze.perception.detector import Detector
+from memorymaze.perception.camera_view import CameraView
+from memorymaze.perception.detector import Detector, TruthDetector
 from memorymaze.perception.sign_reading import SignReader, TruthSignReader
-from memorymaze.perception.truth_detector import TruthDetector
-from memorymaze.perception.visible_object import CameraView
 from memorymaze.robot.api import (
     Detection,
     Direction,
@@ -30,7 +29,6 @@ from memorymaze.robot.api import (
     TurnResult,
 )
 from memorymaze.robot.steps import CameraPicture
-from memorymaze.simulation.call_log import CallLog
 from memorymaze.simulation.cameras import (
     CameraFrame,
     CameraMaker,
@@ -38,18 +36,15 @@ from memorymaze.simulation.cameras import (
     RobotCameras,
 )
 from memorymaze.simulation.motion.driving import Driver, TimeIsUp
-from memorymaze.simulation.motion.pilot import Pilot
-from memorymaze.simulation.motion.turning_directions import parse_direction
-from memorymaze.simulation.obstacles.closeness import NearMiss
-from memorymaze.simulation.obstacles.surroundings import Surroundings
+from memorymaze.simulation.motion.pilot import Pilot, parse_direction
+from memorymaze.simulation.obstacles.surroundings import NearMiss, Surroundings
 from memorymaze.simulation.scene import Scene
-from memorymaze.simulation.senses.elsewhere import camera_elsewhere
 from memorymaze.simulation.senses.lidar import Lidar, LidarScan, LidarSettings
 from memorymaze.simulation.senses.lidar_turning_points import LidarTurningPoints
 from memorymaze.simulation.senses.odometry import Odometry, OdometrySettings
-from memorymaze.simulation.senses.visibility import RayCamera
+from memorymaze.simulation.senses.visibility import RayCamera, camera_elsewhere
 from memorymaze.simulation.settings import TIMESTEP, SimulationSettings
-from memorymaze.simulation.trace import Collision, TraceEvent
+from memorymaze.simulation.trace import CallLog, Collision, TraceEvent
 
 
 class SimulatedRobot:

@@ -5,7 +5,7 @@ whose places an episode sets, 5 the robot. Only walls and obstacles touch the ro
 """
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
@@ -14,7 +14,6 @@ import mujoco
 from shapely import Polygon
 from shapely.geometry.polygon import orient
 
-from memorymaze.simulation.furnishing import Solid, door_solid, landmark_solid
 from memorymaze.simulation.motion.clearance import Clearance
 from memorymaze.simulation.motion.straight_ways import StraightWays
 from memorymaze.simulation.motion.wheeled_base import (
@@ -23,18 +22,24 @@ from memorymaze.simulation.motion.wheeled_base import (
     SOLID_CONTACT,
     add_wheeled_base,
 )
-from memorymaze.simulation.obstacles.bodies import add_movables
-from memorymaze.simulation.obstacles.kinds import Movable, people, things
 from memorymaze.simulation.obstacles.placing import stretches
-from memorymaze.simulation.obstacles.settings import ObstacleSettings
+from memorymaze.simulation.obstacles.settings import (
+    Movable,
+    ObstacleSettings,
+    people,
+    things,
+)
 from memorymaze.simulation.obstacles.walks import Walks
-from memorymaze.simulation.walls import walls_around
+from memorymaze.simulation.solids import Solid, door_solid, landmark_solid, walls_around
 from memorymaze.sites.records import Door, Landmark, Site
 
 FLOOR_GROUP, WALL_GROUP, DOOR_GROUP, LANDMARK_GROUP = 0, 1, 2, 3
-
 BALUSTRADE_HEIGHT = 1.1
 """Height in metres of the wall round a hole over which something hangs."""
+MOVABLE_GROUP = 4
+"""Geom group of things and people."""
+PARKED = -30.0
+"""Height in metres at which those wait that an episode has no place for."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -217,3 +222,25 @@ def _add_box(body: mujoco.MjsBody, solid: Solid, group: int, *, touches: bool) -
 
 def _about_z(heading: float) -> list[float]:
     return [math.cos(heading / 2), 0.0, 0.0, math.sin(heading / 2)]
+
+
+def add_movables(spec: mujoco.MjSpec, movables: Sequence[Movable]) -> None:
+    """Add a body per movable, driven from outside, with one geom; of its name.
+
+    A thing is a box, a person an upright cylinder. Both touch the robot.
+    """
+    kinds = mujoco.mjtGeom
+    for number, each in enumerate(movables):
+        length, depth, height = each.size
+        body = spec.worldbody.add_body(
+            name=each.id, mocap=True, pos=[3.0 * number, 0, PARKED]
+        )
+        body.add_geom(
+            type=kinds.mjGEOM_CYLINDER if each.is_person else kinds.mjGEOM_BOX,
+            size=[each.radius, height / 2, 0]
+            if each.is_person
+            else [depth / 2, length / 2, height / 2],
+            group=MOVABLE_GROUP,
+            contype=SOLID_CONTACT,
+            conaffinity=0,
+        )

@@ -1,9 +1,24 @@
-"""What a walk leaves behind: calls and collisions, as records for files."""
+"""What a walk leaves behind: calls and collisions; and which calls may still be made."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
-from memorymaze.geometry.pose import Pose
+from memorymaze.errors import EpisodeOver
+from memorymaze.geometry.pose import Pose, turn_between
+from memorymaze.simulation.settings import SimulationSettings
+
+STILL_DISTANCE = 0.01
+"""Metres driven below which a call brought no motion."""
+STILL_ANGLE = 0.02
+"""Radians turned below which a call brought no motion."""
+LOOKS = (
+    "detect_turning_point",
+    "turning_point_id",
+    "detect_from_RGB_image",
+    "read_signs",
+    "camera_picture",
+)
+"""Calls that bring something new when they are the first of their kind at a place."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,3 +49,76 @@ class Collision:
     """`wall`, `door` or `landmark`."""
     object_id: str | None
     """Id of the door or landmark; None for a wall."""
+
+
+class CallLog:
+    """Counts the calls of one episode, reports each, and says when it is over."""
+
+    def __init__(
+        self,
+        settings: SimulationSettings,
+        on_event: Callable[[TraceEvent], None] | None,
+    ) -> None:
+        """Begin an episode."""
+        self.stopped_by: str | None = None
+        """Why the episode is over: `agent`, `budget` or `stuck`; None while it runs."""
+        self._settings = settings
+        self._on_event = on_event
+        self._calls = 0
+        self._futile = 0
+        self._seen: set[tuple[str, str]] = set()
+        self._distance = 0.0
+        self._heading: float | None = None
+
+    @property
+    def calls(self) -> int:
+        """Calls made so far."""
+        return self._calls
+
+    def begin(self) -> None:
+        """Take note that a call begins.
+
+        Raises:
+            EpisodeOver: The episode is over, or this call is one too many.
+        """
+        if self.stopped_by is None and self._calls >= self._settings.call_budget:
+            self.stopped_by = "budget"
+        if self.stopped_by is not None:
+            raise EpisodeOver(self.stopped_by)
+        self._calls += 1
+
+    def end(
+        self,
+        call: str,
+        arguments: Mapping[str, object],
+        result: object,
+        *,
+        time: float,
+        pose: Pose,
+        distance: float,
+    ) -> None:
+        """Report a call.
+
+        Raises:
+            EpisodeOver: Too many calls in a row changed nothing.
+        """
+        if self._on_event is not None:
+            self._on_event(TraceEvent(time, pose, call, arguments, result))
+        moved = (
+            self._heading is None
+            or distance - self._distance > STILL_DISTANCE
+            or abs(turn_between(self._heading, pose.heading)) > STILL_ANGLE
+        )
+        if moved:
+            self._distance, self._heading = distance, pose.heading
+            self._seen.clear()
+            self._futile = 0
+        question = (call, repr(arguments))
+        if call in LOOKS and question not in self._seen:
+            self._seen.add(question)
+            self._futile = 0
+        elif not moved:
+            self._futile += 1
+            if self._futile >= self._settings.stuck_limit and self.stopped_by is None:
+                self.stopped_by = "stuck"
+                raise EpisodeOver("stuck")

@@ -10,7 +10,7 @@ from memorymaze.pictures.looks.doors import (
     is_seen_through,
     model_for_door,
 )
-from memorymaze.simulation.furnishing import DOOR_HEIGHT, DOOR_PROUD
+from memorymaze.simulation.solids import DOOR_HEIGHT, DOOR_PROUD
 from memorymaze.sites.records import Door
 
 

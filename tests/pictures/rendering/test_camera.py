@@ -18,7 +18,7 @@ from memorymaze.pictures.rendering import (
 )
 from memorymaze.simulation import Scene
 from memorymaze.simulation.motion.wheeled_base import CAMERA_HEIGHT, ROBOT_GROUP
-from memorymaze.simulation.obstacles.kinds import people
+from memorymaze.simulation.obstacles.settings import people
 from memorymaze.sites import Site
 
 POSES = [

@@ -9,7 +9,7 @@ import pytest
 from memorymaze.geometry.pose import Pose
 from memorymaze.simulation import Scene, SimulatedRobot, SimulationSettings, build_scene
 from memorymaze.simulation.obstacles import ObstacleSettings
-from memorymaze.simulation.obstacles.person import Person
+from memorymaze.simulation.obstacles.crowd import Person
 from memorymaze.sites.records import Site
 
 

@@ -3,13 +3,13 @@ import pytest
 import shapely
 from shapely import Point, union_all
 
-from memorymaze.simulation.obstacles.kinds import THING_KINDS, things
 from memorymaze.simulation.obstacles.placing import (
     PASSAGE,
     footprint,
     place_things,
     stretches,
 )
+from memorymaze.simulation.obstacles.settings import THING_KINDS, things
 from memorymaze.sites.records import Site
 
 ALL_KINDS = tuple(THING_KINDS)

@@ -8,7 +8,7 @@ import pytest
 from memorymaze.geometry.pose import Pose
 from memorymaze.simulation import SimulatedRobot, build_scene
 from memorymaze.simulation.obstacles import ObstacleSettings
-from memorymaze.simulation.obstacles.kinds import THING_KINDS
+from memorymaze.simulation.obstacles.settings import THING_KINDS
 
 
 def test_a_person_is_seen_where_they_are(wide, crowded, person_of):

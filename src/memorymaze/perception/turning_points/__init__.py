@@ -4,6 +4,6 @@ from memorymaze.perception.turning_points.finder import (
     SensedTurningPoint,
     TurningPointFinder,
 )
-from memorymaze.perception.turning_points.ways import SensedWay
+from memorymaze.perception.turning_points.junctions import SensedWay
 
 __all__ = ["SensedTurningPoint", "SensedWay", "TurningPointFinder"]

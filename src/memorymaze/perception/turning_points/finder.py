@@ -14,22 +14,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from memorymaze.geometry.pose import Pose, turn_between, wrap_angle
-from memorymaze.perception.turning_points.junction import (
+from memorymaze.perception.turning_points.junctions import (
+    REACH,
     SAME_PLACE,
     SAME_WAY,
     Junction,
-    is_turning_point,
-    is_worth_telling,
-)
-from memorymaze.perception.turning_points.local_map import LocalMap
-from memorymaze.perception.turning_points.walls import WallDirections
-from memorymaze.perception.turning_points.ways import (
-    REACH,
     Mouth,
     SensedWay,
     Surroundings,
     crossing,
+    is_turning_point,
+    is_worth_telling,
 )
+from memorymaze.perception.turning_points.local_map import LocalMap, WallDirections
 
 FloatArray = NDArray[np.float64]
 

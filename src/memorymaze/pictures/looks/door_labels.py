@@ -12,7 +12,7 @@ from memorymaze.pictures.looks.door_parts import (
 from memorymaze.pictures.looks.paints import picture
 from memorymaze.pictures.looks.pictograms import Pictogram
 from memorymaze.pictures.looks.primitives import plate
-from memorymaze.simulation.furnishing import DOOR_HEIGHT
+from memorymaze.simulation.solids import DOOR_HEIGHT
 from memorymaze.sites.records import Door
 
 PICTOGRAMS: dict[str, tuple[Pictogram, ...]] = {

@@ -9,7 +9,7 @@ from memorymaze.pictures.looks.object_model import Material, MeshPart, ObjectMod
 from memorymaze.pictures.looks.paints import glass, metal
 from memorymaze.pictures.looks.primitives import box
 from memorymaze.pictures.looks.shape import Floats, Shape, joined
-from memorymaze.simulation.furnishing import DOOR_HEIGHT, DOOR_PROUD
+from memorymaze.simulation.solids import DOOR_HEIGHT, DOOR_PROUD
 from memorymaze.sites.records import Door
 
 STEEL: Rgb = (0.70, 0.71, 0.73)

@@ -9,7 +9,7 @@ from shapely.geometry.base import BaseGeometry
 
 from memorymaze.pictures.looks.doors import is_seen_through as door_is_seen_through
 from memorymaze.pictures.looks.windows import is_window
-from memorymaze.simulation.furnishing import door_solid, landmark_solid
+from memorymaze.simulation.solids import door_solid, landmark_solid
 from memorymaze.sites.records import Site
 
 Behind = Literal["outdoors", "room"]

@@ -24,9 +24,9 @@ from memorymaze.pictures.rendering.meshes import MeshBuilder
 from memorymaze.pictures.rendering.sight import Sightlines
 from memorymaze.pictures.rendering.sky import FACES, sky_dome, sky_faces
 from memorymaze.pictures.rendering.structure import Structure, structure_of
-from memorymaze.simulation.furnishing import door_solid, landmark_solid
-from memorymaze.simulation.obstacles.kinds import Movable
+from memorymaze.simulation.obstacles.settings import Movable
 from memorymaze.simulation.scene import SceneObject
+from memorymaze.simulation.solids import door_solid, landmark_solid
 from memorymaze.sites.records import Site
 
 SHOWN_GROUP, HIDDEN_GROUP = 1, 5

@@ -5,9 +5,9 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
 
+from memorymaze.perception.camera_view import ObjectDescription
+from memorymaze.perception.matching import MATCH_THRESHOLD, match_score
 from memorymaze.perception.noun_phrase import words_of
-from memorymaze.perception.visible_object import ObjectDescription
-from memorymaze.perception.vocabulary import MATCH_THRESHOLD, match_score
 from memorymaze.simulation.senses.sight_targets import describe_door, describe_landmark
 from memorymaze.sites.records import Site
 from memorymaze.understanding import RoutePlan, is_floor

@@ -14,7 +14,7 @@ from memorymaze.errors import RunFolderError
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import RunRecord, read_run
 from memorymaze.instructions.published import PublishedResult, published_tables
-from memorymaze.perception.detector_settings import TRUTH
+from memorymaze.perception.eyes import TRUTH
 from memorymaze.results.tables.bootstrap import MEASURES, Estimate, estimate_means
 
 TableName = Literal["II", "III"]

@@ -12,16 +12,16 @@ import numpy as np
 
 from memorymaze.geometry.pose import Pose, turn_between
 from memorymaze.geometry.trajectory import TimedPose, Trajectory
-from memorymaze.simulation.motion.path_following import LaneFollower
+from memorymaze.simulation.motion.lanes import LaneFollower
 from memorymaze.simulation.motion.wheeled_base import WheeledBase
-from memorymaze.simulation.obstacles.surroundings import Surroundings
-from memorymaze.simulation.obstacles.yielding import (
+from memorymaze.simulation.obstacles.surroundings import (
     LANE_STEP,
     Hindrance,
+    Surroundings,
     find_hindrance,
 )
 from memorymaze.simulation.scene import Scene
-from memorymaze.simulation.senses.turning_point_source import (
+from memorymaze.simulation.senses.turning_points import (
     AnnotatedTurningPoints,
     TurningPointSource,
 )

@@ -11,8 +11,12 @@ from memorymaze.geometry import polyline
 from memorymaze.geometry.pose import turn_between
 from memorymaze.simulation.motion.clearance import Clearance
 from memorymaze.simulation.motion.driving import Driver
-from memorymaze.simulation.motion.lanes import Lane, lane_along, lane_round_things
-from memorymaze.simulation.motion.path_following import LaneFollower
+from memorymaze.simulation.motion.lanes import (
+    Lane,
+    LaneFollower,
+    lane_along,
+    lane_round_things,
+)
 from memorymaze.simulation.obstacles.surroundings import Surroundings
 
 SHARP_VERTEX = math.radians(25)

@@ -1,8 +1,8 @@
 """Things left in the way and people who walk about: a setting of a run."""
 
-from memorymaze.simulation.obstacles.kinds import Movable
 from memorymaze.simulation.obstacles.settings import (
     LEVELS,
+    Movable,
     ObstacleSettings,
     parse_obstacles,
 )

@@ -11,7 +11,7 @@ from shapely.affinity import rotate, translate
 from shapely.geometry.base import BaseGeometry
 
 from memorymaze.geometry.pose import Pose
-from memorymaze.simulation.obstacles.kinds import Movable
+from memorymaze.simulation.obstacles.settings import Movable
 from memorymaze.sites.records import Site
 
 PASSAGE = 0.9

@@ -1,7 +1,9 @@
-"""What one episode's robot meets beyond the plan: placed things and a crowd."""
+"""What one robot meets beyond the plan: placed things, a crowd, near misses, and who is in its way."""
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import mujoco
 import numpy as np
@@ -9,12 +11,10 @@ from shapely import Point, Polygon
 
 from memorymaze.geometry.pose import Pose
 from memorymaze.simulation.motion.clearance import Clearance
-from memorymaze.simulation.obstacles.closeness import Closeness
-from memorymaze.simulation.obstacles.crowd import Crowd, RobotMotion
-from memorymaze.simulation.obstacles.kinds import Movable
+from memorymaze.simulation.motion.wheeled_base import ROBOT_RADIUS
+from memorymaze.simulation.obstacles.crowd import Crowd, Person, RobotMotion
 from memorymaze.simulation.obstacles.placing import footprint, place_things
-from memorymaze.simulation.obstacles.settings import ObstacleSettings
-from memorymaze.simulation.obstacles.yielding import STANDING
+from memorymaze.simulation.obstacles.settings import Movable, ObstacleSettings
 from memorymaze.simulation.scene import Scene
 
 PEOPLE_MET = 6.0
@@ -23,6 +23,49 @@ NOTED_EVERY = 1.0
 """Seconds after which it is kept again where people are."""
 PERSON_ROOM = 0.2
 """Metres around a person who stands that a way round leaves, besides its own."""
+CLOSE = 0.3
+"""Metres between the robot's shell and a person below which it is a near miss."""
+APART_AGAIN = 0.4
+"""Metres from which on it is over; so that swaying at the limit counts once."""
+LANE_STEP = 0.2
+"""Metres between the places of a lane that are looked at."""
+KEPT = 0.2
+"""Metres kept between the robot's shell and people, while it goes towards them."""
+STAND_OFF = 0.6
+"""Metres before the first place too close at which the robot halts; from nearer it
+could not go round."""
+FORESIGHT = 1.6
+"""Seconds ahead to which people's motion is foretold."""
+MOMENT = 0.2
+"""Seconds between the moments looked at."""
+LEAST_SPEED = 0.4
+"""Speed in metres per second for which a robot looks ahead that stands."""
+REACH = 4.5
+"""Metres around the robot within which people are looked at."""
+STANDING = 0.15
+"""Speed in metres per second below which a person stands."""
+
+
+@dataclass(slots=True)
+class NearMiss:
+    """The robot and a person were close; one record however long that lasted."""
+
+    time: float
+    """Simulated seconds when it began."""
+    pose: Pose
+    """Where the robot was then."""
+    person: str
+    """Id of the person."""
+    gap: float
+    """Least distance between the robot's shell and the person, metres."""
+
+
+class Hindrance(NamedTuple):
+    """Somebody the robot would come too close to if it drove on."""
+
+    person: Person
+    ahead: float
+    """Metres the robot may still drive."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -140,3 +183,79 @@ class Surroundings:
         body = self._scene.mocap_ids[movable.id]
         self._data.mocap_pos[body] = (x, y, movable.size[2] / 2)
         self._data.mocap_quat[body] = (np.cos(heading / 2), 0, 0, np.sin(heading / 2))
+
+
+class Closeness:
+    """Counts near misses of one episode."""
+
+    def __init__(self, crowd: Crowd) -> None:
+        """Begin with nobody near."""
+        self.near_misses: list[NearMiss] = []
+        self._crowd = crowd
+        self._running: dict[str, NearMiss] = {}
+
+    def update(self, time: float, pose: Pose) -> None:
+        """Take note of who is near."""
+        running: dict[str, NearMiss] = {}
+        for person in self._crowd.near(pose.x, pose.y, 1.0):
+            distance = ((person.x - pose.x) ** 2 + (person.y - pose.y) ** 2) ** 0.5
+            gap = max(0.0, distance - person.radius - ROBOT_RADIUS)
+            name = person.record.id
+            known = self._running.get(name)
+            if known is not None and gap < APART_AGAIN:
+                known.gap = min(known.gap, gap)
+                running[name] = known
+            elif gap < CLOSE:
+                running[name] = NearMiss(time, pose, name, gap)
+                self.near_misses.append(running[name])
+        self._running = running
+
+
+def find_hindrance(
+    crowd: Crowd, places: Sequence[tuple[float, float, float]], speed: float
+) -> Hindrance | None:
+    """Return the first person in the way, foretelling everyone's motion.
+
+    People are taken to keep their velocity for a while; those behind the robot are
+    left to keep away themselves.
+
+    Args:
+        crowd: Who there is.
+        places: Where the robot will be, `LANE_STEP` apart, from where it is now:
+            x, y in metres and heading in radians.
+        speed: Of the robot now, metres per second.
+    """
+    x, y, _ = places[0]
+    first: Hindrance | None = None
+    pace = max(speed, LEAST_SPEED)
+    for person in crowd.near(x, y, REACH):
+        limit = ROBOT_RADIUS + person.radius + KEPT
+        ahead = _conflict(person, places, pace, limit)
+        if ahead is not None and (first is None or ahead < first.ahead):
+            first = Hindrance(person, ahead)
+    return first
+
+
+def _conflict(
+    person: Person,
+    places: Sequence[tuple[float, float, float]],
+    pace: float,
+    limit: float,
+) -> float | None:
+    """Return the metres to drive to the first place that comes too close."""
+    last = len(places) - 1
+    found: float | None = None
+    for moment in range(round(FORESIGHT / MOMENT) + 1):
+        later = moment * MOMENT
+        number = round(pace * later / LANE_STEP)
+        if number > last:
+            break
+        x, y, heading = places[number]
+        dx, dy = person.x + person.vx * later - x, person.y + person.vy * later - y
+        if dx * dx + dy * dy >= limit * limit:
+            continue
+        if dx * math.cos(heading) + dy * math.sin(heading) <= 0:
+            continue
+        found = max(0.0, (number - 1) * LANE_STEP - STAND_OFF)
+        break
+    return found

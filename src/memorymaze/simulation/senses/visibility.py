@@ -1,6 +1,6 @@
-"""What the robot's camera really sees, by casting rays; no OpenGL.
+"""What the camera of a robot really sees, by casting rays; no OpenGL.
 
-A pinhole camera of 640x480 pixels, 90 degrees wide, at the robot's lens, looking
+A pinhole camera of 640x480 pixels, 90 degrees wide, at the lens of the robot, looking
 ahead horizontally. Things are boxes of their true size; walls and other things hide
 them. Rooms are not things: one sees their doors and signs.
 """
@@ -14,23 +14,21 @@ from numpy.typing import NDArray
 
 from memorymaze.errors import RenderingError
 from memorymaze.geometry.pose import Pose
-from memorymaze.perception.visible_object import VisibleObject, VisibleText
+from memorymaze.perception.camera_view import VisibleObject, VisibleText
 from memorymaze.robot.steps import CameraPicture
 from memorymaze.simulation.motion.wheeled_base import ROBOT_GROUP
 from memorymaze.simulation.scene import Scene
 from memorymaze.simulation.senses.sight_targets import (
     SightTargets,
+    inscription,
     movable_targets,
     sight_targets,
 )
-from memorymaze.simulation.senses.written_texts import inscription
 
 FloatArray = NDArray[np.float64]
-
 WIDTH, HEIGHT = 640, 480
 FOCAL_LENGTH = WIDTH / 2 / math.tan(math.pi / 4)
 """Pixels."""
-
 LEAST_FRACTION = 0.25
 """Of a thing's part in the picture so much must be unhidden to recognise it."""
 LEAST_SHARE = 0.2
@@ -40,7 +38,6 @@ LARGE_AREA = 0.05 * WIDTH * HEIGHT
 """Square pixels from which on `LEAST_SHARE` does not matter."""
 LEAST_PIXELS = 8.0
 """Width and height in the picture below which a thing is not recognised."""
-
 TOUCH = 0.03
 """A ray that ends within so many metres of a point has reached it."""
 LARGEST_MOVABLE = 2.0
@@ -281,3 +278,21 @@ class RayCamera:
 def _is_cut(box: tuple[float, float, float, float]) -> bool:
     left, top, right, bottom = box
     return left <= 0 or top <= 0 or right >= WIDTH or bottom >= HEIGHT
+
+
+def camera_elsewhere(scene: Scene, now: mujoco.MjData, pose: Pose) -> RayCamera:
+    """Return what the camera would see from a pose, with people and things as now.
+
+    Args:
+        scene: The building.
+        now: Physics state of an episode; stays as it is.
+        pose: Of the robot whose camera it is.
+    """
+    data = mujoco.MjData(scene.model)
+    half = pose.heading / 2
+    data.qpos[:7] = (pose.x, pose.y, 0, math.cos(half), 0, 0, math.sin(half))
+    data.mocap_pos[:] = now.mocap_pos
+    data.mocap_quat[:] = now.mocap_quat
+    mujoco.mj_kinematics(scene.model, data)
+    mujoco.mj_camlight(scene.model, data)
+    return RayCamera(scene, data)

@@ -1,7 +1,7 @@
 import pytest
 
-from memorymaze.perception.visible_object import ObjectDescription
-from memorymaze.simulation.senses.scene_sentences import (
+from memorymaze.perception.camera_view import ObjectDescription
+from memorymaze.simulation.scene_sentences import (
     Surface,
     View,
     summary_sentence,

@@ -4,7 +4,7 @@ from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from memorymaze.perception.visible_object import ObjectDescription
+from memorymaze.perception.camera_view import ObjectDescription
 
 WALL_CLOSE = 2.0
 """Metres within which a wall is close by."""

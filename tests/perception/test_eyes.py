@@ -7,15 +7,16 @@ import pytest
 from pydantic import TypeAdapter
 
 from memorymaze.errors import SettingsError
-from memorymaze.perception.detector_settings import (
+from memorymaze.perception.detector import TruthDetector
+from memorymaze.perception.error_model import ErrorModel
+from memorymaze.perception.eyes import (
     TRUTH,
     DetectorSettings,
+    Eyes,
     parse_detector,
+    parse_signs,
 )
-from memorymaze.perception.error_model import ErrorModel
-from memorymaze.perception.eyes import Eyes, parse_signs
 from memorymaze.perception.picture_detector import PictureDetector
-from memorymaze.perception.truth_detector import TruthDetector
 
 SETTINGS = TypeAdapter(DetectorSettings)
 

@@ -3,13 +3,16 @@ import math
 import numpy as np
 import pytest
 
-from memorymaze.perception.turning_points.local_map import CELL
-from memorymaze.perception.turning_points.ways import (
+from memorymaze.perception.turning_points.junctions import (
+    Junction,
     SensedWay,
     Surroundings,
     crossing,
+    is_turning_point,
+    is_worth_telling,
     reach_along,
 )
+from memorymaze.perception.turning_points.local_map import CELL
 
 MIDDLE = 64
 
@@ -61,3 +64,61 @@ def test_a_turning_point_reaches_to_the_edges_of_its_ways() -> None:
     assert reach_along(lane, [hall, lane], 3.0) == pytest.approx(3.0)
     bend = SensedWay(0, 5, math.radians(20), 4)
     assert reach_along(hall, [hall, bend], 2.1) == pytest.approx(2.1)
+
+
+def ways(*degrees: float) -> list[SensedWay]:
+    return [
+        SensedWay(
+            2 * math.cos(math.radians(each)),
+            2 * math.sin(math.radians(each)),
+            math.radians(each),
+            2.4,
+        )
+        for each in degrees
+    ]
+
+
+@pytest.mark.parametrize(
+    ("degrees", "expected"),
+    [
+        pytest.param([], False, id="nothing"),
+        pytest.param([90], False, id="dead end"),
+        pytest.param([0, 180], False, id="corridor"),
+        pytest.param([0, 170], False, id="hardly a bend"),
+        pytest.param([0, 160], True, id="bend"),
+        pytest.param([0, 90], True, id="corner"),
+        pytest.param([0, 90, 180], True, id="T"),
+    ],
+)
+def test_turning_points_are_bends_and_more(
+    degrees: list[float], expected: bool
+) -> None:
+    assert is_turning_point(ways(*degrees)) == expected
+
+
+def test_straight_on_alone_is_not_told() -> None:
+    (back, on, aside) = ways(180, 5, 60)
+    assert not is_worth_telling([], back)
+    assert not is_worth_telling([on], back)
+    assert is_worth_telling([aside], back)
+    assert is_worth_telling([on, aside], back)
+    assert is_worth_telling([on], None)
+
+
+def test_what_most_sightings_tell_is_believed() -> None:
+    junction = Junction(0, 0, 1.5)
+    for seen in ((0, 90, 180), (2, 88, 180), (0, 180), (-1, 91, 180, -90)):
+        junction.see(0.1, -0.1, 1.5, ways(*seen), 1.0)
+    headings = sorted(math.degrees(each.heading) for each in junction.ways())
+    assert headings == pytest.approx([0, 90, 180], abs=2)
+    assert (junction.x, junction.y) == pytest.approx((0.1, -0.1), abs=0.01)
+
+
+def test_it_holds_what_lies_between_the_edges_of_its_ways() -> None:
+    junction = Junction(0, 0, 1.5)
+    junction.see(0, 0, 1.5, ways(0, 90, 180), 1.0)
+    assert junction.holds(1.1, 0, 0)
+    assert not junction.holds(1.5, 0, 0)
+    assert junction.holds(1.5, 0, 0.4)
+    assert not junction.holds(0, 1.5, 0)
+    assert not junction.holds(0, -9, 0)

@@ -1,5 +1,5 @@
 from memorymaze.geometry.pose import Pose
-from memorymaze.simulation.obstacles.closeness import Closeness
+from memorymaze.simulation.obstacles.surroundings import Closeness
 
 
 def _gaps(crowded, person_of, site, gaps: list[float]) -> Closeness:
