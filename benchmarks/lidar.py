@@ -16,8 +16,8 @@ from shapely import Polygon
 from benchmarks.measuring import Row
 from memorymaze.geometry.pose import Pose
 from memorymaze.simulation import build_scene
-from memorymaze.simulation.furnishing import Solid, door_solid, landmark_solid
 from memorymaze.simulation.senses.lidar import Lidar, LidarSettings
+from memorymaze.simulation.solids import Solid, door_solid, landmark_solid
 from memorymaze.sites import BUILTIN_SITE_NAMES, Site, load_site
 
 PLAIN = "numpy, all rays with all edges of the plan"

@@ -24,10 +24,10 @@ from shapely import Point
 from benchmarks.measuring import Row
 from memorymaze.geometry.pose import Pose
 from memorymaze.perception.eyes import Eyes, SignSource
-from memorymaze.perception.ocr import PICTURE_SIZE
+from memorymaze.perception.sign_reading import PICTURE_SIZE
 from memorymaze.pictures import robot_cameras
 from memorymaze.simulation import Scene, SimulatedRobot, build_scene
-from memorymaze.simulation.senses.written_texts import inscription
+from memorymaze.simulation.senses.sight_targets import inscription
 from memorymaze.sites import BUILTIN_SITE_NAMES, Site, load_site
 from memorymaze.sites.records import Door, Landmark
 
