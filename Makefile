@@ -12,7 +12,7 @@ MODEL ?= smollm2
 LIMIT ?= 12
 TABLE_TWO ?= runs/table-two-$(VERSION)
 
-.PHONY: benchmark table-two test test-local-llm test-filament check bench setup install clean
+.PHONY: benchmark table-two test proof test-local-llm test-filament check bench setup install clean
 
 benchmark: install
 	$(BIN)/memorymaze evaluate --agent rules --workers $(WORKERS) --out $(RUN) --resume
@@ -24,6 +24,12 @@ table-two: install
 
 test: setup
 	$(BIN)/pytest -n auto
+
+# What takes too long for every change: long runs, kills, load, browsers, many buildings;
+# and the tests with a language model, where `make test-local-llm` has set one up.
+proof: setup
+	$(BIN)/pytest -n auto -m proof
+	if $(BIN)/python -c 'import llama_cpp' 2>/dev/null; then $(BIN)/pytest -n 0 -m local_llm tests; fi
 
 # Compiles llama.cpp the first time, which takes minutes and needs CMake and a compiler.
 test-local-llm: setup

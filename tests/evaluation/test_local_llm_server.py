@@ -30,7 +30,7 @@ from memorymaze.language.reply_reading import read_steps
 from memorymaze.results.tables.formats import format_tables
 from memorymaze.results.tables.rows import load_runs
 
-pytestmark = [pytest.mark.slow, pytest.mark.local_llm]
+pytestmark = pytest.mark.local_llm
 
 TINY_INSTRUCTIONS = Path(__file__).parents[1] / "tiny_instructions.jsonl"
 STARTING_TIME = 120.0

@@ -102,7 +102,7 @@ def walked(robot: SimulatedRobot, route: Route, **options: Any) -> str:
     return over.value.stopped_by
 
 
-@pytest.mark.slow
+@pytest.mark.proof
 def test_the_longest_route_can_be_finished_under_the_fair_budget_only(
     builtin_sites: dict[str, Site],
     blind_robot: Callable[[Site, Route], SimulatedRobot],
@@ -142,7 +142,7 @@ def ahead(metres: float) -> list[str]:
     return ["The next action is move forward 75 cm."] * round(metres / 0.75)
 
 
-@pytest.mark.slow
+@pytest.mark.proof
 def test_a_policy_server_drives_the_robot_to_the_goal(
     l_site: Site, scripted_server: Callable[..., str], tmp_path: Path
 ) -> None:
@@ -214,7 +214,7 @@ def vision_server() -> Iterator[tuple[str, list[dict[str, Any]]]]:
     http.server_close()
 
 
-@pytest.mark.slow
+@pytest.mark.proof
 def test_a_vision_model_on_a_server_drives_the_robot_and_replays(
     corridor_site: Site,
     vision_server: tuple[str, list[dict[str, Any]]],
@@ -243,7 +243,7 @@ def test_a_vision_model_on_a_server_drives_the_robot_and_replays(
     assert len(requests) == asked
 
 
-@pytest.mark.slow
+@pytest.mark.proof
 def test_pictures_are_the_same_from_process_to_process(tmp_path: Path) -> None:
     script = """
 import hashlib, sys

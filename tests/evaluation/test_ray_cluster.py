@@ -22,7 +22,7 @@ from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import read_run
 from memorymaze.evaluation.trace import trace_path
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.proof
 
 Plan = Callable[..., RunPlan]
 

@@ -8,7 +8,7 @@ import pytest
 EXAMPLE = Path(__file__).parents[2] / "examples" / "gymnasium_random.py"
 
 
-@pytest.mark.slow
+@pytest.mark.proof
 def test_the_example_walks_and_tells_how_it_went(
     capsys: pytest.CaptureFixture[str],
 ) -> None:

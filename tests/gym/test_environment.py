@@ -41,7 +41,7 @@ def test_a_building_of_ones_own_passes_gymnasiums_checks(
     check_env(env.unwrapped)
 
 
-@pytest.mark.slow
+@pytest.mark.proof
 @pytest.mark.parametrize("name", ["University", "Museum5F", "Museum7F"])
 def test_the_buildings_of_the_benchmark_pass_gymnasiums_checks(name: str) -> None:
     env = gymnasium.make(

@@ -39,7 +39,7 @@ def _parts(seen: Any) -> tuple[list[str], float]:
     return list(seen["instruction"]), float(seen["rgb"].sum())
 
 
-@pytest.mark.slow
+@pytest.mark.proof
 def test_it_makes_no_difference_where_environments_run(
     tiny_settings: Settings,
 ) -> None:

@@ -42,7 +42,7 @@ def test_there_is_a_program_for_every_route_and_no_other():
     assert len(routes) == 13
 
 
-@pytest.mark.slow
+@pytest.mark.proof
 @pytest.mark.parametrize("path", sorted(PROGRAMS.glob("*.py")), ids=lambda p: p.stem)
 def test_a_program_reaches_its_goal_and_stops_there(path: Path):
     site, route_id = path.stem.split("__")

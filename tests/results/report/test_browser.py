@@ -19,7 +19,7 @@ def episode_page(report: Path) -> Path:
     )
 
 
-@pytest.mark.slow
+@pytest.mark.proof
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_pages_pass_the_accessibility_checks_of_axe(
     report: Path, opened: Opened, scheme: str
