@@ -12,7 +12,7 @@ MODEL ?= smollm2
 LIMIT ?= 12
 TABLE_TWO ?= runs/table-two-$(VERSION)
 
-.PHONY: benchmark table-two test proof test-local-llm test-filament check bench setup install clean
+.PHONY: benchmark table-two test proof test-local-llm check bench setup install clean
 
 benchmark: install
 	$(BIN)/memorymaze evaluate --agent rules --workers $(WORKERS) --out $(RUN) --resume
@@ -36,11 +36,6 @@ test-local-llm: setup
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check \
 		--constraint constraints.txt --group local-llm-test
 	$(BIN)/pytest -n 0 -m local_llm tests
-
-# Installs software Vulkan first, where it may.
-test-filament: setup
-	bash scripts/setup_graphics.sh filament
-	$(BIN)/pytest -n 0 -m filament tests
 
 check: setup
 	$(BIN)/ruff format --check .

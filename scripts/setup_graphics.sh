@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
 # Install software OpenGL, for cameras; only Debian, Ubuntu and their like, as root.
-# Everything but pictures works without it. `setup_graphics.sh filament` installs software
-# Vulkan too, for the quality mode of cameras.
+# Everything but pictures works without it.
 set -euo pipefail
 
 packages=(libegl1 libgl1 libgl1-mesa-dri)
@@ -10,12 +9,7 @@ can_load() {
     ldconfig -p 2>/dev/null | grep -q "$1"
 }
 
-if [ "${1:-}" = filament ]; then
-    packages+=(mesa-vulkan-drivers libvulkan1)
-    if can_load 'libvulkan\.so\.1' && compgen -G '/usr/share/vulkan/icd.d/*.json' >/dev/null; then
-        exit 0
-    fi
-elif can_load 'libEGL\.so\.1' && can_load 'libGL\.so\.1'; then
+if can_load 'libEGL\.so\.1' && can_load 'libGL\.so\.1'; then
     exit 0
 fi
 if ! command -v apt-get >/dev/null; then

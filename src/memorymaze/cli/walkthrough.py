@@ -43,12 +43,6 @@ def add_parser(verbs: Verbs) -> None:
         metavar="WxH",
         help="pixels (960x540; with --panorama 1280x640)",
     )
-    parser.add_argument(
-        "--renderer",
-        choices=("classic", "filament"),
-        default="classic",
-        help="filament: softer light, slower, needs Vulkan; no panoramas (classic)",
-    )
     parser.set_defaults(run=_run)
 
 
@@ -65,7 +59,6 @@ def _run(options: argparse.Namespace) -> int:
         panorama=options.panorama,
         fps=options.fps,
         speed=options.speed,
-        renderer=options.renderer,
     )
     site = load_site(options.site)
     route = site.find_route(options.route)

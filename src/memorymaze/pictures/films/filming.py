@@ -13,9 +13,7 @@ from memorymaze.errors import SettingsError
 from memorymaze.pictures.films.tour import tour_of
 from memorymaze.pictures.films.video_file import VideoFile, check_video_path
 from memorymaze.pictures.rendering.camera import RenderedCamera
-from memorymaze.pictures.rendering.filament import FilamentCamera
 from memorymaze.pictures.rendering.panorama import PanoramaCamera
-from memorymaze.pictures.rendering.renderers import RENDERERS, Renderer, open_camera
 from memorymaze.pictures.rendering.robot_eyes import visual_scene_of
 from memorymaze.simulation.scene import Scene
 from memorymaze.sites.records import Route
@@ -47,8 +45,6 @@ class WalkthroughSettings:
     """Radians; of no meaning in a panorama."""
     multisamples: int = 4
     """Samples per pixel that smooth edges."""
-    renderer: Renderer = "classic"
-    """Draws it: `classic`, or `filament` for quality, which draws no panoramas."""
 
     @property
     def width(self) -> int:
@@ -72,16 +68,6 @@ class WalkthroughSettings:
             raise SettingsError(
                 "walkthrough: expected a size of even numbers from 16 to 4096 pixels, "
                 f"got {width}x{height}"
-            )
-        if self.renderer not in RENDERERS:
-            raise SettingsError(
-                f"walkthrough: expected a renderer of {', '.join(RENDERERS)}, got "
-                f"{self.renderer!r}"
-            )
-        if self.panorama and self.renderer != "classic":
-            raise SettingsError(
-                "walkthrough: expected the classic renderer for a panorama, got "
-                f"{self.renderer!r}; leave one of the two out"
             )
         if self.panorama and width != 2 * height:
             raise SettingsError(
@@ -111,8 +97,7 @@ def film_walkthrough(
 ) -> int:
     """Write the video of a route; it is there in full or not at all.
 
-    The same building, route and settings give the same frames on one machine, except
-    by Filament, whose frames differ by a little noise.
+    The same building, route and settings give the same frames on one machine.
 
     Args:
         scene: The building.
@@ -162,17 +147,17 @@ def film_walkthrough(
 @contextmanager
 def _camera(
     scene: Scene, settings: WalkthroughSettings
-) -> Generator[RenderedCamera | FilamentCamera | PanoramaCamera]:
+) -> Generator[RenderedCamera | PanoramaCamera]:
     looks = visual_scene_of(scene)
     if settings.panorama:
         camera = PanoramaCamera(looks, settings.width, settings.multisamples)
     else:
-        camera = open_camera(
-            settings.renderer,
+        camera = RenderedCamera(
             looks,
-            (settings.width, settings.height_in_pixels),
+            settings.width,
+            settings.height_in_pixels,
             settings.horizontal_fov,
-            settings.multisamples,
+            multisamples=settings.multisamples,
         )
     with camera:
         yield camera

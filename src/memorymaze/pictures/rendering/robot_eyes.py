@@ -9,13 +9,7 @@ import mujoco
 
 from memorymaze.geometry.pose import Pose
 from memorymaze.pictures.rendering.camera import CameraFrame, RenderedCamera
-from memorymaze.pictures.rendering.filament import FilamentCamera
 from memorymaze.pictures.rendering.panorama import PanoramaCamera, PanoramaFrame
-from memorymaze.pictures.rendering.renderers import (
-    Renderer,
-    open_camera,
-    wanted_renderer,
-)
 from memorymaze.pictures.rendering.visual_scene import (
     VisualScene,
     build_visual_scene,
@@ -34,19 +28,17 @@ def _camera_of(
     scene: Scene,
     size: tuple[int, int],
     horizontal_fov: float,
-    renderer: Renderer,
     owner: tuple[int, int],
-) -> RenderedCamera | FilamentCamera:
+) -> RenderedCamera:
     """Return a camera that all robots of a scene share: opening one takes a second.
 
     Args:
         scene: The building.
         size: Width and height, pixels.
         horizontal_fov: Radians.
-        renderer: Draws the colours.
         owner: Process and thread, which alone may use it.
     """
-    return open_camera(renderer, visual_scene_of(scene), size, horizontal_fov)
+    return RenderedCamera(visual_scene_of(scene), *size, horizontal_fov)
 
 
 @lru_cache(maxsize=2)
@@ -71,10 +63,9 @@ class RobotEyes:
     def frame(
         self, pose: Pose, width: int, height: int, horizontal_fov: float
     ) -> CameraFrame:
-        """Take a picture with `wanted_renderer`; see `RenderedCamera`."""
-        camera = _camera_of(
-            self._scene, (width, height), horizontal_fov, wanted_renderer(), _owner()
-        )
+        """Take a picture; see `RenderedCamera`."""
+        size = (width, height)
+        camera = _camera_of(self._scene, size, horizontal_fov, _owner())
         self._place_movables()
         return camera.frame(pose)
 
