@@ -12,13 +12,13 @@ from memorymaze.routes.plan import (
     Turn,
 )
 from memorymaze.understanding.describing import describe
-from memorymaze.understanding.floors import (
+from memorymaze.understanding.reading import parse_route_description
+from memorymaze.understanding.things import (
     ANY_FLOOR,
     floor_phrase,
+    is_common,
     is_floor,
 )
-from memorymaze.understanding.parsing import parse_route_description
-from memorymaze.understanding.things import is_common
 
 __all__ = [
     "ANY_FLOOR",

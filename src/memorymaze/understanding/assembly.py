@@ -17,11 +17,11 @@ from memorymaze.routes.plan import (
     Turn,
     Way,
 )
+from memorymaze.understanding.clause import Event
 from memorymaze.understanding.drafts import Draft, place_of
-from memorymaze.understanding.events import Event
-from memorymaze.understanding.floors import is_floor
 from memorymaze.understanding.lengths import SEGMENT_METRES
-from memorymaze.understanding.restating import Restating
+from memorymaze.understanding.repetitions import Restating
+from memorymaze.understanding.things import is_floor
 
 _AT_ONCE = Length(4.0, "vague")
 _LONGEST_OPEN = 3

@@ -24,21 +24,18 @@ from memorymaze.understanding.lengths import (
     read_number,
     read_segments,
 )
-from memorymaze.understanding.plain_words import in_plain_words
-from memorymaze.understanding.words import (
+from memorymaze.understanding.vocabulary import (
     CLOCK,
     FILLERS,
     ORDINALS,
     PATTERNS,
+    PLAIN_WORDS,
+    Pattern,
 )
 
 _LENGTH = re.compile(LENGTH)
 _SEGMENTS = re.compile(SEGMENTS)
 _NUMBER = re.compile(NUMBER + r"\b")
-_PATTERNS = tuple(
-    (kind, re.compile(pattern if kind in ".," else rf"(?:{pattern})"))
-    for kind, pattern in PATTERNS
-)
 _WORD = re.compile(r"[^\W_][\w&+-]*(?:'(?!s\b)\w+)?")
 _COUNTED = re.compile(
     r"(?:(?<=^)|(?<=[.;!?\n]))\s*(?:and |ok(?:ay)?,? |so,? )?"
@@ -94,7 +91,8 @@ def normalise(text: str) -> str:
     text = re.sub(r"\bur\b", "your", text)
     text = re.sub(r"\b(left|right)-(\w+)-(left|right)\b(?! hand)", _unless_and, text)
     text = _drop_inline_counting(text)
-    text = in_plain_words(text)
+    for row in PLAIN_WORDS:
+        text = row.regex.sub(row.plain, text)
     return _COUNTED.sub("; ", text)
 
 
@@ -123,6 +121,11 @@ def _drop_inline_counting(text: str) -> str:
 
 def cut(text: str) -> list[Chunk]:
     """Cut a normalised text into chunks; content words become names of things."""
+    return _with_pronouns(_join_names(pieces_of(text), text))
+
+
+def pieces_of(text: str) -> list[Chunk]:
+    """Cut a normalised text into chunks, every content word one of its own."""
     chunks: list[Chunk] = []
     at = 0
     while at < len(text):
@@ -135,7 +138,7 @@ def cut(text: str) -> list[Chunk]:
             continue
         chunks.append(chunk)
         at += max(len(chunk.text), 1)
-    return _with_pronouns(_join_names(chunks, text))
+    return chunks
 
 
 def _with_pronouns(chunks: list[Chunk]) -> list[Chunk]:
@@ -160,10 +163,10 @@ def _chunk_at(text: str, at: int) -> Chunk | None:
     match = _SEGMENTS.match(text, at)
     if match:
         return Chunk("M", match[0], at, length=read_segments(match))
-    for kind, pattern in _PATTERNS:
-        match = pattern.match(text, at)
-        if match and match[0].strip():
-            return _valued(kind, match[0], at)
+    found = claimed_at(text, at)
+    if found is not None:
+        pattern, words = found
+        return _valued(pattern.kind, words, at)
     match = _NUMBER.match(text, at)
     if match:
         word = match[0]
@@ -174,6 +177,15 @@ def _chunk_at(text: str, at: int) -> Chunk | None:
     if match:
         kind = "f" if match[0] in FILLERS else "W"
         return Chunk(kind, match[0], at)
+    return None
+
+
+def claimed_at(text: str, at: int) -> tuple[Pattern, str] | None:
+    """Return the first pattern that matches at a place, and the words it claims."""
+    for pattern in PATTERNS:
+        match = pattern.regex.match(text, at)
+        if match and match[0].strip():
+            return pattern, match[0]
     return None
 
 

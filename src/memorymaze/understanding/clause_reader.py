@@ -5,22 +5,23 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from memorymaze.understanding.chunks import Chunk
-from memorymaze.understanding.clause import Clause, side_of
+from memorymaze.understanding.clause import Clause, Event, Relation, side_of
 from memorymaze.understanding.directions import (
     comes_before_its_thing,
     faces,
     is_on_both_sides,
     is_turn,
     names_a_way,
-    speaks_of_ways,
-)
-from memorymaze.understanding.events import Event, Relation
-from memorymaze.understanding.floors import floor_phrase, wall_phrase
-from memorymaze.understanding.openings import (
     read_left_alone,
     read_opening,
+    speaks_of_ways,
 )
-from memorymaze.understanding.things import is_lane, thing_phrase
+from memorymaze.understanding.things import (
+    floor_phrase,
+    is_lane,
+    thing_phrase,
+    wall_phrase,
+)
 
 _AT_IT = re.compile(r"(?:at|in|when|where|once|the|far|very|its|by)\b")
 _AHEAD = re.compile(r"(?:straight |dead |right )?(?:ahead|front)\b")

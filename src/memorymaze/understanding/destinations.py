@@ -5,15 +5,13 @@ import re
 from memorymaze.routes.plan import Mention, Side
 from memorymaze.understanding.chunks import Chunk
 from memorymaze.understanding.drafts import Draft
-from memorymaze.understanding.floors import (
-    floor_phrase,
-    is_floor,
-    wall_phrase,
-)
 from memorymaze.understanding.things import (
+    floor_phrase,
     is_common,
+    is_floor,
     place_on_sign,
     thing_phrase,
+    wall_phrase,
 )
 
 _ANNOUNCED = re.compile(

@@ -14,7 +14,7 @@ from memorymaze.routes.plan import (
     Side,
     Turn,
 )
-from memorymaze.understanding.events import Event
+from memorymaze.understanding.clause import Event
 from memorymaze.understanding.lengths import combine_lengths
 
 _PLACES: dict[str, Place] = {

@@ -5,6 +5,7 @@ import re
 from typing import Literal
 
 from memorymaze.routes.plan import Length
+from memorymaze.understanding.vocabulary import ONES, QUANTITIES, TENS
 
 _Unit = Literal["metres", "steps", "time", "vague", "segments"]
 _LOOSE_UNITS: tuple[_Unit, ...] = ("vague", "time")
@@ -14,45 +15,9 @@ STEP = 0.7
 WALKING_SPEED = 1.0
 """Metres per second of someone who says how long a way takes."""
 
-_ONES = {
-    "one": 1, "two": 2, "three": 3, "four": 4, "five": 5, "six": 6, "seven": 7,
-    "eight": 8, "nine": 9, "ten": 10, "eleven": 11, "twelve": 12, "thirteen": 13,
-    "fourteen": 14, "fifteen": 15, "sixteen": 16, "seventeen": 17, "eighteen": 18,
-    "nineteen": 19,
-}  # fmt: skip
-_TENS = {
-    "twenty": 20, "thirty": 30, "forty": 40, "fifty": 50, "sixty": 60,
-    "seventy": 70, "eighty": 80, "ninety": 90,
-}  # fmt: skip
-_OTHER = {
-    "a dozen": 12,
-    "dozen": 12,
-    "half a dozen": 6,
-    "a hundred": 100,
-    "one hundred": 100,
-    "hundred": 100,
-    "a couple of": 2,
-    "a couple": 2,
-    "couple of": 2,
-    "a few": 3.5,
-    "few": 3.5,
-    "several": 5,
-    "some": 5,
-    "half a": 0.5,
-    "half": 0.5,
-    "a quarter of a": 0.25,
-    "a quarter": 0.25,
-    "quarter of a": 0.25,
-    "quarter": 0.25,
-    "three quarters of a": 0.75,
-    "three quarters": 0.75,
-    "a": 1,
-    "an": 1,
-}
-
-_ones = "|".join(sorted(_ONES, key=len, reverse=True))
-_tens = "|".join(_TENS)
-_other = "|".join(sorted((re.escape(w) for w in _OTHER), key=len, reverse=True))
+_ones = "|".join(sorted(ONES, key=len, reverse=True))
+_tens = "|".join(TENS)
+_other = "|".join(sorted((re.escape(w) for w in QUANTITIES), key=len, reverse=True))
 NUMBER = (
     rf"(?:\d+(?:[.,]\d+)?|(?:{_tens})(?:[- ]?(?:{_ones}))?|(?:{_ones})|(?:{_other}))"
 )
@@ -84,10 +49,10 @@ def read_number(words: str) -> float:
     words = words.strip().replace(",", ".")
     if words[0].isdigit():
         return float(words)
-    if words in _OTHER:
-        return float(_OTHER[words])
+    if words in QUANTITIES:
+        return float(QUANTITIES[words])
     parts = [part for part in re.split(r"[- ]", words) if part]
-    return float(sum(_TENS.get(part, 0) + _ONES.get(part, 0) for part in parts))
+    return float(sum(TENS.get(part, 0) + ONES.get(part, 0) for part in parts))
 
 
 def read_length(match: re.Match[str]) -> Length:

@@ -1,15 +1,50 @@
-"""From chunks to events: cutting sentences into clauses and reading each."""
+"""From a text to a plan: sentences into clauses, clauses into events, events into legs."""
 
 import re
 from collections.abc import Sequence
 
-from memorymaze.understanding.chunks import Chunk
+from memorymaze.routes.plan import RoutePlan
+from memorymaze.understanding.assembly import assemble
+from memorymaze.understanding.chunks import Chunk, cut, normalise
+from memorymaze.understanding.clause import Event
 from memorymaze.understanding.clause_reader import ClauseReader
-from memorymaze.understanding.events import Event
+from memorymaze.understanding.corrections import apply_corrections
+from memorymaze.understanding.destinations import find_destinations
+from memorymaze.understanding.drafts import arrival_of, leg_of
+from memorymaze.understanding.repetitions import without_overviews
 from memorymaze.understanding.things import thing_phrase
 
 _OPENERS = "TGIXPKOM2AwQEVYsu"
 """Kinds of chunk that begin a new clause after `and`."""
+
+
+def parse_route_description(text: str) -> RoutePlan:
+    """Return the plan that an English route description gives."""
+    words = normalise(text)
+    chunks = apply_corrections(cut(words))
+    events = without_overviews(_sentences(split_clauses(chunks), words))
+    drafts = assemble(events)
+    legs = tuple(leg_of(draft) for draft in drafts[:-1])
+    destinations, side, nth = find_destinations(drafts[-1], drafts[:-1], chunks, words)
+    return RoutePlan(legs, arrival_of(drafts[-1], destinations, side, nth))
+
+
+def _sentences(clauses: list[list[Chunk]], text: str) -> list[tuple[str, list[Event]]]:
+    """Read all clauses; return the words and events of each sentence."""
+    sentences: list[tuple[str, list[Event]]] = []
+    sentence: list[list[Chunk]] = []
+    before: list[Event] = []
+    start = 0
+    for clause in clauses:
+        sentence.append(clause)
+        if clause[-1].kind == "." or clause is clauses[-1]:
+            words = text[start : clause[-1].start]
+            start = clause[-1].start
+            events = read_clauses(sentence, before)
+            before.extend(events)
+            sentences.append((words, events))
+            sentence = []
+    return sentences
 
 
 def split_clauses(chunks: Sequence[Chunk]) -> list[list[Chunk]]:

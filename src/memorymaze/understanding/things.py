@@ -1,123 +1,42 @@
-"""Names of things: which words a detector should look for."""
+"""Names of things and of floors: which words a detector should look for."""
 
 import re
 
-from memorymaze.understanding.words import FILLERS, SURFACES, UNSEEN
+from memorymaze.understanding.vocabulary import (
+    COMMON,
+    FILLERS,
+    FLOORS,
+    IDLE_ENDS,
+    ONES,
+    PLAIN,
+    SIGN_BINDERS,
+    SIGNS,
+    SURFACES,
+    THINGS_IN_ING,
+    UNSEEN,
+)
 
-_NUMBERS = {
-    "one": "1", "two": "2", "three": "3", "four": "4", "five": "5", "six": "6",
-    "seven": "7", "eight": "8", "nine": "9", "ten": "10", "eleven": "11",
-    "twelve": "12",
-}  # fmt: skip
-_KEPT_ING = {
-    "painting", "building", "vending", "recycling", "reading", "meeting", "parking",
-    "ceiling", "landing", "drilling", "dining", "waiting", "drinking", "tutoring",
-    "advising", "nursing", "changing", "clothing", "railing", "engineering", "smoking",
-    "seating", "shopping", "swimming", "printing", "washing", "living", "carving",
-    "drawing", "writing", "king", "ring", "wing", "swing", "string", "thing",
-}  # fmt: skip
-_COMMON = frozenset([
-    "door",
-    "doors",
-    "window",
-    "windows",
-    "wall",
-    "walls",
-    "sign",
-    "signs",
-    "plant",
-    "plants",
-    "bench",
-    "benches",
-    "seat",
-    "seats",
-    "chair",
-    "chairs",
-    "screen",
-    "screens",
-    "poster",
-    "posters",
-    "picture",
-    "pictures",
-    "board",
-    "boards",
-    "light",
-    "lights",
-    "box",
-    "boxes",
-    "room",
-    "rooms",
-    "office",
-    "offices",
-    "classroom",
-    "classrooms",
-    "exit",
-    "exits",
-    "opening",
-    "entrance",
-    "end",
-])
-"""Things that are everywhere and tell little."""
-_SIGNS = frozenset({"sign", "signs", "board", "signboard", "arrow", "screen", "poster"})
-_BINDERS = frozenset({
-    "that",
-    "says",
-    "which",
-    "reading",
-    "saying",
-    "with",
-    "for",
-    "hanging",
-})
-_PLAIN = SURFACES | frozenset([
-    "automatic",
-    "sliding",
-    "double",
-    "big",
-    "large",
-    "small",
-    "little",
-    "tall",
-    "heavy",
-    "huge",
-    "wide",
-    "open",
-    "closed",
-    "left",
-    "right",
-    "red",
-    "blue",
-    "green",
-    "yellow",
-    "orange",
-    "white",
-    "black",
-    "brown",
-    "grey",
-    "gray",
-    "pink",
-    "purple",
-    "silver",
-    "golden",
-    "dark",
-    "light",
-    "clear",
-    "bright",
-    "old",
-    "new",
-    "second",
-    "first",
-    "third",
-    "next",
-    "last",
-    "pair",
-    "of",
-    "number",
-    "brass",
-    "steel",
-    "metal",
-])
-"""Words before a common thing that do not make it special."""
+ANY_FLOOR = "floor"
+"""What to look for to learn whether coverings can be told at all."""
+
+_FLOOR = re.compile(
+    r"(?:floors?|flooring|floored|carpet|carpets|carpeting|carpeted|tiles?|tiled)$"
+)
+_WAY = re.compile(
+    r"(?:halls?|hallways?|paths?|alleys?|aisles?|roads?|streets?|corridors?|areas?"
+    r"|lanes?|passages?|passageways?|walkways?)$"
+)
+_SURFACE = re.compile(r"^(?:grass|bricks?|gravel|cement|concrete|carpet)$")
+_PICTURED = re.compile(
+    r"^(?:monarch )?(butterfl\w+|butterlfy|fish\w*|(?:eiffel )?towers?)$"
+)
+_PICTURES = {
+    "b": "picture of a butterfly",
+    "f": "picture of a fish",
+    "t": "picture of a tower",
+}
+_MOST = 12
+"""Numbers up to this one are put in digits in names: `gate seven`."""
 _LANES = re.compile(
     r"\b(?:corridor|hallway|passage|passageway|walkway|way|street|path|lane|road|aisle"
     r"|alley|row)$"
@@ -133,32 +52,20 @@ def thing_phrase(words: str) -> str:
         tokens.pop(0)
     if not tokens:
         return ""
-    if len(tokens) > 1 and tokens[-1] in _NUMBERS:
-        tokens[-1] = _NUMBERS[tokens[-1]]
+    if len(tokens) > 1 and ONES.get(tokens[-1], 99) <= _MOST:
+        tokens[-1] = str(ONES[tokens[-1]])
     content = [
         t for t in tokens if t not in FILLERS and t not in SURFACES and t not in UNSEEN
     ]
-    if not any(t not in _PLAIN or t in _COMMON for t in content):
+    if not any(t not in PLAIN or t in COMMON for t in content):
         return ""
     return " ".join(tokens)
 
 
 def _is_idle(token: str) -> bool:
-    if token in {
-        "guy",
-        "fellow",
-        "lady",
-        "dude",
-        "thing",
-        "things",
-        "stuff",
-        "bit",
-        "part",
-    }:
+    if token in IDLE_ENDS:
         return True
-    if token in {"of", "that", "with", "marked", "called", "about", "saying", "named"}:
-        return True
-    return token.endswith("ing") and token not in _KEPT_ING and len(token) > 5
+    return token.endswith("ing") and token not in THINGS_IN_ING and len(token) > 5
 
 
 def is_lane(phrase: str) -> bool:
@@ -169,15 +76,52 @@ def is_lane(phrase: str) -> bool:
 def is_common(phrase: str) -> bool:
     """Tell whether a thing is of a kind that is everywhere and has no name."""
     *before, head = phrase.split()
-    return head in _COMMON and all(word in _PLAIN for word in before)
+    return head in COMMON and all(word in PLAIN for word in before)
 
 
 def place_on_sign(phrase: str) -> str | None:
     """Return what a sign names: `library` for `green library sign`; None for no sign."""
     words = phrase.split()
-    if not any(word in _SIGNS for word in words):
+    if not any(word in SIGNS for word in words):
         return None
     rest = [
-        w for w in words if w not in _SIGNS and w not in _PLAIN and w not in _BINDERS
+        w for w in words if w not in SIGNS and w not in PLAIN and w not in SIGN_BINDERS
     ]
     return " ".join(rest)
+
+
+def floor_phrase(words: str) -> str | None:
+    """Return what to look for when words name a way by its floor; None for others.
+
+    >>> floor_phrase("pink-flowered carpet hall")
+    'flowered floor'
+    >>> floor_phrase("vending machine hall") is None
+    True
+    """
+    tokens = words.replace("-", " ").split()
+    if not tokens:
+        return None
+    named = _FLOOR.search(tokens[-1]) or _WAY.search(tokens[-1])
+    if not named and not _SURFACE.match(tokens[-1]):
+        return None
+    text = " ".join(tokens)
+    return next((phrase for look, phrase in FLOORS if look.search(text)), None)
+
+
+def wall_phrase(words: str) -> str | None:
+    """Return what to look for when words name a way by pictures on its walls.
+
+    >>> wall_phrase("butterfly hallway")
+    'picture of a butterfly'
+    """
+    tokens = words.replace("-", " ").split()
+    named = bool(tokens) and _WAY.search(tokens[-1]) is not None
+    if named:
+        tokens = tokens[:-1]
+    shown = _PICTURED.match(" ".join(tokens))
+    return _PICTURES[shown[1].removeprefix("eiffel ")[0]] if shown and named else None
+
+
+def is_floor(phrase: str) -> bool:
+    """Tell whether a phrase to look for is a floor."""
+    return phrase == ANY_FLOOR or phrase.endswith(" floor")

@@ -1,0 +1,108 @@
+"""Which words of English route descriptions do which work: read once, from `data`."""
+
+import re
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from importlib.resources import files
+from typing import Any
+
+_DATA = files("memorymaze.understanding") / "data"
+
+
+def _table(name: str) -> dict[str, Any]:
+    return tomllib.loads((_DATA / name).read_text(encoding="utf-8"))
+
+
+def _joined(pattern: str, parts: Mapping[str, str]) -> str:
+    """Return a pattern in one line, its parts put in."""
+    joined = "".join(line.removeprefix("    ") for line in pattern.splitlines())
+    for name, part in parts.items():
+        joined = joined.replace(f"<<{name}>>", _joined(part, {}))
+    return joined
+
+
+@dataclass(frozen=True, slots=True)
+class Pattern:
+    """Words that do one kind of work."""
+
+    name: str
+    kind: str
+    """One letter; `chunks.py` explains them."""
+    regex: re.Pattern[str]
+    examples: tuple[str, ...]
+    """Texts in which the words in brackets are what the pattern claims."""
+    counter_examples: tuple[str, ...]
+    """Texts in which it claims nothing."""
+
+
+@dataclass(frozen=True, slots=True)
+class PlainWords:
+    """A turn of phrase, and plainer words for it."""
+
+    name: str
+    regex: re.Pattern[str]
+    plain: str
+    examples: tuple[tuple[str, str], ...]
+    """What is said, and what is read for it."""
+    counter_examples: tuple[str, ...]
+    """Texts that are left alone."""
+
+
+def _read_patterns() -> tuple[Pattern, ...]:
+    table = _table("patterns.toml")
+    return tuple(
+        Pattern(
+            row["name"],
+            row["kind"],
+            re.compile(_joined(row["pattern"], table["parts"])),
+            tuple(row["examples"]),
+            tuple(row["counter_examples"]),
+        )
+        for row in table["pattern"]
+    )
+
+
+def _read_plain_words() -> tuple[PlainWords, ...]:
+    table = _table("plain_words.toml")
+    return tuple(
+        PlainWords(
+            row["name"],
+            re.compile(_joined(row["pattern"], table["parts"])),
+            row["plain"],
+            tuple((said, read) for said, read in row["examples"]),
+            tuple(row["counter_examples"]),
+        )
+        for row in table["plain"]
+    )
+
+
+PATTERNS = _read_patterns()
+"""The first that matches at a place claims the words there."""
+PLAIN_WORDS = _read_plain_words()
+
+_words = _table("words.toml")
+
+
+def _list(name: str) -> frozenset[str]:
+    return frozenset(_words[name].split())
+
+
+FILLERS = _list("fillers")
+SURFACES = _list("surfaces")
+UNSEEN = _list("unseen")
+COMMON = _list("common")
+PLAIN = _list("plain") | SURFACES
+SIGNS = _list("signs")
+SIGN_BINDERS = _list("sign_binders")
+IDLE_ENDS = _list("idle_ends")
+THINGS_IN_ING = _list("things_in_ing")
+ORDINALS: Mapping[str, int] = _words["ordinals"]
+CLOCK: Mapping[str, str] = _words["clock"]
+ONES: Mapping[str, int] = _words["ones"]
+TENS: Mapping[str, int] = _words["tens"]
+QUANTITIES: Mapping[str, float] = _words["quantities"]
+FLOORS = tuple(
+    (re.compile(rf"\b(?:{words})\b"), look) for words, look in _words["floors"]
+)
+"""Words that describe a floor, those that tell most first, and what to look for."""
