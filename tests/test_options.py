@@ -1,10 +1,17 @@
 from dataclasses import dataclass
-from typing import Literal
+from typing import Any, Literal
 
 import pytest
 
 from memorymaze.errors import SettingsError
-from memorymaze.options import Option, list_options, read_options
+from memorymaze.options import (
+    Option,
+    check_number,
+    list_options,
+    parse_options,
+    read_options,
+    write_options,
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -117,3 +124,58 @@ def test_an_option_without_a_meaning_is_the_programmers_fault() -> None:
 
     with pytest.raises(TypeError, match="a string beneath it"):
         list_options(Options)
+
+
+def test_settings_are_read_from_one_text_and_written_as_one() -> None:
+    text = "stride=2,polite=true,angles=15+30"
+    settings = parse_options(WalkerOptions, text, subject="walker setting")
+
+    assert settings == WalkerOptions(stride=2.0, polite=True, angles=(15, 30))
+    assert write_options(settings, changed_from=WalkerOptions()) == text
+    assert parse_options(WalkerOptions, write_options(settings), subject="") == settings
+
+
+def test_settings_left_out_of_a_text_stay_as_they_were() -> None:
+    start = WalkerOptions(stride=3.0, steps=5)
+
+    read_again = parse_options(WalkerOptions, "steps=7", subject="", start=start)
+
+    assert read_again == WalkerOptions(stride=3.0, steps=7)
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("strid=1", "walker setting 'strid=1': .* stride, .* did you mean 'stride'"),
+        ("stride", "expected NAME=VALUE"),
+        ("stride=long", "walker setting stride: expected a number, got 'long'"),
+        ("stride=1,stride=2", "stride: given twice"),
+        ("greeting=hi", "where NAME is one of stride, steps"),
+    ],
+)
+def test_texts_that_are_no_settings_are_refused(text: str, said: str) -> None:
+    with pytest.raises(SettingsError, match=said):
+        parse_options(
+            WalkerOptions, text, subject="walker setting", only=("stride", "steps")
+        )
+
+
+@pytest.mark.parametrize(
+    ("value", "bounds", "said"),
+    [
+        (2, {"least": 0, "most": 1}, "share: expected a number from 0 to 1, got 2"),
+        (-1, {"least": 0}, "of at least 0"),
+        (0, {"above": 0}, "greater than 0, got 0"),
+        (3, {"above": 0, "most": 2}, "greater than 0 and at most 2"),
+        (float("nan"), {}, "a finite number, got nan"),
+        (float("inf"), {"least": 0}, "got inf"),
+        (True, {"least": 0}, "got True"),
+        (1.5, {"least": 0, "whole": True}, "a whole number of at least 0"),
+        ("1", {"least": 0}, "got '1'"),
+    ],
+)
+def test_numbers_without_meaning_are_refused(
+    value: object, bounds: dict[str, Any], said: str
+) -> None:
+    with pytest.raises(SettingsError, match=said):
+        check_number("share", value, **bounds)

@@ -1,8 +1,8 @@
-"""Options of agents: frozen dataclasses, set by name from the command line.
+"""Options and settings: frozen dataclasses, set by name from the command line.
 
-An agent that has options keeps a frozen dataclass of them in its own file: a default for
-each field, and a string beneath it that says in one sentence what it does. That is all
-there is to write; names, types, defaults and meanings are read from it.
+Whatever has options keeps a frozen dataclass of them in its own file: a default for each
+field, and a string beneath it that says in one sentence what it does. That is all there
+is to write; names, types, defaults and meanings are read from it.
 
     @dataclass(frozen=True, slots=True)
     class WalkerOptions:
@@ -10,14 +10,16 @@ there is to write; names, types, defaults and meanings are read from it.
         \"\"\"Metres per step.\"\"\"
 
     options = read_options(WalkerOptions, [("stride", "0.75")], agent="walker")
+    options = parse_options(WalkerOptions, "stride=0.75", subject="walker setting")
 """
 
 import ast
 import inspect
 import math
+import re
 import textwrap
-from collections.abc import Iterable
-from dataclasses import MISSING, dataclass, fields
+from collections.abc import Collection, Iterable, Mapping
+from dataclasses import MISSING, dataclass, fields, replace
 from itertools import pairwise
 from types import NoneType, UnionType
 from typing import Any, Literal, TypeVar, Union, get_args, get_origin, get_type_hints
@@ -80,23 +82,110 @@ def read_options(
         SettingsError: There is no such option, it is given twice, or its value has no
             meaning; names the option, what is allowed, and what came.
     """
-    kinds = get_type_hints(cls)
     names = [field.name for field in fields(cls)]  # pyright: ignore[reportArgumentType]
-    given: dict[str, Any] = {}
+    given: dict[str, str] = {}
     for name, text in pairs:
         # Dashes as everywhere on the command line.
         field = name.strip().replace("-", "_")
         if field not in names:
             raise SettingsError(_unknown(name, names, agent))
-        if field in given:
-            raise SettingsError(f"--set {name}: given twice; leave one out")
+        _keep(given, field, text, "--set")
+    return cls(**_values(cls, given, "--set"))
+
+
+def parse_options(
+    cls: type[Options],
+    text: str,
+    *,
+    subject: str,
+    start: Options | None = None,
+    only: Collection[str] | None = None,
+) -> Options:
+    """Read settings that are written as one text: `things=4,kinds=cart+suitcase`.
+
+    Values are understood as by `read_options`; lists are joined by `+`. A field whose
+    metadata has `given_as` goes by that name.
+
+    Args:
+        cls: Dataclass of the settings.
+        text: `NAME=VALUE`, joined by commas.
+        subject: What a message begins with, such as `obstacle setting`.
+        start: Where what is left out comes from; the fields' defaults when None.
+        only: Fields that may be given; None for all.
+
+    Raises:
+        SettingsError: A part is no `NAME=VALUE`, there is no such setting, it is given
+            twice, or its value has no meaning.
+    """
+    known = {
+        field.metadata.get("given_as", field.name): field.name
+        for field in fields(cls)  # pyright: ignore[reportArgumentType]
+        if only is None or field.name in only
+    }
+    given: dict[str, str] = {}
+    for part in filter(None, (piece.strip() for piece in text.split(","))):
+        name, equals, value = (piece.strip() for piece in part.partition("="))
+        if not equals or name not in known:
+            raise SettingsError(
+                f"{subject} {part!r}: expected NAME=VALUE, where NAME is one of "
+                f"{', '.join(known)}{did_you_mean(name, known)}"
+            )
+        _keep(given, name, value, subject)
+    values = _values(cls, given, subject, known)
+    return cls(**values) if start is None else replace(start, **values)  # pyright: ignore[reportArgumentType, reportCallIssue]
+
+
+def write_options(
+    settings: Any,
+    only: Collection[str] | None = None,
+    *,
+    changed_from: Any = None,
+) -> str:
+    """Write settings as `parse_options` reads them.
+
+    Args:
+        settings: A dataclass instance.
+        only: Fields to tell; None for all.
+        changed_from: Fields that are the same in it are left out; None leaves out none.
+    """
+    return ",".join(
+        f"{field.metadata.get('given_as', field.name)}={_as_given(_plain(value), '+')}"
+        for field in fields(settings)
+        if only is None or field.name in only
+        for value in [getattr(settings, field.name)]
+        if changed_from is None or value != getattr(changed_from, field.name)
+    )
+
+
+def _plain(value: Any) -> Any:
+    """Return whole numbers without a decimal point."""
+    return int(value) if type(value) is float and value.is_integer() else value
+
+
+def _keep(given: dict[str, str], name: str, text: str, subject: str) -> None:
+    if name in given:
+        raise SettingsError(f"{subject} {name}: given twice; leave one out")
+    given[name] = text.strip()
+
+
+def _values(
+    cls: type,
+    given: Mapping[str, str],
+    subject: str,
+    known: Mapping[str, str] | None = None,
+) -> dict[str, Any]:
+    """Return values by field; `known` has the fields of the names that are given."""
+    kinds = get_type_hints(cls)
+    values: dict[str, Any] = {}
+    for name, text in given.items():
+        field = name if known is None else known[name]
         try:
-            given[field] = _value(kinds[field], text.strip())
+            values[field] = _value(kinds[field], text)
         except ValueError:
             raise SettingsError(
-                f"--set {name}: expected {_allowed(kinds[field])}, got {text!r}"
+                f"{subject} {name}: expected {_allowed(kinds[field])}, got {text!r}"
             ) from None
-    return cls(**given)
+    return values
 
 
 def _unknown(name: str, names: list[str], agent: str) -> str:
@@ -128,7 +217,7 @@ def _value(kind: Any, text: str) -> Any:
             if str(part) == text:
                 return part
     elif get_origin(kind) is tuple:
-        return tuple(_value(parts[0], part.strip()) for part in text.split(","))
+        return tuple(_value(parts[0], part.strip()) for part in re.split("[,+]", text))
     elif kind is NoneType and text == "none":
         return None
     elif kind is bool and text in {"true", "false"}:
@@ -172,10 +261,10 @@ _WORDS: dict[Any, str] = {
 }
 
 
-def _as_given(value: Any) -> str:
+def _as_given(value: Any, between: str = ",") -> str:
     """Write a value as it would be given."""
     if isinstance(value, tuple):
-        return ",".join(map(_as_given, value))  # pyright: ignore[reportUnknownArgumentType]
+        return between.join(map(_as_given, value))  # pyright: ignore[reportUnknownArgumentType]
     return str(value).lower() if value is None or type(value) is bool else str(value)
 
 
@@ -196,13 +285,51 @@ def _strings_beneath(cls: type) -> dict[str, str]:
     return found
 
 
-def check_whole(name: str, value: int, *, least: int) -> None:
-    """Refuse what is not a whole number of at least `least`.
+def check_number(
+    name: str,
+    value: object,
+    least: float = -math.inf,
+    most: float = math.inf,
+    *,
+    above: float | None = None,
+    whole: bool = False,
+    may_be_infinite: bool = False,
+) -> None:
+    """Refuse what is no number, no finite one, or out of bounds.
+
+    Args:
+        name: What the message begins with.
+        value: What came.
+        least: The least that is allowed.
+        most: The most that is allowed.
+        above: What it must be greater than, besides.
+        whole: Whether it must be a whole number.
+        may_be_infinite: Whether infinity is allowed where there is no `most`.
 
     Raises:
-        SettingsError: It is not; names the setting.
+        SettingsError: It is none; says what is expected.
     """
-    if type(value) is not int or value < least:
-        raise SettingsError(
-            f"{name}: expected a whole number of at least {least}, got {value!r}"
-        )
+    if (
+        isinstance(value, int if whole else int | float)
+        and not isinstance(value, bool)
+        and (abs(value) < math.inf or (may_be_infinite and value == math.inf))
+        and least <= value <= most
+        and (above is None or value > above)
+    ):
+        return
+    bounds = "" if above is None else f"greater than {above:g}"
+    if above is None and math.isfinite(least):
+        bounds = f"of at least {least:g}"
+        if math.isfinite(most):
+            bounds = f"from {least:g} to {most:g}"
+    elif math.isfinite(most):
+        bounds += f"{' and ' if bounds else 'of '}at most {most:g}"
+    kind = "whole number" if whole else "number" if bounds else "finite number"
+    raise SettingsError(
+        f"{name}: expected a {kind} {bounds}".rstrip() + f", got {value!r}"
+    )
+
+
+def check_whole(name: str, value: int, *, least: int) -> None:
+    """Refuse what is not a whole number of at least `least`; see `check_number`."""
+    check_number(name, value, least, whole=True)

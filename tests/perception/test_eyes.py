@@ -34,7 +34,7 @@ SETTINGS = TypeAdapter(DetectorSettings)
             ),
         ),
         (
-            "grounding-dino:models/my dino,box_threshold=0.4,device=cpu,download=yes",
+            "grounding-dino:models/my dino,box_threshold=0.4,device=cpu,download=true",
             DetectorSettings(
                 "grounding-dino",
                 checkpoint="models/my dino",
@@ -64,13 +64,14 @@ def test_a_detector_is_read_told_and_kept(text: str, meant: DetectorSettings):
         ("grounding_dino", "did you mean 'grounding-dino'"),
         ("truth:misss=0.3", "did you mean 'miss'"),
         ("truth:heavy", "expected settings such as miss=0.1"),
-        ("truth:miss=often", "expected a number for miss, got 'often'"),
+        ("truth:miss=often", "truth miss: expected a number, got 'often'"),
+        ("truth:miss=0.1,miss=0.2", "miss: given twice"),
         ("truth:miss=2", "miss: expected a number from 0 to 1"),
         ("grounding-dino:x,box_threshold=7", "box_threshold: expected a number from 0"),
-        ("grounding-dino:x,box_threshold=nan", "box_threshold: expected a number from"),
-        ("grounding-dino:x,download=maybe", "expected yes or no for download"),
+        ("grounding-dino:x,box_threshold=nan", "box_threshold: expected a number, got"),
+        ("grounding-dino:x,download=maybe", "download: expected true or false"),
         ("remote", "expected the address of a server"),
-        ("remote:http://x/,timeout=0", "timeout: expected more than 0"),
+        ("remote:http://x/,timeout=0", "timeout: expected a number greater than 0"),
     ],
 )
 def test_what_is_no_detector_is_refused(text: str, said: str):

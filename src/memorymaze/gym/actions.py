@@ -15,6 +15,7 @@ from gymnasium import spaces
 from memorymaze.errors import SettingsError
 from memorymaze.evaluation.budgets import perfect_time
 from memorymaze.geometry import polyline
+from memorymaze.options import check_number
 from memorymaze.simulation import SimulatedRobot, SimulationSettings
 from memorymaze.sites import Route
 
@@ -34,8 +35,8 @@ class DiscreteActions:
 
     def __post_init__(self) -> None:
         """Check every value."""
-        _demand("forward", self.forward, 0, 10)
-        _demand("turn_deg", self.turn_deg, 0, 180)
+        check_number("actions: forward", self.forward, above=0, most=10)
+        check_number("actions: turn_deg", self.turn_deg, above=0, most=180)
 
     @property
     def space(self) -> "spaces.Space[Any]":
@@ -80,8 +81,8 @@ class ContinuousActions:
 
     def __post_init__(self) -> None:
         """Check every value."""
-        _demand("time_step", self.time_step, 0, 60)
-        _demand("stop_below", self.stop_below, 0, 1)
+        check_number("actions: time_step", self.time_step, above=0, most=60)
+        check_number("actions: stop_below", self.stop_below, above=0, most=1)
         if abs(self.time_step * 100 - round(self.time_step * 100)) > 1e-6:
             raise SettingsError(
                 "actions: expected a time_step in whole steps of 0.01 s, got "
@@ -139,15 +140,3 @@ def most_steps(
     """Return three times what a perfect follower of the longest route needs."""
     needed = max(actions.steps_needed(route, settings) for route in routes)
     return math.ceil(3 * needed)
-
-
-def _demand(name: str, value: object, above: float, highest: float) -> None:
-    if (
-        isinstance(value, bool)
-        or not isinstance(value, int | float)
-        or not above < value <= highest
-    ):
-        raise SettingsError(
-            f"actions: expected {name} greater than {above} and at most {highest}, got "
-            f"{value!r}"
-        )

@@ -1,11 +1,11 @@
 """What an agent that learns is rewarded for."""
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from typing import Any, Literal
 
 from memorymaze.errors import SettingsError
+from memorymaze.options import check_number
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,15 +40,7 @@ class RewardSettings:
     def __post_init__(self) -> None:
         """Check every value."""
         for each in fields(self):
-            value = getattr(self, each.name)
-            if (
-                isinstance(value, bool)
-                or not isinstance(value, int | float)
-                or not math.isfinite(value)
-            ):
-                raise SettingsError(
-                    f"reward: expected a finite number for {each.name}, got {value!r}"
-                )
+            check_number(f"reward: {each.name}", getattr(self, each.name))
 
     def of(self, progress: Progress) -> float:
         """Return the reward of a step."""

@@ -11,8 +11,8 @@ from dataclasses import dataclass, fields
 
 import numpy as np
 
-from memorymaze.errors import SettingsError
 from memorymaze.geometry.pose import Pose
+from memorymaze.options import check_number
 from memorymaze.perception.camera_view import VisibleObject
 
 REFERENCE_SIZE = 64.0
@@ -58,17 +58,9 @@ class ErrorModel:
     def __post_init__(self) -> None:
         """Check every value."""
         for each in fields(self):
+            most = 1 if each.name in ("miss", "confusion") else 100
             value = getattr(self, each.name)
-            most = 1.0 if each.name in ("miss", "confusion") else 100.0
-            if (
-                not isinstance(value, int | float)
-                or isinstance(value, bool)
-                or not 0 <= value <= most
-            ):
-                raise SettingsError(
-                    f"detector setting {each.name}: expected a number from 0 to "
-                    f"{most:g}, got {value!r}"
-                )
+            check_number(f"detector setting {each.name}", value, 0, most)
 
     def miss_probability(self, thing: VisibleObject) -> float:
         """Return how likely a thing goes unseen."""

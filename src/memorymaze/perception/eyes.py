@@ -1,6 +1,6 @@
 """The eyes of a run: which detector and which reader of signs, made for each episode."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields
 from functools import cached_property
 from typing import Any, Literal, get_args
@@ -8,6 +8,7 @@ from typing import Any, Literal, get_args
 import numpy as np
 
 from memorymaze.errors import SettingsError, did_you_mean
+from memorymaze.options import check_number, parse_options, write_options
 from memorymaze.perception.detector import Detector, TruthDetector
 from memorymaze.perception.error_model import ErrorModel, ErrorSource
 from memorymaze.perception.grounding_dino import DEFAULT_CHECKPOINT, ZeroShotFinder
@@ -55,17 +56,8 @@ class DetectorSettings:
                 f"{self.name!r}"
             )
         for name in ("box_threshold", "text_threshold"):
-            value = getattr(self, name)
-            if not 0 <= value <= 1:
-                raise SettingsError(
-                    f"detector setting {name}: expected a number from 0 to 1, got "
-                    f"{value!r}"
-                )
-        if not 0 < self.timeout <= 86_400:
-            raise SettingsError(
-                "detector setting timeout: expected more than 0 and at most 86400 "
-                f"seconds, got {self.timeout!r}"
-            )
+            check_number(f"detector setting {name}", getattr(self, name), 0, 1)
+        check_number("detector setting timeout", self.timeout, above=0, most=86_400)
         if self.name == "remote" and not self.url:
             raise SettingsError(
                 "detector remote: expected the address of a server, such as "
@@ -84,38 +76,22 @@ class DetectorSettings:
         if self.name == "truth":
             if self.errors is None:
                 return "truth"
-            return "truth:" + ",".join(
-                f"{each.name}={getattr(self.errors, each.name):g}"
-                for each in fields(self.errors)
-            )
+            return "truth:" + write_options(self.errors)
         where = self.url if self.name == "remote" else self.checkpoint
         plain = DetectorSettings(self.name, url=self.url)
-        changed = [
-            f"{name}={_told(getattr(self, name))}"
-            for name in _SETTINGS[self.name]
-            if getattr(self, name) != getattr(plain, name)
-        ]
-        return ":".join([
-            self.name,
-            ",".join([*filter(None, [where]), *changed]),
-        ]).rstrip(":")
+        changed = write_options(self, _SETTINGS[self.name], changed_from=plain)
+        return f"{self.name}:{','.join(filter(None, [where, changed]))}".rstrip(":")
 
 
 TRUTH = DetectorSettings()
 """The default: a detector that knows the truth and makes no mistakes."""
 
 
-_SETTINGS: Mapping[str, Mapping[str, type]] = {
-    "truth": {each.name: float for each in fields(ErrorModel)},
-    "grounding-dino": {
-        "box_threshold": float,
-        "text_threshold": float,
-        "device": str,
-        "download": bool,
-    },
-    "remote": {"box_threshold": float, "text_threshold": float, "timeout": float},
+_SETTINGS: Mapping[str, Sequence[str]] = {
+    "grounding-dino": ("box_threshold", "text_threshold", "device", "download"),
+    "remote": ("box_threshold", "text_threshold", "timeout"),
 }
-"""Settings that each detector has on the command line."""
+"""Settings that detectors which look have on the command line."""
 
 
 def parse_detector(text: str) -> DetectorSettings:
@@ -128,63 +104,32 @@ def parse_detector(text: str) -> DetectorSettings:
     Raises:
         SettingsError: There is no such detector or setting, or a value has no meaning.
     """
-    name, _, rest = text.partition(":")
+    name, _, rest = (part.strip() for part in text.partition(":"))
     known = get_args(DetectorName)
     if name not in known:
         raise SettingsError(
             f"detector: expected one of {', '.join(known)}, with settings after a "
             f"colon, got {name!r}{did_you_mean(name, known)}"
         )
-    parts = [part.strip() for part in rest.split(",") if part.strip()]
-    first: str | None = None
-    if parts and (name == "remote" or "=" not in parts[0]):
-        first = parts.pop(0)
-    values = dict(_setting(name, part) for part in parts)
+    subject = f"detector {name}"
+    where, _, settings = (part.strip() for part in rest.partition(","))
+    if "=" in where and name != "remote":
+        where, settings = "", rest
     if name == "truth":
-        if first is not None and first != "errors":
+        if where not in ("", "errors"):
             raise SettingsError(
-                "detector truth: expected settings such as miss=0.1, or `errors` for "
-                f"the usual ones (there are {', '.join(_SETTINGS['truth'])}), got "
-                f"{first!r}"
+                f"{subject}: expected settings such as miss=0.1, or `errors` for the "
+                f"usual ones (there are {', '.join(each.name for each in fields(ErrorModel))})"
+                f", got {where!r}"
             )
-        on = first is not None or bool(values)
-        return DetectorSettings("truth", errors=ErrorModel(**values) if on else None)
+        errors = parse_options(ErrorModel, settings, subject=subject)
+        return DetectorSettings(errors=errors if where or settings else None)
+    start = DetectorSettings("grounding-dino", checkpoint=where or DEFAULT_CHECKPOINT)
     if name == "remote":
-        return DetectorSettings("remote", url=first, **values)
-    return DetectorSettings(
-        "grounding-dino", checkpoint=first or DEFAULT_CHECKPOINT, **values
+        start = DetectorSettings("remote", url=where)
+    return parse_options(
+        DetectorSettings, settings, subject=subject, start=start, only=_SETTINGS[name]
     )
-
-
-def _setting(detector: str, part: str) -> tuple[str, Any]:
-    name, equals, value = (piece.strip() for piece in part.partition("="))
-    known = _SETTINGS[detector]
-    if not equals or name not in known:
-        raise SettingsError(
-            f"detector {detector}: expected NAME=VALUE (there are {', '.join(known)}), "
-            f"got {part!r}{did_you_mean(name, known)}"
-        )
-    kind = known[name]
-    if kind is str:
-        return name, value
-    if kind is bool:
-        if value not in {"yes", "no"}:
-            raise SettingsError(
-                f"detector {detector}: expected yes or no for {name}, got {value!r}"
-            )
-        return name, value == "yes"
-    try:
-        return name, float(value)
-    except ValueError:
-        raise SettingsError(
-            f"detector {detector}: expected a number for {name}, got {value!r}"
-        ) from None
-
-
-def _told(value: object) -> str:
-    if isinstance(value, bool):
-        return "yes" if value else "no"
-    return f"{value:g}" if isinstance(value, float) else str(value)
 
 
 def parse_signs(text: str) -> SignSource:

@@ -203,7 +203,7 @@ def _not_there(checkpoint: str, download: bool, error: Exception) -> SettingsErr
     else:
         what = (
             "it is not on this machine. Give a folder, or let it be fetched with "
-            "download=yes"
+            "download=true"
         )
     return SettingsError(
         "detector grounding-dino: expected a zero-shot object detection checkpoint, a "

@@ -1,10 +1,10 @@
 """The numbers of a simulation: the robot's abilities and the limits of an episode."""
 
-import math
 from dataclasses import dataclass, fields
 from typing import Literal, get_args
 
 from memorymaze.errors import SettingsError
+from memorymaze.options import check_number
 from memorymaze.robot.api import DETECTION_RANGE
 
 TIMESTEP = 0.01
@@ -60,22 +60,15 @@ class SimulationSettings:
         for each in fields(self):
             if each.name == "turning_points":
                 continue
-            value = getattr(self, each.name)
             lowest_is_meant = each.name in ("rolling_speed", "wheel_noise")
-            whole = each.name in ("call_budget", "stuck_limit")
-            good = (
-                isinstance(value, int if whole else int | float)
-                and not isinstance(value, bool)
-                and (math.isfinite(value) or each.name == "time_budget")
-                and (value > 0 or (lowest_is_meant and value == 0))
+            check_number(
+                f"simulation setting {each.name}",
+                getattr(self, each.name),
+                least=0,
+                above=None if lowest_is_meant else 0,
+                whole=each.name in ("call_budget", "stuck_limit"),
+                may_be_infinite=each.name == "time_budget",
             )
-            if not good:
-                kind = "whole number" if whole else "number"
-                bound = ">= 0" if lowest_is_meant else "> 0"
-                raise SettingsError(
-                    f"simulation setting {each.name}: expected a {kind} {bound}, "
-                    f"got {value!r}"
-                )
         steps = self.control_period / TIMESTEP
         if steps < 1 or abs(steps - round(steps)) > 1e-6:
             raise SettingsError(

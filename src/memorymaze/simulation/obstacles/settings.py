@@ -1,11 +1,11 @@
 """How much stands in the way and how many people walk about in a run, and of which kinds."""
 
-import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, field
 from itertools import cycle, islice
 
-from memorymaze.errors import SettingsError
+from memorymaze.errors import SettingsError, did_you_mean
+from memorymaze.options import check_number, parse_options
 
 PERSON = "person"
 """Category of everyone who walks about."""
@@ -16,8 +16,6 @@ PERSON_HEIGHTS = (1.72, 1.60, 1.84, 1.66, 1.78, 1.55, 1.70)
 CLOTHES = ("dark blue", "grey", "red", "black", "green", "beige", "white", "brown")
 MOST_PEOPLE = 1000
 """On a floor. With far more, an episode does not begin within a minute."""
-LARGEST = {"things_per_100m": 100.0, "people_per_100m2": 50.0, "patience": 1000.0}
-"""Of each setting; people at 50 per 100 square metres stand shoulder to shoulder."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,14 +77,7 @@ class Movable:
 def things(count: int, kinds: Sequence[str]) -> list[Movable]:
     """Return so many things, the kinds taking turns."""
     return [
-        Movable(
-            id=f"{name}-{number}",
-            category=THING_KINDS[name].category,
-            color=THING_KINDS[name].color,
-            size=THING_KINDS[name].size,
-            text=THING_KINDS[name].text,
-            in_the_middle=THING_KINDS[name].in_the_middle,
-        )
+        Movable(f"{name}-{number}", **asdict(THING_KINDS[name]))
         for number, name in enumerate(islice(cycle(kinds), count))
     ]
 
@@ -108,18 +99,6 @@ def people(count: int) -> list[Movable]:
     ]
 
 
-def _is_number(value: object) -> bool:
-    return (
-        isinstance(value, int | float)
-        and not isinstance(value, bool)
-        and math.isfinite(value)
-    )
-
-
-def _is_count(value: object) -> bool:
-    return isinstance(value, int) and not isinstance(value, bool) and value >= 0
-
-
 @dataclass(frozen=True, slots=True)
 class ObstacleSettings:
     """What a building is filled with beyond its plan.
@@ -128,9 +107,9 @@ class ObstacleSettings:
         SettingsError: A value has no meaning; the message names it and the range.
     """
 
-    things_per_100m: float = 4.0
+    things_per_100m: float = field(default=4.0, metadata={"given_as": "things"})
     """Things left standing, per 100 m of corridor."""
-    people_per_100m2: float = 1.0
+    people_per_100m2: float = field(default=1.0, metadata={"given_as": "density"})
     """People walking about, per 100 square metres of floor."""
     people: int | None = None
     """Number of people, whatever the size of the floor; None goes by the density."""
@@ -143,26 +122,15 @@ class ObstacleSettings:
 
     def __post_init__(self) -> None:
         """Check every value."""
-        for name, largest in LARGEST.items():
-            value = getattr(self, name)
-            if not _is_number(value) or not 0 <= value <= largest:
-                raise SettingsError(
-                    f"obstacle setting {_told(name)}: expected a number from 0 to "
-                    f"{largest:g}, got {value!r}"
-                )
-        for name in ("people", "seed"):
-            value = getattr(self, name)
-            if (name == "people" and value is None) or _is_count(value):
-                continue
-            raise SettingsError(
-                f"obstacle setting {name}: expected a whole number of at least 0, got "
-                f"{value!r}"
-            )
-        if self.people is not None and self.people > MOST_PEOPLE:
-            raise SettingsError(
-                f"obstacle setting people: expected at most {MOST_PEOPLE}, got "
-                f"{self.people!r}"
-            )
+        named = "obstacle setting {}".format
+        things, density = "things (things_per_100m)", "density (people_per_100m2)"
+        check_number(named(things), self.things_per_100m, 0, 100)
+        # At 50 people stand shoulder to shoulder.
+        check_number(named(density), self.people_per_100m2, 0, 50)
+        check_number(named("patience"), self.patience, 0, 1000)
+        check_number(named("seed"), self.seed, 0, whole=True)
+        if self.people is not None:
+            check_number(named("people"), self.people, 0, MOST_PEOPLE, whole=True)
         unknown = [kind for kind in self.kinds if kind not in THING_KINDS]
         if unknown or not self.kinds:
             raise SettingsError(
@@ -189,22 +157,6 @@ LEVELS = {
 """Settings that have a name."""
 
 
-_SHORT_NAMES = {
-    "things": "things_per_100m",
-    "density": "people_per_100m2",
-    "people": "people",
-    "patience": "patience",
-    "seed": "seed",
-    "kinds": "kinds",
-}
-
-
-def _told(name: str) -> str:
-    """Return a setting's name with the one that it has on the command line."""
-    short = next(each for each, full in _SHORT_NAMES.items() if full == name)
-    return name if short == name else f"{short} ({name})"
-
-
 def parse_obstacles(text: str) -> ObstacleSettings:
     """Read settings as the command line gives them.
 
@@ -215,30 +167,15 @@ def parse_obstacles(text: str) -> ObstacleSettings:
     Raises:
         SettingsError: A part is neither a level nor a setting.
     """
-    settings = LEVELS["medium"]
-    for number, part in enumerate(text.split(",")):
-        name, equals, value = (piece.strip() for piece in part.partition("="))
-        if not equals and number == 0 and name in LEVELS:
-            settings = LEVELS[name]
-        elif equals and name in _SHORT_NAMES:
-            settings = replace(settings, **{_SHORT_NAMES[name]: _value(name, value)})
-        else:
-            raise SettingsError(
-                f"obstacles: expected a level ({', '.join(LEVELS)}) or settings such "
-                f"as things=4,people=12,seed=1 (there are {', '.join(_SHORT_NAMES)}), "
-                f"got {part!r}"
-            )
-    return settings
-
-
-def _value(name: str, value: str) -> object:
-    if name == "kinds":
-        return tuple(each.strip() for each in value.split("+"))
-    whole = name in {"people", "seed"}
-    try:
-        return int(value) if whole else float(value)
-    except ValueError:
+    level, _, rest = (part.strip() for part in text.partition(","))
+    if "=" in level:
+        level, rest = "medium", text
+    if level not in LEVELS:
         raise SettingsError(
-            f"obstacles: expected a {'whole ' if whole else ''}number for {name}, got "
-            f"{value!r}"
-        ) from None
+            f"obstacles: expected a level ({', '.join(LEVELS)}), settings such as "
+            f"things=4,people=12,seed=1, or both joined by a comma, got {level!r}"
+            f"{did_you_mean(level, LEVELS)}"
+        )
+    return parse_options(
+        ObstacleSettings, rest, subject="obstacle setting", start=LEVELS[level]
+    )

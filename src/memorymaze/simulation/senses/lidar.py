@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from memorymaze.errors import SettingsError
 from memorymaze.geometry.pose import Pose
+from memorymaze.options import check_number
 from memorymaze.simulation.motion.wheeled_base import ROBOT_GROUP
 from memorymaze.simulation.scene import FLOOR_GROUP, Scene
 
@@ -51,31 +52,18 @@ class LidarSettings:
 
     def __post_init__(self) -> None:
         """Check every value."""
-        ranges = {
+        bounds = {
             "rays": (1, math.inf),
             "beams": (1, math.inf),
-            "elevation": (0.0, math.pi / 2),
-            "height": (0.0, math.inf),
-            "nearest": (0.0, self.farthest),
-            "farthest": (0.0, math.inf),
-            "noise": (0.0, math.inf),
-            "drop_out": (0.0, 1.0),
+            "elevation": (0, math.pi / 2),
+            "nearest": (0, self.farthest),
+            "drop_out": (0, 1),
         }
         for each in fields(self):
-            value = getattr(self, each.name)
-            lowest, highest = ranges[each.name]
+            least, most = bounds.get(each.name, (0, math.inf))
             whole = each.name in ("rays", "beams")
-            if (
-                not isinstance(value, int if whole else int | float)
-                or isinstance(value, bool)
-                or not math.isfinite(value)
-                or not lowest <= value <= highest
-            ):
-                kind = "whole number" if whole else "number"
-                raise SettingsError(
-                    f"LiDAR setting {each.name}: expected a {kind} from {lowest} to "
-                    f"{highest}, got {value!r}"
-                )
+            value = getattr(self, each.name)
+            check_number(f"LiDAR setting {each.name}", value, least, most, whole=whole)
 
 
 @dataclass(frozen=True, eq=False)

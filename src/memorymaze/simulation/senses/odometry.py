@@ -7,6 +7,7 @@ import numpy as np
 
 from memorymaze.errors import SettingsError
 from memorymaze.geometry.pose import Pose, turn_between, wrap_angle
+from memorymaze.options import check_number
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,20 +33,11 @@ class OdometrySettings:
 
     def __post_init__(self) -> None:
         """Check every value."""
+        lowest = {"scale_error": -1, "turn_scale_error": -1, "heading_drift": -math.inf}
         for each in fields(self):
+            least = lowest.get(each.name, 0)
             value = getattr(self, each.name)
-            lowest = {"scale_error": -1, "turn_scale_error": -1, "heading_drift": None}
-            bound = lowest.get(each.name, 0)
-            if (
-                not isinstance(value, int | float)
-                or isinstance(value, bool)
-                or not math.isfinite(value)
-                or (bound is not None and value < bound)
-            ):
-                expected = "a number" if bound is None else f"a number >= {bound}"
-                raise SettingsError(
-                    f"odometry setting {each.name}: expected {expected}, got {value!r}"
-                )
+            check_number(f"odometry setting {each.name}", value, least)
 
 
 class Odometry:
