@@ -10,7 +10,7 @@ import pytest
 
 from memorymaze.agents.code_generation import CodeGenerationRequests
 from memorymaze.evaluation.run_folder import read_run
-from memorymaze.instructions.corpus import load_instructions
+from memorymaze.instructions.files import load_instructions
 from memorymaze.language.model import CompletionRequest, Message
 from memorymaze.language.recorded_replies import RecordingModel
 from memorymaze.language.reply_reading import read_steps

@@ -19,7 +19,7 @@ from memorymaze.evaluation.offline_inference import (
     offline_requests,
     programs_from_replies,
 )
-from memorymaze.instructions.corpus import load_instructions
+from memorymaze.instructions.files import load_instructions
 from memorymaze.instructions.records import Instruction
 from memorymaze.language.batch_files import BatchReply
 from memorymaze.language.model import Completion, Usage

@@ -24,7 +24,7 @@ from memorymaze.evaluation.program_files import (
     read_programs,
 )
 from memorymaze.evaluation.settings import AgentSettings, differences
-from memorymaze.instructions.corpus import load_instructions
+from memorymaze.instructions.files import load_instructions
 from memorymaze.language.pricing import TokenPrice
 
 TINY_INSTRUCTIONS = Path(__file__).parents[1] / "tiny_instructions.jsonl"

@@ -9,8 +9,8 @@ from hypothesis import strategies as st
 from memorymaze.errors import SettingsError
 from memorymaze.evaluation.sampling import sample
 from memorymaze.geometry.pose import Pose
-from memorymaze.instructions.corpus import load_instructions
-from memorymaze.instructions.episodes import episodes
+from memorymaze.instructions.corpus import episodes
+from memorymaze.instructions.files import load_instructions
 from memorymaze.instructions.records import Episode
 from memorymaze.sites import Site
 

@@ -1,184 +1,113 @@
-import json
-from collections import Counter
+import shutil
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from memorymaze.errors import InstructionFileError
-from memorymaze.instructions import Failure, load_instructions
+from memorymaze.errors import InstructionFileError, SettingsError
+from memorymaze.instructions import (
+    BUILTIN_CORPUS,
+    episodes,
+    load_corpus,
+    load_instructions,
+)
+from memorymaze.sites import Site
 
 Line = Callable[..., dict[str, Any]]
 Write = Callable[..., Path]
 
 
-def test_the_shipped_corpus_has_564_texts_all_labelled_as_a_language_models() -> None:
-    corpus = load_instructions()
-    assert len(corpus) == 564
-    assert {instruction.source for instruction in corpus} == {"llm"}
-    assert Counter(instruction.split for instruction in corpus) == {
-        "test": 554,
-        "dev": 10,
-    }
-
-
-def test_every_field_of_a_line_arrives(line: Line, instruction_file: Write) -> None:
-    wrong = {"kind": "missing_turn", "where": "tp_1", "detail": "no left"}
-    path = instruction_file(line(failures=[wrong], original_text="左へ", split="dev"))
-    [read] = load_instructions([path])
-    assert read.failures == (Failure("missing_turn", "tp_1", "no left"),)
-    assert (read.text, read.original_text) == ("Turn left, then stop.", "左へ")
-    assert (read.iteration, read.split, read.origin) == (1, "dev", f"{path}:1")
-
-
-def test_split_and_original_text_may_be_left_out(
-    line: Line, instruction_file: Write
+def test_every_shipped_instruction_becomes_an_episode_on_the_way_it_describes(
+    builtin_sites: dict[str, Site],
 ) -> None:
-    record = line()
-    del record["split"]
-    [read] = load_instructions([instruction_file(record)])
-    assert (read.split, read.original_text) == ("test", None)
+    made = episodes(load_instructions(), builtin_sites)
+    assert len({episode.id for episode in made}) == 564
+    for episode in made:
+        site = builtin_sites[episode.instruction.site]
+        route = site.route(episode.instruction.reference_route)
+        assert episode.start == route.start
+        assert episode.goal == route.line.coords[-1]
+        assert episode.reference_path == tuple(route.line.coords)
 
 
-def test_a_byte_order_mark_windows_line_ends_and_blank_lines_are_read(
-    line: Line, tmp_path: Path
+def test_an_alternative_way_is_the_reference_of_its_episode(
+    line: Line, instruction_file: Write, tiny_sites: dict[str, Site]
 ) -> None:
-    path = tmp_path / "windows.jsonl"
-    lines = [json.dumps(line(id=name)) for name in ("a", "b")]
-    path.write_bytes(("\ufeff" + "\r\n\r\n".join(lines) + "\r\n").encode())
-    assert [one.id for one in load_instructions([path])] == ["a", "b"]
-
-
-def test_a_line_separator_inside_a_text_does_not_end_the_line(
-    line: Line, tmp_path: Path
-) -> None:
-    path = tmp_path / "separator.jsonl"
-    record = line(text="left\u2028right")
-    path.write_text(json.dumps(record, ensure_ascii=False), encoding="utf-8")
-    assert load_instructions([path])[0].text == "left\u2028right"
+    alternative = next(r for r in tiny_sites["loop"].routes if r.role == "alternative")
+    path = instruction_file(line(), line(id="b", reference_route=alternative.id))
+    first, second = episodes(load_instructions([path]), tiny_sites)
+    assert second.reference_path == tuple(alternative.line.coords)
+    assert first.reference_path != second.reference_path
+    assert first.goal == pytest.approx(second.goal)
 
 
 @pytest.mark.parametrize(
     ("changes", "said"),
     [
+        pytest.param({"site": "lop"}, "did you mean 'loop'", id="site"),
+        pytest.param({"route": "R9"}, "'route': expected one of R1", id="route"),
+        pytest.param({"reference_route": "r"}, "'reference_route'", id="reference"),
         pytest.param(
-            {"iteration": 3}, "'iteration': expected the number 1 or 2, got 3", id="3"
+            {"site": "t_junction", "route": "R2"},
+            "expected a way of R2",
+            id="way of another route",
         ),
-        pytest.param({"iteration": "1"}, "'iteration': expected", id="text number"),
-        pytest.param({"iteration": True}, "got true", id="flag for a number"),
-        pytest.param({"study": "lab"}, "expected 'online' or 'onsite'", id="study"),
-        pytest.param({"text": "  "}, "expected the instruction", id="blank text"),
-        pytest.param({"text": 5}, "got 5", id="number for a text"),
-        pytest.param({"failures": None}, "expected a list of", id="no list"),
-        pytest.param({"failures": [3]}, "'failures.0'", id="no record"),
-        pytest.param(
-            {"failures": [{"kind": "x", "where": "y"}]},
-            "'failures.0.detail' is missing",
-            id="failure without detail",
-        ),
-        pytest.param({"source": "gpt"}, "'human', 'llm' or 'synthetic'", id="source"),
-        pytest.param(
-            {"text": "\ud800"}, r"halves of characters, got '\ud800'", id="surrogate"
-        ),
-        pytest.param({"split": "DEV"}, "a name in small letters", id="capital split"),
     ],
 )
-def test_a_wrong_field_is_named_with_what_was_expected(
-    line: Line, instruction_file: Write, changes: dict[str, Any], said: str
+def test_a_place_that_does_not_exist_is_named_with_file_and_line(
+    line: Line,
+    instruction_file: Write,
+    tiny_sites: dict[str, Site],
+    changes: dict[str, Any],
+    said: str,
 ) -> None:
-    path = instruction_file(line(id="good"), line(**changes))
+    path = instruction_file(line(), line(id="b", **changes))
     with pytest.raises(InstructionFileError) as caught:
-        load_instructions([path])
-    assert f"{path}:2: " in str(caught.value)
+        episodes(load_instructions([path]), tiny_sites)
+    assert f"{path}:2: field" in str(caught.value)
     assert said in str(caught.value)
 
 
-@pytest.mark.parametrize(
-    ("text", "said"),
-    [
-        pytest.param("{bad", "not JSON", id="no json"),
-        pytest.param("[1, 2]", "expected one JSON record {…}, got [1, 2]", id="list"),
-        pytest.param("[" * 100_000, "nested too deep", id="deep"),
-        pytest.param('{"id": 1, "id": 2}', "'id': expected it once", id="twice"),
-    ],
-)
-def test_a_line_that_is_no_record_is_named(
-    line: Line, instruction_file: Write, text: str, said: str
+def test_the_shipped_corpus_leaves_all_limits_to_the_run() -> None:
+    corpus = load_corpus()
+    assert (corpus.name, len(corpus.episodes)) == ("memorymaze", 564)
+    assert corpus.files == (BUILTIN_CORPUS,)
+    assert (corpus.success_distance, corpus.time_budget) == (None, None)
+    assert repr(corpus) == (
+        "Corpus('memorymaze': 564 instructions, 564 episodes on university, museum_5f, "
+        "museum_7f)"
+    )
+
+
+def test_a_file_is_loaded_with_a_folder_of_plans_or_with_sites(
+    line: Line,
+    instruction_file: Write,
+    tiny_sites_folder: Path,
+    tiny_sites: dict[str, Site],
 ) -> None:
-    path = instruction_file(line(), text)
-    with pytest.raises(InstructionFileError) as caught:
-        load_instructions([path])
-    assert f"{path}:2: " in str(caught.value)
-    assert said in str(caught.value)
+    path = instruction_file(line())
+    by_folder = load_corpus(path, sites=tiny_sites_folder)
+    by_sites = load_corpus([path], sites=[tiny_sites["loop"]])
+    assert by_folder.instructions == by_sites.instructions
+    assert list(by_sites.sites) == ["loop"]
+    with pytest.raises(InstructionFileError, match="'site': expected one of museum"):
+        load_corpus(path)
 
 
-def test_all_bad_lines_are_listed_and_good_ones_do_not_hide_them(
-    line: Line, instruction_file: Write
+def test_a_folder_with_plans_and_instructions_is_a_corpus(
+    line: Line, instruction_file: Write, tiny_sites: dict[str, Site], tmp_path: Path
 ) -> None:
-    path = instruction_file(line(study="x"), line(id="b"), "nonsense", line(site=1))
-    with pytest.raises(InstructionFileError) as caught:
-        load_instructions([path])
-    message = str(caught.value)
-    assert message.startswith("3 problems")
-    assert [f"{path}:{number}:" in message for number in (1, 2, 3, 4)] == [
-        True,
-        False,
-        True,
-        True,
-    ]
+    shutil.copy(tiny_sites["loop"].source, tmp_path)
+    instruction_file(line(), name="first.jsonl")
+    instruction_file(line(id="b"), name="second.jsonl")
+    corpus = load_corpus(tmp_path)
+    assert [episode.id for episode in corpus.episodes] == ["a-1", "b"]
+    assert [path.name for path in corpus.files] == ["first.jsonl", "second.jsonl"]
+    with pytest.raises(SettingsError, match="leave out the sites"):
+        load_corpus(tmp_path, sites=tmp_path)
 
 
-def test_a_misspelt_optional_field_is_an_error(
-    line: Line, instruction_file: Write
-) -> None:
-    path = instruction_file(line(orignal_text="左"))
-    with pytest.raises(InstructionFileError, match="did you mean 'original_text'"):
-        load_instructions([path])
-
-
-def test_a_field_the_format_does_not_know_is_left_out_with_a_warning(
-    line: Line, instruction_file: Write
-) -> None:
-    path = instruction_file(line(mood="glad"), line(id="b", mood="sad"))
-    with pytest.warns(UserWarning, match=":1: field 'mood' is not part") as caught:
-        assert len(load_instructions([path])) == 2
-    assert len(caught) == 1
-
-
-def test_an_id_that_repeats_in_another_file_is_named_with_both_places(
-    line: Line, instruction_file: Write
-) -> None:
-    first = instruction_file(line(), name="first.jsonl")
-    second = instruction_file(line(id="b"), line(), name="second.jsonl")
-    with pytest.raises(InstructionFileError) as caught:
-        load_instructions([first, second])
-    assert f"{second}:2: field 'id'" in str(caught.value)
-    assert f"{first}:1 has" in str(caught.value)
-
-
-@pytest.mark.parametrize(
-    ("content", "said"),
-    [
-        pytest.param(b"", "the file is empty", id="empty"),
-        pytest.param(b"\n \r\n", "the file is empty", id="blank"),
-        pytest.param(b"\xff\xfe{\x00", "expected UTF-8, got byte 0xff", id="utf-16"),
-        pytest.param(b'{"id": "\xe9"}', "0xe9 at offset 8", id="latin-1"),
-    ],
-)
-def test_a_file_that_holds_nothing_readable_is_named(
-    tmp_path: Path, content: bytes, said: str
-) -> None:
-    path = tmp_path / "bad.jsonl"
-    path.write_bytes(content)
-    with pytest.raises(InstructionFileError) as caught:
-        load_instructions([path])
-    assert str(path) in str(caught.value)
-    assert said in str(caught.value)
-
-
-def test_a_missing_file_and_a_folder_are_named(tmp_path: Path) -> None:
-    with pytest.raises(InstructionFileError, match=r"none\.jsonl: cannot be read"):
-        load_instructions([tmp_path / "none.jsonl"])
-    with pytest.raises(InstructionFileError, match="Is a directory"):
-        load_instructions([tmp_path])
+def test_a_folder_without_instructions_says_what_was_expected(tmp_path: Path) -> None:
+    with pytest.raises(InstructionFileError, match="folder of the SAIL corpus"):
+        load_corpus(tmp_path)

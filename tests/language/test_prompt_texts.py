@@ -6,7 +6,7 @@ from collections.abc import Callable
 import pytest
 
 from memorymaze.errors import EpisodeOver
-from memorymaze.instructions.corpus import load_instructions
+from memorymaze.instructions.files import load_instructions
 from memorymaze.language.prompt_texts import load_prompt
 from memorymaze.language.reply_reading import read_program, read_steps
 from memorymaze.language.sandbox import run_program

@@ -68,7 +68,7 @@ def _run(options: argparse.Namespace) -> int:
     )
     from memorymaze.durable_files import write_new
     from memorymaze.evaluation.offline_inference import offline_requests
-    from memorymaze.instructions.corpus import load_instructions
+    from memorymaze.instructions.files import load_instructions
     from memorymaze.language.batch_files import read_replies
     from memorymaze.options import read_options
 

@@ -14,8 +14,8 @@ from memorymaze.collection.answers import (
 from memorymaze.collection.labels import Label
 from memorymaze.collection.ways import way_in_words, ways_of
 from memorymaze.errors import LabelFileError
+from memorymaze.instructions.files import write_file
 from memorymaze.instructions.records import WRITTEN_BY, Failure
-from memorymaze.instructions.writing import write_file
 
 GIVEN = (
     "instruction",

@@ -20,7 +20,7 @@ from memorymaze.evaluation.looks_for_runs import looks_of_run
 from memorymaze.evaluation.settings import AgentSettings, RunSettings
 from memorymaze.evaluation.step_budgets import time_budget_for
 from memorymaze.evaluation.trace import trace_lines
-from memorymaze.instructions.episodes import episodes
+from memorymaze.instructions.corpus import episodes
 from memorymaze.instructions.records import Instruction
 from memorymaze.metrics.success import SUCCESS_DISTANCE
 from memorymaze.perception.eyes import TRUTH, DetectorSettings, SignSource

@@ -11,8 +11,8 @@ from memorymaze.evaluation.program_replay import check_programs_for, with_progra
 from memorymaze.evaluation.sampling import of_split, sample
 from memorymaze.evaluation.settings import AgentSettings, RunSettings, stamp_file
 from memorymaze.evaluation.step_budgets import time_budget_for
-from memorymaze.instructions.corpus import BUILTIN_CORPUS, load_instructions
-from memorymaze.instructions.episodes import episodes
+from memorymaze.instructions.corpus import episodes
+from memorymaze.instructions.files import BUILTIN_CORPUS, load_instructions
 from memorymaze.instructions.records import Episode
 from memorymaze.metrics.success import SUCCESS_DISTANCE
 from memorymaze.perception.eyes import TRUTH, DetectorSettings, SignSource

@@ -4,8 +4,8 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from memorymaze.errors import SettingsError, did_you_mean
-from memorymaze.instructions.corpus import load_instructions
-from memorymaze.instructions.episodes import episodes
+from memorymaze.instructions.corpus import episodes
+from memorymaze.instructions.files import load_instructions
 from memorymaze.instructions.records import Episode
 from memorymaze.sites import Site
 

@@ -1,14 +1,35 @@
-"""What people said: instructions, the episodes made of them, and their statistics."""
+"""What people said: instructions, their files, and the corpora made of them.
 
-from memorymaze.instructions.corpus import BUILTIN_CORPUS, load_instructions
-from memorymaze.instructions.episodes import episodes
-from memorymaze.instructions.records import Episode, Failure, Instruction
+Holds records, files and their checks, other benchmarks' formats (`exchange`), another
+corpus (`sail`), and counts of words. Who runs on a corpus is in `evaluation`; how texts
+are read and made up in `understanding` and `writing`.
+"""
+
+from memorymaze.instructions.corpus import episodes, load_corpus
+from memorymaze.instructions.files import (
+    BUILTIN_CORPUS,
+    load_instructions,
+    write_instructions,
+)
+from memorymaze.instructions.records import (
+    Corpus,
+    Episode,
+    Failure,
+    Followers,
+    Instruction,
+    Span,
+)
 
 __all__ = [
     "BUILTIN_CORPUS",
+    "Corpus",
     "Episode",
     "Failure",
+    "Followers",
     "Instruction",
+    "Span",
     "episodes",
+    "load_corpus",
     "load_instructions",
+    "write_instructions",
 ]

@@ -5,15 +5,15 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from memorymaze.errors import InstructionFileError
-from memorymaze.instructions.corpus import read_instruction_file
+from memorymaze.instructions.corpus import site_problems
 from memorymaze.instructions.duplicates import double_counts, odd_ids, repeated_texts
-from memorymaze.instructions.episodes import site_problems
-from memorymaze.instructions.label_notes import label_notes
-from memorymaze.instructions.problems import (
+from memorymaze.instructions.files import (
     InstructionProblem,
     place_of,
+    read_instruction_file,
     repeated_ids,
 )
+from memorymaze.instructions.label_notes import label_notes
 from memorymaze.instructions.records import Instruction
 from memorymaze.instructions.text_damage import invisible_characters, text_damage
 from memorymaze.sites.records import Site

@@ -1,101 +1,132 @@
-"""Read instruction files (JSONL).
+"""What agents are evaluated on: texts made into episodes on their sites."""
 
-Every line is checked; where lines are bad the whole load is refused, with a message
-that lists them.
-"""
-
-import warnings
-from collections.abc import Sequence
-from importlib.resources import files
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 
-from memorymaze.errors import InstructionFileError, InstructionFileWarning
-from memorymaze.instructions.line_format import parse_line
-from memorymaze.instructions.problems import (
+from memorymaze.errors import InstructionFileError, SettingsError, did_you_mean
+from memorymaze.instructions.files import (
+    BUILTIN_CORPUS,
     InstructionProblem,
+    load_instructions,
+    place_of,
     refusal,
     repeated_ids,
 )
-from memorymaze.instructions.records import Instruction
+from memorymaze.instructions.records import Corpus, Episode, Instruction
+from memorymaze.instructions.sail import is_sail_folder, sail_corpus
+from memorymaze.sites import Site, load_sites
 
-BUILTIN_CORPUS = Path(str(files("memorymaze.instructions") / "data/role_played.jsonl"))
-"""The shipped corpus: 564 texts written by a language model (see its README)."""
 
-
-def load_instructions(
-    paths: Sequence[str | Path] | None = None,
-) -> list[Instruction]:
-    """Read instruction files, in order.
-
-    A field the format does not know is left out, with a warning; where it looks like
-    a misspelt optional field it is an error.
+def load_corpus(
+    source: str | Path | Sequence[str | Path] | None = None,
+    *,
+    sites: str | Path | Iterable[Site] | None = None,
+) -> Corpus:
+    """Load what agents are evaluated on.
 
     Args:
-        paths: JSONL files; None for the shipped corpus.
+        source: Instruction files (JSONL), one or several; or a folder: of the SAIL
+            corpus, or with plans and instruction files of your own; None for the
+            shipped texts.
+        sites: A folder of site plans, or sites; None for the shipped ones. A folder
+            has its own.
 
     Raises:
-        InstructionFileError: A file cannot be read, or has bad lines; lists them.
+        InstructionFileError: A file cannot be used; names file and line.
+        SitePlanError: A plan cannot be used.
+        SettingsError: Sites are given for a folder that has its own.
     """
-    chosen = [BUILTIN_CORPUS] if paths is None else [Path(path) for path in paths]
-    if not chosen:
-        raise InstructionFileError(
-            "no instruction files given: expected at least one JSONL file"
-        )
-    instructions: list[Instruction] = []
-    problems: list[InstructionProblem] = []
-    for path in chosen:
-        read, wrong = read_instruction_file(path)
-        instructions += read
-        problems += wrong
-    problems += repeated_ids(instructions)
+    if source is None:
+        name, files = "memorymaze", [BUILTIN_CORPUS]
+    elif isinstance(source, str | Path) and Path(source).is_dir():
+        folder = Path(source)
+        if sites is not None:
+            raise SettingsError(
+                f"{folder}: a folder has its own instructions and sites; leave out the "
+                "sites"
+            )
+        if is_sail_folder(folder):
+            return sail_corpus(folder)
+        name, files, sites = folder.name, sorted(folder.glob("*.jsonl")), folder
+        if not files:
+            raise InstructionFileError(
+                f"{folder}: expected a folder of the SAIL corpus (docs/sail.md), or one "
+                "with site plans (*.geojson) and instruction files (*.jsonl)"
+            )
+    else:
+        files = [source] if isinstance(source, str | Path) else list(source)
+        name = ", ".join(Path(file).name for file in files)
+    if sites is None or isinstance(sites, str | Path):
+        known = load_sites(sites)
+    else:
+        known = {site.name: site for site in sites}
+    read = episodes(load_instructions(files), known)
+    return Corpus(name, tuple(read), known, tuple(map(Path, files)))
+
+
+def episodes(
+    instructions: Iterable[Instruction], sites: Mapping[str, Site]
+) -> list[Episode]:
+    """Turn instructions into episodes, in order.
+
+    An episode starts where its reference route starts and its goal is that route's
+    last point; its id is the instruction's.
+
+    Args:
+        instructions: What to follow.
+        sites: Sites by name.
+
+    Raises:
+        InstructionFileError: A site or route does not exist, or an id repeats.
+    """
+    chosen = list(instructions)
+    problems = repeated_ids(chosen) + site_problems(chosen, sites)
     if problems:
         raise refusal(problems)
-    return instructions
+    return [_episode(instruction, sites) for instruction in chosen]
 
 
-def read_instruction_file(
-    path: str | Path,
-) -> tuple[list[Instruction], list[InstructionProblem]]:
-    """Read one file; return the good instructions and what is wrong with the others.
-
-    UTF-8, with or without a byte order mark, any line ends; blank lines are allowed.
-    Whether ids repeat is for the caller to see, who knows the other files.
-
-    Raises:
-        InstructionFileError: The file cannot be read, is not UTF-8, or is empty.
-    """
-    path = Path(path)
-    try:
-        text = path.read_bytes().decode("utf-8-sig")
-    except OSError as error:
-        raise InstructionFileError(
-            f"{path}: cannot be read ({error.strerror or error})"
-        ) from None
-    except UnicodeDecodeError as error:
-        raise InstructionFileError(
-            f"{path}: expected UTF-8, got byte {error.object[error.start]:#04x} at "
-            f"offset {error.start}; save the file as UTF-8"
-        ) from None
-    instructions: list[Instruction] = []
+def site_problems(
+    instructions: Iterable[Instruction], sites: Mapping[str, Site]
+) -> list[InstructionProblem]:
+    """List the instructions whose site or route does not exist."""
     problems: list[InstructionProblem] = []
-    unknown: dict[str, int] = {}
-    for number, line in enumerate(text.split("\n"), start=1):
-        if not line.strip():
-            continue
-        instruction, extra, wrong = parse_line(line, f"{path}:{number}")
-        problems += wrong
-        if instruction is not None:
-            instructions.append(instruction)
-        for name in extra:
-            unknown.setdefault(name, number)
-    if not instructions and not problems:
-        raise InstructionFileError(
-            f"{path}: expected one JSON record per line, the file is empty"
+    for instruction in instructions:
+        message = _misplaced(instruction, sites)
+        if message is not None:
+            problems.append(InstructionProblem(place_of(instruction), message))
+    return problems
+
+
+def _episode(instruction: Instruction, sites: Mapping[str, Site]) -> Episode:
+    route = sites[instruction.site].route(instruction.reference_route)
+    path = tuple((float(x), float(y)) for x, y, *_ in route.line.coords)
+    return Episode(instruction.id, instruction, route.start, path[-1], path)
+
+
+def _misplaced(instruction: Instruction, sites: Mapping[str, Site]) -> str | None:
+    site = sites.get(instruction.site)
+    if site is None:
+        return _not_found("site", instruction.site, sites)
+    routes = {route.id: route for route in site.routes}
+    names = {route.route for route in site.routes}
+    if instruction.route not in names:
+        return _not_found("route", instruction.route, names)
+    route = routes.get(instruction.reference_route)
+    if route is None:
+        return _not_found("reference_route", instruction.reference_route, routes)
+    if route.route != instruction.route:
+        fitting = sorted(r.id for r in site.routes if r.route == instruction.route)
+        return (
+            f"field 'reference_route': expected a way of {instruction.route} "
+            f"({', '.join(fitting)}), got {route.id!r}, a way of {route.route}"
         )
-    for name, number in unknown.items():
-        warnings.warn(
-            f"{path}:{number}: field {name!r} is not part of the format and not used",
-            InstructionFileWarning,
-            stacklevel=3,
-        )
-    return instructions, problems
+    return None
+
+
+def _not_found(field: str, got: str, known: Iterable[str]) -> str:
+    names = sorted(known)
+    return (
+        f"field {field!r}: expected one of {', '.join(names)}, got {got!r}"
+        f"{did_you_mean(got, names)}"
+    )

@@ -4,7 +4,7 @@ import re
 import unicodedata
 from collections.abc import Iterable, Mapping
 
-from memorymaze.instructions.problems import InstructionProblem, place_of
+from memorymaze.instructions.files import InstructionProblem, place_of
 from memorymaze.instructions.records import Instruction
 from memorymaze.sites.records import Site
 

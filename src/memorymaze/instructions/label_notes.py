@@ -5,7 +5,7 @@ from collections.abc import Iterable, Iterator, Mapping
 
 from memorymaze.errors import did_you_mean
 from memorymaze.instructions.error_kinds import ERROR_KINDS
-from memorymaze.instructions.problems import InstructionProblem, place_of
+from memorymaze.instructions.files import InstructionProblem, place_of
 from memorymaze.instructions.records import Failure, Instruction
 from memorymaze.sites.records import Route, Site
 

@@ -1,7 +1,8 @@
 """The format of one line of an instruction file, checked at the boundary."""
 
 import json
-from typing import Annotated, Any, Literal
+from dataclasses import asdict
+from typing import Annotated, Any, Literal, cast
 
 from pydantic import (
     BaseModel,
@@ -14,7 +15,7 @@ from pydantic import (
 )
 
 from memorymaze.errors import did_you_mean
-from memorymaze.instructions.problems import InstructionProblem
+from memorymaze.input_files import parse_json
 from memorymaze.instructions.records import Failure, Followers, Instruction, Span
 
 Text = Annotated[str, StringConstraints(min_length=1, pattern=r"\S")]
@@ -104,7 +105,7 @@ class _InstructionLine(BaseModel):
 
 def parse_line(
     line: str, place: str
-) -> tuple[Instruction | None, list[str], list[InstructionProblem]]:
+) -> tuple[Instruction | None, list[str], list[str]]:
     """Read one line.
 
     Returns:
@@ -112,37 +113,25 @@ def parse_line(
         the format does not know; and what is wrong, one entry per field.
     """
     try:
-        record = _parse_json(line)
+        record = parse_json(line)
+        if not isinstance(record, dict):
+            raise ValueError(f"expected one JSON record {{…}}, got {_shown(record)}")
+        record = cast(dict[str, Any], record)
         unknown = _unknown_fields(record)
         return _instruction(record, place), unknown, []
     except ValidationError as error:
-        said = _explain(error)
+        return None, [], _explain(error)
     except ValueError as error:
-        said = [str(error)]
-    return None, [], [InstructionProblem(place, message) for message in said]
+        return None, [], [str(error)]
 
 
-def _parse_json(line: str) -> dict[str, Any]:
-    try:
-        record = json.loads(line, object_pairs_hook=_without_repeats)
-    except json.JSONDecodeError as error:
-        raise ValueError(
-            f"expected one JSON record, got text that is not JSON ({error.msg} at "
-            f"column {error.pos + 1}): {_shown(line)}"
-        ) from None
-    except RecursionError:
-        raise ValueError("expected one JSON record, got one nested too deep") from None
-    if not isinstance(record, dict):
-        raise ValueError(f"expected one JSON record {{…}}, got {_shown(record)}")
-    return record
-
-
-def _without_repeats(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-    record = dict(pairs)
-    if len(record) != len(pairs):
-        names = [name for name, _ in pairs]
-        repeated = next(name for name in names if names.count(name) > 1)
-        raise ValueError(f"field {repeated!r}: expected it once, got it twice")
+def instruction_record(instruction: Instruction) -> dict[str, Any]:
+    """Return the JSON record of an instruction, which `parse_line` reads back."""
+    record = asdict(instruction)
+    del record["origin"]
+    for optional in ("original_text", "followers", "pair", "spans", "method"):
+        if not record[optional] and record[optional] != "":
+            del record[optional]
     return record
 
 

@@ -1,9 +1,12 @@
-"""Instruction and Episode records; reading files lives in `corpus.py`."""
+"""Instructions, episodes and corpora as records; nothing here reads a file."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Literal
 
 from memorymaze.geometry.pose import Pose
+from memorymaze.sites.records import Site
 
 WRITTEN_BY = {
     "human": "people",
@@ -98,3 +101,41 @@ class Episode:
     """Metres."""
     reference_path: tuple[tuple[float, float], ...]
     """Vertices of the route's middle line, metres."""
+
+
+@dataclass(frozen=True, slots=True, repr=False)
+class Corpus:
+    """Episodes, the sites they take place on, and the limits that belong to them.
+
+    A limit of None leaves it to the run.
+    """
+
+    name: str
+    """Such as `memorymaze` or `SAIL`."""
+    episodes: tuple[Episode, ...]
+    sites: Mapping[str, Site]
+    """By name; there may be more than episodes take place on."""
+    files: tuple[Path, ...]
+    """What the instructions were read from."""
+    success_distance: float | None = None
+    """Metres from the goal within which one has arrived."""
+    time_budget: float | None = None
+    """Simulated seconds per episode."""
+    detection_range: float | None = None
+    """Metres within which things are detected."""
+    start_heading_is_told: bool = True
+    """Whether a text may build on the way one faces at the start; False where each is
+    followed from several headings."""
+
+    @property
+    def instructions(self) -> tuple[Instruction, ...]:
+        """What is followed, each once, in order."""
+        by_id = {each.instruction.id: each.instruction for each in self.episodes}
+        return tuple(by_id.values())
+
+    def __repr__(self) -> str:
+        """Return name and size."""
+        return (
+            f"Corpus({self.name!r}: {len(self.instructions)} instructions, "
+            f"{len(self.episodes)} episodes on {', '.join(self.sites)})"
+        )

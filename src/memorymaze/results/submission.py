@@ -14,8 +14,8 @@ from memorymaze.evaluation.settings import RunSettings, differences, stamp_file
 from memorymaze.evaluation.step_budgets import time_budget_for
 from memorymaze.evaluation.trace import read_trace
 from memorymaze.geometry.trajectory import TimedPose, Trajectory
-from memorymaze.instructions.corpus import BUILTIN_CORPUS, load_instructions
-from memorymaze.instructions.episodes import episodes
+from memorymaze.instructions.corpus import episodes
+from memorymaze.instructions.files import BUILTIN_CORPUS, load_instructions
 from memorymaze.instructions.records import Episode
 from memorymaze.metrics.success import SUCCESS_DISTANCE
 from memorymaze.perception.eyes import TRUTH

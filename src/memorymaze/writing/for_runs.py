@@ -4,7 +4,8 @@ from pathlib import Path
 
 from memorymaze.durable_files import write_whole
 from memorymaze.errors import RunFolderError
-from memorymaze.instructions.writing import instruction_record, lines
+from memorymaze.instructions.files import lines
+from memorymaze.instructions.line_format import instruction_record
 from memorymaze.writing.making import make_instructions
 from memorymaze.writing.request import GenerationRequest
 

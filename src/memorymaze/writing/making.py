@@ -4,8 +4,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from memorymaze.errors import LanguageModelError, SettingsError
-from memorymaze.instructions.corpus import load_instructions
-from memorymaze.instructions.episodes import episodes
+from memorymaze.instructions.corpus import episodes
+from memorymaze.instructions.files import load_instructions
 from memorymaze.instructions.records import Instruction
 from memorymaze.language.model import LanguageModel
 from memorymaze.sites import Site, load_sites

@@ -10,7 +10,7 @@ from dataclasses import replace
 from itertools import islice
 
 from memorymaze.errors import LanguageModelError
-from memorymaze.instructions.corpus import load_instructions
+from memorymaze.instructions.files import load_instructions
 from memorymaze.instructions.records import Instruction
 from memorymaze.instructions.statistics import word_count
 from memorymaze.language.model import CompletionRequest, LanguageModel, Message

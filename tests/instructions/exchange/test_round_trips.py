@@ -11,7 +11,6 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from memorymaze.errors import InstructionFileError
-from memorymaze.instructions.corpus import load_instructions
 from memorymaze.instructions.exchange import (
     Unlabelled,
     read_r2r,
@@ -22,6 +21,7 @@ from memorymaze.instructions.exchange import (
     write_vln_ce,
 )
 from memorymaze.instructions.exchange.records import OWN_FIELD
+from memorymaze.instructions.files import load_instructions
 from memorymaze.instructions.records import Failure, Followers, Instruction
 from memorymaze.sites import Site
 

@@ -5,6 +5,7 @@ from typing import Any
 import pytest
 
 from memorymaze.errors import InstructionFileError
+from memorymaze.instructions import load_corpus
 from memorymaze.instructions.sail import Paragraph, load_sail
 
 Line = Callable[..., dict[str, Any]]
@@ -125,3 +126,14 @@ def test_a_maze_in_two_pieces_is_refused(
     del small_maps["maps"]["Small"]["edges"][2]
     with pytest.raises(InstructionFileError, match="no way from node"):
         load_sail(write_folder(small_maps, small_line()))
+
+
+def test_a_folder_of_sail_is_a_corpus_with_its_own_sites_and_limits(
+    small_folder: Path,
+) -> None:
+    corpus = load_corpus(small_folder)
+    assert (corpus.name, list(corpus.sites)) == ("SAIL", ["sail_small"])
+    assert (len(corpus.instructions), len(corpus.episodes)) == (2, 8)
+    limits = (corpus.success_distance, corpus.time_budget, corpus.detection_range)
+    assert limits == (2.0, 400.0, 40.0)
+    assert not corpus.start_heading_is_told

@@ -54,9 +54,8 @@ def _run(options: argparse.Namespace) -> int:
         read_labels,
     )
     from memorymaze.errors import SettingsError
-    from memorymaze.instructions.corpus import load_instructions
-    from memorymaze.instructions.episodes import episodes
-    from memorymaze.instructions.writing import write_instructions
+    from memorymaze.instructions.corpus import episodes
+    from memorymaze.instructions.files import load_instructions, write_instructions
     from memorymaze.sites import load_sites
 
     if options.seed < 0:

@@ -66,13 +66,13 @@ def add_parser(actions: Verbs) -> None:
 
 
 def _export(options: argparse.Namespace) -> int:
-    from memorymaze.instructions.corpus import load_instructions
-    from memorymaze.instructions.episodes import episodes
+    from memorymaze.instructions.corpus import episodes
     from memorymaze.instructions.exchange import (
         write_r2r,
         write_spreadsheet,
         write_vln_ce,
     )
+    from memorymaze.instructions.files import load_instructions
     from memorymaze.sites import load_sites
 
     read = load_instructions(options.files or None)
@@ -91,14 +91,14 @@ def _export(options: argparse.Namespace) -> int:
 
 def _import(options: argparse.Namespace) -> int:
     from memorymaze.errors import SettingsError
-    from memorymaze.instructions.episodes import episodes
+    from memorymaze.instructions.corpus import episodes
     from memorymaze.instructions.exchange import (
         Unlabelled,
         read_r2r,
         read_spreadsheet,
         read_vln_ce,
     )
-    from memorymaze.instructions.writing import write_instructions
+    from memorymaze.instructions.files import write_instructions
     from memorymaze.sites import load_sites
 
     sites = load_sites(options.sites)

@@ -75,7 +75,7 @@ def add_parser(actions: Verbs) -> None:
 
 
 def _run(options: argparse.Namespace) -> int:
-    from memorymaze.instructions.writing import write_instructions
+    from memorymaze.instructions.files import write_instructions
     from memorymaze.writing import GenerationRequest, make_instructions, parse_rates
 
     default = "failure=1" if options.sources else "published"

@@ -43,9 +43,8 @@ def add_parser(actions: Verbs) -> None:
 
 def _run(options: argparse.Namespace) -> int:
     from memorymaze.errors import SettingsError
-    from memorymaze.instructions.corpus import load_instructions
-    from memorymaze.instructions.episodes import episodes
-    from memorymaze.instructions.writing import write_file
+    from memorymaze.instructions.corpus import episodes
+    from memorymaze.instructions.files import load_instructions, write_file
     from memorymaze.results.instruction_study import write_study
     from memorymaze.sites import load_sites
 

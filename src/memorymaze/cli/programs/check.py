@@ -27,7 +27,7 @@ def add_parser(actions: Verbs) -> None:
 
 def _run(options: argparse.Namespace) -> int:
     from memorymaze.evaluation.program_checking import check_programs
-    from memorymaze.instructions.corpus import load_instructions
+    from memorymaze.instructions.files import load_instructions
 
     checked = check_programs(options.file, load_instructions(options.instructions))
     for remark in checked.remarks:

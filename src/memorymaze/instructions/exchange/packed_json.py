@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from memorymaze.errors import InstructionFileError
-from memorymaze.instructions.writing import write_file
+from memorymaze.instructions.files import write_file
 
 
 def read_json(path: str | Path) -> Any:

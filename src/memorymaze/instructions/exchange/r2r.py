@@ -28,8 +28,8 @@ from memorymaze.instructions.exchange.records import (
     own_or_new,
     split_of,
 )
+from memorymaze.instructions.line_format import instruction_record
 from memorymaze.instructions.records import Instruction
-from memorymaze.instructions.writing import instruction_record
 from memorymaze.sites.navigation_graph import NavigationGraph, navigation_graph
 from memorymaze.sites.records import Route, Site
 

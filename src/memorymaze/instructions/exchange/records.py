@@ -6,8 +6,8 @@ from pathlib import Path
 from typing import Any, Literal, NamedTuple
 
 from memorymaze.errors import InstructionFileError
+from memorymaze.instructions.files import InstructionProblem, refusal
 from memorymaze.instructions.line_format import parse_line
-from memorymaze.instructions.problems import InstructionProblem, refusal
 from memorymaze.instructions.records import Instruction
 from memorymaze.sites.records import Route, Site
 
@@ -39,8 +39,9 @@ def parsed(record: Mapping[str, Any], place: str) -> Instruction:
     """
     instruction, unknown, problems = parse_line(json.dumps(record), place)
     if instruction is None or unknown:
-        strange = [InstructionProblem(place, f"field {name!r}") for name in unknown]
-        raise refusal([*problems, *strange])
+        strange = [f"field {name!r}" for name in unknown]
+        said = [InstructionProblem(place, each) for each in (*problems, *strange)]
+        raise refusal(said)
     return instruction
 
 

@@ -27,8 +27,8 @@ from memorymaze.instructions.exchange.records import (
     split_of,
 )
 from memorymaze.instructions.exchange.vocabulary import WordNumbers
+from memorymaze.instructions.line_format import instruction_record
 from memorymaze.instructions.records import Instruction
-from memorymaze.instructions.writing import instruction_record
 from memorymaze.sites.records import Route, Site
 
 SAME_PLACE = 0.01

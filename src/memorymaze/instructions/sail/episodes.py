@@ -3,18 +3,49 @@
 import hashlib
 import math
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 
 from memorymaze.geometry.pose import Pose, wrap_angle
-from memorymaze.instructions.records import Episode, Followers, Instruction
+from memorymaze.instructions.records import Corpus, Episode, Followers, Instruction
+from memorymaze.instructions.sail.folder import load_sail
 from memorymaze.instructions.sail.records import Paragraph
-from memorymaze.instructions.sail.sites import route_name, site_name
+from memorymaze.instructions.sail.sites import EDGE, maze_site, route_name, site_name
 from memorymaze.sites.records import Site
 
 HEADINGS = {"east": 0.0, "north": 90.0, "west": 180.0, "south": 270.0}
 """Start headings by name, degrees counter-clockwise from east."""
 DEVELOPMENT = "dev"
 """Split of the writers whose texts were read while the rules agent was developed."""
+SUCCESS_DISTANCE = EDGE / 2
+"""Metres: at the right node, not at its neighbour."""
+TIME_BUDGET = 400.0
+"""Simulated seconds. Three times a perfect walk, as elsewhere, is 188 s; the rest is for
+looking about, since nobody tells which way one faces at first."""
+DETECTION_RANGE = 40.0
+"""Metres: to the end of every hall, which is how far writers and followers saw."""
 _MARK = "@"
+
+
+def sail_corpus(folder: str | Path) -> Corpus:
+    """Read a SAIL folder: four episodes for each paragraph, with SAIL's own limits.
+
+    Raises:
+        InstructionFileError: The folder or something in it cannot be used.
+        SitePlanError: A maze makes no sound plan.
+    """
+    texts = load_sail(folder)
+    mazes = [maze_site(maze, texts.files[0]) for maze in texts.mazes.values()]
+    sites = {site.name: site for site in mazes}
+    return Corpus(
+        "SAIL",
+        tuple(sail_episodes(texts.paragraphs, sites)),
+        sites,
+        tuple(map(Path, texts.files)),
+        success_distance=SUCCESS_DISTANCE,
+        time_budget=TIME_BUDGET,
+        detection_range=DETECTION_RANGE,
+        start_heading_is_told=False,
+    )
 
 
 def sail_episodes(

@@ -8,7 +8,7 @@ from pathlib import Path
 from memorymaze.errors import SettingsError
 from memorymaze.evaluation.sail_corpus import sail_corpus
 from memorymaze.evaluation.settings import FileStamp, stamp_file
-from memorymaze.instructions.corpus import BUILTIN_CORPUS, load_instructions
+from memorymaze.instructions.files import BUILTIN_CORPUS, load_instructions
 from memorymaze.instructions.records import Instruction
 from memorymaze.results.tables import MeasuredRun, load_runs
 from memorymaze.sites import Site, load_sites

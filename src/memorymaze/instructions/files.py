@@ -1,0 +1,169 @@
+"""Instruction files (JSONL): reading, refusing and writing them.
+
+Every line is checked; where lines are bad the whole load is refused, with a message
+that lists them.
+"""
+
+import json
+import warnings
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from importlib.resources import files
+from pathlib import Path
+from typing import Any
+
+from memorymaze.durable_files import write_whole
+from memorymaze.errors import InstructionFileError, InstructionFileWarning
+from memorymaze.input_files import read_text
+from memorymaze.instructions.line_format import instruction_record, parse_line
+from memorymaze.instructions.records import Instruction
+
+BUILTIN_CORPUS = Path(str(files("memorymaze.instructions") / "data/role_played.jsonl"))
+"""The shipped corpus: 564 texts written by a language model (see its README)."""
+PROBLEMS_SHOWN = 20
+
+
+@dataclass(frozen=True, slots=True)
+class InstructionProblem:
+    """Something wrong in an instruction file."""
+
+    place: str
+    """`file`, or `file:line`."""
+    message: str
+    """What was expected and what came, naming the field."""
+
+    def __str__(self) -> str:
+        """Return one line: place and message."""
+        return f"{self.place}: {self.message}"
+
+
+def place_of(instruction: Instruction) -> str:
+    """Return where an instruction comes from: `file:line`, else its id."""
+    return instruction.origin or f"instruction {instruction.id}"
+
+
+def refusal(problems: Sequence[InstructionProblem]) -> InstructionFileError:
+    """Return the error that lists the problems, the first 20 in full."""
+    shown = [str(problem) for problem in problems[:PROBLEMS_SHOWN]]
+    more = len(problems) - len(shown)
+    if more:
+        shown.append(f"… and {more} more")
+    noun = "problem" if len(problems) == 1 else "problems"
+    return InstructionFileError(
+        f"{len(problems)} {noun} in the instructions:\n" + "\n".join(shown)
+    )
+
+
+def repeated_ids(instructions: Iterable[Instruction]) -> list[InstructionProblem]:
+    """List the instructions whose id an earlier one has."""
+    first: dict[str, Instruction] = {}
+    problems: list[InstructionProblem] = []
+    for instruction in instructions:
+        earlier = first.setdefault(instruction.id, instruction)
+        if earlier is not instruction:
+            message = (
+                f"field 'id': expected a new id, got {instruction.id!r}, which "
+                f"{place_of(earlier)} has"
+            )
+            problems.append(InstructionProblem(place_of(instruction), message))
+    return problems
+
+
+def load_instructions(
+    paths: Sequence[str | Path] | None = None,
+) -> list[Instruction]:
+    """Read instruction files, in order.
+
+    A field the format does not know is left out, with a warning; where it looks like
+    a misspelt optional field it is an error.
+
+    Args:
+        paths: JSONL files; None for the shipped corpus.
+
+    Raises:
+        InstructionFileError: A file cannot be read, or has bad lines; lists them.
+    """
+    chosen = [BUILTIN_CORPUS] if paths is None else paths
+    if not chosen:
+        raise InstructionFileError(
+            "no instruction files given: expected at least one JSONL file"
+        )
+    instructions: list[Instruction] = []
+    problems: list[InstructionProblem] = []
+    for path in chosen:
+        read, wrong = read_instruction_file(path)
+        instructions += read
+        problems += wrong
+    problems += repeated_ids(instructions)
+    if problems:
+        raise refusal(problems)
+    return instructions
+
+
+def read_instruction_file(
+    path: str | Path,
+) -> tuple[list[Instruction], list[InstructionProblem]]:
+    """Read one file; return the good instructions and what is wrong with the others.
+
+    UTF-8, with or without a byte order mark, any line ends; blank lines are allowed.
+    Whether ids repeat is for the caller to see, who knows the other files.
+
+    Raises:
+        InstructionFileError: The file cannot be read, is not UTF-8, or is empty.
+    """
+    instructions: list[Instruction] = []
+    problems: list[InstructionProblem] = []
+    unknown: dict[str, int] = {}
+    text = read_text(path, InstructionFileError)
+    for number, line in enumerate(text.split("\n"), start=1):
+        if not line.strip():
+            continue
+        place = f"{path}:{number}"
+        instruction, extra, wrong = parse_line(line, place)
+        problems += [InstructionProblem(place, message) for message in wrong]
+        if instruction is not None:
+            instructions.append(instruction)
+        for name in extra:
+            unknown.setdefault(name, number)
+    if not instructions and not problems:
+        raise InstructionFileError(
+            f"{path}: expected one JSON record per line, the file is empty"
+        )
+    for name, number in unknown.items():
+        warnings.warn(
+            f"{path}:{number}: field {name!r} is not part of the format and not used",
+            InstructionFileWarning,
+            stacklevel=3,
+        )
+    return instructions, problems
+
+
+def write_instructions(path: str | Path, instructions: Iterable[Instruction]) -> None:
+    """Write an instruction file.
+
+    Raises:
+        InstructionFileError: The file cannot be written.
+    """
+    write_file(path, lines(instruction_record(each) for each in instructions))
+
+
+def lines(records: Iterable[Mapping[str, Any]]) -> bytes:
+    """Return records as JSON, one per line."""
+    texts = (json.dumps(record, ensure_ascii=False) + "\n" for record in records)
+    return "".join(texts).encode()
+
+
+def write_file(path: str | Path, content: bytes) -> None:
+    """Write a file, and the folders it lies in; in full or not at all.
+
+    Raises:
+        InstructionFileError: It cannot be written.
+    """
+    path = Path(path)
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        write_whole(path, content)
+    except OSError as error:
+        raise InstructionFileError(
+            f"{path}: cannot be written ({error.strerror or error})"
+        ) from None
