@@ -280,7 +280,7 @@ def test_settings_without_meaning_are_refused(
     ],
 )
 def test_actions_without_meaning_are_refused(make: Any) -> None:
-    with pytest.raises(SettingsError, match="actions: .*expected"):
+    with pytest.raises(SettingsError, match=r"actions: .*expected"):
         make()
 
 
