@@ -4,75 +4,26 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import lru_cache
 
+from memorymaze.perception.lexicon import family_of, word_table
 from memorymaze.perception.noun_phrase import words_of
 
-_COLORS = {
-    "red": "crimson scarlet maroon burgundy ruby vermilion cherry reddish",
-    "orange": "tangerine amber apricot",
-    "yellow": "lemon mustard yellowish",
-    "green": "lime olive emerald mint khaki greenish",
-    "turquoise": "teal cyan aqua aquamarine",
-    "blue": "navy azure indigo cobalt sapphire bluish",
-    "purple": "violet lilac lavender mauve magenta plum purplish",
-    "pink": "rose salmon fuchsia pinkish",
-    "brown": "tan chestnut chocolate brownish bronze copper",
-    "beige": "cream ivory sand ecru cork",
-    "white": "whitish",
-    "grey": "gray greyish grayish silver charcoal chrome silvery",
-    "black": "blackish ebony",
-    "gold": "golden brass",
-    "clear": "transparent frosted see-through translucent",
-}
-_FAMILY = {name: name for name in _COLORS} | {
-    shade: family for family, shades in _COLORS.items() for shade in shades.split()
-}
+_FAMILY = family_of("colors")
 _ALIKE = {
-    frozenset(pair)
-    for pair in (
-        ("blue", "turquoise"),
-        ("green", "turquoise"),
-        ("blue", "purple"),
-        ("purple", "pink"),
-        ("yellow", "gold"),
-        ("brown", "gold"),
-        ("brown", "beige"),
-        ("white", "beige"),
-        ("orange", "brown"),
-        ("orange", "red"),
-        ("white", "clear"),
-    )
+    frozenset((color, other))
+    for color, others in word_table("alike").items()
+    for other in others
 }
-"""Neighbours that people, and lamps, mix up: half a fit."""
-
-_SHADES = {"dark": -1, "deep": -1, "light": 1, "pale": 1, "bright": 1, "pastel": 1}
-_DARK_BY_NAME = frozenset({"maroon", "burgundy", "navy", "charcoal", "indigo", "olive"})
-
-_MATERIALS = {
-    "wood": "wooden timber oak walnut pine beech maple birch plywood mahogany bamboo",
-    "metal": "steel metallic iron aluminium aluminum stainless brass bronze copper"
-    " chrome silver",
-    "glass": "glassy glazed transparent clear frosted crystal",
-    "plastic": "acrylic vinyl plexiglass",
-    "stone": "marble granite concrete brick sandstone slate limestone",
-    "ceramic": "terracotta porcelain clay tile tiled",
-    "fabric": "cloth upholstered leather textile velvet canvas cushioned padded",
-    "cork": "",
-    "cardboard": "",
-}
-_MATERIAL = {name: name for name in _MATERIALS} | {
-    kind: family for family, kinds in _MATERIALS.items() for kind in kinds.split()
-}
+_SHADES = dict.fromkeys(word_table("shades")["dark"], -1) | dict.fromkeys(
+    word_table("shades")["light"], 1
+)
+_DARK_BY_NAME = frozenset(word_table("shades")["dark_by_name"])
+_MATERIAL = family_of("materials")
 _ANY_KIND = {
-    "wooden": "wood",
-    "timber": "wood",
-    "metallic": "metal",
-    "glassy": "glass",
-    "glazed": "glass",
-    "cloth": "fabric",
-    "textile": "fabric",
-    "upholstered": "fabric",
+    word: family for family, words in word_table("any_kind").items() for word in words
 }
-_COLOR_OF_MATERIAL = {"wood": "brown", "metal": "grey", "ceramic": "orange"}
+_COLOR_OF_MATERIAL = {
+    material: color for material, [color] in word_table("color_of_material").items()
+}
 
 _UNKNOWN = 0.75
 """Factor where the thing's colour or material is not known."""

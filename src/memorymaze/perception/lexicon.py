@@ -5,6 +5,7 @@ in `noun_phrase.py` and `vocabulary.py`.
 """
 
 import gzip
+import tomllib
 from collections.abc import Iterator
 from functools import cache, lru_cache
 from importlib.resources import files
@@ -148,9 +149,28 @@ class _Lexicon:
         return senses
 
 
-def word_set(*lines: str) -> frozenset[str]:
-    """Return the words of a table that is written as lines of words."""
-    return frozenset(word for line in lines for word in line.split())
+@cache
+def _words() -> dict[str, dict[str, str]]:
+    data = files("memorymaze.perception") / "data" / "words.toml"
+    return tomllib.loads(data.read_text(encoding="utf-8"))
+
+
+def word_set(name: str) -> frozenset[str]:
+    """Return a list of `words.toml`."""
+    return frozenset(_words()["lists"][name].split())
+
+
+def word_table(name: str) -> dict[str, list[str]]:
+    """Return a table of `words.toml`: words by what they stand for."""
+    return {key: words.split() for key, words in _words()[name].items()}
+
+
+def family_of(name: str) -> dict[str, str]:
+    """Return the key of each word of a table, the keys themselves included."""
+    table = word_table(name)
+    return {key: key for key in table} | {
+        word: key for key, words in table.items() for word in words
+    }
 
 
 @cache

@@ -34,45 +34,31 @@ _PLAIN_WORD = 0.9
 """Factor for a describing word nothing is known about ("modern")."""
 _BY_LOOKS = 0.6
 """Any thing, asked for by nothing but its looks: "something red"."""
-_PLACE_WORDS = word_set(
-    "wall floor ceiling corner corridor hallway hall lobby indoor outdoor side front back",
-    "building museum university campus",
-)
+_PLACE_WORDS = word_set("places")
 """Where a thing is, which the picture does not tell: no reason to reject it."""
-_ANYTHING = word_set("thing object item something anything landmark feature")
-_EXHIBITS = word_set("exhibit exhibition display installation attraction artwork")
+_ANYTHING = word_set("anything")
+_EXHIBITS = word_set("exhibits")
 BY_NAME = 0.9
 """A proper name asked for as if it were a kind ("library", for its door)."""
 BY_WORDS = 0.65
 """Words written on a thing, asked for as if they were the thing."""
 _SHORT_TEXT = 4
 """Inscriptions of up to so many words name a thing; longer ones tell of others."""
-SIZE_WORDS = word_set(
-    "big large small little tall huge giant long short tiny wide narrow massive",
-    "double single main old new nice public regular normal typical whole",
-)
+SIZE_WORDS = word_set("sizes")
 """Words of size and praise: no reason to reject a thing."""
-_SIGN_WORDS = word_set(
-    "sign signboard label plate nameplate plaque lettering text writing word",
-    "banner notice board panel",
-)
+_SIGN_WORDS = word_set("signs")
 _POINTING = re.compile(
     r"[\u2190-\u21ff\u27a1\u2b05-\u2b07]|->|<-|\b(?:to the|on (?:the|your)|turn) "
     r"(?:left|right)\b|\bstraight\b|\d ?m\b",
     re.IGNORECASE,
 )
-_ROOM_WORDS = word_set("room hall area space zone section place door sign entrance")
+_ROOM_WORDS = word_set("rooms")
 """Words that people add to names: "first aid room" for "First Aid"."""
 BY_SUBJECT = 0.7
 """What a thing shows, holds or names ("rocket" for a rocket model)."""
 _SOMEBODY = 0.75
 """A person, asked for by what one cannot see of them: "visitor", "woman"."""
-_SHOWING = word_set(
-    "model statue sculpture bust skeleton skull replica figure picture painting",
-    "poster photo photograph mural exhibit display sign signboard banner panel",
-    "board panel box cabinet case station unit dispenser machine plaque plate",
-    "window module mockup prototype specimen",
-)
+_SHOWING = word_set("showing")
 """Heads of compounds whose first part is what people see: "whale skeleton"."""
 _PLACES = ("room", "building", "facility", "establishment", "stairway")
 _PEOPLE = (

@@ -11,33 +11,17 @@ from functools import lru_cache
 
 from memorymaze.perception.lexicon import is_adjective, is_noun, singular, word_set
 
-_DETERMINERS = word_set(
-    "a an the this that these those any some all every each another other same",
-    "one ones two three four five six seven eight nine ten several many few both",
-    "first second third fourth fifth sixth seventh eighth ninth tenth next last",
-    "nearest closest my your his her its our their more very really quite rather",
-    "just only there here visible certain left right pointing leading going",
-)
+_DETERMINERS = word_set("determiners")
 _STRAIGHT_QUOTES = str.maketrans("\u2018\u2019\u201c\u201d", "''\"\"")
-_COMPLEMENT = word_set(
-    "of for to into towards toward about showing depicting featuring advertising"
-)
-_SIDES = word_set("left right side end front back rear middle")
-_PLACED = word_set(
-    "on in at near next beside besides behind under underneath below above by",
-    "with without against along across opposite between from facing outside",
-    "inside around over past after before that which who where while beyond ahead",
-    "straight up down left-hand right-hand through within standing hanging",
-    "mounted sitting located attached",
-)
+_COMPLEMENT = word_set("complements")
+_SIDES = word_set("sides")
+_PLACED = word_set("placed")
 _IDENTIFIER = re.compile(r"^(?:\d[\w-]*|[a-z]{1,2}-?\d+\w*|[b-z])$")
 _NUMBER_SIGNS = frozenset({"number", "no", "nr"})
 _COUNT = re.compile(r"^\d{1,2}$")
 _ORDINAL = re.compile(r"^\d+(?:st|[nr]d|th)$")
 _WORD = re.compile(r"[^\W_]+(?:['-][^\W_]+)*")
-_EMPTY_WORDS = word_set(
-    "a an the of for to and or in on at with by from is are your you we it please",
-)
+_EMPTY_WORDS = word_set("empty")
 _LEAD_IN = re.compile(
     r"^(?:(?:please|hey|ok(?:ay)?|robot,|can|could|do|does|did|would|you|i|we|to|now|is|"
     r"are|was|there|find|detect|locate|see|want|need|try|what|where|which|looks?|like|"
