@@ -10,7 +10,7 @@ from memorymaze.evaluation.asking import AskingSettings
 from memorymaze.evaluation.cost_estimate import cost_estimate
 from memorymaze.evaluation.plan import RunPlan, plan_run
 from memorymaze.evaluation.settings import AgentSettings
-from memorymaze.language.pricing import TokenPrice
+from memorymaze.language.spending import TokenPrice
 
 TINY_INSTRUCTIONS = Path(__file__).parents[1] / "tiny_instructions.jsonl"
 ASKING = AgentSettings(

@@ -24,7 +24,7 @@ from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import read_run
 from memorymaze.evaluation.settings import AgentSettings
 from memorymaze.evaluation.trace import read_trace
-from memorymaze.language.pricing import TokenPrice
+from memorymaze.language.spending import TokenPrice
 
 TINY_INSTRUCTIONS = Path(__file__).parents[1] / "tiny_instructions.jsonl"
 

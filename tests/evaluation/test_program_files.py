@@ -25,7 +25,7 @@ from memorymaze.evaluation.program_files import (
 )
 from memorymaze.evaluation.settings import AgentSettings, differences
 from memorymaze.instructions.files import load_instructions
-from memorymaze.language.pricing import TokenPrice
+from memorymaze.language.spending import TokenPrice
 
 TINY_INSTRUCTIONS = Path(__file__).parents[1] / "tiny_instructions.jsonl"
 

@@ -14,7 +14,7 @@ from memorymaze.evaluation.inference_time import InferenceTime
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import RunRecord, open_run_folder
 from memorymaze.evaluation.settings import AgentSettings
-from memorymaze.language.pricing import TokenPrice
+from memorymaze.language.spending import TokenPrice
 from memorymaze.results.tables import MeasuredRun, load_runs, table_rows
 from memorymaze.results.tables.formats import format_tables
 from memorymaze.results.tables.inference_cost import cost_cells

@@ -20,7 +20,7 @@ from memorymaze.evaluation.travelling_files import (
     check_can_travel,
     pack_files,
 )
-from memorymaze.language.pricing import TokenPrice
+from memorymaze.language.spending import TokenPrice
 
 
 @pytest.mark.parametrize(

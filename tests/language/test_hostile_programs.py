@@ -7,8 +7,7 @@ from pathlib import Path
 import pytest
 
 from memorymaze.errors import EpisodeOver, ProgramError
-from memorymaze.language.program_screening import screen_program
-from memorymaze.language.sandbox import ProgramLimits, run_program
+from memorymaze.language.sandbox import ProgramLimits, run_program, screen_program
 
 LIMITS = ProgramLimits(memory=32 * 2**20)
 IMPATIENT = ProgramLimits(computing_time=0.25, memory=32 * 2**20)

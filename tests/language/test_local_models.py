@@ -8,8 +8,12 @@ import pytest
 from memorymaze.errors import SettingsError
 from memorymaze.evaluation.language_models import build_language_model
 from memorymaze.evaluation.settings import AgentSettings
-from memorymaze.language.gguf_model import GgufModel
-from memorymaze.language.local_models import is_local, local_model, model_name
+from memorymaze.language.local_models import (
+    GgufModel,
+    is_local,
+    local_model,
+    model_name,
+)
 from memorymaze.language.model import takes_grammar
 from memorymaze.language.scripted_model import ScriptedLanguageModel
 

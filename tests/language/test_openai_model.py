@@ -13,7 +13,7 @@ import pytest
 from memorymaze.errors import LanguageModelError, SettingsError
 from memorymaze.language.model import CompletionRequest, Message, Picture, Usage
 from memorymaze.language.openai_model import OpenAIModel
-from memorymaze.language.pricing import PricedModel, TokenPrice
+from memorymaze.language.spending import PricedModel, TokenPrice
 
 REQUEST = CompletionRequest(
     (Message("system", "Be brief."), Message("user", "Où aller ?")), max_tokens=77

@@ -16,7 +16,7 @@ from memorymaze.errors import (
     ProgramError,
     SettingsError,
 )
-from memorymaze.language.sandbox import ProgramLimits, run_program
+from memorymaze.language.sandbox import ProgramLimits, run_program, screen_program
 
 
 def test_a_program_drives_the_robot(robot):
@@ -385,3 +385,44 @@ def test_limits_must_be_positive():
         ProgramLimits(memory=0)
     with pytest.raises(SettingsError, match="computing_time must be at most 60 s"):
         ProgramLimits(computing_time=1e9)
+
+
+@pytest.mark.parametrize(
+    "program",
+    [
+        "move_forward(1)\nstop()\n",
+        "",
+        "while True:\n    pass\n",
+        "print(1 / 0)",
+        "'''What it does.'''\nturn('left')",
+    ],
+)
+def test_what_only_a_run_would_show_is_not_found(program: str) -> None:
+    assert screen_program(program) == []
+
+
+@pytest.mark.parametrize(
+    ("program", "line", "unsafe", "said"),
+    [
+        ("x = 1\nmove_forward('2 m')", 2, False, "line 2: Argument to function"),
+        ("  x = 1", 1, False, "Unexpected indentation"),
+        ("turn('left'", 1, False, "invalid-syntax"),
+        ("stop()\n\nimport numpy", 3, True, "line 3: Cannot resolve"),
+        ("open('/etc/passwd')", 1, True, "`open`"),
+        ("walk()", 1, False, "`walk` used when not defined"),
+        ("a" * 11, None, False, "has 11 characters; at most 10"),
+    ],
+)
+def test_what_the_sandbox_would_refuse_is_found(
+    program: str, line: int | None, unsafe: bool, said: str
+) -> None:
+    limits = ProgramLimits(program_characters=max(10, 0 if line is None else 100))
+    with pytest.raises(ProgramError, match=said) as caught:
+        screen_program(program, limits)
+    assert (caught.value.line, caught.value.unsafe) == (line, unsafe)
+
+
+def test_doubts_are_told_with_their_line() -> None:
+    assert screen_program("stop()\nx: int = 'a'") == [
+        'line 2: Object of type `Literal["a"]` is not assignable to `int`'
+    ]

@@ -1,14 +1,22 @@
-"""What a run may spend is kept by all of its processes together."""
+"""Prices, limits on spending, and places in a queue."""
 
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
 
-from memorymaze.errors import LanguageModelError, SpendingLimitReached
+from memorymaze.errors import LanguageModelError, SettingsError, SpendingLimitReached
 from memorymaze.language.model import CompletionRequest, Message, Usage
-from memorymaze.language.pricing import PricedModel, TokenPrice
 from memorymaze.language.scripted_model import ScriptedLanguageModel
-from memorymaze.language.spending import Ledger, LimitedModel, Spent
+from memorymaze.language.spending import (
+    Ledger,
+    LimitedModel,
+    PricedModel,
+    Spent,
+    TokenPrice,
+    parse_price,
+)
 
 REQUEST = CompletionRequest((Message("user", "four words are here"),))
 
@@ -71,3 +79,67 @@ def test_a_server_that_counts_nothing_cannot_be_limited(tmp_path: Path) -> None:
     model = LimitedModel(Silent(["yes"]), Ledger(None), max_tokens=5)
     with pytest.raises(SpendingLimitReached, match="does not tell how many tokens"):
         model.complete(REQUEST)
+
+
+def test_a_reply_says_what_it_cost() -> None:
+    model = PricedModel(ScriptedLanguageModel(["one two"]), TokenPrice(2e6, 1e6))
+    completion = model.complete(CompletionRequest((Message("user", "a b c"),)))
+    assert completion.usage == Usage(3, 2, 8.0)
+    assert model.name == "scripted"
+
+
+def test_prices_are_read_in_dollars_per_million_tokens() -> None:
+    assert parse_price("0.15, 0.6") == TokenPrice(0.15, 0.6)
+    assert TokenPrice(0.15, 0.6).cost(1_000_000, 500_000) == pytest.approx(0.45)
+
+
+@pytest.mark.parametrize("text", ["", "1", "1,", "1,two", "-1,2", "nan,1", "1,inf"])
+def test_what_is_no_price_is_refused(text: str) -> None:
+    with pytest.raises(SettingsError, match="price: expected"):
+        parse_price(text)
+
+
+SCRIPT = """
+import os, sys
+from pathlib import Path
+from memorymaze.language.model import CompletionRequest, Message
+from memorymaze.language.spending import QueuedModel
+from memorymaze.language.scripted_model import ScriptedLanguageModel
+
+me, folder, places = sys.argv[1], Path(sys.argv[2]), int(sys.argv[3])
+
+def answer(request):
+    mine = folder / f"asking-{me}"
+    mine.touch()
+    under_way = len(list(folder.glob("asking-*")))
+    mine.unlink()
+    if me == "dies" :
+        os._exit(7)
+    return str(under_way)
+
+model = QueuedModel(ScriptedLanguageModel(answer), folder / "requests.lock", places)
+for number in range(40):
+    print(model.complete(CompletionRequest((Message("user", "?"),))).text)
+"""
+
+
+def ask(names: list[str], folder: Path, places: int) -> list[list[str]]:
+    running = [
+        subprocess.Popen(
+            [sys.executable, "-c", SCRIPT, name, str(folder), str(places)],
+            stdout=subprocess.PIPE,
+            text=True,
+        )
+        for name in names
+    ]
+    return [process.communicate(timeout=60)[0].split() for process in running]
+
+
+def test_processes_take_turns(tmp_path: Path) -> None:
+    said = ask(["a", "b", "c"], tmp_path, places=1)
+    assert said == [["1"] * 40] * 3
+
+
+def test_a_process_that_dies_gives_its_place_back(tmp_path: Path) -> None:
+    assert ask(["dies"], tmp_path, places=1) == [[]]
+    assert ask(["lives"], tmp_path, places=1) == [["1"] * 40]

@@ -74,7 +74,7 @@ def asking_settings(options: argparse.Namespace, *, asks: bool) -> "AskingSettin
     """
     from memorymaze.errors import SettingsError
     from memorymaze.evaluation.asking import AskingSettings
-    from memorymaze.language.pricing import parse_price
+    from memorymaze.language.spending import parse_price
 
     names = (*PATIENCE, *SPENDING, "grammar")
     given = {name: getattr(options, name) for name in names}

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from memorymaze.errors import SettingsError
-from memorymaze.language.pricing import TokenPrice
+from memorymaze.language.spending import TokenPrice
 
 GrammarServer = Literal["llama.cpp", "vllm"]
 

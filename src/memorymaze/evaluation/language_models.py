@@ -6,7 +6,7 @@ from memorymaze.errors import SettingsError
 from memorymaze.evaluation.settings import AgentSettings
 from memorymaze.language.local_models import is_local, local_model, model_name
 from memorymaze.language.model import LanguageModel
-from memorymaze.language.pricing import PricedModel
+from memorymaze.language.spending import PricedModel
 
 
 def build_language_model(settings: AgentSettings) -> LanguageModel:
@@ -76,7 +76,7 @@ def _limited(settings: AgentSettings, model: LanguageModel) -> LanguageModel:
     asking = settings.asking
     shared = None if asking.shared_folder is None else Path(asking.shared_folder)
     if asking.max_requests is not None and shared is not None:
-        from memorymaze.language.request_slots import QueuedModel
+        from memorymaze.language.spending import QueuedModel
 
         model = QueuedModel(model, shared / "requests.lock", asking.max_requests)
     if asking.limited:

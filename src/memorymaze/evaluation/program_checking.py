@@ -12,7 +12,7 @@ from memorymaze.errors import ProgramError
 from memorymaze.evaluation.program_files import missing_programs, read_programs
 from memorymaze.instructions.records import Instruction
 from memorymaze.language.json_lines import some
-from memorymaze.language.program_screening import screen_program
+from memorymaze.language.sandbox import screen_program
 
 Kind = Literal["problem", "unsafe", "crash", "model_error", "note"]
 """`problem`: the file cannot be used so. `unsafe`, `crash`, `model_error`: a record that

@@ -20,8 +20,8 @@ from memorymaze.evaluation.program_files import (
 from memorymaze.evaluation.settings import AgentSettings
 from memorymaze.instructions.records import Episode
 from memorymaze.language.json_lines import some
-from memorymaze.language.pricing import TokenPrice
 from memorymaze.language.sandbox import run_program
+from memorymaze.language.spending import TokenPrice
 from memorymaze.robot.api import Robot
 
 

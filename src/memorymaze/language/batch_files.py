@@ -15,8 +15,12 @@ from typing import Annotated, Any
 from pydantic import BaseModel, Field, StringConstraints, ValidationError
 
 from memorymaze.language.json_lines import json_record, lines_of, listed, shown
-from memorymaze.language.model import Completion, CompletionRequest, Usage
-from memorymaze.language.usable_text import why_unusable
+from memorymaze.language.model import (
+    Completion,
+    CompletionRequest,
+    Usage,
+    why_unusable,
+)
 
 Count = Annotated[int, Field(ge=0)]
 

@@ -3,6 +3,9 @@
 from dataclasses import dataclass
 from typing import Literal, Protocol
 
+LONGEST_REPLY = 200_000
+"""Characters beyond which a reply is taken for garbage."""
+
 
 @dataclass(frozen=True, slots=True)
 class Picture:
@@ -96,3 +99,37 @@ def takes_grammar(model: LanguageModel) -> bool:
     Models say so by an attribute `takes_grammar`; those without it give free replies.
     """
     return bool(getattr(model, "takes_grammar", False))
+
+
+class WrappedModel:
+    """A model asked through something; it keeps the name of the model that answers."""
+
+    def __init__(self, model: LanguageModel) -> None:
+        """Stand before a model."""
+        self._model = model
+
+    @property
+    def name(self) -> str:
+        """Name of the model asked."""
+        return self._model.name
+
+    @property
+    def takes_grammar(self) -> bool:
+        """Whether the model asked is held to a request's grammar."""
+        return takes_grammar(self._model)
+
+
+def why_unusable(
+    text: object, finish_reason: object = None, refusal: object = None
+) -> str | None:
+    """Say what is wrong with the text of an answer, or return None when it is a reply."""
+    if not isinstance(text, str) or not text.strip():
+        said = ""
+        if isinstance(refusal, str):
+            said = f"; it refuses: {' '.join(refusal.split())[:200]}"
+        return f"without text in it (finish_reason {finish_reason}){said}"
+    if len(text) > LONGEST_REPLY:
+        return f"of {len(text)} characters, more than {LONGEST_REPLY}"
+    if any("\ud800" <= each <= "\udfff" for each in text):
+        return "with halves of characters in it"
+    return None

@@ -3,15 +3,26 @@
 import base64
 import os
 import time
+from collections.abc import Iterator
 from typing import Any, Literal, NoReturn
 from urllib.parse import urlsplit
 
+import httpx2
 import openai
 
 from memorymaze.errors import LanguageModelError, SettingsError
-from memorymaze.language.bounded_http import bounded_client
-from memorymaze.language.model import Completion, CompletionRequest, Message, Usage
-from memorymaze.language.usable_text import why_unusable
+from memorymaze.language.model import (
+    Completion,
+    CompletionRequest,
+    Message,
+    Usage,
+    why_unusable,
+)
+
+LONGEST_ANSWER = 8 * 2**20
+"""Bytes of an answer beyond which it is taken for garbage."""
+_DEADLINE = "memorymaze_deadline"
+
 
 LONGEST_DELAY = 60.0
 """Seconds that are waited at most before an attempt."""
@@ -262,3 +273,53 @@ def _count(value: object) -> int:
 
 def _one_line(error: BaseException) -> str:
     return " ".join(str(error).split())[:300] or type(error).__name__
+
+
+def bounded_client(timeout: float) -> httpx2.Client:
+    """Make a client for the OpenAI library.
+
+    Args:
+        timeout: Seconds from a request to the end of its answer, at most. Later the
+            client raises what it raises when nothing comes at all.
+    """
+
+    def begin(request: httpx2.Request) -> None:
+        request.extensions = {
+            **request.extensions,
+            _DEADLINE: time.monotonic() + timeout,
+        }
+
+    def bound(response: httpx2.Response) -> None:
+        if isinstance(response.stream, httpx2.SyncByteStream):
+            response.stream = _BoundedStream(response.stream, response.request)
+
+    return openai.DefaultHttpxClient(
+        timeout=timeout, event_hooks={"request": [begin], "response": [bound]}
+    )
+
+
+class _BoundedStream(httpx2.SyncByteStream):
+    """The bytes of an answer, until it takes too long or gets too long."""
+
+    def __init__(self, stream: httpx2.SyncByteStream, request: httpx2.Request) -> None:
+        self._stream = stream
+        self._request = request
+
+    def __iter__(self) -> Iterator[bytes]:
+        deadline: float = self._request.extensions[_DEADLINE]
+        came = 0
+        for part in self._stream:
+            came += len(part)
+            if came > LONGEST_ANSWER:
+                raise LanguageModelError(
+                    f"the language model's server at {self._request.url} sent more than "
+                    f"{LONGEST_ANSWER} bytes in one answer"
+                )
+            if time.monotonic() > deadline:
+                raise httpx2.ReadTimeout(
+                    "the answer does not end", request=self._request
+                )
+            yield part
+
+    def close(self) -> None:
+        self._stream.close()

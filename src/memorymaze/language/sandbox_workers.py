@@ -16,7 +16,7 @@ from datetime import UTC, datetime
 from pydantic_monty import Monty, MontySession, ResourceLimits
 
 from memorymaze.errors import SettingsError
-from memorymaze.language.program_limits import LONGEST_COMPUTING_TIME
+from memorymaze.language.program_execution import LONGEST_COMPUTING_TIME
 
 GRACE = 0.5
 """Seconds after its time limit at which an interpreter that hangs is killed."""

@@ -1,19 +1,92 @@
-"""Limits on what a run may spend, kept by all its processes together."""
+"""What replies cost, and the limits on spending that all processes of a run keep together."""
 
+import fcntl
 import json
+import math
 import os
-from dataclasses import asdict, dataclass
+import time
+from collections.abc import Generator
+from contextlib import contextmanager
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import NamedTuple
 
-from memorymaze.errors import SpendingLimitReached
+from memorymaze.errors import SettingsError, SpendingLimitReached
 from memorymaze.language.model import (
     Completion,
     CompletionRequest,
     LanguageModel,
     Usage,
-    takes_grammar,
+    WrappedModel,
 )
+
+LOOKING_PERIOD = 0.02
+"""Seconds between looks for a free place."""
+
+
+@dataclass(frozen=True, slots=True)
+class TokenPrice:
+    """What a server charges, in US dollars per million tokens.
+
+    Raises:
+        SettingsError: A price is below 0, or no number.
+    """
+
+    prompt: float
+    completion: float
+
+    def __post_init__(self) -> None:
+        """Refuse what is no price."""
+        for amount in (self.prompt, self.completion):
+            if not (math.isfinite(amount) and amount >= 0):
+                raise SettingsError(
+                    "price: expected US dollars per million tokens, at least 0, got "
+                    f"{amount!r}"
+                )
+
+    def cost(self, prompt_tokens: int, completion_tokens: int) -> float:
+        """Return what a reply cost, US dollars."""
+        return (
+            prompt_tokens * self.prompt + completion_tokens * self.completion
+        ) / 1_000_000
+
+
+def parse_price(text: str) -> TokenPrice:
+    """Read `PROMPT,COMPLETION`, such as `0.15,0.60`.
+
+    Raises:
+        SettingsError: It is no pair of prices.
+    """
+    prompt, comma, completion = text.partition(",")
+    try:
+        if comma:
+            return TokenPrice(float(prompt), float(completion))
+    except ValueError:
+        pass
+    raise SettingsError(
+        "--price: expected PROMPT,COMPLETION in US dollars per million tokens, such as "
+        f"0.15,0.60; got {text!r}"
+    )
+
+
+class PricedModel(WrappedModel):
+    """A model whose replies say what they cost."""
+
+    def __init__(self, model: LanguageModel, price: TokenPrice) -> None:
+        """Put prices on a model's replies."""
+        super().__init__(model)
+        self._price = price
+
+    def complete(self, request: CompletionRequest) -> Completion:
+        """Return the model's reply with its cost.
+
+        Raises:
+            LanguageModelError: No usable answer came.
+        """
+        completion = self._model.complete(request)
+        usage = completion.usage
+        cost = self._price.cost(usage.prompt_tokens, usage.completion_tokens)
+        return replace(completion, usage=replace(usage, cost_usd=cost))
 
 
 class Spent(NamedTuple):
@@ -71,30 +144,25 @@ class Ledger:
         return self._spent
 
 
-@dataclass(frozen=True, slots=True)
-class LimitedModel:
+class LimitedModel(WrappedModel):
     """A model that is not asked any more once a limit is reached.
 
     The limit is looked at before each request, so that it is passed by at most what
     the requests cost that are under way at that moment.
     """
 
-    model: LanguageModel
-    ledger: Ledger
-    max_cost: float | None = None
-    """US dollars."""
-    max_tokens: int | None = None
-    """Of requests and replies together."""
-
-    @property
-    def name(self) -> str:
-        """Name of the model asked."""
-        return self.model.name
-
-    @property
-    def takes_grammar(self) -> bool:
-        """Whether the model asked is held to a request's grammar."""
-        return takes_grammar(self.model)
+    def __init__(
+        self,
+        model: LanguageModel,
+        ledger: Ledger,
+        max_cost: float | None = None,
+        max_tokens: int | None = None,
+    ) -> None:
+        """Limit US dollars, or tokens of requests and replies together."""
+        super().__init__(model)
+        self.ledger = ledger
+        self.max_cost = max_cost
+        self.max_tokens = max_tokens
 
     def complete(self, request: CompletionRequest) -> Completion:
         """Ask the model, if there is something left to spend.
@@ -115,7 +183,7 @@ class LimitedModel:
                 f"{spent.tokens} tokens are used, of {self.max_tokens} allowed with "
                 "--max-tokens-total"
             )
-        completion = self.model.complete(request)
+        completion = self._model.complete(request)
         self.ledger.add(completion.usage)
         if not completion.usage.completion_tokens:
             raise SpendingLimitReached(
@@ -129,3 +197,51 @@ class LimitedModel:
 def _sum(spent: Spent, usage: Usage) -> Spent:
     tokens = usage.prompt_tokens + usage.completion_tokens
     return Spent(spent.tokens + tokens, spent.cost_usd + (usage.cost_usd or 0.0))
+
+
+class QueuedModel(WrappedModel):
+    """A model that is asked only while fewer requests than a limit are under way.
+
+    The places are locks on single bytes of one file, which the system gives back when
+    a process ends, however it ends. Waiting for a place is no part of the latency.
+    """
+
+    def __init__(self, model: LanguageModel, path: Path | str, places: int) -> None:
+        """Prepare to queue.
+
+        Args:
+            model: Asked when there is a place.
+            path: File whose bytes are the places, the same for all processes.
+            places: Requests under way at most.
+        """
+        super().__init__(model)
+        self._path = Path(path)
+        self._places = places
+
+    def complete(self, request: CompletionRequest) -> Completion:
+        """Wait for a place and ask.
+
+        Raises:
+            LanguageModelError: No usable answer came.
+        """
+        with self._place():
+            return self._model.complete(request)
+
+    @contextmanager
+    def _place(self) -> Generator[None]:
+        with self._path.open("ab") as file:
+            while not any(
+                _taken(file.fileno(), place) for place in range(self._places)
+            ):
+                time.sleep(LOOKING_PERIOD)
+            # Closing the file gives the place back.
+            yield
+
+
+def _taken(handle: int, place: int) -> bool:
+    """Take a place if it is free."""
+    try:
+        fcntl.lockf(handle, fcntl.LOCK_EX | fcntl.LOCK_NB, 1, place)
+    except (BlockingIOError, PermissionError):
+        return False
+    return True

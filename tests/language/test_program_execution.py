@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from memorymaze.language.sandbox_values import read_arguments, to_sandbox
+from memorymaze.language.program_execution import read_arguments, to_sandbox
 from memorymaze.robot.api import Detection, MoveResult
 
 
