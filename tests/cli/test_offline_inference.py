@@ -9,11 +9,11 @@ from typing import Any
 import pytest
 
 from memorymaze.agents.code_generation import CodeGenerationRequests
+from memorymaze.agents.code_generation.replies import read_steps
 from memorymaze.evaluation.run_folder import read_run
 from memorymaze.instructions.files import load_instructions
 from memorymaze.language.model import CompletionRequest, Message
 from memorymaze.language.recorded_replies import RecordingModel
-from memorymaze.language.reply_reading import read_steps
 from memorymaze.language.scripted_model import ScriptedLanguageModel
 
 Memorymaze = Callable[..., Any]

@@ -17,16 +17,15 @@ from pathlib import Path
 
 import pytest
 
+from memorymaze.agents.code_generation.replies import read_steps, steps_grammar
 from memorymaze.evaluation.asking import AskingSettings
 from memorymaze.evaluation.driver import run_plan
 from memorymaze.evaluation.plan import plan_run
 from memorymaze.evaluation.run_folder import read_run
 from memorymaze.evaluation.settings import AgentSettings
 from memorymaze.evaluation.trace import read_trace
-from memorymaze.language.grammars import steps_grammar
 from memorymaze.language.local_models import SMOLLM2_FILE, local_model
 from memorymaze.language.model import CompletionRequest, Message
-from memorymaze.language.reply_reading import read_steps
 from memorymaze.results.tables.formats import format_tables
 from memorymaze.results.tables.rows import load_runs
 

@@ -16,8 +16,7 @@ import pytest
 
 from memorymaze.agents.agent import Journal
 from memorymaze.agents.navid import NavidAgent, NavidOptions, server
-from memorymaze.agents.navid.motions import Command
-from memorymaze.agents.navid.policy import Answer, Frame, Task
+from memorymaze.agents.navid.policy import Answer, Command, Frame, Task
 from memorymaze.errors import EpisodeOver, SettingsError
 from memorymaze.evaluation.agents_for_runs import build_agent
 from memorymaze.evaluation.asking import AskingSettings

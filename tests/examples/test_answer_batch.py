@@ -4,8 +4,8 @@ import runpy
 from pathlib import Path
 
 from memorymaze.agents.code_generation import CodeGenerationRequests
+from memorymaze.agents.code_generation.replies import read_program, read_steps
 from memorymaze.language.batch_files import read_replies, request_line
-from memorymaze.language.reply_reading import read_program, read_steps
 from memorymaze.language.sandbox import screen_program
 
 EXAMPLE = Path(__file__).parents[2] / "examples/answer_batch.py"

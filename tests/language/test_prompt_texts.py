@@ -5,10 +5,10 @@ from collections.abc import Callable
 
 import pytest
 
+from memorymaze.agents.code_generation.replies import read_program, read_steps
 from memorymaze.errors import EpisodeOver
 from memorymaze.instructions.files import load_instructions
 from memorymaze.language.prompt_texts import load_prompt
-from memorymaze.language.reply_reading import read_program, read_steps
 from memorymaze.language.sandbox import run_program
 from memorymaze.robot.specification import api_specification
 from memorymaze.sites import load_sites

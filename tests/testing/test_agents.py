@@ -6,7 +6,7 @@ import pytest
 from memorymaze.agents import AGENTS, Agent, Journal, StopAgent
 from memorymaze.agents.code_generation import CodeGenerationAgent
 from memorymaze.agents.navid import NavidAgent
-from memorymaze.agents.navid.vision_policy import VisionPolicy
+from memorymaze.agents.navid.model_policies import VisionPolicy
 from memorymaze.errors import EpisodeOver
 from memorymaze.geometry.pose import Pose
 from memorymaze.language.model import CompletionRequest

@@ -110,7 +110,7 @@ def _navid(settings: AgentSettings, options: Any) -> AgentFor:
 
 
 def _navid_options() -> type:
-    from memorymaze.agents.navid.settings import NavidOptions
+    from memorymaze.agents.navid.agent import NavidOptions
 
     return NavidOptions
 

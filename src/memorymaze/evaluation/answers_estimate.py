@@ -1,6 +1,6 @@
 """How often a run will ask its policy, said before it begins."""
 
-from memorymaze.agents.navid.settings import NavidOptions
+from memorymaze.agents.navid.agent import NavidOptions
 from memorymaze.evaluation.plan import RunPlan
 from memorymaze.evaluation.step_budgets import fair_steps, fewest_answers
 from memorymaze.options import read_options

@@ -8,7 +8,7 @@ import numpy as np
 
 from memorymaze.agents.agent import Journal
 from memorymaze.agents.navgpt import NavGPTAgent
-from memorymaze.agents.navgpt.settings import loop_limits
+from memorymaze.agents.navgpt.agent import loop_limits
 from memorymaze.errors import SettingsError
 from memorymaze.robot.api import Robot
 from memorymaze.robot.viewpoints import Panorama

@@ -58,8 +58,7 @@ def build_navid(settings: AgentSettings, options: NavidOptions) -> Agent:
 
 
 def _vision_policy(settings: AgentSettings, options: NavidOptions) -> Policy:
-    from memorymaze.agents.navid.blind_policy import BlindPolicy
-    from memorymaze.agents.navid.vision_policy import VisionPolicy
+    from memorymaze.agents.navid.model_policies import BlindPolicy, VisionPolicy
 
     if settings.model is None and settings.replay is None:
         raise SettingsError(
@@ -94,8 +93,11 @@ def _vision_policy(settings: AgentSettings, options: NavidOptions) -> Policy:
 def _remote_policy(
     settings: AgentSettings, options: NavidOptions, address: str
 ) -> Policy:
-    from memorymaze.agents.navid.client import PolicyServer
-    from memorymaze.agents.navid.remote_policy import RemotePolicy, ReplayedPolicy
+    from memorymaze.agents.navid.remote_policy import (
+        PolicyServer,
+        RemotePolicy,
+        ReplayedPolicy,
+    )
     from memorymaze.language.recorded_replies import RecordingModel, ReplayingModel
 
     if options.pictures == "none":

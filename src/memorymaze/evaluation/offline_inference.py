@@ -12,13 +12,13 @@ from dataclasses import dataclass
 from typing import Literal
 
 from memorymaze.agents.code_generation import CodeGenerationRequests
+from memorymaze.agents.code_generation.replies import read_program, read_steps
 from memorymaze.errors import LanguageModelError, ProgramFileError, SettingsError
 from memorymaze.evaluation.program_files import ProgramRecord, ProgramReply
 from memorymaze.instructions.records import Instruction
 from memorymaze.language.batch_files import BatchReply, request_line
 from memorymaze.language.json_lines import some
 from memorymaze.language.model import Completion
-from memorymaze.language.reply_reading import read_program, read_steps
 
 _ID = re.compile(r"(parse|program)((?:\+\w+)*)/(.+)", re.DOTALL)
 

@@ -8,8 +8,7 @@ import pytest
 
 from memorymaze.agents.agent import Agent, Journal
 from memorymaze.agents.navid import NavidAgent, NavidOptions
-from memorymaze.agents.navid.motions import Command
-from memorymaze.agents.navid.policy import Answer, Frame, Task
+from memorymaze.agents.navid.policy import Answer, Command, Frame, Task
 from memorymaze.errors import (
     CommandError,
     EpisodeOver,

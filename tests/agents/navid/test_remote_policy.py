@@ -1,36 +1,46 @@
 """Policy servers: the reference one, and ones that misbehave in every way."""
 
-import ast
-import base64
 import contextlib
 import io
 import json
+import runpy
 import socket
-import sys
 import threading
 from collections.abc import Callable, Iterator
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import httpx2
 import numpy as np
 import pytest
 from PIL import Image
+from pydantic.json_schema import models_json_schema
 
 from memorymaze.agents.agent import Journal
-from memorymaze.agents.navid import NavidAgent, server
-from memorymaze.agents.navid.client import LONGEST_ANSWER, PolicyServer
+from memorymaze.agents.navid import NavidAgent
 from memorymaze.agents.navid.policy import Policy
-from memorymaze.agents.navid.protocol import (
+from memorymaze.agents.navid.remote_policy import (
+    LONGEST_ANSWER,
     PROTOCOL,
     VERSION,
+    Acknowledgement,
+    ActReply,
+    ActRequest,
+    CloseRequest,
+    Failure,
+    PolicyServer,
+    RemotePolicy,
+    ReplayedPolicy,
+    ResetRequest,
     ServerInfo,
-    message_schema,
 )
-from memorymaze.agents.navid.remote_policy import RemotePolicy, ReplayedPolicy
 from memorymaze.errors import EpisodeOver, LanguageModelError, SettingsError
 from memorymaze.language.recorded_replies import RecordingModel, ReplayingModel
+
+EXAMPLE = Path(__file__).parents[3] / "examples" / "navid_server.py"
+server = SimpleNamespace(**runpy.run_path(str(EXAMPLE)))
 
 AHEAD = "The next action is move forward 75 cm."
 INFO = {
@@ -363,74 +373,23 @@ def test_what_may_pass_is_tried_again_and_no_picture_counts_twice(serve, robot):
     assert told.getvalue().count("RuntimeError: out of memory") == 2
 
 
-@pytest.mark.parametrize(
-    ("path", "message", "status", "said"),
-    [
-        ("/act", {"session": "x", "step": 0}, 409, "no session 'x'; send /reset"),
-        ("/act", {"step": 0}, 400, "'session' to be a str"),
-        ("/reset", {"protocol_version": 7}, 400, "version 1, got 7"),
-        ("/elsewhere", {}, 404, "POST /reset"),
-    ],
-)
-def test_the_reference_server_says_what_it_expects(serve, path, message, status, said):
-    answer = httpx2.post(serve(Watching("stop")) + path, json=message)
-
-    assert answer.status_code == status
-    assert said in answer.json()["error"]
-
-
-def test_the_reference_server_refuses_what_is_no_message(serve):
-    address = serve(Watching("stop"))
-    reset = {"protocol_version": 1, "session": "a", "instruction": "Go."}
-    assert httpx2.post(f"{address}/reset", json=reset).json() == {"ok": True}
-    shown = {
-        "session": "a",
-        "step": 0,
-        "image_jpeg_b64": base64.b64encode(b"no").decode(),
-    }
-
-    for body, said in (
-        (b"{", "expected a JSON object"),
-        (b"[]", "expected a JSON object"),
-        (json.dumps(shown).encode(), "JPEG"),
-    ):
-        answer = httpx2.post(f"{address}/act", content=body)
-        assert answer.status_code == 400
-        assert said in answer.json()["error"]
-
-
-def test_forgotten_sessions_make_room(serve, monkeypatch):
-    monkeypatch.setattr(server, "MOST_SESSIONS", 2)
-    watching = Watching("stop")
-    sessions = server.Sessions(watching)
-    for name in "abc":
-        sessions.answer(
-            "/reset", {"protocol_version": 1, "session": name, "instruction": "Go."}
-        )
-    assert watching.ended == 1
-
-
-def test_the_reference_server_is_one_file_for_python_3_8():
-    path = Path(server.__file__)
-    tree = ast.parse(path.read_text(encoding="utf-8"), feature_version=(3, 8))
-
-    imported = {
-        name.split(".")[0]
-        for node in ast.walk(tree)
-        for name in (
-            [alias.name for alias in node.names]
-            if isinstance(node, ast.Import)
-            else [node.module or ""]
-            if isinstance(node, ast.ImportFrom)
-            else []
-        )
-    }
-    assert imported <= sys.stdlib_module_names
-
-
 def test_the_documented_schema_is_that_of_the_messages():
+    messages = (
+        ServerInfo,
+        ResetRequest,
+        ActRequest,
+        ActReply,
+        CloseRequest,
+        Acknowledgement,
+        Failure,
+    )
+    _, schema = models_json_schema(
+        [(message, "validation") for message in messages],
+        title=f"{PROTOCOL}, version {VERSION}",
+    )
     page = Path(__file__).parents[3] / "docs" / "navid_protocol.schema.json"
-    assert json.loads(page.read_text(encoding="utf-8")) == message_schema()
+    draft = "https://json-schema.org/draft/2020-12/schema"
+    assert json.loads(page.read_text(encoding="utf-8")) == {"$schema": draft, **schema}
 
 
 def test_the_reference_server_answers_by_the_schema(serve):
@@ -438,29 +397,3 @@ def test_the_reference_server_answers_by_the_schema(serve):
 
     ServerInfo.model_validate_json(httpx2.get(f"{address}/info").content)
     assert (server.PROTOCOL, server.PROTOCOL_VERSION) == (PROTOCOL, VERSION)
-
-
-@pytest.mark.parametrize(
-    ("arguments", "said"),
-    [
-        (["--policy", "nothing.py:Policy"], "of a file that is there"),
-        (["--policy", "{file}:Policy"], "has no class 'Policy'"),
-        (["--script", "nothing.txt"], "No such file"),
-        (["--script", "{file}"], "has no lines"),
-        (["--port", "many"], "invalid int value"),
-    ],
-)
-def test_the_reference_server_explains_wrong_usage(
-    tmp_path, capsys, monkeypatch, arguments, said
-):
-    file = tmp_path / "empty.py"
-    file.touch()
-    monkeypatch.setattr(sys, "path", [*sys.path])
-    filled = [each.format(file=file) for each in arguments]
-    monkeypatch.setattr(sys, "argv", ["server.py", *filled])
-
-    with pytest.raises(SystemExit) as left:
-        server.main()
-
-    assert left.value.code == 2
-    assert said in capsys.readouterr().err

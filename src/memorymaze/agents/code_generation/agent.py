@@ -10,11 +10,13 @@ from typing import Any, cast
 import numpy as np
 
 from memorymaze.agents.agent import Journal
-from memorymaze.agents.code_generation.options import CodeGenerationOptions
-from memorymaze.agents.code_generation.requests import CodeGenerationRequests
+from memorymaze.agents.code_generation.replies import read_program, read_steps
+from memorymaze.agents.code_generation.requests import (
+    CodeGenerationOptions,
+    CodeGenerationRequests,
+)
 from memorymaze.errors import InterpreterLostError, ProgramError
 from memorymaze.language.model import CompletionRequest, LanguageModel
-from memorymaze.language.reply_reading import read_program, read_steps
 from memorymaze.language.sandbox import DEFAULT_LIMITS, ProgramLimits, run_program
 from memorymaze.robot.api import Robot
 from memorymaze.robot.specification import API_NAMES

@@ -5,17 +5,132 @@ Large Language Models" (AAAI). What is as in its released code and what is not:
 `docs/navgpt.md`.
 """
 
-from collections.abc import Sequence
-from dataclasses import asdict
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import asdict, dataclass, field
+from typing import Literal
 
 from memorymaze.agents.agent import Journal
-from memorymaze.agents.navgpt.parsing import MOVE_ACTION
-from memorymaze.agents.navgpt.reply_grammar import reply_grammar
-from memorymaze.agents.navgpt.settings import LoopLimits, NavGPTOptions
-from memorymaze.agents.navgpt.walk import Walk
+from memorymaze.agents.navgpt.observation import (
+    Place,
+    Scratchpad,
+    compass_degrees,
+    history_line,
+    observation_text,
+    summary_text,
+    ways_text,
+)
+from memorymaze.agents.navgpt.replies import (
+    MOVE_ACTION,
+    Finish,
+    Unreadable,
+    read_reply,
+    reply_grammar,
+    thought_of,
+)
+from memorymaze.errors import EpisodeOver, SettingsError
 from memorymaze.language.model import CompletionRequest, LanguageModel, Message
 from memorymaze.language.prompt_texts import load_prompt
-from memorymaze.robot.viewpoints import ViewpointRobot
+from memorymaze.robot.viewpoints import Journey, ViewpointRobot
+
+RELEASED_ITERATIONS = 10
+RELEASED_SCRATCHPAD = 7000
+FAIR_ITERATIONS = 2.0
+"""Requests per viewpoint on the longest route."""
+FAIR_FAILURES = 10
+"""As many as the released budget has requests in all."""
+
+
+@dataclass(frozen=True, slots=True)
+class NavGPTOptions:
+    """What can be set of the NavGPT agent.
+
+    Raises:
+        SettingsError: A value has no meaning.
+    """
+
+    budget: Literal["fair", "released"] = "fair"
+    """Limits of the loop: `released` as the released code has them (10 requests, a
+    scratchpad of 7000 characters), `fair` scaled to the longest route of the site."""
+    iterations: int | None = None
+    """Requests in an episode at most; none for what the budget says."""
+    scratchpad: int | None = None
+    """Characters of earlier steps that the model is shown; none for what the budget
+    says."""
+    failures: int | None = None
+    """Replies in a row that cannot be used, or moves refused, after which the episode
+    ends as `stuck`; none for what the budget says (fair: 10, released: no limit)."""
+    faithful: bool = False
+    """Whether two faults of the released code are kept: neighbours at headings from
+    337.5 degrees on are not shown, and of things of one name in a direction only one."""
+    captions: Literal["templates", "vision"] = "templates"
+    """Who describes what is seen: templates filled with what the camera truly sees, or a
+    vision model that is shown pictures."""
+    caption_model: str | None = None
+    """Vision model of the captions; none for the agent's own model."""
+    caption_file: str = "navgpt_captions.sqlite"
+    """File in which a vision model's captions are kept and looked up."""
+    grammar: bool = True
+    """Whether local models that can be held to a grammar are held to well-formed replies
+    and listed viewpoints; other models answer freely."""
+    temperature: float = 0.0
+    """Of the requests."""
+    max_tokens: int = 1024
+    """Longest reply."""
+    seed: int | None = None
+    """Passed to the model; none for none."""
+
+    def __post_init__(self) -> None:
+        """Refuse values without meaning."""
+        for name in ("iterations", "scratchpad", "failures", "max_tokens"):
+            value = getattr(self, name)
+            if value is not None and value < 1:
+                raise SettingsError(
+                    f"--set {name}: expected a whole number of at least 1, got {value}"
+                )
+        if not (math.isfinite(self.temperature) and self.temperature >= 0):
+            raise SettingsError(
+                f"--set temperature: expected at least 0, got {self.temperature}"
+            )
+        if self.captions == "templates" and self.caption_model is not None:
+            raise SettingsError(
+                "--set caption_model: templates ask no model; add --set captions=vision"
+            )
+
+
+@dataclass(frozen=True, slots=True)
+class LoopLimits:
+    """When the loop is broken off, and how far back the model sees."""
+
+    iterations: int
+    """Requests in an episode at most."""
+    scratchpad: int
+    """Characters of earlier steps that the model is shown."""
+    failures: int | None
+    """Failures in a row after which the episode ends as `stuck`; None for no limit."""
+
+
+def loop_limits(options: NavGPTOptions, longest_route: int) -> LoopLimits:
+    """Return the limits of an episode.
+
+    Fair: two requests for each viewpoint of the site's longest route, and a scratchpad
+    that grows with them as in the released code, 700 characters for each.
+
+    Args:
+        options: Which budget, and what is set besides.
+        longest_route: Viewpoints along the longest route of the site, whatever the route
+            of the episode, so that the limits tell nothing of it.
+    """
+    iterations, scratchpad, failures = RELEASED_ITERATIONS, RELEASED_SCRATCHPAD, None
+    if options.budget == "fair":
+        iterations = max(iterations, math.ceil(FAIR_ITERATIONS * longest_route))
+        scratchpad = iterations * RELEASED_SCRATCHPAD // RELEASED_ITERATIONS
+        failures = FAIR_FAILURES
+    return LoopLimits(
+        iterations=options.iterations or iterations,
+        scratchpad=options.scratchpad or scratchpad,
+        failures=options.failures or failures,
+    )
 
 
 class NavGPTAgent:
@@ -109,3 +224,151 @@ class NavGPTAgent:
         )
         journal.count(completion, stage="step")
         return completion.text
+
+
+Ask = Callable[[str, str, Sequence[str]], str]
+"""Returns the model's reply, given what is told of the start, the steps so far, and the
+ids of the viewpoints listed."""
+
+
+@dataclass
+class Counts:
+    """What happened in an episode."""
+
+    requests: int = 0
+    moves: int = 0
+    blocked_moves: int = 0
+    refused_unknown: int = 0
+    refused_not_adjacent: int = 0
+    parse_failures: dict[str, int] = field(default_factory=dict[str, int])
+
+
+class Walk:
+    """One episode: asks and goes, and keeps what the model is shown."""
+
+    def __init__(
+        self,
+        ask: Ask,
+        robot: ViewpointRobot,
+        journal: Journal,
+        limits: LoopLimits,
+        *,
+        faithful: bool = False,
+    ) -> None:
+        """Begin where the robot is."""
+        self.counts = Counts()
+        """What happened so far."""
+        self._ask = ask
+        self._robot = robot
+        self._journal = journal
+        self._limits = limits
+        self._faithful = faithful
+        self._pad = Scratchpad(limits.scratchpad, whole_steps=not self._faithful)
+        self._failures = 0
+
+    def run(self) -> None:
+        """Ask and go until the model says that it has arrived.
+
+        Raises:
+            EpisodeOver: A limit is reached, or the robot says so.
+        """
+        self._place = self._look(compass_degrees(self._robot.start_heading))
+        start = self._place
+        for _ in range(self._limits.iterations):
+            moved = self.counts.moves > 0
+            told = summary_text(start) if moved else self._full(start)
+            self.counts.requests += 1
+            listed = [way.viewpoint for way in self._place.ways]
+            reply = self._ask(told, self._pad.text(), listed)
+            self._journal.note("thought", text=thought_of(reply))
+            wish = read_reply(reply)
+            if isinstance(wish, Finish):
+                self._journal.note("final_answer", text=wish.answer)
+                return
+            if isinstance(wish, Unreadable):
+                faults = self.counts.parse_failures
+                faults[wish.fault] = faults.get(wish.fault, 0) + 1
+                self._journal.note("parse_failure", fault=wish.fault, told=wish.told)
+                self._fail(reply, wish.told)
+            else:
+                self._go(wish.viewpoint, reply)
+        raise EpisodeOver("budget")
+
+    def _go(self, viewpoint: str, reply: str) -> None:
+        before = self._place
+        journey = self._robot.go_to(viewpoint)
+        if journey.end == "arrived":
+            self._arrive(before, journey, reply)
+        elif journey.end == "blocked":
+            self.counts.blocked_moves += 1
+            self._journal.note(
+                "blocked_move",
+                viewpoint=viewpoint,
+                reason=journey.reason,
+                distance=journey.distance,
+            )
+            self._place = self._look(before.heading)
+            self._pad.add_move(
+                reply,
+                f"The way to {viewpoint} is blocked ({journey.reason}). You are back.\n"
+                + self._full(self._place),
+                f"The way to {viewpoint} was blocked ({journey.reason}).",
+            )
+        else:
+            self._refuse(viewpoint, journey, reply)
+
+    def _arrive(self, before: Place, journey: Journey, reply: str) -> None:
+        self.counts.moves += 1
+        self._failures = 0
+        way = next(way for way in before.ways if way.viewpoint == self._robot.viewpoint)
+        self._journal.note(
+            "move",
+            start=before.viewpoint,
+            end=way.viewpoint,
+            heading_deg=round(compass_degrees(way.heading), 2),
+            distance=journey.distance,
+        )
+        self._place = self._look(compass_degrees(way.heading))
+        self._pad.add_move(
+            reply, self._full(self._place), history_line(before, self._place)
+        )
+
+    def _refuse(self, viewpoint: str, journey: Journey, reply: str) -> None:
+        if journey.end == "unknown":
+            self.counts.refused_unknown += 1
+            why = "There is no such viewpoint."
+        else:
+            self.counts.refused_not_adjacent += 1
+            why = (
+                "That viewpoint is not next to yours, so it cannot be gone to at once."
+            )
+        self._journal.note("refused_move", viewpoint=viewpoint, why=journey.end)
+        self._fail(
+            reply,
+            f"{why} You did not move and are still at viewpoint "
+            f"{self._place.viewpoint}. From here you can go to: "
+            f"{ways_text(self._place)}.",
+        )
+
+    def _fail(self, reply: str, told: str) -> None:
+        self._pad.add_failure(reply, told)
+        self._failures += 1
+        limit = self._limits.failures
+        if limit is not None and self._failures >= limit:
+            raise EpisodeOver("stuck")
+
+    def _look(self, heading: float) -> Place:
+        robot = self._robot
+        place = Place(
+            robot.viewpoint, heading, robot.look_around(), tuple(robot.ways_on())
+        )
+        self._journal.note(
+            "observation",
+            viewpoint=place.viewpoint,
+            described_by=place.panorama.described_by,
+            text=self._full(place),
+        )
+        return place
+
+    def _full(self, place: Place) -> str:
+        return observation_text(place, faithful=self._faithful)

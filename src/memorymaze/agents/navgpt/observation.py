@@ -1,20 +1,111 @@
-"""What the model is told of a viewpoint: all round in full, or in a line of history."""
+"""What the model is told: the viewpoint in full or in a line, and its earlier steps.
 
+Directions are compass degrees in eight sectors, left and right.
+"""
+
+import math
 from collections import Counter
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
-from memorymaze.agents.navgpt.directions import (
-    DIRECTION_NAMES,
-    compass_degrees,
-    relative_words,
-    sector_bounds,
-    sector_of,
-    turn_words,
-)
+from memorymaze.geometry.pose import wrap_angle
 from memorymaze.robot.viewpoints import Panorama, SeenThing, WayOn
 
+LONGEST_FAILURE = 400
+"""Characters of a reply that could not be used; the rest is not shown again."""
+
+
+DIRECTION_NAMES = (
+    "Front",
+    "Front Right",
+    "Right",
+    "Rear Right",
+    "Rear",
+    "Rear Left",
+    "Left",
+    "Front Left",
+)
+"""Relative to the robot, in the order in which they are told: clockwise."""
+
 SECTORS = len(DIRECTION_NAMES)
+SECTOR_WIDTH = 360.0 / SECTORS
+ALMOST_NORTH = 1e-6
+"""Radians; a heading so little short of a full circle is 0."""
+
+
+def compass_degrees(heading: float) -> float:
+    """Return a heading in degrees clockwise from north, in [0, 360).
+
+    Args:
+        heading: Radians counter-clockwise from east.
+
+    >>> compass_degrees(0.0)
+    90.0
+    >>> compass_degrees(math.pi / 2 + 1e-9)
+    0.0
+    """
+    clockwise = (math.pi / 2 - heading) % (2 * math.pi)
+    if 2 * math.pi - clockwise < ALMOST_NORTH:
+        return 0.0
+    return math.degrees(clockwise)
+
+
+def sector_of(degrees: float, *, faithful: bool = False) -> int | None:
+    """Return the sector of a compass heading, 0 (north) to 7, clockwise.
+
+    The released code does not close the circle: from 337.5 degrees on it finds a ninth
+    sector, which is never told. `faithful` keeps that.
+
+    >>> sector_of(359.999)
+    0
+    >>> sector_of(359.999, faithful=True) is None
+    True
+    """
+    sector = math.floor((degrees + SECTOR_WIDTH / 2) / SECTOR_WIDTH)
+    if faithful:
+        return sector if 0 <= sector < SECTORS else None
+    return sector % SECTORS
+
+
+def sector_bounds(sector: int, heading: float) -> tuple[float, float]:
+    """Return where a sector begins and ends, seen by a robot.
+
+    Args:
+        sector: 0 to 7.
+        heading: The robot's, degrees clockwise from north.
+
+    Returns:
+        Degrees clockwise from the robot's heading, in (-180, 180].
+    """
+    middle = sector * SECTOR_WIDTH - heading
+    return (
+        _wrapped(middle - SECTOR_WIDTH / 2),
+        _wrapped(middle + SECTOR_WIDTH / 2),
+    )
+
+
+def relative_words(degrees: float, heading: float) -> str:
+    """Return where a compass heading lies from another: `left 12.00`, `right 3.50`.
+
+    Args:
+        degrees: Clockwise from north.
+        heading: The robot's, degrees clockwise from north.
+    """
+    return turn_words(_wrapped(degrees - heading))
+
+
+def turn_words(degrees: float) -> str:
+    """Return an angle in words, clockwise positive: `left 12.00`, `right 3.50`.
+
+    >>> turn_words(-0.001)
+    'right 0.00'
+    """
+    side = "left" if round(degrees, 2) < 0 else "right"
+    return f"{side} {abs(degrees):.2f}"
+
+
+def _wrapped(degrees: float) -> float:
+    return math.degrees(wrap_angle(math.radians(degrees)))
 
 
 @dataclass(frozen=True, slots=True)
@@ -122,3 +213,61 @@ def _one_of_each(things: Sequence[Sequence[SeenThing]]) -> list[_Named]:
     return [
         list({thing.name: thing for thing in reversed(seen)}.items()) for seen in things
     ]
+
+
+@dataclass(frozen=True, slots=True)
+class _Step:
+    said: str
+    """The model's words."""
+    told: str
+    """What came of them."""
+    short: str | None = None
+    """What stays of `told` after the next move; None for all of it."""
+
+
+class Scratchpad:
+    """The steps of one episode.
+
+    Only the observation of the place where the robot is now is told in full.
+    """
+
+    def __init__(self, limit: int, *, whole_steps: bool = True) -> None:
+        """Begin without steps.
+
+        Args:
+            limit: Characters that are shown, the last ones.
+            whole_steps: Whether steps that do not fit are left out as a whole, the
+                oldest first, but the full observation last. Otherwise one is cut.
+        """
+        self._limit = limit
+        self._whole_steps = whole_steps
+        self._steps: list[_Step] = []
+
+    def add_move(self, said: str, observation: str, short: str) -> None:
+        """Add a move that was made; earlier ones are told in short from now on."""
+        self._steps = [
+            replace(step, told=step.told if step.short is None else step.short)
+            for step in self._steps
+        ]
+        self._steps.append(_Step(said.strip(), observation, short))
+
+    def add_failure(self, said: str, told: str) -> None:
+        """Add a reply that led nowhere."""
+        said = said.strip()
+        if len(said) > LONGEST_FAILURE:
+            said = said[:LONGEST_FAILURE].rstrip() + " …"
+        self._steps.append(_Step(said, told))
+
+    def text(self) -> str:
+        """Return what is shown: the last characters of all steps."""
+        steps = list(self._steps)
+        whole = _written(steps)
+        here = next((step for step in reversed(steps) if step.short), None)
+        while self._whole_steps and len(steps) > 1 and len(whole) > self._limit:
+            del steps[1 if steps[0] is here else 0]
+            whole = _written(steps)
+        return whole[-self._limit :]
+
+
+def _written(steps: list[_Step]) -> str:
+    return "\n".join(f"{step.said}\nObservation: {step.told}\n" for step in steps)

@@ -1,6 +1,5 @@
 """The NaVid protocol: pictures so far and an instruction in, one short motion out."""
 
-from memorymaze.agents.navid.agent import NavidAgent
-from memorymaze.agents.navid.settings import NavidOptions
+from memorymaze.agents.navid.agent import NavidAgent, NavidOptions
 
 __all__ = ["NavidAgent", "NavidOptions"]

@@ -3,37 +3,131 @@
 import hashlib
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass
 from itertools import repeat
+from typing import Literal
 
 import numpy as np
 
 from memorymaze.agents.agent import Journal
-from memorymaze.agents.navid.motions import Command, Motion
 from memorymaze.agents.navid.policy import (
     FIELD_OF_VIEW_DEG,
     HEIGHT,
     WIDTH,
     Answer,
+    Command,
     Frame,
+    Motion,
+    Motions,
     Policy,
     PolicySession,
     Task,
     frame_name,
 )
-from memorymaze.agents.navid.reply_reading import (
+from memorymaze.agents.navid.replies import (
     Unreadable,
     read_reply,
     read_reply_as_released,
 )
-from memorymaze.agents.navid.settings import NavidOptions
-from memorymaze.errors import CommandError, EpisodeOver, LanguageModelError
+from memorymaze.errors import (
+    CommandError,
+    EpisodeOver,
+    LanguageModelError,
+    SettingsError,
+)
 from memorymaze.robot.api import Robot
 from memorymaze.robot.steps import SteppingRobot
+
+RELEASED_STEPS = 400
+"""Steps after which the released evaluation on R2R breaks off; on RxR it is 500."""
+
 
 STILL_METRES = 0.01
 """A step ahead of less is none."""
 
 RANDOM_MOTIONS: tuple[Motion, ...] = ("forward", "left", "right")
+
+
+@dataclass(frozen=True, slots=True)
+class NavidOptions:
+    """What can be set of the NaVid protocol's agent.
+
+    Raises:
+        SettingsError: A value has no meaning.
+    """
+
+    server: str | None = None
+    """Address of a policy server, such as http://localhost:8765; none asks the vision
+    model named by --model."""
+    budget: Literal["fair", "released"] = "fair"
+    """Steps of an episode: `released` as the released code has them (400, for R2R),
+    `fair` three times those of the longest route of the site."""
+    max_steps: int | None = None
+    """Steps of an episode at most; none for what the budget says. The released code
+    has 500 for RxR."""
+    still_steps: int = 25
+    """Steps in a row without a step ahead after which the episode ends as `stuck`."""
+    turn_deg: Literal[15, 30] = 30
+    """Degrees of one turn; an answer turns by one, two or three of them."""
+    faithful: bool = False
+    """Whether replies are read as the released code reads them, with its faults, and
+    an unreadable one becomes a random motion that is not a stop."""
+    failures: int = 5
+    """Unreadable decisions in a row after which the episode ends as `model_error`;
+    each is asked for once more before. Not with `faithful`."""
+    pictures: Literal["shown", "none"] = "shown"
+    """Whether a model named by --model is shown pictures: `none` is an ablation, told
+    as `blind` in tables, and the only way for models that know text alone."""
+    history: int = 8
+    """Past pictures that a vision model is shown: spread evenly, with the last one."""
+    history_width: int = 320
+    """Pixels of the width of past pictures; the current one has 640."""
+    temperature: float = 0.0
+    """Of a vision model. A server decides for itself (the released code: 0.2)."""
+    max_tokens: int = 300
+    """Longest reply of a vision model."""
+
+    def __post_init__(self) -> None:
+        """Refuse values without meaning."""
+        least = {
+            "max_steps": 1,
+            "still_steps": 1,
+            "failures": 1,
+            "history": 0,
+            "history_width": 32,
+            "max_tokens": 1,
+        }
+        for name, lowest in least.items():
+            value = getattr(self, name)
+            if value is not None and value < lowest:
+                raise SettingsError(
+                    f"--set {name}: expected a whole number of at least {lowest}, "
+                    f"got {value}"
+                )
+        if self.history_width > 640:
+            raise SettingsError(
+                f"--set history_width: expected 32 to 640, got {self.history_width}"
+            )
+        if not (math.isfinite(self.temperature) and self.temperature >= 0):
+            raise SettingsError(
+                f"--set temperature: expected at least 0, got {self.temperature}"
+            )
+
+    @property
+    def motions(self) -> Motions:
+        """The primitive motions."""
+        return Motions(turn_deg=self.turn_deg)
+
+    def step_limit(self, fair_steps: int | None) -> int | None:
+        """Return the steps of an episode at most; None where only the run's budgets count.
+
+        Args:
+            fair_steps: What the budget `fair` allows where the robot is; None for no
+                limit.
+        """
+        if self.max_steps is not None:
+            return self.max_steps
+        return RELEASED_STEPS if self.budget == "released" else fair_steps
 
 
 class NavidAgent:

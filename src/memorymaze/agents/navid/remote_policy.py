@@ -1,33 +1,40 @@
-"""A policy behind a server of the NaVid protocol; its answers can be recorded."""
+"""A policy behind a server of the NaVid protocol; its answers can be recorded.
+
+JSON over HTTP, version 1:
+
+    GET  /info    ->  ServerInfo
+    POST /reset   ResetRequest   ->  Acknowledgement
+    POST /act     ActRequest     ->  ActReply, or Acknowledgement when only observing
+    POST /close   CloseRequest   ->  Acknowledgement
+
+Pictures travel as base64 JPEG. A failure is any status from 400 with `{"error": "..."}`.
+Their JSON Schema is `docs/navid_protocol.schema.json`, and `examples/navid_server.py` a
+server that speaks it.
+"""
 
 import base64
 import contextlib
 import secrets
 import time
 from collections.abc import Callable
+from typing import Annotated, Any, Literal, TypeVar
+from urllib.parse import urlsplit
 
-from pydantic import ValidationError
+import httpx2
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
-from memorymaze.agents.navid.client import PolicyServer
-from memorymaze.agents.navid.motions import Command
 from memorymaze.agents.navid.policy import (
     CAMERA_HEIGHT_M,
     FIELD_OF_VIEW_DEG,
     HEIGHT,
     WIDTH,
     Answer,
+    Command,
     Frame,
+    Motion,
     Task,
 )
-from memorymaze.agents.navid.protocol import (
-    ActionSpace,
-    ActReply,
-    ActRequest,
-    CameraDescription,
-    CloseRequest,
-    ResetRequest,
-)
-from memorymaze.errors import LanguageModelError
+from memorymaze.errors import LanguageModelError, SettingsError
 from memorymaze.language.model import (
     Completion,
     CompletionRequest,
@@ -36,15 +43,322 @@ from memorymaze.language.model import (
     Usage,
 )
 
-CAMERA = CameraDescription(
-    width=WIDTH,
-    height=HEIGHT,
-    hfov_deg=FIELD_OF_VIEW_DEG,
-    height_m=CAMERA_HEIGHT_M,
-)
-
+Reply = TypeVar("Reply", bound=BaseModel)
+LONGEST_ANSWER = 1_000_000
+"""Bytes of an answer beyond which it is given up."""
 Recorder = Callable[[LanguageModel], LanguageModel]
 """Puts recorded replies between the policy and its server."""
+
+
+PROTOCOL = "memorymaze-navid"
+VERSION = 1
+
+Name = Annotated[str, Field(min_length=1, max_length=200, pattern=r"^[^\x00-\x1f]+$")]
+Session = Annotated[str, Field(min_length=1, max_length=64)]
+Amount = Annotated[float, Field(ge=0, allow_inf_nan=False)]
+Count = Annotated[int, Field(ge=0)]
+
+
+class _Sent(BaseModel):
+    """What the agent sends: exactly these fields."""
+
+    model_config = ConfigDict(
+        frozen=True, extra="forbid", use_attribute_docstrings=True
+    )
+
+
+class _Received(BaseModel):
+    """What a server answers: other fields are allowed and not looked at."""
+
+    model_config = ConfigDict(
+        frozen=True, extra="ignore", strict=True, use_attribute_docstrings=True
+    )
+
+
+class ServerInfo(_Received):
+    """Answer to `GET /info`."""
+
+    protocol: Literal["memorymaze-navid"]
+    protocol_version: int
+    """Of the messages; the agent speaks version 1."""
+    name: Name
+    """Of the model, as tables will show it: `NaVid protocol with <name>`."""
+    version: str = ""
+    """Of the model or its weights."""
+    deterministic: bool = False
+    """Whether the same episode gets the same answers."""
+
+
+class CameraDescription(_Sent):
+    """Of the pictures that will come; RGB order."""
+
+    width: int
+    """Pixels."""
+    height: int
+    """Pixels."""
+    hfov_deg: float
+    """Degrees."""
+    height_m: float
+    """Metres over the floor."""
+
+
+class ActionSpace(_Sent):
+    """The primitive motions."""
+
+    forward_m: float
+    """Metres."""
+    turn_deg: int
+    """Degrees."""
+    max_repeat: int
+    """Primitives of one kind that an answer may ask for."""
+
+
+class ResetRequest(_Sent):
+    """Body of `POST /reset`: a new episode begins."""
+
+    protocol_version: int = VERSION
+    session: Session
+    """Names the episode in all further messages; sessions may be open side by side."""
+    instruction: str
+    camera: CameraDescription
+    action_space: ActionSpace
+    seed: int
+    """For policies that draw lots."""
+
+
+class ActRequest(_Sent):
+    """Body of `POST /act`: the picture after a step.
+
+    Each step's picture comes once, in order, except that a request may come again when
+    its answer was lost or could not be read; `step` tells. The video is all pictures of
+    different steps, the current one too.
+    """
+
+    session: Session
+    step: Count
+    """Primitives done before the picture."""
+    image_jpeg_b64: str
+    observe_only: bool = False
+    """True: this is only the video; there are motions left to do. Answer `{"ok": true}`."""
+    problem: str | None = None
+    """Why the answer to this picture just before could not be used; None at first."""
+
+
+class MotionReply(_Received):
+    """A motion in a policy's own terms."""
+
+    type: Motion
+    repeat: Annotated[int, Field(ge=1)] = 1
+    """Primitives, up to `max_repeat`."""
+
+
+class ReplyUsage(_Received):
+    """What an answer cost."""
+
+    prompt_tokens: Count = 0
+    completion_tokens: Count = 0
+    cost_usd: Amount | None = None
+
+
+class ActReply(_Received):
+    """Answer to `POST /act`: the model's words, or motions, or both.
+
+    Motions count where there are any; otherwise the agent reads the words.
+    """
+
+    text: str = ""
+    """What the model said, unchanged."""
+    actions: Annotated[tuple[MotionReply, ...], Field(strict=False, max_length=8)] = ()
+    """Motions to do in turn."""
+    latency_ms: Amount | None = None
+    """Of the model alone, for information; the agent measures its own."""
+    usage: ReplyUsage = ReplyUsage()
+
+
+class Acknowledgement(_Received):
+    """Answer where nothing is asked."""
+
+    ok: Literal[True]
+
+
+class CloseRequest(_Sent):
+    """Body of `POST /close`: the episode is over."""
+
+    session: Session
+
+
+class Failure(_Received):
+    """Body of an answer with a status from 400."""
+
+    error: str
+
+
+class PolicyServer:
+    """A server of the NaVid protocol.
+
+    What may pass is tried again: a connection that fails or breaks, a time-out, and
+    statuses from 500. The protocol allows for a message that comes twice.
+    """
+
+    def __init__(
+        self,
+        address: str,
+        *,
+        timeout: float = 120.0,
+        retries: int = 4,
+        first_delay: float = 1.0,
+    ) -> None:
+        """Prepare a client; nothing is sent yet.
+
+        Args:
+            address: Such as `http://localhost:8765`.
+            timeout: Seconds that an answer may take, from first byte sent to last
+                received.
+            retries: Attempts after the first.
+            first_delay: Seconds before the second attempt; twice as many before each
+                further one.
+
+        Raises:
+            SettingsError: The address is none.
+        """
+        self.address = _checked(address)
+        self._timeout = timeout
+        self._retries = retries
+        self._first_delay = first_delay
+        # Connections that stay open would outlive the episode and go stale.
+        unkept = httpx2.Limits(max_keepalive_connections=0)
+        self._client = httpx2.Client(
+            timeout=timeout, follow_redirects=False, limits=unkept
+        )
+
+    def info(self) -> ServerInfo:
+        """Ask who is there.
+
+        Raises:
+            LanguageModelError: Nobody who speaks this version of the protocol.
+        """
+        info = self._exchange("GET", "/info", None, ServerInfo)
+        if info.protocol_version != VERSION:
+            raise self._error(
+                "/info",
+                f"speaks version {info.protocol_version} of the protocol, expected "
+                f"version {VERSION}; use a server made for this version",
+            )
+        return info
+
+    def tell(self, path: str, request: BaseModel) -> None:
+        """Send a message to which nothing is to be answered but that it came.
+
+        Raises:
+            LanguageModelError: No usable answer came.
+        """
+        self._exchange("POST", path, request, Acknowledgement)
+
+    def act(self, request: ActRequest) -> ActReply:
+        """Show a picture and ask for the next motion.
+
+        Raises:
+            LanguageModelError: No usable answer came.
+        """
+        reply = self._exchange("POST", "/act", request, ActReply)
+        if not (reply.text.strip() or reply.actions):
+            raise self._error("/act", "sent an answer with neither text nor actions")
+        return reply
+
+    def _exchange(
+        self, method: str, path: str, request: BaseModel | None, expected: type[Reply]
+    ) -> Reply:
+        body = None if request is None else request.model_dump_json()
+        attempt = 0
+        while True:
+            try:
+                status, answer = self._send(method, path, body)
+                if status < 500:
+                    return self._read(path, status, answer, expected)
+                cause = f"answered {status}: {_said(answer)}"
+            except httpx2.InvalidURL as error:
+                raise self._error(path, f"cannot be asked: {error}") from error
+            except httpx2.TimeoutException:
+                cause = f"did not answer within {self._timeout:g} s"
+            except httpx2.ConnectError as error:
+                cause = f"cannot be reached: {_one_line(error)}; is it running?"
+            except httpx2.HTTPError as error:
+                cause = f"broke off: {_one_line(error)}"
+            attempt += 1
+            if attempt > self._retries:
+                tried = f" ({attempt} attempts)" if attempt > 1 else ""
+                raise self._error(path, cause + tried)
+            time.sleep(self._first_delay * 2 ** (attempt - 1))
+
+    def _send(self, method: str, path: str, body: str | None) -> tuple[int, bytes]:
+        """Return status and body of the answer."""
+        latest = time.monotonic() + self._timeout
+        received = bytearray()
+        with self._client.stream(
+            method,
+            self.address + path,
+            content=body,
+            headers={"content-type": "application/json", "accept-encoding": "identity"},
+        ) as answer:
+            for piece in answer.iter_raw():
+                received += piece
+                if len(received) > LONGEST_ANSWER:
+                    raise self._error(
+                        path, f"sent an answer of more than {LONGEST_ANSWER} bytes"
+                    )
+                # Each piece may come in time and the whole never end.
+                if time.monotonic() > latest:
+                    raise httpx2.ReadTimeout("the answer did not end")
+            return answer.status_code, bytes(received)
+
+    def _read(
+        self, path: str, status: int, answer: bytes, expected: type[Reply]
+    ) -> Reply:
+        if status != 200:
+            raise self._error(path, f"answered {status}: {_said(answer)}")
+        try:
+            return expected.model_validate_json(answer)
+        except ValidationError as error:
+            first: Any = error.errors()[0]
+            where = ".".join(str(part) for part in first["loc"])
+            what = f"where {where!r} is wrong" if where else "that is wrong"
+            raise self._error(
+                path,
+                f"sent an answer {what} ({first['msg']}): {_beginning(answer)}",
+            ) from None
+
+    def _error(self, path: str, cause: str) -> LanguageModelError:
+        return LanguageModelError(f"policy server {self.address}{path} {cause}")
+
+
+def _checked(address: str) -> str:
+    try:
+        parts = urlsplit(address)
+        good = parts.scheme in {"http", "https"} and parts.hostname and parts.port != 0
+        good = good and not (parts.query or parts.fragment)
+    except ValueError:
+        good = False
+    if not good:
+        raise SettingsError(
+            "--set server: expected an address such as http://localhost:8765, got "
+            f"{address!r}"
+        )
+    return address.rstrip("/")
+
+
+def _said(answer: bytes) -> str:
+    try:
+        return " ".join(Failure.model_validate_json(answer).error.split())[:300]
+    except ValidationError:
+        return _beginning(answer)
+
+
+def _beginning(answer: bytes) -> str:
+    return repr(" ".join(answer[:300].decode("utf-8", "replace").split())[:80])
+
+
+def _one_line(error: BaseException) -> str:
+    return " ".join(str(error).split())[:200] or type(error).__name__
 
 
 class RemotePolicy:
@@ -154,18 +468,24 @@ class _Line:
         self._shown = -1
         self._waiting: tuple[Frame, str | None] | None = None
         motions = task.motions
-        server.reset(
+        server.tell(
+            "/reset",
             ResetRequest(
                 session=self._session,
                 instruction=task.instruction,
-                camera=CAMERA,
+                camera=CameraDescription(
+                    width=WIDTH,
+                    height=HEIGHT,
+                    hfov_deg=FIELD_OF_VIEW_DEG,
+                    height_m=CAMERA_HEIGHT_M,
+                ),
                 action_space=ActionSpace(
                     forward_m=motions.forward_m,
                     turn_deg=motions.turn_deg,
                     max_repeat=motions.most,
                 ),
                 seed=task.seed,
-            )
+            ),
         )
 
     @property
@@ -180,7 +500,7 @@ class _Line:
     def observe(self, frame: Frame) -> None:
         """Send a picture that was not sent yet."""
         if frame.step > self._shown:
-            self._server.observe(self._request(frame, observe_only=True))
+            self._server.tell("/act", self._request(frame, observe_only=True))
             self._shown = frame.step
 
     def complete(self, request: CompletionRequest) -> Completion:
@@ -204,7 +524,7 @@ class _Line:
     def close(self) -> None:
         """Say that it is over; a server that is gone has nothing to tidy up."""
         with contextlib.suppress(LanguageModelError):
-            self._server.close(CloseRequest(session=self._session))
+            self._server.tell("/close", CloseRequest(session=self._session))
 
     def _request(
         self, frame: Frame, *, observe_only: bool = False, problem: str | None = None

@@ -4,6 +4,7 @@
 `read_reply_as_released` does as the released NaVid evaluation does, faults and all.
 """
 
+import functools
 import json
 import math
 import re
@@ -11,7 +12,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any, cast
 
-from memorymaze.agents.navid.motions import Command, Motion, Motions
+from memorymaze.agents.navid.policy import Command, Motion, Motions
 
 LONGEST_REPLY = 20_000
 """Characters beyond which a reply is not read."""
@@ -194,3 +195,25 @@ def _agreed(read: list[Command | Unreadable]) -> Command | Unreadable:
 
 def _shown(value: object) -> str:
     return repr(value)[:40]
+
+
+@functools.cache
+def reply_grammar(motions: Motions) -> str:
+    """Return the grammar of the JSON object that the prompt asks for.
+
+    Args:
+        motions: The primitives; only whole multiples can be answered.
+    """
+    rules = [
+        r'root ::= "{\"reason\": \"" reason "\", \"action\": \"" action "}"',
+        "reason ::= [A-Z] [a-zA-Z0-9 ,.'-]{4,140}",
+        r'action ::= "stop\"" | forward | turn',
+        rf'forward ::= "forward\", \"amount\": " {_one_of(motions.amounts("forward"))}',
+        r'turn ::= ("left" | "right") "\", \"amount\": " '
+        + _one_of(motions.amounts("left")),
+    ]
+    return "\n".join(rules) + "\n"
+
+
+def _one_of(amounts: tuple[int, ...]) -> str:
+    return "(" + " | ".join(f'"{amount}"' for amount in amounts) + ")"

@@ -5,7 +5,7 @@ import pytest
 
 from memorymaze.agents import Journal
 from memorymaze.agents.navgpt import LoopLimits, NavGPTAgent, NavGPTOptions
-from memorymaze.agents.navgpt.settings import loop_limits
+from memorymaze.agents.navgpt.agent import loop_limits
 from memorymaze.errors import EpisodeOver, LanguageModelError, SettingsError
 from memorymaze.language.scripted_model import ScriptedLanguageModel
 from memorymaze.options import read_options

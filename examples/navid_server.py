@@ -1,11 +1,11 @@
 """A reference server of the NaVid protocol, with a scripted policy.
 
-    python -m memorymaze.agents.navid.server --port 8765
+    python examples/navid_server.py --port 8765
 
 It is one file that needs nothing but Python 3.8 or newer: copy it to the machine that has
 the weights, write a policy (see `docs/navid.md`), and start it there with
 
-    python server.py --policy my_navid.py:MyPolicy --host 0.0.0.0
+    python navid_server.py --policy my_navid.py:MyPolicy --host 0.0.0.0
 """
 
 from __future__ import annotations

@@ -2,7 +2,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from memorymaze.agents.navgpt.parsing import (
+from memorymaze.agents.navgpt.replies import (
     Finish,
     Move,
     Unreadable,

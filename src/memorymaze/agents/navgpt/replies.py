@@ -1,6 +1,7 @@
-"""Finds in a reply what the model wants: to go somewhere, to end, or nothing readable."""
+"""What a reply may be held to, and what the model wants by it: to go, to end, or neither."""
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -119,3 +120,21 @@ def _own_words(reply: str) -> str:
     text = _THINKING.sub("", reply.replace("\r\n", "\n"))
     invented = _OBSERVATION.search(text)
     return text[: invented.start()] if invented else text
+
+
+def reply_grammar(viewpoints: Sequence[str]) -> str:
+    """Return the grammar of one thought with a move or a final answer."""
+    rules = [
+        r'root ::= "Thought: " thought "\n" (finish | move)'
+        if viewpoints
+        else r'root ::= "Thought: " thought "\n" finish',
+        r"thought ::= [A-Z] [a-zA-Z0-9 ,.'-]{9,160}",
+        'finish ::= "Final Answer: arrived"',
+    ]
+    if viewpoints:
+        known = " | ".join(f'"{each}"' for each in viewpoints)
+        rules += [
+            rf'move ::= "Action: {MOVE_ACTION}\nAction Input: " id',
+            f"id ::= {known}",
+        ]
+    return "\n".join(rules) + "\n"

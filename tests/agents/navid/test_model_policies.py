@@ -11,10 +11,15 @@ from PIL import Image
 
 from memorymaze.agents.agent import Journal
 from memorymaze.agents.navid import NavidAgent, NavidOptions
-from memorymaze.agents.navid.motions import Command, Motions
-from memorymaze.agents.navid.reply_grammar import reply_grammar
-from memorymaze.agents.navid.reply_reading import read_reply
-from memorymaze.agents.navid.vision_policy import VisionPolicy, chosen_frames, rules
+from memorymaze.agents.navid.model_policies import (
+    SAID_MOTIONS,
+    BlindPolicy,
+    VisionPolicy,
+    chosen_frames,
+    rules,
+)
+from memorymaze.agents.navid.policy import Command, Motions
+from memorymaze.agents.navid.replies import read_reply, reply_grammar
 from memorymaze.errors import EpisodeOver, LanguageModelError
 from memorymaze.language.model import CompletionRequest, Picture
 from memorymaze.language.scripted_model import ScriptedLanguageModel
@@ -171,3 +176,46 @@ def test_no_words_of_the_benchmarks_buildings_are_in_the_prompts(prompt, builtin
     assert {name for name in names if re.search(rf"\b{re.escape(name)}\b", text)} == (
         set()
     )
+
+
+AHEAD = '{"reason": "Free", "action": "forward", "amount": 75}'
+LEFT = '{"reason": "There", "action": "left", "amount": 60}'
+STOP = '{"reason": "There", "action": "stop"}'
+
+
+def questions(robot: object, *replies: str) -> list[str]:
+    """Follow until the model says stop; return what it was asked."""
+    model = ScriptedLanguageModel(replies, name="reader")
+    agent = NavidAgent(BlindPolicy(model))
+    assert agent.name == "NaVid protocol with reader, blind+fair"
+    with pytest.raises(EpisodeOver, match="agent"):
+        agent.follow("To the desk.", robot, Journal(), np.random.default_rng(0))
+    assert not any(
+        message.pictures for request in model.requests for message in request.messages
+    )
+    return [request.messages[1].content for request in model.requests]
+
+
+def test_motions_of_a_kind_are_told_together(robot):
+    asked = questions(robot, AHEAD, AHEAD, LEFT, "Hm.", "Hm.", AHEAD, STOP)
+
+    told = [line for each in asked for line in each.splitlines() if "so far" in line]
+    assert told == [
+        "Motions so far, in 0 steps: none",
+        "Motions so far, in 3 steps: forward 75 cm",
+        "Motions so far, in 6 steps: forward 150 cm",
+        *["Motions so far, in 8 steps: forward 150 cm, left 60 degrees"] * 2,
+        "Motions so far, in 9 steps: forward 150 cm, left 60 degrees",
+        "Motions so far, in 12 steps: forward 150 cm, left 60 degrees, forward 75 cm",
+    ]
+    assert "could not be used" in asked[4]
+
+
+def test_of_long_walks_the_last_motions_are_told(robot):
+    turns = 30
+
+    asked = questions(robot, *[AHEAD, LEFT] * turns, STOP)
+
+    last = asked[-1].splitlines()[4]
+    assert ": …, forward 75 cm, left 60 degrees" in last
+    assert last.count("forward") + last.count("left") == SAID_MOTIONS

@@ -4,8 +4,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from memorymaze.agents.navid.motions import Command, Motions
-from memorymaze.agents.navid.reply_reading import (
+from memorymaze.agents.navid.policy import Command, Motions
+from memorymaze.agents.navid.replies import (
     Unreadable,
     read_reply,
     read_reply_as_released,
