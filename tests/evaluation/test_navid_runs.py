@@ -2,6 +2,7 @@
 
 import json
 import math
+import runpy
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
@@ -15,7 +16,7 @@ import numpy as np
 import pytest
 
 from memorymaze.agents.agent import Journal
-from memorymaze.agents.navid import NavidAgent, NavidOptions, server
+from memorymaze.agents.navid import NavidAgent, NavidOptions
 from memorymaze.agents.navid.policy import Answer, Command, Frame, Task
 from memorymaze.errors import EpisodeOver, SettingsError
 from memorymaze.evaluation.agents_for_runs import build_agent
@@ -29,6 +30,9 @@ from memorymaze.language.model import Completion, Usage
 from memorymaze.simulation import SimulatedRobot, SimulationSettings, build_scene
 from memorymaze.sites import Site
 from memorymaze.sites.records import Route
+
+EXAMPLE = Path(__file__).parents[2] / "examples" / "navid_server.py"
+server = SimpleNamespace(**runpy.run_path(str(EXAMPLE)))
 
 AHEAD = 1.2
 """Metres along the route that the stand-in aims at."""

@@ -7,10 +7,7 @@ from hypothesis import strategies as st
 from shapely import LineString
 
 from memorymaze.errors import SettingsError
-from memorymaze.evaluation.answers_estimate import answers_estimate
 from memorymaze.evaluation.budgets import default_time_budget
-from memorymaze.evaluation.plan import plan_run
-from memorymaze.evaluation.settings import AgentSettings
 from memorymaze.evaluation.step_budgets import (
     fair_steps,
     fewest_answers,
@@ -82,32 +79,3 @@ def test_only_agents_that_drive_by_steps_get_their_time(
     stepping = time_budget_for("navid", routes, settings)
     assert stepping == stepping_time_budget(routes, settings)
     assert stepping >= 1.4 * 3 * max(each.length for each in routes) / 0.25
-
-
-def test_a_run_tells_how_often_it_will_ask() -> None:
-    plan = plan_run(AgentSettings("stop"), limit=12)
-    assert answers_estimate(plan) is None
-    replayed = SimpleNamespace(agent=AgentSettings("navid", replay="replies.sqlite"))
-    assert answers_estimate(SimpleNamespace(settings=replayed)) is None  # type: ignore[arg-type]
-
-    def asked(**options: str) -> tuple[int, int]:
-        agent = AgentSettings("navid", options=tuple(options.items()))
-        settings = SimpleNamespace(agent=agent)
-        line = answers_estimate(
-            SimpleNamespace(  # type: ignore[arg-type]
-                settings=settings, episodes=plan.episodes, sites=plan.sites
-            )
-        )
-        assert line is not None
-        numbers = [int(word) for word in line.split() if word.isdigit()]
-        return numbers[0], numbers[1]
-
-    fewest, most = asked()
-    metres = sum(
-        plan.sites[each.instruction.site].route(each.instruction.reference_route).length
-        for each in plan.episodes
-    )
-    assert metres / 0.75 < fewest < most
-    assert asked(budget="released") == (fewest, 12 * 400)
-    # No route can be walked in 50 steps, so the budget ends every walk.
-    assert asked(max_steps="50") == (12 * 50, 12 * 50)

@@ -1,3 +1,5 @@
+"""-"""
+
 import io
 import json
 from dataclasses import replace
@@ -10,12 +12,13 @@ from PIL import Image
 from memorymaze.agents import Journal
 from memorymaze.errors import LanguageModelError, SettingsError
 from memorymaze.evaluation.vision_captions import (
+    CaptionKey,
+    CaptionStore,
     VisionCaptions,
     read_captions,
     take_pictures,
 )
-from memorymaze.language.caption_store import CaptionStore
-from memorymaze.language.model import Picture
+from memorymaze.language.model import Completion, Picture, Usage
 from memorymaze.language.scripted_model import ScriptedLanguageModel
 from memorymaze.robot.viewpoints import Panorama
 from memorymaze.simulation import SimulatedRobot, build_scene
@@ -146,3 +149,37 @@ def test_pictures_show_eight_directions(corridor_site: Site) -> None:
     sizes = {Image.open(io.BytesIO(picture.data)).size for picture in pictures}
     assert sizes == {(256, 512)}
     assert len({picture.data for picture in pictures}) == 8
+
+
+KEY = CaptionKey("scene", "viewpoint", "model", "prompt")
+CAPTIONS = (
+    Completion("Hm.", "model", Usage(900, 1, 0.002), 1.5),
+    Completion("A hall with é.", "model", Usage(1000, 50), 2.5),
+)
+
+
+def test_what_is_kept_is_found_again_by_another(tmp_path: Path) -> None:
+    path = tmp_path / "captions.sqlite"
+    assert CaptionStore(path).find(KEY) == ()
+    CaptionStore(path).keep(KEY, CAPTIONS)
+    assert CaptionStore(path).find(KEY) == CAPTIONS
+
+
+@pytest.mark.parametrize("part", ["scene", "viewpoint", "model", "prompt"])
+def test_captions_hold_for_what_determines_them_only(tmp_path: Path, part: str) -> None:
+    store = CaptionStore(tmp_path / "captions.sqlite")
+    store.keep(KEY, CAPTIONS)
+    assert store.find(replace(KEY, **{part: "other"})) == ()
+
+
+def test_the_first_captions_stay(tmp_path: Path) -> None:
+    store = CaptionStore(tmp_path / "captions.sqlite")
+    store.keep(KEY, CAPTIONS)
+    assert store.keep(KEY, CAPTIONS[:1]) == CAPTIONS
+
+
+def test_a_file_that_is_something_else_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "captions.txt"
+    path.write_text("no database at all, and long enough to tell that " * 40)
+    with pytest.raises(SettingsError, match=r"captions\.txt.*--set caption_file=FILE"):
+        CaptionStore(path)

@@ -4,20 +4,24 @@ import base64
 import contextlib
 import io
 import json
+import runpy
 import threading
 from collections.abc import Iterator
 from http.server import BaseHTTPRequestHandler, HTTPServer, ThreadingHTTPServer
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from PIL import Image
 
 from memorymaze.errors import DetectorError, SettingsError
-from memorymaze.perception.detector_server import main, make_server
 from memorymaze.perception.grounding_dino import ZeroShotFinder
 from memorymaze.perception.picture_detector import FoundBox
 from memorymaze.perception.remote_detector import RemoteFinder
+
+EXAMPLE = Path(__file__).parents[2] / "examples" / "detector_server.py"
+server = SimpleNamespace(**runpy.run_path(str(EXAMPLE)))
 
 RGB = np.random.default_rng(1).integers(0, 255, (480, 640, 3), dtype=np.uint8)
 GOOD = {"boxes": [[1, 2, 30, 40]], "labels": ["door"], "scores": [0.9]}
@@ -153,8 +157,8 @@ def test_what_is_no_address_is_refused(url: str):
 
 def test_the_reference_server_gives_what_the_model_finds(grounding_dino: Path):
     local = ZeroShotFinder(str(grounding_dino), box_threshold=0.1)
-    server = make_server(("127.0.0.1", 0), local.with_thresholds)
-    with serving(server) as url:
+    listening = server.make_server(("127.0.0.1", 0), local.with_thresholds)
+    with serving(listening) as url:
         remote = client(url, box_threshold=0.1).find(RGB, "red chair")
 
     assert remote == local.find(RGB, "red chair") != []
@@ -173,9 +177,9 @@ def test_the_reference_server_says_what_is_wrong_with_a_request(change, said: st
     import urllib.error
     import urllib.request
 
-    server = make_server(("127.0.0.1", 0), lambda *_: None)
+    listening = server.make_server(("127.0.0.1", 0), lambda *_: None)
     body = json.dumps({"image": "", "query": "door", **change}).encode()
-    with serving(server) as url:
+    with serving(listening) as url:
         with pytest.raises(urllib.error.HTTPError) as refused:
             urllib.request.urlopen(url, body, timeout=5)
         with refused.value as error:
@@ -184,5 +188,5 @@ def test_the_reference_server_says_what_is_wrong_with_a_request(change, said: st
 
 
 def test_the_reference_server_does_not_start_without_a_model(tmp_path: Path, capsys):
-    assert main([str(tmp_path / "none"), "--port", "0"]) == 2
+    assert server.main([str(tmp_path / "none"), "--port", "0"]) == 2
     assert "no such folder" in capsys.readouterr().err

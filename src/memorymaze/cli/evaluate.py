@@ -107,9 +107,8 @@ def add_parser(verbs: Verbs) -> None:
 
 def _run(options: argparse.Namespace) -> int:
     from memorymaze.errors import SettingsError
-    from memorymaze.evaluation.answers_estimate import answers_estimate
-    from memorymaze.evaluation.cost_estimate import cost_estimate
     from memorymaze.evaluation.driver import WALL_LIMIT, run_plan
+    from memorymaze.evaluation.estimates import answers_estimate, cost_estimate
     from memorymaze.evaluation.plan import plan_run
     from memorymaze.evaluation.summary import summarise, summary_lines
 

@@ -18,8 +18,7 @@ def navgpt_for_runs(settings: AgentSettings, options: NavGPTOptions) -> NavGPTOn
     agent = NavGPTAgent(model, options)
     if options.captions == "templates":
         return NavGPTOnGraph(agent)
-    from memorymaze.evaluation.vision_captions import VisionCaptions
-    from memorymaze.language.caption_store import CaptionStore
+    from memorymaze.evaluation.vision_captions import CaptionStore, VisionCaptions
 
     looking = model
     if options.caption_model is not None:

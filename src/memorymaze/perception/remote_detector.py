@@ -1,6 +1,6 @@
 """A detector behind an HTTP server; the JSON is described in `docs/perception.md`.
 
-`detector_server.py` is a server that speaks it.
+`examples/detector_server.py` is a server that speaks it.
 """
 
 import base64

@@ -3,11 +3,12 @@
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
 from memorymaze.evaluation.asking import AskingSettings
-from memorymaze.evaluation.cost_estimate import cost_estimate
+from memorymaze.evaluation.estimates import answers_estimate, cost_estimate
 from memorymaze.evaluation.plan import RunPlan, plan_run
 from memorymaze.evaluation.settings import AgentSettings
 from memorymaze.language.spending import TokenPrice
@@ -64,3 +65,32 @@ def test_nothing_is_said_without_prices(
 ) -> None:
     assert cost_estimate(plan(replace(ASKING, asking=AskingSettings()))) is None
     assert cost_estimate(plan(AgentSettings("stop"))) is None
+
+
+def test_a_run_tells_how_often_it_will_ask() -> None:
+    plan = plan_run(AgentSettings("stop"), limit=12)
+    assert answers_estimate(plan) is None
+    replayed = SimpleNamespace(agent=AgentSettings("navid", replay="replies.sqlite"))
+    assert answers_estimate(SimpleNamespace(settings=replayed)) is None  # type: ignore[arg-type]
+
+    def asked(**options: str) -> tuple[int, int]:
+        agent = AgentSettings("navid", options=tuple(options.items()))
+        settings = SimpleNamespace(agent=agent)
+        line = answers_estimate(
+            SimpleNamespace(  # type: ignore[arg-type]
+                settings=settings, episodes=plan.episodes, sites=plan.sites
+            )
+        )
+        assert line is not None
+        numbers = [int(word) for word in line.split() if word.isdigit()]
+        return numbers[0], numbers[1]
+
+    fewest, most = asked()
+    metres = sum(
+        plan.sites[each.instruction.site].route(each.instruction.reference_route).length
+        for each in plan.episodes
+    )
+    assert metres / 0.75 < fewest < most
+    assert asked(budget="released") == (fewest, 12 * 400)
+    # No route can be walked in 50 steps, so the budget ends every walk.
+    assert asked(max_steps="50") == (12 * 50, 12 * 50)

@@ -1,6 +1,6 @@
 """A server for `--detector remote:URL` with any zero-shot detection checkpoint.
 
-    python -m memorymaze.perception.detector_server CHECKPOINT --port 8000
+    python examples/detector_server.py CHECKPOINT --port 8000
 
 It answers POST requests to any path, one at a time, as `docs/perception.md` describes.
 Needs the extra `detector`. It has no log-in: let it listen where only you can reach it.
@@ -100,7 +100,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         0, or 2 where the checkpoint or the address cannot be used.
     """
     parser = argparse.ArgumentParser(
-        prog="python -m memorymaze.perception.detector_server",
+        prog="python examples/detector_server.py",
         description="Serve a zero-shot object detection checkpoint over HTTP.",
     )
     parser.add_argument(
