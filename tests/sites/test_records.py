@@ -1,9 +1,14 @@
 import math
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from shapely import Point, Polygon, box
+from shapely.affinity import rotate
 
+from memorymaze.errors import SitePlanError
 from memorymaze.sites import Landmark, Site
+from memorymaze.sites.records import corridor_centre_line, floor_pieces, union_of_floor
 
 
 def _thing(heading: float, obstacle: bool = True) -> Landmark:
@@ -83,3 +88,92 @@ def test_sites_read_from_the_same_plan_are_equal(
 ):
     assert tiny_sites["l_shape"] == l_site
     assert tiny_sites["loop"] != l_site
+
+
+def test_parts_that_share_an_edge_become_one_floor():
+    assert union_of_floor([box(0, 0, 4, 2), box(4, 0, 8, 2)]).area == pytest.approx(16)
+
+
+def test_a_seam_open_by_a_millimetre_is_closed():
+    floor = union_of_floor([box(0, 0, 4, 2), box(4.001, 0, 8, 2)])
+    assert floor.area == pytest.approx(16, abs=0.01)
+    assert len(floor.exterior.coords) == 5
+
+
+def test_a_sliver_between_overlapping_parts_is_no_hole():
+    parts = [box(0, 0, 4, 2), box(3.9, 0, 8, 0.5), box(4.0015, 0.4, 8, 2)]
+    assert len(union_of_floor(parts).interiors) == 0
+
+
+@pytest.mark.parametrize(
+    "other",
+    [
+        pytest.param(box(4.01, 0, 8, 2), id="gap of a centimetre"),
+        pytest.param(box(4, 2, 8, 4), id="corners that touch"),
+    ],
+)
+def test_parts_a_robot_cannot_pass_between_stay_apart(other: object):
+    parts = [box(0, 0, 4, 2), other]
+    assert len(floor_pieces(parts)) == 2
+    with pytest.raises(SitePlanError, match="got 2 pieces"):
+        union_of_floor(parts)
+
+
+def test_no_part_is_no_floor():
+    assert floor_pieces([]) == []
+    with pytest.raises(SitePlanError, match="got 0 pieces"):
+        union_of_floor([])
+
+
+@pytest.mark.parametrize(
+    ("corners", "expected"),
+    [
+        pytest.param([(0, 0), (8, 0), (8, 2), (0, 2)], [(0, 1), (8, 1)], id="east"),
+        pytest.param([(0, 2), (0, 0), (8, 0), (8, 2)], [(0, 1), (8, 1)], id="rolled"),
+        pytest.param([(0, 0), (2, 0), (2, 9), (0, 9)], [(1, 0), (1, 9)], id="north"),
+        pytest.param(
+            [(0, 0), (10, 0), (8, 2), (2, 2)], [(1, 1), (9, 1)], id="trapezium"
+        ),
+        pytest.param(
+            [(0, 2), (8, 2), (8, 0), (0, 0)], [(0, 1), (8, 1)], id="clockwise"
+        ),
+    ],
+)
+def test_the_centre_line_joins_the_middles_of_the_short_ends(
+    corners: list[tuple[float, float]], expected: list[tuple[float, float]]
+):
+    assert list(corridor_centre_line(Polygon(corners)).coords) == expected
+
+
+@given(
+    length=st.floats(3, 50),
+    width=st.floats(0.5, 2.9),
+    angle=st.floats(-math.pi, math.pi),
+)
+def test_the_centre_line_turns_with_the_corridor(
+    length: float, width: float, angle: float
+):
+    upright = Polygon([(0, 0), (length, 0), (length, width), (0, width)])
+    turned = rotate(upright, angle, origin=(0, 0), use_radians=True)
+    line = corridor_centre_line(turned)
+    back = rotate(line, -angle, origin=(0, 0), use_radians=True)
+    ends = sorted(back.coords)
+    assert line.length == pytest.approx(length)
+    assert [*ends[0], *ends[1]] == pytest.approx(
+        [0, width / 2, length, width / 2], abs=1e-6
+    )
+
+
+def test_a_centre_line_runs_down_the_middle_of_every_corridor(
+    builtin_sites: dict[str, Site],
+):
+    for site in builtin_sites.values():
+        for corridor in site.corridors:
+            middle = corridor.centre_line.interpolate(0.5, normalized=True)
+            assert corridor.polygon.contains(middle), corridor.id
+            assert corridor.length >= corridor.width * 0.9, corridor.id
+
+
+def test_a_shape_with_other_than_four_corners_has_no_centre_line():
+    with pytest.raises(ValueError, match="4 corners, got 3"):
+        corridor_centre_line(Polygon([(0, 0), (1, 0), (0, 1)]))

@@ -1,4 +1,8 @@
-"""Buildings: floor plans as records, loaded, checked and drawn."""
+"""Buildings: floor plans as records, how they are loaded, and the rules they keep.
+
+Also navigation graphs made from them. No time passes here, nothing moves, and nothing is
+drawn: see `simulation` and `drawing`. The format is in `docs/site_plans.md`.
+"""
 
 from memorymaze.sites.checking import check_site
 from memorymaze.sites.loading import (

@@ -1,21 +1,63 @@
-"""All rules of the format over one plan; what each means is in `docs/site_plans.md`."""
+"""All rules of the format over one plan, with those of the benchmark's floors.
 
-from collections.abc import Iterator
+What each rule means is in `docs/site_plans.md`.
+"""
+
+import math
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
 
-from memorymaze.sites.benchmark_rules import benchmark_findings, wording_findings
-from memorymaze.sites.conversion import site_from_content
-from memorymaze.sites.floor_rules import exact_floor, floor_findings
-from memorymaze.sites.problems import Finding, SiteProblem
+from memorymaze.sites import plan_models as models
+from memorymaze.sites.floor_rules import exact_floor, floor_findings, thing_findings
+from memorymaze.sites.loading import site_from_content
+from memorymaze.sites.loading_rules import (
+    FLOOR_RULES,
+    floor_is_complete,
+    loading_findings,
+)
+from memorymaze.sites.problems import PLAN, Finding, Rule, SiteProblem
 from memorymaze.sites.reading import read_plan
 from memorymaze.sites.records import Site
 from memorymaze.sites.route_rules import route_findings
-from memorymaze.sites.soundness import (
-    FLOOR_RULES,
-    floor_is_complete,
-    soundness_findings,
+
+
+@dataclass(frozen=True, slots=True)
+class _Expected:
+    turning_points: int = 14
+    things: int = 70
+    route_lengths: dict[str, float] = field(default_factory=dict[str, float])
+    """Metres of the reference routes as published (paper, Table I)."""
+
+
+ANY_FLOOR = _Expected()
+PUBLISHED = {
+    "university": _Expected(20, 120, {"R1": 40.27, "R2": 156.68}),
+    "museum_5f": _Expected(route_lengths={"R1": 71.18, "R2": 44.05}),
+    "museum_7f": _Expected(route_lengths={"R1": 86.10, "R2": 79.40}),
+}
+LENGTH_SLACK = 0.005
+"""Metres."""
+
+FLOOR_MATERIALS = ("carpet", "linoleum", "wood", "concrete", "tile")
+WALL_MATERIALS = ("plaster", "glass", "wood_panel", "brick", "concrete")
+ROOM_USES = (
+    "classroom",
+    "office",
+    "kitchen",
+    "library",
+    "conference_room",
+    "restroom",
+    "storage",
+    "exhibit",
+    "lab",
+    "shop",
+    "hall",
+    "stairwell",
 )
-from memorymaze.sites.thing_rules import thing_findings
+DOOR_STYLES = ("wood", "glass", "steel", "automatic_glass", "elevator", "fire")
+SNAKE_CASE = re.compile(r"[a-z0-9]+(_[a-z0-9]+)*")
 
 
 def check_site(path: str | Path) -> list[SiteProblem]:
@@ -35,15 +77,15 @@ def check_site(path: str | Path) -> list[SiteProblem]:
     site, broken, findings = site_from_content(content, str(path))
     findings = [*content.findings, *findings]
     if site is not None:
-        unsound = soundness_findings(site, broken)
+        unsound = loading_findings(site, broken)
         findings += unsound
         if floor_is_complete(broken) and not any(
             finding.rule in FLOOR_RULES for finding in unsound
         ):
             findings += _findings_on_floor(site)
         if not broken:
-            findings += benchmark_findings(site)
-    findings += wording_findings(content.header, content.features, path)
+            findings += _benchmark_findings(site)
+    findings += _wording_findings(content.header, content.features, path)
     return [finding.in_file(str(path)) for finding in findings]
 
 
@@ -52,3 +94,116 @@ def _findings_on_floor(site: Site) -> Iterator[Finding]:
     yield from floor_findings(site, floor)
     yield from thing_findings(site, floor)
     yield from route_findings(site, floor)
+
+
+def _benchmark_findings(site: Site) -> Iterator[Finding]:
+    """Find where a sound site differs in size from the benchmark's floors."""
+    expected = PUBLISHED.get(site.name, ANY_FLOOR)
+    things = len(site.doors) + len(site.landmarks)
+    counts: tuple[tuple[Rule, str, int, int], ...] = (
+        (
+            "turning-point-count",
+            "turning points",
+            expected.turning_points,
+            len(site.turning_points),
+        ),
+        ("thing-count", "doors and landmarks", expected.things, things),
+    )
+    for rule, what, least, got in counts:
+        if got < least:
+            yield Finding(
+                PLAN,
+                rule,
+                f"expected at least {least} {what}, as in the benchmark, got {got}",
+                "warning",
+            )
+    references = {each.route: each for each in site.routes if each.role == "reference"}
+    if references.keys() != {"R1", "R2"}:
+        yield Finding(
+            PLAN,
+            "route-names",
+            "expected reference routes R1 and R2, as in the benchmark, got "
+            f"{', '.join(sorted(references)) or 'none'}",
+            "warning",
+        )
+    for name, length in expected.route_lengths.items():
+        route = references.get(name)
+        if route and abs(route.line.length - length) > LENGTH_SLACK + 1e-9:
+            yield Finding(
+                route.id,
+                "published-length",
+                f"expected {length} m, the published length of {name} in {site.name}, "
+                f"got {route.line.length:.3f} m",
+            )
+
+
+def _wording_findings(
+    header: models.PlanHeader | None,
+    features: Sequence[models.FeatureModel],
+    path: Path,
+) -> Iterator[Finding]:
+    """Find words, names and angles that are usable but not those of the format."""
+    if header and header.name != path.stem:
+        yield Finding(
+            PLAN,
+            "name-is-stem",
+            f"expected the name to be the file's stem, {path.stem!r}, got "
+            f"{header.name!r}; instructions refer to the name",
+            "warning",
+        )
+    for feature in features:
+        if not SNAKE_CASE.fullmatch(feature.id):
+            yield Finding(
+                feature.id,
+                "id-snake-case",
+                "expected an id in lower-case letters, digits and underscores",
+                "warning",
+            )
+        for member, word, known in _words(feature):
+            if word not in known:
+                yield Finding(
+                    feature.id,
+                    "known-word",
+                    f"{member}: expected one of {', '.join(known)}, got {word!r}, "
+                    "which is kept",
+                    "warning",
+                )
+        for member, degrees in _headings(feature):
+            if not 0 <= degrees < 360:
+                turned = math.fmod(math.fmod(degrees, 360) + 360, 360)
+                yield Finding(
+                    feature.id,
+                    "heading-range",
+                    f"{member}: expected degrees in [0, 360), got {degrees:g}, which is "
+                    f"read as {turned:g}",
+                    "warning",
+                )
+
+
+def _words(
+    feature: models.FeatureModel,
+) -> Iterator[tuple[str, str, tuple[str, ...]]]:
+    match feature:
+        case models.CorridorFeature() | models.AreaFeature():
+            floor = feature.properties
+            yield "floor_material", floor.floor_material, FLOOR_MATERIALS
+            yield "wall_material", floor.wall_material, WALL_MATERIALS
+        case models.RoomFeature():
+            yield "use", feature.properties.use, ROOM_USES
+        case models.DoorFeature():
+            yield "style", feature.properties.style, DOOR_STYLES
+        case _:
+            return
+
+
+def _headings(feature: models.FeatureModel) -> Iterator[tuple[str, float]]:
+    match feature:
+        case models.TurningPointFeature():
+            for way in feature.properties.exits:
+                yield "exits.heading_deg", way.heading_deg
+        case models.LandmarkFeature():
+            yield "heading_deg", feature.properties.heading_deg
+        case models.RouteFeature():
+            yield "start_heading_deg", feature.properties.start_heading_deg
+        case _:
+            return

@@ -1,18 +1,36 @@
-"""Loading sites from plans in files, from folders, and from this package."""
+"""Sites from plans: those of this package, files and folders, made into records."""
 
+import math
+from collections.abc import Callable, Sequence
+from itertools import pairwise
 from pathlib import Path
+from typing import TypeVar
+
+from shapely import LineString, Point, Polygon
+from shapely.validation import explain_validity
 
 from memorymaze.errors import SettingsError, SitePlanError, did_you_mean
-from memorymaze.sites.conversion import site_from_content
-from memorymaze.sites.reading import read_plan
-from memorymaze.sites.records import Site
-from memorymaze.sites.soundness import soundness_findings
+from memorymaze.geometry.pose import wrap_angle
+from memorymaze.sites import plan_models as models
+from memorymaze.sites import records
+from memorymaze.sites.loading_rules import loading_findings
+from memorymaze.sites.problems import Finding, Rule
+from memorymaze.sites.reading import PlanContent, read_plan
+
+Record = TypeVar("Record")
+
+SMALLEST_AREA = 0.01
+"""A floor or room smaller than this many square metres is a slip of the pen."""
+SHORTEST_LINE = 0.01
+"""Metres."""
+CONVEX_SLACK = 1e-6
+"""Square metres a four-cornered corridor may lack of its hull."""
 
 BUILTIN_SITE_NAMES: tuple[str, ...] = ("university", "museum_5f", "museum_7f")
 """The three floors of the benchmark."""
 
 
-def load_site(site: str | Path) -> Site:
+def load_site(site: str | Path) -> records.Site:
     """Load one of the benchmark's sites, or a plan.
 
     Args:
@@ -29,7 +47,7 @@ def load_site(site: str | Path) -> Site:
     made, broken, shape_findings = site_from_content(plan, str(path))
     findings = [*plan.findings, *shape_findings]
     if made is not None:
-        findings += soundness_findings(made, broken)
+        findings += loading_findings(made, broken)
     if findings or made is None:
         first, *others = findings
         more = (
@@ -43,7 +61,7 @@ def load_site(site: str | Path) -> Site:
     return made
 
 
-def load_sites(folder: str | Path | None = None) -> dict[str, Site]:
+def load_sites(folder: str | Path | None = None) -> dict[str, records.Site]:
     """Load all plans of a folder, or the benchmark's own.
 
     Args:
@@ -59,7 +77,7 @@ def load_sites(folder: str | Path | None = None) -> dict[str, Site]:
     if folder is None:
         return {name: load_site(name) for name in BUILTIN_SITE_NAMES}
     paths = plan_paths(Path(folder))
-    sites: dict[str, Site] = {}
+    sites: dict[str, records.Site] = {}
     for path in paths:
         site = load_site(path)
         if site.name in sites:
@@ -104,3 +122,233 @@ def plan_file(site: str | Path) -> Path:
             f"got {str(site)!r}: no such file{did_you_mean(site, BUILTIN_SITE_NAMES)}"
         )
     return Path(site)
+
+
+class _ShapeError(Exception):
+    """A shape breaks a rule."""
+
+    def __init__(self, rule: Rule, message: str) -> None:
+        super().__init__(message)
+        self.rule: Rule = rule
+
+
+def site_from_content(
+    content: PlanContent, source: str
+) -> tuple[records.Site | None, dict[str, str], list[Finding]]:
+    """Make a Site of all features whose shapes are sound.
+
+    Returns:
+        The site, or None when the plan has no usable header; the kinds of the
+        features that are in the file but not in the site, by id; and what is wrong with shapes.
+    """
+    header = content.header
+    broken = dict(content.broken)
+    findings: list[Finding] = []
+    made: list[object] = []
+    for feature in content.features:
+        try:
+            made.append(_CONVERSIONS[type(feature)](feature))
+        except _ShapeError as error:
+            broken[feature.id] = _KINDS[type(feature)]
+            findings.append(Finding(feature.id, error.rule, str(error)))
+    if header is None:
+        return None, broken, findings
+
+    def all_of(kind: type[Record]) -> tuple[Record, ...]:
+        return tuple(each for each in made if isinstance(each, kind))
+
+    anchor = header.anchor
+    site = records.Site(
+        name=header.name,
+        title=header.title,
+        floor=header.floor,
+        ceiling_height=header.ceiling_height_m,
+        description=header.description,
+        anchor=anchor
+        and records.Anchor(
+            anchor.latitude, anchor.longitude, _radians(anchor.bearing_deg)
+        ),
+        corridors=all_of(records.Corridor),
+        areas=all_of(records.Area),
+        turning_points=all_of(records.TurningPoint),
+        rooms=all_of(records.Room),
+        doors=all_of(records.Door),
+        landmarks=all_of(records.Landmark),
+        routes=all_of(records.Route),
+        source=source,
+    )
+    return site, broken, findings
+
+
+def _radians(degrees: float) -> float:
+    return wrap_angle(math.radians(degrees))
+
+
+def _points(positions: Sequence[Sequence[float]]) -> list[tuple[float, float]]:
+    return [(position[0], position[1]) for position in positions]
+
+
+def _polygon(rings: Sequence[Sequence[Sequence[float]]]) -> Polygon:
+    for number, ring in enumerate(rings):
+        which = "outline" if number == 0 else f"hole {number}"
+        if len(ring) < 4:
+            raise _ShapeError(
+                "ring-closed",
+                f"expected at least 3 corners and the first one again in the {which}, "
+                f"got {len(ring)} positions",
+            )
+        if ring[0][:2] != ring[-1][:2]:
+            raise _ShapeError(
+                "ring-closed",
+                f"expected the {which} to end where it starts, at {ring[0][:2]}, got "
+                f"{ring[-1][:2]}; repeat the first position at the end",
+            )
+    polygon = Polygon(_points(rings[0]), [_points(ring) for ring in rings[1:]])
+    if not polygon.is_valid:
+        raise _ShapeError(
+            "polygon-valid",
+            "expected a simple polygon with its holes inside, got: "
+            f"{explain_validity(polygon)}",
+        )
+    if polygon.area < SMALLEST_AREA:
+        raise _ShapeError(
+            "polygon-valid",
+            f"expected an area of at least {SMALLEST_AREA} m², got {polygon.area:.2g} m²; "
+            "coordinates are metres, not degrees of longitude and latitude",
+        )
+    return polygon
+
+
+def _line(positions: Sequence[Sequence[float]]) -> LineString:
+    points = _points(positions)
+    for first, second in pairwise(points):
+        if math.dist(first, second) < SHORTEST_LINE:
+            raise _ShapeError(
+                "line-steps",
+                f"expected positions at least {SHORTEST_LINE} m apart, got {first} and "
+                f"{second}; remove one",
+            )
+    return LineString(points)
+
+
+def _corridor(feature: models.CorridorFeature) -> records.Corridor:
+    rings = feature.geometry.coordinates
+    polygon = _polygon(rings)
+    corners = len(rings[0]) - 1
+    sides = [
+        math.dist(a[:2], b[:2]) for a, b in zip(rings[0], rings[0][1:], strict=False)
+    ]
+    hull = polygon.convex_hull.area
+    if len(rings) > 1 or corners != 4 or min(sides) < SHORTEST_LINE:
+        raise _ShapeError(
+            "corridor-four-corners",
+            f"expected exactly 4 corners and no holes, got {corners} corners and "
+            f"{len(rings) - 1} holes; split a bent corridor in two, or make it an area",
+        )
+    if hull - polygon.area > CONVEX_SLACK:
+        raise _ShapeError(
+            "corridor-convex",
+            f"expected a convex shape, got one that lacks {hull - polygon.area:.3f} m² "
+            "of its hull; move the corner that points inwards, or make it an area",
+        )
+    properties = feature.properties
+    return records.Corridor(
+        feature.id,
+        polygon,
+        properties.name,
+        properties.floor_material,
+        properties.wall_material,
+    )
+
+
+def _area(feature: models.AreaFeature) -> records.Area:
+    properties = feature.properties
+    return records.Area(
+        feature.id,
+        _polygon(feature.geometry.coordinates),
+        properties.name,
+        properties.floor_material,
+        properties.wall_material,
+        properties.open_air,
+    )
+
+
+def _turning_point(feature: models.TurningPointFeature) -> records.TurningPoint:
+    properties = feature.properties
+    return records.TurningPoint(
+        feature.id,
+        _polygon(feature.geometry.coordinates),
+        properties.name,
+        properties.shape,
+        tuple(
+            records.Exit(way.to, _radians(way.heading_deg)) for way in properties.exits
+        ),
+    )
+
+
+def _room(feature: models.RoomFeature) -> records.Room:
+    return records.Room(
+        feature.id,
+        _polygon(feature.geometry.coordinates),
+        feature.properties.name,
+        feature.properties.use,
+    )
+
+
+def _door(feature: models.DoorFeature) -> records.Door:
+    properties = feature.properties
+    return records.Door(
+        feature.id,
+        _line(feature.geometry.coordinates),
+        properties.room,
+        properties.style,
+        properties.color,
+        properties.label,
+        properties.state,
+    )
+
+
+def _landmark(feature: models.LandmarkFeature) -> records.Landmark:
+    properties = feature.properties
+    length, depth, height = properties.size_m
+    return records.Landmark(
+        feature.id,
+        Point(_points([feature.geometry.coordinates])[0]),
+        properties.category,
+        properties.color,
+        properties.name,
+        properties.text,
+        _radians(properties.heading_deg),
+        (length, depth, height),
+        properties.mount,
+        properties.obstacle,
+    )
+
+
+def _route(feature: models.RouteFeature) -> records.Route:
+    properties = feature.properties
+    return records.Route(
+        feature.id,
+        _line(feature.geometry.coordinates),
+        properties.route,
+        properties.role,
+        _radians(properties.start_heading_deg),
+        properties.goal,
+        properties.goal_landmark,
+        properties.length_m,
+        tuple(records.RouteTurn(turn.at, turn.direction) for turn in properties.turns),
+        properties.note,
+    )
+
+
+_CONVERSIONS: dict[type[models.FeatureModel], Callable[..., object]] = {
+    models.CorridorFeature: _corridor,
+    models.AreaFeature: _area,
+    models.TurningPointFeature: _turning_point,
+    models.RoomFeature: _room,
+    models.DoorFeature: _door,
+    models.LandmarkFeature: _landmark,
+    models.RouteFeature: _route,
+}
+
+_KINDS = {model: kind for kind, model in models.FEATURE_MODELS.items()}

@@ -1,10 +1,11 @@
 """What a building's floor plan says, as immutable records.
 
-Metres; angles in radians counter-clockwise from +x in (-pi, pi]. Loading, checking and
-drawing live in the other files of this room.
+Metres; angles in radians counter-clockwise from +x in (-pi, pi]. Loading and checking
+live in the other files of this room.
 """
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Literal, cast
@@ -12,12 +13,15 @@ from typing import Literal, cast
 from shapely import LineString, MultiPolygon, Point, Polygon, box, union_all
 from shapely.affinity import affine_transform
 
-from memorymaze.errors import SettingsError, did_you_mean
+from memorymaze.errors import SettingsError, SitePlanError, did_you_mean
 from memorymaze.geometry.pose import Pose
-from memorymaze.sites.centre_lines import corridor_centre_line
-from memorymaze.sites.floor import union_of_floor
 
 Mount = Literal["floor", "wall", "ceiling"]
+
+SEAM_GAP = 1e-3
+"""Half the width in metres of the gaps and slivers that are closed in the floor."""
+SEAM_KINK = 5e-3
+"""Kinks in the floor's boundary smaller than this many metres are straightened."""
 
 
 @dataclass(frozen=True)
@@ -290,3 +294,59 @@ class Site:
         raise KeyError(
             f"site {self.name} has no reference route {route!r}; there are: {known}"
         )
+
+
+def floor_pieces(parts: Sequence[Polygon]) -> list[Polygon]:
+    """Unite floor polygons into connected pieces, the largest first.
+
+    Gaps and slivers up to 2 mm wide and kinks below 5 mm are smoothed away.
+    """
+    grown = union_all([part.buffer(SEAM_GAP, join_style="mitre") for part in parts])
+    floor = grown.buffer(-SEAM_GAP, join_style="mitre").simplify(SEAM_KINK)
+    pieces = [piece for piece in getattr(floor, "geoms", [floor]) if not piece.is_empty]
+    return sorted(pieces, key=lambda piece: piece.area, reverse=True)
+
+
+def union_of_floor(parts: Sequence[Polygon]) -> Polygon:
+    """Unite floor polygons that are connected; see `floor_pieces`.
+
+    Raises:
+        SitePlanError: There is no floor, or it is in several pieces.
+    """
+    pieces = floor_pieces(parts)
+    if len(pieces) != 1:
+        raise SitePlanError(
+            "floor-connected: expected corridors, areas and turning points that form "
+            f"one connected floor, got {len(pieces)} pieces; let neighbours overlap or "
+            "share an edge"
+        )
+    return pieces[0]
+
+
+def corridor_centre_line(polygon: Polygon) -> LineString:
+    """Return the line between the middles of a corridor's two short ends.
+
+    The ends are the pair of opposite sides that is shorter in sum, so the line follows
+    the long direction; of a square it joins the second and the fourth side. It runs
+    from the west end to the east end, or from south to north when it has no west.
+
+    Args:
+        polygon: Convex, with exactly four corners; metres.
+
+    Returns:
+        A line of two points, (2, 2) metres.
+
+    Raises:
+        ValueError: The polygon has not four corners.
+    """
+    corners = [(x, y) for x, y, *_ in polygon.exterior.coords[:-1]]
+    if len(corners) != 4:
+        raise ValueError(f"a corridor has 4 corners, got {len(corners)}")
+    sides = [(corners[i], corners[(i + 1) % 4]) for i in range(4)]
+    lengths = [math.dist(*side) for side in sides]
+    first_end = 1 if lengths[0] + lengths[2] >= lengths[1] + lengths[3] else 0
+    middles = [
+        ((a[0] + b[0]) / 2, (a[1] + b[1]) / 2)
+        for a, b in (sides[first_end], sides[first_end + 2])
+    ]
+    return LineString(sorted(middles))

@@ -4,9 +4,8 @@ from collections.abc import Iterator, Mapping
 
 from shapely import Point, union_all
 
-from memorymaze.sites.floor import floor_pieces
 from memorymaze.sites.problems import PLAN, Finding
-from memorymaze.sites.records import Site
+from memorymaze.sites.records import Site, floor_pieces
 
 SMALLEST_FREE_FLOOR = 0.01
 """Square metres."""
@@ -16,7 +15,7 @@ FLOOR_RULES = frozenset({"floor-size", "floor-connected", "floor-free"})
 """Rules whose breach leaves no floor to judge anything else by."""
 
 
-def soundness_findings(site: Site, broken: Mapping[str, str]) -> list[Finding]:
+def loading_findings(site: Site, broken: Mapping[str, str]) -> list[Finding]:
     """Return what keeps a site from being used, though each feature is sound.
 
     Args:
