@@ -19,9 +19,10 @@ from pathlib import Path
 
 from benchmarks.measuring import Row
 from memorymaze.evaluation.driver import run_plan
+from memorymaze.evaluation.local_workers import LocalWorkforce
 from memorymaze.evaluation.plan import RunPlan, plan_run
 from memorymaze.evaluation.settings import AgentSettings
-from memorymaze.evaluation.workforce import LocalWorkforce, Workforce
+from memorymaze.evaluation.worker_pool import Workforce
 from memorymaze.sites import BUILTIN_SITE_NAMES
 
 EPISODES = int(os.environ.get("MEMORYMAZE_SCALING_EPISODES", "96"))
@@ -122,7 +123,7 @@ def ray_workforce(workers: int) -> Iterator[Workforce | None]:
         print("scaling: ray is not installed; its rows are left out", file=sys.stderr)
         yield None
         return
-    from memorymaze.evaluation.ray_cluster import open_ray_cluster
+    from memorymaze.evaluation.ray_workers import open_ray_cluster
 
     os.environ.setdefault("RAY_USAGE_STATS_ENABLED", "0")
     # Ray's workers give way to all others by default, which local ones do not.

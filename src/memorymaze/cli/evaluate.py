@@ -18,10 +18,10 @@ from memorymaze.cli.agent_options import (
 )
 from memorymaze.cli.error_options import add_error_options, generated_instructions
 from memorymaze.cli.verbs import Verbs
-from memorymaze.cli.wording import counted
+from memorymaze.wording import counted
 
 if TYPE_CHECKING:
-    from memorymaze.evaluation.workforce import Workforce
+    from memorymaze.evaluation.worker_pool import Workforce
 
 
 def add_parser(verbs: Verbs) -> None:
@@ -163,12 +163,15 @@ def _run(options: argparse.Namespace) -> int:
 
 @contextlib.contextmanager
 def _workforce(options: argparse.Namespace) -> Generator["Workforce"]:
-    from memorymaze.evaluation.workforce import LocalWorkforce, available_cores
+    from memorymaze.evaluation.local_workers import LocalWorkforce
 
     if options.ray is None:
-        yield LocalWorkforce(options.workers or available_cores())
+        yield LocalWorkforce(options.workers)
         return
-    from memorymaze.evaluation.ray_cluster import open_ray_cluster
+    from memorymaze.extras import require_extra
+
+    require_extra("ray", "ray", purpose="--ray")
+    from memorymaze.evaluation.ray_workers import open_ray_cluster
 
     # Ray prints what it has to say of lost workers where results belong.
     with (

@@ -4,7 +4,7 @@ import argparse
 import sys
 
 from memorymaze.cli.verbs import Verbs
-from memorymaze.cli.wording import counted
+from memorymaze.wording import counted
 
 
 def add_parser(verbs: Verbs) -> None:

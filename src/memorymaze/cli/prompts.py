@@ -5,7 +5,7 @@ import sys
 
 from memorymaze.cli.agent_options import given_options
 from memorymaze.cli.verbs import Verbs
-from memorymaze.cli.wording import counted
+from memorymaze.wording import counted
 
 
 def add_parser(verbs: Verbs) -> None:

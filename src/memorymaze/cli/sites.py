@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from memorymaze.cli.verbs import Verbs
-from memorymaze.cli.wording import counted
+from memorymaze.wording import counted
 
 if TYPE_CHECKING:
     from memorymaze.sites import Site

@@ -7,7 +7,8 @@ from datetime import UTC, datetime
 from pathlib import Path
 
 from memorymaze.errors import MemoryMazeError, SettingsError, SpendingLimitReached
-from memorymaze.evaluation.episode_worker import EpisodeTask, LimitReached
+from memorymaze.evaluation.episode_worker import EpisodeTask, LimitReached, Lost
+from memorymaze.evaluation.local_workers import LocalWorkforce
 from memorymaze.evaluation.plan import RunPlan
 from memorymaze.evaluation.progress import Progress
 from memorymaze.evaluation.provenance import code_stamp
@@ -15,8 +16,7 @@ from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import RunFolder, RunRecord, open_run_folder
 from memorymaze.evaluation.summary import summarise
 from memorymaze.evaluation.trace import keep_trace
-from memorymaze.evaluation.worker_pool import Lost
-from memorymaze.evaluation.workforce import LocalWorkforce, Workforce
+from memorymaze.evaluation.worker_pool import WorkerPool, Workforce
 
 WALL_LIMIT = 3600.0
 """Real seconds an episode may take when nobody says otherwise."""
@@ -33,14 +33,14 @@ def run_plan(
     """Run all episodes of a plan that have no result yet.
 
     Results do not depend on the number of workers, nor on where they are, nor on the
-    order of episodes, nor on how often the run was broken off. An episode whose worker process dies is tried
-    once more, and then recorded as `crash`.
+    order of episodes, nor on how often the run was broken off. An episode whose worker
+    process dies is tried once more, and then recorded as `crash`.
 
     Args:
         plan: What to run.
         folder: Where results go; each is on the disk before the next is counted.
         workers: Processes on this machine, 0 for one per core; or who else does the
-            episodes, such as the workers of a cluster (`ray_cluster.py`).
+            episodes, such as the workers of a cluster (`ray_workers.py`).
         resume: Whether to finish a run that is in the folder already.
         wall_limit: Real seconds after which an episode is given up as `crash`, so that
             an agent that hangs does not hold up the run.
@@ -69,7 +69,7 @@ def run_plan(
         limit: str | None = None
         with (
             Progress(len(plan.episodes), len(run.finished)) as progress,
-            workforce.pool(plan, path, len(waiting), wall_limit) as pool,
+            WorkerPool(workforce.source(plan, path, len(waiting)), wall_limit) as pool,
         ):
             for task, outcome in pool.run(queue.choose):
                 if isinstance(outcome, Lost):

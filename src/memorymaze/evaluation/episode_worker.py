@@ -1,4 +1,4 @@
-"""What a worker process does with the episodes it is given."""
+"""What a worker process is given, what it does with it, and what comes of it."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -6,16 +6,17 @@ from dataclasses import dataclass
 import numpy as np
 
 from memorymaze.agents.agent import Journal
-from memorymaze.errors import SpendingLimitReached
-from memorymaze.evaluation.agent_failures import WorkerLost
+from memorymaze.errors import SettingsError, SpendingLimitReached
+from memorymaze.evaluation.agent_failures import WorkerLost, failure_line
 from memorymaze.evaluation.agents_for_runs import build_agent
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.episode import run_episode
+from memorymaze.evaluation.eyes_for_runs import checked_eyes
+from memorymaze.evaluation.looks_for_runs import looks_of_run
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.settings import RunSettings
 from memorymaze.evaluation.trace import trace_content
 from memorymaze.instructions.records import Episode
-from memorymaze.perception.eyes import Eyes
 from memorymaze.robot.api import Robot
 from memorymaze.sites import Site
 
@@ -37,6 +38,19 @@ class LimitReached:
 
 
 @dataclass(frozen=True, slots=True)
+class Lost:
+    """A task of which nothing came: its worker died, or the working function raised."""
+
+    reason: str
+    """Such as `the worker process was killed by SIGKILL`."""
+    overdue: bool = False
+    """Whether it was ended because it took longer than a task may."""
+
+
+EpisodeOutcome = EpisodeDone | LimitReached | Lost
+
+
+@dataclass(frozen=True, slots=True)
 class EpisodeTask:
     """An episode to run."""
 
@@ -54,28 +68,42 @@ class EpisodeWorker:
     settings: RunSettings
     sites: dict[str, Site]
 
-    def __call__(self) -> Callable[[EpisodeTask], EpisodeDone | LimitReached]:
+    def __call__(self) -> Callable[[EpisodeTask], EpisodeOutcome]:
         """Make the agent; return the function."""
         agent_for = build_agent(self.settings.agent)
         obstacles = self.settings.obstacles
-        eyes = Eyes(self.settings.detector, self.settings.signs)
+        # On another machine than the plan's they may be missing, or see other looks.
+        eyes = checked_eyes(self.settings.detector, self.settings.signs)
+        _check_looks(self.settings)
         arenas = {
             name: Arena(site, obstacles, eyes) for name, site in self.sites.items()
         }
 
-        def run(task: EpisodeTask) -> EpisodeDone | LimitReached:
+        def run(task: EpisodeTask) -> EpisodeOutcome:
             episode = task.episode
-            agent = agent_for(episode)
-            if task.lost is not None:
-                agent = _LostAgent(agent.name, task.lost)
             arena = arenas[episode.instruction.site]
             try:
+                agent = agent_for(episode)
+                if task.lost is not None:
+                    agent = _LostAgent(agent.name, task.lost)
                 done = run_episode(agent, episode, arena, self.settings)
             except SpendingLimitReached as limit:
                 return LimitReached(str(limit))
+            except BaseException as error:
+                return Lost(failure_line(error))
             return EpisodeDone(done.result, trace_content(done.trace))
 
         return run
+
+
+def _check_looks(settings: RunSettings) -> None:
+    here = looks_of_run(settings.agent.name, settings.detector, settings.signs)
+    if here != settings.looks:
+        raise SettingsError(
+            f"looks of things: expected {settings.looks}, as where the run was begun, "
+            f"got {here}; run `memorymaze sites models` on every node or on none, and "
+            "give MEMORYMAZE_LOOKS alike"
+        )
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,35 +1,27 @@
-"""Processes that work through tasks, and may die doing so.
+"""Workers that run one episode after another, and may die doing so.
 
-Unlike the pools of the standard library, this one outlives its workers: a worker that
-is killed or crashes costs the task it had in hand, which is reported as lost, and is
-replaced. It knows nothing of episodes.
+Holds what a worker must be able to do and the pool that gives workers their tasks.
+Workers are processes of this machine (`local_workers.py`) or of a Ray cluster
+(`ray_workers.py`); the pool and the driver know neither.
+
+Unlike the pools of the standard library, this one outlives its workers: a worker that is
+killed or crashes costs the task it had in hand, which is reported as lost, and is
+replaced.
 """
 
-import contextlib
-import math
-import multiprocessing
-import os
-import signal
-import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from multiprocessing.connection import Connection, wait
-from multiprocessing.process import BaseProcess
-from typing import Generic, TypeVar
+from pathlib import Path
+from typing import Any, Literal, Protocol
 
 from memorymaze.errors import MemoryMazeError
-from memorymaze.evaluation.agent_failures import failure_line
-
-Task = TypeVar("Task")
-Outcome = TypeVar("Outcome")
-
-# Children that begin afresh hold no locks or threads of the parent's libraries.
-PROCESSES = multiprocessing.get_context("spawn")
+from memorymaze.evaluation.episode_worker import EpisodeOutcome, EpisodeTask, Lost
+from memorymaze.evaluation.plan import RunPlan
+from memorymaze.evaluation.settings import RunSettings
 
 STARTS = 3
-"""Processes that may die in a row before they are ready; then the run ends."""
-
+"""Workers of one place that may die in a row before they are ready; then the run ends."""
 
 LOOKING_PERIOD = 1.0
 """Seconds between looks at whether workers live: where a child of a dead worker holds
@@ -39,75 +31,119 @@ LEAVING_TIME = 5.0
 """Seconds that an idle worker has for closing what it opened."""
 
 
-@dataclass(frozen=True, slots=True)
-class Lost:
-    """A task of which nothing came: its worker died, or the working function raised."""
+class WorkerDied(Exception):
+    """A worker is gone; the message says how, as far as anything is known."""
 
-    reason: str
-    """Such as `the worker process was killed by SIGKILL`."""
-    overdue: bool = False
-    """Whether it was ended because it took longer than a task may."""
+
+class Worker(Protocol):
+    """One process that does one task after another, somewhere."""
+
+    def send(self, task: EpisodeTask) -> None:
+        """Give it a task; that it is dead is noticed when something is received."""
+        ...
+
+    def receive(self) -> EpisodeOutcome | Literal["ready"] | None:
+        """Take what it says: that it is ready, its task's outcome, or nothing of note.
+
+        Raises:
+            WorkerDied: Nothing will come any more.
+            MemoryMazeError: It cannot be prepared.
+        """
+        ...
+
+    def end(self, *, at_once: bool) -> None:
+        """End it, whatever it does, or in its own way where it is idle."""
+        ...
+
+    def join(self) -> None:
+        """Wait until it is gone; one that takes longer than `LEAVING_TIME` is killed."""
+        ...
+
+
+class WorkerSource(Protocol):
+    """Starts workers that are prepared for one run."""
+
+    @property
+    def count(self) -> int:
+        """Workers there shall be; 0 where there is nothing to do."""
+        ...
+
+    @property
+    def starting_limit(self) -> float:
+        """Seconds to wait for the first worker."""
+        ...
+
+    @property
+    def advice(self) -> str:
+        """What to do where workers do not start."""
+        ...
+
+    def start(self) -> Worker:
+        """Start one; it says when it is ready."""
+        ...
+
+    def wait(self, workers: Sequence[Any], seconds: float) -> Sequence[Worker]:
+        """Return those of its workers that have something to say, waiting for one."""
+        ...
+
+
+class Workforce(Protocol):
+    """Where the workers of a run come from."""
+
+    def __str__(self) -> str:
+        """Say how many there are, and where."""
+        ...
+
+    def check(self, settings: RunSettings) -> None:
+        """Refuse, before anything is written, what these workers cannot do.
+
+        Raises:
+            SettingsError: Says what, and what to do instead.
+        """
+        ...
+
+    def source(self, plan: RunPlan, folder: Path, episodes: int) -> WorkerSource:
+        """Return where the workers for the episodes of a plan come from."""
+        ...
 
 
 @dataclass
-class _Worker(Generic[Task]):
-    process: BaseProcess
-    connection: Connection
+class _Place:
+    """A worker, and those that died in its place in a row before they were ready."""
+
+    worker: Worker
     deaths: int
-    """Processes in this place that died in a row before they were ready."""
     ready: bool = False
-    task: Task | None = None
+    task: EpisodeTask | None = None
     began: float = 0.0
-    """When it could begin its task, by the monotonic clock."""
+    """When it was given its task, by the monotonic clock."""
 
 
-class WorkerPool(Generic[Task, Outcome]):
-    """Some processes, each with its own working function; use it in a `with`.
+class WorkerPool:
+    """Some workers of one source; used in a `with`, which ends them."""
 
-        with WorkerPool(prepare, 2) as pool:
-            for task, outcome in pool.run(choose):
-                ...
-
-    Args:
-        prepare: Called once in every process, and makes the function that does tasks
-            there; must be picklable. A `MemoryMazeError` it raises ends the run.
-        count: Number of processes, at least 1.
-        patience: Real seconds a task may take; then its worker is ended.
-    """
-
-    def __init__(
-        self,
-        prepare: Callable[[], Callable[[Task], Outcome]],
-        count: int,
-        patience: float = math.inf,
-    ) -> None:
-        """Remember what to start; processes start in `run`."""
-        self._prepare = prepare
-        self._count = count
+    def __init__(self, source: WorkerSource, patience: float) -> None:
+        """Remember what to start, and the seconds a task may take."""
+        self._source = source
         self._patience = patience
-        self._workers: dict[int, _Worker[Task]] = {}
+        self._places: list[_Place] = []
 
-    def __enter__(self) -> "WorkerPool[Task, Outcome]":
+    def __enter__(self) -> "WorkerPool":
         """Return itself."""
         return self
 
     def __exit__(self, *_: object) -> None:
-        """End all processes: those with a task at once, idle ones in their own way."""
-        for worker in self._workers.values():
-            if worker.task is None:
-                worker.connection.close()
-            else:
-                worker.process.kill()
-        for worker in self._workers.values():
-            worker.process.join(LEAVING_TIME)
-            worker.process.kill()
-            worker.process.join()
-            worker.connection.close()
-        self._workers.clear()
+        """End all workers: idle ones in their own way, all others at once."""
+        for place in self._places:
+            idle = place.ready and place.task is None
+            place.worker.end(at_once=not idle)
+        for place in self._places:
+            place.worker.join()
+        self._places.clear()
 
     def run(
-        self, choose: Callable[[int], Task | None]
-    ) -> Iterator[tuple[Task, Outcome | Lost]]:
+        self, choose: Callable[[int], EpisodeTask | None]
+    ) -> Iterator[tuple[EpisodeTask, EpisodeOutcome]]:
         """Work until no worker has a task and there is none to give.
 
         Args:
@@ -115,144 +151,79 @@ class WorkerPool(Generic[Task, Outcome]):
                 there is none now. It is asked again after every outcome.
 
         Yields:
-            Every task given, once, with what came of it, in the order of completion.
+            Every task given, once, with what came of it, in the order of completion;
+            `Lost` where its worker died, was ended because it took too long, or raised.
 
         Raises:
-            MemoryMazeError: A worker could not be prepared.
+            MemoryMazeError: Workers could not be started or prepared.
         """
-        while True:
-            for number in range(self._count):
-                worker = self._workers.get(number)
-                if worker is None or worker.task is None:
-                    task = choose(number)
-                    if task is not None:
-                        worker = worker or self._start(number, deaths=0)
-                        _give(worker, task)
-            busy = [w for w in self._workers.values() if w.task is not None]
-            if not busy:
-                return
-            wait([worker.connection for worker in busy], LOOKING_PERIOD)
-            for number, worker in list(self._workers.items()):
-                if worker.task is None:
-                    continue
-                if worker.connection.poll():
-                    yield from self._receive(number, worker, worker.task)
-                elif not worker.process.is_alive():
-                    yield from self._bury(number, worker, worker.task)
-                elif self._is_overdue(worker):
-                    worker.process.kill()
-                    yield from self._bury(number, worker, worker.task)
+        for _ in range(self._source.count):
+            self._places.append(_Place(self._source.start(), deaths=0))
+        latest = time.monotonic()
+        while self._places and self._set_to_work(choose):
+            busy = [p for p in self._places if p.task is not None or not p.ready]
+            there = self._source.wait([p.worker for p in busy], LOOKING_PERIOD)
+            for place in busy:
+                if place.worker in there:
+                    yield from self._receive(place)
+                elif self._is_overdue(place):
+                    reason = f"took longer than the {self._patience:g} s a task may"
+                    lost = Lost(f"the worker process {reason}", overdue=True)
+                    yield from self._replace(place, lost)
+            if any(place.ready for place in self._places):
+                latest = time.monotonic()
+            elif time.monotonic() - latest > self._source.starting_limit:
+                raise MemoryMazeError(
+                    f"no worker could be started in {self._source.starting_limit:g} s; "
+                    + self._source.advice
+                )
 
-    def _is_overdue(self, worker: _Worker[Task]) -> bool:
-        return worker.ready and time.monotonic() - worker.began > self._patience
+    def _set_to_work(self, choose: Callable[[int], EpisodeTask | None]) -> bool:
+        """Give tasks to all who are free; tell whether there is anything to wait for.
 
-    def _start(self, number: int, deaths: int) -> _Worker[Task]:
-        ours, theirs = PROCESSES.Pipe()
-        process = PROCESSES.Process(target=_work, args=(theirs,))
-        # Ctrl-C reaches every process of the terminal; the parent decides what it
-        # means. A blocked signal stays blocked in the child, from its first moment.
-        before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+        A task is only given to a worker that is ready: others may wait long for a core.
+        """
+        nothing_left = False
+        for number, place in enumerate(self._places):
+            if place.ready and place.task is None:
+                place.task = choose(number)
+                if place.task is None:
+                    nothing_left = True
+                else:
+                    place.began = time.monotonic()
+                    place.worker.send(place.task)
+        busy = any(place.task is not None for place in self._places)
+        return busy or not nothing_left
+
+    def _is_overdue(self, place: _Place) -> bool:
+        working = place.task is not None
+        return working and time.monotonic() - place.began > self._patience
+
+    def _receive(self, place: _Place) -> Iterator[tuple[EpisodeTask, EpisodeOutcome]]:
         try:
-            process.start()
-        finally:
-            signal.pthread_sigmask(signal.SIG_SETMASK, before)
-        theirs.close()
-        worker = _Worker[Task](process, ours, deaths)
-        self._workers[number] = worker
-        return worker
-
-    def _receive(
-        self, number: int, worker: _Worker[Task], task: Task
-    ) -> Iterator[tuple[Task, Outcome | Lost]]:
-        """Read what a worker says: that it lives, is ready, or has done its task."""
-        try:
-            said, content = worker.connection.recv()
-        except (EOFError, OSError):
-            yield from self._bury(number, worker, task)
+            said = place.worker.receive()
+        except WorkerDied as death:
+            yield from self._replace(place, Lost(str(death)))
             return
-        if said == "hello":
-            # Sent only now, when the child is there to read it: it may be too much
-            # for the pipe to hold, and others shall start meanwhile.
-            _send(worker, self._prepare)
-        elif said == "ready":
-            worker.ready = True
-            _give(worker, task)
-        elif said == "failed":
-            raise content
-        else:
-            worker.task = None
-            yield task, content
+        if said == "ready":
+            place.ready = True
+        elif said is not None and place.task is not None:
+            task, place.task = place.task, None
+            yield task, said
 
-    def _bury(
-        self, number: int, worker: _Worker[Task], task: Task
-    ) -> Iterator[tuple[Task, Outcome | Lost]]:
-        """Replace a worker that died; its task is lost if it can have begun it."""
-        worker.process.join()
-        worker.connection.close()
-        reason = _how_it_ended(worker.process.exitcode)
-        if worker.ready:
-            del self._workers[number]
-            if self._is_overdue(worker):
-                reason = f"took longer than the {self._patience:g} s a task may"
-                yield task, Lost(f"the worker process {reason}", overdue=True)
-            else:
-                yield task, Lost(f"the worker process {reason}")
-            return
-        if worker.deaths + 1 == STARTS:
+    def _replace(
+        self, place: _Place, lost: Lost
+    ) -> Iterator[tuple[EpisodeTask, EpisodeOutcome]]:
+        """Put another worker in the place of one that died or is to."""
+        place.worker.end(at_once=True)
+        place.worker.join()
+        if not place.ready and place.deaths + 1 == STARTS:
             raise MemoryMazeError(
-                f"worker processes do not start: the last {STARTS} of one place ended "
-                f"early, this one {reason}; with little memory, try fewer --workers"
+                f"workers do not start: the last {STARTS} of one place ended early, the "
+                f"latest because {lost.reason}; {self._source.advice}"
             )
-        _give(self._start(number, worker.deaths + 1), task)
-
-
-def _give(worker: _Worker[Task], task: Task) -> None:
-    """Set a worker its task; it begins when it is ready."""
-    worker.task = task
-    worker.began = time.monotonic()
-    if worker.ready:
-        _send(worker, task)
-
-
-def _send(worker: _Worker[Task], content: object) -> None:
-    # A dead worker's end of the pipe is noticed when we read from it.
-    with contextlib.suppress(OSError):
-        worker.connection.send(content)
-
-
-def _how_it_ended(code: int | None) -> str:
-    if code is not None and code < 0:
-        return f"was killed by {signal.Signals(-code).name}"
-    return f"ended with exit code {code}"
-
-
-def _work(connection: Connection) -> None:
-    """Do the tasks that come; the life of a worker process."""
-    # What is printed while working is no result of the parent's.
-    with contextlib.suppress(OSError):
-        os.dup2(2, 1)
-    threading.Thread(target=_die_with_parent, daemon=True).start()
-    try:
-        connection.send(("hello", None))
-        do = connection.recv()()
-        connection.send(("ready", None))
-        while True:
-            task = connection.recv()
-            try:
-                outcome = do(task)
-            except BaseException as error:
-                connection.send(("done", Lost(failure_line(error))))
-            else:
-                connection.send(("done", outcome))
-    except MemoryMazeError as error:
-        connection.send(("failed", error))
-    except (EOFError, BrokenPipeError):
-        return
-
-
-def _die_with_parent() -> None:
-    """End this process when its parent is gone, however that came."""
-    parent = multiprocessing.parent_process()
-    if parent is not None:
-        wait([parent.sentinel])
-        os._exit(1)
+        deaths = 0 if place.ready else place.deaths + 1
+        fresh = _Place(self._source.start(), deaths)
+        self._places[self._places.index(place)] = fresh
+        if place.task is not None:
+            yield place.task, lost

@@ -5,7 +5,7 @@ import sys
 
 from memorymaze.cli.instructions.sites_option import add_sites_option
 from memorymaze.cli.verbs import Verbs
-from memorymaze.cli.wording import counted
+from memorymaze.wording import counted
 
 
 def add_parser(actions: Verbs) -> None:

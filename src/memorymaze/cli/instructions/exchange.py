@@ -5,7 +5,7 @@ from pathlib import Path
 
 from memorymaze.cli.instructions.sites_option import add_sites_option
 from memorymaze.cli.verbs import Verbs
-from memorymaze.cli.wording import counted
+from memorymaze.wording import counted
 
 FORMATS = {
     "r2r": "Room-to-Room: R2R_SPLIT.json with the navigation graphs beside it",

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from memorymaze.cli.instructions.sites_option import add_sites_option
 from memorymaze.cli.verbs import Verbs
-from memorymaze.cli.wording import counted
+from memorymaze.wording import counted
 
 if TYPE_CHECKING:
     from memorymaze.language.model import LanguageModel

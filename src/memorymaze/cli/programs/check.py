@@ -3,7 +3,7 @@
 import argparse
 
 from memorymaze.cli.verbs import Verbs
-from memorymaze.cli.wording import counted
+from memorymaze.wording import counted
 
 
 def add_parser(actions: Verbs) -> None:

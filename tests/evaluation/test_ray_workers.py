@@ -1,4 +1,4 @@
-"""Runs on a Ray cluster of this machine: lost workers, interruptions, refusals."""
+"""Runs on a Ray cluster, what they bring along, and what they refuse."""
 
 import os
 import secrets
@@ -12,17 +12,26 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import pytest
 
+from memorymaze.errors import SettingsError
+from memorymaze.evaluation.asking import AskingSettings
 from memorymaze.evaluation.driver import run_plan
+from memorymaze.evaluation.episode_worker import EpisodeDone, EpisodeTask
 from memorymaze.evaluation.plan import RunPlan
+from memorymaze.evaluation.ray_workers import (
+    RayWorkforce,
+    TravellingWorker,
+    open_ray_cluster,
+    pack_files,
+)
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import read_run
+from memorymaze.evaluation.settings import AgentSettings, RunSettings
 from memorymaze.evaluation.trace import trace_path
-
-pytestmark = pytest.mark.proof
+from memorymaze.language.spending import TokenPrice
 
 Plan = Callable[..., RunPlan]
 
@@ -58,10 +67,10 @@ FOREIGN_CODE = """
 import sys
 from dataclasses import replace
 from memorymaze.cli.main import main
-from memorymaze.evaluation import ray_pool
+from memorymaze.evaluation import ray_workers
 
-stamp = ray_pool.code_stamp()
-ray_pool.code_stamp = lambda: replace(stamp, sha256="0" * 64)
+stamp = ray_workers.code_stamp()
+ray_workers.code_stamp = lambda: replace(stamp, sha256="0" * 64)
 sys.exit(main())
 """
 
@@ -146,6 +155,7 @@ def evaluating(
     )
 
 
+@pytest.mark.proof
 def test_a_run_interrupted_and_then_robbed_of_a_worker_equals_the_local_one(
     cluster: Cluster,
     tmp_path: Path,
@@ -178,6 +188,7 @@ def test_a_run_interrupted_and_then_robbed_of_a_worker_equals_the_local_one(
         assert one == other
 
 
+@pytest.mark.proof
 def test_episodes_that_hang_or_kill_every_worker_are_recorded_as_crashes(
     cluster: Cluster, tmp_path: Path, obedient: str, tiny_sites_folder: Path
 ) -> None:
@@ -198,6 +209,7 @@ def test_episodes_that_hang_or_kill_every_worker_are_recorded_as_crashes(
     }
 
 
+@pytest.mark.proof
 def test_workers_with_other_code_are_refused(
     cluster: Cluster, tmp_path: Path, tiny_sites_folder: Path
 ) -> None:
@@ -211,23 +223,7 @@ def test_workers_with_other_code_are_refused(
     assert "Traceback" not in err
 
 
-def test_an_agent_whose_neighbours_do_not_travel_is_told_what_to_do(
-    cluster: Cluster, tmp_path: Path, tiny_sites_folder: Path
-) -> None:
-    (tmp_path / "near.py").write_text("STRIDE = 2\n", encoding="utf-8")
-    (tmp_path / "shy.py").write_text(
-        "from near import STRIDE\nfrom memorymaze.agents import StopAgent\n",
-        encoding="utf-8",
-    )
-    run = evaluating(
-        cluster, f"{tmp_path}/shy.py:StopAgent", tiny_sites_folder, tmp_path / "run"
-    )
-    _, err = run.communicate()
-    assert run.returncode == 2
-    assert "No module named 'near' (shy.py, line 1)" in err
-    assert "of an agent's files only the one that is named travels" in err
-
-
+@pytest.mark.proof
 def test_more_workers_than_the_cluster_has_cores_are_refused(
     cluster: Cluster, tmp_path: Path, tiny_sites_folder: Path
 ) -> None:
@@ -235,5 +231,113 @@ def test_more_workers_than_the_cluster_has_cores_are_refused(
     run = evaluating(cluster, "stop", tiny_sites_folder, out, "--workers", "3")
     _, err = run.communicate()
     assert run.returncode == 2
-    assert "at least 3 cores, one for each worker, got 2 on 1 node(s)" in err
+    assert "at least 3 cores, one for each worker, got 2 on 1 node;" in err
     assert not out.exists()
+
+
+@pytest.mark.parametrize(
+    ("agent", "message"),
+    [
+        pytest.param(
+            {"asking": AskingSettings(TokenPrice(1, 2), max_cost=5)},
+            "--max-cost and --ray: .* what all have spent; leave --ray out",
+            id="cost",
+        ),
+        pytest.param(
+            {"asking": AskingSettings(max_tokens_total=5)},
+            "--max-tokens-total and --ray",
+            id="tokens",
+        ),
+        pytest.param(
+            {"asking": AskingSettings(max_requests=5)},
+            "give --workers 5",
+            id="requests",
+        ),
+        pytest.param(
+            {"record": "replies.sqlite"}, "--record and --ray: one file", id="record"
+        ),
+        pytest.param(
+            {"options": (("captions", "vision"),)}, "captions and --ray", id="captions"
+        ),
+        pytest.param(
+            {"base_url": "http://localhost:8000/v1"},
+            "on a cluster of 2 nodes this is every node itself",
+            id="own address",
+        ),
+    ],
+)
+def test_what_several_machines_cannot_keep_together_is_refused(
+    settings: RunSettings, agent: dict[str, Any], message: str
+) -> None:
+    asking = replace(settings, agent=AgentSettings("navgpt", **agent))
+    with pytest.raises(SettingsError, match=message):
+        RayWorkforce(workers=2, cores=4, nodes=2).check(asking)
+
+
+def test_an_address_of_ones_own_serves_a_cluster_of_one_node(
+    settings: RunSettings,
+) -> None:
+    agent = AgentSettings("navgpt", base_url="http://localhost:8000/v1")
+    RayWorkforce(2, cores=4, nodes=1).check(replace(settings, agent=agent))
+
+
+AGENT = """
+from names_of_travellers import NAME
+from memorymaze.agents import StopAgent
+
+class Traveller(StopAgent):
+    name = NAME
+"""
+
+
+def test_an_agents_files_are_needed_no_more_once_they_are_packed(
+    tmp_path: Path, tiny_plan: Plan, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sys, "path", [*sys.path])
+    file, beside = tmp_path / "traveller.py", tmp_path / "names_of_travellers.py"
+    file.write_text(AGENT, encoding="utf-8")
+    beside.write_text("NAME = 'traveller'", encoding="utf-8")
+    plan = tiny_plan(f"{file}:Traveller")
+    prepare = TravellingWorker(plan.settings, plan.sites, pack_files(plan.settings))
+    file.unlink()
+    beside.unlink()
+    monkeypatch.delitem(sys.modules, "names_of_travellers")
+    done = prepare()(EpisodeTask(plan.episodes[0]))
+    assert isinstance(done, EpisodeDone)
+    assert done.result.agent == "traveller"
+
+
+def test_programs_and_recorded_replies_travel(
+    tmp_path: Path, settings: RunSettings
+) -> None:
+    (tmp_path / "programs.jsonl").write_bytes(b"programs")
+    (tmp_path / "replies.sqlite").write_bytes(b"replies")
+    agent = AgentSettings(
+        "code_generation",
+        programs=str(tmp_path / "programs.jsonl"),
+        replay=str(tmp_path / "replies.sqlite"),
+    )
+    assert pack_files(replace(settings, agent=agent)) == {
+        "programs/programs.jsonl": b"programs",
+        "replay/replies.sqlite": b"replies",
+    }
+
+
+def test_a_cluster_that_is_not_there_is_told_at_once() -> None:
+    with socket.socket() as unused:
+        unused.bind(("127.0.0.1", 0))
+        address = f"127.0.0.1:{unused.getsockname()[1]}"
+        with (
+            pytest.raises(SettingsError, match=f"--ray {address}: nothing answers"),
+            open_ray_cluster(address),
+        ):
+            pass
+
+
+@pytest.mark.parametrize("address", ["nonsense", "host:", ":6379", "host:port", "h:0"])
+def test_what_is_no_address_is_refused(address: str) -> None:
+    with (
+        pytest.raises(SettingsError, match="--ray: expected auto, local, HOST:PORT"),
+        open_ray_cluster(address),
+    ):
+        pass

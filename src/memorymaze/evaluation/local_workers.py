@@ -1,0 +1,181 @@
+"""Workers that are processes of this machine."""
+
+import contextlib
+import math
+import multiprocessing
+import os
+import signal
+import threading
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from multiprocessing.connection import Connection, wait
+from pathlib import Path
+from typing import Literal
+
+from memorymaze.errors import MemoryMazeError
+from memorymaze.evaluation.episode_worker import (
+    EpisodeOutcome,
+    EpisodeTask,
+    EpisodeWorker,
+)
+from memorymaze.evaluation.plan import RunPlan
+from memorymaze.evaluation.settings import RunSettings
+from memorymaze.evaluation.worker_pool import LEAVING_TIME, WorkerDied
+from memorymaze.wording import counted
+
+# Children that begin afresh hold no locks or threads of the parent's libraries.
+PROCESSES = multiprocessing.get_context("spawn")
+
+
+def available_cores() -> int:
+    """Return how many processor cores this process may use."""
+    return len(os.sched_getaffinity(0))
+
+
+@dataclass(frozen=True, slots=True)
+class LocalWorkforce:
+    """Processes on this machine."""
+
+    workers: int = 0
+    """0 for one per core."""
+
+    def __str__(self) -> str:
+        """Say how many there are."""
+        return counted(self.workers or available_cores(), "worker")
+
+    def check(self, settings: RunSettings) -> None:
+        """Refuse nothing: this machine made the plan."""
+
+    def source(self, plan: RunPlan, folder: Path, episodes: int) -> "LocalSource":
+        """Return processes for a plan; no more of them than there are episodes."""
+        count = min(self.workers or available_cores(), episodes)
+        # Threads of a model wait for each other: one without a core holds up all.
+        threads = max(1, available_cores() // max(1, count) - 1)
+        agent = plan.settings.agent
+        asking = replace(
+            agent.asking,
+            # Absolute, because an agent may change its process's folder.
+            shared_folder=str(folder.absolute()),
+            threads=threads,
+        )
+        settings = replace(plan.settings, agent=replace(agent, asking=asking))
+        return LocalSource(EpisodeWorker(settings, plan.sites), count)
+
+
+@dataclass(frozen=True, slots=True)
+class LocalSource:
+    """Starts processes that prepare themselves in the same way."""
+
+    prepare: EpisodeWorker
+    count: int
+    starting_limit: float = math.inf
+    advice: str = "with little memory, try fewer --workers"
+
+    def start(self) -> "LocalWorker":
+        """Start a process."""
+        return LocalWorker(self.prepare)
+
+    def wait(
+        self, workers: Sequence["LocalWorker"], seconds: float
+    ) -> list["LocalWorker"]:
+        """Return those that something has come from, and those that ended."""
+        there = wait([worker.connection for worker in workers], seconds)
+        return [w for w in workers if w.connection in there or not w.is_alive()]
+
+
+class LocalWorker:
+    """A process of this machine, and the connection to it."""
+
+    def __init__(self, prepare: EpisodeWorker) -> None:
+        """Start the process."""
+        self._prepare = prepare
+        self.connection, theirs = PROCESSES.Pipe()
+        self._process = PROCESSES.Process(target=_work, args=(theirs,))
+        # Ctrl-C reaches every process of the terminal; the parent decides what it
+        # means. A blocked signal stays blocked in the child, from its first moment.
+        before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+        try:
+            self._process.start()
+        finally:
+            signal.pthread_sigmask(signal.SIG_SETMASK, before)
+        theirs.close()
+
+    def send(self, task: EpisodeTask) -> None:
+        """Give it a task."""
+        self._write(task)
+
+    def receive(self) -> EpisodeOutcome | Literal["ready"] | None:
+        """Take what it says."""
+        try:
+            if not self.connection.poll():
+                raise EOFError
+            said, content = self.connection.recv()
+        except (EOFError, OSError):
+            self._process.join()
+            ending = _how_it_ended(self._process.exitcode)
+            raise WorkerDied(f"the worker process {ending}") from None
+        if said == "hello":
+            # Sent only now, when the child is there to read it: it may be too much
+            # for the pipe to hold, and others shall start meanwhile.
+            self._write(self._prepare)
+            return None
+        if said == "failed":
+            raise content
+        return content
+
+    def is_alive(self) -> bool:
+        """Tell whether the process runs."""
+        return self._process.is_alive()
+
+    def end(self, *, at_once: bool) -> None:
+        """Kill the process, or have it find nobody at the other end."""
+        if at_once:
+            self._process.kill()
+        else:
+            self.connection.close()
+
+    def join(self) -> None:
+        """Wait for its end."""
+        self._process.join(LEAVING_TIME)
+        self._process.kill()
+        self._process.join()
+        self.connection.close()
+
+    def _write(self, content: object) -> None:
+        # A dead worker's end of the pipe is noticed when we read from it.
+        with contextlib.suppress(OSError):
+            self.connection.send(content)
+
+
+def _how_it_ended(code: int | None) -> str:
+    if code is not None and code < 0:
+        return f"was killed by {signal.Signals(-code).name}"
+    return f"ended with exit code {code}"
+
+
+def _work(connection: Connection) -> None:
+    """Do the tasks that come; the life of a worker process."""
+    # What is printed while working is no result of the parent's.
+    with contextlib.suppress(OSError):
+        os.dup2(2, 1)
+    threading.Thread(target=_die_with_parent, daemon=True).start()
+    try:
+        connection.send(("hello", None))
+        prepare: Callable[[], Callable[[EpisodeTask], EpisodeOutcome]]
+        prepare = connection.recv()
+        do = prepare()
+        connection.send(("ready", "ready"))
+        while True:
+            connection.send(("done", do(connection.recv())))
+    except MemoryMazeError as error:
+        connection.send(("failed", error))
+    except (EOFError, BrokenPipeError):
+        return
+
+
+def _die_with_parent() -> None:
+    """End this process when its parent is gone, however that came."""
+    parent = multiprocessing.parent_process()
+    if parent is not None:
+        wait([parent.sentinel])
+        os._exit(1)
