@@ -51,7 +51,7 @@ def generated_instructions(
                 )
         return options.instructions
     from memorymaze.writing import GenerationRequest, parse_rates
-    from memorymaze.writing.for_runs import instructions_for_run
+    from memorymaze.writing.making import instructions_for_run
 
     if options.sail is not None:
         raise SettingsError("--errors: SAIL has its own texts; leave out --sail")

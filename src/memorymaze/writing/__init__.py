@@ -7,8 +7,12 @@ Holds voices, phrases, mistakes and drafts. Does not hold how texts are understo
 from memorymaze.writing.drafting import Cell, Draft, cells_of, drafts
 from memorymaze.writing.grammar import instructions_of, write_draft
 from memorymaze.writing.making import Made, make_instructions
-from memorymaze.writing.rates import ErrorRates, parse_rates
-from memorymaze.writing.request import GRAMMAR, GenerationRequest
+from memorymaze.writing.request import (
+    GRAMMAR,
+    ErrorRates,
+    GenerationRequest,
+    parse_rates,
+)
 
 __all__ = [
     "GRAMMAR",

@@ -1,16 +1,21 @@
-"""What speakers add to the turns: things they pass, lengths, warnings, chatter.
+"""What speakers say beside the turns: things they pass, lengths, warnings, chatter.
 
-All of it is true of the way, apart from lengths from memory, which are labelled where
-they are far off.
+What they say of the way is true of it, apart from lengths from memory, which are labelled
+where they are far off.
 """
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from memorymaze.writing.clauses import one_of, spoken_as
-from memorymaze.writing.marked_text import mark
+from memorymaze.writing.clauses import (
+    is_command,
+    one_of,
+    spoken_as,
+)
+from memorymaze.writing.marked_text import mark, without_marks
+from memorymaze.writing.phrases import phrases, words_for
 from memorymaze.writing.steps import Leg, Passing
 from memorymaze.writing.things import is_plural, with_article
 from memorymaze.writing.voices import Voice
@@ -21,66 +26,6 @@ PACE = 1.2
 """Metres per second of a walker."""
 FAR_OFF = 0.25
 """A length that is further off is labelled."""
-
-TYPED_PASSING = (
-    "you will pass {a} on your {side}",
-    "there {is} {a} on the {side}",
-    "you go past {a}, on the {side}",
-    "{a} will be on your {side}",
-    "on the {side} there {is} {a}",
-    "keep going past {the}",
-    "on your {side} you can see {a}",
-    "pass {the} on the {side}",
-)
-SPOKEN_PASSING = (
-    "there {is} {a} on your {side}",
-    "you will see {a} on the {side}, just keep going",
-    "you go past {the}, {that} on the {side}",
-    "on the {side} there should be {a}",
-    "you walk by {a}, on the {side}",
-    "{the} {is} on your {side} then",
-    "somewhere there on the {side} {is} {a}",
-    "you have {a} on the {side}, and you leave that",
-    "I always notice {the} there, on the {side}",
-)
-TWO_PASSING = (
-    "you pass {a} on the {side} and then {b} on the {other}",
-    "there {is} {a} on the {side}, and after that {b} on the {other}",
-    "first comes {a} on the {side}, then {b} on the {other}",
-)
-OPENINGS = (
-    "ignore the opening on the {side}",
-    "do not take the way on the {side}",
-    "there is a turning on the {side} before that, leave it",
-    "you will come past a way off to the {side}, just go straight there",
-    "a corridor goes off to the {side}, but that is not yours",
-)
-BEYOND = (
-    "if you get to {the}, you have gone too far",
-    "if you reach {the}, you have passed it",
-    "{the} would be too far",
-)
-TYPED_LENGTHS = (
-    "go straight for {length}",
-    "walk {length}",
-    "this stretch is {length} long",
-    "continue for {length}",
-)
-SPOKEN_LENGTHS = (
-    "it is {length}, maybe",
-    "that is {length}, roughly",
-    "you walk for {length} or so",
-    "I would say {length}",
-    "straight for {length} perhaps",
-)
-FLOORS = (
-    "the floor is {floor} here",
-    "you are on {floor} there",
-    "you will have {floor} under your feet",
-)
-FLOOR_WORDS = {"tile": "tiles", "wood": "wood", "carpet": "carpet", "linoleum": "lino"}
-QUICK = ("that one comes up quickly", "it is only a few steps", "it is very short")
-LONG = ("this is a long one", "that takes a while", "it is quite a long way, that part")
 
 
 @dataclass(frozen=True, slots=True)
@@ -142,22 +87,25 @@ def leg_asides(
         return Aside(key, order, text)
 
     if leg.length > 3:
-        lengths = SPOKEN_LENGTHS if voice.spoken else TYPED_LENGTHS
+        lengths = phrases(voice.manner, "lengths")
         length = stated_length(leg.length, voice, rng)
         yield aside(-90, one_of(lengths, rng), length=length)
-    if leg.floor in FLOOR_WORDS:
-        yield aside(-80, one_of(FLOORS, rng), floor=FLOOR_WORDS[leg.floor])
+    floor = words_for("floor_words").get(leg.floor or "")
+    if floor is not None:
+        yield aside(-80, one_of(phrases("besides", "floors"), rng), floor=floor)
     yield from _passings(leg, key, voice, rng, known)
     for number, opening in enumerate(dict.fromkeys(leg.openings)):
         if opening != side:
-            yield aside(-10 + number, one_of(OPENINGS, rng), side=opening)
+            yield aside(
+                -10 + number, one_of(phrases("besides", "openings"), rng), side=opening
+            )
     if leg.beyond is not None and leg.beyond.words not in known:
         the = with_article(leg.beyond, definite=True)
-        yield aside(50, one_of(BEYOND, rng), the=the)
+        yield aside(50, one_of(phrases("besides", "beyond"), rng), the=the)
     if leg.length < 6 and side is not None:
-        yield aside(40, one_of(QUICK, rng))
+        yield aside(40, one_of(phrases("besides", "quick"), rng))
     elif leg.length > 25:
-        yield aside(-85, one_of(LONG, rng))
+        yield aside(-85, one_of(phrases("besides", "long"), rng))
 
 
 def _passings(
@@ -167,7 +115,7 @@ def _passings(
     rng: np.random.Generator,
     known: Collection[str],
 ) -> Iterator[Aside]:
-    patterns = SPOKEN_PASSING if voice.spoken else TYPED_PASSING
+    patterns = phrases(voice.manner, "passings")
     told: list[Passing] = [
         each for each in leg.passing if each.thing.words not in known
     ]
@@ -187,7 +135,7 @@ def _passings(
             following = told[number + 1]
             words["b"] = with_article(following.thing, definite=False)
             words["other"] = following.side
-            pattern = one_of(TWO_PASSING, rng)
+            pattern = one_of(phrases("besides", "two_passings"), rng)
             if following.side == here.side:
                 pattern = "you pass {a} and then {b}, both on the {side}"
             number += 1
@@ -202,3 +150,63 @@ def _rounded(value: float) -> int:
         return max(1, round(value))
     step = 5 if value < 60 else 10
     return int(step * round(value / step))
+
+
+def opening_and_closing(
+    voice: Voice, goal: str, first: str, last: str, rng: np.random.Generator
+) -> list[Aside]:
+    """Return a way to begin and a way to end."""
+    beginnings = "beginnings_again" if voice.again else "beginnings"
+    opening = one_of(phrases(voice.manner, beginnings), rng).format(goal=goal)
+    closing = one_of(phrases(voice.manner, "endings"), rng)
+    return [
+        Aside(first, 0, spoken_as(opening, voice), sure=True),
+        Aside(last, 0, spoken_as(closing, voice), sure=True),
+    ]
+
+
+def small_talk(
+    voice: Voice, keys: Sequence[str], rng: np.random.Generator
+) -> list[Aside]:
+    """Return what has nothing to do with the turns, in random order and places."""
+    pool = phrases(voice.manner, "talk")
+    return [
+        Aside(
+            str(rng.choice(keys)),
+            float(rng.uniform(-60, -5)),
+            spoken_as(pool[int(number)], voice),
+            sure=True,
+        )
+        for number in rng.permutation(len(pool))
+    ]
+
+
+def disturbed(
+    text: str,
+    voice: Voice,
+    rng: np.random.Generator,
+    *,
+    turn: bool = False,
+    sure: bool = False,
+) -> str:
+    """Put the fillers, hedges and fresh starts of a speaker into a sentence."""
+    filler, hedge, again, inside = rng.random(4)
+    plain = without_marks(text)
+    doubtful = any(word in plain for word in phrases("hedges", "doubtful"))
+    if hedge < voice.surface.hedge and not (sure or doubtful):
+        command = turn or is_command(plain) or plain.startswith(("I ", "I'"))
+        if command or rng.random() < 0.5:
+            text = f"{text}, {mark('hedge', one_of(phrases('hedges', 'after'), rng))}"
+        else:
+            text = f"{mark('hedge', one_of(phrases('hedges', 'before'), rng))} {text}"
+    if voice.spoken and again < voice.surface.restart / 2:
+        start = one_of(phrases("hedges", "fresh_starts"), rng).rstrip()
+        text = f"{mark('restart', start)} {text}"
+    if voice.fillers and filler < voice.surface.filler:
+        first, middle = voice.fillers
+        if inside < 0.6 and " and " in text:
+            said = mark("filler", f"{middle},")
+            text = text.replace(" and ", f" and, {said} ", 1)
+        elif not plain.lower().startswith(("so", "um", "uh", "well", "okay", "right,")):
+            text = f"{mark('filler', f'{first},')} {text}"
+    return text

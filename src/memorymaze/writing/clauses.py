@@ -7,16 +7,7 @@ from typing import Literal
 import numpy as np
 
 from memorymaze.writing.marked_text import mark
-from memorymaze.writing.phrases import (
-    ARRIVALS,
-    ARRIVALS_BY,
-    MERGED,
-    ORDINALS,
-    SKIPPED,
-    SLIGHT,
-    SPOKEN_TURNS,
-    TURNS,
-)
+from memorymaze.writing.phrases import phrases
 from memorymaze.writing.steps import Arrival, Leg, Turn
 from memorymaze.writing.things import with_article
 from memorymaze.writing.voices import Voice
@@ -25,39 +16,7 @@ Size = Literal["terse", "plain", "wordy"]
 Focus = Mapping[str, str]
 """Labels by the part of a step that they are for: `side`, `cue`, or `step` for all."""
 
-NAMELESS = ("the corridor", "this path", "the hallway", "this corridor", "this way")
 OWN_NAME = re.compile(r".* (Lane|Street|Row|Road|Avenue|Alley|Way)")
-COMMANDS = frozenset({
-    "bear",
-    "continue",
-    "count",
-    "follow",
-    "go",
-    "ignore",
-    "just",
-    "keep",
-    "make",
-    "pass",
-    "please",
-    "stay",
-    "stop",
-    "take",
-    "turn",
-    "walk",
-})
-PLACED = frozenset({
-    "at",
-    "before",
-    "behind",
-    "beside",
-    "by",
-    "in",
-    "near",
-    "next",
-    "opposite",
-})
-"""Words that begin a destination which is a place beside something."""
-CORRECTIONS = ("no, sorry,", "no wait,", "I mean", "no no,", "or rather", "sorry,")
 CONTRACTIONS = (
     (re.compile(r"\b([Yy]ou|[Ii]t|[Tt]hey) will\b"), r"\1'll"),
     (re.compile(r"\b([Tt]hat|[Ii]t|[Tt]here) is\b(?= \w)"), r"\1's"),
@@ -89,7 +48,7 @@ def place_words(leg: Leg, rng: np.random.Generator) -> str:
         if OWN_NAME.fullmatch(leg.name) or leg.name.lower().startswith("the "):
             return leg.name
         return f"the {leg.name}"
-    return one_of(NAMELESS, rng)
+    return one_of(phrases("nameless_ways"), rng)
 
 
 def turn_clause(
@@ -115,7 +74,7 @@ def turn_clause(
     side = _side(turn, pattern, voice, rng, focus)
     words = {
         "side": side,
-        "ord": ORDINALS[turn.cue.ordinal - 1],
+        "ord": phrases("ordinals")[turn.cue.ordinal - 1],
         "thing": turn.cue.words if turn.cue.proper else f"the {turn.cue.words}",
         "place": place_words(turn.leg, rng),
     }
@@ -131,7 +90,7 @@ def merged_clause(turn: Turn, rng: np.random.Generator, focus: Focus) -> str:
     """Return the words for a turn that follows right after the one before."""
     side = turn.side.rpartition("_")[2]
     side = mark(focus["side"], side) if "side" in focus else side
-    told = one_of(MERGED, rng).format(side=side)
+    told = one_of(phrases("merged"), rng).format(side=side)
     return mark("merged_turns", told)
 
 
@@ -140,7 +99,7 @@ def skipped_clause(turn: Turn, rng: np.random.Generator) -> str:
     if rng.random() < 0.25:
         return mark("skipped_corner", "")
     place = place_words(turn.leg, rng)
-    return mark("skipped_corner", one_of(SKIPPED, rng).format(place=place))
+    return mark("skipped_corner", one_of(phrases("skipped"), rng).format(place=place))
 
 
 def arrival_clause(
@@ -148,7 +107,7 @@ def arrival_clause(
 ) -> str:
     """Return the end of the way in words."""
     by = arrival.claimed is not None
-    patterns = (ARRIVALS_BY if by else ARRIVALS)[size]
+    patterns = phrases("arrivals_by" if by else "arrivals", size)
     thing = (
         "" if arrival.beside is None else with_article(arrival.beside, definite=True)
     )
@@ -163,15 +122,16 @@ def arrival_clause(
 
 def _pattern(turn: Turn, size: Size, voice: Voice, number: int, focus: Focus) -> str:
     cue = turn.cue
+    patterns: Sequence[str]
     if turn.side.startswith("slight"):
-        patterns = list(SLIGHT["thing" if cue.kind == "thing" else "place"][size])
+        patterns = phrases("slight", "thing" if cue.kind == "thing" else "place", size)
     else:
         kind: str = cue.kind
         if kind == "ordinal":
             kind = "first" if cue.ordinal == 1 else "later"
-        patterns = list(TURNS[kind][size])
+        patterns = phrases("turns", kind, size)
         if voice.spoken and size != "terse":
-            patterns = [*SPOKEN_TURNS[kind], *patterns]
+            patterns = (*phrases("spoken_turns", kind), *patterns)
     if turn.leg.length < 6:
         patterns = [each for each in patterns if "{place}" not in each] or patterns
     if "cue" in focus:
@@ -185,7 +145,7 @@ def _side(
     side = turn.side.rpartition("_")[2]
     told = mark(focus["side"], side) if "side" in focus else side
     corrected = rng.random() < voice.surface.restart
-    correction = one_of(CORRECTIONS, rng)
+    correction = one_of(phrases("corrections"), rng)
     if corrected and pattern.endswith("{side}"):
         other = {"left": "right", "right": "left"}[side]
         return f"{mark('restart', f'{other}, {correction}')} {told}"
@@ -207,13 +167,13 @@ def _indefinite(words: str) -> str:
 def is_command(told: str) -> bool:
     """Tell whether a clause begins with a verb in the imperative."""
     first = told.split(maxsplit=1)[0]
-    return first in COMMANDS
+    return first in phrases("words", "commands")
 
 
 def goal_words(goal: str) -> str:
     """Return a destination with the article that plain English gives it."""
     head = goal.split(maxsplit=1)[0]
-    if head in PLACED:
+    if head in phrases("words", "placed"):
         return f"the place {goal}"
     if head in {"the", "The"} or goal[0].isupper() or head in {"a", "an"}:
         return goal

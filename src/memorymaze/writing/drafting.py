@@ -3,27 +3,134 @@
 A draft is everything about a text but its words; engines make words of it.
 """
 
+import math
 import zlib
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
 from memorymaze.instructions.error_kinds import kinds_of
 from memorymaze.sites.records import Site
-from memorymaze.writing.choosing import chosen_plan
-from memorymaze.writing.lengths import stratified, wanted_lengths
+from memorymaze.writing.following import is_right
 from memorymaze.writing.mistakes import made_wrong
-from memorymaze.writing.rates import (
+from memorymaze.writing.request import (
     CellRates,
     ErrorRates,
     cell_rates,
 )
-from memorymaze.writing.reading import RouteReading
-from memorymaze.writing.steps import Mistake, StepPlan
+from memorymaze.writing.route_facts import RouteFacts
+from memorymaze.writing.steps import Cue, Mistake, StepPlan, Turn
+from memorymaze.writing.turning_point_graph import TurningPointGraph
 from memorymaze.writing.voices import Voice, make_voice
-from memorymaze.writing.walks import WalkMap
+
+LONGEST = 3.5
+"""Standard deviations above the mean; longer ones are drawn again."""
+STEEPEST = 1.4
+"""Greatest deviation as a multiple of the mean above the least length; beyond it no
+log-normal with a cut tail has these moments, and the least length gives way."""
+
+
+def stratified(count: int, rng: np.random.Generator) -> NDArray[np.float64]:
+    """Return numbers spread evenly over [0, 1), in random order, shape (count,).
+
+    One lies in each of `count` equal parts, so that shares of any event drawn with them
+    are right to one part: a cell of 1,000 texts has its failure rate, not one near it.
+    """
+    return (rng.permutation(count) + rng.random(count)) / count
+
+
+def wanted_lengths(
+    mean: float, deviation: float, least: float, count: int, rng: np.random.Generator
+) -> NDArray[np.float64]:
+    """Draw word counts with a mean and standard deviation, shape (count,).
+
+    Log-normal above `least`, as spoken lengths are: many short ones, a few very long.
+    The tail is cut; parameters are moved so that the moments still hold.
+
+    Args:
+        mean: Words.
+        deviation: Words.
+        least: Words that no text goes below; less than the mean.
+        count: How many.
+        rng: Source of chance.
+    """
+    least = min(least, mean - deviation / STEEPEST)
+    spread = np.log1p((deviation / (mean - least)) ** 2)
+    levels = stratified(count, rng)
+    top = mean + LONGEST * deviation
+    grid = (np.arange(4000) + 0.5) / 4000
+    drift, width = math.log(mean - least) - spread / 2, math.sqrt(spread)
+    for _ in range(40):
+        values = _cut(grid, drift, width, least, top)
+        width *= deviation / max(values.std(), 1e-9)
+        values = _cut(grid, drift, width, least, top)
+        drift += math.log((mean - least) / (values.mean() - least))
+    return _cut(levels, drift, width, least, top)
+
+
+def _cut(
+    levels: NDArray[np.float64], drift: float, width: float, least: float, top: float
+) -> NDArray[np.float64]:
+    """Return quantiles of the log-normal that is cut off at the top."""
+    from scipy.special import ndtr, ndtri
+
+    share = ndtr((math.log(top - least) - drift) / width)
+    return least + np.exp(drift + width * ndtri(levels * share))
+
+
+THING_WEIGHT, ORDINAL_WEIGHTS, END_WEIGHT = 1.2, (1.2, 0.9, 0.3), 1.3
+RARE = 0.02
+"""Weight of a cue that nobody would choose who has another."""
+FEW_THINGS = 2
+"""Things at one place that a speaker chooses from."""
+
+
+def chosen_plan(facts: RouteFacts, voice: Voice, rng: np.random.Generator) -> StepPlan:
+    """Return a right plan as one speaker would tell it; it arrives when walked."""
+    plan = facts.plan
+    turns: list[Turn] = []
+    for turn, cues in zip(plan.turns, facts.cues, strict=True):
+        # One thing marks one turn.
+        used = {each.cue.words for each in turns if each.cue.words}
+        fresh = tuple(cue for cue in cues if cue.words not in used)
+        turns.append(replace(turn, cue=_cue(turn, fresh, rng)))
+    plan = replace(plan, turns=tuple(turns))
+    if not is_right(facts.graph, facts.route, plan):
+        plan = facts.plan
+    for turn in plan.turns:
+        corner = turn.cue.kind == "forced" and len(plan.turns) > 1
+        if rng.random() < voice.surface.skipped_corner and corner:
+            shorter = plan.with_turn(turn.key, told=False)
+            if any(each.told for each in shorter.turns) and is_right(
+                facts.graph, facts.route, shorter
+            ):
+                plan = shorter
+    return plan
+
+
+def _cue(turn: Turn, cues: tuple[Cue, ...], rng: np.random.Generator) -> Cue:
+    things = [cue for cue in cues if cue.kind == "thing"]
+    if things:
+        # Two of the same words can stand at one place.
+        distinct = list({cue.words: cue for cue in things}.values())
+        drawn = rng.permutation(len(distinct))[:FEW_THINGS]
+        things = [distinct[number] for number in drawn]
+    others = [cue for cue in cues if cue.kind != "thing"]
+    pool = [*others, *things]
+    weights = np.array([_weight(cue, turn) for cue in pool])
+    return pool[int(rng.choice(len(pool), p=weights / weights.sum()))]
+
+
+def _weight(cue: Cue, turn: Turn) -> float:
+    if cue.kind == "thing":
+        return THING_WEIGHT if turn.leg.length > 2 else RARE
+    if cue.kind == "ordinal":
+        return ORDINAL_WEIGHTS[cue.ordinal - 1] if cue.ordinal <= 3 else RARE
+    return END_WEIGHT
+
 
 Study = Literal["online", "onsite"]
 Iteration = Literal[1, 2]
@@ -41,8 +148,8 @@ class Cell:
     iteration: Iteration
     site: str
     route: str
-    reference: RouteReading
-    alternatives: tuple[RouteReading, ...]
+    reference: RouteFacts
+    alternatives: tuple[RouteFacts, ...]
 
     @property
     def participant_stem(self) -> str:
@@ -57,7 +164,7 @@ class Draft:
     id: str
     participant: str
     cell: Cell
-    reading: RouteReading
+    facts: RouteFacts
     """The way described."""
     voice: Voice
     seed: int
@@ -77,7 +184,7 @@ class Draft:
     @property
     def alternative(self) -> bool:
         """Whether it is another way than the reference route."""
-        return self.reading.route.role == "alternative"
+        return self.facts.route.role == "alternative"
 
 
 def cells_of(
@@ -98,15 +205,15 @@ def cells_of(
     Raises:
         SitePlanError: A route cannot be described.
     """
-    floor = WalkMap(site)
-    readings = [RouteReading(floor, each) for each in site.routes]
-    names = dict.fromkeys(each.route.route for each in readings)
+    floor = TurningPointGraph(site)
+    all_facts = [RouteFacts(floor, each) for each in site.routes]
+    names = dict.fromkeys(each.route.route for each in all_facts)
     cells: list[Cell] = []
     for study in studies:
         for name in names:
             if route not in {None, name}:
                 continue
-            own = [each for each in readings if each.route.route == name]
+            own = [each for each in all_facts if each.route.route == name]
             references = [each for each in own if each.route.role == "reference"]
             others = [each for each in own if each.route.role == "alternative"]
             for iteration in iterations if references else ():
@@ -143,18 +250,18 @@ def drafts(cell: Cell, rates: ErrorRates, count: int, seed: int) -> Iterator[Dra
         own = zlib.crc32(participant.encode())
         person = np.random.default_rng([seed, own])
         voice = make_voice(cell.study, cell.iteration, person, rates.surface)
-        reading = _way(cell, table, rates, float(other[number]), rng)
-        plan = chosen_plan(reading, voice, rng)
+        facts = _way(cell, table, rates, float(other[number]), rng)
+        plan = chosen_plan(facts, voice, rng)
         mistakes: tuple[Mistake, ...] = ()
         for wanted in _kinds(rates, table, float(wrong[number]), kinds, rng):
-            mistakes = made_wrong(reading, plan, wanted, rng)
+            mistakes = made_wrong(facts, plan, wanted, rng)
             if mistakes:
                 break
         yield Draft(
             id=f"{participant}-{cell.iteration}",
             participant=participant,
             cell=cell,
-            reading=reading,
+            facts=facts,
             voice=voice,
             seed=int(rng.integers(2**32)),
             words=float(lengths[number]),
@@ -169,7 +276,7 @@ def _way(
     rates: ErrorRates,
     level: float,
     rng: np.random.Generator,
-) -> RouteReading:
+) -> RouteFacts:
     share = rates.surface.get("alternative_way", table.alternative)
     if level < share and cell.alternatives:
         return cell.alternatives[int(rng.integers(len(cell.alternatives)))]

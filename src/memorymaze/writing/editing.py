@@ -12,19 +12,18 @@ from memorymaze.instructions.error_kinds import kinds_of
 from memorymaze.instructions.records import Failure, Instruction, Span
 from memorymaze.instructions.statistics import word_count
 from memorymaze.sites.records import Site
-from memorymaze.writing.choosing import chosen_plan
-from memorymaze.writing.drafting import Cell, Draft
+from memorymaze.writing.drafting import Cell, Draft, chosen_plan
 from memorymaze.writing.grammar import write_draft
 from memorymaze.writing.mistakes import (
     made_wrong,
     possible_mistakes,
 )
-from memorymaze.writing.rates import ErrorRates
-from memorymaze.writing.reading import RouteReading
+from memorymaze.writing.request import ErrorRates
+from memorymaze.writing.route_facts import RouteFacts
 from memorymaze.writing.steps import Mistake
 from memorymaze.writing.told_sides import certain_sides
+from memorymaze.writing.turning_point_graph import TurningPointGraph
 from memorymaze.writing.voices import make_voice
-from memorymaze.writing.walks import WalkMap
 
 EDITABLE = frozenset({
     "incorrect_direction",
@@ -64,8 +63,8 @@ def with_errors(
         InstructionFileError: No instruction is left.
         SitePlanError: A route cannot be described.
     """
-    floors = {name: WalkMap(site) for name, site in sites.items()}
-    readings: dict[tuple[str, str], RouteReading] = {}
+    floors = {name: TurningPointGraph(site) for name, site in sites.items()}
+    all_facts: dict[tuple[str, str], RouteFacts] = {}
     right = [
         each
         for each in instructions
@@ -77,15 +76,15 @@ def with_errors(
         )
     for one in right:
         key = (one.site, one.reference_route)
-        if key not in readings:
+        if key not in all_facts:
             route = sites[one.site].route(one.reference_route)
-            readings[key] = RouteReading(floors[one.site], route)
-        yield from _of_one(one, readings[key], rates, seed, paired=paired)
+            all_facts[key] = RouteFacts(floors[one.site], route)
+        yield from _of_one(one, all_facts[key], rates, seed, paired=paired)
 
 
 def _of_one(
     one: Instruction,
-    reading: RouteReading,
+    facts: RouteFacts,
     rates: ErrorRates,
     seed: int,
     *,
@@ -101,8 +100,8 @@ def _of_one(
     else:
         wanted = []
     for kind in wanted:
-        edited = _edited(one, reading, kind, rng) if kind in EDITABLE else None
-        made = edited or _retold(one, reading, kind, rates, rng)
+        edited = _edited(one, facts, kind, rng) if kind in EDITABLE else None
+        made = edited or _retold(one, facts, kind, rates, rng)
         if made:
             yield made[0]
             if paired:
@@ -111,14 +110,14 @@ def _of_one(
 
 
 def _edited(
-    one: Instruction, reading: RouteReading, kind: str, rng: np.random.Generator
+    one: Instruction, facts: RouteFacts, kind: str, rng: np.random.Generator
 ) -> tuple[Instruction, Instruction] | None:
     """Return the text with one word changed or one sentence gone, and the text."""
-    turns = [turn.direction.rpartition("_")[2] for turn in reading.route.turns]
+    turns = [turn.direction.rpartition("_")[2] for turn in facts.route.turns]
     told = certain_sides(one.text, turns)
     if told is None:
         return None
-    for mistake in possible_mistakes(reading, reading.plan, kind, rng):
+    for mistake in possible_mistakes(facts, facts.plan, kind, rng):
         if not mistake.key.startswith("turn"):
             continue
         number = int(mistake.key.removeprefix("turn"))
@@ -170,23 +169,23 @@ def _edited_pair(
 
 def _retold(
     one: Instruction,
-    reading: RouteReading,
+    facts: RouteFacts,
     kind: str,
     rates: ErrorRates,
     rng: np.random.Generator,
 ) -> tuple[Instruction, Instruction] | None:
     """Return the route told anew with an error, and without."""
     voice = make_voice(one.study, one.iteration, rng, rates.surface)
-    plan = chosen_plan(reading, voice, rng)
-    mistakes = made_wrong(reading, plan, (kind,), rng)
+    plan = chosen_plan(facts, voice, rng)
+    mistakes = made_wrong(facts, plan, (kind,), rng)
     if not mistakes or one.study == "sail":
         return None
-    cell = Cell(one.study, one.iteration, one.site, one.route, reading, ())
+    cell = Cell(one.study, one.iteration, one.site, one.route, facts, ())
     draft = Draft(
         id=f"{one.id}-{kind}",
         participant=one.participant,
         cell=cell,
-        reading=reading,
+        facts=facts,
         voice=voice,
         seed=int(rng.integers(2**32)),
         words=float(word_count(one.text)),

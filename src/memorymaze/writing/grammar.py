@@ -5,12 +5,10 @@ from collections.abc import Iterable, Iterator
 from memorymaze.instructions.error_kinds import meaning_of
 from memorymaze.instructions.records import Failure, Instruction, Span
 from memorymaze.instructions.statistics import word_count
-from memorymaze.writing.aligning import error_label
 from memorymaze.writing.drafting import Draft
-from memorymaze.writing.layout import Told
 from memorymaze.writing.marked_text import Marked
 from memorymaze.writing.steps import Mistake
-from memorymaze.writing.telling import Teller
+from memorymaze.writing.telling import Teller, Told, error_label
 
 NEAR_ENOUGH = 3
 """Words between the wanted and the written length."""
@@ -62,7 +60,7 @@ def told_instruction(
         iteration=draft.cell.iteration,
         participant=draft.participant,
         text=told.text,
-        reference_route=draft.reading.route.id,
+        reference_route=draft.facts.route.id,
         failures=tuple(Failure(m.kind, m.where, m.detail) for m in failures),
         source="synthetic",
         language="en",

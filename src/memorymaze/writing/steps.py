@@ -1,6 +1,6 @@
 """A description of a way as typed steps, before it is put into words.
 
-A plan can be walked (`walking.py`), made wrong (`mistakes.py`) and told
+A plan can be walked (`following.py`), made wrong (`mistakes.py`) and told
 (`telling.py`).
 """
 
@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 from memorymaze.writing.things import Thing
-from memorymaze.writing.walks import Side
+from memorymaze.writing.turning_point_graph import Side
 
 
 @dataclass(frozen=True, slots=True)

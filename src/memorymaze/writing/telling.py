@@ -6,19 +6,15 @@ the right one does, word for word, apart from the error.
 
 import zlib
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from memorymaze.instructions.statistics import word_count
-from memorymaze.writing.aligning import (
-    focus_of,
-    in_one_breath,
-    keys_in_order,
-)
-from memorymaze.writing.asides import Aside, leg_asides
-from memorymaze.writing.chatter import (
+from memorymaze.writing.asides import (
+    Aside,
     disturbed,
+    leg_asides,
     opening_and_closing,
     small_talk,
 )
@@ -34,29 +30,95 @@ from memorymaze.writing.clauses import (
     spoken_as,
     turn_clause,
 )
-from memorymaze.writing.layout import (
-    Told,
-    as_sentence,
-    laid_out,
-    run_together,
-)
 from memorymaze.writing.marked_text import (
+    Marked,
+    capitalised,
     mark,
     read_marks,
     without_marks,
 )
+from memorymaze.writing.phrases import phrases
 from memorymaze.writing.steps import Leg, Mistake, StepPlan, Turn
 from memorymaze.writing.voices import Voice
+
+MERGED_WITHIN = 8.0
+"""Metres between two turns that can be told as one."""
+
+
+def error_label(number: int) -> str:
+    """Return the label of the n-th error of a text."""
+    return f"error|{number}"
+
+
+def focus_of(mistakes: Sequence[Mistake]) -> dict[str, dict[str, str]]:
+    """Return which part of which step gets which label."""
+    focus: dict[str, dict[str, str]] = {}
+    for number, mistake in enumerate(mistakes):
+        part = "step" if mistake.part == "gone" else mistake.part
+        focus.setdefault(mistake.key, {})[part] = error_label(number)
+    return focus
+
+
+def keys_in_order(
+    plan: StepPlan, right: StepPlan, mistakes: Sequence[Mistake]
+) -> list[str]:
+    """Return the turns of a plan, and those that only its counterpart has.
+
+    Args:
+        plan: What is told: the right plan, or the one with errors.
+        right: The right plan.
+        mistakes: The errors between the two.
+    """
+    keys = [turn.key for turn in plan.turns]
+    whole = [turn.key for turn in right.turns]
+    for mistake in mistakes:
+        wrong = [turn.key for turn in mistake.plan.turns]
+        other = whole if mistake.part == "gone" else wrong
+        if mistake.key in keys or mistake.key not in other:
+            continue
+        earlier = [key for key in other[: other.index(mistake.key)] if key in keys]
+        keys.insert(keys.index(earlier[-1]) + 1 if earlier else 0, mistake.key)
+    return keys
+
+
+def in_one_breath(
+    plan: StepPlan, right: StepPlan, key: str, focus: Mapping[str, Focus]
+) -> bool:
+    """Tell whether a turn can be told together with the one before it.
+
+    They follow each other in both plans within a few metres, and none of the two needs
+    words of its own for where it is or for an error.
+    """
+    keys = [turn.key for turn in plan.turns]
+    whole = [turn.key for turn in right.turns]
+    if key not in keys or key not in whole or not keys.index(key):
+        return False
+    place, number = whole.index(key), keys.index(key)
+    before, turn = plan.turns[number - 1], plan.turns[number]
+    if not place or whole[place - 1] != before.key:
+        return False
+    labelled = {*focus.get(key, {}), *focus.get(before.key, {})}
+    if labelled & {"cue", "step"}:
+        return False
+    near = right.turns[place].leg.length < MERGED_WITHIN and turn.told and before.told
+    return near and turn.cue.kind != "thing" and turn.cue.ordinal == 1
+
 
 START, ARRIVAL, END = "start", "arrival", "end"
 SLACK = 2
 """Words that a text may be longer than wanted."""
-AROUND = (
-    "first turn around and go back the other way",
-    "you have to go back the way behind you first",
-    "turn around and walk in the opposite direction",
-)
-LINKS = ("then", "after that", "next", "from there", "and then", "now")
+RUN_TOGETHER = {True: 0.4, False: 0.15}
+"""Share of sentences joined to the one before, in speech and in typing."""
+LONGEST_FIRST = 12
+"""Words of a sentence that another one is joined to."""
+
+
+@dataclass(frozen=True, slots=True)
+class Told:
+    """A plan in words."""
+
+    text: str
+    marks: tuple[Marked, ...]
 
 
 class Teller:
@@ -94,7 +156,7 @@ class Teller:
         pending = ""
         label = focus.get(START, {}).get("step")
         if plan.around:
-            told = one_of(AROUND, self._rng(START, "around"))
+            told = one_of(phrases("around"), self._rng(START, "around"))
             told = spoken_as(told, self._voice)
             items.append(as_sentence(mark(label, told) if label else told))
         elif label:
@@ -157,7 +219,7 @@ class Teller:
         first = key == next((turn.key for turn in self._plan.turns), ARRIVAL)
         fits = not first and self.size != "terse" and self._voice.layout == "prose"
         if fits and is_command(plain) and rng.random() < 0.35:
-            core = f"{one_of(LINKS, rng)} {core}"
+            core = f"{one_of(phrases('links'), rng)} {core}"
         return disturbed(core, self._voice, rng, turn=True)
 
     def _is_merged(self, plan: StepPlan, key: str, focus: Mapping[str, Focus]) -> bool:
@@ -241,3 +303,39 @@ def _on_new_floor(leg: Leg, before: Leg | None) -> Leg:
     """Return a stretch whose floor is only known where it changes."""
     same = before is not None and before.floor == leg.floor
     return replace(leg, floor=None) if same else leg
+
+
+# -- sentences, and how they stand on the page
+
+
+def as_sentence(text: str) -> str:
+    """Return a marked text with a capital and a full stop."""
+    ended = without_marks(text).endswith((".", "?", "!"))
+    return capitalised(text) + ("" if ended else ".")
+
+
+def run_together(texts: Sequence[str], voice: Voice, rng: np.random.Generator) -> str:
+    """Return marked texts as sentences, some of them joined."""
+    sentences = [texts[0]]
+    for text, chance in zip(texts[1:], rng.random(len(texts) - 1), strict=True):
+        before, plain = without_marks(sentences[-1]), without_marks(text)
+        fits = len(before.split()) < LONGEST_FIRST and not before.endswith(("?", "."))
+        joined = fits and not plain.startswith(phrases("words", "not_joined"))
+        if chance < RUN_TOGETHER[voice.spoken] and joined:
+            command = is_command(plain) and not is_command(before)
+            sentences[-1] += f", {'and then' if command else 'and'} {text}"
+        else:
+            sentences.append(text)
+    return " ".join(as_sentence(each) for each in sentences)
+
+
+def laid_out(items: Sequence[str], voice: Voice) -> str:
+    """Return what is said at each step as prose, lines or a numbered list."""
+    if voice.layout == "prose":
+        return " ".join(items)
+    if voice.layout == "lines":
+        return "\n".join(items)
+    return "\n".join(
+        f"{voice.marker.format(n=number)} {item}"
+        for number, item in enumerate(items, 1)
+    )

@@ -4,53 +4,12 @@ import re
 from dataclasses import dataclass
 
 from memorymaze.sites.records import Door, Landmark, Site
+from memorymaze.writing.phrases import phrases, words_for
 
-NEVER_TOLD = frozenset({"large window", "window", "lamp", "light", "power outlet"})
-"""Categories that are everywhere and say nothing."""
-PLAIN_DOORS = {
-    "elevator": "lifts",
-    "fire": "fire door",
-    "automatic_glass": "glass doors",
-}
 NUMBER = re.compile(r"[A-Z]?\d{2,5}[A-Z]?")
 READABLE = re.compile(r"\w[\w' &-]*\w")
 """Written words that can be said aloud."""
 VOWEL = re.compile(r"[aeiouAEIOU]|hour")
-PLURALS = frozenset({
-    "bins",
-    "doors",
-    "lifts",
-    "lockers",
-    "restrooms",
-    "stairs",
-    "toilets",
-})
-ROOM_WORDS = frozenset({
-    "base",
-    "box",
-    "cafe",
-    "center",
-    "centre",
-    "desk",
-    "gallery",
-    "garage",
-    "hall",
-    "kitchen",
-    "lab",
-    "library",
-    "lounge",
-    "office",
-    "plaza",
-    "restaurant",
-    "room",
-    "shop",
-    "store",
-    "studio",
-    "theatre",
-    "theater",
-    "workshop",
-})
-"""Last words of names that take `the`."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,13 +52,15 @@ def with_article(thing: Thing, *, definite: bool) -> str:
 
 def is_plural(thing: Thing) -> bool:
     """Tell whether the words for a thing are a plural."""
-    return not (thing.proper or thing.named) and thing.words.split()[-1] in PLURALS
+    return not (thing.proper or thing.named) and thing.words.split()[-1] in phrases(
+        "words", "plurals"
+    )
 
 
 def _landmark(mark: Landmark) -> Thing | None:
     place = (float(mark.position.x), float(mark.position.y))
     category = mark.category.replace("_", " ")
-    if category in NEVER_TOLD:
+    if category in phrases("words", "never_told"):
         return None
     if "number" in category and mark.text and NUMBER.fullmatch(mark.text):
         return Thing(mark.id, f"room {mark.text}", place, True)
@@ -121,14 +82,19 @@ def _door(door: Door, rooms: dict[str, str]) -> Thing | None:
     place = (float(middle.x), float(middle.y))
     if door.label and NUMBER.fullmatch(door.label):
         return Thing(door.id, f"room {door.label}", place, True)
-    if door.style in PLAIN_DOORS:
-        return Thing(door.id, PLAIN_DOORS[door.style], place)
+    plain = words_for("plain_doors").get(door.style)
+    if plain is not None:
+        return Thing(door.id, plain, place)
     label = door.label or ""
     if READABLE.fullmatch(label) and len(label.split()) <= 3:
         words = label.split()
         if label.istitle() and len(words) > 1 and len(words[-1]) <= 2:
             return Thing(door.id, label, place, proper=True)
-        if label.istitle() and len(words) > 1 and words[-1].lower() in ROOM_WORDS:
+        if (
+            label.istitle()
+            and len(words) > 1
+            and words[-1].lower() in phrases("words", "rooms")
+        ):
             return Thing(door.id, label, place, named=True)
         return Thing(door.id, f"door that says {label}", place)
     name = rooms.get(door.room or "", "")

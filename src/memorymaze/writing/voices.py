@@ -56,6 +56,11 @@ class Voice:
     """Says "you'll", not "you will"."""
     surface: Surface
 
+    @property
+    def manner(self) -> Literal["spoken", "typed"]:
+        """The name of its phrases."""
+        return "spoken" if self.spoken else "typed"
+
 
 def make_voice(
     study: str,

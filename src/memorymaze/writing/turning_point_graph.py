@@ -4,21 +4,84 @@ This is the floor as a walker knows it who is told where to turn: no grid, no ph
 """
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
+from typing import NamedTuple
 
 from shapely import LineString, Point, Polygon, get_parts
+from shapely.ops import substring
 
+from memorymaze.errors import SitePlanError
 from memorymaze.geometry.pose import heading_to, turn_between
 from memorymaze.sites.records import Exit, Route, Site, TurningPoint
-from memorymaze.writing.route_ways import (
-    Way,
-    carried_on,
-    overlaps,
-    route_ways,
-)
 from memorymaze.writing.things import Thing, things_of
+
+
+class Way(NamedTuple):
+    """A way out of a turning point, up to the next one."""
+
+    heading: float
+    """Radians."""
+    line: tuple[tuple[float, float], ...]
+    """From where it leaves to where it ends, metres."""
+    end: str | None
+    """Turning point it leads to; None where it ends without one."""
+
+
+def carried_on(way: Way, guess: Way) -> Way:
+    """Return a route's last way with what lies beyond the goal."""
+    if way.end is not None:
+        return way
+    beyond = math.dist(way.line[0], guess.line[-1])
+    if beyond <= math.dist(way.line[0], way.line[-1]):
+        return way
+    return Way(way.heading, (*way.line, guess.line[-1]), guess.end)
+
+
+def overlaps(line: LineString, polygon: Polygon) -> list[tuple[float, float]]:
+    """Return the stretches of a line inside a polygon, metres along it."""
+    inside = line.intersection(polygon)
+    parts = [inside] if isinstance(inside, LineString) else getattr(inside, "geoms", [])
+    spans = sorted(
+        tuple(
+            sorted((
+                line.project(Point(p.coords[0])),
+                line.project(Point(p.coords[-1])),
+            ))
+        )
+        for p in parts
+        if isinstance(p, LineString) and p.length > 0.05
+    )
+    joined: list[tuple[float, float]] = []
+    for start, end in spans:
+        if joined and start - joined[-1][1] < 0.1:
+            joined[-1] = (joined[-1][0], max(end, joined[-1][1]))
+        else:
+            joined.append((start, end))
+    return joined
+
+
+def route_ways(
+    route: Route, passed: Sequence[tuple[float, str]]
+) -> Iterator[tuple[str | None, Way]]:
+    """Yield the ways along a route: from its start, then from each turning point."""
+    stops = [(0.0, None), *passed, (route.line.length, None)]
+    for (start, name), (end, following) in pairwise(stops):
+        if end - start < 0.05:
+            if name is None and following is not None:
+                x, y = route.line.coords[0][:2]
+                yield None, Way(route.start_heading, ((x, y), (x, y)), following)
+            continue
+        piece = substring(route.line, start, end)
+        if not isinstance(piece, LineString):
+            raise SitePlanError(f"route {route.id}: expected a line, got a point")
+        line = tuple((float(x), float(y)) for x, y, *_ in piece.coords)
+        # A turn's bend may lie beyond the middle of its polygon.
+        longest = max(pairwise(line), key=lambda leg: math.dist(*leg))
+        yield name, Way(heading_to(*longest), line, following)
+
 
 Side = str
 """`left`, `right`, `slight_left` or `slight_right`."""
@@ -46,7 +109,7 @@ def turn_angle(side: Side) -> float:
 
 
 @dataclass(frozen=True)
-class WalkMap:
+class TurningPointGraph:
     """A floor as turning points and the ways between them.
 
     The lines of routes count before what is guessed from the plan's polygons.
@@ -159,13 +222,13 @@ class WalkMap:
 
     def _way(self, point: TurningPoint, leaving: Exit) -> Way:
         centre = (point.polygon.centroid.x, point.polygon.centroid.y)
-        floor = self._floors.get(leaving.to)
+        graph = self._floors.get(leaving.to)
         if leaving.to in self.points:
             end = self.points[leaving.to].polygon.centroid
             return Way(leaving.heading, (centre, (end.x, end.y)), leaving.to)
         ahead: list[tuple[float, str]] = []
-        for other in self.site.turning_points if floor is not None else ():
-            if other.id == point.id or not other.polygon.intersects(floor):
+        for other in self.site.turning_points if graph is not None else ():
+            if other.id == point.id or not other.polygon.intersects(graph):
                 continue
             middle = (other.polygon.centroid.x, other.polygon.centroid.y)
             turn = turn_between(leaving.heading, heading_to(centre, middle))

@@ -7,7 +7,7 @@ import pytest
 from memorymaze.errors import RunFolderError, SettingsError
 from memorymaze.instructions import load_instructions
 from memorymaze.writing import GenerationRequest, make_instructions, parse_rates
-from memorymaze.writing.for_runs import instructions_for_run
+from memorymaze.writing.making import instructions_for_run
 
 
 def _request(folder: Path, seed: int = 0) -> GenerationRequest:

@@ -1,4 +1,4 @@
-"""Walk a plan on the turning points of a site: does its description arrive?
+"""Follow a plan on the turning points of a site: does its description arrive?
 
 The walker knows the plan alone: it goes straight on, follows corners that leave no
 choice, turns where a cue comes true, and looks for the destination on the last stretch.
@@ -10,9 +10,8 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from memorymaze.sites.records import Route
-from memorymaze.writing.route_ways import Way
 from memorymaze.writing.steps import Arrival, StepPlan, Turn
-from memorymaze.writing.walks import WalkMap
+from memorymaze.writing.turning_point_graph import TurningPointGraph, Way
 
 ARRIVED = 3.0
 """Metres from the goal within which a description ends right."""
@@ -22,7 +21,7 @@ MOST_POINTS = 60
 
 
 @dataclass(frozen=True, slots=True)
-class Walk:
+class Followed:
     """What comes of walking a plan."""
 
     arrived: bool
@@ -34,41 +33,47 @@ class Walk:
     """Turning points where the told turns were made."""
 
 
-def walk(
-    floor: WalkMap, route: Route, plan: StepPlan, *, corners_counted: bool = False
-) -> Walk:
-    """Walk a plan from the route's start; tell where it ends.
+def follow(
+    graph: TurningPointGraph,
+    route: Route,
+    plan: StepPlan,
+    *,
+    corners_counted: bool = False,
+) -> Followed:
+    """Follow a plan from the route's start; tell where it ends.
 
     Args:
-        floor: Turning points of the site.
+        graph: Turning points of the site.
         route: The way that is to be described.
         plan: What is described.
         corners_counted: Whether "the first left" may be a corner without a choice.
     """
-    way = floor.first_way(route, around=plan.around)
+    way = graph.first_way(route, around=plan.around)
     turned: list[str] = []
     for turn in plan.turns:
         if not turn.told:
             continue
-        there = _place_of(floor, way, turn, corners_counted=corners_counted)
+        there = _place_of(graph, way, turn, corners_counted=corners_counted)
         if isinstance(there, str):
-            return Walk(False, None, there, tuple(turned))
+            return Followed(False, None, there, tuple(turned))
         point, heading = there
-        onward = floor.leaving(point, heading, turn.side)
+        onward = graph.leaving(point, heading, turn.side)
         if onward is None:
             lost = f"no way lies {turn.side} at {point}"
-            return Walk(False, None, lost, tuple(turned))
+            return Followed(False, None, lost, tuple(turned))
         turned.append(point)
         way = onward
-    end = _destination(floor, way, plan.arrival)
+    end = _destination(graph, way, plan.arrival)
     if end is None:
         lost = "the destination is not on the last stretch"
-        return Walk(False, None, lost, tuple(turned))
+        return Followed(False, None, lost, tuple(turned))
     x, y = route.line.coords[-1][:2]
-    return Walk(math.dist(end, (x, y)) <= ARRIVED, end, "", tuple(turned))
+    return Followed(math.dist(end, (x, y)) <= ARRIVED, end, "", tuple(turned))
 
 
-def _ahead(floor: WalkMap, way: Way) -> Iterator[tuple[str, float, Way | None]]:
+def _ahead(
+    graph: TurningPointGraph, way: Way
+) -> Iterator[tuple[str, float, Way | None]]:
     """Yield turning points ahead, the heading there, and the way straight on.
 
     Corners without a choice are followed.
@@ -76,45 +81,47 @@ def _ahead(floor: WalkMap, way: Way) -> Iterator[tuple[str, float, Way | None]]:
     for _ in range(MOST_POINTS):
         if way.end is None:
             return
-        onward = floor.leaving(way.end, way.heading, None)
+        onward = graph.leaving(way.end, way.heading, None)
         yield way.end, way.heading, onward
-        onward = onward or floor.only_way(way.end, way.heading)
+        onward = onward or graph.only_way(way.end, way.heading)
         if onward is None:
             return
         way = onward
 
 
-def is_right(floor: WalkMap, route: Route, plan: StepPlan) -> bool:
+def is_right(graph: TurningPointGraph, route: Route, plan: StepPlan) -> bool:
     """Tell whether a plan arrives, turning where it should, in either way of counting.
 
     Some count a corner without a choice among the ways on its side and some do not.
     """
     told = tuple(turn.at for turn in plan.turns if turn.told)
-    walks = _both(floor, route, plan)
-    return all(found.arrived and found.turned == told for found in walks)
+    outcomes = _both(graph, route, plan)
+    return all(found.arrived and found.turned == told for found in outcomes)
 
 
-def is_wrong(floor: WalkMap, route: Route, plan: StepPlan) -> bool:
+def is_wrong(graph: TurningPointGraph, route: Route, plan: StepPlan) -> bool:
     """Tell whether a plan does not arrive, in either way of counting."""
-    return not any(found.arrived for found in _both(floor, route, plan))
+    return not any(found.arrived for found in _both(graph, route, plan))
 
 
-def _both(floor: WalkMap, route: Route, plan: StepPlan) -> tuple[Walk, Walk]:
+def _both(
+    graph: TurningPointGraph, route: Route, plan: StepPlan
+) -> tuple[Followed, Followed]:
     return (
-        walk(floor, route, plan),
-        walk(floor, route, plan, corners_counted=True),
+        follow(graph, route, plan),
+        follow(graph, route, plan, corners_counted=True),
     )
 
 
 def _place_of(
-    floor: WalkMap, way: Way, turn: Turn, *, corners_counted: bool
+    graph: TurningPointGraph, way: Way, turn: Turn, *, corners_counted: bool
 ) -> tuple[str, float] | str:
     """Return where a turn is to be made, or why that cannot be told."""
     cue, seen = turn.cue, 0
-    for point, heading, onward in _ahead(floor, way):
-        only = floor.only_way(point, heading)
+    for point, heading, onward in _ahead(graph, way):
+        only = graph.only_way(point, heading)
         forced = onward is None and only is not None
-        here = floor.leaving(point, heading, turn.side)
+        here = graph.leaving(point, heading, turn.side)
         if cue.kind == "forced":
             if forced:
                 return point, heading
@@ -122,7 +129,7 @@ def _place_of(
             if onward is None and not (forced and here is None):
                 return point, heading
         elif here is not None and cue.kind == "thing":
-            if cue.words in floor.marks[point]:
+            if cue.words in graph.marks[point]:
                 return point, heading
         elif (
             here is not None
@@ -137,14 +144,14 @@ def _place_of(
 
 
 def _destination(
-    floor: WalkMap, way: Way, arrival: Arrival
+    graph: TurningPointGraph, way: Way, arrival: Arrival
 ) -> tuple[float, float] | None:
     """Return the place on the last stretch that is nearest to the destination."""
     lines = [way.line]
     lines += [
         onward.line
-        for point, heading, straight in _ahead(floor, way)
-        if (onward := straight or floor.only_way(point, heading)) is not None
+        for point, heading, straight in _ahead(graph, way)
+        if (onward := straight or graph.only_way(point, heading)) is not None
     ]
     spots = [_nearest(line, arrival.place) for line in lines]
     near = [spot for spot in spots if math.dist(spot, arrival.place) <= SEEN]

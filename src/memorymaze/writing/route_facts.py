@@ -1,4 +1,4 @@
-"""Read from a route what a right description of it says."""
+"""What is true of a route, and what a right description of it says."""
 
 import math
 from collections import Counter
@@ -14,6 +14,7 @@ from shapely.prepared import PreparedGeometry, prep
 from memorymaze.errors import SitePlanError
 from memorymaze.geometry.pose import heading_to, turn_between
 from memorymaze.sites.records import Route, RouteTurn
+from memorymaze.writing.following import follow
 from memorymaze.writing.steps import (
     Arrival,
     Cue,
@@ -23,8 +24,7 @@ from memorymaze.writing.steps import (
     Turn,
 )
 from memorymaze.writing.things import Thing
-from memorymaze.writing.walking import walk
-from memorymaze.writing.walks import WalkMap, side_of
+from memorymaze.writing.turning_point_graph import TurningPointGraph, side_of
 
 BESIDE = 4.5
 """Metres from the way within which things are mentioned."""
@@ -33,7 +33,7 @@ AHEAD = math.radians(40)
 
 
 @dataclass(frozen=True)
-class RouteReading:
+class RouteFacts:
     """One route of a site, ready to be described.
 
     Raises:
@@ -41,7 +41,7 @@ class RouteReading:
             description of it can be found.
     """
 
-    floor: WalkMap
+    graph: TurningPointGraph
     route: Route
 
     @cached_property
@@ -53,11 +53,11 @@ class RouteReading:
                 zip(self.route.turns, self.cues, self.legs[:-1], strict=True)
             )
         )
-        plan = StepPlan(self.floor.site.name, self.route.id, turns, self._arrival)
-        found = walk(self.floor, self.route, plan)
+        plan = StepPlan(self.graph.site.name, self.route.id, turns, self._arrival)
+        found = follow(self.graph, self.route, plan)
         if not found.arrived:
             raise SitePlanError(
-                f"{self.floor.site.name}, {self.route.id}: expected turns that lead to "
+                f"{self.graph.site.name}, {self.route.id}: expected turns that lead to "
                 f"the goal, got a walk that does not arrive ({found.lost or found.end}); "
                 "check the exits of the turning points on the route"
             )
@@ -67,12 +67,12 @@ class RouteReading:
     def stops(self) -> tuple[float, ...]:
         """Metres along the line where the turns are, in order."""
         stops: list[float] = []
-        passed = iter(self.floor.passed(self.route))
+        passed = iter(self.graph.passed(self.route))
         for turn in self.route.turns:
             found = next((at for at, point in passed if point == turn.at), None)
             if found is None:
                 raise SitePlanError(
-                    f"{self.floor.site.name}, {self.route.id}: expected its turns in "
+                    f"{self.graph.site.name}, {self.route.id}: expected its turns in "
                     f"order along its line, got {turn.at!r}, which is not met there"
                 )
             stops.append(found)
@@ -82,7 +82,7 @@ class RouteReading:
     def between(self) -> tuple[tuple[str, ...], ...]:
         """Turning points passed straight on before each turn, and after the last."""
         edges = (-1.0, *self.stops, math.inf)
-        passed = self.floor.passed(self.route)
+        passed = self.graph.passed(self.route)
         return tuple(
             tuple(point for at, point in passed if low < at < high)
             for low, high in pairwise(edges)
@@ -91,16 +91,16 @@ class RouteReading:
     @cached_property
     def headings(self) -> dict[str, float]:
         """The heading on coming to each turning point of the route, radians."""
-        ways = self.floor.first_way(self.route)
+        ways = self.graph.first_way(self.route)
         found: dict[str, float] = {}
         turns = {turn.at: turn.direction for turn in self.route.turns}
-        for _ in range(len(self.floor.passed(self.route)) + 1):
+        for _ in range(len(self.graph.passed(self.route)) + 1):
             if ways is None or ways.end is None:
                 break
             found.setdefault(ways.end, ways.heading)
             side = turns.get(ways.end)
-            onward = self.floor.leaving(ways.end, ways.heading, side)
-            ways = onward or self.floor.only_way(ways.end, ways.heading)
+            onward = self.graph.leaving(ways.end, ways.heading, side)
+            ways = onward or self.graph.only_way(ways.end, ways.heading)
         return found
 
     @cached_property
@@ -124,7 +124,7 @@ class RouteReading:
             )
             if not good:
                 raise SitePlanError(
-                    f"{self.floor.site.name}, {self.route.id}: expected a way to say "
+                    f"{self.graph.site.name}, {self.route.id}: expected a way to say "
                     f"where to turn {turn.direction} at {turn.at!r}, got none; check "
                     "its exits"
                 )
@@ -140,18 +140,18 @@ class RouteReading:
         ]
         plan = StepPlan("", "", tuple(turns), self._arrival)
         wanted = tuple(turn.at for turn in turns)
-        return walk(self.floor, self.route, plan).turned == wanted
+        return follow(self.graph, self.route, plan).turned == wanted
 
     def _proposals(self, n: int) -> Iterator[Cue]:
         turn = self.route.turns[n]
         heading = self.headings.get(turn.at)
-        if heading is not None and self.floor.leaving(turn.at, heading, None) is None:
-            if self.floor.only_way(turn.at, heading) is not None:
+        if heading is not None and self.graph.leaving(turn.at, heading, None) is None:
+            if self.graph.only_way(turn.at, heading) is not None:
                 yield Cue("forced")
             yield Cue("end")
         for ordinal in range(1, 7):
             yield Cue("ordinal", ordinal)
-        counts = Counter(thing.words for thing in self.floor.things)
+        counts = Counter(thing.words for thing in self.graph.things)
         marks = sorted(
             (thing for thing in self._things_at(turn.at) if counts[thing.words] <= 2),
             key=lambda thing: thing.id,
@@ -160,11 +160,11 @@ class RouteReading:
             yield Cue("thing", words=thing.words, proper=thing.proper)
 
     def _things_at(self, point: str) -> list[Thing]:
-        words = self.floor.marks[point]
-        polygon = self.floor.points[point].polygon
+        words = self.graph.marks[point]
+        polygon = self.graph.points[point].polygon
         near = [
             thing
-            for thing in self.floor.things
+            for thing in self.graph.things
             if thing.words in words and polygon.distance(Point(thing.position)) <= 4.0
         ]
         line = self.route.line
@@ -182,10 +182,10 @@ class RouteReading:
             for side in ("left", "right"):
                 if (
                     heading is not None
-                    and self.floor.leaving(point, heading, side) is not None
+                    and self.graph.leaving(point, heading, side) is not None
                 ):
                     openings.append(side)
-        parts = [*self.floor.site.corridors, *self.floor.site.areas]
+        parts = [*self.graph.site.corridors, *self.graph.site.areas]
         part = max(parts, key=lambda p: p.polygon.intersection(line).length)
         return Leg(
             length=line.length,
@@ -199,7 +199,7 @@ class RouteReading:
     def _passing(self, line: LineString) -> Iterator[Passing]:
         seen: set[str] = set()
         found: list[tuple[float, Thing, Point]] = []
-        for thing in self.floor.things:
+        for thing in self.graph.things:
             spot = Point(thing.position)
             if line.distance(spot) > BESIDE:
                 continue
@@ -222,19 +222,19 @@ class RouteReading:
 
     @cached_property
     def _visible(self) -> "PreparedGeometry[Polygon]":
-        return prep(self.floor.site.walkable_floor.buffer(0.6))
+        return prep(self.graph.site.walkable_floor.buffer(0.6))
 
     def _beyond(self, turn: RouteTurn) -> Thing | None:
         """Return what one meets who does not turn."""
         heading = self.headings.get(turn.at)
-        onward = None if heading is None else self.floor.leaving(turn.at, heading, None)
+        onward = None if heading is None else self.graph.leaving(turn.at, heading, None)
         if onward is None or math.dist(onward.line[0], onward.line[-1]) < 4.0:
             return None
-        counts = Counter(thing.words for thing in self.floor.things)
+        counts = Counter(thing.words for thing in self.graph.things)
         line = LineString(onward.line)
         ahead = [
             (line.project(Point(thing.position)), thing)
-            for thing in self.floor.things
+            for thing in self.graph.things
             if counts[thing.words] == 1
             and line.distance(Point(thing.position)) < 3.0
             and self.route.line.distance(Point(thing.position)) > 5.0
@@ -246,7 +246,7 @@ class RouteReading:
     def _arrival(self) -> Arrival:
         line = self.route.line
         x, y = line.coords[-1][:2]
-        site = self.floor.site
+        site = self.graph.site
         goals = {
             **{t.id: t.position for t in site.landmarks},
             **{d.id: d.line.interpolate(0.5, normalized=True) for d in site.doors},
