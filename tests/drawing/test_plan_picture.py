@@ -9,9 +9,8 @@ import pytest
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
-from memorymaze.drawing.margin import draw_scale_and_north
-from memorymaze.drawing.obstacles import Met, ThingInTheWay
-from memorymaze.drawing.plan_picture import draw_site
+from memorymaze.drawing.plan_picture import draw_scale_and_north, draw_site
+from memorymaze.drawing.shapes import Met, ThingInTheWay
 from memorymaze.errors import SettingsError
 from memorymaze.geometry.trajectory import TimedPose, Trajectory
 from memorymaze.sites import Site, load_site
@@ -76,7 +75,7 @@ def test_the_scale_bar_is_as_long_as_it_says_and_whole(
     l_site: Site, scale: float
 ) -> None:
     figure = Figure(figsize=(9, 6))
-    draw_scale_and_north(figure, l_site, scale, 9, 6)
+    draw_scale_and_north(figure, l_site, scale)
     [corner] = figure.axes
     bars = [each for each in corner.patches if isinstance(each, Rectangle)]
     west = min(each.get_x() for each in bars)

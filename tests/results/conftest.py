@@ -1,12 +1,27 @@
-"""The browser that tests of pages look with."""
+"""The browser that tests of pages look with, and runs over tiny sites."""
 
 import shutil
 from collections.abc import Generator
+from pathlib import Path
+from typing import Any
 
 import pytest
 from playwright.sync_api import Browser, sync_playwright
 
+from memorymaze.evaluation.agents_for_runs import build_agent
+from memorymaze.evaluation.arena import Arena
+from memorymaze.evaluation.episode import run_episode
+from memorymaze.evaluation.plan import plan_run
+from memorymaze.evaluation.provenance import CodeStamp
+from memorymaze.evaluation.run_folder import RunRecord, open_run_folder, read_run
+from memorymaze.evaluation.settings import AgentSettings
+from memorymaze.evaluation.trace import write_trace
+from memorymaze.results.story import RecordedEpisode, load_episode
+from memorymaze.simulation.obstacles import parse_obstacles
+
 BROWSERS = ("chromium", "chromium-browser", "google-chrome")
+TESTS = Path(__file__).parents[1]
+SITES = TESTS / "tiny_sites"
 
 
 @pytest.fixture(scope="session")
@@ -25,3 +40,56 @@ def browser() -> Generator[Browser]:
         )
         yield chromium
         chromium.close()
+
+
+def _run(folder: Path, **settings: Any) -> Path:
+    """Run two episodes in this process, which is quicker than starting workers."""
+    plan = plan_run(
+        AgentSettings("rules"),
+        instruction_files=[TESTS / "tiny_instructions.jsonl"],
+        sites_folder=SITES,
+        limit=2,
+        **settings,
+    )
+    code = CodeStamp(version="0", sha256="0", commit=None, python="3", packages={})
+    record = RunRecord(plan.settings, code, "2026-01-01T00:00:00+00:00")
+    with open_run_folder(folder, record, resume=False) as run:
+        for episode in plan.episodes:
+            site = plan.sites[episode.instruction.site]
+            arena = Arena(site, plan.settings.obstacles)
+            agent = build_agent(plan.settings.agent)(episode)
+            done = run_episode(agent, episode, arena, plan.settings)
+            write_trace(folder, episode.id, done.trace)
+            run.add(done.result)
+    return folder
+
+
+@pytest.fixture(scope="session")
+def tiny_run(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A run of two episodes by `rules`."""
+    return _run(tmp_path_factory.mktemp("runs") / "tiny")
+
+
+@pytest.fixture(scope="session")
+def crowded_run(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The same with things in the way and people."""
+    return _run(
+        tmp_path_factory.mktemp("runs") / "crowded",
+        obstacles=parse_obstacles("heavy"),
+    )
+
+
+@pytest.fixture(scope="session")
+def episode(tiny_run: Path) -> RecordedEpisode:
+    """The first episode of the run."""
+    return load_episode(tiny_run, episode_ids(tiny_run)[0], SITES)
+
+
+@pytest.fixture(scope="session")
+def crowded_episode(crowded_run: Path) -> RecordedEpisode:
+    """The first episode of the run with people."""
+    return load_episode(crowded_run, episode_ids(crowded_run)[0], SITES)
+
+
+def episode_ids(run: Path) -> list[str]:
+    return [result.episode_id for result in read_run(run)[1]]

@@ -66,7 +66,7 @@ def _run(options: argparse.Namespace) -> int:
         navigate,
         write_navigation,
     )
-    from memorymaze.results.replay.outcome import outcome_line
+    from memorymaze.results.story.outcomes import outcome_line
     from memorymaze.sites import load_site
 
     site = load_site(options.site)
@@ -124,7 +124,7 @@ def _onlooker(
         if options.pace is not None:
             raise SettingsError("--pace: expected with --watch, got it alone")
         return None
-    from memorymaze.results.watching.choice import watching
+    from memorymaze.results.watching import watching
 
     title = f"{options.agent} on {site.title}, {route.id} (simulated)"
     return stack.enter_context(

@@ -62,8 +62,8 @@ def add_parser(verbs: Verbs) -> None:
 
 
 def _run(options: argparse.Namespace) -> int:
-    from memorymaze.results.replay import load_episode
-    from memorymaze.results.replay.settings import ReplaySettings
+    from memorymaze.results.replay.film import ReplaySettings
+    from memorymaze.results.story import load_episode
 
     settings = ReplaySettings(
         size=options.size,

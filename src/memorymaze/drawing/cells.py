@@ -2,12 +2,14 @@
 
 import math
 from dataclasses import dataclass
+from itertools import chain
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 from shapely import contains_xy, get_coordinates, segmentize, union_all
 
+from memorymaze.drawing.shapes import plan_bounds, plan_shapes
 from memorymaze.sites import Site
 
 MARGIN = 2.0
@@ -54,22 +56,11 @@ class CellMap:
 
 def plan_extent(site: Site) -> Extent:
     """Return the extent of a whole plan."""
-    bounds = [site.walkable_floor.bounds, *(r.polygon.bounds for r in site.rooms)]
-    table = np.array(bounds)
-    west, south = (table[:, :2].min(axis=0) - MARGIN).tolist()
-    east, north = (table[:, 2:].max(axis=0) + MARGIN).tolist()
-    return Extent(west, south, east, north)
+    return Extent(*plan_bounds(site, MARGIN))
 
 
 def cell_map(site: Site, extent: Extent, columns: int, rows: int) -> CellMap:
-    """Fit a part of a plan into cells; it is in their middle.
-
-    Args:
-        site: Whose plan.
-        extent: What must be seen.
-        columns: Of the terminal, at least 1.
-        rows: Of the terminal, at least 1; each counts twice.
-    """
+    """Fit a part of a plan into the cells of a terminal; it is in their middle."""
     wide, high = extent.east - extent.west, extent.north - extent.south
     metres = max(wide / columns, high / (2 * rows))
     west = (extent.west + extent.east - columns * metres) / 2
@@ -80,7 +71,8 @@ def cell_map(site: Site, extent: Extent, columns: int, rows: int) -> CellMap:
     x, y = np.meshgrid(xs, ys)
     floor = site.walkable_floor
     thick = max(WALL, metres)
-    rooms = [room.polygon for room in site.rooms]
+    shapes = plan_shapes(site)
+    rooms = chain.from_iterable(s.polygons for s in shapes if s.kind == "room")
     built = union_all([*rooms, floor.buffer(thick)])
     solid = contains_xy(built, x, y) & ~contains_xy(floor, x, y)
     shape = (2 * rows, SAMPLES, columns, SAMPLES)

@@ -1,24 +1,17 @@
-"""The words on a site's drawing: names of places, and labels of things."""
+"""The words on a plan and where they go: names of places, and labels of things."""
 
 import math
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
+from typing import Literal, NamedTuple
 
-from matplotlib.axes import Axes
 from shapely import Polygon, box, get_coordinates, segmentize
 from shapely.geometry.base import BaseGeometry
 
 from memorymaze.drawing.label_placing import Box, LabelSpace, PlacedLabel, wrapped
+from memorymaze.drawing.shapes import is_covering
 from memorymaze.sites.records import Corridor, Landmark, Route, Site
 
-ROOM_COLOR = "#444444"
-LANDMARK_COLOR = "#1d5a2b"
-DOOR_COLOR = "#6b3a10"
-NAME_COLOR = "#7a5c1e"
-NAME_SIZES = (7.0, 6.0, 5.0, 4.2)
-"""Points."""
-THING_SIZE = 4.4
-"""Points."""
 LONGEST_LABEL = 34
 """Characters."""
 LONGEST_LINE = 18
@@ -33,36 +26,48 @@ SHARES = (1.0, 0.9, 0.8, 0.7, 0.6, 0.5, 0.4, 0.3)
 """Of a polygon's bounding box, tried for a box inside it."""
 
 
-def draw_labels(
-    axes: Axes,
+class Label(NamedTuple):
+    """A word on a plan."""
+
+    placed: PlacedLabel | None
+    """None where it found no room."""
+    kind: Literal["name", "way", "word", "sign"]
+    """Of a room, of an area or corridor, of a thing, on a door."""
+
+
+def place_labels(
     site: Site,
     routes: Sequence[Route],
     space: LabelSpace,
-    magnified: float,
-) -> int:
-    """Write names of rooms, areas and corridors, and labels of things.
+    names: Sequence[float],
+    thing: float,
+    sheet: Box,
+) -> list[Label]:
+    """Place names of rooms, areas and corridors, and labels of things.
 
     Walls, doors, things and routes stay uncovered. Equal things beside each other share
     a label, and rare things are labelled first.
+
+    Args:
+        site: Whose plan.
+        routes: Those that are drawn.
+        space: Where labels go.
+        names: Font sizes of names, the largest first.
+        thing: Font size of what is said of things.
+        sheet: What is drawn of the plan.
     """
     lines = [door.line for door in site.doors] + [route.line for route in routes]
     for line in (*lines, site.walkable_floor.boundary):
         for spot in _spots(line):
             space.take(spot)
-    for thing in site.landmarks:
-        space.take(_bounds(thing.footprint.bounds))
-    names = [size * magnified for size in NAME_SIZES]
-    labels = [
+    for each in site.landmarks:
+        if not is_covering(each):
+            space.take(_bounds(each.footprint.bounds))
+    return [
         *_room_names(site, space, names),
         *_place_names(site, space, names),
-        *_thing_labels(
-            site, space, THING_SIZE * magnified, _bounds(axes.viewLim.extents)
-        ),
+        *_thing_labels(site, space, thing, sheet),
     ]
-    for label, color, style in labels:
-        if label:
-            _write(axes, label, color, style)
-    return sum(label is None for label, _, _ in labels)
 
 
 def _spots(line: BaseGeometry) -> Iterator[Box]:
@@ -71,20 +76,12 @@ def _spots(line: BaseGeometry) -> Iterator[Box]:
         yield x - LINE_HALF, y - LINE_HALF, x + LINE_HALF, y + LINE_HALF
 
 
-Label = tuple[PlacedLabel | None, str, str]
-"""With colour and style."""
-
-
 def _room_names(
     site: Site, space: LabelSpace, sizes: Sequence[float]
 ) -> Iterator[Label]:
     for room in site.rooms:
         frame = _inner_frame(room.polygon)
-        yield (
-            space.inside(wrapped(room.name), [frame], sizes),
-            ROOM_COLOR,
-            "normal",
-        )
+        yield Label(space.inside(wrapped(room.name), [frame], sizes), "name")
 
 
 def _place_names(
@@ -93,15 +90,10 @@ def _place_names(
     for area in site.areas:
         if area.name:
             frames = _frames_across(area.polygon)
-            label = space.inside(wrapped(area.name), frames, sizes)
-            yield label, NAME_COLOR, "italic"
+            yield Label(space.inside(wrapped(area.name), frames, sizes), "way")
     for corridor in site.corridors:
         if corridor.name:
-            yield (
-                _corridor_name(corridor, corridor.name, space, sizes),
-                NAME_COLOR,
-                "italic",
-            )
+            yield Label(_corridor_name(corridor, corridor.name, space, sizes), "way")
 
 
 def _corridor_name(
@@ -136,15 +128,17 @@ def _thing_labels(
         key=lambda group: (commonness[group[0].category], group[0].id),
     )
     for group in groups:
-        thing = _bounds(group[len(group) // 2].footprint.bounds)
-        label = space.beside(_thing_words(group), thing, font_size, sheet)
-        yield label, LANDMARK_COLOR, "normal"
+        thing = group[len(group) // 2]
+        bounds = _bounds(thing.footprint.bounds)
+        words = _thing_words(group)
+        on_it = is_covering(thing) and space.inside([words], [bounds], [font_size])
+        yield Label(on_it or space.beside(words, bounds, font_size, sheet), "word")
     rooms = {room.id: room.name for room in site.rooms}
     for door in site.doors:
         if door.label and door.label not in rooms.get(door.room or "", ""):
             line = _bounds(door.line.buffer(LINE_HALF).bounds)
-            label = space.beside(_broken(f"“{door.label}”"), line, font_size, sheet)
-            yield label, DOOR_COLOR, "normal"
+            words = _broken(f"“{door.label}”")
+            yield Label(space.beside(words, line, font_size, sheet), "sign")
 
 
 def _thing_words(group: Sequence[Landmark]) -> str:
@@ -185,25 +179,6 @@ def _equal_neighbours(things: Iterable[Landmark]) -> list[list[Landmark]]:
         else:
             groups.append([thing])
     return groups
-
-
-def _write(axes: Axes, label: PlacedLabel, color: str, style: str) -> None:
-    axes.text(
-        label.x,
-        label.y,
-        label.text,
-        fontsize=label.font_size,
-        color=color,
-        style=style,
-        rotation=math.degrees(label.angle),
-        rotation_mode="anchor",
-        horizontalalignment="center",
-        verticalalignment="center",
-        linespacing=1.1,
-        parse_math=False,
-        clip_on=True,
-        zorder=10,
-    )
 
 
 def _inner_frame(polygon: Polygon) -> Box:

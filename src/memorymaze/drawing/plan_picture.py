@@ -1,29 +1,40 @@
-"""Drawings of sites as PNG, SVG or PDF: the sheet and what goes on it."""
+"""Pictures of sites: sheets as PNG, SVG or PDF, and pixels to draw a robot on."""
 
-import warnings
-from collections.abc import Collection, Sequence
+import textwrap
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from matplotlib import rc_context
+from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
-from matplotlib.font_manager import fontManager
-from matplotlib.typing import RcKeyType
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch, Rectangle
 from numpy.typing import ArrayLike, NDArray
 
-from memorymaze.drawing import layers
-from memorymaze.drawing.label_placing import LabelSpace
-from memorymaze.drawing.labels import draw_labels
-from memorymaze.drawing.margin import (
-    FOOT,
-    HEAD,
-    draw_scale_and_north,
-    write_head,
-    write_legend,
+from memorymaze.drawing.axes import (
+    TURNING_POINT_ALPHA,
+    lettering,
+    paint_met,
+    paint_plan,
+    paint_routes,
+    paint_walk,
+    route_lines,
+    write_labels,
 )
-from memorymaze.drawing.obstacles import Met, draw_met
-from memorymaze.drawing.routes import draw_routes, draw_walk
+from memorymaze.drawing.label_placing import LabelSpace
+from memorymaze.drawing.shapes import (
+    INKS,
+    PEOPLE_COLOR,
+    THING_COLOR,
+    VARIETIES,
+    WALK_COLOR,
+    Met,
+    Points,
+    Shape,
+    route_color,
+)
 from memorymaze.errors import SettingsError
 from memorymaze.geometry.trajectory import Trajectory
 from memorymaze.sites.records import Route, Site
@@ -40,18 +51,17 @@ LARGEST_SHEET = 60.0
 DOTS_PER_INCH = 130
 NARROWEST = 9.0
 """Inches of paper that title and legend need."""
-OTHER_SCRIPTS = (
-    "Noto Sans CJK JP",
-    "Noto Sans JP",
-    "IPAexGothic",
-    "IPAGothic",
-    "TakaoPGothic",
-    "WenQuanYi Zen Hei",
-    "Hiragino Sans",
-    "Yu Gothic",
-    "Noto Sans",
-)
-"""Fonts looked for when Latin ones lack a character."""
+HEAD, FOOT = 0.9, 1.25
+"""Inches above and below the plan."""
+BAR_LENGTHS = (1, 2, 5, 10, 20, 50, 100, 200, 500)
+"""Metres that a scale bar may stand for."""
+LONGEST_BAR = 3.0
+"""Inches."""
+CORNER = 4.0
+"""Inches across the corner that holds scale bar and north arrow."""
+AROUND = 6.0
+"""Metres of plan shown round a walk and the way described."""
+PIXELS_PER_INCH = 100
 
 
 def draw_site(
@@ -84,16 +94,9 @@ def draw_site(
         )
     shown = _chosen_routes(site, routes)
     walks = [_points(trajectory) for trajectory in trajectories]
-    # Text in SVG stays text, and the same site gives the same file.
-    style: dict[RcKeyType, object] = {
-        "font.family": ["DejaVu Sans", *_other_scripts()],
-        "svg.fonttype": "none",
-        "svg.hashsalt": site.name,
-    }
     undated = {".svg": {"Date": None}, ".pdf": {"CreationDate": None}}
-    with rc_context(style), warnings.catch_warnings():
-        # Characters that no installed font has are drawn as boxes.
-        warnings.filterwarnings("ignore", message="Glyph .* missing from font")
+    # Text in SVG stays text, and the same site gives the same file.
+    with lettering(**{"svg.fonttype": "none", "svg.hashsalt": site.name}):
         _sheet(site, shown, walks, met or Met()).savefig(
             path, dpi=DOTS_PER_INCH, metadata=undated.get(path.suffix.lower())
         )
@@ -114,7 +117,7 @@ def _chosen_routes(site: Site, routes: bool | Collection[str]) -> list[Route]:
     ]
 
 
-def _points(walk: Trajectory | ArrayLike) -> NDArray[np.float64]:
+def _points(walk: Trajectory | ArrayLike) -> Points:
     points = walk.points if isinstance(walk, Trajectory) else walk
     array = np.asarray(points, dtype=np.float64)
     if array.ndim != 2 or array.shape[1] != 2 or not len(array):
@@ -122,16 +125,8 @@ def _points(walk: Trajectory | ArrayLike) -> NDArray[np.float64]:
     return array
 
 
-def _other_scripts() -> list[str]:
-    installed = {font.name for font in fontManager.ttflist}
-    return [name for name in OTHER_SCRIPTS if name in installed]
-
-
 def _sheet(
-    site: Site,
-    routes: Sequence[Route],
-    walks: Sequence[NDArray[np.float64]],
-    met: Met,
+    site: Site, routes: Sequence[Route], walks: Sequence[Points], met: Met
 ) -> Figure:
     everything = [site.walkable_floor.bounds]
     everything += [room.polygon.bounds for room in site.rooms]
@@ -147,28 +142,249 @@ def _sheet(
     sheet_high = high * scale + HEAD + FOOT
     figure = Figure(figsize=(sheet_wide, sheet_high), facecolor="white")
     FigureCanvasAgg(figure)
-    axes = figure.add_axes((
+    frame = (
         (1 - wide * scale / sheet_wide) / 2,
         FOOT / sheet_high,
         wide * scale / sheet_wide,
         high * scale / sheet_high,
-    ))
+    )
+    axes = _axes_in(figure, frame, (west, south), (east, north))
+    paint_plan(axes, site)
+    paint_routes(axes, routes)
+    paint_met(axes, met)
+    for walk in walks:
+        paint_walk(axes, walk)
+    space = LabelSpace(metres_per_point=1 / (72 * scale))
+    magnified = float(np.clip(scale / SCALES[0], 1.0, 1.6))
+    left_out = write_labels(axes, site, routes, space, magnified)
+    _write_head(figure, site)
+    draw_scale_and_north(figure, site, scale)
+    _write_legend(figure, list(_marks(site, routes, bool(walks), met)), left_out)
+    return figure
+
+
+def _axes_in(
+    figure: Figure,
+    frame: tuple[float, float, float, float],
+    low: ArrayLike,
+    high: ArrayLike,
+) -> Axes:
+    """Return axes without ticks, from one corner of a plan to the opposite one."""
+    axes = figure.add_axes(frame)
+    (west, south), (east, north) = np.asarray([low, high], dtype=np.float64).tolist()
     axes.set_xlim(west, east)
     axes.set_ylim(south, north)
     axes.set_axis_off()
-    space = LabelSpace(metres_per_point=1 / (72 * scale))
-    magnified = float(np.clip(scale / SCALES[0], 1.0, 1.6))
-    layers.draw_floor(axes, site)
-    layers.draw_turning_points(axes, site)
-    layers.draw_rooms(axes, site)
-    layers.draw_doors(axes, site)
-    layers.draw_landmarks(axes, site)
-    draw_routes(axes, routes)
-    draw_met(axes, met)
-    for walk in walks:
-        draw_walk(axes, walk)
-    left_out = draw_labels(axes, site, routes, space, magnified)
-    write_head(figure, site, sheet_high)
-    draw_scale_and_north(figure, site, scale, sheet_wide, sheet_high)
-    write_legend(figure, site, routes, bool(walks), left_out, met)
-    return figure
+    return axes
+
+
+def _write_head(figure: Figure, site: Site) -> None:
+    """Write title and counts above the plan."""
+    west, south, east, north = site.walkable_floor.bounds
+    facts = (
+        f"{site.floor} · {east - west:.0f} x {north - south:.0f} m · "
+        f"{len(site.turning_points)} turning points · {len(site.doors)} doors · "
+        f"{len(site.landmarks)} landmarks"
+    )
+    for text, from_top, size, color in (
+        (site.title, 0.36, 15, "black"),
+        (facts, 0.66, 9.5, "#555555"),
+    ):
+        figure.text(
+            0.25 / figure.get_figwidth(),
+            1 - from_top / figure.get_figheight(),
+            text,
+            fontsize=size,
+            color=color,
+            parse_math=False,
+        )
+
+
+def draw_scale_and_north(figure: Figure, site: Site, scale: float) -> None:
+    """Draw a scale bar and a north arrow in the upper right corner.
+
+    Args:
+        figure: The sheet.
+        site: What is drawn on it.
+        scale: Inches per metre.
+    """
+    wide, high = CORNER / figure.get_figwidth(), 0.85 / figure.get_figheight()
+    corner = _axes_in(figure, (1 - wide, 1 - high, wide, high), (0, 0), (CORNER, 0.85))
+    metres = max(each for each in BAR_LENGTHS if each * scale <= LONGEST_BAR)
+    end = CORNER - 0.8
+    start = end - metres * scale
+    for part in range(5):
+        corner.add_patch(
+            Rectangle(
+                (start + part * (end - start) / 5, 0.3),
+                (end - start) / 5,
+                0.07,
+                facecolor="black" if part % 2 == 0 else "white",
+                edgecolor="black",
+                linewidth=0.7,
+            )
+        )
+    corner.text(start, 0.44, "0", fontsize=8, ha="center")
+    corner.text(end, 0.44, f"{metres} m", fontsize=8, ha="center")
+    bearing = site.anchor.bearing if site.anchor else 0.0
+    north = np.array([-np.sin(bearing), np.cos(bearing)])
+    middle = np.array([CORNER - 0.28, 0.36])
+    corner.annotate(
+        "",
+        xy=tuple(middle + 0.22 * north),
+        xytext=tuple(middle - 0.22 * north),
+        arrowprops={"arrowstyle": "-|>", "color": "black", "linewidth": 1.4},
+    )
+    x, y = (middle + 0.32 * north).tolist()
+    corner.text(x, y, "N", fontsize=9, ha="center", va="center")
+
+
+def _marks(
+    site: Site, routes: Sequence[Route], walked: bool, met: Met
+) -> Iterator[Line2D | Patch]:
+    """Return what the colours and lines on a sheet mean."""
+    floor, wall = INKS["floor"].paper, INKS["wall"].paper
+    yield Patch(facecolor=floor, edgecolor=wall, label="floor")
+    if site.rooms:
+        edge = INKS["room_edge"].paper
+        yield Patch(facecolor=INKS["room"].paper, edgecolor=edge, label="room")
+    if any(area.open_air for area in site.areas):
+        yield Patch(facecolor=INKS["open_air"].paper, label="open air")
+    if site.turning_points:
+        yield Patch(
+            facecolor=INKS["turning_point"].paper,
+            alpha=TURNING_POINT_ALPHA,
+            label="turning point with its exits",
+        )
+    for style in dict.fromkeys(door.style for door in site.doors):
+        name = f"{style.replace('_', ' ')} door"
+        color = Shape("door", style).paper
+        yield Line2D([], [], color=color, linewidth=3, label=name)
+    if any(door.state == "open" for door in site.doors):
+        yield Line2D(
+            [], [], color="#555555", linewidth=3, dashes=(1, 2), label="open door"
+        )
+    for mount in dict.fromkeys(thing.mount for thing in site.landmarks):
+        where = {"floor": "on the floor", "wall": "on a wall", "ceiling": "overhead"}
+        color = VARIETIES["thing"][mount]
+        overhead = mount == "ceiling"
+        yield Patch(
+            facecolor="none" if overhead else color,
+            edgecolor=color,
+            linestyle="dotted" if overhead else "solid",
+            label=f"thing {where[mount]}",
+        )
+    for route, line in zip(routes, route_lines(routes), strict=True):
+        role = " (alternative)" if route.role == "alternative" else ""
+        line.set_data([], [])
+        line.set_label(
+            f"{route.route}{role}: {route.line.length:.2f} m to {route.goal}"
+        )
+        yield line
+    if walked:
+        yield Line2D([], [], color=WALK_COLOR, label="walked")
+    if met.things:
+        yield Patch(facecolor=THING_COLOR, label="left in the way")
+    if met.walks:
+        yield Line2D(
+            [],
+            [],
+            color=PEOPLE_COLOR,
+            marker="o",
+            markersize=4,
+            label="person, from the dot on",
+        )
+    if met.near_misses:
+        yield Line2D(
+            [],
+            [],
+            color=THING_COLOR,
+            linestyle="",
+            marker="o",
+            fillstyle="none",
+            label="near miss",
+        )
+
+
+def _write_legend(
+    figure: Figure, marks: Sequence[Line2D | Patch], left_out: int
+) -> None:
+    """Explain below the plan what is on it, and how many labels found no room."""
+    for mark in marks:
+        mark.set_label("\n".join(textwrap.wrap(str(mark.get_label()), 36)))
+    figure.legend(
+        handles=marks,
+        loc="lower center",
+        ncol=max(2, int(figure.get_figwidth() / 2.9)),
+        fontsize=8,
+        frameon=False,
+        bbox_to_anchor=(0.5, 0.12 / figure.get_figheight()),
+    )
+    if left_out:
+        figure.text(
+            1 - 0.25 / figure.get_figwidth(),
+            0.08 / figure.get_figheight(),
+            f"{left_out} labels left out for want of room",
+            fontsize=7,
+            color="#777777",
+            horizontalalignment="right",
+        )
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class PlanSheet:
+    """A part of a plan as pixels, and where on it a place lies."""
+
+    picture: NDArray[np.uint8]
+    """Colours, (height, width, 3), first row at the top."""
+    scale: float
+    """Pixels per metre."""
+    west: float
+    """x of the left edge, metres."""
+    north: float
+    """y of the upper edge, metres."""
+
+    def pixel(self, x: float, y: float) -> tuple[float, float]:
+        """Return column and row of a place, metres."""
+        return (x - self.west) * self.scale, (self.north - y) * self.scale
+
+
+def draw_plan(
+    site: Site,
+    routes: Sequence[Route],
+    shown: Points,
+    size: tuple[int, int],
+    *,
+    magnified: float = 1.0,
+) -> PlanSheet:
+    """Draw the part of a plan round some places as pixels.
+
+    Args:
+        site: What to draw.
+        routes: Those to draw.
+        shown: Places that must be on it, at least one.
+        size: Width and height, pixels.
+        magnified: Factor on the sizes of letters and lines.
+    """
+    extent = np.array(size, dtype=np.float64)
+    low, high = shown.min(axis=0) - AROUND, shown.max(axis=0) + AROUND
+    scale = float((extent / (high - low)).min())
+    middle, half = (low + high) / 2, extent / (2 * scale)
+    dpi = PIXELS_PER_INCH * magnified
+    width, height = size
+    figure = Figure(figsize=(width / dpi, height / dpi), dpi=dpi, facecolor="white")
+    canvas = FigureCanvasAgg(figure)
+    axes = _axes_in(figure, (0, 0, 1, 1), middle - half, middle + half)
+    with lettering():
+        paint_plan(axes, site, turning_points=False)
+        for route in routes:
+            # Wider than the walk that will cover its line.
+            ends = np.array(route.line.coords)[:, :2].T
+            color = route_color(route.route)
+            axes.plot(*ends, color=color, linewidth=6.5, alpha=0.45, zorder=7)
+        paint_routes(axes, routes)
+        write_labels(axes, site, routes, LabelSpace(dpi / (72 * scale)))
+        canvas.draw()
+    picture = np.asarray(canvas.buffer_rgba())[:height, :width, :3].copy()
+    west, north = float(middle[0] - half[0]), float(middle[1] + half[1])
+    return PlanSheet(picture, scale, west, north)

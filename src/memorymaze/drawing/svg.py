@@ -1,29 +1,34 @@
 """A site's plan as a small SVG that follows the reader's light or dark colours.
 
-Walks are drawn over it in the pages. `drawing/plan_picture.py` draws sheets for paper, with
-legend, scale and labels of all things; these plans are backgrounds.
+Walks are drawn over it in the pages; `plan_picture.py` draws sheets for paper.
 """
 
 import math
-from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
+from itertools import groupby
 from typing import NamedTuple
 
 from markupsafe import Markup
-from shapely import Polygon, get_coordinates
+from shapely import get_coordinates
 
-from memorymaze.drawing.label_placing import Box, LabelSpace, PlacedLabel, wrapped
-from memorymaze.drawing.style import PLAN_STYLE
-from memorymaze.sites import Corridor, Landmark, Site
+from memorymaze.drawing.label_placing import LabelSpace, PlacedLabel
+from memorymaze.drawing.labels import Label, place_labels
+from memorymaze.drawing.shapes import INKS, Shape, plan_bounds, plan_shapes
+from memorymaze.sites import Site
 
 MARGIN = 1.5
 """Metres of paper round the plan."""
-NAME_SIZES = (1.3, 1.0, 0.8, 0.65)
+NAME_SIZES = (1.3, 1.0, 0.8, 0.65, 0.5)
 """Heights of letters, metres."""
 THING_SIZE = 0.45
 """Height of letters, metres; read when one looks closer."""
-FLAT = 0.05
-"""Metres; what is no higher covers the floor."""
+STROKE = 0.1
+"""Metres that a line of one point is wide."""
+TEXT_STYLE = """\
+path{stroke-linejoin:round}.covering{opacity:.35}.way{font-style:italic}
+text{font-family:system-ui,"Segoe UI","DejaVu Sans",sans-serif;text-anchor:middle}
+"""
 
 
 class Frame(NamedTuple):
@@ -41,41 +46,42 @@ class Frame(NamedTuple):
 
 def plan_frame(site: Site) -> Frame:
     """Return the frame of a site's whole plan."""
-    bounds = [site.walkable_floor.bounds]
-    bounds += [room.polygon.bounds for room in site.rooms]
-    west = min(each[0] for each in bounds) - MARGIN
-    south = min(each[1] for each in bounds) - MARGIN
-    east = max(each[2] for each in bounds) + MARGIN
-    north = max(each[3] for each in bounds) + MARGIN
+    west, south, east, north = plan_bounds(site, MARGIN)
     return Frame(west, -north, east - west, north - south)
 
 
-def plan_picture(site: Site) -> str:
+def svg_plan(site: Site) -> str:
     """Return a site's plan as an SVG document whose unit is the metre, y down."""
     frame = plan_frame(site)
-    parts = [
-        Markup(
-            '<svg xmlns="http://www.w3.org/2000/svg" viewBox="{}" width="{}" '
-            'height="{}"><title>{}</title><style>{}</style>'
-        ).format(
-            frame,
-            svg_number(frame.width * 10),
-            svg_number(frame.height * 10),
-            site.title,
-            PLAN_STYLE,
-        ),
-        _shapes("room", (room.polygon for room in site.rooms)),
-        _shapes("floor", [site.walkable_floor]),
-        _shapes("open", (area.polygon for area in site.areas if area.open_air)),
-        _shapes("covering", (t.footprint for t in site.landmarks if _is_flat(t))),
-        _shapes("turning", (place.polygon for place in site.turning_points)),
-        _shapes("wall", [site.walkable_floor]),
-        _lines("door", (get_coordinates(door.line).tolist() for door in site.doors)),
-        _shapes("thing", (t.footprint for t in _things(site))),
-        *_labels(site),
-        Markup("</svg>\n"),
-    ]
-    return "\n".join(part for part in parts if part)
+    # Walks are driven beneath what hangs from the ceiling.
+    below = tuple(thing for thing in site.landmarks if thing.mount != "ceiling")
+    site = replace(site, landmarks=below)
+    # A point of LabelSpace is a metre here.
+    labels = place_labels(
+        site,
+        (),
+        LabelSpace(metres_per_point=1.0),
+        NAME_SIZES,
+        THING_SIZE,
+        plan_bounds(site, MARGIN),
+    )
+    head = Markup(
+        '<svg xmlns="http://www.w3.org/2000/svg" viewBox="{}" width="{}" height="{}">'
+        "<title>{}</title><style>{}</style>"
+    ).format(
+        frame,
+        svg_number(frame.width * 10),
+        svg_number(frame.height * 10),
+        site.title,
+        Markup(_style()),
+    )
+    paths = (
+        _path(kind, list(group))
+        for kind, group in groupby(plan_shapes(site), key=lambda each: each.kind)
+    )
+    words = (_text(label) for label in labels)
+    parts = (head, *filter(None, paths), *filter(None, words), Markup("</svg>\n"))
+    return "\n".join(parts)
 
 
 def path_data(
@@ -100,119 +106,62 @@ def svg_number(value: float) -> str:
     return "0" if text == "-0" else text
 
 
-def _shapes(kind: str, polygons: Iterable[Polygon]) -> Markup:
+def _style() -> str:
+    """Return the style sheet of plans: a colour of day and of night for each kind."""
+
+    def colours(number: int) -> str:
+        return ";".join(f"--{kind}:{ink[number]}" for kind, ink in INKS.items())
+
+    def width(kind: str) -> str:
+        return svg_number(INKS[kind].width * STROKE)
+
+    rules = [
+        f":root{{{colours(1)}}}",
+        f"@media(prefers-color-scheme:dark){{:root{{{colours(2)}}}}}",
+        *(f".{kind}{{fill:var(--{kind})}}" for kind in INKS),
+        ".covering{fill:var(--thing)}",
+        f".room{{stroke:var(--room_edge);stroke-width:{width('room')}}}",
+        *(
+            f".{kind}{{fill:none;stroke:var(--{kind});stroke-width:{width(kind)}}}"
+            for kind in ("wall", "door")
+        ),
+    ]
+    return "\n".join(rules) + "\n" + TEXT_STYLE
+
+
+def _path(kind: str, shapes: Sequence[Shape]) -> Markup:
     rings = [
         get_coordinates(ring).tolist()[:-1]
-        for polygon in polygons
+        for shape in shapes
+        for polygon in shape.polygons
         for ring in (polygon.exterior, *polygon.interiors)
     ]
-    if not rings:
+    lines = [line.tolist() for shape in shapes for line in shape.lines]
+    data = path_data(rings, closed=True) + path_data(lines)
+    if not data:
         return Markup("")
-    data = path_data(rings, closed=True)
     return Markup('<path class="{}" fill-rule="evenodd" d="{}"/>').format(kind, data)
 
 
-def _lines(kind: str, lines: Iterable[Sequence[Sequence[float]]]) -> Markup:
-    data = path_data(lines)
-    return (
-        Markup('<path class="{}" d="{}"/>').format(kind, data) if data else Markup("")
-    )
-
-
-def _labels(site: Site) -> Iterator[Markup]:
-    """Write names of rooms, areas and corridors, then of things, where there is room."""
-    # A point of LabelSpace is a metre here.
-    space = LabelSpace(metres_per_point=1.0)
-    for thing in _things(site):
-        space.take(thing.footprint.bounds)
-    for place in (*site.areas, *site.rooms):
-        if place.name:
-            frame = _middle_box(place.polygon)
-            yield _text("name", space.inside(wrapped(place.name), [frame], NAME_SIZES))
-    for corridor in site.corridors:
-        if corridor.name:
-            yield _text("way", _corridor_label(corridor, corridor.name, space))
-    whole = plan_frame(site)
-    sheet = (whole.x, -whole.y - whole.height, whole.x + whole.width, -whole.y)
-    common = Counter(thing.category for thing in site.landmarks)
-    rare_first = sorted(
-        site.landmarks, key=lambda each: (common[each.category], each.id)
-    )
-    for thing in rare_first:
-        west, south, east, north = thing.footprint.bounds
-        words = thing.name or thing.category
-        text = min(
-            wrapped(words), key=lambda lines: abs(len(lines.split("\n")[0]) - 14)
-        )
-        box = (west, south, east, north)
-        if _is_flat(thing):
-            yield _text("word", space.inside(wrapped(words), [box], [THING_SIZE]))
-        else:
-            yield _text("word", space.beside(text, box, THING_SIZE, sheet))
-
-
-def _is_flat(thing: Landmark) -> bool:
-    """Tell whether a thing is a covering of the floor, such as a carpet."""
-    return thing.mount == "floor" and thing.size[2] <= FLAT
-
-
-def _things(site: Site) -> list[Landmark]:
-    """Return what stands on the floor or hangs on a wall."""
-    return [t for t in site.landmarks if t.mount != "ceiling" and not _is_flat(t)]
-
-
-def _corridor_label(
-    corridor: Corridor, name: str, space: LabelSpace
-) -> PlacedLabel | None:
-    start, end = corridor.centre_line.coords[0], corridor.centre_line.coords[-1]
-    angle = math.atan2(end[1] - start[1], end[0] - start[0])
-    middles = [
-        (
-            start[0] + share * (end[0] - start[0]) - aside * math.sin(angle),
-            start[1] + share * (end[1] - start[1]) + aside * math.cos(angle),
-        )
-        for share in (0.5, 0.35, 0.65, 0.2, 0.8)
-        for aside in (corridor.width / 4, -corridor.width / 4)
-    ]
-    for size in NAME_SIZES[1:]:
-        if space.extent(name, size)[0] <= corridor.length and (
-            label := space.along(name, middles, angle, size)
-        ):
-            return label
-    return None
-
-
-def _middle_box(polygon: Polygon) -> Box:
-    """Return a box about the middle of a polygon, as wide as the polygon is there."""
-    middle = polygon.centroid
-    if not polygon.contains(middle):
-        middle = polygon.representative_point()
-    west, south, east, north = polygon.bounds
-    wide = min(middle.x - west, east - middle.x) * 0.94
-    high = min(middle.y - south, north - middle.y) * 0.94
-    return middle.x - wide, middle.y - high, middle.x + wide, middle.y + high
-
-
-def _text(kind: str, label: PlacedLabel | None) -> Markup:
-    if label is None:
+def _text(label: Label) -> Markup:
+    placed = label.placed
+    if placed is None:
         return Markup("")
-    lines = label.text.split("\n")
-    size = label.font_size
-    x, y = svg_number(label.x), svg_number(-label.y)
-    top = -1.15 * size * (len(lines) - 1) / 2 + 0.35 * size
-    rows = Markup("").join(
-        Markup('<tspan x="{}" y="{}">{}</tspan>').format(
-            x, svg_number(-label.y + top + 1.15 * size * number), line
-        )
-        for number, line in enumerate(lines)
-    )
-    degrees = _readable(-math.degrees(label.angle))
+    size = svg_number(placed.font_size)
+    x, y = svg_number(placed.x), svg_number(-placed.y)
+    # Writing never stands on its head.
+    degrees = (90 - math.degrees(placed.angle)) % 180 - 90
     turned = Markup(' transform="rotate({} {} {})"').format(svg_number(degrees), x, y)
     return Markup('<text class="{}" font-size="{}"{}>{}</text>').format(
-        kind, svg_number(size), turned if degrees else "", rows
+        label.kind, size, turned if degrees else "", Markup("").join(_rows(placed))
     )
 
 
-def _readable(degrees: float) -> float:
-    """Turn writing so that it never stands on its head."""
-    return (degrees + 90) % 180 - 90
+def _rows(placed: PlacedLabel) -> Iterator[Markup]:
+    lines = placed.text.split("\n")
+    step = 1.15 * placed.font_size
+    top = -placed.y - step * (len(lines) - 1) / 2 + 0.35 * placed.font_size
+    for number, line in enumerate(lines):
+        yield Markup('<tspan x="{}" y="{}">{}</tspan>').format(
+            svg_number(placed.x), svg_number(top + number * step), line
+        )

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from memorymaze.drawing.obstacles import Met, ThingInTheWay
+from memorymaze.drawing.shapes import Met, ThingInTheWay
 from memorymaze.durable_files import write_whole
 from memorymaze.errors import RunFolderError, SettingsError
 from memorymaze.evaluation.agents_for_runs import build_agent

@@ -5,9 +5,13 @@ import numpy as np
 import pytest
 
 from memorymaze.errors import SettingsError
-from memorymaze.results.replay import RecordedEpisode
-from memorymaze.results.replay.film import film_replay, frame_count, frames_of
-from memorymaze.results.replay.settings import ReplaySettings
+from memorymaze.results.replay.film import (
+    ReplaySettings,
+    film_replay,
+    frame_count,
+    frames_of,
+)
+from memorymaze.results.story import RecordedEpisode
 
 QUICK = ReplaySettings(size=(320, 240), fps=1, speed=10, camera=False, hold=0)
 

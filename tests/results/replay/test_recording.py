@@ -6,9 +6,9 @@ import pytest
 from rerun.chunk import RrdReader
 
 from memorymaze.errors import SettingsError
-from memorymaze.results.replay import RecordedEpisode
+from memorymaze.results.replay.film import ReplaySettings
 from memorymaze.results.replay.recording import record_replay
-from memorymaze.results.replay.settings import ReplaySettings
+from memorymaze.results.story import RecordedEpisode
 
 BLIND = ReplaySettings(camera=False)
 
@@ -59,7 +59,7 @@ def test_what_breaks_off_leaves_no_recording(
     def interrupted(*_: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("memorymaze.results.replay.recording.log_moving", interrupted)
+    monkeypatch.setattr("memorymaze.results.replay.recording._log_moving", interrupted)
     with pytest.raises(KeyboardInterrupt):
         record_replay(episode, tmp_path / "walk.rrd", BLIND)
     assert not any(tmp_path.iterdir())

@@ -8,8 +8,8 @@ from memorymaze.evaluation.episode import EpisodeRun, Watcher
 from memorymaze.evaluation.navigation import navigate
 from memorymaze.evaluation.settings import AgentSettings
 from memorymaze.geometry.pose import Pose
-from memorymaze.results.replay.current_step import CurrentStep
-from memorymaze.results.report.event_words import Event
+from memorymaze.results.story.events import Event
+from memorymaze.results.story.understanding import CurrentStep
 from memorymaze.results.watching import Present
 from memorymaze.sites import Site
 

@@ -10,7 +10,7 @@ from playwright.sync_api import Browser, Page
 
 from memorymaze.evaluation.episode import EpisodeRun
 from memorymaze.results.watching import Onlooker, Present
-from memorymaze.results.watching.browser_view import BrowserView
+from memorymaze.results.watching.browser import BrowserView
 from memorymaze.sites import Site
 
 

@@ -8,8 +8,7 @@ from rich.console import Console
 from memorymaze.errors import SettingsError
 from memorymaze.evaluation.episode import EpisodeRun
 from memorymaze.results.watching import Onlooker, Present
-from memorymaze.results.watching.plain_view import PlainView
-from memorymaze.results.watching.terminal_view import TerminalView
+from memorymaze.results.watching.terminal import PlainView, TerminalView
 from memorymaze.sites import Site
 
 Walk = Callable[..., EpisodeRun]

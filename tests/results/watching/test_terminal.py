@@ -7,8 +7,7 @@ from rich.console import Console
 from memorymaze.drawing.cells import Extent, cell_map
 from memorymaze.geometry.pose import Pose
 from memorymaze.results.watching import Present
-from memorymaze.results.watching.terminal_map import ASCII, TerminalMap
-from memorymaze.results.watching.terminal_view import TerminalView
+from memorymaze.results.watching.terminal import ASCII, TerminalMap, TerminalView
 from memorymaze.sites import Site
 
 

@@ -4,25 +4,68 @@ import math
 import os
 import sys
 from collections.abc import Iterator
-from contextlib import ExitStack
+from contextlib import ExitStack, closing
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 from tqdm import tqdm
 
-from memorymaze.drawing.pixels import draw_plan
+from memorymaze.drawing.plan_picture import draw_plan
+from memorymaze.errors import SettingsError
 from memorymaze.pictures.films.video_file import VideoFile, check_video_path
-from memorymaze.results.replay.eyes import Eyes, boxes_at, draw_boxes
-from memorymaze.results.replay.moments import Moments
-from memorymaze.results.replay.outcome import outcome_line, source_line
 from memorymaze.results.replay.page import Page, layout_of
 from memorymaze.results.replay.plan_view import SMOOTHING, PlanView, legend_of
-from memorymaze.results.replay.recorded_episode import RecordedEpisode
-from memorymaze.results.replay.settings import ReplaySettings
+from memorymaze.results.replay.senses import Eyes, boxes_at, draw_boxes
+from memorymaze.results.story.moments import Moments
+from memorymaze.results.story.outcomes import outcome_line, source_line
+from memorymaze.results.story.recorded_episode import RecordedEpisode
 from memorymaze.simulation import build_scene
 
 SECONDS_BETWEEN_LINES = 15.0
+
+
+@dataclass(frozen=True, slots=True)
+class ReplaySettings:
+    """What a replay looks like.
+
+    Raises:
+        SettingsError: A value has no meaning; the message names it and the range.
+    """
+
+    size: tuple[int, int] = (1280, 720)
+    """Width and height of the video, pixels, even."""
+    fps: float = 10.0
+    """Frames per second."""
+    speed: float = 2.0
+    """Simulated seconds per second of video."""
+    camera: bool = True
+    """Whether the robot's view is drawn anew beside the plan."""
+    smooth: bool = True
+    """Whether edges in that view are smoothed, which takes longer."""
+    hold: float = 3.0
+    """Seconds of video that the outcome stands at the end."""
+
+    def __post_init__(self) -> None:
+        """Check every value."""
+        width, height = self.size
+        if min(self.size) < 240 or max(self.size) > 4096 or width % 2 or height % 2:
+            raise SettingsError(
+                "replay: expected a size of even numbers from 240 to 4096 pixels, got "
+                f"{width}x{height}"
+            )
+        for name, lowest, highest in (
+            ("fps", 1.0, 120.0),
+            ("speed", 0.1, 100.0),
+            ("hold", 0.0, 60.0),
+        ):
+            value = getattr(self, name)
+            if not lowest <= value <= highest:
+                raise SettingsError(
+                    f"replay: expected {name} from {lowest:g} to {highest:g}, got "
+                    f"{value!r}"
+                )
 
 
 def film_replay(
@@ -87,7 +130,7 @@ def frames_of(
         RenderingError: This machine cannot draw; says what to install.
         RunFolderError: The trace does not fit the run's settings.
     """
-    moments = Moments(episode.entries, episode.story)
+    moments = Moments(episode.story)
     result, site = episode.result, episode.site
     layout = layout_of(settings.size, camera=settings.camera)
     title = f"{result.agent} · {site.title} · {result.route} · simulated"
@@ -108,9 +151,8 @@ def frames_of(
         if layout.camera is not None:
             scene = build_scene(site, episode.record.settings.obstacles)
             size = (layout.camera.width, layout.camera.height)
-            eyes = stack.enter_context(
-                Eyes(scene, moments, size, smooth=settings.smooth)
-            )
+            eyes = Eyes(scene, moments, size, smooth=settings.smooth)
+            stack.enter_context(closing(eyes))
         ending: NDArray[np.uint8] | None = None
         words: Page | None = None
         written: object = None

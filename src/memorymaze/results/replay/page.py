@@ -1,15 +1,18 @@
 """One frame of a replay: where the pictures and the words stand on it."""
 
 from collections.abc import Sequence
+from functools import lru_cache
+from pathlib import Path
 from typing import NamedTuple
 
+import matplotlib
 import numpy as np
+from matplotlib.font_manager import fontManager
 from numpy.typing import NDArray
-from PIL import Image, ImageDraw
+from PIL import Image, ImageDraw, ImageFont
 
-from memorymaze.results.replay.current_step import CurrentStep
-from memorymaze.results.replay.lettering import font_for, lines_of
-from memorymaze.results.report.event_words import Event
+from memorymaze.results.story.events import Event
+from memorymaze.results.story.understanding import CurrentStep
 
 PAPER, INK, GREY, RULE = "#ffffff", "#16181d", "#5a6270", "#c9ced6"
 HEAD, HEAD_INK = "#16181d", "#ffffff"
@@ -33,6 +36,20 @@ MARKS = {
 FIXED_SPACE = "\u00a0"
 LINE = 1.32
 """Heights of letters from one line to the next."""
+
+
+Font = ImageFont.FreeTypeFont
+
+WIDE_FROM = 0x2E80
+"""Characters from here on are not in the font that comes with matplotlib."""
+WIDE_FONTS = (
+    "Noto Sans CJK JP",
+    "Noto Sans JP",
+    "IPAexGothic",
+    "IPAGothic",
+    "TakaoPGothic",
+    "WenQuanYi Zen Hei",
+)
 
 
 class Box(NamedTuple):
@@ -59,12 +76,7 @@ class Layout(NamedTuple):
 
 
 def layout_of(size: tuple[int, int], *, camera: bool) -> Layout:
-    """Lay out frames of a size.
-
-    Args:
-        size: Width and height, pixels.
-        camera: Whether there is a picture of the robot's camera.
-    """
+    """Lay out frames of a size, with a picture of the robot's camera or without."""
     width, height = size
     letter = max(9, round(min(height / 48, width / 85)))
     top = round(2.2 * letter)
@@ -232,3 +244,60 @@ class Page:
         for number, line in enumerate(lines):
             at = (box.x + letter, top + 0.35 * letter + number * row)
             self._pen.text(at, line, HEAD_INK, font)
+
+
+def font_for(text: str, size: int, *, bold: bool = False, mono: bool = False) -> Font:
+    """Return a font for a text; characters that no font has are drawn as boxes."""
+    if any(ord(letter) >= WIDE_FROM for letter in text):
+        wide = _wide_font()
+        if wide is not None:
+            return _font(wide, size)
+    name = "DejaVuSansMono" if mono else "DejaVuSans"
+    folder = Path(matplotlib.get_data_path()) / "fonts" / "ttf"
+    return _font(str(folder / f"{name}{'-Bold' if bold else ''}.ttf"), size)
+
+
+def lines_of(text: str, font: Font, width: float, most: int) -> list[str]:
+    """Cut a text into lines that fit; what is too much ends in an ellipsis."""
+    lines: list[str] = []
+    for paragraph in text.splitlines() or [""]:
+        line = ""
+        for word in paragraph.split(" "):
+            longer = f"{line} {word}" if line else word
+            if font.getlength(longer) <= width:
+                line = longer
+                continue
+            if line:
+                lines.append(line)
+            line = word
+            while font.getlength(line) > width and len(line) > 1:
+                fits = _fitting(line, font, width)
+                lines.append(line[:fits])
+                line = line[fits:]
+        lines.append(line)
+        if len(lines) > most:
+            break
+    if len(lines) > most:
+        last = lines[most - 1]
+        while last and font.getlength(f"{last}…") > width:
+            last = last[:-1]
+        lines = [*lines[: most - 1], f"{last}…"]
+    return lines
+
+
+def _fitting(word: str, font: Font, width: float) -> int:
+    count = 1
+    while count < len(word) and font.getlength(word[: count + 1]) <= width:
+        count += 1
+    return count
+
+
+@lru_cache(maxsize=64)
+def _font(path: str, size: int) -> Font:
+    return ImageFont.truetype(path, size)
+
+
+@lru_cache(maxsize=1)
+def _wide_font() -> str | None:
+    installed = {font.name: font.fname for font in fontManager.ttflist}
+    return next((installed[name] for name in WIDE_FONTS if name in installed), None)

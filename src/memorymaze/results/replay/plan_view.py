@@ -6,11 +6,11 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image, ImageDraw
 
-from memorymaze.drawing.pixels import PlanSheet
-from memorymaze.drawing.routes import route_color
+from memorymaze.drawing.plan_picture import PlanSheet
+from memorymaze.drawing.shapes import route_color
 from memorymaze.geometry.pose import Pose
-from memorymaze.results.replay.lettering import font_for
-from memorymaze.results.replay.moments import Moment, Moments
+from memorymaze.results.replay.page import font_for
+from memorymaze.results.story.moments import Moment, Moments
 from memorymaze.simulation.motion.wheeled_base import ROBOT_RADIUS
 from memorymaze.sites import Route
 
@@ -32,7 +32,7 @@ def legend_of(route: Route, moments: Moments) -> list[tuple[str, str, str]]:
     marks = [("━", route_color(route.route), "way described"), ("━", WALK, "driven")]
     if moments.sightings:
         marks.append(("◆", FOUND, "detected"))
-    if moments.walks_of_people:
+    if moments.story.people:
         marks.append(("●", PEOPLE, "person"))
     if moments.things:
         marks.append(("☒", THINGS, "left in the way"))
@@ -43,13 +43,7 @@ class PlanView:
     """Draws moments in the order of time."""
 
     def __init__(self, sheet: PlanSheet, moments: Moments, letter: int) -> None:
-        """Begin with an empty plan.
-
-        Args:
-            sheet: `SMOOTHING` times as large as what is to be seen.
-            moments: Of the episode.
-            letter: Height of letters on the finished picture, pixels.
-        """
+        """Begin with a plan `SMOOTHING` times as large as what is to be seen."""
         self._sheet = sheet
         self._moments = moments
         self._font = font_for("", letter * SMOOTHING)
@@ -66,11 +60,7 @@ class PlanView:
             pen.line((box[0], box[3], box[2], box[1]), THINGS, self._line)
 
     def picture(self, moment: Moment) -> NDArray[np.uint8]:
-        """Return the plan at a moment, none earlier than those before it.
-
-        Returns:
-            Colours, (height, width, 3).
-        """
+        """Return the plan at a moment, none earlier than those before it."""
         self._go_on(moment)
         page = self._walk.copy()
         pen = ImageDraw.Draw(page, "RGBA")

@@ -1,31 +1,39 @@
 """From an episode of a run to a recording for the Rerun viewer (https://rerun.io)."""
 
+import io
+import math
 import os
 import sys
 from collections.abc import Generator
-from contextlib import ExitStack, contextmanager
+from contextlib import ExitStack, closing, contextmanager
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+from shapely import get_coordinates
 from tqdm import tqdm
 
 from memorymaze.errors import SettingsError
 from memorymaze.extras import require_extra
-from memorymaze.results.replay.eyes import PICTURE_SIZE, Eyes
-from memorymaze.results.replay.film import SECONDS_BETWEEN_LINES
-from memorymaze.results.replay.moments import Moments
-from memorymaze.results.replay.outcome import outcome_line, source_line
-from memorymaze.results.replay.recorded_episode import RecordedEpisode
-from memorymaze.results.replay.recording_parts import (
-    blueprint_of,
-    log_building,
-    log_moving,
-    log_view,
-)
-from memorymaze.results.replay.scans import Scans
-from memorymaze.results.replay.settings import ReplaySettings
+from memorymaze.results.replay.film import SECONDS_BETWEEN_LINES, ReplaySettings
+from memorymaze.results.replay.senses import PICTURE_SIZE, Eyes, Scans
+from memorymaze.results.story.moments import Moment, Moments
+from memorymaze.results.story.outcomes import outcome_line, source_line
+from memorymaze.results.story.recorded_episode import RecordedEpisode
 from memorymaze.simulation import build_scene
+from memorymaze.simulation.motion.wheeled_base import CAMERA_HEIGHT, ROBOT_RADIUS
+from memorymaze.sites import Site
 
+TIMELINE = "simulated_time"
+CAMERA = "world/robot/camera"
+WALL, ROUTE, WALK = (47, 47, 47), (215, 48, 31), (17, 17, 17)
+PEOPLE, THINGS, SCAN = (11, 114, 133), (194, 24, 91), (122, 79, 181)
+ON_FLOOR = 0.02
+"""Metres over the floor at which lines lie."""
+LEVELS = {"say": "INFO", "touch": "ERROR", "note": "DEBUG", "model": "DEBUG"}
+MILLIMETRES = 1000.0
 VIEW_EVERY = 1.0
 """Simulated seconds from one camera picture and scan to the next."""
 
@@ -82,7 +90,7 @@ def record_replay(
         raise SettingsError(f"view_every: expected more than 0 s, got {view_every!r}")
     settings = settings or ReplaySettings()
     target = check_recording_path(path)
-    moments = Moments(episode.entries, episode.story)
+    moments = Moments(episode.story)
     scene = build_scene(episode.site, episode.record.settings.obstacles)
     scans = Scans(scene, moments)
     times = _view_times(moments, view_every)
@@ -90,7 +98,8 @@ def record_replay(
         stream = stack.enter_context(_stream_to(target, episode))
         eyes = None
         if settings.camera:
-            eyes = stack.enter_context(Eyes(scene, moments, PICTURE_SIZE, smooth=False))
+            eyes = Eyes(scene, moments, PICTURE_SIZE, smooth=False)
+            stack.enter_context(closing(eyes))
         bar = stack.enter_context(
             tqdm(
                 total=len(times),
@@ -100,11 +109,11 @@ def record_replay(
                 mininterval=0.5 if sys.stderr.isatty() else SECONDS_BETWEEN_LINES,
             )
         )
-        log_building(stream, episode, moments)
-        log_moving(stream, episode, moments)
+        _log_building(stream, episode, moments)
+        _log_moving(stream, episode, moments)
         for time in times:
             moment = moments.at(time)
-            log_view(stream, moment, scans.points(moment), eyes)
+            _log_view(stream, moment, scans.points(moment), eyes)
             bar.update()
 
 
@@ -127,7 +136,7 @@ def _stream_to(target: Path, episode: RecordedEpisode) -> Generator[Any]:
     try:
         # The library itself would only warn of a file that it cannot open.
         unfinished.write_bytes(b"")
-        stream.save(unfinished, default_blueprint=blueprint_of(episode))
+        stream.save(unfinished, default_blueprint=_blueprint_of(episode))
         stream.log(
             "about",
             rerun.TextDocument(
@@ -160,3 +169,243 @@ def _library() -> Any:
     import rerun
 
     return rerun
+
+
+def _blueprint_of(episode: RecordedEpisode) -> Any:
+    """Return how the viewer lays a recording out."""
+    import rerun.blueprint as layout
+    from rerun import TimeRangeBoundary, VisibleTimeRange
+
+    past = VisibleTimeRange(
+        TIMELINE,
+        start=TimeRangeBoundary.infinite(),
+        end=TimeRangeBoundary.cursor_relative(seconds=0.0),
+    )
+    return layout.Blueprint(
+        layout.Horizontal(
+            layout.Spatial3DView(
+                origin="world",
+                name=f"{episode.site.title}",
+                overrides={"world/walk": layout.VisibleTimeRanges(past)},
+            ),
+            layout.Vertical(
+                layout.Spatial2DView(origin=CAMERA, name="Camera"),
+                layout.TextDocumentView(origin="about", name="Episode"),
+                layout.TextDocumentView(origin="step", name="Current step"),
+                layout.TextLogView(origin="log", name="Calls and speech"),
+                row_shares=[3, 2, 1, 2],
+            ),
+            column_shares=[3, 2],
+        ),
+        collapse_panels=True,
+    )
+
+
+def _log_building(stream: Any, episode: RecordedEpisode, moments: Moments) -> None:
+    """Log what does not move: plan, the way described, the whole walk, things."""
+    import rerun as rr
+
+    site, route = episode.site, episode.route
+    stream.log("world", rr.ViewCoordinates.RIGHT_HAND_Z_UP, static=True)
+    floor = site.walkable_floor
+    rings = [get_coordinates(ring) for ring in (floor.exterior, *floor.interiors)]
+    _lines(stream, "world/plan/walls", rings, WALL, 0.06)
+    doors = [get_coordinates(door.line) for door in site.doors]
+    _lines(stream, "world/plan/doors", doors, (156, 90, 30), 0.05)
+    _lines(
+        stream,
+        "world/plan/landmarks",
+        [get_coordinates(each.footprint) for each in site.landmarks],
+        (76, 140, 74),
+        0.03,
+    )
+    _names(stream, site)
+    way = np.array(route.line.coords)[:, :2]
+    _lines(stream, "world/way_described", [way], ROUTE, 0.08)
+    goal = [*way[-1].tolist(), ON_FLOOR]
+    stream.log(
+        "world/goal",
+        rr.Points3D([goal], radii=0.4, colors=[ROUTE], labels=[f"goal: {route.goal}"]),
+        static=True,
+    )
+    _lines(stream, "world/whole_walk", [moments.points], (150, 150, 150), 0.02)
+    focal = PICTURE_SIZE[0] / 2
+    stream.log(
+        CAMERA,
+        rr.Pinhole(
+            resolution=PICTURE_SIZE,
+            focal_length=focal,
+            camera_xyz=rr.ViewCoordinates.FLU,
+            image_plane_distance=1.0,
+        ),
+        rr.Transform3D(translation=[0.0, 0.0, CAMERA_HEIGHT]),
+        static=True,
+    )
+    stream.log(
+        "world/robot/body",
+        rr.Cylinders3D(
+            lengths=[0.9],
+            radii=[ROBOT_RADIUS],
+            centers=[[0.0, 0.0, 0.45]],
+            colors=[WALK],
+        ),
+        static=True,
+    )
+    _things(stream, episode, moments)
+
+
+def _log_moving(stream: Any, episode: RecordedEpisode, moments: Moments) -> None:
+    """Log poses, people, what the agent did and said, and what it detected."""
+    import rerun as rr
+
+    before = None
+    for time, x, y, heading in episode.story.walk.poses:
+        stream.set_time(TIMELINE, duration=time)
+        stream.log(
+            "world/robot",
+            rr.Transform3D(
+                translation=[x, y, 0.0],
+                rotation=rr.RotationAxisAngle([0, 0, 1], radians=heading),
+            ),
+        )
+        here = [x, y, 2 * ON_FLOOR]
+        strip = [here if before is None else before, here]
+        stream.log("world/walk", rr.LineStrips3D([strip], colors=[WALK], radii=0.07))
+        before = here
+    for name, walk in moments.story.people.items():
+        for time, x, y in walk.T.tolist():
+            stream.set_time(TIMELINE, duration=time)
+            person = rr.Cylinders3D(
+                lengths=[1.7], radii=[0.25], centers=[[x, y, 0.85]], colors=[PEOPLE]
+            )
+            stream.log(f"world/people/{name}", person)
+    for event in episode.story.events:
+        stream.set_time(TIMELINE, duration=event.time)
+        stream.log("log", rr.TextLog(event.text, level=LEVELS.get(event.kind, "TRACE")))
+    shown = None
+    for time in sorted({event.time for event in episode.story.events}):
+        step = moments.at(time).step
+        if step != shown:
+            shown = step
+            stream.set_time(TIMELINE, duration=time)
+            text = "\n\n".join([step.heading, *step.lines])
+            stream.log("step", rr.TextDocument(text))
+    _log_boxes(stream, moments)
+
+
+def _log_view(
+    stream: Any, moment: Moment, scan: NDArray[np.float64], eyes: Eyes | None
+) -> None:
+    """Log what LiDAR and camera, if there is one, measured at a moment."""
+    import rerun as rr
+
+    stream.set_time(TIMELINE, duration=moment.time)
+    stream.log("world/robot/lidar", rr.Points3D(scan, radii=0.04, colors=[SCAN]))
+    if eyes is None:
+        return
+    frame = eyes.frame(moment)
+    colours = _file(Image.fromarray(frame.rgb), "JPEG", quality=85)
+    stream.log(
+        f"{CAMERA}/image", rr.EncodedImage(contents=colours, media_type="image/jpeg")
+    )
+    # 0 is "not measured"; what is farther than 65 m does not fit 16 bits.
+    far = np.where(np.isfinite(frame.depth), frame.depth * MILLIMETRES, 0.0)
+    depth = np.where(far < 2**16, far, 0.0).astype(np.uint16)
+    stream.log(
+        f"{CAMERA}/depth",
+        rr.EncodedDepthImage(
+            blob=_file(Image.fromarray(depth), "PNG"),
+            media_type="image/png",
+            meter=MILLIMETRES,
+        ),
+    )
+
+
+def _log_boxes(stream: Any, moments: Moments) -> None:
+    import rerun as rr
+
+    times = sorted({each.time for each in moments.sightings})
+    for time in times:
+        found = [each for each in moments.sightings if each.time == time]
+        corners = np.array([each.box for each in found])
+        stream.set_time(TIMELINE, duration=time)
+        stream.log(
+            f"{CAMERA}/detections",
+            rr.Boxes2D(
+                array=corners,
+                array_format=rr.Box2DFormat.XYXY,
+                labels=[each.label for each in found],
+            ),
+        )
+        # A box fits only the picture that it was found in.
+        stream.set_time(TIMELINE, duration=math.nextafter(time, math.inf) + 0.5)
+        stream.log(f"{CAMERA}/detections", rr.Clear(recursive=False))
+
+
+def _lines(
+    stream: Any,
+    entity: str,
+    lines: list[NDArray[np.float64]],
+    colour: tuple[int, int, int],
+    radius: float,
+) -> None:
+    import rerun as rr
+
+    strips = [
+        np.column_stack([line[:, :2], np.full(len(line), ON_FLOOR)]) for line in lines
+    ]
+    stream.log(
+        entity,
+        rr.LineStrips3D(strips, colors=[colour], radii=radius),
+        static=True,
+    )
+
+
+def _names(stream: Any, site: Site) -> None:
+    import rerun as rr
+
+    named = [
+        (each.polygon.representative_point(), each.name)
+        for each in (*site.rooms, *site.areas, *site.corridors)
+        if each.name
+    ]
+    if named:
+        places = [(at.x, at.y, ON_FLOOR) for at, _ in named]
+        labels = [name for _, name in named]
+        stream.log(
+            "world/plan/names",
+            rr.Points3D(places, labels=labels, radii=0.05, colors=[WALL]),
+            static=True,
+        )
+
+
+def _things(stream: Any, episode: RecordedEpisode, moments: Moments) -> None:
+    import rerun as rr
+
+    for entry in episode.story.entries:
+        if entry["kind"] == "things" and entry["things"]:
+            poses = [moments.things[each["object_id"]] for each in entry["things"]]
+            sizes = [each["size"] for each in entry["things"]]
+            stream.log(
+                "world/things",
+                rr.Boxes3D(
+                    centers=[
+                        [pose.x, pose.y, size[2] / 2]
+                        for pose, size in zip(poses, sizes, strict=True)
+                    ],
+                    sizes=[[depth, length, high] for length, depth, high in sizes],
+                    rotation_axis_angles=[
+                        rr.RotationAxisAngle([0, 0, 1], radians=pose.heading)
+                        for pose in poses
+                    ],
+                    colors=[THINGS],
+                    labels=[each["category"] for each in entry["things"]],
+                ),
+                static=True,
+            )
+
+
+def _file(picture: Image.Image, kind: str, **options: Any) -> bytes:
+    content = io.BytesIO()
+    picture.save(content, kind, **options)
+    return content.getvalue()

@@ -8,10 +8,8 @@ from typing import get_args
 from memorymaze.errors import RunFolderError, SettingsError
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.instructions.records import WRITTEN_BY
-from memorymaze.results.report.file_names import safe_name
-from memorymaze.results.report.pages import Pages
-from memorymaze.results.report.settings_rows import settings_rows
-from memorymaze.results.report.table_view import TableGroup, table_groups
+from memorymaze.results.report.overview import TableGroup, settings_rows, table_groups
+from memorymaze.results.report.pages import Pages, safe_name
 from memorymaze.results.submission import Submission, Track, check_submission
 from memorymaze.results.tables import MeasuredRun, load_runs
 from memorymaze.results.tables.bootstrap import Estimate, estimate_means

@@ -1,5 +1,7 @@
 """Writing the pages of a site: templates filled, static files copied."""
 
+import hashlib
+import re
 from collections.abc import Mapping
 from importlib.resources import files
 from pathlib import Path
@@ -10,13 +12,7 @@ from markupsafe import Markup
 
 from memorymaze.drawing.svg import svg_number
 from memorymaze.errors import SettingsError
-from memorymaze.results.report.error_kinds import kind_title
-from memorymaze.results.report.file_names import route_page, safe_name
-from memorymaze.results.report.outcomes import (
-    OUTCOMES,
-    ending_words,
-    outcome_of,
-)
+from memorymaze.results.story.outcomes import OUTCOMES, ending_words, outcome_of
 from memorymaze.results.tables.bootstrap import Estimate
 from memorymaze.results.tables.cells import STUDY_TITLES, estimate_cell
 from memorymaze.results.tables.rows import Place, place_title
@@ -28,6 +24,16 @@ POLICY = (
     "'unsafe-inline'; script-src 'self' file:; base-uri 'none'; form-action 'none'"
 )
 """Content security policy of every page: what it shows cannot bring a script along."""
+LONGEST_NAME = 80
+"""Characters of an id that a name keeps."""
+
+RESERVED = frozenset(
+    {"con", "prn", "aux", "nul"}
+    | {f"{port}{number}" for port in ("com", "lpt") for number in range(10)}
+)
+"""Names that Windows keeps for devices, whatever their suffix."""
+ERROR_TITLES = {"none": "no error", "any": "any error"}
+"""Of instructions, where they are not those of the corpus."""
 
 
 class Pages:
@@ -71,7 +77,7 @@ class Pages:
         self._templates.filters.update({
             "difference": _difference,
             "file": safe_name,
-            "kind": kind_title,
+            "kind": error_title,
             "number": svg_number,
             "study": study_title,
             "value": _estimate,
@@ -107,9 +113,39 @@ class Pages:
             self.write_text(f"static/{name}", content)
 
 
+def safe_name(identifier: str) -> str:
+    """Return a file stem of small letters, digits, `_` and `-` that stands for an id.
+
+    Ids that are such names already, as the shipped ones are, stay as they are; others
+    get a fingerprint, so that different ids keep different names, also where a file
+    system knows no capital letters.
+
+    >>> safe_name("onl-museum_5f-r1-04-2")
+    'onl-museum_5f-r1-04-2'
+    >>> safe_name("../Etc/passwd")
+    'etc-passwd-28c79e5bab'
+    """
+    stem = re.sub(r"[^a-z0-9_-]+", "-", identifier.lower()).strip("-")[:LONGEST_NAME]
+    if stem == identifier and stem and stem not in RESERVED:
+        return stem
+    digest = hashlib.sha256(identifier.encode("utf-8", "surrogatepass")).hexdigest()
+    return f"{stem}-{digest[:10]}".lstrip("-")
+
+
+def route_page(place: tuple[str, str]) -> str:
+    """Return the page of a route, given site and route, from the root of a report."""
+    site, route = place
+    return f"routes/{safe_name(site)}/{safe_name(route)}.html"
+
+
 def study_title(study: str) -> str:
     """Return how a study is headed; its name where it is none of the paper's."""
     return STUDY_TITLES.get(study, f"Study {study}")
+
+
+def error_title(kind: str) -> str:
+    """Return a kind of error as it is written: `no error`, `missing turn`."""
+    return ERROR_TITLES.get(kind, kind.replace("_", " "))
 
 
 def _place_name(place: tuple[str, str]) -> str:

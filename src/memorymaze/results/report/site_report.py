@@ -5,41 +5,37 @@ from itertools import combinations
 from pathlib import Path
 from typing import Any
 
-from memorymaze.drawing.svg import (
-    Frame,
-    path_data,
-    plan_frame,
-    plan_picture,
-)
+from memorymaze.drawing.svg import Frame, path_data, plan_frame, svg_plan
 from memorymaze.errors import RunFolderError
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.trace import read_trace, trace_path
-from memorymaze.results.report.distributions import MEASURES, spreads
-from memorymaze.results.report.episode_view import (
+from memorymaze.results.report.episode_page import (
     EpisodeRow,
     EpisodeView,
     RunInEpisode,
+    story_record,
     told_text,
 )
-from memorymaze.results.report.error_kinds import error_kinds
-from memorymaze.results.report.file_names import route_page, safe_name
 from memorymaze.results.report.following import follow
-from memorymaze.results.report.pages import Pages
-from memorymaze.results.report.route_view import (
+from memorymaze.results.report.overview import (
+    MEASURES,
+    compare_pair,
+    count_endings,
+    error_kinds,
+    settings_rows,
+    spreads,
+    table_groups,
+    written_by,
+)
+from memorymaze.results.report.pages import Pages, route_page, safe_name
+from memorymaze.results.report.route_page import (
     WalkOfRun,
     picture_frame,
     run_on_route,
     simplified,
 )
-from memorymaze.results.report.settings_rows import settings_rows
 from memorymaze.results.report.sources import Sources
-from memorymaze.results.report.story import Story, story_of, story_record
-from memorymaze.results.report.table_view import (
-    compare_pair,
-    count_endings,
-    table_groups,
-    written_by,
-)
+from memorymaze.results.story.story import Story, story_of
 from memorymaze.results.tables import Place
 from memorymaze.results.tables.run_notes import run_notes
 from memorymaze.sites import Route, Site
@@ -97,7 +93,7 @@ class _Report:
     def write(self, progress: Callable[[int, int], None] | None) -> list[str]:
         self._pages.copy_static("report.css", "replay.js", "timeline.js", "tables.js")
         for name, site in self._sources.sites.items():
-            self._pages.write_text(f"plans/{safe_name(name)}.svg", plan_picture(site))
+            self._pages.write_text(f"plans/{safe_name(name)}.svg", svg_plan(site))
         around = [None, *self._episodes, None]
         for number, episode in enumerate(self._episodes, start=1):
             self._write_episode(episode, around[number - 1], around[number + 1])

@@ -1,18 +1,20 @@
 """Follows an episode while it goes on, at a pace one can look at, and shows it."""
 
 import math
+import sys
 import time
-from collections.abc import Callable, Sequence
-from typing import Any, Protocol
+from collections import deque
+from collections.abc import Callable, Generator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import Any, Literal, Protocol
 
 from memorymaze.errors import SettingsError
 from memorymaze.geometry.pose import Pose
-from memorymaze.results.watching.present import (
-    Present,
-    Reporter,
-    present_step,
-)
+from memorymaze.results.story.events import Event, events_of, news
+from memorymaze.results.story.understanding import CurrentStep, step_of, understood
 from memorymaze.simulation import SimulatedRobot
+from memorymaze.sites import Route, Site
 
 DEFAULT_PACE = 10.0
 """Simulated seconds per second: a walk of minutes is over before one looks away."""
@@ -22,6 +24,32 @@ LAGGING = 0.25
 long thought."""
 SPACING = 0.25
 """Metres between the places kept of the path."""
+
+
+WatchKind = Literal["terminal", "browser"]
+KEPT = 60
+"""Events that are kept to be shown."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Present:
+    """An episode at this moment."""
+
+    time: float
+    """Simulated seconds."""
+    pose: Pose
+    path: Sequence[tuple[float, float]]
+    """Where the robot has been, metres; it grows."""
+    distance: float
+    """Metres driven."""
+    step: CurrentStep
+    """What the agent works on."""
+    events: Sequence[Event]
+    """What happened last, the latest one last."""
+    fresh: Sequence[Event]
+    """Those of them, or more, that happened since it was shown last."""
+    people: Mapping[str, Pose]
+    things: Mapping[str, Pose]
 
 
 class View(Protocol):
@@ -69,13 +97,7 @@ class Onlooker:
         clock: Callable[[], float] = time.monotonic,
         sleep: Callable[[float], None] = time.sleep,
     ) -> None:
-        """Look on.
-
-        Args:
-            view: What shows it.
-            pace: Simulated seconds per second; None for as fast as it goes.
-            clock: Seconds, growing.
-            sleep: Waits some seconds.
+        """Look on; a pace of None is as fast as it goes.
 
         Raises:
             SettingsError: The pace is out of range.
@@ -87,7 +109,9 @@ class Onlooker:
         self._robot: SimulatedRobot | None = None
         self._path: list[tuple[float, float]] = []
         self._distance = 0.0
-        self._reporter = Reporter()
+        self._seen = 0
+        self._told: dict[str, str] = {}
+        self._latest: deque[Event] = deque(maxlen=KEPT)
         self._last: tuple[float, Pose] | None = None
         self._due = self._shown = -math.inf
         self.trouble: Exception | None = None
@@ -98,7 +122,9 @@ class Onlooker:
         self._robot, self._trace = robot, trace
         self._path, self._distance = [(robot.pose.x, robot.pose.y)], 0.0
         self._last = (robot.time, robot.pose)
-        self._reporter = Reporter()
+        self._seen = 0
+        self._told.clear()
+        self._latest.clear()
         self._due = self._clock()
         robot.watch(self._moved)
         self._show(robot.time, robot.pose)
@@ -152,7 +178,10 @@ class Onlooker:
             self.trouble = problem
 
     def _present(self, now: float, pose: Pose) -> Present:
-        fresh = self._reporter.catch_up(self._trace)
+        fresh = news(events_of(self._trace[self._seen :]), self._told)
+        self._seen = len(self._trace)
+        self._latest.extend(fresh)
+        latest = tuple(self._latest)
         around = None if self._robot is None else self._robot.surroundings
         crowd = None if around is None else around.crowd
         people = () if crowd is None else crowd.people
@@ -161,8 +190,8 @@ class Onlooker:
             pose=pose,
             path=self._path,
             distance=self._distance,
-            step=present_step(self._trace, self._reporter.latest),
-            events=self._reporter.latest,
+            step=step_of(understood(self._trace), self._seen - 1, latest),
+            events=latest,
             fresh=fresh,
             people={
                 each.record.id: Pose(each.x, each.y, each.heading) for each in people
@@ -171,3 +200,43 @@ class Onlooker:
             if around
             else {},
         )
+
+
+@contextmanager
+def watching(
+    kind: WatchKind, site: Site, route: Route, text: str, title: str, pace: float | None
+) -> Generator[Onlooker]:
+    """Open a view for the length of an episode; call the onlooker's `end` in it.
+
+    In the terminal only where stdout and stderr are one; plain lines on stderr
+    otherwise, which are held to a pace only when one is asked for.
+
+    Args:
+        kind: Where to show it.
+        site: Where the episode takes place.
+        route: The way that the text describes.
+        text: The instruction.
+        title: Of the view.
+        pace: Simulated seconds per second; None for the view's own.
+
+    Raises:
+        SettingsError: The pace is out of range.
+    """
+    if pace is not None:
+        check_pace(pace)
+    shown_pace = DEFAULT_PACE if pace is None else pace
+    if kind == "browser":
+        from memorymaze.results.watching.browser import BrowserView
+
+        with BrowserView(site, route, text, title) as view:
+            view.wait_for_somebody()
+            yield Onlooker(view, shown_pace)
+    elif sys.stdout.isatty() and sys.stderr.isatty():
+        from memorymaze.results.watching.terminal import TerminalView
+
+        with TerminalView(site, route, text, title) as view:
+            yield Onlooker(view, shown_pace)
+    else:
+        from memorymaze.results.watching.terminal import PlainView
+
+        yield Onlooker(PlainView(sys.stderr), pace)

@@ -3,7 +3,7 @@ import re
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from memorymaze.results.report.file_names import safe_name
+from memorymaze.results.report.pages import safe_name
 
 IDS = st.text(max_size=200)
 

@@ -2,14 +2,13 @@
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 from memorymaze.errors import SettingsError, did_you_mean
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import RunRecord, read_run
 from memorymaze.evaluation.settings import RunSettings, stamp_file
 from memorymaze.evaluation.trace import read_trace, trace_path
-from memorymaze.results.report.story import Story, story_of
+from memorymaze.results.story.story import Story, story_of
 from memorymaze.sites import (
     BUILTIN_SITE_NAMES,
     Route,
@@ -25,10 +24,7 @@ class RecordedEpisode:
 
     record: RunRecord
     result: EpisodeResult
-    entries: tuple[dict[str, Any], ...]
-    """Of its trace, see `docs/data_formats.md`."""
     story: Story
-    """The trace in words."""
     site: Site
 
     @property
@@ -64,15 +60,15 @@ def load_episode(
     result = by_id.get(episode_id)
     if result is None:
         raise SettingsError(_no_such_episode(path, episode_id, list(by_id)))
-    entries = tuple(read_trace(path, episode_id))
-    story = story_of(entries, str(trace_path(path, episode_id)))
+    trace = read_trace(path, episode_id)
+    story = story_of(trace, str(trace_path(path, episode_id)))
     site = _site_of(record.settings, result.site, sites_folder)
     if not any(route.id == result.reference_route for route in site.routes):
         raise SettingsError(
             f"{path}: expected a route {result.reference_route!r} in the plan "
             f"{site.name}, got none; is {site.source} the plan of this run?"
         )
-    return RecordedEpisode(record, result, entries, story, site)
+    return RecordedEpisode(record, result, story, site)
 
 
 def _no_such_episode(path: Path, wanted: str, known: list[str]) -> str:

@@ -5,12 +5,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from memorymaze.results.replay import RecordedEpisode
-from memorymaze.results.replay.current_step import step_of
-from memorymaze.results.replay.moments import Moments, news
-from memorymaze.results.report.event_words import Event
-from memorymaze.results.report.story import story_of
-from memorymaze.results.report.understanding import understood
+from memorymaze.results.story import RecordedEpisode
+from memorymaze.results.story.events import Event, news
+from memorymaze.results.story.moments import Moments
+from memorymaze.results.story.story import story_of
+from memorymaze.results.story.understanding import step_of, understood
 
 WALK = {
     "kind": "trajectory",
@@ -20,7 +19,7 @@ WALK = {
 
 def moments_of(*entries: Mapping[str, Any]) -> Moments:
     everything = [{"kind": "episode", "instruction": "Go."}, *entries, WALK]
-    return Moments(everything, story_of(everything, "here"))
+    return Moments(story_of(everything, "here"))
 
 
 def test_between_two_poses_the_robot_is_between_them() -> None:
@@ -107,7 +106,7 @@ def test_agents_without_plan_show_their_latest_thought() -> None:
 
 
 def test_the_walk_ends_where_the_trace_ends(crowded_episode: RecordedEpisode) -> None:
-    moments = Moments(crowded_episode.entries, crowded_episode.story)
+    moments = Moments(crowded_episode.story)
     last = moments.at(moments.duration)
     np.testing.assert_allclose(last.pose[:2], moments.points[-1])
     assert last.walked == len(moments.points)

@@ -1,8 +1,8 @@
-"""The entries of a trace in words, for timelines."""
+"""The entries of a trace in words, in the order of time."""
 
 import json
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -23,6 +23,15 @@ KINDS = (
 LONGEST = 600
 """Characters that are shown of a text; traces hold them whole."""
 
+ASKING = frozenset({
+    "turning_point_id",
+    "detect_turning_point",
+    "distance_travelled",
+    "detect_from_RGB_image",
+    "read_signs",
+})
+"""Calls that move nothing; those at the same moment are told in one line."""
+
 HIDDEN_NOTES = frozenset({"plan", "steps", "program"})
 """Shown beside the timeline instead."""
 
@@ -42,13 +51,45 @@ class Event:
     """Things detected: x and y in metres, label."""
 
 
-def asked_events(asked: Sequence[Mapping[str, Any]], after: int) -> Iterator[Event]:
-    """Tell the questions asked at one moment: what was looked for, what else.
+def events_of(entries: Sequence[Mapping[str, Any]]) -> Iterator[Event]:
+    """Tell the entries of a trace, or of a piece of one."""
+    asked: list[Mapping[str, Any]] = []
+    for number, entry in enumerate(entries):
+        kind = entry["kind"]
+        asks = kind == "call" and entry.get("call") in ASKING
+        if asked and not (asks and entry["time"] == asked[0]["time"]):
+            yield from _asked_events(asked, number)
+            asked = []
+        if asks:
+            asked.append(entry)
+        elif kind == "call":
+            yield _call_event(entry, number)
+        elif kind == "note":
+            yield from _note_events(entry, number)
+        elif kind in {"collision", "near_miss"}:
+            yield _met_event(entry, number)
+    if asked:
+        yield from _asked_events(asked, len(entries))
 
-    Args:
-        asked: Calls that move nothing, all at the same time.
-        after: Number of the entry after them.
+
+def news(events: Iterable[Event], told: dict[str, str] | None = None) -> list[Event]:
+    """Return events in the order of time, without answers that are as before.
+
+    Agents ask the same at every step; what stays the same is told once. `told` holds
+    the last text told of each kind, and is brought up to date.
     """
+    told = {} if told is None else told
+    kept: list[Event] = []
+    for event in sorted(events, key=lambda each: each.time):
+        if event.kind in {"ask", "look"} and told.get(event.kind) == event.text:
+            continue
+        told[event.kind] = event.text
+        kept.append(event)
+    return kept
+
+
+def _asked_events(asked: Sequence[Mapping[str, Any]], after: int) -> Iterator[Event]:
+    """Tell the questions asked at one moment: what was looked for, what else."""
     looked, found, seen, others = [], [], [], []
     for entry in asked:
         result = entry["result"]
@@ -75,7 +116,7 @@ def asked_events(asked: Sequence[Mapping[str, Any]], after: int) -> Iterator[Eve
         yield Event(time, "ask", _cut(told), after - 1)
 
 
-def call_event(entry: Mapping[str, Any], number: int) -> Event:
+def _call_event(entry: Mapping[str, Any], number: int) -> Event:
     """Tell a call of the control API."""
     call, result = str(entry["call"]), entry["result"]
     arguments = ", ".join(_value(each) for each in entry["arguments"].values())
@@ -96,7 +137,7 @@ def call_event(entry: Mapping[str, Any], number: int) -> Event:
     return Event(float(entry["time"]), kind, _cut(text), number)
 
 
-def note_events(entry: Mapping[str, Any], number: int) -> Iterator[Event]:
+def _note_events(entry: Mapping[str, Any], number: int) -> Iterator[Event]:
     """Tell what an agent noted; nothing of what is shown elsewhere."""
     about = str(entry["about"])
     if about in HIDDEN_NOTES:
@@ -114,7 +155,7 @@ def note_events(entry: Mapping[str, Any], number: int) -> Iterator[Event]:
     yield Event(float(entry["time"]), kind, _cut(text), number)
 
 
-def met_event(entry: Mapping[str, Any], number: int) -> Event:
+def _met_event(entry: Mapping[str, Any], number: int) -> Event:
     """Tell a collision, or that a person came close."""
     if entry["kind"] == "collision":
         text = f"touched a {entry['with']} ({entry['object_id']})"

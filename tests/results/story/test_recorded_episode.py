@@ -5,7 +5,7 @@ import pytest
 
 from memorymaze.errors import RunFolderError, SettingsError
 from memorymaze.evaluation.trace import trace_path
-from memorymaze.results.replay import RecordedEpisode, load_episode
+from memorymaze.results.story import RecordedEpisode, load_episode
 
 
 def test_a_misspelt_episode_is_answered_with_the_nearest(

@@ -10,15 +10,16 @@ from shapely import LineString, get_coordinates
 from memorymaze.drawing.svg import Frame, path_data, plan_frame
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.geometry.trajectory import Trajectory
-from memorymaze.results.report.decisions import (
+from memorymaze.results.report.following import (
     DecisionCount,
+    FollowedTo,
+    Following,
     count_decisions,
     decisions_of,
     first_wrong,
 )
-from memorymaze.results.report.following import FollowedTo, Following
-from memorymaze.results.report.outcomes import Outcome, outcome_of
 from memorymaze.results.report.sources import ReportRun
+from memorymaze.results.story.outcomes import Outcome, outcome_of
 from memorymaze.sites import Route, Site
 
 SIMPLER = 0.12

@@ -1,8 +1,8 @@
-"""What the robot's camera saw in an episode, drawn anew at the poses of its trace."""
+"""What camera and LiDAR measured in an episode, anew at the poses of its trace."""
 
 import math
-from types import TracebackType
 
+import mujoco
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image, ImageDraw
@@ -11,9 +11,10 @@ from memorymaze.errors import RunFolderError
 from memorymaze.geometry.pose import turn_between
 from memorymaze.pictures.rendering.camera import CameraFrame, RenderedCamera
 from memorymaze.pictures.rendering.robot_eyes import visual_scene_of
-from memorymaze.results.replay.lettering import font_for
-from memorymaze.results.replay.moments import Moment, Moments, Sighting
+from memorymaze.results.replay.page import font_for
+from memorymaze.results.story.moments import Moment, Moments, Sighting
 from memorymaze.simulation.scene import Scene
+from memorymaze.simulation.senses.lidar import Lidar, LidarSettings
 
 PICTURE_SIZE = (640, 480)
 """Pixels of the robot's own picture, which boxes refer to."""
@@ -28,18 +29,12 @@ EDGE = "#202020"
 
 
 class Eyes:
-    """The robot's camera, for the length of a film; use it in a `with`."""
+    """The robot's camera, until it is closed."""
 
     def __init__(
         self, scene: Scene, moments: Moments, size: tuple[int, int], *, smooth: bool
     ) -> None:
-        """Open the camera.
-
-        Args:
-            scene: The building, with the movables of the run.
-            moments: Of the episode.
-            size: Width and height of the pictures, pixels.
-            smooth: Whether edges are smoothed, which takes longer.
+        """Open the camera, with smooth edges where there is time for them.
 
         Raises:
             RenderingError: This machine cannot draw; says what to install.
@@ -67,16 +62,7 @@ class Eyes:
         self._looks.place({**self._things, **moment.people})
         return self._camera.frame(moment.pose)
 
-    def __enter__(self) -> "Eyes":
-        """Return itself."""
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def close(self) -> None:
         """Close the camera."""
         self._camera.close()
 
@@ -97,13 +83,7 @@ def boxes_at(moments: Moments, moment: Moment) -> list[Sighting]:
 def draw_boxes(
     picture: NDArray[np.uint8], found: list[Sighting], letter: int
 ) -> NDArray[np.uint8]:
-    """Draw boxes of detected things on a picture, with their names.
-
-    Args:
-        picture: Colours, (height, width, 3).
-        found: What to draw.
-        letter: Height of letters, pixels.
-    """
+    """Draw boxes of detected things on a picture, with their names in some size."""
     if not found:
         return picture
     page = Image.fromarray(picture)
@@ -118,3 +98,32 @@ def draw_boxes(
         pen.rectangle(pen.textbbox(place, each.label, font=font), fill=EDGE)
         pen.text(place, each.label, BOX, font)
     return np.asarray(page)
+
+
+class Scans:
+    """A LiDAR without noise, with the things and people of the moment."""
+
+    def __init__(self, scene: Scene, moments: Moments) -> None:
+        """Mount a LiDAR."""
+        self._scene = scene
+        self._things = moments.things
+        self._data = mujoco.MjData(scene.model)
+        self._heights = {each.id: each.size[2] for each in scene.movables}
+        settings = LidarSettings(noise=0.0, drop_out=0.0)
+        self._height = settings.height
+        self._lidar = Lidar(scene, self._data, settings)
+        mujoco.mj_kinematics(scene.model, self._data)
+
+    def points(self, moment: Moment) -> NDArray[np.float64]:
+        """Return where the rays ended: metres in the robot's frame, (N, 3).
+
+        x ahead, y to the left, z up from the floor.
+        """
+        for name, pose in {**self._things, **moment.people}.items():
+            row = self._scene.mocap_ids[name]
+            half = pose.heading / 2
+            self._data.mocap_pos[row] = (pose.x, pose.y, self._heights[name] / 2)
+            self._data.mocap_quat[row] = (math.cos(half), 0, 0, math.sin(half))
+        mujoco.mj_kinematics(self._scene.model, self._data)
+        points = self._lidar.scan(moment.pose, moment.time).points()
+        return points + np.array([0.0, 0.0, self._height])

@@ -1,18 +1,18 @@
-"""What an episode looked like at any moment of it, read from its trace."""
+"""What an episode looked like at any moment of it."""
 
 import math
 from bisect import bisect_right
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from memorymaze.geometry.pose import Pose, wrap_angle
-from memorymaze.results.replay.current_step import CurrentStep, step_of
-from memorymaze.results.report.event_words import Event
-from memorymaze.results.report.story import Story
+from memorymaze.results.story.events import Event, news
+from memorymaze.results.story.story import Story
+from memorymaze.results.story.understanding import CurrentStep, step_of
 
 FACING_SPAN = 0.6
 """Seconds of a person's walk that say which way the person faces."""
@@ -33,7 +33,6 @@ class Sighting(NamedTuple):
     x: float
     """Where it is, metres."""
     y: float
-    """Where it is, metres."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -56,43 +55,44 @@ class Moment:
 class Moments:
     """An episode as a function of simulated time."""
 
-    def __init__(self, entries: Sequence[Mapping[str, Any]], story: Story) -> None:
+    def __init__(self, story: Story) -> None:
         """Read what changes in the course of an episode."""
-        self._story = story
+        self.story = story
         table = np.array(story.walk.poses, dtype=np.float64).T
         self._times, self._xs, self._ys = table[0], table[1], table[2]
         self._headings = np.unwrap(table[3])
         # Collisions and people stand behind the walk in a trace, out of order.
         timed = [
             (float(each["time"]), number)
-            for number, each in enumerate(entries)
+            for number, each in enumerate(story.entries)
             if each["kind"] in {"call", "note"}
         ]
         self._entry_times = [time for time, _ in timed]
         self._entry_numbers = [number for _, number in timed]
         self._events = news(story.events)
         self._event_times = [event.time for event in self._events]
-        self.walks_of_people = _walks(entries)
-        """By person: times, x and y, (3, N)."""
-        self.things = _things(entries)
+        self.things = {
+            name: Pose(thing.x, thing.y, thing.heading)
+            for name, thing in story.things.items()
+        }
         """Where each thing stood that no plan has, by its id."""
-        self.sightings = _sightings(entries)
+        self.sightings = tuple(_sightings(story))
         """Everything detected, in the order of time."""
 
     @property
     def duration(self) -> float:
         """Simulated seconds of the whole episode."""
-        return self._story.walk.duration
+        return self.story.walk.duration
 
     @property
     def points(self) -> NDArray[np.float64]:
         """The whole walk, metres, (N, 2)."""
-        return self._story.walk.points
+        return self.story.walk.points
 
     @property
     def movables(self) -> frozenset[str]:
         """Ids of all things and people that no plan has."""
-        return frozenset(self.things) | frozenset(self.walks_of_people)
+        return frozenset(self.things) | frozenset(self.story.people)
 
     def at(self, time: float) -> Moment:
         """Return what there is to see at a moment, simulated seconds."""
@@ -108,76 +108,30 @@ class Moments:
                 wrap_angle(float(np.interp(time, self._times, self._headings))),
             ),
             walked=int(np.searchsorted(self._times, time, side="right")),
-            step=step_of(self._story.understanding, last, events),
+            step=step_of(self.story.understanding, last, events),
             events=events,
             people={
-                name: _on_walk(walk, time)
-                for name, walk in self.walks_of_people.items()
+                name: _on_walk(walk, time) for name, walk in self.story.people.items()
             },
         )
 
 
-def news(events: Iterable[Event], told: dict[str, str] | None = None) -> list[Event]:
-    """Return events in the order of time, without answers that are as before.
-
-    Agents ask the same at every step; what stays the same is told once.
-
-    Args:
-        events: What happened.
-        told: The last text told of each kind, which is brought up to date; None where
-            nothing was told before.
-    """
-    told = {} if told is None else told
-    kept: list[Event] = []
-    for event in sorted(events, key=lambda each: each.time):
-        if event.kind in {"ask", "look"} and told.get(event.kind) == event.text:
-            continue
-        told[event.kind] = event.text
-        kept.append(event)
-    return kept
-
-
-def _walks(entries: Sequence[Mapping[str, Any]]) -> dict[str, NDArray[np.float64]]:
-    for entry in entries:
-        if entry["kind"] == "people":
-            return {
-                name: np.array(walk, dtype=np.float64).T
-                for name, walk in entry["walks"].items()
-            }
-    return {}
-
-
-def _things(entries: Sequence[Mapping[str, Any]]) -> dict[str, Pose]:
-    return {
-        thing["object_id"]: Pose(*thing["pose"])
-        for entry in entries
-        if entry["kind"] == "things"
-        for thing in entry["things"]
-    }
-
-
-def _sightings(entries: Sequence[Mapping[str, Any]]) -> tuple[Sighting, ...]:
-    found: list[Sighting] = []
-    for entry in entries:
+def _sightings(story: Story) -> Iterator[Sighting]:
+    for entry in story.entries:
         if entry["kind"] != "call" or entry["call"] != "detect_from_RGB_image":
             continue
-        if not isinstance(entry["result"], list):
-            continue
         pose = Pose(*entry["pose"])
-        for each in entry["result"]:
+        for each in entry["result"] if isinstance(entry["result"], list) else ():
             way = pose.heading + math.radians(each["bearing_deg"])
             far = each["distance"]
-            found.append(
-                Sighting(
-                    entry["time"],
-                    pose,
-                    str(each["label"]),
-                    tuple(each["box"]),
-                    pose.x + far * math.cos(way),
-                    pose.y + far * math.sin(way),
-                )
+            yield Sighting(
+                entry["time"],
+                pose,
+                str(each["label"]),
+                tuple(each["box"]),
+                pose.x + far * math.cos(way),
+                pose.y + far * math.sin(way),
             )
-    return tuple(found)
 
 
 def _on_walk(walk: NDArray[np.float64], time: float) -> Pose:

@@ -1,0 +1,283 @@
+"""What the pages on whole runs show: tables, endings, distributions, errors, settings."""
+
+import math
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import asdict, dataclass
+from itertools import groupby
+from statistics import fmean
+
+import numpy as np
+
+from memorymaze.errors import RunFolderError
+from memorymaze.evaluation.results import EpisodeResult
+from memorymaze.evaluation.run_folder import RunRecord
+from memorymaze.instructions.records import WRITTEN_BY, Failure, Instruction
+from memorymaze.results.report.sources import ReportRun, Sources
+from memorymaze.results.story.outcomes import ENDINGS
+from memorymaze.results.tables import MeasuredRun, Place, TableName, TableRow
+from memorymaze.results.tables.bootstrap import Estimate, estimate_means
+from memorymaze.results.tables.cells import group_title
+from memorymaze.results.tables.comparison import Comparison, compare_runs
+from memorymaze.results.tables.rows import table_rows
+
+BARS = 20
+"""Of a distribution, about."""
+NO_ERROR, ANY_ERROR = "none", "any"
+
+
+@dataclass(frozen=True, slots=True)
+class TableGroup:
+    """Rows of a table that stand beneath one heading."""
+
+    study: str
+    title: str
+    places: tuple[Place, ...]
+    is_mean: bool
+    rows: tuple[TableRow, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Pair:
+    """Two runs compared."""
+
+    first: ReportRun
+    second: ReportRun
+    comparison: Comparison | None
+    """None where no episode is in both."""
+
+
+@dataclass(frozen=True, slots=True)
+class Ending:
+    """How many episodes of a run ended in a way."""
+
+    key: str
+    """Of its outcome: `arrived`, `elsewhere` or `broken`."""
+    title: str
+    count: int
+    share: float
+
+
+def table_groups(runs: Sequence[MeasuredRun], table: TableName) -> list[TableGroup]:
+    """Return the rows of a table in their groups; none of studies the paper lacks."""
+    rows = table_rows(runs, table)
+    groups: list[TableGroup] = []
+    for (study, title), chosen in groupby(rows, lambda r: (r.study, group_title(r))):
+        group = tuple(chosen)
+        places = max((row.places for row in group), key=len)
+        groups.append(TableGroup(study, title, places, group[0].is_mean, group))
+    return groups
+
+
+def compare_pair(first: ReportRun, second: ReportRun) -> Pair:
+    """Compare two runs on the episodes that both have."""
+    try:
+        comparison = compare_runs(first.measured, second.measured)
+    except RunFolderError:
+        comparison = None
+    return Pair(first, second, comparison)
+
+
+def count_endings(run: ReportRun) -> list[Ending]:
+    """Count how the episodes of a run ended; what never happened is left out."""
+    results = run.measured.results
+    counts = Counter(
+        "arrived" if each.success else f"by {each.stopped_by}" for each in results
+    )
+    titles = {
+        "arrived": ("arrived", "arrived"),
+        "by agent": ("elsewhere", "stopped elsewhere"),
+    }
+    titles |= {
+        f"by {end}": ("broken", words)
+        for end, words in ENDINGS.items()
+        if end != "agent"
+    }
+    return [
+        Ending(key, words, counts[name], counts[name] / len(results))
+        for name, (key, words) in titles.items()
+        if counts[name]
+    ]
+
+
+def written_by(sources: Sources) -> list[str]:
+    """Say who wrote the instructions: `564 written by a LANGUAGE MODEL, …`."""
+    texts = {
+        result.instruction_id: result.source
+        for run in sources.runs
+        for result in run.measured.results
+    }
+    counts = Counter(texts.values())
+    return [
+        f"{count} instruction{'' if count == 1 else 's'} written by "
+        f"{WRITTEN_BY[source]}"
+        for source, count in sorted(counts.items())
+    ]
+
+
+@dataclass(frozen=True, slots=True)
+class Measure:
+    """Something measured of every episode."""
+
+    field: str
+    """Of `EpisodeResult`."""
+    title: str
+    unit: str
+    """Empty where it has none."""
+    digits: int
+
+
+MEASURES = (
+    Measure("spd", "SPD: shortest walk left to the goal", "m", 1),
+    Measure("path_length", "Path length", "m", 1),
+    Measure("cls", "CLS: coverage weighted by length", "", 2),
+    Measure("duration_s", "Duration, simulated", "s", 0),
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Spread:
+    """A measure in one run and study."""
+
+    run: ReportRun
+    study: str
+    episodes: int
+    mean: float
+    quantiles: tuple[float, ...]
+    """Least, lower quartile, median, upper quartile, greatest."""
+    edges: tuple[float, ...]
+    """Of the bars; the same for every run and study of a measure."""
+    counts: tuple[int, ...]
+    """Episodes per bar."""
+    highest: int
+    """Greatest count of any bar of the measure, for a common scale."""
+
+
+def spreads(runs: Sequence[ReportRun], measure: Measure) -> list[Spread]:
+    """Return how a measure is spread: for every study, run by run."""
+    cells: dict[tuple[str, int], list[float]] = {}
+    for number, run in enumerate(runs):
+        for result in run.measured.results:
+            value = float(getattr(result, measure.field))
+            cells.setdefault((result.study, number), []).append(value)
+    values = [value for cell in cells.values() for value in cell]
+    edges = _edges(min(values), max(values))
+    counted = {key: np.histogram(cell, edges)[0] for key, cell in cells.items()}
+    highest = max(int(count.max()) for count in counted.values())
+    found: list[Spread] = []
+    for (study, number), cell in sorted(cells.items()):
+        found.append(
+            Spread(
+                run=runs[number],
+                study=study,
+                episodes=len(cell),
+                mean=fmean(cell),
+                quantiles=tuple(np.quantile(cell, [0, 0.25, 0.5, 0.75, 1]).tolist()),
+                edges=tuple(edges),
+                counts=tuple(map(int, counted[study, number])),
+                highest=highest,
+            )
+        )
+    return found
+
+
+def _edges(low: float, high: float) -> list[float]:
+    """Return edges at round numbers, about `BARS` of them, that hold low and high."""
+    low = min(low, 0.0)
+    rough = max(high - low, 1e-6) / BARS
+    power = 10.0 ** math.floor(math.log10(rough))
+    step = next(
+        factor * power for factor in (1, 2, 2.5, 5, 10) if factor * power >= rough
+    )
+    first, last = math.floor(low / step), max(math.ceil(high / step), 1)
+    return [number * step for number in range(first, last + 1)]
+
+
+@dataclass(frozen=True, slots=True)
+class FaultyInstruction:
+    """An error of an instruction, and what became of the episode."""
+
+    instruction: Instruction
+    failure: Failure
+    results: tuple[EpisodeResult | None, ...]
+    """One per run; None where a run has none."""
+
+
+@dataclass(frozen=True, slots=True)
+class ErrorKind:
+    """Instructions with a kind of error; one with several kinds is in each."""
+
+    kind: str
+    """`none` and `any` for those without and with an error."""
+    instructions: int
+    measured: tuple[tuple[int, dict[str, Estimate]] | None, ...]
+    """Per run the number of episodes and the means; None where it has none."""
+    examples: tuple[FaultyInstruction, ...]
+
+
+def error_kinds(
+    runs: Sequence[ReportRun], instructions: Mapping[str, Instruction]
+) -> list[ErrorKind]:
+    """Return results by kind of error: without, with any, then the commonest first.
+
+    Only episodes whose instruction file was found count.
+    """
+    results: list[dict[str, list[EpisodeResult]]] = []
+    for run in runs:
+        by_instruction: dict[str, list[EpisodeResult]] = {}
+        for each in run.measured.results:
+            by_instruction.setdefault(each.instruction_id, []).append(each)
+        results.append(by_instruction)
+    followed = sorted({
+        each.instruction_id
+        for run in runs
+        for each in run.measured.results
+        if each.instruction_id in instructions
+    })
+    groups: dict[str, list[Instruction]] = {NO_ERROR: [], ANY_ERROR: []}
+    for name in followed:
+        told = instructions[name]
+        kinds = dict.fromkeys(failure.kind for failure in told.failures)
+        for kind in (ANY_ERROR, *kinds) if kinds else (NO_ERROR,):
+            groups.setdefault(kind, []).append(told)
+    general = [(kind, groups.pop(kind)) for kind in (NO_ERROR, ANY_ERROR)]
+    by_size = sorted(groups.items(), key=lambda each: (-len(each[1]), each[0]))
+    return [_kind(kind, told, results) for kind, told in (*general, *by_size) if told]
+
+
+def _kind(
+    kind: str,
+    told: Sequence[Instruction],
+    results: Sequence[Mapping[str, Sequence[EpisodeResult]]],
+) -> ErrorKind:
+    measured: list[tuple[int, dict[str, Estimate]] | None] = []
+    for of_run in results:
+        cell = [result for each in told for result in of_run.get(each.id, ())]
+        measured.append((len(cell), estimate_means([cell])) if cell else None)
+    examples = [
+        FaultyInstruction(
+            each,
+            failure,
+            tuple(next(iter(of_run.get(each.id, ())), None) for of_run in results),
+        )
+        for each in told
+        for failure in each.failures
+        if failure.kind == kind
+    ]
+    return ErrorKind(kind, len(told), tuple(measured), tuple(examples))
+
+
+def settings_rows(record: RunRecord) -> list[tuple[str, str]]:
+    """Return all that `run.json` says, flat: `settings.seed`, `0`, and so on."""
+    return list(_flat(asdict(record), ""))
+
+
+def _flat(value: object, name: str) -> Iterator[tuple[str, str]]:
+    if isinstance(value, Mapping):
+        for key, part in value.items():
+            yield from _flat(part, f"{name}.{key}" if name else str(key))
+    elif isinstance(value, list | tuple) and value:
+        for number, part in enumerate(value):
+            yield from _flat(part, f"{name}[{number}]")
+    else:
+        yield name, "-" if value is None or value == () or value == [] else str(value)

@@ -1,0 +1,9 @@
+"""The story of an episode: what happened, what the agent worked on, and how it ended.
+
+Reports, replays and live views read it; none of them is in here.
+"""
+
+from memorymaze.results.story.recorded_episode import RecordedEpisode, load_episode
+from memorymaze.results.story.story import Story, story_of
+
+__all__ = ["RecordedEpisode", "Story", "load_episode", "story_of"]
