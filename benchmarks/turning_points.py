@@ -24,7 +24,7 @@ from memorymaze.geometry.pose import Pose, turn_between
 from memorymaze.perception.turning_points import TurningPointFinder
 from memorymaze.robot.api import Direction
 from memorymaze.simulation import SimulatedRobot, build_scene
-from memorymaze.simulation.motion.pilot import direction_of
+from memorymaze.simulation.motion.commands import direction_of
 from memorymaze.simulation.senses.lidar import Lidar, LidarSettings
 from memorymaze.simulation.senses.odometry import Odometry, OdometrySettings
 from memorymaze.simulation.senses.turning_points import TurningPointVisits

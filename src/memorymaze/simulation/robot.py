@@ -1,10 +1,10 @@
 """`SimulatedRobot`: the guide robot's control API on a simulated building."""
 
 import math
-from collections.abc import Callable, Mapping, Sequence
-from contextlib import suppress
-from dataclasses import asdict
+from collections.abc import Callable, Sequence
+from contextlib import AbstractContextManager, suppress
 from functools import cached_property
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -13,7 +13,6 @@ from memorymaze.errors import (
     CommandError,
     EpisodeOver,
     RenderingError,
-    SettingsError,
 )
 from memorymaze.geometry.pose import Pose, turn_between
 from memorymaze.geometry.trajectory import Trajectory
@@ -35,16 +34,25 @@ from memorymaze.simulation.cameras import (
     PanoramaFrame,
     RobotCameras,
 )
+from memorymaze.simulation.motion.commands import (
+    check_speeds,
+    metres_ahead,
+    parse_direction,
+    radians_to_turn,
+    words_to_look_for,
+)
 from memorymaze.simulation.motion.driving import Driver, TimeIsUp
-from memorymaze.simulation.motion.pilot import Pilot, parse_direction
+from memorymaze.simulation.motion.pilot import Pilot
 from memorymaze.simulation.obstacles.surroundings import NearMiss, Surroundings
 from memorymaze.simulation.scene import Scene
 from memorymaze.simulation.senses.lidar import Lidar, LidarScan, LidarSettings
 from memorymaze.simulation.senses.lidar_turning_points import LidarTurningPoints
 from memorymaze.simulation.senses.odometry import Odometry, OdometrySettings
 from memorymaze.simulation.senses.visibility import RayCamera, camera_elsewhere
-from memorymaze.simulation.settings import TIMESTEP, SimulationSettings
-from memorymaze.simulation.trace import CallLog, Collision, TraceEvent
+from memorymaze.simulation.settings import SimulationSettings
+from memorymaze.simulation.trace import Call, CallLog, Collision, Moment, TraceEvent
+
+Result = TypeVar("Result")
 
 
 class SimulatedRobot:
@@ -131,88 +139,53 @@ class SimulatedRobot:
 
     def move_forward(self, distance: float) -> MoveResult:
         """See `Robot.move_forward`."""
-        self._log.begin()
-        try:
-            metres = _metres(distance)
-        except CommandError as error:
-            self._refuse("move_forward", {"distance": repr(distance)}, error)
-            raise
-        before = self._driver.distance
-        reason: MoveEnd
-        try:
-            reason = self._pilot.move(metres)
-        except TimeIsUp:
-            reason = "budget"
-            self._log.stopped_by = "budget"
-        result = MoveResult(self._driver.distance - before, reason)
-        self._end("move_forward", {"distance": metres}, asdict(result))
-        return result
+        with self._call("move_forward", distance=distance) as call:
+            metres = call.arguments["distance"] = metres_ahead("move_forward", distance)
+            return self._moved(call, lambda: self._pilot.move(metres))
 
     def detect_turning_point(self) -> list[Direction]:
         """See `Robot.detect_turning_point`."""
-        self._log.begin()
-        directions = self._pilot.directions()
-        self._end("detect_turning_point", {}, directions)
-        return list(directions)
+        with self._call("detect_turning_point") as call:
+            return call.returns(self._pilot.directions())
 
     def turning_point_id(self) -> int | None:
         """See `Robot.turning_point_id`."""
-        self._log.begin()
-        number = self._driver.turning_points.number
-        self._end("turning_point_id", {}, number)
-        return number
+        with self._call("turning_point_id") as call:
+            return call.returns(self._driver.turning_points.number)
 
     def turn(self, direction: str) -> TurnResult:
         """See `Robot.turn`; unknown words are refused with `turned` False."""
-        self._log.begin()
-        try:
-            result = self._pilot.turn(parse_direction(direction))
-        except CommandError as error:
-            result = TurnResult(False, 0.0, str(error))
-        except TimeIsUp:
-            self._log.stopped_by = "budget"
-            result = TurnResult(False, 0.0, "the time budget ran out")
-        self._refused_turns += not result.turned
-        self._end("turn", {"direction": str(direction)}, asdict(result))
-        return result
+        with self._call("turn", direction=str(direction)) as call:
+            try:
+                result = self._pilot.turn(parse_direction(direction))
+            except CommandError as error:
+                result = TurnResult(False, 0.0, str(error))
+            except TimeIsUp:
+                self._log.stopped_by = "budget"
+                result = TurnResult(False, 0.0, "the time budget ran out")
+            self._refused_turns += not result.turned
+            return call.returns(result)
 
     def detect_from_RGB_image(self, object: str) -> list[Detection]:
         """See `Robot.detect_from_RGB_image`."""
-        self._log.begin()
-        if not _is_text(object):
-            error = CommandError(
-                "detect_from_RGB_image: expected what to look for in a few words, "
-                f"got {object!r}"
-            )
-            self._refuse("detect_from_RGB_image", {"object": repr(object)}, error)
-            raise error
-        try:
-            found = self._detector.detect(self.camera_view(), object)
-        except CommandError as error:
-            self._refuse("detect_from_RGB_image", {"object": object[:80]}, error)
-            raise
-        result = [asdict(each) for each in found]
-        self._end("detect_from_RGB_image", {"object": object}, result)
-        return found
+        with self._call("detect_from_RGB_image", object=object) as call:
+            words = words_to_look_for(object)
+            return call.returns(self._detector.detect(self.camera_view(), words))
 
     def read_signs(self) -> list[SignText]:
         """See `Robot.read_signs`."""
-        self._log.begin()
-        found = self._sign_reader.read(self.camera_view())
-        self._end("read_signs", {}, [asdict(each) for each in found])
-        return found
+        with self._call("read_signs") as call:
+            return call.returns(self._sign_reader.read(self.camera_view()))
 
     def say(self, text: str) -> None:
         """See `Robot.say`."""
-        self._log.begin()
-        self._end("say", {"text": str(text)}, None)
+        with self._call("say", text=str(text)):
+            pass
 
     def distance_travelled(self) -> float:
         """See `Robot.distance_travelled`."""
-        self._log.begin()
-        distance = self._driver.distance
-        self._end("distance_travelled", {}, distance)
-        return distance
+        with self._call("distance_travelled") as call:
+            return call.returns(self._driver.distance)
 
     def stop(self) -> None:
         """See `Robot.stop`.
@@ -228,51 +201,35 @@ class SimulatedRobot:
 
     def step_forward(self, distance: float) -> float:
         """See `SteppingRobot.step_forward`."""
-        self._log.begin()
-        try:
-            metres = _metres(distance, "step_forward")
-        except CommandError as error:
-            self._refuse("step_forward", {"distance": repr(distance)}, error)
-            raise
-        before = self._driver.distance
-        try:
-            moved = self._pilot.step_forward(metres)
-        except TimeIsUp:
-            moved = self._driver.distance - before
-            self._log.stopped_by = "budget"
-        self._end("step_forward", {"distance": metres}, moved)
-        return moved
+        with self._call("step_forward", distance=distance) as call:
+            metres = call.arguments["distance"] = metres_ahead("step_forward", distance)
+            before = self._driver.distance
+            return call.returns(
+                self._in_time(
+                    lambda: self._pilot.step_forward(metres),
+                    lambda: self._driver.distance - before,
+                )
+            )
 
     def rotate(self, angle: float) -> float:
         """See `SteppingRobot.rotate`."""
-        self._log.begin()
-        try:
-            radians = _radians(angle)
-        except CommandError as error:
-            self._refuse("rotate", {"angle": repr(angle)}, error)
-            raise
-        before = self.pose.heading
-        try:
-            turned = self._pilot.rotate(radians)
-        except TimeIsUp:
-            turned = turn_between(before, self.pose.heading)
-            self._log.stopped_by = "budget"
-        self._end("rotate", {"angle": radians}, turned)
-        return turned
+        with self._call("rotate", angle=angle) as call:
+            radians = call.arguments["angle"] = radians_to_turn(angle)
+            before = self.pose.heading
+            return call.returns(
+                self._in_time(
+                    lambda: self._pilot.rotate(radians),
+                    lambda: turn_between(before, self.pose.heading),
+                )
+            )
 
     def camera_picture(
         self, width: int = 640, height: int = 480, horizontal_fov: float = math.pi / 2
     ) -> CameraPicture:
         """See `SteppingRobot.camera_picture`; the first call takes seconds."""
-        self._log.begin()
         asked = {"width": width, "height": height, "horizontal_fov": horizontal_fov}
-        try:
-            picture = self._draw(width, height, horizontal_fov)
-        except SettingsError as error:
-            self._refuse("camera_picture", asked, error)
-            raise
-        self._end("camera_picture", asked, None)
-        return picture
+        with self._call("camera_picture", **asked):
+            return self._draw(width, height, horizontal_fov)
 
     # What the evaluation calls.
 
@@ -291,22 +248,16 @@ class SimulatedRobot:
             CommandError: A number has no meaning.
             EpisodeOver: The episode is over.
         """
-        self._log.begin()
         asked = {"speed": speed, "turn_rate": turn_rate, "seconds": seconds}
-        try:
-            self._check_drive(asked)
-        except CommandError as error:
-            said = {name: repr(value) for name, value in asked.items()}
-            self._refuse("drive", said, error)
-            raise
-        before = self._driver.distance
-        try:
-            driven = self._pilot.drive(speed, turn_rate, seconds)
-        except TimeIsUp:
-            driven = self._driver.distance - before
-            self._log.stopped_by = "budget"
-        self._end("drive", asked, driven)
-        return driven
+        with self._call("drive", **asked) as call:
+            check_speeds(self.settings, asked)
+            before = self._driver.distance
+            return call.returns(
+                self._in_time(
+                    lambda: self._pilot.drive(speed, turn_rate, seconds),
+                    lambda: self._driver.distance - before,
+                )
+            )
 
     def finish(self) -> str:
         """End the episode, as `stop` does, but return why it ended instead of raising.
@@ -320,7 +271,7 @@ class SimulatedRobot:
             self._log.stopped_by = "agent"
             with suppress(TimeIsUp):
                 self._pilot.come_to_rest()
-            self._end("stop", {}, None)
+            self._log.end("stop", {}, None, self._moment())
         return self._log.stopped_by
 
     def wait(self, seconds: float) -> float:
@@ -364,26 +315,18 @@ class SimulatedRobot:
         Raises:
             CommandError: The line has no meaning.
         """
-        self._log.begin()
-        points = np.asarray(line, dtype=np.float64)
-        if (
-            points.ndim != 2
-            or points.shape[1:] != (2,)
-            or not np.isfinite(points).all()
-        ):
-            raise CommandError(
-                f"follow: expected finite points of shape (N, 2), got {line!r}"
-            )
-        before = self._driver.distance
-        reason: MoveEnd
-        try:
-            reason = self._pilot.follow(points)
-        except TimeIsUp:
-            reason = "budget"
-            self._log.stopped_by = "budget"
-        result = MoveResult(self._driver.distance - before, reason)
-        self._end("follow", {"line": points.tolist()}, asdict(result))
-        return result
+        with self._call("follow", line=line) as call:
+            points = np.asarray(line, dtype=np.float64)
+            if (
+                points.ndim != 2
+                or points.shape[1:] != (2,)
+                or not np.isfinite(points).all()
+            ):
+                raise CommandError(
+                    f"follow: expected finite points of shape (N, 2), got {line!r}"
+                )
+            call.arguments["line"] = points.tolist()
+            return self._moved(call, lambda: self._pilot.follow(points))
 
     def watch(self, on_motion: Callable[[float, Pose], None]) -> None:
         """Have time and pose told while it moves, to something that only looks."""
@@ -503,66 +446,28 @@ class SimulatedRobot:
         """Return where it has been: every 0.2 s and after every call."""
         return self._driver.trajectory()
 
-    def _check_drive(self, asked: Mapping[str, object]) -> None:
-        bounds = {
-            "speed": (-self.settings.max_speed, self.settings.max_speed),
-            "turn_rate": (-self.settings.max_turn_rate, self.settings.max_turn_rate),
-            "seconds": (TIMESTEP, math.inf),
-        }
-        for name, value in asked.items():
-            lowest, highest = bounds[name]
-            number = _finite(value)
-            # Speeds often come as 32-bit numbers, which are a rounding error off.
-            slack = 0.0 if math.isinf(highest) else 1e-6 * highest
-            if number is None or not lowest - slack <= number <= highest + slack:
-                raise CommandError(
-                    f"drive: expected {name} from {lowest} to {highest}, got {value!r}"
-                )
+    def _moved(self, call: Call, motion: Callable[[], MoveEnd]) -> MoveResult:
+        before = self._driver.distance
+        reason = self._in_time(motion, _out_of_time)
+        return call.returns(MoveResult(self._driver.distance - before, reason))
 
-    def _refuse(
-        self, call: str, arguments: Mapping[str, object], error: Exception
-    ) -> None:
-        self._end(call, arguments, {"error": str(error)})
+    def _in_time(
+        self, motion: Callable[[], Result], cut_short: Callable[[], Result]
+    ) -> Result:
+        """Return what a motion returns, or what is left to say when the time is up."""
+        try:
+            return motion()
+        except TimeIsUp:
+            self._log.stopped_by = "budget"
+            return cut_short()
 
-    def _end(self, call: str, arguments: Mapping[str, object], result: object) -> None:
+    def _call(self, name: str, **arguments: object) -> AbstractContextManager[Call]:
+        return self._log.call(name, arguments, self._moment)
+
+    def _moment(self) -> Moment:
         self._driver.sample()
-        self._log.end(
-            call,
-            arguments,
-            result,
-            time=self.time,
-            pose=self.pose,
-            distance=self._driver.distance,
-        )
+        return Moment(self.time, self.pose, self._driver.distance)
 
 
-def _is_text(value: object) -> bool:
-    return isinstance(value, str) and bool(value.strip())
-
-
-def _metres(distance: object, call: str = "move_forward") -> float:
-    metres = _finite(distance)
-    if metres is not None and metres > 0:
-        return metres
-    raise CommandError(
-        f"{call}: expected a distance in metres greater than 0, got {distance!r}"
-    )
-
-
-def _radians(angle: object) -> float:
-    radians = _finite(angle)
-    # A full turn in whole steps may be a rounding error more.
-    if radians is not None and 0 < abs(radians) <= 2 * math.pi + 1e-9:
-        return radians
-    raise CommandError(
-        "rotate: expected an angle in radians, left positive, not 0 and at most a "
-        f"full turn (2 pi), got {angle!r}"
-    )
-
-
-def _finite(value: object) -> float | None:
-    # bool is an int to Python, but no measure.
-    if isinstance(value, int | float | np.number) and not isinstance(value, bool):
-        number = float(value)
-        return number if math.isfinite(number) else None
-    return None
+def _out_of_time() -> MoveEnd:
+    return "budget"

@@ -1,11 +1,16 @@
 """What a walk leaves behind: calls and collisions; and which calls may still be made."""
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Generator, Mapping
+from contextlib import contextmanager
+from dataclasses import asdict, dataclass
+from typing import NamedTuple, TypeVar, cast
 
-from memorymaze.errors import EpisodeOver
+from memorymaze.errors import CommandError, EpisodeOver, SettingsError
 from memorymaze.geometry.pose import Pose, turn_between
+from memorymaze.robot.api import Detection, MoveResult, SignText, TurnResult
 from memorymaze.simulation.settings import SimulationSettings
+
+Result = TypeVar("Result")
 
 STILL_DISTANCE = 0.01
 """Metres driven below which a call brought no motion."""
@@ -51,6 +56,38 @@ class Collision:
     """Id of the door or landmark; None for a wall."""
 
 
+class Moment(NamedTuple):
+    """When and where a call ended."""
+
+    time: float
+    """Simulated seconds."""
+    pose: Pose
+    distance: float
+    """Metres driven so far."""
+
+
+@dataclass(slots=True)
+class Call:
+    """A call while it is made, with what the trace tells of it."""
+
+    arguments: dict[str, object]
+    result: object = None
+
+    def returns(self, result: Result) -> Result:
+        """Take note of what it returns."""
+        self.result = _plain(result)
+        return result
+
+
+def _plain(value: object) -> object:
+    """Return a result as JSON knows it."""
+    if isinstance(value, list):
+        return [_plain(each) for each in cast(list[object], value)]
+    if isinstance(value, MoveResult | TurnResult | Detection | SignText):
+        return asdict(value)
+    return value
+
+
 class CallLog:
     """Counts the calls of one episode, reports each, and says when it is over."""
 
@@ -87,21 +124,41 @@ class CallLog:
             raise EpisodeOver(self.stopped_by)
         self._calls += 1
 
+    @contextmanager
+    def call(
+        self, name: str, arguments: dict[str, object], moment: Callable[[], Moment]
+    ) -> Generator[Call]:
+        """Begin a call, and report it when it is over.
+
+        Arguments without meaning are told as they were written.
+
+        Args:
+            name: Of the call.
+            arguments: By parameter name.
+            moment: Says where the robot is at the end.
+
+        Raises:
+            EpisodeOver: The episode is over, or ends with this call.
+        """
+        self.begin()
+        made = Call(arguments)
+        try:
+            yield made
+        except (CommandError, SettingsError) as error:
+            written = {name: repr(value)[:80] for name, value in arguments.items()}
+            self.end(name, written, {"error": str(error)}, moment())
+            raise
+        self.end(name, made.arguments, made.result, moment())
+
     def end(
-        self,
-        call: str,
-        arguments: Mapping[str, object],
-        result: object,
-        *,
-        time: float,
-        pose: Pose,
-        distance: float,
+        self, call: str, arguments: Mapping[str, object], result: object, now: Moment
     ) -> None:
         """Report a call.
 
         Raises:
             EpisodeOver: Too many calls in a row changed nothing.
         """
+        time, pose, distance = now
         if self._on_event is not None:
             self._on_event(TraceEvent(time, pose, call, arguments, result))
         moved = (

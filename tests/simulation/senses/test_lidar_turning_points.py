@@ -17,7 +17,7 @@ from memorymaze.simulation import (
     SimulationSettings,
     build_scene,
 )
-from memorymaze.simulation.motion.pilot import direction_of
+from memorymaze.simulation.motion.commands import direction_of
 from memorymaze.simulation.senses.lidar import Lidar, LidarSettings
 from memorymaze.simulation.senses.lidar_turning_points import (
     SCAN_PERIOD,
