@@ -1,25 +1,31 @@
 """Everything that is wrong or looks odd in instruction files, all at once."""
 
-from collections.abc import Mapping, Sequence
+import re
+import unicodedata
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from memorymaze.errors import InstructionFileError
+from memorymaze.errors import InstructionFileError, did_you_mean
 from memorymaze.instructions.corpus import site_problems
-from memorymaze.instructions.duplicates import double_counts, odd_ids, repeated_texts
+from memorymaze.instructions.error_kinds import ERROR_KINDS
 from memorymaze.instructions.files import (
     InstructionProblem,
     place_of,
     read_instruction_file,
     repeated_ids,
 )
-from memorymaze.instructions.label_notes import label_notes
-from memorymaze.instructions.records import Instruction
+from memorymaze.instructions.records import Failure, Instruction
 from memorymaze.instructions.text_damage import invisible_characters, text_damage
-from memorymaze.sites.records import Site
+from memorymaze.sites.records import Route, Site
 
 FOREIGN_SHARE = 0.3
 """Share of letters outside the Latin script from which a text is hardly English."""
+_NO_WORD = re.compile(r"[\W_]+")
+_ENDS = frozenset(("start", "beginning", "end", "goal", "destination", "route", "way"))
+"""Places that every route has."""
+_ID = re.compile(r"[a-z]+\d*(?:_[a-z0-9]+)+")
+_WORD = re.compile(r"\w+")
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,15 +62,15 @@ def check_instruction_files(
             instructions += read
             problems += wrong
     unusable = repeated_ids(instructions) + site_problems(instructions, sites)
-    unusable += double_counts(instructions) + _damaged(instructions)
+    unusable += _double_counts(instructions) + _damaged(instructions)
     bad = {problem.place for problem in unusable}
     return CheckReport(
         good=sum(place_of(instruction) not in bad for instruction in instructions),
         errors=tuple(problems + unusable),
         notes=(
-            *repeated_texts(instructions),
-            *odd_ids(instructions, sites),
-            *label_notes(instructions, sites),
+            *_repeated_texts(instructions),
+            *_odd_ids(instructions, sites),
+            *_label_notes(instructions, sites),
             *_odd_characters(instructions),
         ),
     )
@@ -103,3 +109,228 @@ def _odd_characters(instructions: Sequence[Instruction]) -> list[InstructionProb
             )
             notes.append(InstructionProblem(place_of(each), message))
     return notes
+
+
+def _normalised(text: str) -> str:
+    """Return a text's letters and numbers, in small letters, single spaces between.
+
+    >>> _normalised("Turn LEFT,  then \u2013 stop!")
+    'turn left then stop'
+    """
+    plain = unicodedata.normalize("NFKC", text).casefold()
+    return _NO_WORD.sub(" ", plain).strip()
+
+
+def _double_counts(instructions: Iterable[Instruction]) -> list[InstructionProblem]:
+    """List instructions that another one repeats in everything but its id."""
+    first: dict[tuple[object, ...], Instruction] = {}
+    problems: list[InstructionProblem] = []
+    for each in instructions:
+        earlier = first.setdefault((*_given(each), each.text), each)
+        if earlier is not each and earlier.id != each.id:
+            problems.append(
+                InstructionProblem(
+                    place_of(each),
+                    f"expected a new instruction, got {each.id!r}, which is "
+                    f"{earlier.id!r} ({place_of(earlier)}) under another id; remove one",
+                )
+            )
+    return problems
+
+
+def _repeated_texts(instructions: Iterable[Instruction]) -> list[InstructionProblem]:
+    """List texts that stand elsewhere too, word for word or but for punctuation.
+
+    Short texts of different people can be the same by chance; long ones hardly.
+    """
+    told = list(instructions)
+    first: dict[str, Instruction] = {}
+    cells: dict[tuple[object, ...], Instruction] = {}
+    notes: list[InstructionProblem] = []
+    for each in told:
+        earlier = first.setdefault(_normalised(each.text), each)
+        counted_twice = _given(earlier) == _given(each) and earlier.text == each.text
+        if earlier is not each and not counted_twice and not _paired(earlier, each):
+            alike = (
+                "the same text" if earlier.text == each.text else "nearly the same text"
+            )
+            notes.append(
+                InstructionProblem(
+                    place_of(each),
+                    f"{each.id!r} has {alike} as {earlier.id!r} ({place_of(earlier)})",
+                )
+            )
+        other = cells.setdefault(_given(each), each)
+        if other.text != each.text and not _paired(other, each):
+            notes.append(
+                InstructionProblem(
+                    place_of(each),
+                    f"{each.id!r} and {other.id!r} ({place_of(other)}) are both of "
+                    f"participant {each.participant!r} for {each.site} {each.route}, "
+                    f"iteration {each.iteration}",
+                )
+            )
+    return notes
+
+
+def _paired(one: Instruction, other: Instruction) -> bool:
+    """Tell whether a generator made one text from the other."""
+    return one.pair is not None and one.pair == other.pair
+
+
+def _given(each: Instruction) -> tuple[object, ...]:
+    return each.study, each.participant, each.site, each.route, each.iteration
+
+
+def _odd_ids(
+    instructions: Iterable[Instruction], sites: Mapping[str, Site]
+) -> list[InstructionProblem]:
+    """List ids that name another site or route, or are hard to tell apart."""
+    notes: list[InstructionProblem] = []
+    folded: dict[str, Instruction] = {}
+    studies: dict[str, Instruction] = {}
+    for each in instructions:
+        place = place_of(each)
+        for field, got in (("id", each.id), ("participant", each.participant)):
+            if got != got.strip() or not got.isprintable():
+                notes.append(
+                    InstructionProblem(
+                        place,
+                        f"field {field!r}: spaces at an end or control characters: {got!r}",
+                    )
+                )
+            notes += [
+                InstructionProblem(place, f"field {field!r}: {got!r} names {what}")
+                for what in _contradictions(each, got, sites)
+            ]
+        alike = folded.setdefault(each.id.casefold(), each)
+        if alike.id != each.id:
+            notes.append(
+                InstructionProblem(
+                    place,
+                    f"field 'id': {each.id!r} and {alike.id!r} differ in capitals only; "
+                    "some disks take their traces for the same file",
+                )
+            )
+        before = studies.setdefault(each.participant, each)
+        if before.study != each.study:
+            notes.append(
+                InstructionProblem(
+                    place,
+                    f"field 'participant': {each.participant!r} is in study "
+                    f"{each.study!r} here and {before.study!r} at {place_of(before)}",
+                )
+            )
+    return notes
+
+
+def _contradictions(
+    each: Instruction, name: str, sites: Mapping[str, Site]
+) -> list[str]:
+    """Say which other site or route an id names, part by part."""
+    parts = re.split(r"[-./: ]", name.casefold())
+    found: list[str] = []
+    others = {site.casefold() for site in sites} - {each.site.casefold()}
+    if each.site.casefold() not in parts:
+        found += [
+            f"site {part!r}, not {each.site!r}" for part in parts if part in others
+        ]
+    site = sites.get(each.site)
+    routes = {route.route.casefold() for route in site.routes} if site else set[str]()
+    if each.route.casefold() not in parts:
+        found += [
+            f"route {part!r}, not {each.route!r}" for part in parts if part in routes
+        ]
+    return found
+
+
+class _PlaceNames:
+    """All by which a place of a building can be named."""
+
+    def __init__(self, site: Site) -> None:
+        """Read them from the plan."""
+        self.site = site
+        places = (*site.corridors, *site.areas, *site.turning_points, *site.rooms)
+        self.ids = frozenset(
+            part.id for part in (*places, *site.doors, *site.landmarks)
+        )
+        said = [place.name for place in places]
+        said += [place.shape for place in site.turning_points]
+        said += [door.label for door in site.doors]
+        for thing in site.landmarks:
+            said += [thing.name, thing.category, thing.text]
+        names = {_words(words.replace("_", " ")) for words in said if words}
+        self.names = frozenset(name for name in names if name)
+
+    def has(self, where: str) -> bool:
+        """Tell whether some words name a place of the building, or an end of a route.
+
+        An id counts, and a name, category, label, inscription or shape of the plan when
+        all of its words are there, with or without the s of a plural.
+        """
+        if self.ids.intersection(_WORD.findall(where)):
+            return True
+        said = _words(where)
+        return bool(said & _ENDS) or any(name <= said for name in self.names)
+
+
+def _words(text: str) -> frozenset[str]:
+    words = _WORD.findall(text.casefold())
+    return frozenset(word.removesuffix("s") or word for word in words)
+
+
+def _label_notes(
+    instructions: Iterable[Instruction], sites: Mapping[str, Site]
+) -> list[InstructionProblem]:
+    """List labels that contradict the site or what the study was like."""
+    notes: list[InstructionProblem] = []
+    names = {name: _PlaceNames(site) for name, site in sites.items()}
+    for each in instructions:
+        routes = sites[each.site].routes if each.site in sites else ()
+        for route in routes:
+            if route.id == each.reference_route:
+                notes += [
+                    InstructionProblem(place_of(each), message)
+                    for message in _notes(each, names[each.site], route)
+                ]
+    return notes
+
+
+def _notes(each: Instruction, names: _PlaceNames, route: Route) -> Iterator[str]:
+    if each.study == "online" and route.role == "alternative":
+        yield (
+            f"field 'reference_route': {route.id!r} is an alternative way, but online "
+            "everyone saw a walk along the reference route"
+        )
+    known = [kind.name for kind in ERROR_KINDS]
+    for number, failure in enumerate(each.failures):
+        field = f"field 'failures.{number}"
+        if failure.kind not in known:
+            hint = did_you_mean(failure.kind, known) or f": {', '.join(known)}"
+            yield f"{field}.kind': {failure.kind!r} is none of the paper's kinds{hint}"
+        if failure in each.failures[:number]:
+            yield f"{field}': the same failure stands there twice"
+        where = _where_note(failure, names, route)
+        if where is not None:
+            yield f"{field}.where': {where}"
+
+
+def _where_note(failure: Failure, names: _PlaceNames, route: Route) -> str | None:
+    site = names.site
+    where = failure.where.strip()
+    if not where:
+        return "empty; name a turning point's id or a place of the plan"
+    if _ID.fullmatch(where):
+        points = {point.id: point for point in site.turning_points}
+        if where in points:
+            if points[where].polygon.distance(route.line) > 0:
+                return f"turning point {where!r} is not on {route.id}"
+            return None
+        if where in names.ids:
+            return None
+        return (
+            f"{where!r} is not in the plan of {site.name}{did_you_mean(where, points)}"
+        )
+    if not names.has(where):
+        return f"{where!r} names no turning point, place or thing of {site.name}"
+    return None

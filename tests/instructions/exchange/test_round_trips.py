@@ -20,7 +20,7 @@ from memorymaze.instructions.exchange import (
     write_spreadsheet,
     write_vln_ce,
 )
-from memorymaze.instructions.exchange.records import OWN_FIELD
+from memorymaze.instructions.exchange.foreign_files import OWN_FIELD
 from memorymaze.instructions.files import load_instructions
 from memorymaze.instructions.records import Failure, Followers, Instruction
 from memorymaze.sites import Site

@@ -1,7 +1,10 @@
-"""Instructions in the formats of other benchmarks and of statistics programs."""
+"""Instructions in the formats of other benchmarks and of statistics programs.
 
+One file per format: Room-to-Room, VLN-CE, and tables in CSV and Parquet.
+"""
+
+from memorymaze.instructions.exchange.foreign_files import Unlabelled
 from memorymaze.instructions.exchange.r2r import read_r2r, write_r2r
-from memorymaze.instructions.exchange.records import Unlabelled
 from memorymaze.instructions.exchange.spreadsheets import (
     read_spreadsheet,
     write_spreadsheet,

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from memorymaze.errors import InstructionFileError
 from memorymaze.extras import require_extra
-from memorymaze.instructions.exchange.records import parsed
+from memorymaze.instructions.exchange.foreign_files import parsed
 from memorymaze.instructions.files import write_file
 from memorymaze.instructions.line_format import instruction_record
 from memorymaze.instructions.records import Instruction

@@ -1,32 +1,33 @@
 """VLN-CE files: episodes in continuous space, with the actions that solve them.
 
-Format: Krantz et al. 2020, "Beyond the Nav-Graph" (ECCV), R2R_VLNCE_v1-3.
+Format: Krantz et al. 2020, "Beyond the Nav-Graph" (ECCV), R2R_VLNCE_v1-3. Positions are
+in Habitat's frame: x east, y up, -z north; rotations are quaternions (x, y, z, w), and an
+agent without rotation looks along -z, which is north.
 """
 
 import math
+import re
+from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, NamedTuple
 
+import numpy as np
+from numpy.typing import ArrayLike
 from pydantic import BaseModel, ConfigDict, Field, FiniteFloat, ValidationError
 
 from memorymaze.errors import InstructionFileError
-from memorymaze.instructions.exchange.discrete_actions import FORWARD, walk_along
-from memorymaze.instructions.exchange.habitat_frame import (
-    from_position,
-    to_heading,
-    to_position,
-    to_rotation,
-)
-from memorymaze.instructions.exchange.packed_json import read_json, write_json
-from memorymaze.instructions.exchange.records import (
+from memorymaze.geometry.polyline import length, point_at, project
+from memorymaze.geometry.pose import Pose, bearing_to, wrap_angle
+from memorymaze.instructions.exchange.foreign_files import (
     OWN_FIELD,
     Unlabelled,
     by_split,
     own_or_new,
+    read_json,
     split_of,
+    write_json,
 )
-from memorymaze.instructions.exchange.vocabulary import WordNumbers
 from memorymaze.instructions.line_format import instruction_record
 from memorymaze.instructions.records import Instruction
 from memorymaze.sites.records import Route, Site
@@ -34,6 +35,14 @@ from memorymaze.sites.records import Route, Site
 SAME_PLACE = 0.01
 """Metres within which two points are the same."""
 SAME_HEADING = math.radians(0.5)
+STOP, FORWARD, LEFT, RIGHT = 0, 1, 2, 3
+"""Numbers of the actions in VLN-CE."""
+LOOK_AHEAD = 0.75
+"""Metres along the line from where the agent is to where it heads for."""
+PADDING, UNKNOWN = 0, 1
+TOKEN = re.compile(r"\w+|[^\w\s]")
+SHORTEST = 200
+"""Numbers per text at least, as in VLN-CE's preprocessed files."""
 
 Position = Annotated[list[FiniteFloat], Field(min_length=3, max_length=3)]
 
@@ -60,6 +69,42 @@ class _File(BaseModel):
     model_config = ConfigDict(extra="allow")
 
     episodes: list[_Episode]
+
+
+class WordNumbers:
+    """A vocabulary: the words of some texts, the most frequent first."""
+
+    def __init__(self, texts: Iterable[str]) -> None:
+        """Number the words of texts; case does not count."""
+        lists = [_tokens(text) for text in texts]
+        counts = Counter(token for tokens in lists for token in tokens)
+        ordered = sorted(counts, key=lambda word: (-counts[word], word))
+        self.words = ["<pad>", "<unk>", *ordered]
+        """Every word at the place of its number."""
+        self.length = max([SHORTEST, *map(len, lists)])
+        """Numbers that stand for one text, padding included."""
+        self._numbers = {word: number for number, word in enumerate(self.words)}
+
+    def numbers(self, text: str) -> list[int]:
+        """Return a text as numbers, padded to the length of the longest."""
+        found = [self._numbers.get(token, UNKNOWN) for token in _tokens(text)]
+        return found + [PADDING] * (self.length - len(found))
+
+    def record(self) -> dict[str, Any]:
+        """Return VLN-CE's `instruction_vocab`."""
+        return {
+            "word_list": self.words,
+            "word2idx_dict": self._numbers,
+            "itos": self.words,
+            "stoi": self._numbers,
+            "num_vocab": len(self.words),
+            "UNK_INDEX": UNKNOWN,
+            "PAD_INDEX": PADDING,
+        }
+
+
+def _tokens(text: str) -> Sequence[str]:
+    return TOKEN.findall(text.lower())
 
 
 def write_vln_ce(
@@ -232,3 +277,89 @@ def _same_line(
         math.dist(here, there) < SAME_PLACE
         for here, there in zip(one, other, strict=True)
     )
+
+
+def to_position(x: float, y: float) -> list[float]:
+    """Return a point on the floor in Habitat's frame, metres, shape (3,)."""
+    return [x, 0.0, -y]
+
+
+def from_position(position: Sequence[float]) -> tuple[float, float]:
+    """Return a point of Habitat's frame on our floor, metres; its height is dropped."""
+    x, _, z = position
+    return x, -z
+
+
+def to_rotation(heading: float) -> list[float]:
+    """Return a heading (radians from east) as a quaternion about the y axis.
+
+    >>> to_rotation(math.pi / 2)
+    [0.0, 0.0, 0.0, 1.0]
+    """
+    half = (heading - math.pi / 2) / 2
+    return [0.0, math.sin(half), 0.0, math.cos(half)]
+
+
+def to_heading(rotation: Sequence[float]) -> float:
+    """Return the heading in radians from east of a rotation about the y axis."""
+    _, y, _, w = rotation
+    return wrap_angle(2 * math.atan2(y, w) + math.pi / 2)
+
+
+class DiscreteWalk(NamedTuple):
+    """A walk of single actions."""
+
+    actions: tuple[int, ...]
+    """Ends with `STOP`."""
+    places: tuple[tuple[float, float], ...]
+    """Where the agent stands before each action, metres."""
+
+
+def walk_along(
+    line: ArrayLike, start: Pose, *, step: float = 0.25, turn: float = math.radians(15)
+) -> DiscreteWalk:
+    """Walk along a line with steps of one length and turns of one angle.
+
+    The agent heads for a point a little ahead on the line, turns as often as brings it
+    nearest to that direction, and steps; it stops where another step would not bring
+    it nearer to the end. It never strays farther from the line than about a step.
+
+    Args:
+        line: Vertices, metres, shape (N, 2).
+        start: Where the walk begins; on the line's first vertex.
+        step: Metres of `FORWARD`.
+        turn: Radians of `LEFT` and `RIGHT`.
+    """
+    total = length(line)
+    end = tuple(point_at(line, total).tolist())
+    x, y, heading = start
+    along = 0.0
+    actions: list[int] = []
+    places: list[tuple[float, float]] = []
+    while True:
+        along = max(along, _progress(line, along, (x, y)))
+        ahead = point_at(line, min(along + LOOK_AHEAD, total))
+        aim = (float(ahead[0]), float(ahead[1]))
+        turns = 0
+        if math.dist((x, y), aim) > 1e-9:
+            turns = round(bearing_to(Pose(x, y, heading), aim) / turn)
+        ahead_heading = wrap_angle(heading + turns * turn)
+        there = (
+            x + step * math.cos(ahead_heading),
+            y + step * math.sin(ahead_heading),
+        )
+        near_end = total - along < LOOK_AHEAD
+        if near_end and math.dist(there, end) >= math.dist((x, y), end):
+            break
+        actions += [LEFT if turns > 0 else RIGHT] * abs(turns) + [FORWARD]
+        places += [(x, y)] * (abs(turns) + 1)
+        (x, y), heading = there, ahead_heading
+    return DiscreteWalk((*actions, STOP), (*places, (x, y)))
+
+
+def _progress(line: ArrayLike, along: float, place: tuple[float, float]) -> float:
+    """Return the arc length of the nearest place on the next metre of the line."""
+    total = length(line)
+    stations = np.linspace(along, min(along + 1.0, total), 21)
+    stretch = np.array([point_at(line, s) for s in stations])
+    return along + project(stretch, place).s

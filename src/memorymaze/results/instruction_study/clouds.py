@@ -8,7 +8,7 @@ from zlib import crc32
 
 from wordcloud import WordCloud
 
-from memorymaze.instructions.distinct_words import FUNCTION_WORDS, tokens
+from memorymaze.instructions.statistics import FUNCTION_WORDS, tokens
 from memorymaze.results.instruction_study.study import InstructionStudy
 
 SIZE = (560, 340)

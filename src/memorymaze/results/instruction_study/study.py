@@ -7,15 +7,16 @@ from dataclasses import dataclass
 import numpy as np
 from tqdm import tqdm
 
-from memorymaze.instructions.distinct_words import (
+from memorymaze.instructions.published import published_tables
+from memorymaze.instructions.records import WRITTEN_BY, Instruction
+from memorymaze.instructions.statistics import (
     COUNTING_RULES,
+    CellStatistics,
     TypeTokenCurve,
+    describe_corpus,
     distinct_words,
     type_token_curve,
 )
-from memorymaze.instructions.published import published_tables
-from memorymaze.instructions.records import WRITTEN_BY, Instruction
-from memorymaze.instructions.statistics import CellStatistics, describe_corpus
 from memorymaze.results.instruction_study.named_things import SiteNames
 from memorymaze.results.instruction_study.stated_distances import (
     DistanceSummary,

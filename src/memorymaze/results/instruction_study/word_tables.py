@@ -1,6 +1,6 @@
 """Distinct words as tables: by place and study, and by counting rules."""
 
-from memorymaze.instructions.distinct_words import COUNTING_RULES
+from memorymaze.instructions.statistics import COUNTING_RULES
 from memorymaze.results.instruction_study.study import InstructionStudy
 from memorymaze.results.instruction_study.study_table import StudyTable, place_title
 

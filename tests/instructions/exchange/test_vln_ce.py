@@ -7,17 +7,15 @@ from hypothesis import strategies as st
 
 from memorymaze.geometry.polyline import project
 from memorymaze.geometry.pose import Pose
-from memorymaze.instructions.exchange.discrete_actions import (
+from memorymaze.instructions.exchange.vln_ce import (
     FORWARD,
     LEFT,
     STOP,
-    walk_along,
-)
-from memorymaze.instructions.exchange.habitat_frame import (
     from_position,
     to_heading,
     to_position,
     to_rotation,
+    walk_along,
 )
 
 

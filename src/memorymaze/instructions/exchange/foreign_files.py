@@ -1,12 +1,15 @@
-"""What the formats have in common: our record inside theirs, and finding the route."""
+"""What the formats have in common: packed JSON files, and our record inside theirs."""
 
+import gzip
 import json
+import zlib
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Literal, NamedTuple
 
 from memorymaze.errors import InstructionFileError
-from memorymaze.instructions.files import InstructionProblem, refusal
+from memorymaze.input_files import parse_json, read_file
+from memorymaze.instructions.files import InstructionProblem, refusal, write_file
 from memorymaze.instructions.line_format import parse_line
 from memorymaze.instructions.records import Instruction
 from memorymaze.sites.records import Route, Site
@@ -112,3 +115,34 @@ def own_or_new(
 def split_of(path: Path) -> str:
     """Return the split that a file name ends in: `R2R_val_seen.json` is `val_seen`."""
     return path.name.partition(".")[0].removeprefix("R2R_").lower() or "test"
+
+
+def read_json(path: str | Path) -> Any:
+    """Read a JSON file; gzipped where its name ends in `.gz`.
+
+    Raises:
+        InstructionFileError: It cannot be read, or is not JSON.
+    """
+    content = read_file(path, InstructionFileError)
+    try:
+        return parse_json(
+            gzip.decompress(content) if Path(path).suffix == ".gz" else content
+        )
+    except (OSError, EOFError, zlib.error) as error:
+        raise InstructionFileError(f"{path}: cannot be read ({error})") from None
+    except ValueError as error:
+        raise InstructionFileError(f"{path}: {error}") from None
+
+
+def write_json(path: str | Path, value: Any) -> None:
+    """Write a JSON file; gzipped where its name ends in `.gz`.
+
+    The same value gives the same bytes.
+
+    Raises:
+        InstructionFileError: It cannot be written.
+    """
+    content = json.dumps(value, ensure_ascii=False, allow_nan=False).encode()
+    if Path(path).suffix == ".gz":
+        content = gzip.compress(content, mtime=0)
+    write_file(path, content)
