@@ -6,7 +6,15 @@ import pytest
 
 from memorymaze.errors import RunFolderError
 from memorymaze.evaluation.results import EpisodeResult, result_to_line
-from memorymaze.evaluation.run_folder import RunRecord, open_run_folder, read_run
+from memorymaze.evaluation.run_folder import (
+    RunRecord,
+    open_run_folder,
+    read_instructions,
+    read_plans,
+    read_run,
+)
+from memorymaze.instructions.corpus import load_instructions
+from memorymaze.sites import Site
 
 Make = Callable[..., EpisodeResult]
 
@@ -216,3 +224,61 @@ def test_a_folder_that_cannot_be_made_is_named(
     (tmp_path / "file").write_text("", encoding="utf-8")
     with pytest.raises(RunFolderError, match="cannot be read or written"):
         write(tmp_path / "file" / "run", record)
+
+
+def test_a_run_keeps_the_plans_and_instructions_it_was_made_with(
+    tmp_path: Path, record: RunRecord, tiny_sites: dict[str, Site]
+) -> None:
+    told = load_instructions()[:3]
+    for resume in (False, True):
+        with open_run_folder(
+            tmp_path,
+            record,
+            resume=resume,
+            sites=tiny_sites.values(),
+            instructions=told,
+        ):
+            pass
+    kept = read_plans(tmp_path)
+    assert kept == tiny_sites
+    assert kept["loop"].plan == tiny_sites["loop"].plan
+    assert Path(kept["loop"].source).is_relative_to(tmp_path)
+    assert read_instructions(tmp_path) == told
+
+
+def test_an_edited_plan_is_named_when_its_run_is_resumed(
+    tmp_path: Path, record: RunRecord, loop_site: Site
+) -> None:
+    with open_run_folder(tmp_path, record, resume=False, sites=[loop_site]):
+        pass
+    other = replace(loop_site, plan=loop_site.plan + b" ")
+    with (
+        pytest.raises(
+            RunFolderError, match=r"loop\.geojson\.gz: expected what the run"
+        ),
+        open_run_folder(tmp_path, record, resume=True, sites=[other]),
+    ):
+        pass
+
+
+@pytest.mark.parametrize(
+    "damage", [b"", b"no gzip", b"\x1f\x8b\x08\0\0\0\0\0\0\xff\xff"]
+)
+def test_a_damaged_plan_of_a_run_is_named(
+    tmp_path: Path, record: RunRecord, loop_site: Site, damage: bytes
+) -> None:
+    with open_run_folder(tmp_path, record, resume=False, sites=[loop_site]):
+        pass
+    (tmp_path / "plans/loop.geojson.gz").write_bytes(damage)
+    with pytest.raises(RunFolderError, match=r"loop\.geojson\.gz: the file is damaged"):
+        read_plans(tmp_path)
+
+
+def test_a_run_of_an_older_version_says_how_to_name_what_it_does_not_keep(
+    tmp_path: Path, record: RunRecord
+) -> None:
+    write(tmp_path, record)
+    with pytest.raises(RunFolderError, match="--sites"):
+        read_plans(tmp_path)
+    with pytest.raises(RunFolderError, match="--instructions"):
+        read_instructions(tmp_path)

@@ -62,7 +62,14 @@ def run_plan(
     path = Path(folder)
     now = datetime.now(UTC).isoformat(timespec="seconds")
     record = RunRecord(settings=plan.settings, code=code_stamp(), started=now)
-    with open_run_folder(path, record, resume=resume) as run:
+    told = {each.instruction.id: each.instruction for each in plan.episodes}
+    with open_run_folder(
+        path,
+        record,
+        resume=resume,
+        sites=plan.sites.values(),
+        instructions=told.values(),
+    ) as run:
         _check_known(run, plan)
         waiting = [e for e in plan.episodes if e.id not in run.finished]
         queue = _Queue(EpisodeTask(episode) for episode in waiting)

@@ -1,17 +1,23 @@
 """A run on the disk: written so that a kill at any moment loses nothing finished.
 
-run.json          settings, code and number of episodes, before anything else
-episodes.jsonl    one result per line, appended as each episode ends
-traces/           one file per episode, written before its line
-summary.json      the numbers of the whole run, at the end
+plans/                   the plan of every site, before anything else
+instructions.jsonl.gz    what is followed
+run.json                 settings, code and number of episodes, when these are there
+episodes.jsonl           one result per line, appended as each episode ends
+traces/                  one file per episode, written before its line
+summary.json             the numbers of the whole run, at the end
 """
 
+import gzip
 import json
-from collections.abc import Generator, Mapping
+import tempfile
+import zlib
+from collections.abc import Generator, Iterable, Mapping
 from contextlib import ExitStack, contextmanager
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any
+from urllib.parse import quote
 
 from pydantic import TypeAdapter, ValidationError
 
@@ -29,6 +35,8 @@ from memorymaze.evaluation.results import (
     result_to_line,
 )
 from memorymaze.evaluation.settings import RunSettings, differences
+from memorymaze.instructions.records import Instruction
+from memorymaze.sites import Site, load_site
 
 FORMAT = 1
 """Of the run folder; older folders are refused, not guessed at."""
@@ -46,6 +54,9 @@ class RunRecord:
 
 
 _RECORD = TypeAdapter(RunRecord)
+_INSTRUCTION = TypeAdapter(Instruction)
+
+INSTRUCTIONS = "instructions.jsonl.gz"
 
 
 class RunFolder:
@@ -84,7 +95,12 @@ class RunFolder:
 
 @contextmanager
 def open_run_folder(
-    path: Path, record: RunRecord, *, resume: bool
+    path: Path,
+    record: RunRecord,
+    *,
+    resume: bool,
+    sites: Iterable[Site] = (),
+    instructions: Iterable[Instruction] = (),
 ) -> Generator[RunFolder]:
     """Begin a run, or take up one that was broken off.
 
@@ -92,6 +108,8 @@ def open_run_folder(
         path: The folder; made where there is none.
         record: The run's settings and code.
         resume: Whether a run that is there already is taken up.
+        sites: Where it takes place; their plans are kept.
+        instructions: What is followed; kept too.
 
     Raises:
         RunFolderError: Another process writes the folder; or it holds a run and
@@ -104,7 +122,11 @@ def open_run_folder(
             stack.enter_context(locked(path / "lock"))
             remove_leftovers(path)
             remove_leftovers(path / "traces")
-            _begin(path, record, resume=resume)
+            remove_leftovers(path / "plans")
+            begun = _check_same_run(path, record, resume=resume)
+            _keep_inputs(path, sites, instructions)
+            if not begun:
+                write_whole(path / "run.json", _pretty(asdict(record)))
             finished = _repaired_results(path)
         except OSError as error:
             raise _refused(path, error) from None
@@ -134,15 +156,96 @@ def read_run(path: str | Path) -> tuple[RunRecord, list[EpisodeResult]]:
     return record, [results[key] for key in sorted(results)]
 
 
-def _begin(path: Path, record: RunRecord, *, resume: bool) -> None:
+def read_plans(path: str | Path) -> dict[str, Site]:
+    """Read the sites of a run from the plans that it keeps, by name.
+
+    Raises:
+        RunFolderError: It keeps none, as runs of older versions, or one is damaged.
+        SitePlanError: One cannot be used.
+    """
+    files = sorted(Path(path, "plans").glob("*.geojson.gz"))
+    if not files:
+        raise RunFolderError(
+            f"{path}: expected a run that keeps its plans, got none in plans/; it was "
+            "made by an older version, so name the folder of its plans with --sites"
+        )
+    sites: dict[str, Site] = {}
+    with tempfile.TemporaryDirectory() as folder:
+        for file in files:
+            plan = Path(folder) / file.stem
+            plan.write_bytes(_unpacked(file))
+            site = replace(load_site(plan), source=str(file))
+            sites[site.name] = site
+    return sites
+
+
+def read_instructions(path: str | Path) -> list[Instruction]:
+    """Read what a run follows, each instruction once, in the order of the run.
+
+    Raises:
+        RunFolderError: It keeps none, as runs of older versions, or they are damaged.
+    """
+    file = Path(path, INSTRUCTIONS)
+    if not file.is_file():
+        raise RunFolderError(
+            f"{path}: expected a run that keeps its instructions, got no {INSTRUCTIONS};"
+            " it was made by an older version, so name them with --instructions"
+        )
+    try:
+        return [_INSTRUCTION.validate_json(line) for line in _lines(_unpacked(file))]
+    except ValidationError as error:
+        raise RunFolderError(
+            f"{file}: expected one instruction per line, got a damaged file "
+            f"({error.errors()[0]['msg']})"
+        ) from None
+
+
+def _keep_inputs(
+    path: Path, sites: Iterable[Site], instructions: Iterable[Instruction]
+) -> None:
+    """Write plans and instructions where they are not there; check them where they are."""
+    lines = [_INSTRUCTION.dump_json(each, exclude={"origin"}) for each in instructions]
+    files = {
+        path / "plans" / f"{quote(site.name, safe='')}.geojson.gz": site.plan
+        for site in sites
+    }
+    if lines:
+        files[path / INSTRUCTIONS] = b"".join(line + b"\n" for line in lines)
+    for file, content in files.items():
+        if not file.exists():
+            file.parent.mkdir(exist_ok=True)
+            # Without the time, so that equal runs are equal files.
+            write_whole(file, gzip.compress(content, mtime=0))
+        elif _unpacked(file) != content:
+            raise RunFolderError(
+                f"{file}: expected what the run was begun with, got another content; "
+                "bring it back, or delete it and --resume writes it again"
+            )
+
+
+def _unpacked(file: Path) -> bytes:
+    try:
+        packed = file.read_bytes()
+        if not packed:
+            raise EOFError("it is empty")
+        return gzip.decompress(packed)
+    except (OSError, EOFError, zlib.error) as error:
+        raise RunFolderError(f"{file}: the file is damaged ({error})") from None
+
+
+def _lines(content: bytes) -> list[bytes]:
+    return [line for line in content.split(b"\n") if line]
+
+
+def _check_same_run(path: Path, record: RunRecord, *, resume: bool) -> bool:
+    """Refuse a folder with another run; tell whether this one was begun there."""
     if not (path / "run.json").exists():
         if (path / "episodes.jsonl").exists():
             raise RunFolderError(
                 f"{path}: has results but no run.json that says how they came about; "
                 "choose another folder with --out"
             )
-        write_whole(path / "run.json", _pretty(asdict(record)))
-        return
+        return False
     if not resume:
         raise RunFolderError(
             f"{path}: holds a run already; add --resume to finish it, or choose "
@@ -158,6 +261,7 @@ def _begin(path: Path, record: RunRecord, *, resume: bool) -> None:
             + "\nUse the same settings and code, choose another folder with --out, or delete "
             "this one"
         )
+    return True
 
 
 def _read_record(path: Path) -> RunRecord:

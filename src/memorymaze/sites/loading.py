@@ -43,8 +43,9 @@ def load_site(site: str | Path) -> records.Site:
             rule of the first problem, and how many more there are.
     """
     path = plan_file(site)
+    text = path.read_bytes() if path.is_file() else b""
     plan = read_plan(path)
-    made, broken, shape_findings = site_from_content(plan, str(path))
+    made, broken, shape_findings = site_from_content(plan, str(path), text)
     findings = [*plan.findings, *shape_findings]
     if made is not None:
         findings += loading_findings(made, broken)
@@ -133,7 +134,7 @@ class _ShapeError(Exception):
 
 
 def site_from_content(
-    content: PlanContent, source: str
+    content: PlanContent, source: str, text: bytes = b""
 ) -> tuple[records.Site | None, dict[str, str], list[Finding]]:
     """Make a Site of all features whose shapes are sound.
 
@@ -176,6 +177,7 @@ def site_from_content(
         landmarks=all_of(records.Landmark),
         routes=all_of(records.Route),
         source=source,
+        plan=text,
     )
     return site, broken, findings
 

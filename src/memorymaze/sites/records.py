@@ -220,6 +220,8 @@ class Site:
     routes: tuple[Route, ...]
     source: str = field(default="", compare=False)
     """Path of the file it was read from."""
+    plan: bytes = field(default=b"", compare=False, repr=False)
+    """Content of its plan, in the format of `docs/site_plans.md`."""
 
     @cached_property
     def walkable_floor(self) -> Polygon:
