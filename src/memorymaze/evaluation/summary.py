@@ -6,8 +6,8 @@ from dataclasses import asdict
 from statistics import fmean
 from typing import Any
 
+from memorymaze.evaluation.collision_rates import collision_rates
 from memorymaze.evaluation.results import EpisodeResult
-from memorymaze.evaluation.safety import safety
 from memorymaze.evaluation.settings import RunSettings
 from memorymaze.instructions.records import WRITTEN_BY
 
@@ -73,7 +73,7 @@ def summarise(
         "stopped_by": dict(Counter(r.stopped_by for r in results)),
         "errors": dict(Counter(r.error for r in results if r.error).most_common()),
         "mean": _means(results),
-        "safety": asdict(safety(results)),
+        "safety": asdict(collision_rates(results)),
         "sum": {name: sum(getattr(r, name) for r in results) for name in SUMS},
         "by_study_and_route": [
             {

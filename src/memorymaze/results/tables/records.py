@@ -5,7 +5,7 @@ import io
 from collections.abc import Sequence
 from typing import Any
 
-from memorymaze.evaluation.safety import PER_DISTANCE, safety
+from memorymaze.evaluation.collision_rates import PER_DISTANCE, collision_rates
 from memorymaze.extras import require_extra
 from memorymaze.results.tables.bootstrap import MEASURES
 from memorymaze.results.tables.inference_cost import (
@@ -124,7 +124,7 @@ def _of_run(row: TableRow, run: MeasuredRun) -> dict[str, Any]:
         "track": "default" if settings.obstacles is None else "obstacles",
     }
     if settings.obstacles is not None:
-        found = safety(row.results)
+        found = collision_rates(row.results)
         record |= {
             "things_per_100m": settings.obstacles.things_per_100m,
             "people_per_100m2": settings.obstacles.people_per_100m2,

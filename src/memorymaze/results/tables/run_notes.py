@@ -3,9 +3,9 @@
 from collections import Counter
 from collections.abc import Sequence
 
+from memorymaze.evaluation.collision_rates import collision_rates
 from memorymaze.evaluation.eyes_for_runs import eyes_notes
 from memorymaze.evaluation.results import EpisodeResult
-from memorymaze.evaluation.safety import safety
 from memorymaze.instructions.records import WRITTEN_BY
 from memorymaze.results.tables.inference_cost import cost_notes
 from memorymaze.results.tables.rows import MeasuredRun
@@ -79,7 +79,7 @@ def _obstacle_notes(
     crowd = f"{obstacles.people_per_100m2:g} people per 100 m2"
     if obstacles.people is not None:
         crowd = f"{obstacles.people} people"
-    found = safety(results)
+    found = collision_rates(results)
     return [
         "TRACK WITH OBSTACLES AND PEOPLE, not comparable with runs without: "
         f"{obstacles.things_per_100m:g} things per 100 m, {crowd}, obstacle seed "

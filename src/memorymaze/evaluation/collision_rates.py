@@ -11,7 +11,7 @@ PER_DISTANCE = ("collisions", "person_collisions", "near_misses")
 
 
 @dataclass(frozen=True, slots=True)
-class Safety:
+class CollisionRates:
     """Rates over some episodes."""
 
     collisions: float
@@ -24,7 +24,7 @@ class Safety:
     """Simulated seconds of waiting for people, mean over episodes."""
 
 
-def safety(results: Sequence[EpisodeResult]) -> Safety:
+def collision_rates(results: Sequence[EpisodeResult]) -> CollisionRates:
     """Return how safe episodes were; rates are sums over sums, and 0 without driving.
 
     Raises:
@@ -37,4 +37,4 @@ def safety(results: Sequence[EpisodeResult]) -> Safety:
         100 * sum(getattr(each, name) for each in results) / driven if driven else 0.0
         for name in PER_DISTANCE
     ]
-    return Safety(*rates, waiting_s=fmean(each.waiting_s for each in results))
+    return CollisionRates(*rates, waiting_s=fmean(each.waiting_s for each in results))
