@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from memorymaze.evaluation.results import EpisodeResult
-from memorymaze.results.tables.bootstrap import estimate_means
+from memorymaze.results.tables import estimate_means
 
 Make = Callable[..., EpisodeResult]
 

@@ -7,9 +7,13 @@ import pytest
 
 from memorymaze.errors import RunFolderError
 from memorymaze.evaluation.results import EpisodeResult
-from memorymaze.results.tables import Place, load_runs
-from memorymaze.results.tables.comparison import Outcomes, compare_runs
-from memorymaze.results.tables.comparison_formats import format_comparison
+from memorymaze.results.tables import (
+    Place,
+    compare_runs,
+    comparison_table,
+    load_runs,
+)
+from memorymaze.results.tables.comparison import Outcomes
 
 Make = Callable[..., EpisodeResult]
 Write = Callable[..., Path]
@@ -67,20 +71,19 @@ def test_only_episodes_of_both_runs_count_and_the_rest_is_told(
     ]
     comparison = compare_runs(*load_runs(folders))
     assert (comparison.only_in_first, comparison.only_in_second) == (2, 1)
-    text = format_comparison(comparison, "text")
+    text = comparison_table(comparison).text()
     assert "LEFT OUT, as only one run has them: 2 only in A, 1 only in B." in text
     with pytest.raises(RunFolderError, match="no episode that both have"):
         compare_runs(*load_runs([folders[0], write("c", [result("v-1")])]))
 
 
 def test_every_format_says_the_same(two_runs: list[Path]) -> None:
-    comparison = compare_runs(*load_runs(two_runs))
-    text = format_comparison(comparison, "text")
-    assert "University R1  (n 10)\n  arrived: 0 / 0 / 10 / 0\n" in text
+    table = comparison_table(compare_runs(*load_runs(two_runs)))
+    text = table.text()
+    assert "University R1  (n 10, arrived: 0 / 0 / 10 / 0)\n  SR " in text
     assert max(map(len, text.splitlines())) <= 118
-    markdown = format_comparison(comparison, "md")
-    assert "| online | Mean over 2 routes | 20 |" in markdown
-    rows = list(csv.DictReader(io.StringIO(format_comparison(comparison, "csv"))))
+    assert "| Mean over 2 routes | 20 |" in table.markdown()
+    rows = list(csv.DictReader(io.StringIO(table.csv())))
     assert len(rows) == 3 * 5
     [mean] = [r for r in rows if r["site"] == "mean" and r["measure"] == "sr"]
     assert (float(mean["difference"]), mean["only_b"]) == (0.5, "10")

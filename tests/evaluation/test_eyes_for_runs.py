@@ -103,7 +103,7 @@ def test_episodes_without_eyes_of_their_own_know_the_truth(corridor_site: Site):
 
 def test_tables_name_the_eyes_beside_the_method(tmp_path: Path):
     from memorymaze.evaluation.driver import run_plan
-    from memorymaze.results.tables.rows import load_runs
+    from memorymaze.results.tables import load_runs
 
     plan = plan_run(
         AgentSettings("stop"), limit=1, detector=parse_detector("truth:errors")

@@ -26,8 +26,7 @@ from memorymaze.evaluation.settings import AgentSettings
 from memorymaze.evaluation.trace import read_trace
 from memorymaze.language.local_models import SMOLLM2_FILE, local_model
 from memorymaze.language.model import CompletionRequest, Message
-from memorymaze.results.tables.formats import format_tables
-from memorymaze.results.tables.rows import load_runs
+from memorymaze.results.tables import load_runs, run_tables
 
 pytestmark = pytest.mark.local_llm
 
@@ -116,7 +115,7 @@ def test_from_a_server_over_programs_and_walks_to_a_table_and_a_replay(
         replace(one, wall_s=0) for one in asked
     ]
     tables = [
-        format_tables(load_runs([tmp_path / name]), ["II"], "md")
+        run_tables(load_runs([tmp_path / name]))[0].markdown()
         for name in ("asked", "replayed")
     ]
     assert "standing s" in tables[0]

@@ -16,8 +16,7 @@ from memorymaze.evaluation.run_folder import RunRecord, open_run_folder, read_ru
 from memorymaze.evaluation.settings import RunSettings, differences
 from memorymaze.evaluation.summary import summarise, summary_lines
 from memorymaze.evaluation.trace import read_trace
-from memorymaze.results.tables import load_runs
-from memorymaze.results.tables.formats import format_tables
+from memorymaze.results.tables import load_runs, run_tables
 from memorymaze.simulation.obstacles import ObstacleSettings
 
 Make = Callable[..., EpisodeResult]
@@ -105,12 +104,12 @@ def test_tables_and_summaries_show_the_track_and_how_safe_it_was(
     runs = load_runs([tmp_path / "plain", tmp_path / "busy"])
 
     assert [run.label for run in runs] == ["rules", "rules, with obstacles"]
-    text = " ".join(format_tables(runs, ["II"], "text").split())
+    text = " ".join(run_tables(runs)[0].text().split())
     assert text.count("TRACK WITH OBSTACLES AND PEOPLE") == 1
     assert "10 things per 100 m, 2 people, obstacle seed 5" in text
     assert "2.000 collisions, 1.000 of them with people, 3.00 near misses" in text
     assert "waiting 2.0 s per episode" in text
-    csv = format_tables(runs, ["II"], "csv")
+    csv = run_tables(runs)[0].csv()
     assert ",obstacles,10,1.0,2,5,2.0,1.0,3.0,2.0" in csv.replace("10.0", "10")
     assert ",default," in csv
     assert summarise(results, busy)["track"] == "obstacles"

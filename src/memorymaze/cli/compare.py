@@ -18,9 +18,9 @@ def add_parser(verbs: Verbs) -> None:
     parser.add_argument("second", metavar="B", help="run folder: what is compared")
     parser.add_argument(
         "--format",
-        choices=["text", "md", "csv"],
+        choices=["text", "md", "latex", "csv"],
         default="text",
-        help="aligned text, Markdown, or CSV (default: text)",
+        help="aligned text, Markdown, LaTeX or CSV (default: text)",
     )
     parser.add_argument(
         "--exclude-dev",
@@ -31,11 +31,11 @@ def add_parser(verbs: Verbs) -> None:
 
 
 def _run(options: argparse.Namespace) -> int:
-    from memorymaze.results.tables import load_runs
-    from memorymaze.results.tables.comparison import compare_runs
-    from memorymaze.results.tables.comparison_formats import format_comparison
+    from memorymaze.results.tables import compare_runs, comparison_table, load_runs
+    from memorymaze.tables import write_tables
 
     folders = [options.first, options.second]
     first, second = load_runs(folders, exclude_dev=options.exclude_dev)
-    print(format_comparison(compare_runs(first, second), options.format), end="")
+    table = comparison_table(compare_runs(first, second))
+    print(write_tables([table], options.format).decode(), end="")
     return 0

@@ -43,25 +43,13 @@ def add_parser(verbs: Verbs) -> None:
 
 def _run(options: argparse.Namespace) -> int:
     from memorymaze.errors import SettingsError
-    from memorymaze.results.tables import load_runs
-    from memorymaze.results.tables.formats import format_tables
-    from memorymaze.results.tables.records import parquet_tables
-    from memorymaze.results.tables.sail import is_sail, sail_table
+    from memorymaze.results.tables import load_runs, run_tables
+    from memorymaze.tables import write_tables
 
-    names = ("II", "III") if options.table == "both" else (options.table,)
     if options.format == "parquet" and options.out is None:
         raise SettingsError("--format parquet: name the file to write with --out")
     runs = load_runs(options.runs, exclude_dev=options.exclude_dev)
-    if options.table == "errors":
-        from memorymaze.results.tables.errors import error_table
-
-        content = error_table(runs, options.format).encode()
-    elif is_sail(runs):
-        content = sail_table(runs, options.format).encode()
-    elif options.format == "parquet":
-        content = parquet_tables(runs, names)
-    else:
-        content = format_tables(runs, names, options.format).encode()
+    content = write_tables(run_tables(runs, options.table), options.format)
     if options.out is None:
         print(content.decode(), end="")
     else:

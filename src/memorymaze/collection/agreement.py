@@ -11,6 +11,7 @@ from memorymaze.collection.labels import NO_WAY, Label, text_stamp
 from memorymaze.errors import LabelFileError
 from memorymaze.instructions.records import Instruction
 from memorymaze.sites.records import Site
+from memorymaze.tables import Column, Row, Table
 
 DRAWS = 2000
 LEVEL = 0.95
@@ -165,3 +166,39 @@ def _fleiss(codes: NDArray[np.int64], answers: int) -> Kappa:
     return fleiss_kappa(
         (codes[:, :, None] == np.arange(answers)).sum(axis=1, dtype=np.float64)
     )
+
+
+def agreement_table(found: Sequence[Agreement], annotators: Sequence[str]) -> Table:
+    """Return agreement as a table, one row per question."""
+    undefined = any(each.kappa.value is None for each in found)
+    said = "kappa -: everyone always gave the same answer, so it is not defined"
+    return Table(
+        f"{len(annotators)} annotators: {', '.join(annotators)}",
+        (
+            Column("label", "label", "label"),
+            Column("n", "n"),
+            Column("answers", "answers"),
+            Column("agreement", "agreement", show=_percent),
+            Column("statistic", "statistic"),
+            Column("kappa", "kappa [95 %]", digits=3, interval=("low", "high")),
+        ),
+        tuple(
+            {
+                "label": each.question,
+                "n": each.items,
+                "answers": each.answers,
+                "agreement": each.kappa.agreement,
+                "statistic": each.statistic,
+                "kappa": each.kappa.value,
+                "low": each.low,
+                "high": each.high,
+            }
+            for each in found
+        ),
+        (said,) if undefined else (),
+        "agreement",
+    )
+
+
+def _percent(row: Row) -> str:
+    return f"{100 * row['agreement']:.1f} %"

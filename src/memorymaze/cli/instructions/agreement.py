@@ -45,8 +45,11 @@ def add_parser(actions: Verbs) -> None:
 def _run(options: argparse.Namespace) -> int:
     import numpy as np
 
-    from memorymaze.collection.agreement import agreement, file_labels
-    from memorymaze.collection.agreement_text import format_agreement, format_open
+    from memorymaze.collection.agreement import (
+        agreement,
+        agreement_table,
+        file_labels,
+    )
     from memorymaze.collection.consensus import consensus, merged
     from memorymaze.collection.labels import (
         check_annotator,
@@ -73,18 +76,19 @@ def _run(options: argparse.Namespace) -> int:
         labels = file_labels(told, name) | labels
     annotators = list(dict.fromkeys(who for who, _ in labels))
     found = agreement(labels, told, sites, np.random.default_rng(options.seed))
-    print(format_agreement(found, annotators), end="")
+    print(agreement_table(found, annotators), end="")
     agreed = consensus(labels)
-    undecided = format_open(agreed)
+    undecided = [each for each in agreed if each.open]
     if undecided:
-        print(f"\n{undecided}", end="")
+        print()
+    for each in undecided:
+        print(f"{each.instruction}: no consensus on {'; '.join(each.open)}")
     if options.out is not None:
         result = merged(told, agreed)
         episodes(result, sites)
         write_instructions(options.out, result)
-        open_texts = sum(bool(each.open) for each in agreed)
         print(
-            f"{options.out}: consensus on {len(agreed) - open_texts} of "
+            f"{options.out}: consensus on {len(agreed) - len(undecided)} of "
             f"{counted(len(told), 'text')}",
             file=sys.stderr,
         )

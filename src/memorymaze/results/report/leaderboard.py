@@ -8,12 +8,16 @@ from typing import get_args
 from memorymaze.errors import RunFolderError, SettingsError
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.instructions.records import WRITTEN_BY
+from memorymaze.metrics.aggregate import Estimate
 from memorymaze.results.report.overview import TableGroup, settings_rows, table_groups
 from memorymaze.results.report.pages import Pages, safe_name
 from memorymaze.results.submission import Submission, Track, check_submission
-from memorymaze.results.tables import MeasuredRun, load_runs
-from memorymaze.results.tables.bootstrap import Estimate, estimate_means
-from memorymaze.results.tables.run_notes import run_notes
+from memorymaze.results.tables import (
+    MeasuredRun,
+    estimate_means,
+    load_runs,
+    run_notes,
+)
 
 TRACK_TITLES: dict[Track, str] = {
     "default": "Default track",

@@ -13,13 +13,20 @@ from memorymaze.errors import RunFolderError
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import RunRecord
 from memorymaze.instructions.records import WRITTEN_BY, Failure, Instruction
+from memorymaze.metrics.aggregate import Estimate
 from memorymaze.results.report.sources import ReportRun, Sources
 from memorymaze.results.story.outcomes import ENDINGS
-from memorymaze.results.tables import MeasuredRun, Place, TableName, TableRow
-from memorymaze.results.tables.bootstrap import Estimate, estimate_means
-from memorymaze.results.tables.cells import group_title
-from memorymaze.results.tables.comparison import Comparison, compare_runs
-from memorymaze.results.tables.rows import table_rows
+from memorymaze.results.tables import (
+    Comparison,
+    MeasuredRun,
+    Place,
+    TableName,
+    TableRow,
+    compare_runs,
+    estimate_means,
+    group_title,
+    table_rows,
+)
 
 BARS = 20
 """Of a distribution, about."""

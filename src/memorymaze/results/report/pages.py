@@ -12,10 +12,17 @@ from markupsafe import Markup
 
 from memorymaze.drawing.svg import svg_number
 from memorymaze.errors import SettingsError
+from memorymaze.metrics.aggregate import Estimate
 from memorymaze.results.story.outcomes import OUTCOMES, ending_words, outcome_of
-from memorymaze.results.tables.bootstrap import Estimate
-from memorymaze.results.tables.cells import STUDY_TITLES, estimate_cell
-from memorymaze.results.tables.rows import Place, place_title
+from memorymaze.results.tables import (
+    MEASURES,
+    PAPER_MEASURES,
+    STUDY_TITLES,
+    Place,
+    place_title,
+)
+from memorymaze.results.tables.comparison import p_cell
+from memorymaze.results.tables.measures import estimate_cell
 
 ROOM = "memorymaze.results.report"
 
@@ -66,6 +73,8 @@ class Pages:
             lstrip_blocks=True,
         )
         words: dict[str, Any] = {
+            "MEASURES": MEASURES,
+            "PAPER_MEASURES": PAPER_MEASURES,
             "OUTCOMES": OUTCOMES,
             "ending_words": ending_words,
             "outcome_of": outcome_of,
@@ -79,6 +88,7 @@ class Pages:
             "file": safe_name,
             "kind": error_title,
             "number": svg_number,
+            "p": p_cell,
             "study": study_title,
             "value": _estimate,
         })
@@ -159,10 +169,7 @@ def _estimate(estimate: Estimate) -> Markup:
 
 def _difference(estimate: Estimate) -> Markup:
     """Write a difference of means with its interval; always with a sign."""
-    interval = ""
-    if estimate.low is not None and estimate.high is not None:
-        interval = f" [{estimate.low:+.2f}, {estimate.high:+.2f}]"
-    return _with_interval(f"{estimate.mean:+.2f}{interval}")
+    return _with_interval(estimate_cell(estimate, signed=True))
 
 
 def _with_interval(cell: str) -> Markup:

@@ -36,8 +36,7 @@ from memorymaze.results.report.route_page import (
 )
 from memorymaze.results.report.sources import Sources
 from memorymaze.results.story.story import Story, story_of
-from memorymaze.results.tables import Place
-from memorymaze.results.tables.run_notes import run_notes
+from memorymaze.results.tables import Place, run_notes
 from memorymaze.sites import Route, Site
 
 

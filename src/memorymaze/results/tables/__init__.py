@@ -1,23 +1,85 @@
-"""The paper's Tables II and III from runs, comparisons of runs, and their formats."""
+"""Runs as tables: the paper's Tables II and III, comparisons, SAIL, costs of errors.
 
-from memorymaze.results.tables.rows import (
-    MeasuredRun,
-    Place,
+What tables show of a metric is said once, in `measures`. All of them are a
+`memorymaze.tables.Table`, which knows the formats. Pages are in `results.report`,
+statistics of instructions in `results.instruction_study`.
+
+    runs = load_runs(["runs/rules", "runs/mine"])
+    run_tables(runs, "II")[0].frame()
+    comparison_table(compare_runs(*runs)).text()
+"""
+
+from collections.abc import Sequence
+from typing import Literal
+
+from memorymaze.results.tables.comparison import (
+    Comparison,
+    compare_runs,
+    comparison_table,
+)
+from memorymaze.results.tables.errors import error_table
+from memorymaze.results.tables.measures import (
+    MEASURES,
+    PAPER_MEASURES,
+    estimate_means,
+)
+from memorymaze.results.tables.paper_tables import (
     TableName,
     TableRow,
-    load_runs,
-    place_title,
-    places_of,
+    group_title,
+    paper_table,
     table_rows,
 )
+from memorymaze.results.tables.runs import (
+    STUDY_TITLES,
+    MeasuredRun,
+    Place,
+    load_runs,
+    place_title,
+    run_notes,
+)
+from memorymaze.results.tables.sail import is_sail, sail_table
+from memorymaze.tables import Table
 
 __all__ = [
+    "MEASURES",
+    "PAPER_MEASURES",
+    "STUDY_TITLES",
+    "Comparison",
     "MeasuredRun",
     "Place",
+    "TableChoice",
     "TableName",
     "TableRow",
+    "compare_runs",
+    "comparison_table",
+    "estimate_means",
+    "group_title",
     "load_runs",
     "place_title",
-    "places_of",
+    "run_notes",
+    "run_tables",
     "table_rows",
 ]
+
+TableChoice = Literal["II", "III", "both", "errors"]
+
+
+def run_tables(runs: Sequence[MeasuredRun], choice: TableChoice = "II") -> list[Table]:
+    """Return tables of runs; all of the same fields.
+
+    Args:
+        runs: From `load_runs`; at least one.
+        choice: Of the paper's tables, or `errors`: success by kind of error in the
+            texts. Runs on SAIL are shown by map, whichever of the paper's is chosen.
+
+    Raises:
+        SettingsError: Some runs are on SAIL and some are not.
+        RunFolderError: `errors` of a run that did not keep the kinds of errors.
+    """
+    if choice == "errors":
+        return [error_table(run) for run in runs]
+    if is_sail(runs):
+        return [sail_table(run) for run in runs]
+    names: tuple[TableName, ...] = ("II", "III") if choice == "both" else (choice,)
+    return [paper_table(runs, name) for name in names]

@@ -3,6 +3,7 @@
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -11,10 +12,31 @@ from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.settings import differences
 from memorymaze.metrics.aggregate import Estimate, participant_bootstrap
 from memorymaze.metrics.paired import sign_flip_test
-from memorymaze.results.tables.rows import MeasuredRun, Place, places_of
+from memorymaze.results.tables.measures import (
+    MEASURES,
+    Measure,
+    estimate_fields,
+    values_of,
+)
+from memorymaze.results.tables.runs import (
+    STUDY_TITLES,
+    MeasuredRun,
+    Place,
+    groups_of_places,
+    place_fields,
+    place_of,
+    place_title,
+    places_of,
+    run_notes,
+)
+from memorymaze.tables import Column, Table
 
-COMPARED = ("sr", "osr", "spd", "cls", "ndtw")
-"""Measures that are compared."""
+KEY = (
+    "B - A: difference of the means over the same instructions, with the 95 % interval "
+    "of a paired bootstrap over participants; p from flipping the signs of whole "
+    "participants, two-sided, not corrected for the number of rows. The mean over "
+    "routes is unweighted. Arrived: both / only A / only B / neither."
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,7 +59,7 @@ class ComparisonRow:
     participants: int
     outcomes: Outcomes
     first: dict[str, float]
-    """Means of the first run, by the names in `COMPARED`."""
+    """Means of the first run, by the names of measures."""
     second: dict[str, float]
     """Means of the second run."""
     difference: dict[str, Estimate]
@@ -75,17 +97,14 @@ def compare_runs(first: MeasuredRun, second: MeasuredRun, seed: int = 0) -> Comp
             "got no episode that both have"
         )
     pairs = [(there[key], here[key]) for key in shared]
-    rows: list[ComparisonRow] = []
-    for study in ("online", "onsite"):
-        places = places_of((one for one, _ in pairs), study)
-        groups = [[place] for place in places]
-        if len(places) > 1:
-            groups.append(places)
-        rows += [_row(pairs, study, group, seed) for group in groups]
     return Comparison(
         first=first,
         second=second,
-        rows=tuple(rows),
+        rows=tuple(
+            _row(pairs, study, group, seed)
+            for study in STUDY_TITLES
+            for group in groups_of_places(places_of((one for one, _ in pairs), study))
+        ),
         only_in_first=len(there) - len(shared),
         only_in_second=len(here) - len(shared),
         settings=tuple(
@@ -94,6 +113,42 @@ def compare_runs(first: MeasuredRun, second: MeasuredRun, seed: int = 0) -> Comp
             if not line.startswith(("agent.", "limit:", "episodes:"))
         ),
     )
+
+
+def comparison_table(found: Comparison) -> Table:
+    """Return a comparison as a table, with what is unfair about it in the notes."""
+    return Table(
+        "Comparison of two runs",
+        (
+            Column("study", "Study", "group", show=lambda r: STUDY_TITLES[r["study"]]),
+            Column("place", "Route", "group", is_data=False),
+            Column("site"),
+            Column("route"),
+            Column("episodes", "n", "group"),
+            Column("participants"),
+            *(Column(name) for name in ("both", "only_a", "only_b", "neither")),
+            Column("arrived", "arrived:", "group", is_data=False),
+            Column("measure", "Measure", "label", show=lambda row: row["heading"]),
+            Column("a", "A", digits=2),
+            Column("b", "B", digits=2),
+            Column(
+                "difference", "B - A", digits=2, signed=True, interval=("low", "high")
+            ),
+            Column("p", "p", show=lambda row: p_cell(row["p"])),
+        ),
+        tuple(_fields(row, measure) for row in found.rows for measure in MEASURES),
+        tuple(_notes(found)),
+        "comparison",
+    )
+
+
+def p_cell(p: float) -> str:
+    """Write the probability of a test.
+
+    >>> p_cell(0.25), p_cell(0.0002)
+    ('0.250', '< 0.001')
+    """
+    return "< 0.001" if p < 0.001 else f"{p:.3f}"
 
 
 def _row(
@@ -105,16 +160,17 @@ def _row(
     chosen = [
         (one, two)
         for one, two in pairs
-        if one.study == study and Place(one.site, one.route) in places
+        if one.study == study and place_of(one) in places
     ]
-    cells = [Place(one.site, one.route) for one, _ in chosen]
+    cells = [place_of(one) for one, _ in chosen]
     participants = [one.participant for one, _ in chosen]
-    before = np.array([_values(one) for one, _ in chosen])
-    after = np.array([_values(two) for _, two in chosen])
+    before = np.array([values_of(one, MEASURES) for one, _ in chosen])
+    after = np.array([values_of(two, MEASURES) for _, two in chosen])
     rng = np.random.default_rng(seed)
     estimates = participant_bootstrap(after - before, participants, rng, cells=cells)
     p_values = sign_flip_test(after - before, participants, rng, cells=cells)
     counts = Counter((one.success, two.success) for one, two in chosen)
+    names = [each.name for each in MEASURES]
     return ComparisonRow(
         study=study,
         places=tuple(places),
@@ -126,28 +182,60 @@ def _row(
             only_second=counts[False, True],
             neither=counts[False, False],
         ),
-        first=_means(before, cells),
-        second=_means(after, cells),
-        difference=dict(zip(COMPARED, estimates, strict=True)),
-        p_value=dict(zip(COMPARED, p_values, strict=True)),
+        first=dict(zip(names, _means(before, cells), strict=True)),
+        second=dict(zip(names, _means(after, cells), strict=True)),
+        difference=dict(zip(names, estimates, strict=True)),
+        p_value=dict(zip(names, p_values, strict=True)),
     )
 
 
-def _values(result: EpisodeResult) -> tuple[float, ...]:
-    return (
-        float(result.success),
-        float(result.oracle_success),
-        result.spd,
-        result.cls,
-        result.ndtw,
-    )
-
-
-def _means(values: np.ndarray, cells: Sequence[Place]) -> dict[str, float]:
+def _means(values: np.ndarray, cells: Sequence[Place]) -> list[float]:
     """Return the unweighted mean over cells of the means within them."""
     by_cell = [
         values[[index for index, each in enumerate(cells) if each == cell]].mean(axis=0)
         for cell in dict.fromkeys(cells)
     ]
-    means = np.mean(by_cell, axis=0).tolist()
-    return dict(zip(COMPARED, means, strict=True))
+    return np.mean(by_cell, axis=0).tolist()
+
+
+def _fields(row: ComparisonRow, measure: Measure) -> dict[str, Any]:
+    found, difference = row.outcomes, row.difference[measure.name]
+    counts = (found.both, found.only_first, found.only_second, found.neither)
+    return {
+        "study": row.study,
+        "place": place_title(row.places),
+        **place_fields(row.places, is_mean=len(row.places) > 1),
+        "episodes": row.episodes,
+        "participants": row.participants,
+        **dict(zip(("both", "only_a", "only_b", "neither"), counts, strict=True)),
+        "arrived": " / ".join(map(str, counts)),
+        "measure": measure.name,
+        "heading": measure.heading,
+        "a": row.first[measure.name],
+        "b": row.second[measure.name],
+        **estimate_fields("difference", difference, ("low", "high")),
+        "p": row.p_value[measure.name],
+    }
+
+
+def _notes(comparison: Comparison) -> list[str]:
+    """Say what was compared, and what is unfair about it."""
+    notes = [f"A: {run_notes(comparison.first)[0]}"]
+    notes.append(f"B: {run_notes(comparison.second)[0]}")
+    left_out = [
+        f"{count} only in {name}"
+        for name, count in (
+            ("A", comparison.only_in_first),
+            ("B", comparison.only_in_second),
+        )
+        if count
+    ]
+    if left_out:
+        notes.append(f"LEFT OUT, as only one run has them: {', '.join(left_out)}.")
+    if comparison.settings:
+        notes.append(
+            "NOT ONLY THE AGENT DIFFERS (A there, B here): "
+            + "; ".join(comparison.settings)
+            + "."
+        )
+    return [*notes, KEY]

@@ -1,24 +1,19 @@
 """Success on SAIL by map, beside that of the people who followed the same paragraphs."""
 
-import csv
-import io
-from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 
 from memorymaze.errors import SettingsError
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.instructions.sail import DEVELOPMENT, paragraph_of
-from memorymaze.metrics.aggregate import Estimate, participant_bootstrap
-from memorymaze.results.tables.cells import estimate_cell
-from memorymaze.results.tables.columns import markdown_columns, text_columns
-from memorymaze.results.tables.rows import MeasuredRun
-from memorymaze.results.tables.run_notes import run_notes
+from memorymaze.metrics.aggregate import participant_bootstrap
+from memorymaze.results.tables.measures import estimate_fields
+from memorymaze.results.tables.runs import MeasuredRun, run_notes
+from memorymaze.tables import Column, Row, Table
 
 STUDY = "sail"
-STYLES = ("text", "md", "csv")
-HEADINGS = ("paragraphs", "map", "texts", "episodes", "success [95 %]", "people")
 KEY = (
     "success: stopped by itself at the goal's node, mean over start headings; "
     "[95 % interval], bootstrap over paragraphs. people: share of followers who reached "
@@ -26,24 +21,6 @@ KEY = (
     "knows a legal path. development half: paragraphs of the writers whose texts were "
     "read while the rules agent was developed."
 )
-
-
-@dataclass(frozen=True, slots=True)
-class SailRow:
-    """One line of the table: some paragraphs of one map, or of all."""
-
-    method: str
-    paragraphs: str
-    """Which: `all`, `usable`, `development half`, `other half`."""
-    map: str
-    """The map, or `all`."""
-    texts: int
-    episodes: int
-    success: Estimate
-    followers: int
-    """People's trials on these paragraphs."""
-    people: float | None
-    """Share of the trials in which they arrived; None without trials."""
 
 
 def is_sail(runs: Sequence[MeasuredRun]) -> bool:
@@ -61,66 +38,54 @@ def is_sail(runs: Sequence[MeasuredRun]) -> bool:
     return studies == {True}
 
 
-def sail_rows(run: MeasuredRun) -> list[SailRow]:
-    """Return the rows of a run: by kind of paragraph, then by map."""
-    return [
-        row
-        for name, results in _kinds(run.results)
-        for row in _by_map(run, name, results)
-    ]
+def sail_table(run: MeasuredRun) -> Table:
+    """Return success by kind of paragraph and map; the run is on SAIL."""
+    metres = run.record.settings.simulation.detection_range
+    seen = f"things are detected up to {metres:g} m away"
+    return Table(
+        f"SAIL, final position: {run.label}",
+        (
+            Column("method"),
+            Column("paragraphs", "paragraphs", "label"),
+            Column("map", "map", "label"),
+            Column("texts", "texts"),
+            Column("episodes", "episodes"),
+            Column("success", "success [95 %]", digits=2, interval=("low", "high")),
+            Column("followers"),
+            Column("people", "people", show=_people),
+        ),
+        tuple(_rows(run)),
+        ("\n".join([*run_notes(run), seen]), KEY),
+        "sail",
+    )
 
 
-def sail_table(runs: Sequence[MeasuredRun], style: str) -> str:
-    """Write the table of some runs.
-
-    Args:
-        runs: From `load_runs`; all on SAIL.
-        style: `text` (aligned), `md`, or `csv` with unrounded numbers.
-
-    Raises:
-        SettingsError: There is no such style of this table.
-    """
-    if style not in STYLES:
-        raise SettingsError(
-            f"--format {style}: tables of SAIL are {', '.join(STYLES)}; choose one"
-        )
-    if style == "csv":
-        return _csv(row for run in runs for row in sail_rows(run))
-    parts: list[str] = []
-    for run in runs:
-        lines = [HEADINGS, *(_cells(row) for row in sail_rows(run))]
-        write = text_columns if style == "text" else markdown_columns
-        title = f"SAIL, final position: {run.label}"
-        notes = "\n".join(f"- {note}" for note in [*run_notes(run), _range(run)])
-        parts.append(f"{title}\n\n{write(lines)}\n\n{KEY}\n\n{notes}\n")
-    return "\n".join(parts)
+def _people(row: Row) -> str:
+    share = row["people"]
+    return "-" if share is None else f"{share:.2f} ({row['followers']} trials)"
 
 
-def _kinds(
-    results: Sequence[EpisodeResult],
-) -> Iterator[tuple[str, list[EpisodeResult]]]:
+def _rows(run: MeasuredRun) -> list[Row]:
     kinds = {
-        "all": list(results),
-        "usable": [r for r in results if r.usable],
-        "development half": [r for r in results if r.split == DEVELOPMENT],
-        "other half": [r for r in results if r.split != DEVELOPMENT],
+        "all": run.results,
+        "usable": [r for r in run.results if r.usable],
+        "development half": [r for r in run.results if r.split == DEVELOPMENT],
+        "other half": [r for r in run.results if r.split != DEVELOPMENT],
     }
-    return ((name, kept) for name, kept in kinds.items() if kept)
+    rows: list[Row] = []
+    for kind, results in kinds.items():
+        maps = sorted({result.site for result in results})
+        for site in [*maps, None] if len(maps) > 1 else maps:
+            rows.append({
+                "method": run.label,
+                "paragraphs": kind,
+                "map": "all" if site is None else site.removeprefix("sail_").title(),
+                **_figures([r for r in results if site is None or r.site == site]),
+            })
+    return rows
 
 
-def _by_map(
-    run: MeasuredRun, name: str, results: Sequence[EpisodeResult]
-) -> Iterator[SailRow]:
-    maps = sorted({result.site for result in results})
-    for site in [*maps, None] if len(maps) > 1 else maps:
-        kept = [r for r in results if site is None or r.site == site]
-        title = "all" if site is None else site.removeprefix("sail_").title()
-        yield _row(run.label, name, title, kept)
-
-
-def _row(
-    method: str, name: str, title: str, results: Sequence[EpisodeResult]
-) -> SailRow:
+def _figures(results: Sequence[EpisodeResult]) -> dict[str, Any]:
     texts = [paragraph_of(result.episode_id) for result in results]
     by_text = dict(zip(texts, results, strict=True))
     # Every paragraph counts the same, however many of its headings have been run.
@@ -134,47 +99,10 @@ def _row(
     )
     tried = sum(r.human_trials or 0 for r in by_text.values())
     arrived = sum(r.human_found or 0 for r in by_text.values())
-    people = arrived / tried if tried else None
-    return SailRow(
-        method, name, title, len(by_text), len(results), success, tried, people
-    )
-
-
-def _range(run: MeasuredRun) -> str:
-    metres = run.record.settings.simulation.detection_range
-    return f"things are detected up to {metres:g} m away"
-
-
-def _cells(row: SailRow) -> tuple[str, ...]:
-    people = "-" if row.people is None else f"{row.people:.2f} ({row.followers} trials)"
-    return (
-        row.paragraphs,
-        row.map,
-        str(row.texts),
-        str(row.episodes),
-        estimate_cell(row.success),
-        people,
-    )
-
-
-def _csv(rows: Iterable[SailRow]) -> str:
-    out = io.StringIO()
-    writer = csv.writer(out, lineterminator="\n")
-    writer.writerow([
-        "method",
-        "paragraphs",
-        "map",
-        "texts",
-        "episodes",
-        "success",
-        "low",
-        "high",
-        "followers",
-        "people",
-    ])
-    for row in rows:
-        estimate = (row.success.mean, row.success.low, row.success.high)
-        counts = (row.texts, row.episodes)
-        head = (row.method, row.paragraphs, row.map)
-        writer.writerow([*head, *counts, *estimate, row.followers, row.people])
-    return out.getvalue()
+    return {
+        "texts": len(by_text),
+        "episodes": len(results),
+        **estimate_fields("success", success, ("low", "high")),
+        "followers": tried,
+        "people": arrived / tried if tried else None,
+    }

@@ -1,0 +1,132 @@
+"""The measures of an episode that tables show, each named once, and their means.
+
+What a measure is worth for an episode is worked out in `metrics`; a field of
+`EpisodeResult` holds it. Everything that shows it reads this list.
+"""
+
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass
+from typing import Any, Literal
+
+import numpy as np
+
+from memorymaze.evaluation.results import EpisodeResult
+from memorymaze.metrics.aggregate import Estimate, participant_bootstrap
+from memorymaze.tables import Column
+
+Better = Literal["higher", "lower"]
+
+
+@dataclass(frozen=True, slots=True)
+class Measure:
+    """What is told of an episode in one number."""
+
+    name: str
+    """In CSV and records."""
+    field: str
+    """Of `EpisodeResult`."""
+    short: str
+    """As papers write it."""
+    meaning: str
+    better: Better
+    unit: str = ""
+    digits: int = 2
+    in_paper: bool = True
+    """Whether the paper's tables have it; the others are only compared."""
+
+    @property
+    def heading(self) -> str:
+        """What stands above its column."""
+        return f"{self.short} ({self.unit})" if self.unit else self.short
+
+    def column(self) -> Column:
+        """Return a column of means with intervals."""
+        return Column(
+            self.name,
+            self.heading,
+            digits=self.digits,
+            interval=ends(self.name),
+            better=self.better,
+        )
+
+
+MEASURES = (
+    Measure("sr", "success", "SR", "success rate", "higher"),
+    Measure("osr", "oracle_success", "OSR", "oracle success rate", "higher"),
+    Measure("spd", "spd", "SPD", "shortest walk left to the goal", "lower", unit="m"),
+    Measure("cls", "cls", "CLS", "coverage weighted by length", "higher"),
+    Measure(
+        "ndtw",
+        "ndtw",
+        "nDTW",
+        "normalised dynamic time warping",
+        "higher",
+        in_paper=False,
+    ),
+)
+PAPER_MEASURES = tuple(each for each in MEASURES if each.in_paper)
+
+KEY = (
+    ", ".join(f"{each.short} {each.meaning}" for each in PAPER_MEASURES)
+    + "; [95 % interval], bootstrap over participants. The mean over routes is "
+    'unweighted. Rows that begin with "paper" are published figures on human '
+    "instructions."
+)
+
+
+def estimate_means(
+    cells: Sequence[Sequence[EpisodeResult]], seed: int = 0
+) -> dict[str, Estimate]:
+    """Return the mean of every measure over cells, with participant-bootstrap intervals.
+
+    The mean is the unweighted mean of the cells' means, as the paper averages over
+    routes; for one cell it is the cell's mean. The intervals hold 95 % of 10,000 draws;
+    see `metrics.aggregate.participant_bootstrap`.
+
+    Args:
+        cells: Results that belong together, such as those of one route; none empty.
+        seed: Of the draws.
+
+    Raises:
+        ValueError: There is no cell, or one is empty.
+    """
+    if not cells or not all(cells):
+        raise ValueError("expected at least one episode in every cell")
+    rows = [(result, number) for number, cell in enumerate(cells) for result in cell]
+    estimates = participant_bootstrap(
+        [values_of(result, PAPER_MEASURES) for result, _ in rows],
+        [result.participant for result, _ in rows],
+        np.random.default_rng(seed),
+        cells=[number for _, number in rows],
+    )
+    return {m.name: each for m, each in zip(PAPER_MEASURES, estimates, strict=True)}
+
+
+def values_of(result: EpisodeResult, measures: Sequence[Measure]) -> list[float]:
+    """Return what measures are worth for an episode."""
+    return [float(getattr(result, each.field)) for each in measures]
+
+
+def estimate_cell(estimate: Estimate, *, signed: bool = False) -> str:
+    """Write a mean with its interval where there is one.
+
+    >>> estimate_cell(Estimate(0.5, 0.25, 0.75))
+    '0.50 [0.25, 0.75]'
+    """
+    column = Column("mean", digits=2, signed=signed, interval=("low", "high"))
+    return column.cell(asdict(estimate))
+
+
+def ends(name: str) -> tuple[str, str]:
+    """Return the fields of the ends of a value's interval."""
+    return f"{name}_low", f"{name}_high"
+
+
+def estimate_fields(
+    name: str, estimate: Estimate | None, interval: tuple[str, str] | None = None
+) -> dict[str, Any]:
+    """Return the fields of a mean with its interval; None where there is no mean."""
+    low, high = interval or ends(name)
+    if estimate is None:
+        return {name: None}
+    return {name: estimate.mean, low: estimate.low, high: estimate.high}
