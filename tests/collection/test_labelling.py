@@ -4,10 +4,10 @@ from pathlib import Path
 
 import pytest
 
-from memorymaze.collection.answers import questions
 from memorymaze.collection.dialogue import ask_for_labels
 from memorymaze.collection.label_sheet import read_label_sheet, write_label_sheet
 from memorymaze.collection.labels import Label, append_labels, read_labels
+from memorymaze.collection.questions import questions
 from memorymaze.errors import LabelFileError
 from memorymaze.instructions import Failure, Instruction
 from memorymaze.sites import Site

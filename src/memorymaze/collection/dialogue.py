@@ -5,14 +5,15 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TypeVar
 
-from memorymaze.collection.answers import (
+from memorymaze.collection.labels import KINDS, NO_WAY, Label, append_labels
+from memorymaze.collection.questions import (
     Question,
+    draw_ways,
     read_kind,
     read_way,
     read_yes_or_no,
+    way_in_words,
 )
-from memorymaze.collection.labels import KINDS, NO_WAY, Label, append_labels
-from memorymaze.collection.ways import draw_ways, way_in_words, ways_of
 from memorymaze.instructions.records import WRITTEN_BY, Failure
 
 Ask = Callable[[str], str]
@@ -101,7 +102,7 @@ def _show(
     )
     if pictures is not None:
         say(f"plan: {draw_ways(pictures, question.site, told.route)}")
-    for number, way in enumerate(ways_of(question.site, told.route), start=1):
+    for number, way in enumerate(question.site.ways(told.route), start=1):
         line = f"{number} {way.id}: {way_in_words(question.site, way)}"
         say(textwrap.fill(line, WIDTH, initial_indent="  ", subsequent_indent="      "))
     say("")

@@ -5,15 +5,16 @@ import io
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from memorymaze.collection.answers import (
+from memorymaze.collection.labels import Label
+from memorymaze.collection.questions import (
     Question,
     read_kind,
     read_way,
     read_yes_or_no,
+    way_in_words,
 )
-from memorymaze.collection.labels import Label
-from memorymaze.collection.ways import way_in_words, ways_of
 from memorymaze.errors import LabelFileError
+from memorymaze.input_files import read_text
 from memorymaze.instructions.files import write_file
 from memorymaze.instructions.records import WRITTEN_BY, Failure
 
@@ -56,7 +57,7 @@ def write_label_sheet(path: str | Path, questions: Sequence[Question]) -> None:
     writer.writeheader()
     for question in questions:
         told, site = question.instruction, question.site
-        ways = ways_of(site, told.route)
+        ways = site.ways(told.route)
         row = {
             "instruction": told.id,
             "site": told.site,
@@ -98,11 +99,7 @@ def read_label_sheet(
 
 
 def _rows(path: Path) -> list[dict[str, str]]:
-    try:
-        text = path.read_bytes().decode("utf-8-sig")
-    except (OSError, UnicodeDecodeError) as error:
-        reason = "expected UTF-8" if isinstance(error, ValueError) else error.strerror
-        raise LabelFileError(f"{path}: cannot be read ({reason})") from None
+    text = read_text(path, LabelFileError)
     head = text.partition("\n")[0]
     separator = ";" if head.count(";") > head.count(",") else ","
     try:

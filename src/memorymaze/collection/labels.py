@@ -9,8 +9,8 @@ from pathlib import Path
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
-from memorymaze.collection.ways import ways_of
 from memorymaze.errors import LabelFileError, SettingsError
+from memorymaze.input_files import read_file
 from memorymaze.instructions.error_kinds import ERROR_KINDS
 from memorymaze.instructions.records import Failure, Instruction
 from memorymaze.sites.records import Site
@@ -93,13 +93,8 @@ def read_labels(
     known = {each.id: each for each in instructions}
     labels: list[Label] = []
     wrong: list[str] = []
-    for path in map(Path, paths):
-        try:
-            content = path.read_bytes()
-        except OSError as error:
-            raise LabelFileError(
-                f"{path}: cannot be read ({error.strerror or error})"
-            ) from None
+    for path in paths:
+        content = read_file(path, LabelFileError)
         whole = content[: content.rfind(b"\n") + 1]
         for number, line in enumerate(whole.split(b"\n"), start=1):
             if not line.strip():
@@ -138,7 +133,7 @@ def _label(
             f"field 'text_sha256': the text of {read.instruction!r} is another one than "
             "was labelled"
         )
-    ways = [way.id for way in ways_of(sites[told.site], told.route)]
+    ways = [way.id for way in sites[told.site].ways(told.route)]
     if read.way not in {NO_WAY, *ways}:
         raise ValueError(
             f"field 'way': expected {', '.join(ways)} or {NO_WAY}, got {read.way!r}"

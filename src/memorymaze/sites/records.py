@@ -282,6 +282,11 @@ class Site:
             f"route: expected one of {', '.join(names)}, got {name!r}{meant}"
         )
 
+    def ways(self, route: str) -> list[Route]:
+        """Return the ways of the route called `R1`, `R2`, …, the reference first."""
+        ways = [each for each in self.routes if each.route == route]
+        return sorted(ways, key=lambda each: each.role != "reference")
+
     def reference_route(self, route: str) -> Route:
         """Return the reference route called `R1`, `R2`, ….
 

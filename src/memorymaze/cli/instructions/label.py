@@ -37,13 +37,13 @@ def add_parser(actions: Verbs) -> None:
 
 
 def _run(options: argparse.Namespace) -> int:
-    from memorymaze.collection.answers import questions
     from memorymaze.collection.labels import (
         append_labels,
         check_annotator,
         latest_labels,
         read_labels,
     )
+    from memorymaze.collection.questions import questions
     from memorymaze.errors import SettingsError
     from memorymaze.instructions.corpus import episodes
     from memorymaze.instructions.files import load_instructions

@@ -1,14 +1,17 @@
-"""Checking what annotators answer, typed or in a sheet."""
+"""What annotators are asked, the ways they choose among, and checking their answers."""
 
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 
 from memorymaze.collection.labels import KINDS, NO_WAY, Label, text_stamp
-from memorymaze.collection.ways import ways_of
-from memorymaze.errors import did_you_mean
+from memorymaze.drawing.plan_picture import draw_site
+from memorymaze.errors import SettingsError, did_you_mean
 from memorymaze.instructions.records import Failure, Instruction
-from memorymaze.sites.records import Site
+from memorymaze.sites.records import Route, Site, TurningPoint
 
+BEYOND = 0.5
+"""Metres after a turning point at which one is in the hallway turned into."""
 YES, NO = ("yes", "y", "1", "true"), ("no", "n", "0", "false")
 
 
@@ -22,7 +25,7 @@ class Question:
     @property
     def ways(self) -> list[str]:
         """Ids of the ways that it can describe, the reference first."""
-        return [way.id for way in ways_of(self.site, self.instruction.route)]
+        return [way.id for way in self.site.ways(self.instruction.route)]
 
     def label(self, annotator: str, way: str, failures: Sequence[Failure]) -> Label:
         """Return the answer as a label."""
@@ -85,3 +88,44 @@ def _choice(answer: str, choices: Sequence[str], what: str) -> str:
         f"expected {what} (0 to {len(choices) - 1}, or {', '.join(choices)}), got "
         f"{answer!r}{did_you_mean(said, choices)}"
     )
+
+
+def way_in_words(site: Site, way: Route) -> str:
+    """Return a way's length, turns and goal in a line."""
+    points = {point.id: point for point in site.turning_points}
+    turns: list[str] = []
+    for turn in way.turns:
+        into = _name_beyond(site, way, points[turn.at])
+        words = turn.direction.replace("_", " ") + (f" into {into}" if into else "")
+        turns.append(f"{words} ({turn.at})")
+    walk = ", ".join(turns) or "no turn"
+    return f"{way.role}, {way.length:.0f} m: {walk}; to {way.goal}"
+
+
+def _name_beyond(site: Site, way: Route, point: TurningPoint) -> str | None:
+    """Return the name of where a way goes on after a turning point."""
+    crossing = way.line.project(point.polygon.centroid)
+    reach = point.polygon.length / 4 + BEYOND
+    beyond = way.line.interpolate(min(crossing + reach, way.line.length))
+    for place in (*site.corridors, *site.areas):
+        if place.name and place.polygon.covers(beyond):
+            return place.name
+    return None
+
+
+def draw_ways(folder: str | Path, site: Site, route: str) -> Path:
+    """Draw the plan with the ways of a route, unless the picture is there already.
+
+    Raises:
+        SettingsError: The picture cannot be written.
+    """
+    picture = Path(folder) / f"{site.name}_{route}.png"
+    if not picture.exists():
+        try:
+            picture.parent.mkdir(parents=True, exist_ok=True)
+            draw_site(site, picture, routes=[route])
+        except OSError as error:
+            raise SettingsError(
+                f"--pictures {folder}: cannot be written ({error.strerror or error})"
+            ) from None
+    return picture
