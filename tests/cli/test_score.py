@@ -112,10 +112,13 @@ def test_undefined_cases_get_their_error_too(
 @pytest.mark.parametrize(
     ("content", "message"),
     [
-        pytest.param('{"graphs": {},\n "cases": [}', ":2:12: expected JSON", id="json"),
-        pytest.param("", ":1:1: expected JSON", id="empty"),
-        pytest.param("[" * 100_000, "nested too deeply", id="deep"),
-        pytest.param("[" + "1" * 5000 + "]", "a number cannot be read", id="digits"),
+        pytest.param('{"graphs": {},\n "cases": [}', "line 2, column 12", id="json"),
+        pytest.param("", "expected JSON, got a mistake in column 1", id="empty"),
+        pytest.param("[" * 100_000, "nested too deep", id="deep"),
+        pytest.param(
+            '{"graphs": {}, "graphs": {}}', "'graphs': expected it once", id="twice"
+        ),
+        pytest.param("[" + "1" * 5000 + "]", "digits", id="digits"),
         pytest.param([], "expected a JSON object with `graphs`", id="list"),
         pytest.param({"cases": []}, "a member `graphs`", id="no graphs"),
         pytest.param({"graphs": {}}, "a member `cases`", id="no cases"),
@@ -149,14 +152,14 @@ def test_bytes_that_are_no_text_get_one_message(
     file = tmp_path / "cases.json"
     file.write_bytes(b"\xff\xfe{}")
     assert main(["score", "--cases", str(file)]) == 1
-    assert "expected UTF-8 text" in capsys.readouterr().err
+    assert "expected UTF-8, got byte 0xff" in capsys.readouterr().err
 
 
 def test_a_file_that_is_not_there_gets_one_message(
     capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
     assert main(["score", "--cases", str(tmp_path / "none.json")]) == 1
-    assert "none.json: cannot be read: No such file" in capsys.readouterr().err
+    assert "none.json: cannot be read (No such file" in capsys.readouterr().err
 
 
 def test_no_file_is_wrong_usage(capsys: pytest.CaptureFixture[str]) -> None:
