@@ -27,7 +27,7 @@ from memorymaze.simulation import SimulatedRobot, build_scene
 from memorymaze.simulation.motion.commands import direction_of
 from memorymaze.simulation.senses.lidar import Lidar, LidarSettings
 from memorymaze.simulation.senses.odometry import Odometry, OdometrySettings
-from memorymaze.simulation.senses.turning_points import TurningPointVisits
+from memorymaze.simulation.senses.turning_points import AnnotatedTurningPoints
 from memorymaze.sites import BUILTIN_SITE_NAMES, Site, load_site
 from memorymaze.sites.records import Route
 
@@ -168,7 +168,7 @@ def walks(site: Site, noisy: bool = False) -> Iterator[Walk]:
         rng = np.random.default_rng(number)
         lidar = Lidar(scene, None, NOISY_LIDAR if noisy else None, rng)
         odometry = Odometry(route.start, NOISY_ODOMETRY if noisy else None, rng)
-        finder, visits = TurningPointFinder(), TurningPointVisits(site)
+        finder, visits = TurningPointFinder(), AnnotatedTurningPoints(scene)
         annotated: list[Stay] = []
         sensed: list[Stay] = []
         milliseconds: list[float] = []
@@ -179,7 +179,7 @@ def walks(site: Site, noisy: bool = False) -> Iterator[Walk]:
                 course = math.atan2(pose.y - last.y, pose.x - last.x)
                 last = pose
             if last is pose or at == 0:
-                visits.update(pose.x, pose.y, course)
+                visits.update(pose, course, at)
             believed = odometry.update(pose)
             scan = lidar.scan(pose, at)
             began = time.process_time()

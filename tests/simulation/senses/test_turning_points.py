@@ -4,10 +4,11 @@ from typing import Any
 import pytest
 from shapely import box
 
+from memorymaze.geometry.pose import Pose
 from memorymaze.simulation import build_scene
 from memorymaze.simulation.senses.turning_points import (
-    TurningPointVisits,
-    meeting_point,
+    AnnotatedTurningPoints,
+    Visit,
 )
 from memorymaze.sites import Site
 
@@ -19,27 +20,27 @@ def test_of_overlapping_turning_points_the_nearest_centre_counts(plans: Any) -> 
         plans.turning_point("west", box(4, -1, 8, 1), ways),
         plans.turning_point("east", box(6, -1, 10, 1), ways),
     )
-    visits = TurningPointVisits(site)
+    visits = AnnotatedTurningPoints(build_scene(site))
     seen: list[str | None] = []
     for x in (3, 5, 6.5, 7.5, 9, 11):
-        visits.update(x, 0, 0.0)
+        visits.update(Pose(x, 0, 0), 0.0, 0.0)
         seen.append(None if visits.current is None else visits.current.point.id)
     assert seen == [None, "west", "west", "east", "east", None]
     assert visits.number is None
-    visits.update(5, 0, math.pi)
+    visits.update(Pose(5, 0, 0), math.pi, 0.0)
     assert visits.number == 1
 
 
 def test_the_way_it_came_is_taken_at_the_edge_not_at_the_end(t_site: Site) -> None:
-    visits = TurningPointVisits(t_site)
-    visits.update(0, -2, math.pi / 2)
-    visits.update(0, -0.9, math.pi / 2)
-    visits.update(0.3, 0, 0.0)
+    visits = AnnotatedTurningPoints(build_scene(t_site))
+    visits.update(Pose(0, -2, 0), math.pi / 2, 0.0)
+    visits.update(Pose(0, -0.9, 0), math.pi / 2, 0.0)
+    visits.update(Pose(0.3, 0, 0), 0.0, 0.0)
     assert visits.current is not None
     assert [each.to for each in visits.current.onward()] == ["bar", "bar"]
     # Out to the east, and back in from there.
-    visits.update(3, 0, 0.0)
-    visits.update(0.9, 0, math.pi)
+    visits.update(Pose(3, 0, 0), 0.0, 0.0)
+    visits.update(Pose(0.9, 0, 0), math.pi, 0.0)
     assert {round(math.degrees(each.heading)) for each in visits.current.onward()} == {
         -90,
         180,
@@ -61,14 +62,14 @@ def test_turning_is_done_where_the_middle_lines_meet(
         chosen = min(
             point.exits, key=lambda each: abs(math.degrees(each.heading) - way_out)
         )
-        ways = build_scene(site).straight_ways
-        place = meeting_point(point, chosen, come_from, math.radians(course), ways)
+        visit = Visit(point, build_scene(site))
+        place = visit.meeting_point(chosen, come_from, math.radians(course))
         assert place == pytest.approx(expected, abs=0.01)
 
 
 def test_an_exit_into_an_area_is_taken_through_the_centre(two_rooms: Site) -> None:
     point = next(each for each in two_rooms.turning_points if each.id == "tp_west")
     hall = next(each for each in point.exits if each.to == "west_hall")
-    ways = build_scene(two_rooms).straight_ways
-    place = meeting_point(point, hall, (5, 2.5), math.pi / 2, ways)
+    visit = Visit(point, build_scene(two_rooms))
+    place = visit.meeting_point(hall, (5, 2.5), math.pi / 2)
     assert place == pytest.approx((5, 3), abs=0.01)

@@ -17,6 +17,7 @@ from memorymaze.simulation.motion.primitive_motions import (
     spin_by,
 )
 from memorymaze.simulation.motion.route_following import follow_line
+from memorymaze.simulation.motion.straight_ways import WayOut
 from memorymaze.simulation.motion.wheeled_base import ROBOT_RADIUS
 from memorymaze.simulation.obstacles.surroundings import Surroundings
 from memorymaze.simulation.scene import Scene
@@ -193,9 +194,9 @@ class Pilot:
                 0.0,
                 f"no way lies {_in_words(direction)}; there are: {there_are}",
             )
-        return self._turn_into(stay, chosen, direction)
+        return self._turn_into(stay, exits[chosen], direction)
 
-    def _turn_into(self, stay: Stay, chosen: int, direction: str) -> TurnResult:
+    def _turn_into(self, stay: Stay, way: WayOut, direction: str) -> TurnResult:
         driver = self._driver
         self.come_to_rest()
         before = driver.pose.heading
@@ -203,8 +204,7 @@ class Pilot:
         if self._follower is not None:
             station = self._follower.station
             place = (station.way_x, station.way_y)
-        way = stay.choices()[chosen]
-        meeting = stay.meeting_point(chosen, place, self._course)
+        meeting = stay.meeting_point(way, place, self._course)
         if self._clearance.is_free([driver.pose[:2], meeting], ROBOT_RADIUS + 0.02):
             driver.drive_to(*meeting, patience=self._patience)
         driver.spin_to(way.heading)
@@ -221,7 +221,7 @@ class Pilot:
         back = self._course + math.pi
         towards = None
         behind = min(
-            () if stay is None else stay.everywhere(),
+            () if stay is None else stay.ways,
             key=lambda each: abs(turn_between(back, each.heading)),
             default=None,
         )

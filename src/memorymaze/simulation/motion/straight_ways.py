@@ -10,9 +10,10 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
+from typing import Protocol
 
 import shapely
-from shapely import LineString, Point
+from shapely import LineString, Point, Polygon
 
 from memorymaze.geometry.pose import turn_between
 from memorymaze.simulation.motion.clearance import Clearance
@@ -50,6 +51,20 @@ LONGEST_WAY = 500.0
 XY = tuple[float, float]
 ON_FLOOR = 0.01
 """Metres outside the corridor's edge that still count as on its floor."""
+
+
+class WayOut(Protocol):
+    """A way that leads out of a turning point."""
+
+    @property
+    def heading(self) -> float:
+        """Outward, radians."""
+        ...
+
+    @property
+    def to(self) -> str | None:
+        """Id of the corridor or area it leads to; None where that is not known."""
+        ...
 
 
 @dataclass(frozen=True, slots=True)
@@ -124,12 +139,18 @@ def corridor_axis(corridor: Corridor) -> Axis:
     """Return a corridor's axis, running as its centre line does."""
     (ax, ay), (bx, by) = [point[:2] for point in corridor.centre_line.coords]
     length = math.hypot(bx - ax, by - ay)
-    ring = corridor.polygon.exterior
+    ux, uy = (bx - ax) / length, (by - ay) / length
+    corners = counter_clockwise(corridor.polygon)
+    return Axis(corridor.id, ax, ay, ux, uy, length, corners)
+
+
+def counter_clockwise(polygon: Polygon) -> tuple[XY, ...]:
+    """Return the corners of a polygon without holes, each once."""
+    ring = polygon.exterior
     corners = [(x, y) for x, y, *_ in ring.coords[:-1]]
     if not ring.is_ccw:
         corners.reverse()
-    ux, uy = (bx - ax) / length, (by - ay) / length
-    return Axis(corridor.id, ax, ay, ux, uy, length, tuple(corners))
+    return tuple(corners)
 
 
 @dataclass(frozen=True, slots=True)
@@ -240,7 +261,7 @@ class StraightWays:
                     best = aside, at - aside, axis
         return None if best is None else best[1:]
 
-    def axis_through(self, point: TurningPoint, chosen: Exit) -> Axis | None:
+    def axis_through(self, point: TurningPoint, chosen: WayOut) -> Axis | None:
         """Return the centre line of the corridor an exit leads into, outward.
 
         The exit may name the next turning point; then the corridor that runs out that

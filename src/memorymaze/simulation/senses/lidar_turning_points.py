@@ -8,8 +8,13 @@ from typing import NamedTuple
 from memorymaze.errors import SettingsError
 from memorymaze.geometry.pose import Pose, turn_between, wrap_angle
 from memorymaze.perception.turning_points import SensedWay, TurningPointFinder
+from memorymaze.simulation.motion.straight_ways import WayOut
 from memorymaze.simulation.senses.lidar import Lidar
 from memorymaze.simulation.senses.odometry import Odometry
+from memorymaze.simulation.senses.turning_points import (
+    Stay,
+    where_lines_meet,
+)
 
 XY = tuple[float, float]
 
@@ -17,8 +22,6 @@ SCAN_PERIOD = 0.2
 """Simulated seconds from one scan to the next."""
 FIRST_SCANS = 3
 """Scans before the robot sets out, so that it knows where it stands."""
-SAME_LINE = math.radians(20)
-"""Ways that meet at less than this angle count as one line."""
 FARTHEST_MEETING = 2.5
 """Metres from the middle of a turning point within which ways can meet."""
 
@@ -67,10 +70,12 @@ class LidarTurningPoints:
         current = self._finder.current
         if current is None:
             return None
+        ways = tuple(self._way_out(way) for way in current.onward)
+        back = None if current.back is None else self._way_out(current.back)
         return _SensedStay(
             self._in_building(current.x, current.y),
-            tuple(self._way_out(way) for way in current.onward),
-            None if current.back is None else self._way_out(current.back),
+            ways if back is None else (*ways, back),
+            back,
             self._turned_in == current.number,
         )
 
@@ -113,36 +118,24 @@ class _WayOut(NamedTuple):
     to: str | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class _SensedStay:
+@dataclass(slots=True)
+class _SensedStay(Stay):
     """A stay as it was known at one moment, in the building's frame."""
 
     centre: XY
-    ways_onward: tuple[_WayOut, ...]
-    way_back: _WayOut | None
+    sensed: tuple[_WayOut, ...]
+    came_by: WayOut | None
     turned: bool
 
-    def onward(self) -> Sequence[_WayOut]:
-        return self.ways_onward
+    @property
+    def ways(self) -> Sequence[_WayOut]:
+        return self.sensed
 
-    def choices(self) -> Sequence[_WayOut]:
-        return self.everywhere() if self.turned else self.ways_onward
-
-    def everywhere(self) -> Sequence[_WayOut]:
-        if self.way_back is None:
-            return self.ways_onward
-        return (*self.ways_onward, self.way_back)
-
-    def meeting_point(self, chosen: int, place: XY, course: float) -> XY:
-        way = self.choices()[chosen]
+    def meeting_point(self, way: WayOut, place: XY, course: float) -> XY:
+        x, y = next(each.mouth for each in self.sensed if each is way)
         ux, uy = math.cos(way.heading), math.sin(way.heading)
-        vx, vy = math.cos(course), math.sin(course)
-        sine = vx * uy - vy * ux
-        x, y = way.mouth
-        if abs(sine) > math.sin(SAME_LINE):
-            along = ((x - place[0]) * uy - (y - place[1]) * ux) / sine
-            meeting = (place[0] + along * vx, place[1] + along * vy)
-        else:
+        meeting = where_lines_meet(place, course, (x, y), (ux, uy))
+        if meeting is None:
             along = (self.centre[0] - x) * ux + (self.centre[1] - y) * uy
             meeting = (x + along * ux, y + along * uy)
         if math.dist(meeting, self.centre) > FARTHEST_MEETING:

@@ -1,10 +1,11 @@
 """Which turning point the robot is in, how it got in, and where one can go from there.
 
-`TurningPointSource` is the role; here it is played from the annotations of the site plan, as in
-the paper (Sec. III-B), in `lidar_turning_points.py` by what the robot measures.
+`TurningPointSource` is the role. Here it is played from the annotations of the site plan,
+as in the paper (Sec. III-B); in `lidar_turning_points.py` by what the robot measures.
 """
 
 import math
+from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Protocol
@@ -13,11 +14,12 @@ import shapely
 from shapely import Point
 
 from memorymaze.geometry.pose import Pose, turn_between
-from memorymaze.simulation.motion.straight_ways import StraightWays
+from memorymaze.simulation.motion.straight_ways import WayOut, counter_clockwise
 from memorymaze.simulation.scene import Scene
-from memorymaze.sites.records import Exit, Site, TurningPoint
+from memorymaze.sites.records import Exit, TurningPoint
 
 XY = tuple[float, float]
+
 WAY_BACK_TOLERANCE = math.radians(75)
 """Greatest angle between an exit and straight back for it to be the way it came."""
 OTHER_FLOOR_PENALTY = 0.5
@@ -26,44 +28,36 @@ SAME_LINE = math.radians(20)
 """Ways that meet at less than this angle count as one line."""
 
 
-class WayOut(Protocol):
-    """A way that leads out of a turning point."""
-
-    @property
-    def heading(self) -> float:
-        """Outward, radians."""
-        ...
-
-    @property
-    def to(self) -> str | None:
-        """Id of the corridor or area it leads to; None where that is not known."""
-        ...
-
-
-class Stay(Protocol):
+class Stay(ABC):
     """A stay in one turning point."""
 
-    def onward(self) -> Sequence[WayOut]:
-        """Return every way but the one it came by."""
-        ...
+    turned: bool
+    """Whether it has turned here."""
+    came_by: WayOut | None
+    """The way it came by; None when none lies behind it."""
 
-    def choices(self) -> Sequence[WayOut]:
-        """Return the ways it can turn into: all, once it has turned here."""
-        ...
+    @property
+    @abstractmethod
+    def ways(self) -> Sequence[WayOut]:
+        """All ways, the one it came by included."""
 
-    def everywhere(self) -> Sequence[WayOut]:
-        """Return all ways, the one it came by included."""
-        ...
-
-    def meeting_point(self, chosen: int, place: XY, course: float) -> XY:
+    @abstractmethod
+    def meeting_point(self, way: WayOut, place: XY, course: float) -> XY:
         """Return where to turn into a way, metres.
 
         Args:
-            chosen: Index of the way in `choices`.
+            way: One of its ways.
             place: A place on the line the robot comes along, metres.
             course: The way that line goes, radians.
         """
-        ...
+
+    def onward(self) -> list[WayOut]:
+        """Return every way but the one it came by."""
+        return [each for each in self.ways if each is not self.came_by]
+
+    def choices(self) -> Sequence[WayOut]:
+        """Return the ways it can turn into: all, once it has turned here."""
+        return self.ways if self.turned else self.onward()
 
 
 class TurningPointSource(Protocol):
@@ -95,29 +89,34 @@ class TurningPointSource(Protocol):
         ...
 
 
-@dataclass(slots=True)
-class Visit:
-    """A stay in one turning point."""
+def where_lines_meet(place: XY, course: float, through: XY, direction: XY) -> XY | None:
+    """Return where a line meets a way; None where they are about one line.
 
-    point: TurningPoint
-    came_by: Exit | None
-    """The exit it came in by; None when none lies behind it."""
-    turned: bool = False
-    """Whether it has turned here."""
+    Args:
+        place: On the line, metres.
+        course: Of the line, radians.
+        through: On the way, metres.
+        direction: Of the way, a unit vector.
+    """
+    ux, uy = direction
+    vx, vy = math.cos(course), math.sin(course)
+    sine = vx * uy - vy * ux
+    if abs(sine) <= math.sin(SAME_LINE):
+        return None
+    along = ((through[0] - place[0]) * uy - (through[1] - place[1]) * ux) / sine
+    return place[0] + along * vx, place[1] + along * vy
 
-    def onward(self) -> list[Exit]:
-        """Return every exit except the one it came by."""
-        return [each for each in self.point.exits if each is not self.came_by]
 
+class AnnotatedTurningPoints:
+    """Turning points as the site plan tells them; implements `TurningPointSource`."""
 
-class TurningPointVisits:
-    """Follows a robot in and out of turning points and numbers them as it meets them."""
-
-    def __init__(self, site: Site) -> None:
+    def __init__(self, scene: Scene) -> None:
         """Begin outside all turning points."""
+        self._scene = scene
+        site = scene.site
         # Called 20 times a simulated second: plain numbers, the boxes first.
         self._boxes = [
-            (*point.polygon.bounds, _shape(point)) for point in site.turning_points
+            (*point.polygon.bounds, _outline(point)) for point in site.turning_points
         ]
         self._floors = {
             each.id: each.polygon
@@ -128,33 +127,30 @@ class TurningPointVisits:
         self._current: Visit | None = None
 
     @property
-    def current(self) -> Visit | None:
+    def current(self) -> "Visit | None":
         """The stay that counts now: of overlapping ones, where the centre is nearest."""
         return self._current
 
     @property
     def number(self) -> int | None:
-        """Number of the current turning point in the order of first visits, from 1."""
+        """See `TurningPointSource.number`."""
         current = self._current
         return None if current is None else self._numbers[current.point.id]
 
-    def update(self, x: float, y: float, travel: float) -> None:
-        """Take note of where the robot is.
-
-        Args:
-            x: Metres.
-            y: Metres.
-            travel: The way it moves, or faces when it has not moved yet, radians.
-        """
+    def update(self, pose: Pose, travel: float | None, time: float) -> None:
+        """See `TurningPointSource.update`."""
+        if travel is None:
+            return
+        x, y, _ = pose
         visits = self._visits
         nearest, least = None, math.inf
-        for index, (west, south, east, north, shape) in enumerate(self._boxes):
-            if west <= x <= east and south <= y <= north and shape.covers(x, y):
+        for index, (west, south, east, north, outline) in enumerate(self._boxes):
+            if west <= x <= east and south <= y <= north and outline.covers(x, y):
                 if index not in visits:
-                    visits[index] = Visit(
-                        shape.point, self._way_back(shape.point, x, y, travel)
-                    )
-                distance = (x - shape.centre_x) ** 2 + (y - shape.centre_y) ** 2
+                    point = outline.point
+                    came_by = self._way_back(point, x, y, travel)
+                    visits[index] = Visit(point, self._scene, came_by)
+                distance = (x - outline.centre_x) ** 2 + (y - outline.centre_y) ** 2
                 if distance < least:
                     nearest, least = visits[index], distance
             elif index in visits:
@@ -164,7 +160,7 @@ class TurningPointVisits:
             self._numbers[nearest.point.id] = len(self._numbers) + 1
 
     def note_turn(self) -> None:
-        """Take note that the robot has turned where it is."""
+        """See `TurningPointSource.note_turn`."""
         for visit in self._visits.values():
             visit.turned = True
 
@@ -182,48 +178,43 @@ class TurningPointVisits:
         return best
 
 
-def meeting_point(
-    point: TurningPoint,
-    chosen: Exit,
-    place: XY,
-    course: float,
-    ways: StraightWays,
-) -> XY:
-    """Return where in a turning point to turn into an exit.
+@dataclass(slots=True)
+class Visit(Stay):
+    """A stay in a turning point of the site plan."""
 
-    Where the line the robot comes along meets the centre line of the way it chose;
-    where they meet elsewhere, the place on the chosen way nearest to the centre. An
-    exit into an open area has no centre line: its line goes through the centre.
+    point: TurningPoint
+    scene: Scene
+    came_by: WayOut | None = None
+    turned: bool = False
 
-    Args:
-        point: The turning point the robot is in.
-        chosen: One of its exits.
-        place: A place on the line the robot comes along, metres.
-        course: The way that line goes, radians.
-        ways: Centre lines of this site.
-    """
-    centre = point.polygon.centroid
-    ux, uy = math.cos(chosen.heading), math.sin(chosen.heading)
-    through = (centre.x, centre.y)
-    axis = ways.axis_through(point, chosen)
-    if axis is not None:
-        ux, uy = axis.ux, axis.uy
-        through = axis.at(axis.local(*through)[0])
-    vx, vy = math.cos(course), math.sin(course)
-    sine = vx * uy - vy * ux
-    if abs(sine) > math.sin(SAME_LINE):
-        dx, dy = through[0] - place[0], through[1] - place[1]
-        along = (dx * uy - dy * ux) / sine
-        meeting = (place[0] + along * vx, place[1] + along * vy)
-        if point.polygon.covers(Point(meeting)):
-            return meeting
-    if point.polygon.covers(Point(through)):
-        return through
-    return (centre.x, centre.y)
+    @property
+    def ways(self) -> Sequence[Exit]:
+        """See `Stay.ways`."""
+        return self.point.exits
+
+    def meeting_point(self, way: WayOut, place: XY, course: float) -> XY:
+        """Return where the robot's line meets the centre line of the way it chose.
+
+        Where they meet elsewhere, the place on the chosen way nearest to the centre. An
+        exit into an open area has no centre line: its line goes through the centre.
+        """
+        point = self.point
+        centre = point.polygon.centroid
+        direction = math.cos(way.heading), math.sin(way.heading)
+        through = (centre.x, centre.y)
+        axis = self.scene.straight_ways.axis_through(point, way)
+        if axis is not None:
+            direction = axis.ux, axis.uy
+            through = axis.at(axis.local(*through)[0])
+        meeting = where_lines_meet(place, course, through, direction)
+        for wish in (meeting, through):
+            if wish is not None and point.polygon.covers(Point(wish)):
+                return wish
+        return (centre.x, centre.y)
 
 
 @dataclass(frozen=True, slots=True)
-class _Shape:
+class _Outline:
     """A turning point's polygon as plain numbers."""
 
     point: TurningPoint
@@ -240,60 +231,6 @@ class _Shape:
         return True
 
 
-def _shape(point: TurningPoint) -> _Shape:
-    ring = point.polygon.exterior
-    corners = [(x, y) for x, y, *_ in ring.coords[:-1]]
-    if not ring.is_ccw:
-        corners.reverse()
+def _outline(point: TurningPoint) -> _Outline:
     centre = point.polygon.centroid
-    return _Shape(point, tuple(corners), centre.x, centre.y)
-
-
-class AnnotatedTurningPoints:
-    """Turning points as the site plan tells them; implements `TurningPointSource`."""
-
-    def __init__(self, scene: Scene) -> None:
-        """Begin outside all turning points."""
-        self._scene = scene
-        self._visits = TurningPointVisits(scene.site)
-
-    @property
-    def number(self) -> int | None:
-        """See `TurningPointSource.number`."""
-        return self._visits.number
-
-    @property
-    def current(self) -> Stay | None:
-        """See `TurningPointSource.current`."""
-        visit = self._visits.current
-        if visit is None:
-            return None
-        return _AnnotatedStay(visit, self._scene.straight_ways)
-
-    def update(self, pose: Pose, travel: float | None, time: float) -> None:
-        """See `TurningPointSource.update`."""
-        if travel is not None:
-            self._visits.update(pose.x, pose.y, travel)
-
-    def note_turn(self) -> None:
-        """See `TurningPointSource.note_turn`."""
-        self._visits.note_turn()
-
-
-@dataclass(frozen=True, slots=True)
-class _AnnotatedStay:
-    visit: Visit
-    ways: StraightWays
-
-    def onward(self) -> Sequence[Exit]:
-        return self.visit.onward()
-
-    def choices(self) -> Sequence[Exit]:
-        return self.everywhere() if self.visit.turned else self.onward()
-
-    def everywhere(self) -> Sequence[Exit]:
-        return self.visit.point.exits
-
-    def meeting_point(self, chosen: int, place: XY, course: float) -> XY:
-        way = self.choices()[chosen]
-        return meeting_point(self.visit.point, way, place, course, self.ways)
+    return _Outline(point, counter_clockwise(point.polygon), centre.x, centre.y)
