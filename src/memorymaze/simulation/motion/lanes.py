@@ -98,32 +98,18 @@ def plan_lane(
     count = 1 + int(np.flatnonzero(open_ahead)[-1]) if open_ahead.any() else 1
     if way.halt < 0.01 or count < 2:
         here = np.array([pose[:2]])
-        return _lane(here, base[:1], courses[:1], np.array([max_speed]), "wall")
+        return _lane(here, base, courses, np.array([max_speed]), "wall")
     base, courses = base[:count], courses[:count]
-    normals = _normals(base)
-    start_offset = float((np.array(pose[:2]) - base[0]) @ normals[0])
-    offsets = _joining_profile(len(base), start_offset)
+    least = np.full(count, LEAST_CLEARANCE)
+    driven, speeds, reached = _round_things(base, pose[:2], least, clearance, max_speed)
     end: LaneEnd = "wall"
-    usable = len(base)
-    room = clearance.to_anything(base + offsets[:, None] * normals)
-    if (room < MIN_CLEARANCE).any():
-        least = np.full(usable, LEAST_CLEARANCE)
-        # Whoever starts in a tight place may leave it as tightly.
-        least[:8] = min(LEAST_CLEARANCE, max(float(room[0]) - 1e-3, ROBOT_RADIUS))
-        offsets, usable = make_detours(
-            base, normals, offsets, MIN_CLEARANCE, least, clearance
-        )
-        if usable < len(base):
-            beyond = base[usable : usable + round(1.0 / SPACING)]
-            to_wall = polyline.length(way.points) - usable * SPACING
-            walls_alone = clearance.to_walls(beyond)
-            if to_wall > END_OBSTACLE_DEPTH and (walls_alone >= MIN_CLEARANCE).all():
-                end = "obstacle"
-            usable = max(1, usable - round(OBSTACLE_GAP / SPACING))
-    driven = (base + offsets[:, None] * normals)[:usable]
-    room = clearance.to_anything(driven)
-    speeds = np.where(room < MIN_CLEARANCE - 1e-6, TIGHT_SPEED, max_speed)
-    return _lane(driven, base[:usable], courses[:usable], speeds, end)
+    if reached < count:
+        beyond = base[reached : reached + round(1.0 / SPACING)]
+        to_wall = polyline.length(way.points) - reached * SPACING
+        walls_alone = clearance.to_walls(beyond)
+        if to_wall > END_OBSTACLE_DEPTH and (walls_alone >= MIN_CLEARANCE).all():
+            end = "obstacle"
+    return _lane(driven, base, courses, speeds, end)
 
 
 def lane_along(points: FloatArray, max_speed: float) -> Lane:
@@ -155,26 +141,42 @@ def lane_round_things(
         clearance: Distances to everything that stands.
     """
     base = _rounded(polyline.resample(points, SPACING), 2)
+    # Lines may lead along walls more closely than lanes do; there they are kept to.
+    least = np.minimum(LEAST_CLEARANCE, clearance.to_walls(base) - 1e-3)
+    driven, speeds, reached = _round_things(base, place, least, clearance, max_speed)
+    end: LaneEnd = "done" if reached == len(base) else "obstacle"
+    return _lane(driven, base, _headings(base), speeds, end)
+
+
+def _round_things(
+    base: FloatArray,
+    place: tuple[float, float],
+    least: FloatArray,
+    clearance: Clearance,
+    max_speed: float,
+) -> tuple[FloatArray, FloatArray, int]:
+    """Lead from a place onto a line and round what stands on it, as far as one gets.
+
+    Returns:
+        Where to drive (N, 2) and how fast (N,), with a gap before what cannot be
+        passed; and how many stations of the line can be reached.
+    """
     normals = _normals(base)
     aside = float((np.array(place) - base[0]) @ normals[0])
     offsets = _joining_profile(len(base), aside)
+    usable = reached = len(base)
     room = clearance.to_anything(base + offsets[:, None] * normals)
-    end: LaneEnd = "done"
-    usable = len(base)
     if (room < MIN_CLEARANCE).any():
-        # Lines may lead along walls more closely than lanes do; there they are kept to.
-        least = np.minimum(LEAST_CLEARANCE, clearance.to_walls(base) - 1e-3)
+        # Whoever starts in a tight place may leave it as tightly.
         least[:8] = np.minimum(least[:8], max(float(room[0]) - 1e-3, ROBOT_RADIUS))
-        offsets, usable = make_detours(
+        offsets, reached = make_detours(
             base, normals, offsets, MIN_CLEARANCE, least, clearance
         )
-        if usable < len(base):
-            end = "obstacle"
-            usable = max(1, usable - round(OBSTACLE_GAP / SPACING))
+        if reached < usable:
+            usable = max(1, reached - round(OBSTACLE_GAP / SPACING))
     driven = (base + offsets[:, None] * normals)[:usable]
-    room = clearance.to_anything(driven)
-    speeds = np.where(room < MIN_CLEARANCE - 1e-6, TIGHT_SPEED, max_speed)
-    return _lane(driven, base[:usable], _headings(base)[:usable], speeds, end)
+    tight = clearance.to_anything(driven) < MIN_CLEARANCE - 1e-6
+    return driven, np.where(tight, TIGHT_SPEED, max_speed), reached
 
 
 def _stations_of(way: StraightWay) -> tuple[FloatArray, FloatArray]:
@@ -224,6 +226,7 @@ def _lane(
     speeds: FloatArray,
     end: LaneEnd,
 ) -> Lane:
+    base, courses = base[: len(driven)], courses[: len(driven)]
     if len(driven) == 1:
         (x, y), (way_x, way_y) = driven[0].tolist(), base[0].tolist()
         course, speed = float(courses[0]), float(speeds[0])
