@@ -1,4 +1,6 @@
 import math
+import subprocess
+import sys
 from collections.abc import Callable
 from itertools import pairwise
 from pathlib import Path
@@ -12,12 +14,16 @@ from gymnasium.utils.env_checker import check_env
 
 from memorymaze.errors import InstructionFileError, SettingsError
 from memorymaze.geometry.pose import turn_between
-from memorymaze.gym import ContinuousActions, DiscreteActions
+from memorymaze.gym import (
+    ENVIRONMENTS,
+    ContinuousActions,
+    DiscreteActions,
+    register_environments,
+)
 from memorymaze.simulation.obstacles import ObstacleSettings
 
 Settings = Callable[..., dict[str, Any]]
 MakeTiny = Callable[..., gymnasium.Env[Any, Any]]
-
 STOP, AHEAD, LEFT, RIGHT = range(4)
 METRICS = {
     *("stopped_by", "success", "oracle_success", "spd", "spl", "cls"),
@@ -304,3 +310,59 @@ def test_wrong_options_and_actions_are_told(make_tiny: MakeTiny) -> None:
     env.reset()
     with pytest.raises(SettingsError, match="got 7"):
         env.step(7)
+
+
+def run(program: str) -> str:
+    """Run a program in a fresh interpreter; return what it printed."""
+    done = subprocess.run(
+        [sys.executable, "-W", "error", "-c", program],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+@pytest.mark.parametrize(
+    "program",
+    [
+        pytest.param(
+            "import gymnasium\n"
+            "gymnasium.make('memorymaze:MemoryMaze/University-v0', sensors=())",
+            id="by the name of the package",
+        ),
+        pytest.param(
+            "import gymnasium, memorymaze.gym\n"
+            "gymnasium.make('MemoryMaze/Museum5F-v0', sensors=())",
+            id="after an import",
+        ),
+        pytest.param(
+            "import memorymaze.sites, gymnasium\n"
+            "gymnasium.make('memorymaze.gym:MemoryMaze/Museum7F-v0', sensors=())",
+            id="by the name of the room",
+        ),
+    ],
+)
+def test_gymnasium_finds_the_environments(program: str) -> None:
+    run(program)
+
+
+def test_the_package_alone_does_not_load_gymnasium() -> None:
+    said = run("import memorymaze.cli.main, sys\nprint('gymnasium' in sys.modules)")
+    assert said == "False\n"
+
+
+def test_registering_twice_changes_nothing() -> None:
+    before = {name: gymnasium.registry[name] for name in ENVIRONMENTS}
+    register_environments()
+    assert all(gymnasium.registry[name] is spec for name, spec in before.items())
+
+
+def test_without_gymnasium_it_says_what_to_install() -> None:
+    said = run(
+        "import sys\nsys.modules['gymnasium'] = None\n"
+        "try:\n    import memorymaze.gym\nexcept ImportError as error:\n"
+        "    print(error)"
+    )
+    assert "pip install 'memorymaze[gym]'" in said

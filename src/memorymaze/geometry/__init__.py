@@ -1,1 +1,4 @@
-"""Poses, polylines, trajectories and shortest walks on a floor; no files, no sites."""
+"""Poses, polylines, trajectories, and shortest walks over a floor, in metres and radians.
+
+Plain arithmetic on plain numbers and polygons: no files, no sites, no robot.
+"""

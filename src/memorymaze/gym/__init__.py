@@ -1,20 +1,26 @@
 """Gymnasium environments: follow an instruction, step by step, in one of the buildings.
 
 Importing this registers `MemoryMaze/University-v0`, `MemoryMaze/Museum5F-v0`,
-`MemoryMaze/Museum7F-v0` and `MemoryMaze/Site-v0`. It needs the extra `gym`.
+`MemoryMaze/Museum7F-v0` and `MemoryMaze/Site-v0`. It needs the extra `gym`. Observations,
+actions and rewards are in here; episodes, robot and scores are those of `evaluation`.
 """
+
+from memorymaze.extras import how_to_install
 
 try:
     import gymnasium as _gymnasium
 except ImportError as error:
     raise ImportError(
         "memorymaze.gym needs the package gymnasium; install it by "
-        "`pip install 'memorymaze[gym]'`"
+        f"`{how_to_install('gym')}`"
     ) from error
 
 from memorymaze.gym.actions import ContinuousActions, DiscreteActions
-from memorymaze.gym.environment import NavigationEnvironment
-from memorymaze.gym.registration import ENVIRONMENTS, register_environments
+from memorymaze.gym.environment import (
+    ENVIRONMENTS,
+    NavigationEnvironment,
+    register_environments,
+)
 from memorymaze.gym.rewards import RewardSettings
 
 __all__ = [

@@ -1,7 +1,7 @@
 """`NavigationEnvironment`: one building and its instructions as a Gymnasium environment."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from functools import lru_cache
@@ -13,20 +13,28 @@ import numpy as np
 from gymnasium.error import ResetNeeded
 from numpy.typing import NDArray
 
-from memorymaze.errors import EpisodeOver, SettingsError
+from memorymaze.errors import EpisodeOver, SettingsError, did_you_mean
 from memorymaze.evaluation.arena import Arena
 from memorymaze.gym.actions import ActionSet, action_set, most_steps
-from memorymaze.gym.episode_choice import choose_episodes, find_episode
 from memorymaze.gym.observations import Senses, Sensor
 from memorymaze.gym.rewards import Progress, RewardChoice, reward_settings
+from memorymaze.instructions.corpus import episodes
+from memorymaze.instructions.files import load_instructions
 from memorymaze.instructions.records import Episode
 from memorymaze.metrics.success import SUCCESS_DISTANCE
 from memorymaze.simulation import SimulatedRobot, SimulationSettings
 from memorymaze.simulation.obstacles import ObstacleSettings
-from memorymaze.sites import load_site
+from memorymaze.sites import Site, load_site
 
 Observation = dict[str, Any]
 Information = dict[str, Any]
+ENVIRONMENTS: dict[str, str | None] = {
+    "MemoryMaze/University-v0": "university",
+    "MemoryMaze/Museum5F-v0": "museum_5f",
+    "MemoryMaze/Museum7F-v0": "museum_7f",
+    "MemoryMaze/Site-v0": None,
+}
+"""Site of each environment; None where the user gives it as `site=`."""
 
 
 def _arena(site: str | Path, obstacles: ObstacleSettings | None) -> Arena:
@@ -281,3 +289,72 @@ class NavigationEnvironment(gymnasium.Env[Observation, Any]):
             values = values.without_success()
         scores = values.as_dict()
         return {"stopped_by": ended, "spd": scores.pop("ne"), **scores}
+
+
+def choose_episodes(
+    site: Site,
+    files: str | Path | Sequence[str | Path] | None = None,
+    *,
+    route: str | None = None,
+    study: str | None = None,
+    split: str | None = None,
+) -> tuple[Episode, ...]:
+    """Return the episodes on a site, in the order of the files.
+
+    Args:
+        site: Where.
+        files: Of instructions; None for the shipped ones.
+        route: Only instructions for this route, such as `R1`.
+        study: Only those of this study, `online` or `onsite`.
+        split: Only those of this split, `dev` or `test`.
+
+    Raises:
+        SettingsError: There are none; says what there would be.
+        InstructionFileError: A file cannot be used.
+    """
+    if isinstance(files, str | Path):
+        files = [files]
+    told = [each for each in load_instructions(files) if each.site == site.name]
+    if not told:
+        where = "the shipped ones" if files is None else ", ".join(map(str, files))
+        raise SettingsError(
+            f"instructions: expected some for the site {site.name!r}, got none in "
+            f"{where}; give instructions=FILE"
+        )
+    wanted = {"route": route, "study": study, "split": split}
+    for name, value in wanted.items():
+        if value is None:
+            continue
+        there = sorted({str(getattr(each, name)) for each in told})
+        told = [each for each in told if getattr(each, name) == value]
+        if not told:
+            raise SettingsError(
+                f"{name}: expected one of {', '.join(there)}, got {value!r}"
+            )
+    return tuple(episodes(told, {site.name: site}))
+
+
+def find_episode(choice: Iterable[Episode], name: object) -> Episode:
+    """Return the episode of an id.
+
+    Raises:
+        SettingsError: There is none.
+    """
+    known = {each.id: each for each in choice}
+    if isinstance(name, str) and name in known:
+        return known[name]
+    raise SettingsError(
+        f"episode_id: expected one of this environment's {len(known)} (see "
+        f"`env.unwrapped.episode_ids`), got {name!r}{did_you_mean(name, known)}"
+    )
+
+
+def register_environments() -> None:
+    """Make the environments known to Gymnasium; what it knows already stays."""
+    for name, site in ENVIRONMENTS.items():
+        if name not in gymnasium.registry:
+            gymnasium.register(
+                name,
+                entry_point="memorymaze.gym.environment:NavigationEnvironment",
+                kwargs={} if site is None else {"site": site},
+            )

@@ -1,4 +1,9 @@
-"""From what a camera sees to things with names; no sites and no answers in here."""
+"""From what a camera sees to things with names and signs with words.
+
+Detectors and readers of signs, the vocabulary by which words are matched with things, and
+turning points from LiDAR scans. What is truly seen comes in as a `CameraView`: no sites,
+no simulation and no answers in here.
+"""
 
 from memorymaze.perception.camera_view import (
     CameraView,

@@ -1,4 +1,10 @@
-"""Simulated buildings and the robot in them: MuJoCo physics, time, motion, collisions."""
+"""Simulated buildings and the robot in them: physics by MuJoCo, time, motion, collisions.
+
+`scene` makes a physics model of a site, `robot` the guide robot that agents drive in it;
+how it moves is in `motion`, what it perceives in `senses`, what an episode adds to the
+plan in `obstacles`. No picture is drawn here (`pictures` does, through `cameras`), no
+name is matched with a thing (`perception`), nothing is scored (`metrics`).
+"""
 
 from memorymaze.simulation.physics_engine import ENGINE_VERSION
 from memorymaze.simulation.robot import SimulatedRobot

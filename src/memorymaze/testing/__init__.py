@@ -1,7 +1,7 @@
 """Contracts for sites, robots and agents, for tests of this project and of users.
 
 Each `check_…` function returns None or raises `AssertionError` with what was expected
-and what came.
+and what came. No test is in here, and no site, robot or agent.
 """
 
 from memorymaze.testing.agents import check_agent

@@ -1,4 +1,8 @@
-"""Things left in the way and people who walk about: a setting of a run."""
+"""Things left in the way and people who walk about: a setting of a run.
+
+How many there are, where they stand and walk, and what the robot meets of them. How it
+gets past them is in `motion`.
+"""
 
 from memorymaze.simulation.obstacles.settings import (
     LEVELS,

@@ -1,1 +1,4 @@
-"""What the robot perceives without pictures: rays, LiDAR, odometry, turning points."""
+"""What the robot perceives without pictures: sight by rays, LiDAR, odometry, turning points.
+
+They tell what is truly there; what a detector makes of it is in `perception`.
+"""
