@@ -1,6 +1,6 @@
 import numpy as np
 
-from memorymaze.pictures.looks import artwork, maps
+from memorymaze.pictures.looks import artwork
 
 GREY = (0.5, 0.5, 0.5)
 
@@ -34,7 +34,7 @@ def test_pictures_are_read_only_and_kept():
 
 
 def test_the_earth_has_land_and_sea_where_they_are():
-    surface = maps.earth().astype(int)
+    surface = artwork.earth().astype(int)
 
     def is_land(north: float, east: float) -> bool:
         row, column = round((90 - north) / 180 * 255), round((east + 180) / 360 * 511)
@@ -51,6 +51,8 @@ def test_the_earth_has_land_and_sea_where_they_are():
 
 
 def test_a_floor_map_marks_where_one_is():
-    plan = maps.floor_map(1.6, 1.2, "You are here", (0.93, 0.93, 0.92), 0).astype(int)
+    plan = artwork.floor_map(1.6, 1.2, "You are here", (0.93, 0.93, 0.92), 0).astype(
+        int
+    )
     red = (plan[:, :, 0] > 180) & (plan[:, :, 1] < 60)
     assert 20 < red.sum() < 0.02 * red.size

@@ -9,13 +9,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from shapely import Point
 
+from memorymaze.pictures.looks.assembly import MeshPart, ObjectModel
 from memorymaze.pictures.looks.catalogue import (
-    ARCHETYPES,
     archetype_of,
+    archetypes,
     model_for_landmark,
     model_of,
 )
-from memorymaze.pictures.looks.object_model import MeshPart, ObjectModel
 from memorymaze.pictures.looks.windows import is_window
 from memorymaze.sites import load_sites
 from memorymaze.sites.records import Landmark
@@ -240,7 +240,7 @@ def test_a_sign_hangs_stands_or_lies_on_the_wall_as_it_is_mounted():
     assert len(set(looks.values())) == 3
 
 
-@pytest.mark.parametrize("archetype", sorted(ARCHETYPES))
+@pytest.mark.parametrize("archetype", sorted(archetypes()))
 def test_archetypes_can_be_of_any_size(archetype: str):
     for size in SIZES.values():
         low, high = model_of(archetype, size).bounds()
@@ -248,7 +248,7 @@ def test_archetypes_can_be_of_any_size(archetype: str):
 
 
 @given(
-    category=st.sampled_from(sorted(ARCHETYPES)),
+    category=st.sampled_from(sorted(archetypes())),
     text=st.text(max_size=40),
     colour=st.none() | st.text(max_size=20),
     mount=st.sampled_from(["floor", "wall", "ceiling"]),

@@ -5,11 +5,7 @@ import pytest
 from shapely import LineString
 
 from memorymaze.errors import SettingsError
-from memorymaze.pictures.looks.doors import (
-    DOOR_STYLES,
-    is_seen_through,
-    model_for_door,
-)
+from memorymaze.pictures.looks.doors import DOOR_STYLES, is_seen_through, model_for_door
 from memorymaze.simulation.solids import DOOR_HEIGHT, DOOR_PROUD
 from memorymaze.sites.records import Door
 

@@ -22,7 +22,8 @@ from memorymaze.pictures.furniture.libraries import (
     library_files,
     pieces_of,
 )
-from memorymaze.pictures.looks.object_model import Material, MeshPart, ObjectModel
+from memorymaze.pictures.looks.assembly import MeshPart, ObjectModel
+from memorymaze.pictures.looks.materials import Material
 
 Looks = Literal["own", "sweethome3d"]
 """How things look: as made by this project's code alone, or by furniture models too."""

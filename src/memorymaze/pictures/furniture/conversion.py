@@ -18,7 +18,8 @@ from memorymaze.pictures.furniture.cleaning import (
     thinned,
 )
 from memorymaze.pictures.furniture.libraries import Piece
-from memorymaze.pictures.looks.object_model import Material, MeshPart, ObjectModel
+from memorymaze.pictures.looks.assembly import MeshPart, ObjectModel
+from memorymaze.pictures.looks.materials import Material
 
 MOST_TRIANGLES = 4000
 LARGEST_TEXTURE = 256

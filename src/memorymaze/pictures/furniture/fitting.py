@@ -13,9 +13,8 @@ from memorymaze.pictures.furniture.cache import (
     load_model,
 )
 from memorymaze.pictures.furniture.choice import SIDEWAYS, UNPAINTED
-from memorymaze.pictures.looks.assembly import Order
-from memorymaze.pictures.looks.colours import Rgb, colours_of
-from memorymaze.pictures.looks.object_model import Material, MeshPart, ObjectModel
+from memorymaze.pictures.looks.assembly import MeshPart, ObjectModel, Order
+from memorymaze.pictures.looks.materials import Material, Rgb, colours_of
 
 MOST_STRETCH = 1.8
 """A model may become this much longer in one direction, compared with another."""

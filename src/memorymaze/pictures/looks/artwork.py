@@ -1,4 +1,4 @@
-"""Pictures that people hang up: landscapes, skies, maps, papers, posters, films."""
+"""Pictures that things show: paintings, posters, boards, screens and maps."""
 
 from functools import cache
 
@@ -6,11 +6,22 @@ import numpy as np
 from PIL import Image, ImageDraw
 
 from memorymaze.pictures.looks.boards import Pixels, blank, pixels_of, whole
-from memorymaze.pictures.looks.colours import Rgb, ink_on, mixed, rgb255, shade
+from memorymaze.pictures.looks.materials import (
+    OCEAN,
+    PURE_WHITE,
+    Rgb,
+    ink_on,
+    mixed,
+    rgb255,
+    shade,
+)
+from memorymaze.pictures.tables import read_table
 from memorymaze.simulation.senses.lettering import Field, write
 
-WHITE: Rgb = (1.0, 1.0, 1.0)
 NIGHT: Rgb = (0.04, 0.05, 0.14)
+LAND: Rgb = (0.28, 0.52, 0.24)
+ICE: Rgb = (0.93, 0.95, 0.96)
+Outline = tuple[tuple[int, int], ...]
 
 
 @cache
@@ -71,7 +82,7 @@ def scene_into(image: Image.Image, field: Field, colour: Rgb, variant: int) -> N
 
     if kind == 1:
         for x, y in rng.random((60, 2)):
-            spot(left + x * field.width, top + y * field.height, 1, WHITE)
+            spot(left + x * field.width, top + y * field.height, 1, PURE_WHITE)
         x, y, r = left + 0.6 * field.width, top + 0.5 * field.height, 0.3 * short
         spot(x, y, r, shade(colour, 1.25))
         spot(x - 0.3 * r, y - 0.3 * r, 0.35 * r, shade(colour, 1.5))
@@ -166,7 +177,7 @@ def cork_board(
         draw.rectangle([*strip], rgb255((0.97, 0.96, 0.92)))
         write(image, strip.inset(0.1), text, (0.08, 0.1, 0.2))
     papers = [
-        WHITE,
+        PURE_WHITE,
         (1.0, 0.95, 0.6),
         (0.75, 0.9, 1.0),
         (1.0, 0.8, 0.8),
@@ -238,7 +249,7 @@ def film(
         words = Field(0, everything.bottom - edge, everything.right, everything.bottom)
         shown = Field(0, 0, everything.right, everything.bottom - edge)
     scene_into(image, shown.inset(0.03), colours[variant % 4], variant // 4 + variant)
-    write(image, words.inset(0.08), text, WHITE)
+    write(image, words.inset(0.08), text, PURE_WHITE)
     draw = ImageDraw.Draw(image)
     for place in range(1, tiles):
         x, y = image.width * place / tiles, image.height * place / tiles
@@ -289,3 +300,101 @@ def _small_print(image: Image.Image, field: Field, ink: Rgb, variant: int) -> No
         end = field.left + field.width * rng.uniform(0.65, 1.0)
         draw.rectangle([field.left, y, end, y + step * 0.34], rgb255(ink))
         y += step
+
+
+@cache
+def earth(sea: Rgb = OCEAN, land: Rgb = LAND) -> Pixels:
+    """Return the earth's surface to wrap round a ball, (256, 512, 3)."""
+    image = Image.new("RGB", (512, 256), rgb255(sea))
+    _draw_continents(image, whole(image), land)
+    draw = ImageDraw.Draw(image)
+    draw.rectangle([0, 0, 512, 9], rgb255(ICE))
+    return pixels_of(image)
+
+
+@cache
+def world_map(width: float, height: float, text: str, sea: Rgb, land: Rgb) -> Pixels:
+    """Return a map of the world with its words above it."""
+    image = blank(width, height, shade(sea, 1.25) if sea != land else OCEAN)
+    everything = whole(image)
+    top = 0.2 * image.height if text else 0.0
+    _draw_continents(image, Field(0, top, everything.right, everything.bottom), land)
+    draw = ImageDraw.Draw(image)
+    for step in range(1, 8):
+        x = image.width * step / 8
+        draw.line([x, top, x, image.height], rgb255(shade(sea, 1.5)), 1)
+    if text:
+        draw.rectangle([0, 0, image.width, top], rgb255((0.96, 0.96, 0.94)))
+        write(image, Field(0, 0, image.width, top).inset(0.14), text, (0.06, 0.08, 0.2))
+    return pixels_of(image)
+
+
+@cache
+def planet(colour: Rgb, *, banded: bool, variant: int = 0) -> Pixels:
+    """Return a planet's surface to wrap round a ball: cloud bands or craters."""
+    rng = np.random.default_rng(variant + 41)
+    image = Image.new("RGB", (256, 128), rgb255(colour))
+    draw = ImageDraw.Draw(image)
+    if banded:
+        for row in range(0, 128, 8):
+            tone = shade(colour, float(rng.uniform(0.7, 1.5)))
+            draw.rectangle([0, row, 256, row + int(rng.integers(3, 9))], rgb255(tone))
+        draw.ellipse([140, 74, 172, 90], rgb255((0.72, 0.3, 0.16)))
+    else:
+        for x, y, r in rng.random((70, 3)):
+            size = 1.5 + 9 * r**3
+            tone = rgb255(shade(colour, float(rng.uniform(0.72, 1.2))))
+            u, v = 10 + 236 * x, 12 + 104 * y
+            draw.ellipse([u - size, v - size, u + size, v + size], tone)
+    return pixels_of(image)
+
+
+@cache
+def floor_map(
+    width: float, height: float, text: str, ground: Rgb, variant: int
+) -> Pixels:
+    """Return a floor plan to find one's way by, its words above it, and a red dot."""
+    image = blank(width, height, ground)
+    rng = np.random.default_rng(variant + 17)
+    draw = ImageDraw.Draw(image)
+    field = whole(image).inset(0.05)
+    top = field.top + (0.3 * field.height if text else 0.0)
+    write(
+        image, Field(field.left, field.top, field.right, top - 4), text, ink_on(ground)
+    )
+    inks: list[Rgb] = [
+        (0.62, 0.79, 0.9), (0.95, 0.83, 0.55), (0.73, 0.86, 0.65), (0.93, 0.7, 0.68)
+    ]  # fmt: skip
+    columns, rows = 6, 3
+    w, h = field.width / columns, (field.bottom - top) / rows
+    for column in range(columns):
+        for row in range(rows):
+            x, y = field.left + column * w, top + row * h
+            grow = 0.0 if rng.random() < 0.6 else 0.12
+            room = [x + 0.08 * w, y + 0.1 * h, x + (0.86 + grow) * w, y + 0.86 * h]
+            fill = inks[int(rng.integers(len(inks)))]
+            draw.rectangle(room, rgb255(fill), rgb255((0.25, 0.27, 0.3)), 2)
+    x, y = field.left + 2.93 * w, top + 1.93 * h
+    r = 0.16 * min(w, h)
+    draw.ellipse([x - r, y - r, x + r, y + r], rgb255((0.86, 0.08, 0.08)))
+    return pixels_of(image)
+
+
+@cache
+def _continents() -> tuple[Outline, ...]:
+    """Return coarse outlines in degrees east and north, drawn by hand."""
+    return read_table("continents.json", tuple[Outline, ...])
+
+
+def _draw_continents(image: Image.Image, field: Field, land: Rgb) -> None:
+    draw = ImageDraw.Draw(image)
+    for outline in _continents():
+        points = [
+            (
+                field.left + (east + 180) / 360 * field.width,
+                field.top + (90 - north) / 180 * field.height,
+            )
+            for east, north in outline
+        ]
+        frozen = min(north for _, north in outline) < -80 or outline[0] == (-55, 60)
+        draw.polygon(points, rgb255(ICE if frozen else land))

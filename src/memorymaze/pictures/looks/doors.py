@@ -11,30 +11,52 @@ from collections.abc import Callable
 import numpy as np
 
 from memorymaze.errors import SettingsError
-from memorymaze.pictures.looks.boards import sign_board
-from memorymaze.pictures.looks.colours import Rgb, colours_of, shade
-from memorymaze.pictures.looks.door_labels import add_label
-from memorymaze.pictures.looks.door_parts import (
-    CASING,
-    DARK,
-    FRONT,
+from memorymaze.pictures.looks.assembly import Assembly, ObjectModel, built
+from memorymaze.pictures.looks.boards import Pictogram, pictogram_board, sign_board
+from memorymaze.pictures.looks.materials import (
+    LEAD,
     STEEL,
-    Parts,
-    add,
-    casing,
-    door_colour,
-    door_model,
-    frame_line,
-    handle,
-    pane,
-    swinging,
-    threshold_pane,
-    upright_grain,
+    Material,
+    Rgb,
+    colours_of,
+    glass,
+    glow,
+    metal,
+    paint,
+    picture,
+    shade,
+    wood,
 )
-from memorymaze.pictures.looks.object_model import ObjectModel
-from memorymaze.pictures.looks.paints import glass, glow, metal, paint, picture, wood
-from memorymaze.pictures.looks.primitives import box, plate
+from memorymaze.pictures.looks.shapes import (
+    Shape,
+    around,
+    between,
+    box,
+    joined,
+    pane,
+)
+from memorymaze.simulation.solids import DOOR_HEIGHT, DOOR_PROUD
 from memorymaze.sites.records import Door
+
+DOUBLE_FROM = 1.35
+"""Doorways this wide, metres, have two leaves."""
+FRONT = DOOR_PROUD
+CASING = 0.07
+"""Width of the frame beside and above the doorway, metres."""
+CASING_FRONT = 0.034
+AJAR_DEG = 100.0
+"""How far an open leaf is swung into the room."""
+PICTOGRAMS: dict[str, tuple[Pictogram, ...]] = {
+    "women": ("woman",),
+    "men": ("man",),
+    "restroom": ("woman", "man"),
+    "accessible": ("wheelchair",),
+    "first aid": ("cross",),
+    "first aid room": ("cross",),
+    "baby care": ("stroller",),
+    "nursing room": ("stroller",),
+}
+"""Labels that stand under a pictogram."""
 
 
 def is_seen_through(door: Door) -> bool:
@@ -54,14 +76,14 @@ def model_for_door(door: Door) -> ObjectModel:
             f"{door.style!r}"
         )
     length = float(door.line.length)
-    parts: Parts = {}
-    DOOR_STYLES[door.style](parts, door, length)
+    made = Assembly()
+    DOOR_STYLES[door.style](made, door, length)
     if door.label:
-        add_label(parts, door, length)
-    return door_model(parts)
+        add_label(made, door, length)
+    return made.unstretched()
 
 
-def _wood_door(parts: Parts, door: Door, length: float) -> None:
+def _wood_door(made: Assembly, door: Door, length: float) -> None:
     colour = door_colour(door, (0.50, 0.33, 0.20))
     natural = any(
         word in (door.color or "")
@@ -69,69 +91,57 @@ def _wood_door(parts: Parts, door: Door, length: float) -> None:
     )
     board = wood(shade(colour, 1.08)) if natural else paint(colour, 0.15)
     groove = paint(shade(colour, 0.55))
-    casing(parts, length, paint(shade(colour, 0.62), 0.1))
+    casing(made, length, paint(shade(colour, 0.62), 0.1))
 
-    def leaf(low: float, high: float, hinge: float) -> Parts:
-        made: Parts = {}
-        add(made, board, upright_grain((-FRONT, FRONT), (low, high), (0.006, 2.095)))
+    def leaf(made: Assembly, low: float, high: float, hinge: float) -> None:
+        made.add(board, upright_grain((-FRONT, FRONT), (low, high), (0.006, 2.095)))
         for z in (0.95,):
-            add(
-                made,
+            made.add(
                 groove,
                 frame_line(FRONT + 0.001, (low + 0.12, high - 0.12), (0.15, z - 0.1)),
                 frame_line(FRONT + 0.001, (low + 0.12, high - 0.12), (z + 0.25, 1.95)),
             )
         y = high - 0.07 if hinge < 0 else low + 0.07
         handle(made, y, hinge)
-        return made
 
-    swinging(parts, door, length, leaf)
+    swinging(made, door, length, leaf)
 
 
-def _steel_door(parts: Parts, door: Door, length: float) -> None:
+def _steel_door(made: Assembly, door: Door, length: float) -> None:
     colour = door_colour(door, (0.55, 0.56, 0.58))
     coat, dark = paint(colour, 0.3), paint(shade(colour, 0.6))
-    casing(parts, length, paint(shade(colour, 0.75), 0.2))
+    casing(made, length, paint(shade(colour, 0.75), 0.2))
 
-    def leaf(low: float, high: float, hinge: float) -> Parts:
-        made: Parts = {}
-        add(made, coat, box((-FRONT, FRONT), (low, high), (0.006, 2.095)))
+    def leaf(made: Assembly, low: float, high: float, hinge: float) -> None:
+        made.box(coat, (-FRONT, FRONT), (low, high), (0.006, 2.095))
         for slot in range(6):
             z = 0.22 + 0.05 * slot
-            add(
-                made,
-                dark,
-                box((FRONT, FRONT + 0.004), (low + 0.18, high - 0.18), (z, z + 0.022)),
+            made.box(
+                dark, (FRONT, FRONT + 0.004), (low + 0.18, high - 0.18), (z, z + 0.022)
             )
         y = high - 0.07 if hinge < 0 else low + 0.07
         handle(made, y, hinge)
-        return made
 
-    swinging(parts, door, length, leaf)
+    swinging(made, door, length, leaf)
 
 
-def _fire_door(parts: Parts, door: Door, length: float) -> None:
+def _fire_door(made: Assembly, door: Door, length: float) -> None:
     colour = door_colour(door, (0.75, 0.12, 0.12))
-    coat, dark = paint(colour, 0.3), paint(DARK)
-    casing(parts, length, paint(shade(colour, 0.7), 0.2))
+    coat, dark = paint(colour, 0.3), paint(LEAD)
+    casing(made, length, paint(shade(colour, 0.7), 0.2))
     notice = sign_board(0.34, 0.12, "FIRE DOOR\nKEEP SHUT", (0.10, 0.25, 0.62))
 
-    def leaf(low: float, high: float, hinge: float) -> Parts:
-        made: Parts = {}
-        add(made, coat, box((-FRONT, FRONT), (low, high), (0.006, 2.095)))
+    def leaf(made: Assembly, low: float, high: float, hinge: float) -> None:
+        made.box(coat, (-FRONT, FRONT), (low, high), (0.006, 2.095))
         edge = high - 0.26 if hinge < 0 else low + 0.26
-        add(
-            made,
-            dark,
-            box((FRONT, FRONT + 0.003), (edge - 0.09, edge + 0.09), (1.35, 1.95)),
-        )
-        add(
-            made,
+        made.box(dark, (FRONT, FRONT + 0.003), around(edge, 0.09), (1.35, 1.95))
+        made.box(
             paint((0.42, 0.50, 0.54), 0.6),
-            box((FRONT, FRONT + 0.005), (edge - 0.07, edge + 0.07), (1.37, 1.93)),
+            (FRONT, FRONT + 0.005),
+            around(edge, 0.07),
+            (1.37, 1.93),
         )
-        add(
-            made,
+        made.add(
             metal(STEEL),
             box(
                 (FRONT + 0.03, FRONT + 0.07),
@@ -143,23 +153,20 @@ def _fire_door(parts: Parts, door: Door, length: float) -> None:
             box((FRONT, FRONT + 0.06), (high - 0.11, high - 0.06), (0.96, 1.08)),
         )
         middle = (low + high) / 2
-        add(
-            made,
-            picture(notice),
-            plate((FRONT, FRONT + 0.004), (middle - 0.17, middle + 0.17), (1.13, 1.25)),
+        made.plate(
+            picture(notice), (FRONT, FRONT + 0.004), around(middle, 0.17), (1.13, 1.25)
         )
-        return made
 
-    swinging(parts, door, length, leaf)
+    swinging(made, door, length, leaf)
 
 
-def _glazed_leaf(door: Door, low: float, high: float, *, handle: float | None) -> Parts:
+def _glazed_leaf(
+    made: Assembly, low: float, high: float, door: Door, handle: float | None = None
+) -> None:
     tint, alpha = _glazing(door)
-    made: Parts = {}
     frame = metal((0.62, 0.64, 0.66))
     rail = 0.055
-    add(
-        made,
+    made.add(
         frame,
         box((-FRONT, FRONT), (low, low + rail), (0.006, 2.095)),
         box((-FRONT, FRONT), (high - rail, high), (0.006, 2.095)),
@@ -167,105 +174,86 @@ def _glazed_leaf(door: Door, low: float, high: float, *, handle: float | None) -
         box((-FRONT, FRONT), (low + rail, high - rail), (2.04, 2.095)),
     )
     inner = (low + rail, high - rail)
-    add(made, glass(tint, alpha), pane(FRONT - 0.005, inner, (0.13, 2.04)))
+    made.add(glass(tint, alpha), pane(FRONT - 0.005, inner, (0.13, 2.04)))
     dots = paint((0.93, 0.95, 0.96))
     for z in (0.95, 1.45):
         count = max(2, int((inner[1] - inner[0]) / 0.1))
         for y in np.linspace(inner[0] + 0.05, inner[1] - 0.05, count):
-            add(made, dots, pane(FRONT, (y - 0.016, y + 0.016), (z, z + 0.032)))
+            made.add(dots, pane(FRONT, around(y, 0.016), (z, z + 0.032)))
     if handle is not None:
-        add(
-            made,
+        made.add(
             frame,
             box(
-                (FRONT + 0.03, FRONT + 0.055),
-                (handle - 0.0125, handle + 0.0125),
-                (0.8, 1.3),
-                0.01,
+                (FRONT + 0.03, FRONT + 0.055), around(handle, 0.0125), (0.8, 1.3), 0.01
             ),
-            box(
-                (FRONT - 0.01, FRONT + 0.04),
-                (handle - 0.01, handle + 0.01),
-                (0.86, 0.88),
-            ),
-            box(
-                (FRONT - 0.01, FRONT + 0.04),
-                (handle - 0.01, handle + 0.01),
-                (1.22, 1.24),
-            ),
+            box((FRONT - 0.01, FRONT + 0.04), around(handle, 0.01), (0.86, 0.88)),
+            box((FRONT - 0.01, FRONT + 0.04), around(handle, 0.01), (1.22, 1.24)),
         )
-    return made
 
 
-def _glass_door(parts: Parts, door: Door, length: float) -> None:
-    casing(parts, length, metal((0.58, 0.60, 0.62)))
+def _glass_door(made: Assembly, door: Door, length: float) -> None:
+    casing(made, length, metal((0.58, 0.60, 0.62)))
 
-    def leaf(low: float, high: float, hinge: float) -> Parts:
+    def leaf(made: Assembly, low: float, high: float, hinge: float) -> None:
         y = high - 0.11 if hinge < 0 else low + 0.11
-        return _glazed_leaf(door, low, high, handle=y)
+        _glazed_leaf(made, low, high, door, handle=y)
 
-    swinging(parts, door, length, leaf)
+    swinging(made, door, length, leaf)
 
 
-def _automatic_door(parts: Parts, door: Door, length: float) -> None:
-    casing(parts, length, metal((0.50, 0.52, 0.54)))
+def _automatic_door(made: Assembly, door: Door, length: float) -> None:
+    casing(made, length, metal((0.50, 0.52, 0.54)))
     half = length / 2
-    add(
-        parts,
+    made.box(
         metal((0.42, 0.44, 0.46)),
-        box((FRONT - 0.01, FRONT + 0.075), (-half, half), (2.10, 2.22), 0.01),
+        (FRONT - 0.01, FRONT + 0.075),
+        (-half, half),
+        (2.10, 2.22),
+        0.01,
     )
-    add(
-        parts,
+    made.box(
         paint((0.06, 0.06, 0.07), 0.6),
-        box((FRONT + 0.07, FRONT + 0.085), (-0.1, 0.1), (2.13, 2.19)),
+        (FRONT + 0.07, FRONT + 0.085),
+        (-0.1, 0.1),
+        (2.13, 2.19),
     )
     # Open leaves are drawn back, so that only their edges are left in the doorway.
     slide = (length / 2 - 0.14) if door.state == "open" else 0.0
-    for low, high, hinge in (
-        (-half + 0.005, -0.003, -1.0),
-        (0.003, half - 0.005, 1.0),
-    ):
-        for material, shapes in _glazed_leaf(door, low, high, handle=None).items():
+    for low, high, hinge in ((-half + 0.005, -0.003, -1.0), (0.003, half - 0.005, 1.0)):
+        for material, shapes in built(_glazed_leaf, low, high, door).shapes.items():
             for shape in shapes:
                 back = -0.045 if door.state == "open" else 0.0
-                add(parts, material, shape.moved(back, hinge * slide))
+                made.add(material, shape.moved(back, hinge * slide))
     if door.state == "open":
-        threshold_pane(parts, length)
+        threshold_pane(made, length)
         return
     notice = sign_board(0.3, 0.12, "AUTOMATIC DOOR", (0.05, 0.35, 0.62))
     y = length / 4
-    add(
-        parts,
-        picture(notice),
-        plate((FRONT - 0.004, FRONT + 0.002), (y - 0.15, y + 0.15), (1.2, 1.32)),
+    made.plate(
+        picture(notice), (FRONT - 0.004, FRONT + 0.002), around(y, 0.15), (1.2, 1.32)
     )
 
 
-def _elevator(parts: Parts, door: Door, length: float) -> None:
+def _elevator(made: Assembly, door: Door, length: float) -> None:
     colour = door_colour(door, STEEL)
     brushed = picture(_brushed(colour))
     half = length / 2
-    casing(parts, length, metal(shade(colour, 0.72)))
+    casing(made, length, metal(shade(colour, 0.72)))
     middle = 0.004
     for low, high in ((-half, -middle), (middle, half)):
-        add(parts, brushed, upright_grain((-FRONT, FRONT), (low, high), (0.006, 2.095)))
-    add(
-        parts,
+        made.add(brushed, upright_grain((-FRONT, FRONT), (low, high), (0.006, 2.095)))
+    made.box(
         paint((0.05, 0.05, 0.05)),
-        box((-FRONT, FRONT - 0.012), (-middle, middle), (0.0, 2.1)),
+        (-FRONT, FRONT - 0.012),
+        (-middle, middle),
+        (0.0, 2.1),
     )
     y = half + CASING + 0.10
-    add(
-        parts,
-        metal(shade(colour, 0.9)),
-        box((0.0, 0.016), (y - 0.05, y + 0.05), (0.95, 1.28)),
-    )
-    add(
-        parts,
+    made.box(metal(shade(colour, 0.9)), (0.0, 0.016), around(y, 0.05), (0.95, 1.28))
+    made.add(
         glow((1.0, 0.72, 0.25)),
-        box((0.016, 0.022), (y - 0.02, y + 0.02), (1.16, 1.20)),
-        box((0.016, 0.022), (y - 0.02, y + 0.02), (1.03, 1.07)),
+        box((0.016, 0.022), around(y, 0.02), (1.16, 1.20)),
+        box((0.016, 0.022), around(y, 0.02), (1.03, 1.07)),
     )
 
 
@@ -288,7 +276,7 @@ def _glazing(door: Door) -> tuple[Rgb, float]:
     return named[0], 0.3
 
 
-DOOR_STYLES: dict[str, Callable[[Parts, Door, float], None]] = {
+DOOR_STYLES: dict[str, Callable[[Assembly, Door, float], None]] = {
     "wood": _wood_door,
     "glass": _glass_door,
     "steel": _steel_door,
@@ -297,3 +285,137 @@ DOOR_STYLES: dict[str, Callable[[Parts, Door, float], None]] = {
     "fire": _fire_door,
 }
 """How each style of the plan format is built."""
+
+
+def swinging(
+    made: Assembly,
+    door: Door,
+    length: float,
+    leaf: Callable[[Assembly, float, float, float], None],
+) -> None:
+    """Add leaves, swung into the room where the door is open."""
+    for low, high, hinge in leaves(length):
+        at = low if hinge < 0 else high
+        for material, shapes in built(leaf, low, high, hinge).shapes.items():
+            for shape in shapes:
+                if door.state == "open":
+                    swung = shape.moved(-FRONT, -at).turned("z", -hinge * AJAR_DEG)
+                    shape = swung.moved(-0.06, at - hinge * 0.03)
+                made.add(material, shape)
+    if door.state == "open":
+        threshold_pane(made, length)
+
+
+def leaves(length: float) -> list[tuple[float, float, float]]:
+    """Return from, to and the hinge's side (-1, 1) of each leaf, along y."""
+    half = length / 2 - 0.005
+    if length < DOUBLE_FROM:
+        return [(-half, half, -1.0)]
+    return [(-half, -0.003, -1.0), (0.003, half, 1.0)]
+
+
+def casing(made: Assembly, length: float, material: Material) -> None:
+    """Add the frame beside and above the doorway."""
+    half = length / 2
+    for side in (-1, 1):
+        made.box(
+            material,
+            (-0.05, CASING_FRONT),
+            between(side * half, side * (half + CASING)),
+            (0.0, DOOR_HEIGHT + CASING),
+        )
+    made.box(
+        material,
+        (-0.05, CASING_FRONT),
+        (-half, half),
+        (DOOR_HEIGHT - 0.005, DOOR_HEIGHT + CASING),
+    )
+
+
+def handle(made: Assembly, y: float, towards: float) -> None:
+    """Add a lever at 1.05 m that points to its hinge."""
+    steel = metal(STEEL)
+    made.add(
+        steel,
+        box((FRONT, FRONT + 0.008), around(y, 0.02), (0.93, 1.13)),
+        box((FRONT, FRONT + 0.05), around(y, 0.01), (1.04, 1.06)),
+        box(
+            (FRONT + 0.035, FRONT + 0.055),
+            between(y, y + towards * 0.12),
+            (1.035, 1.06),
+            0.008,
+        ),
+    )
+
+
+def threshold_pane(made: Assembly, length: float) -> None:
+    """Add what tells the doorway from what is behind it, hardly to be seen."""
+    clear = glass((0.8, 0.9, 0.95), 0.03)
+    half = length / 2
+    made.add(clear, pane(0.0, (-half, half), (0.0, DOOR_HEIGHT)))
+
+
+def frame_line(x: float, y: tuple[float, float], z: tuple[float, float]) -> Shape:
+    """Return four thin grooves round a rectangle."""
+    wide = 0.008
+    return joined(
+        pane(x, (y[0], y[0] + wide), z),
+        pane(x, (y[1] - wide, y[1]), z),
+        pane(x, y, (z[0], z[0] + wide)),
+        pane(x, y, (z[1] - wide, z[1])),
+    )
+
+
+def upright_grain(
+    x: tuple[float, float], y: tuple[float, float], z: tuple[float, float]
+) -> Shape:
+    """Return a box whose picture stands upright on its front and back."""
+    shape = box(x, y, z)
+    across = (shape.vertices[:, 1] - y[0]) / (y[1] - y[0])
+    up = (shape.vertices[:, 2] - z[0]) / (z[1] - z[0])
+    return Shape(
+        shape.vertices, shape.faces, shape.normals, np.column_stack([up, across])
+    )
+
+
+def door_colour(door: Door, otherwise: Rgb) -> Rgb:
+    """Return the first colour that the plan names for a door."""
+    return next(iter(colours_of(door.color)), otherwise)
+
+
+def add_label(made: Assembly, door: Door, length: float) -> None:
+    """Put the label on the leaf, or over the doorway where no leaf can bear it."""
+    text = door.label or ""
+    above = door.state == "open" or door.style in {"elevator", "automatic_glass"}
+    room = length - 0.24 if above or length < DOUBLE_FROM else length / 2 - 0.24
+    longest = max(len(line) for line in text.split("\n"))
+    height = 0.15
+    width = min(max(0.26, 0.062 * longest + 0.08), max(room, 0.3))
+    if width < 0.045 * longest:
+        height = 0.2
+    ground = (0.96, 0.96, 0.94)
+    if "exit" in text.lower() or "stairs" in text.lower():
+        ground = (0.05, 0.45, 0.25)
+    elif any(word in text.lower() for word in ("staff", "danger", "no entry", "only")):
+        ground = (0.78, 0.13, 0.12)
+    elif above:
+        ground = (0.12, 0.16, 0.24)
+    pictograms = PICTOGRAMS.get(text.strip().lower())
+    if pictograms is not None and not above:
+        board = pictogram_board(0.3, 0.36, text, pictograms, (0.12, 0.28, 0.52))
+        width, height = 0.3, 0.36
+    else:
+        board = sign_board(width, height, text, ground, framed=False)
+    middle = 0.0
+    if not above and length >= DOUBLE_FROM:
+        middle = -length / 4
+    bottom = DOOR_HEIGHT + CASING + 0.015 if above else 1.68 - height / 2
+    if door.style == "automatic_glass":
+        bottom = DOOR_HEIGHT + 0.135
+    front = CASING_FRONT if above else FRONT
+    made.plate(
+        picture(board, 0.15),
+        (-0.002 if above else FRONT - 0.01, front + 0.006),
+        around(middle, width / 2),
+        (bottom, bottom + height),
+    )

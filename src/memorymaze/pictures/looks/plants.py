@@ -5,10 +5,8 @@ import math
 import numpy as np
 
 from memorymaze.pictures.looks.assembly import Assembly, Order
-from memorymaze.pictures.looks.colours import Rgb, shade
-from memorymaze.pictures.looks.paints import paint
-from memorymaze.pictures.looks.primitives import box, lathed
-from memorymaze.pictures.looks.shape import Floats, Shape
+from memorymaze.pictures.looks.materials import Rgb, paint, shade
+from memorymaze.pictures.looks.shapes import Floats, Shape, lathed
 from memorymaze.pictures.looks.tubes import leaves, tube
 
 SOIL: Rgb = (0.2, 0.13, 0.08)
@@ -16,31 +14,28 @@ GREENS: tuple[Rgb, ...] = ((0.13, 0.42, 0.15), (0.2, 0.52, 0.2), (0.1, 0.33, 0.1
 POTS: tuple[Rgb, ...] = ((0.72, 0.38, 0.25), (0.88, 0.87, 0.84), (0.25, 0.26, 0.28))
 
 
-def potted_plant(order: Order) -> Assembly:
+def potted_plant(made: Assembly, order: Order) -> None:
     """Build a plant in a pot: broad leaves, a small tree, or long blades."""
-    assembly = Assembly()
     rng = order.rng()
     reach = min(order.length, order.depth) / 2
     pot = min(0.32 * order.height, 0.42)
     wide = reach * 0.72
-    assembly.add(
+    made.lathed(
         paint(POTS[order.variant % 3], 0.2),
-        lathed(
-            [
-                (wide * 0.72, 0),
-                (wide * 0.95, pot * 0.85),
-                (wide, pot * 0.86),
-                (wide, pot),
-                (wide * 0.88, pot),
-                (wide * 0.86, pot * 0.92),
-                (0, pot * 0.92),
-            ],
-            18,
-        ),
+        [
+            (0.72, 0),
+            (0.95, 0.85),
+            (1, 0.86),
+            (1, 1),
+            (0.88, 1),
+            (0.86, 0.92),
+            (0, 0.92),
+        ],
+        18,
+        radius=wide,
+        height=pot,
     )
-    assembly.add(
-        paint(SOIL, 0.0), lathed([(wide * 0.86, pot * 0.9), (0, pot * 0.96)], 12)
-    )
+    made.lathed(paint(SOIL, 0.0), [(wide * 0.86, pot * 0.9), (0, pot * 0.96)], 12)
     kind = order.variant % 3
     green = (
         GREENS[kind]
@@ -49,7 +44,7 @@ def potted_plant(order: Order) -> Assembly:
     )
     top = order.height
     if kind == 0:
-        assembly.add(paint(green, 0.3), _bush(rng, 46, pot, top, reach))
+        made.add(paint(green, 0.3), _bush(rng, 46, pot, top, reach))
         stalks = [
             tube(
                 [
@@ -61,20 +56,18 @@ def potted_plant(order: Order) -> Assembly:
             )
             for a in (0.3, 2.4, 4.4)
         ]
-        assembly.add(paint(shade(green, 0.8)), *stalks)
-        return assembly
+        made.add(paint(shade(green, 0.8)), *stalks)
+        return
     if kind == 1:
         crown = pot + 0.42 * (top - pot)
-        assembly.add(
+        made.tube(
             paint((0.4, 0.28, 0.18)),
-            tube(
-                [(0, 0, pot * 0.9), (0.02, 0.01, crown), (0, 0, top * 0.85)],
-                [0.03, 0.024, 0.012],
-                7,
-            ),
+            [(0, 0, pot * 0.9), (0.02, 0.01, crown), (0, 0, top * 0.85)],
+            [0.03, 0.024, 0.012],
+            7,
         )
-        assembly.add(paint(green, 0.3), _bush(rng, 64, crown, top, reach))
-        return assembly
+        made.add(paint(green, 0.3), _bush(rng, 64, crown, top, reach))
+        return
     count = 26
     angles = np.arange(count) * 2.4
     spread = np.linspace(0.12, 1.0, count) * reach
@@ -94,41 +87,36 @@ def potted_plant(order: Order) -> Assembly:
         knee[:, 2] - 0.45 * spread + 0.06,
     ])
     widths = np.full(count, 0.22 * reach)
-    assembly.add(
+    made.add(
         paint(green, 0.3),
         leaves(base, knee, widths),
         leaves(knee * 0.97 + base * 0.03, tip, widths * 0.8),
     )
-    return assembly
 
 
-def planter(order: Order) -> Assembly:
+def planter(made: Assembly, order: Order) -> None:
     """Build a long tub with a hedge and flowers."""
-    assembly = Assembly()
     rng = order.rng()
-    back, front = order.x
     tub = order.height * 0.48
     body = paint(order.colour((0.72, 0.38, 0.25)))
-    assembly.add(body, box(order.x, order.y, (0, tub), 0.02))
-    assembly.add(
+    made.box(body, order.x, order.y, (0, tub), 0.02)
+    made.box(
         paint(SOIL, 0.0),
-        box(
-            (back + 0.04, front - 0.04),
-            (order.y[0] + 0.04, order.y[1] - 0.04),
-            (tub - 0.02, tub + 0.01),
-        ),
+        order.x.inset(0.04),
+        order.y.inset(0.04),
+        (tub - 0.02, tub + 0.01),
     )
     reach = order.depth / 2
     count = max(2, round(order.length / order.depth))
     for place in range(count):
         y = order.y[0] + order.length * (place + 0.5) / count
         bush = _bush(rng, 34, tub, order.height, reach)
-        assembly.add(paint(GREENS[place % 3], 0.2), bush.moved(y=y))
+        made.add(paint(GREENS[place % 3], 0.2), bush.moved(y=y))
         for flower in range(3):
             angle = 2.1 * flower + place
             spot = lathed([(0.0, 0), (0.035, 0.02), (0.0, 0.035)], 6)
             tone = (0.9, 0.3, 0.4) if place % 2 else (0.95, 0.85, 0.3)
-            assembly.add(
+            made.add(
                 paint(tone),
                 spot.moved(
                     0.6 * reach * math.cos(angle),
@@ -136,7 +124,6 @@ def planter(order: Order) -> Assembly:
                     order.height * 0.92,
                 ),
             )
-    return assembly
 
 
 def _bush(

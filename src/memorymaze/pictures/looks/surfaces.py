@@ -12,13 +12,11 @@ from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter, zoom
 
 from memorymaze.errors import SettingsError
-from memorymaze.pictures.looks.object_model import Material
+from memorymaze.pictures.looks.materials import Material
 
 Floats = NDArray[np.float64]
-
 PIXELS = 512
 """Edge of every picture."""
-
 FLOOR_MATERIALS = ("carpet", "linoleum", "wood", "concrete", "tile")
 WALL_MATERIALS = ("plaster", "glass", "wood_panel", "brick", "concrete")
 
@@ -216,7 +214,8 @@ def _carpet(rng: np.random.Generator) -> Floats:
     edge = PIXELS // 4
     for row in range(4):
         for column in range(4):
-            cell = (slice(row * edge, (row + 1) * edge),) * 1 + (
+            cell = (
+                slice(row * edge, (row + 1) * edge),
                 slice(column * edge, (column + 1) * edge),
             )
             tone = 0.97 if (row + column) % 2 else 1.03

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from memorymaze.pictures.looks.shape import Floats, Shape, crossed, joined, smoothed
+from memorymaze.pictures.looks.shapes import Floats, Shape, crossed, joined, smoothed
 
 Point3 = tuple[float, float, float]
 

@@ -6,162 +6,139 @@ import numpy as np
 from PIL import ImageDraw
 
 from memorymaze.pictures.looks.assembly import Assembly, Order
-from memorymaze.pictures.looks.boards import Pixels, blank, pixels_of, sign_board
-from memorymaze.pictures.looks.colours import Rgb, ink_on, rgb255, shade
-from memorymaze.pictures.looks.paints import glass, glow, metal, paint, picture
-from memorymaze.pictures.looks.primitives import ball, box, cylinder, plate, tapered
+from memorymaze.pictures.looks.boards import Pixels, blank, pixels_of
+from memorymaze.pictures.looks.materials import (
+    ALUMINIUM,
+    BLACK,
+    PALE_GREY,
+    Rgb,
+    glass,
+    glow,
+    ink_on,
+    metal,
+    paint,
+    picture,
+    rgb255,
+    shade,
+)
+from memorymaze.pictures.looks.shapes import around, cylinder, tapered
 from memorymaze.simulation.senses.lettering import Field, write
 
-WHITE: Rgb = (0.9, 0.9, 0.9)
-STEEL: Rgb = (0.68, 0.7, 0.72)
-DARK: Rgb = (0.1, 0.1, 0.11)
 GOODS: tuple[Rgb, ...] = (
     (0.85, 0.15, 0.15), (0.95, 0.75, 0.15), (0.15, 0.45, 0.8), (0.2, 0.6, 0.3),
-    (0.95, 0.95, 0.93), (0.9, 0.5, 0.15), (0.45, 0.2, 0.5), (0.4, 0.25, 0.15),
+    (0.95, 0.95, 0.93), (0.9, 0.5, 0.15), (0.45, 0.2, 0.5), (0.4, 0.25, 0.15)
 )  # fmt: skip
 
 
-def vending_machine(order: Order) -> Assembly:
+def vending_machine(made: Assembly, order: Order) -> None:
     """Build a vending machine: lit goods behind a front with its words on top."""
-    assembly = Assembly()
-    back, front = order.x
     colour = order.colour((0.79, 0.13, 0.13))
-    assembly.add(
-        paint(colour, 0.3),
-        box((back, front - 0.03), order.y, (0.06, order.height), 0.02),
+    made.box(
+        paint(colour, 0.3), order.x.inset(0, 0.03), order.y, (0.06, order.height), 0.02
     )
-    assembly.add(
-        paint(DARK),
-        box(
-            (back + 0.05, front - 0.08),
-            (order.y[0] + 0.04, order.y[1] - 0.04),
-            (0, 0.06),
-        ),
-    )
+    made.box(paint(BLACK), order.x.inset(0.05, 0.08), order.y.inset(0.04), (0, 0.06))
     words = order.text or ""
     boxed = any(word in words.lower() for word in ("snack", "food", "sandwich"))
     pixels = _vending_front(
         order.length, order.height - 0.1, words, colour, boxed, order.variant
     )
-    assembly.add(
+    made.plate(
         picture(pixels, 0.3),
-        plate(
-            (front - 0.05, front - 0.01),
-            (order.y[0] + 0.02, order.y[1] - 0.02),
-            (0.08, order.height - 0.02),
-        ),
+        order.x.end(0.05, 0.01),
+        order.y.inset(0.02),
+        (0.08, order.height - 0.02),
     )
-    left = order.y[0]
-    assembly.add(
-        paint(DARK),
-        box(
-            (front - 0.02, front),
-            (left + 0.1 * order.length, left + 0.68 * order.length),
-            (0.2, 0.36),
-            0.008,
-        ),
+    made.box(
+        paint(BLACK),
+        order.x.end(0.02),
+        order.y.start(0.1 * order.length, 0.68 * order.length),
+        (0.2, 0.36),
+        0.008,
     )
-    assembly.add(
-        metal(STEEL),
-        box(
-            (front - 0.02, front),
-            (left + 0.8 * order.length, left + 0.92 * order.length),
-            (0.9, 1.02),
-        ),
+    made.box(
+        metal(ALUMINIUM),
+        order.x.end(0.02),
+        order.y.start(0.8 * order.length, 0.92 * order.length),
+        (0.9, 1.02),
     )
-    return assembly
 
 
-def ticket_machine(order: Order) -> Assembly:
+def ticket_machine(made: Assembly, order: Order) -> None:
     """Build a ticket machine: words, a lit screen, keys, slots and a tray."""
-    assembly = Assembly()
-    back, front = order.x
-    colour = order.colour(STEEL)
-    assembly.add(paint(colour, 0.4), box((back, front - 0.06), order.y, order.z, 0.03))
+    colour = order.colour(ALUMINIUM)
+    made.box(paint(colour, 0.4), order.x.inset(0, 0.06), order.y, order.z, 0.03)
     wide = order.length * 0.86
-    words = sign_board(wide, 0.3, order.text or "Tickets", (0.1, 0.3, 0.6))
-    assembly.add(
-        picture(words, 0.4),
-        plate(
-            (front - 0.1, front - 0.03),
-            (-wide / 2, wide / 2),
-            (order.height - 0.36, order.height - 0.06),
-        ),
+    made.words(
+        order.text or "Tickets",
+        (0.1, 0.3, 0.6),
+        order.x.end(0.1, 0.03),
+        around(0, wide / 2),
+        order.z.end(0.36, 0.06),
+        light=0.4,
     )
     half = order.length * 0.3
     middle = order.height * 0.62
-    assembly.add(
-        paint(DARK),
-        box(
-            (front - 0.08, front - 0.04),
-            (-half - 0.04, half + 0.04),
-            (middle - 0.2, middle + 0.22),
-            0.01,
-        ),
+    made.box(
+        paint(BLACK),
+        order.x.end(0.08, 0.04),
+        (-half - 0.04, half + 0.04),
+        (middle - 0.2, middle + 0.22),
+        0.01,
     )
     for row in range(2):
         for column in range(3):
             y = -half + (column + 0.5) * 2 * half / 3
             z = middle + 0.12 - 0.16 * row
             tone = GOODS[(row * 3 + column) % 4]
-            assembly.add(
+            made.box(
                 glow(shade(tone, 1.3), 0.5),
-                box(
-                    (front - 0.05, front - 0.034),
-                    (y - half * 0.28, y + half * 0.28),
-                    (z - 0.06, z + 0.06),
-                ),
+                order.x.end(0.05, 0.034),
+                around(y, half * 0.28),
+                around(z, 0.06),
             )
-    assembly.add(
-        metal(DARK),
-        box(
-            (front - 0.07, front - 0.045),
-            (half * 0.3, half),
-            (middle - 0.32, middle - 0.27),
-        ),
+    made.box(
+        metal(BLACK),
+        order.x.end(0.07, 0.045),
+        (half * 0.3, half),
+        (middle - 0.32, middle - 0.27),
     )
     for row in range(4):
         for column in range(3):
             y, z = -half + 0.05 * column, middle - 0.3 - 0.045 * row
-            assembly.add(
+            made.box(
                 paint((0.85, 0.85, 0.87)),
-                box((front - 0.07, front - 0.045), (y, y + 0.036), (z, z + 0.034)),
+                order.x.end(0.07, 0.045),
+                (y, y + 0.036),
+                (z, z + 0.034),
             )
     tray = order.height * 0.24
-    assembly.add(
-        paint(DARK),
-        box(
-            (front - 0.07, front - 0.045),
-            (-half * 0.8, half * 0.8),
-            (tray, tray + 0.14),
-        ),
+    made.box(
+        paint(BLACK),
+        order.x.end(0.07, 0.045),
+        around(0, half * 0.8),
+        (tray, tray + 0.14),
     )
-    assembly.add(
-        metal(STEEL),
+    made.add(
+        metal(ALUMINIUM),
         tapered(
-            (front - 0.07, front - 0.05),
-            (-half * 0.85, half * 0.85),
+            order.x.end(0.07, 0.05),
+            around(0, half * 0.85),
             (tray - 0.03, tray + 0.06),
-            (front - 0.07, front),
-            (-half * 0.85, half * 0.85),
+            order.x.end(0.07),
+            around(0, half * 0.85),
         ),
     )
-    return assembly
 
 
-def capsule_machine(order: Order) -> Assembly:
+def capsule_toy_machine(made: Assembly, order: Order) -> None:
     """Build a capsule toy machine: a clear dome of balls over a body with a knob."""
-    assembly = Assembly()
-    back, front = order.x
+    front = order.x[1]
     colour = order.colour((0.9, 0.2, 0.2))
     waist = order.height * 0.5
-    assembly.add(
-        paint(colour, 0.3), box((back, front - 0.04), order.y, (0, waist), 0.03)
-    )
+    made.box(paint(colour, 0.3), order.x.inset(0, 0.04), order.y, (0, waist), 0.03)
     lid = order.height - 0.06
-    assembly.add(
-        paint(colour, 0.3),
-        box((back, front - 0.02), order.y, (lid, order.height), 0.02),
+    made.box(
+        paint(colour, 0.3), order.x.inset(0, 0.02), order.y, (lid, order.height), 0.02
     )
     rng = order.rng()
     half = order.length / 2 - 0.06
@@ -176,49 +153,32 @@ def capsule_machine(order: Order) -> Assembly:
                 z = waist + r + layer * 1.75 * r
                 tone = GOODS[int(rng.integers(7))]
                 if row == 2 or layer > 1:
-                    assembly.add(paint(tone, 0.5), ball(r, 7, 5).moved(x, y, z))
-    assembly.add(
-        glass(alpha=0.22),
-        box(
-            (back + 0.02, front - 0.03),
-            (order.y[0] + 0.02, order.y[1] - 0.02),
-            (waist, lid),
-        ),
-    )
-    words = sign_board(
-        order.length * 0.88, waist * 0.4, order.text or "", ink_ground(colour)
+                    made.ball(paint(tone, 0.5), r, 7, 5, at=(x, y, z))
+    made.box(
+        glass(alpha=0.22), order.x.inset(0.02, 0.03), order.y.inset(0.02), (waist, lid)
     )
     wide = order.length * 0.44
-    assembly.add(
-        picture(words),
-        plate(
-            (front - 0.06, front - 0.03), (-wide, wide), (waist * 0.56, waist * 0.96)
-        ),
+    made.words(
+        order.text or "",
+        ink_ground(colour),
+        order.x.end(0.06, 0.03),
+        (-wide, wide),
+        (waist * 0.56, waist * 0.96),
     )
-    knob = (
-        cylinder(0.07, (0, 0.03), 14)
-        .turned("y", 90)
-        .moved(front - 0.05, 0.0, waist * 0.36)
+    knob = cylinder(0.07, (0, 0.03), 14, along="x").moved(
+        front - 0.05, 0.0, waist * 0.36
     )
-    assembly.add(paint(WHITE, 0.4), knob)
-    assembly.add(
-        paint(DARK),
-        box(
-            (front - 0.02, front),
-            (-0.015, 0.015),
-            (waist * 0.36 - 0.055, waist * 0.36 + 0.055),
-        ),
+    made.add(paint(PALE_GREY, 0.4), knob)
+    made.box(
+        paint(BLACK), order.x.end(0.02), (-0.015, 0.015), around(waist * 0.36, 0.055)
     )
-    assembly.add(
-        paint(DARK),
-        box(
-            (front - 0.06, front - 0.03),
-            (-0.09, 0.09),
-            (waist * 0.03, waist * 0.18),
-            0.01,
-        ),
+    made.box(
+        paint(BLACK),
+        order.x.end(0.06, 0.03),
+        (-0.09, 0.09),
+        (waist * 0.03, waist * 0.18),
+        0.01,
     )
-    return assembly
 
 
 def ink_ground(colour: Rgb) -> Rgb:

@@ -9,7 +9,8 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from memorymaze.pictures.looks.object_model import Material, MeshPart
+from memorymaze.pictures.looks.assembly import MeshPart
+from memorymaze.pictures.looks.materials import Material
 
 PALETTE_EDGE = 64
 """Colours along an edge of the palette."""

@@ -8,7 +8,7 @@ from shapely import Polygon
 from shapely.geometry.polygon import orient
 
 from memorymaze.pictures.looks import surfaces
-from memorymaze.pictures.looks.object_model import Material
+from memorymaze.pictures.looks.materials import Material
 from memorymaze.pictures.rendering.floor_parts import BAY
 from memorymaze.pictures.rendering.openings import DOUBLE_WALL, Surroundings
 from memorymaze.pictures.rendering.slices import (

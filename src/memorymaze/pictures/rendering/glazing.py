@@ -3,7 +3,7 @@
 import math
 
 from memorymaze.pictures.looks import surfaces
-from memorymaze.pictures.looks.object_model import Material
+from memorymaze.pictures.looks.materials import Material
 from memorymaze.pictures.rendering.slices import (
     Hole,
     Slice,

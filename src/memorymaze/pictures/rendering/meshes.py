@@ -7,7 +7,8 @@ import shapely
 from numpy.typing import ArrayLike, NDArray
 from shapely import Polygon
 
-from memorymaze.pictures.looks.object_model import Material, MeshPart
+from memorymaze.pictures.looks.assembly import MeshPart
+from memorymaze.pictures.looks.materials import Material
 
 Vector = tuple[float, float, float]
 

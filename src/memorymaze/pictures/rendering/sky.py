@@ -6,7 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter
 
-from memorymaze.pictures.looks.object_model import Material, MeshPart
+from memorymaze.pictures.looks.assembly import MeshPart
+from memorymaze.pictures.looks.materials import Material
 
 Floats = NDArray[np.float64]
 

@@ -11,7 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from memorymaze.pictures.looks import surfaces
-from memorymaze.pictures.looks.object_model import Material, MeshPart
+from memorymaze.pictures.looks.assembly import MeshPart
+from memorymaze.pictures.looks.materials import Material
 from memorymaze.pictures.rendering.floor_parts import BAY
 from memorymaze.pictures.rendering.meshes import MeshBuilder
 from memorymaze.pictures.rendering.wall_faces import WallFace

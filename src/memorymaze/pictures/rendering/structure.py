@@ -9,7 +9,7 @@ from shapely import Point, Polygon, STRtree
 from shapely.geometry.polygon import orient
 
 from memorymaze.pictures.looks import surfaces
-from memorymaze.pictures.looks.object_model import Material
+from memorymaze.pictures.looks.materials import Material
 from memorymaze.pictures.rendering.beyond import outer_face, reveal_and_view, shaft
 from memorymaze.pictures.rendering.floor_parts import (
     BAY,

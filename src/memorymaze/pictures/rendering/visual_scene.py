@@ -12,9 +12,9 @@ from shapely import Point, prepare
 from memorymaze.geometry.pose import Pose
 from memorymaze.pictures.furniture.cache import Looks, looks_in_use
 from memorymaze.pictures.looks import surfaces
+from memorymaze.pictures.looks.assembly import MeshPart
 from memorymaze.pictures.looks.catalogue import model_for_landmark, model_of
 from memorymaze.pictures.looks.doors import model_for_door
-from memorymaze.pictures.looks.object_model import MeshPart
 from memorymaze.pictures.rendering.assembling import (
     OPAQUE_FROM,
     PlacedMeshes,

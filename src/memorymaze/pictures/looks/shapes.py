@@ -1,22 +1,147 @@
-"""Shapes that most things are made of: boxes, plates, turned and extruded solids."""
+"""Shapes without material: boxes, plates, turned, extruded and cut solids."""
 
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import cache
 from itertools import pairwise, product
+from typing import Literal, NamedTuple
 
 import numpy as np
+import shapely
+from numpy.typing import NDArray
 
-from memorymaze.pictures.looks.shape import Axis, Floats, Ints, Shape, crossed
-from memorymaze.pictures.looks.triangulation import triangles_of
-
+Axis = Literal["x", "y", "z"]
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
 Span = tuple[float, float]
 """From and to along an axis, metres."""
+
+
+class Extent(NamedTuple):
+    """From where to where a thing reaches along an axis, metres."""
+
+    low: float
+    high: float
+
+    def start(self, first: float, second: float | None = None) -> Span:
+        """Return the first metres of it, or what lies between two distances from there."""
+        if second is None:
+            return self.low, self.low + first
+        return self.low + first, self.low + second
+
+    def end(self, first: float, second: float = 0.0) -> Span:
+        """Return its last metres, or what lies between two distances from its end."""
+        return self.high - first, self.high - second
+
+    def inset(self, first: float, second: float | None = None) -> Span:
+        """Return it less a margin at its beginning and the same or another at its end."""
+        return self.low + first, self.high - (first if second is None else second)
+
 
 THINNEST = 1e-4
 """Metres of material that even a box without thickness has."""
 SOFT_BEND_DEG = 40.0
 """Bends of an outline up to this angle look round, sharper ones like an edge."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Shape:
+    """Triangles counter-clockwise from outside; metres. Moves return a new shape."""
+
+    vertices: Floats
+    """(N, 3)."""
+    faces: Ints
+    """(M, 3)."""
+    normals: Floats
+    """(N, 3), unit."""
+    uv: Floats | None = None
+    """(N, 2) in [0, 1] from the top left; None: laid on from the sides."""
+
+    def moved(self, x: float = 0.0, y: float = 0.0, z: float = 0.0) -> "Shape":
+        """Return it shifted."""
+        return Shape(
+            self.vertices + np.array((x, y, z)), self.faces, self.normals, self.uv
+        )
+
+    def turned(self, axis: Axis, degrees: float) -> "Shape":
+        """Return it turned about an axis through the origin, by the right-hand rule."""
+        angle = math.radians(degrees)
+        c, s = math.cos(angle), math.sin(angle)
+        first, second = {"x": (1, 2), "y": (2, 0), "z": (0, 1)}[axis]
+        turn = np.eye(3)
+        turn[first, first] = turn[second, second] = c
+        turn[first, second], turn[second, first] = -s, s
+        return Shape(self.vertices @ turn.T, self.faces, self.normals @ turn.T, self.uv)
+
+    def scaled(self, x: float = 1.0, y: float = 1.0, z: float = 1.0) -> "Shape":
+        """Return it stretched along the axes; negative factors mirror it."""
+        factors = np.array((x, y, z))
+        normals = self.normals / factors
+        normals = normals / np.linalg.norm(normals, axis=1, keepdims=True)
+        faces = self.faces if x * y * z > 0 else self.faces[:, ::-1]
+        return Shape(self.vertices * factors, faces, normals, self.uv)
+
+
+def joined(*shapes: Shape) -> Shape:
+    """Return one shape with all triangles of the given ones.
+
+    Pictures are kept where every shape has one.
+    """
+    starts = np.cumsum([0, *(len(shape.vertices) for shape in shapes)])
+    pictures = [shape.uv for shape in shapes if shape.uv is not None]
+    return Shape(
+        np.concatenate([shape.vertices for shape in shapes]),
+        np.concatenate([
+            shape.faces + start for shape, start in zip(shapes, starts, strict=False)
+        ]),
+        np.concatenate([shape.normals for shape in shapes]),
+        np.concatenate(pictures) if len(pictures) == len(shapes) else None,
+    )
+
+
+def crossed(first: Floats, second: Floats) -> Floats:
+    """Return the cross products of rows; `numpy.cross` is slow on few of them."""
+    (a, b, c), (d, e, f) = first.T, second.T
+    return np.column_stack([b * f - c * e, c * d - a * f, a * e - b * d])
+
+
+def smoothed(vertices: Floats, faces: Ints) -> Shape:
+    """Return a shape whose normals are the area-weighted means of the faces' normals.
+
+    Triangles without area are dropped.
+
+    Args:
+        vertices: (N, 3) metres.
+        faces: (M, 3), counter-clockwise from outside.
+    """
+    a, b, c = (vertices[faces[:, corner]] for corner in range(3))
+    across = crossed(b - a, c - a)
+    sound = np.einsum("ij,ij->i", across, across) > 1e-18
+    faces, across = faces[sound], across[sound]
+    normals = np.zeros_like(vertices)
+    for axis in range(3):
+        normals[:, axis] = np.bincount(
+            faces.ravel(), np.repeat(across[:, axis], 3), len(vertices)
+        )
+    lengths = np.linalg.norm(normals, axis=1, keepdims=True)
+    normals = np.where(lengths > 0, normals / np.maximum(lengths, 1e-12), (0, 0, 1))
+    return Shape(vertices, faces, normals)
+
+
+def around(middle: float, half: float) -> Span:
+    """Return the span that reaches so far to either side of its middle."""
+    return middle - half, middle + half
+
+
+def between(one: float, other: float) -> Span:
+    """Return the span from the smaller of two numbers to the larger."""
+    return (one, other) if one < other else (other, one)
+
+
+def within(span: Span, margin: float) -> Span:
+    """Return a span less a margin at both ends."""
+    return span[0] + margin, span[1] - margin
 
 
 def box(x: Span, y: Span, z: Span, bevel: float = 0.0) -> Shape:
@@ -85,7 +210,27 @@ def plate(
     return Shape(points, faces, normals, uv)
 
 
-def lathed(profile: Sequence[tuple[float, float]], sides: int = 16) -> Shape:
+def pane(x: float, y: Span, z: Span) -> Shape:
+    """Return a single rectangle that is seen from the front."""
+    points = np.array([
+        (x, y[0], z[0]),
+        (x, y[1], z[0]),
+        (x, y[1], z[1]),
+        (x, y[0], z[1]),
+    ])
+    return Shape(
+        points, np.array([(0, 1, 2), (0, 2, 3)]), np.tile((1.0, 0.0, 0.0), (4, 1))
+    )
+
+
+def lathed(
+    profile: Sequence[tuple[float, float]],
+    sides: int = 16,
+    *,
+    radius: float = 1.0,
+    height: float = 1.0,
+    z: float = 0.0,
+) -> Shape:
     """Return a solid turned about the z axis.
 
     A picture is wrapped round it once, its middle at the front, its top at the end of
@@ -95,8 +240,12 @@ def lathed(profile: Sequence[tuple[float, float]], sides: int = 16) -> Shape:
         profile: Radius and height, from the lowest to the highest point of the outside;
             closed with flat ends where it does not start or end on the axis.
         sides: Corners of its circles.
+        radius: Metres by which the profile's radii are multiplied.
+        height: Metres by which its heights are multiplied.
+        z: Metres from which its heights are counted.
     """
-    return _lathed(tuple((float(r), float(z)) for r, z in profile), sides)
+    points = ((float(radius * r), float(z + height * up)) for r, up in profile)
+    return _lathed(tuple(points), sides)
 
 
 @cache
@@ -137,10 +286,26 @@ def _lathed(profile: tuple[tuple[float, float], ...], sides: int) -> Shape:
 
 
 def cylinder(
-    radius: float, z: Span, sides: int = 16, top: float | None = None
+    radius: float,
+    span: Span,
+    sides: int = 16,
+    top: float | None = None,
+    *,
+    along: Axis = "z",
 ) -> Shape:
-    """Return an upright cylinder, or a cone's stump with another radius at its top."""
-    return lathed([(radius, z[0]), (radius if top is None else top, z[1])], sides)
+    """Return a cylinder, or a cone's stump with another radius at its top.
+
+    Along y its span runs from the thing's left to its right.
+    """
+    end = radius if top is None else top
+    upright = lathed([(radius, span[0]), (end, span[1])], sides)
+    match along:
+        case "x":
+            return upright.turned("y", 90)
+        case "y":
+            return upright.turned("x", 90)
+        case "z":
+            return upright
 
 
 def ball(radius: float, sides: int = 16, rings: int = 10) -> Shape:
@@ -149,6 +314,16 @@ def ball(radius: float, sides: int = 16, rings: int = 10) -> Shape:
     profile = [(radius * math.cos(a), radius * math.sin(a)) for a in angles]
     profile[0], profile[-1] = (0.0, -radius), (0.0, radius)
     return lathed(profile, sides)
+
+
+def ellipsoid(
+    centre: tuple[float, float, float],
+    radii: tuple[float, float, float],
+    sides: int,
+    rings: int,
+) -> Shape:
+    """Return a ball stretched to other radii along the axes."""
+    return ball(1.0, sides, rings).scaled(*radii).moved(*centre)
 
 
 def extruded(outline: Sequence[tuple[float, float]], span: Span, along: Axis) -> Shape:
@@ -207,6 +382,32 @@ def extruded(outline: Sequence[tuple[float, float]], span: Span, along: Axis) ->
     if along == "y":
         faces = faces[:, ::-1]
     return Shape(points[:, order], faces, normals[:, order])
+
+
+def triangles_of(outline: Floats) -> Ints:
+    """Cut a simple polygon into triangles.
+
+    Args:
+        outline: (N, 2) corners.
+
+    Returns:
+        (M, 3) numbers of corners, counter-clockwise.
+
+    Raises:
+        ValueError: The outline crosses itself or has fewer than three corners.
+    """
+    polygon = shapely.Polygon(outline) if len(outline) > 2 else shapely.Polygon()
+    if polygon.is_empty or not polygon.is_valid:
+        raise ValueError(
+            "expected a polygon that does not cross itself, with at least three "
+            f"corners; got {len(outline)} corners"
+        )
+    numbers = {(x, y): number for number, (x, y) in enumerate(outline.tolist())}
+    pieces = shapely.constrained_delaunay_triangles(polygon).geoms
+    rings = [
+        shapely.get_coordinates(each.normalize())[2::-1].tolist() for each in pieces
+    ]
+    return np.array([[numbers[x, y] for x, y in ring] for ring in rings])
 
 
 def _corners(x: Span, y: Span, z: Span) -> tuple[Floats, Floats]:

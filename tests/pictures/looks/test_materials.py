@@ -1,6 +1,6 @@
 import pytest
 
-from memorymaze.pictures.looks.colours import (
+from memorymaze.pictures.looks.materials import (
     colours_of,
     ink_on,
     is_wooden,
