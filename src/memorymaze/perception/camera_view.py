@@ -8,6 +8,9 @@ from typing import Literal, Protocol
 from memorymaze.geometry.pose import Pose
 from memorymaze.robot.steps import CameraPicture
 
+Box = tuple[float, float, float, float]
+"""Pixels (left, top, right, bottom)."""
+
 
 @dataclass(frozen=True, slots=True)
 class ObjectDescription:
@@ -35,8 +38,8 @@ class VisibleObject:
     """Middle of the thing in the world, metres; for tracking only."""
     length: float
     """Its longer side on the floor, metres; for tracking only."""
-    box: tuple[float, float, float, float]
-    """Pixels (left, top, right, bottom) of the part in the picture."""
+    box: Box
+    """The part in the picture."""
     distance: float
     """Metres from the camera to the nearest part seen."""
     bearing: float
@@ -93,3 +96,22 @@ class CameraView(Protocol):
             RenderingError: This machine cannot draw; says what to install.
         """
         ...
+
+
+def bearing_of(box: Box, width: int) -> float:
+    """Return where the middle of a box is, radians from straight ahead, left positive.
+
+    Args:
+        box: Pixels (left, top, right, bottom).
+        width: Pixels of the picture, which is 90 degrees wide.
+    """
+    return math.atan2(width / 2 - (box[0] + box[2]) / 2, width / 2)
+
+
+def place_of(pose: Pose, distance: float, bearing: float) -> tuple[float, float]:
+    """Return where something is on the plan, metres."""
+    heading = pose.heading + bearing
+    return (
+        pose.x + distance * math.cos(heading),
+        pose.y + distance * math.sin(heading),
+    )

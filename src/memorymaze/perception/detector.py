@@ -1,11 +1,12 @@
 """What every detector does and refuses, and the one that knows what is really seen."""
 
 import math
+from collections.abc import Iterable
 from typing import NamedTuple, Protocol
 
 from memorymaze.errors import CommandError
 from memorymaze.geometry.pose import Pose
-from memorymaze.perception.camera_view import CameraView, VisibleObject
+from memorymaze.perception.camera_view import Box, CameraView, VisibleObject, place_of
 from memorymaze.perception.error_model import ErrorSource, Phantom
 from memorymaze.perception.matching import MATCH_THRESHOLD, match_score
 from memorymaze.perception.tracking import Sighting, Tracker
@@ -49,6 +50,34 @@ def check_query(query: str) -> None:
         )
 
 
+class Find(NamedTuple):
+    """Something found in one look, before it is known whether it was seen before."""
+
+    label: str
+    box: Box
+    score: float
+    distance: float
+    bearing: float
+    sighting: Sighting
+
+
+def detections(finds: Iterable[Find], tracker: Tracker) -> list[Detection]:
+    """Return what was found in one look, the nearest first, each with its track."""
+    ordered = sorted(finds, key=lambda each: (each.distance, each.bearing))
+    numbers = tracker.update([each.sighting for each in ordered])
+    return [
+        Detection(
+            label=each.label,
+            box=each.box,
+            score=each.score,
+            distance=each.distance,
+            bearing_deg=math.degrees(each.bearing),
+            track_id=number,
+        )
+        for each, number in zip(ordered, numbers, strict=True)
+    ]
+
+
 class TruthDetector:
     """Finds whatever the view says is seen and the words could mean.
 
@@ -86,45 +115,22 @@ class TruthDetector:
             CommandError: The query is longer than any name of a thing.
         """
         check_query(query)
-        seen = sorted(view.visible_objects(self._range_limit), key=_nearness)
-        scores = [match_score(query, each.description) for each in seen]
-        fitting = [
-            (each, score)
-            for each, score in zip(seen, scores, strict=True)
-            if score >= MATCH_THRESHOLD
-        ]
-        finds = [
-            _find_of(each, each.description.category, score) for each, score in fitting
-        ]
-        if self._errors is not None:
-            others = [
-                each
-                for each, score in zip(seen, scores, strict=True)
-                if score < MATCH_THRESHOLD
-            ]
-            finds = [
-                find
-                for find, (each, _) in zip(finds, fitting, strict=True)
-                if not self._errors.misses(each, view.pose, query)
-            ]
-            finds += self._false_alarms(self._errors, others, view.pose, query)
-            finds.sort(key=lambda each: (each.distance, each.bearing))
-        numbers = self._tracker.update([each.sighting for each in finds])
-        return [
-            Detection(
-                label=each.label,
-                box=each.box,
-                score=each.score,
-                distance=each.distance,
-                bearing_deg=math.degrees(each.bearing),
-                track_id=number,
-            )
-            for each, number in zip(finds, numbers, strict=True)
-        ]
+        errors = self._errors
+        finds: list[Find] = []
+        others: list[VisibleObject] = []
+        for each in view.visible_objects(self._range_limit):
+            score = match_score(query, each.description)
+            if score < MATCH_THRESHOLD:
+                others.append(each)
+            elif errors is None or not errors.misses(each, view.pose, query):
+                finds.append(_find_of(each, each.description.category, score))
+        if errors is not None:
+            finds += self._false_alarms(errors, others, view.pose, query)
+        return detections(finds, self._tracker)
 
     def _false_alarms(
         self, errors: ErrorSource, others: list[VisibleObject], pose: Pose, query: str
-    ) -> list["_Find"]:
+    ) -> list[Find]:
         """Return what is mistaken for what is asked for, under the name asked for."""
         name = " ".join(query.split())
         confused = [
@@ -136,27 +142,14 @@ class TruthDetector:
         return confused + [_phantom_find(each, name, pose) for each in phantoms]
 
 
-class _Find(NamedTuple):
-    label: str
-    box: tuple[float, float, float, float]
-    score: float
-    distance: float
-    bearing: float
-    sighting: Sighting
-
-
-def _find_of(thing: VisibleObject, label: str, score: float) -> _Find:
+def _find_of(thing: VisibleObject, label: str, score: float) -> Find:
     sighting = Sighting(label, thing.position, thing.length)
-    return _Find(label, thing.box, score, thing.distance, thing.bearing, sighting)
+    return Find(label, thing.box, score, thing.distance, thing.bearing, sighting)
 
 
-def _phantom_find(phantom: Phantom, label: str, pose: Pose) -> _Find:
-    heading = pose.heading + phantom.bearing
-    place = (
-        pose.x + phantom.distance * math.cos(heading),
-        pose.y + phantom.distance * math.sin(heading),
-    )
-    return _Find(
+def _phantom_find(phantom: Phantom, label: str, pose: Pose) -> Find:
+    place = place_of(pose, phantom.distance, phantom.bearing)
+    return Find(
         label,
         phantom.box,
         phantom.score,
@@ -164,7 +157,3 @@ def _phantom_find(phantom: Phantom, label: str, pose: Pose) -> _Find:
         phantom.bearing,
         Sighting(label, place, 0.0),
     )
-
-
-def _nearness(thing: VisibleObject) -> tuple[float, float]:
-    return thing.distance, thing.bearing

@@ -12,14 +12,11 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from memorymaze.geometry.pose import Pose
-from memorymaze.perception.camera_view import CameraView
-from memorymaze.perception.detector import check_query
+from memorymaze.perception.camera_view import Box, CameraView, bearing_of, place_of
+from memorymaze.perception.detector import Find, check_query, detections
 from memorymaze.perception.tracking import Sighting, Tracker
 from memorymaze.robot.api import DETECTION_RANGE, Detection
 from memorymaze.robot.steps import CameraPicture
-
-Box = tuple[float, float, float, float]
 
 SAME_THING = 0.7
 """Overlap (intersection over union) from which two boxes are one thing."""
@@ -84,31 +81,20 @@ class PictureDetector:
         cut = [
             _cut(each, width, height) for each in self._finder.find(picture.rgb, query)
         ]
-        near: list[tuple[float, float, FoundBox]] = []
+        finds: list[Find] = []
         for each in _without_doubles([found for found in cut if found is not None]):
             distance = depth_distance(picture, each.box)
             if distance is not None and distance <= self._range_limit:
-                near.append((distance, _bearing(each.box, width), each))
-        near.sort(key=lambda each: (each[0], each[1]))
-        numbers = self._tracker.update([
-            Sighting(
-                "thing",
-                place_of(view.pose, distance, bearing),
-                distance * (each.box[2] - each.box[0]) / (width / 2),
-            )
-            for distance, bearing, each in near
-        ])
-        return [
-            Detection(
-                label=each.label,
-                box=each.box,
-                score=each.score,
-                distance=distance,
-                bearing_deg=math.degrees(bearing),
-                track_id=number,
-            )
-            for (distance, bearing, each), number in zip(near, numbers, strict=True)
-        ]
+                bearing = bearing_of(each.box, width)
+                sighting = Sighting(
+                    "thing",
+                    place_of(view.pose, distance, bearing),
+                    distance * (each.box[2] - each.box[0]) / (width / 2),
+                )
+                finds.append(
+                    Find(each.label, each.box, each.score, distance, bearing, sighting)
+                )
+        return detections(finds, self._tracker)
 
 
 def depth_distance(picture: CameraPicture, box: Box) -> float | None:
@@ -133,19 +119,6 @@ def depth_distance(picture: CameraPicture, box: Box) -> float | None:
     across = ((left + right) / 2 - width / 2) / focal
     down = ((top + bottom) / 2 - height / 2) / focal
     return float(np.median(depths)) * math.sqrt(1 + across**2 + down**2)
-
-
-def place_of(pose: Pose, distance: float, bearing: float) -> tuple[float, float]:
-    """Return where something is on the plan, metres."""
-    heading = pose.heading + bearing
-    return (
-        pose.x + distance * math.cos(heading),
-        pose.y + distance * math.sin(heading),
-    )
-
-
-def _bearing(box: Box, width: int) -> float:
-    return math.atan2(width / 2 - (box[0] + box[2]) / 2, width / 2)
 
 
 def _cut(found: FoundBox, width: int, height: int) -> FoundBox | None:

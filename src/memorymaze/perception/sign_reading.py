@@ -16,8 +16,14 @@ from numpy.typing import NDArray
 
 from memorymaze.errors import DetectorError
 from memorymaze.extras import require_extra
-from memorymaze.perception.camera_view import CameraView, VisibleText
-from memorymaze.perception.picture_detector import depth_distance, place_of
+from memorymaze.perception.camera_view import (
+    Box,
+    CameraView,
+    VisibleText,
+    bearing_of,
+    place_of,
+)
+from memorymaze.perception.picture_detector import depth_distance
 from memorymaze.perception.tracking import Sighting, Tracker
 from memorymaze.robot.api import READING_RANGE, SignText
 from memorymaze.robot.steps import CameraPicture
@@ -99,7 +105,7 @@ def _readable(seen: VisibleText) -> bool:
 class FoundLine:
     """A line of text in a picture."""
 
-    box: tuple[float, float, float, float]
+    box: Box
     """Pixels (left, top, right, bottom)."""
     text: str
     """As read."""
@@ -193,7 +199,7 @@ class PictureSignReader:
             if sign.distance <= self._range_limit
         ]
         signs.sort(key=lambda each: (each.distance, each.box))
-        bearings = [_bearing(each.box) for each in signs]
+        bearings = [bearing_of(each.box, PICTURE_SIZE[0]) for each in signs]
         numbers = self._tracker.update([
             Sighting("text", place_of(view.pose, each.distance, bearing), SAME_PLACE)
             for each, bearing in zip(signs, bearings, strict=True)
@@ -216,7 +222,7 @@ class PictureSignReader:
 
 
 class _Placed(NamedTuple):
-    box: tuple[float, float, float, float]
+    box: Box
     text: str
     distance: float
     line_height: float
@@ -260,11 +266,6 @@ def _goes_on(sign: _Placed, line: _Placed) -> bool:
     )
 
 
-def _around(corners: Any) -> tuple[float, float, float, float]:
+def _around(corners: Any) -> Box:
     xs, ys = np.asarray(corners, dtype=np.float64).T
     return float(xs.min()), float(ys.min()), float(xs.max()), float(ys.max())
-
-
-def _bearing(box: tuple[float, float, float, float]) -> float:
-    half = PICTURE_SIZE[0] / 2
-    return math.atan2(half - (box[0] + box[2]) / 2, half)
