@@ -8,9 +8,12 @@ from html.parser import HTMLParser
 import pytest
 
 from memorymaze.instructions import Instruction, load_instructions
-from memorymaze.results.instruction_study import study_instructions, write_study
+from memorymaze.results.instruction_study import (
+    StudyFormat,
+    study_instructions,
+    write_study,
+)
 from memorymaze.results.instruction_study.named_things import SiteNames
-from memorymaze.results.instruction_study.writing import StudyFormat
 from memorymaze.sites import Site
 
 Told = Callable[..., Instruction]
@@ -53,15 +56,13 @@ def test_marks_things_and_distances_are_means_per_text(
 ) -> None:
     texts = ["Um, go 9 metres, I think, then right.", "Go right at the corner."]
     study = study_instructions([told(text) for text in texts], tiny_sites)
-    [everything] = [
-        group
-        for group in study.groups
-        if group.site is None and group.iteration is None
-    ]
-    means = everything.means
-    assert (means["fillers"], means["hedges"], means["distances"]) == (0.5, 0.5, 0.5)
-    assert everything.shares["hedges"] == 0.5
-    assert [(each.legs, each.median) for each in study.distances] == [
+    [means] = study.rows("per_text", place="all", iteration="both")
+    assert [means[f"{name} mean"] for name in ("fillers", "hedges")] == [0.5, 0.5]
+    assert means["distances mean"] == 0.5
+    assert means["hedges share of texts"] == 0.5
+    assert means["hedges per 100 words"] == pytest.approx(100 / 13)
+    ratios = study.rows("stated_distances", "key")
+    assert [(row["legs"], row["median"]) for row in ratios] == [
         (1, pytest.approx(1.0))
     ] * 2
 

@@ -1,9 +1,60 @@
-"""What instructions say, in numbers: Table I, words, marks of speech, distances."""
+"""What instructions say, in numbers: Table I, words, marks of speech, distances.
 
+`study` counts, `named_things` and `stated_distances` compare texts with the building,
+`tables` and `page` show. Statistics of results are in `results.tables`.
+"""
+
+from collections.abc import Mapping, Sequence
+from typing import Literal
+
+from memorymaze.extras import require_extra
+from memorymaze.instructions.records import Instruction
 from memorymaze.results.instruction_study.study import (
     InstructionStudy,
     study_instructions,
 )
-from memorymaze.results.instruction_study.writing import write_study
+from memorymaze.results.instruction_study.tables import study_csv, study_text
+from memorymaze.sites.records import Site
 
-__all__ = ["InstructionStudy", "study_instructions", "write_study"]
+__all__ = ["InstructionStudy", "StudyFormat", "study_instructions", "write_study"]
+
+StudyFormat = Literal["text", "csv", "html"]
+
+
+def write_study(
+    instructions: Sequence[Instruction],
+    sites: Mapping[str, Site],
+    form: StudyFormat,
+    *,
+    seed: int = 0,
+) -> str:
+    """Compute the statistics of instructions and return them in a format.
+
+    Args:
+        instructions: Instructions whose sites and routes exist.
+        sites: Sites by name.
+        form: `html` is one page that needs no other file.
+        seed: Of the orders behind type-token curves, and of word clouds.
+
+    Raises:
+        InstructionFileError: There are no instructions.
+        SettingsError: `html` without the packages of the extra `analysis`.
+    """
+    if form == "html":
+        # Before the work rather than after it.
+        require_extra(
+            "analysis",
+            "wordcloud",
+            purpose="--format html",
+            otherwise="choose --format text or csv",
+        )
+    study = study_instructions(instructions, sites, seed=seed)
+    match form:
+        case "text":
+            return study_text(study)
+        case "csv":
+            return study_csv(study)
+        case "html":
+            from memorymaze.results.instruction_study.page import study_page
+
+            return study_page(study, seed=seed)

@@ -1,8 +1,12 @@
-"""Plots of the statistics as SVG pictures."""
+"""Plots and word clouds of the statistics, each with words for those who do not see it."""
 
+import base64
 import io
 import warnings
-from collections.abc import Callable, Sequence
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from zlib import crc32
 
 import numpy as np
 from matplotlib import rc_context
@@ -11,16 +15,23 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.ticker import NullLocator
 from matplotlib.typing import RcKeyType
+from wordcloud import WordCloud
 
-from memorymaze.instructions.published import published_tables
-from memorymaze.results.instruction_study.study import InstructionStudy, Vocabulary
-from memorymaze.results.instruction_study.study_table import place_title
-
-Plot = Callable[[InstructionStudy], str]
+from memorymaze.instructions.statistics import FUNCTION_WORDS, tokens
+from memorymaze.results.instruction_study.study import (
+    ALL_SITES,
+    BOTH_ITERATIONS,
+    InstructionStudy,
+)
+from memorymaze.results.instruction_study.tables import SPEECH, THINGS, place_title
+from memorymaze.wording import counted
 
 COLORS = {"online": "#1d5fae", "onsite": "#b8481c"}
 OTHER_COLOR = "#5d3aa8"
+DARK = "#22242a"
 DASHES = ("-", "--", ":", "-.")
+MARKERS = {"metres": "o", "steps": "s", "time": "^", "vague": "x"}
+THING_COLORS = ("#1d5fae", "#3f8f6b", "#d29b2c", "#8566b8", "#7c6a55", "#b9bcc2")
 STYLE: dict[RcKeyType, object] = {
     "font.family": "DejaVu Sans",
     "font.size": 9.5,
@@ -32,16 +43,51 @@ STYLE: dict[RcKeyType, object] = {
     "axes.axisbelow": True,
     "axes.edgecolor": "#8d8f96",
     "figure.facecolor": "#ffffff",
+    "legend.frameon": False,
     "svg.fonttype": "path",
     # A dollar sign in a name is no formula.
     "text.parse_math": False,
     "svg.hashsalt": "memorymaze",
 }
 
+CLOUD_SIZE = (560, 340)
+"""Pixels."""
+CLOUD_WORDS = 120
+CLOUD_COLORS = {
+    "online": ("#0b3c7d", "#1d5fae", "#3a6fb0", "#14606e"),
+    "onsite": ("#7c2305", "#a83a06", "#b8481c", "#7a4a12"),
+}
+OTHER_CLOUD_COLORS = ("#3f2a73", "#5d3aa8", "#6a4c8c", "#53306b")
+"""Dark enough to be read on white."""
+TOLD_WORDS = 15
+"""Words of a cloud that are told to those who do not see it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Picture:
+    """A picture inside a page."""
+
+    source: str
+    """Data URL."""
+    alt: str
+    caption: str
+
+
+def study_plots(study: InstructionStudy) -> Mapping[str, Picture]:
+    """Return by name the plots for which there is something to show."""
+    plots = {"lengths": _lengths(study), "speech": _speech(study)}
+    plots["things"] = _things(study)
+    if study.curves:
+        plots["curves"] = _curves(study)
+    if any(text.distances for text in study.texts):
+        plots["distances"] = _distances(study)
+    return plots
+
 
 def _drawn(
-    draw: Callable[[Axes], None], size: tuple[float, float], *, title: str
-) -> str:
+    draw: Callable[[Axes], None], size: tuple[float, float], alt: str, caption: str
+) -> Picture:
+    """Draw; the figures themselves are in the table above."""
     with rc_context(STYLE), warnings.catch_warnings():
         # Characters that no installed font has are drawn as boxes.
         warnings.filterwarnings("ignore", message="Glyph .* missing from font")
@@ -49,165 +95,174 @@ def _drawn(
         FigureCanvasAgg(figure)
         draw(figure.add_subplot())
         picture = io.StringIO()
-        figure.savefig(picture, format="svg", metadata={"Date": None, "Title": title})
-    return picture.getvalue()
+        figure.savefig(picture, format="svg", metadata={"Date": None, "Title": alt})
+    svg = base64.b64encode(picture.getvalue().encode()).decode()
+    alt += "; the figures are in the table."
+    return Picture(f"data:image/svg+xml;base64,{svg}", alt, caption)
 
 
 def _color(study: str) -> str:
     return COLORS.get(study, OTHER_COLOR)
 
 
-def lengths_plot(study: InstructionStudy) -> str:
-    """Words per text in every cell of Table I, with the published means."""
-    published = {
-        (row.study, row.site, row.route, row.iteration): row.words_mean
-        for row in published_tables().descriptions
-    }
-    cells = [(c.study, c.site, c.route, c.iteration) for c in study.cells]
-    words: dict[tuple[str, str, str, int], list[int]] = {}
+def _lengths(study: InstructionStudy) -> Picture:
+    """Draw words per text in every cell of Table I, with the published means."""
+    cells = study.rows("table_1", "study", "place", "route", "iteration")
+    words: dict[tuple[object, ...], list[int]] = {}
     for text in study.texts:
         told = text.instruction
         key = (told.study, told.site, told.route, told.iteration)
         words.setdefault(key, []).append(text.words)
 
     def draw(axes: Axes) -> None:
-        places = range(len(cells), 0, -1)
+        heights = range(len(cells), 0, -1)
+        about = ("study", "place", "route", "iteration")
         boxes = axes.boxplot(
-            [words[cell] for cell in cells],
-            positions=list(places),
+            [words[tuple(cell[field] for field in about)] for cell in cells],
+            positions=list(heights),
             orientation="horizontal",
             widths=0.6,
             patch_artist=True,
-            medianprops={"color": "#22242a"},
+            medianprops={"color": DARK},
             flierprops={"markersize": 2.5, "markeredgecolor": "#565a63"},
         )
         for cell, box in zip(cells, boxes["boxes"], strict=True):
-            box.set(facecolor=_color(cell[0]), alpha=0.55)
+            box.set(facecolor=_color(cell["study"]), alpha=0.55)
         known = [
-            (published[cell], place)
-            for cell, place in zip(cells, places, strict=True)
-            if cell in published
+            (cell["words_mean published"], height)
+            for cell, height in zip(cells, heights, strict=True)
+            if cell["words_mean published"] is not None
         ]
         if known:
             axes.plot(
                 *zip(*known, strict=True),
                 "D",
-                color="#22242a",
+                color=DARK,
                 markersize=4,
                 label="published mean",
             )
-            axes.legend(frameon=False, loc="lower right", bbox_to_anchor=(1, 1))
-        axes.set_yticks(
-            list(places),
-            [f"{s}, {place_title(site)} {r}, {n}" for s, site, r, n in cells],
-        )
+            axes.legend(loc="lower right", bbox_to_anchor=(1, 1))
+        titles = [
+            f"{c['study']}, {place_title(c['place'])} {c['route']}, {c['iteration']}"
+            for c in cells
+        ]
+        axes.set_yticks(list(heights), titles)
         axes.set_xlabel("words per text")
         axes.grid(axis="x")
         axes.set_xlim(left=0)
 
-    return _drawn(draw, (8.2, 1.0 + 0.26 * len(cells)), title="Words per text")
+    return _drawn(
+        draw,
+        (8.2, 1.0 + 0.26 * len(cells)),
+        "Box plots of words per text for every study, route and iteration",
+        "Words per text: median, quartiles, and texts beyond 1.5 times their distance as "
+        "points; diamonds are the published means on human texts.",
+    )
 
 
-def curves_plot(study: InstructionStudy) -> str:
-    """Type-token curves, one per study and place."""
+def _curves(study: InstructionStudy) -> Picture:
+    """Draw type-token curves, one per study and place."""
 
     def draw(axes: Axes) -> None:
-        places = sorted({each.place for each in study.vocabularies})
-        for each in study.vocabularies:
-            dashes = DASHES[places.index(each.place) % len(DASHES)]
+        places = sorted({place for _, place in study.curves})
+        for (name, place), curve in study.curves.items():
+            dashes = DASHES[places.index(place) % len(DASHES)]
+            label = f"{place_title(place)}, {name}"
             axes.plot(
-                each.curve.tokens,
-                each.curve.types,
-                dashes,
-                color=_color(each.study),
-                label=_vocabulary_title(each),
+                curve.tokens, curve.types, dashes, color=_color(name), label=label
             )
         axes.set_xlabel("words read")
         axes.set_ylabel("distinct words")
         axes.set_xlim(left=0)
         axes.set_ylim(bottom=0)
-        axes.legend(frameon=False, fontsize=8)
+        axes.legend(fontsize=8)
 
-    return _drawn(draw, (6.4, 4.2), title="Type-token curves")
+    return _drawn(
+        draw,
+        (6.4, 4.2),
+        "Type-token curves, rising ever more slowly",
+        "Distinct words among the first words read, mean over 20 orders of the texts.",
+    )
 
 
-def _vocabulary_title(each: Vocabulary) -> str:
-    return f"{place_title(each.place)}, {each.study}"
-
-
-def speech_plot(study: InstructionStudy) -> str:
-    """Hedges, fillers and corrections per 100 words."""
-    names = ("hedges", "fillers", "corrections")
-    groups = [g for g in study.groups if g.site is None and g.iteration is not None]
+def _speech(study: InstructionStudy) -> Picture:
+    """Draw hedges, fillers and corrections per 100 words."""
+    about = ("study", "iteration")
+    rows = study.rows("per_text", *about, place=ALL_SITES)
+    groups = [row for row in rows if row["iteration"] != BOTH_ITERATIONS]
 
     def draw(axes: Axes) -> None:
         width = 0.8 / len(groups)
         for number, group in enumerate(groups):
             axes.bar(
-                np.arange(len(names)) + (number - (len(groups) - 1) / 2) * width,
-                [100 * group.means[name] / max(group.words, 1) for name in names],
+                np.arange(len(SPEECH)) + (number - (len(groups) - 1) / 2) * width,
+                [group[f"{name} per 100 words"] for name in SPEECH],
                 0.9 * width,
-                color=_color(group.study),
-                alpha=0.55 if group.iteration == 1 else 1.0,
-                label=f"{group.study}, iteration {group.iteration}",
+                color=_color(group["study"]),
+                alpha=0.55 if group["iteration"] == 1 else 1.0,
+                label=f"{group['study']}, iteration {group['iteration']}",
             )
-        axes.set_xticks(range(len(names)), names)
+        axes.set_xticks(range(len(SPEECH)), SPEECH)
         axes.set_ylabel("per 100 words")
-        axes.legend(frameon=False)
+        axes.legend()
 
-    return _drawn(draw, (6.4, 3.6), title="Hedges, fillers and corrections")
-
-
-def things_plot(study: InstructionStudy) -> str:
-    """Things named per text, by what of the plan they are."""
-    sorts: Sequence[tuple[str, str, str]] = (
-        ("landmarks", "landmarks", "#1d5fae"),
-        ("doors", "doors", "#3f8f6b"),
-        ("rooms", "rooms", "#d29b2c"),
-        ("ways", "hallways", "#8566b8"),
-        ("floors", "floors", "#7c6a55"),
-        ("unknown_things", "not in the plan", "#b9bcc2"),
+    return _drawn(
+        draw,
+        (6.4, 3.6),
+        "Bars of marks of speech per 100 words",
+        "Hedges, fillers and corrections per 100 words, by study and iteration.",
     )
-    groups = [g for g in study.groups if g.site is not None and g.iteration is not None]
+
+
+def _things(study: InstructionStudy) -> Picture:
+    """Draw things named per text, by what of the plan they are."""
+    rows = study.rows("per_text", "study", "place", "iteration")
+    groups = [
+        row
+        for row in rows
+        if row["place"] != ALL_SITES and row["iteration"] != BOTH_ITERATIONS
+    ]
 
     def draw(axes: Axes) -> None:
-        places = np.arange(len(groups), 0, -1)
+        heights = np.arange(len(groups), 0, -1)
         left = np.zeros(len(groups))
-        for name, title, color in sorts:
-            values = np.array([group.means[name] for group in groups])
-            axes.barh(places, values, 0.72, left=left, color=color, label=title)
+        for (name, title), color in zip(THINGS.items(), THING_COLORS, strict=True):
+            values = np.array([group[f"{name} mean"] for group in groups])
+            axes.barh(heights, values, 0.72, left=left, color=color, label=title)
             left += values
-        axes.set_yticks(
-            places,
-            [f"{g.study}, {place_title(g.site or '')}, {g.iteration}" for g in groups],
-        )
+        titles = [
+            f"{g['study']}, {place_title(g['place'])}, {g['iteration']}" for g in groups
+        ]
+        axes.set_yticks(heights, titles)
         axes.set_xlabel("things named per text")
         axes.grid(axis="x")
         axes.grid(visible=False, axis="y")
-        axes.legend(frameon=False, ncols=3, loc="lower center", bbox_to_anchor=(0.4, 1))
+        axes.legend(ncols=3, loc="lower center", bbox_to_anchor=(0.4, 1))
 
-    return _drawn(draw, (7.4, 1.4 + 0.28 * len(groups)), title="Things named")
+    return _drawn(
+        draw,
+        (7.4, 1.4 + 0.28 * len(groups)),
+        "Stacked bars of things named per text, by site and iteration",
+        "Things named per text, by what of the site plan they fit best.",
+    )
 
 
-def distances_plot(study: InstructionStudy) -> str:
-    """Stated against true lengths of legs, both axes logarithmic."""
-    markers = {"metres": "o", "steps": "s", "time": "^", "vague": "x"}
-    legs = [leg for text in study.texts for leg in text.distances]
-
-    def draw(axes: Axes) -> None:
-        ends = [
-            0.8 * min(leg.true for leg in legs),
-            1.25 * max(leg.true for leg in legs),
-        ]
-        axes.plot(ends, ends, color="#22242a", linewidth=1, label="as it is")
-        groups: dict[tuple[str, str], list[tuple[float, float]]] = {}
-        for leg in legs:
+def _distances(study: InstructionStudy) -> Picture:
+    """Draw stated against true lengths of legs, both axes logarithmic."""
+    groups: dict[tuple[str, str], list[tuple[float, float]]] = {}
+    for text in study.texts:
+        for leg in text.distances:
             key = (leg.instruction.study, leg.unit)
             groups.setdefault(key, []).append((leg.true, leg.stated))
+    true = [length for points in groups.values() for length, _ in points]
+
+    def draw(axes: Axes) -> None:
+        ends = (0.8 * min(true), 1.25 * max(true))
+        axes.plot(ends, ends, color=DARK, linewidth=1, label="as it is")
         for (name, unit), points in sorted(groups.items()):
             axes.plot(
                 *zip(*points, strict=True),
-                markers[unit],
+                MARKERS[unit],
                 color=_color(name),
                 alpha=0.45,
                 markersize=4,
@@ -223,17 +278,66 @@ def distances_plot(study: InstructionStudy) -> str:
         axes.set_xlabel("true length of the leg, metres")
         axes.set_ylabel("stated length, metres")
         axes.grid(axis="both")
-        axes.legend(frameon=False, fontsize=8, loc="upper left", bbox_to_anchor=(1, 1))
+        axes.legend(fontsize=8, loc="upper left", bbox_to_anchor=(1, 1))
 
-    return _drawn(draw, (7.2, 4.8), title="Stated and true distances")
+    return _drawn(
+        draw,
+        (7.2, 4.8),
+        "Points of stated over true length of legs, around the diagonal",
+        "Stated and true length of legs, by study and by what was counted in; on the "
+        "line they agree.",
+    )
 
 
-PLOTS: dict[str, Plot] = {
-    "lengths": lengths_plot,
-    "curves": curves_plot,
-    "speech": speech_plot,
-    "things": things_plot,
-    "distances": distances_plot,
-}
-"""By name; `distances` only where a stated distance could be compared, `curves` only
-where there are words."""
+def word_clouds(study: InstructionStudy, *, seed: int) -> Iterator[Picture]:
+    """Draw the words of every study and site, larger the more often they are said.
+
+    Function words (the, you, then) are left out, as in the counting rule `content`;
+    fillers such as "um" are not. The same seed gives the same pictures.
+    """
+    texts: dict[tuple[str, str], list[str]] = {}
+    for each in study.instructions:
+        texts.setdefault((each.site, each.study), []).append(each.text)
+    for (site, name), told in sorted(texts.items()):
+        counts = Counter(
+            word
+            for text in told
+            for word in tokens(text)
+            if len(word) > 1 and word not in FUNCTION_WORDS
+        )
+        if not counts:
+            continue
+        # Equal counts are put in order of the alphabet, so that nothing is left to the
+        # order of the texts.
+        ordered = sorted(counts.items(), key=lambda each: (-each[1], each[0]))
+        words = ", ".join(f"{word} ({count})" for word, count in ordered[:TOLD_WORDS])
+        place = f"{place_title(site)}, {name}"
+        png = _cloud(dict(ordered[:CLOUD_WORDS]), name, seed)
+        yield Picture(
+            f"data:image/png;base64,{base64.b64encode(png).decode()}",
+            f"Word cloud of {place}. Commonest words: {words}.",
+            f"{place}: {counted(len(told), 'text')} of {' '.join(study.written)}",
+        )
+
+
+def _cloud(counts: dict[str, int], study: str, seed: int) -> bytes:
+    cloud = WordCloud(
+        width=CLOUD_SIZE[0],
+        height=CLOUD_SIZE[1],
+        scale=2,
+        background_color="white",
+        color_func=_painter(CLOUD_COLORS.get(study, OTHER_CLOUD_COLORS)),
+        max_words=CLOUD_WORDS,
+        prefer_horizontal=0.95,
+        random_state=seed,
+    ).generate_from_frequencies(counts)
+    picture = io.BytesIO()
+    cloud.to_image().quantize(48).save(picture, "PNG", optimize=True)
+    return picture.getvalue()
+
+
+def _painter(colors: Sequence[str]) -> Callable[..., str]:
+    def paint(word: str, **_: object) -> str:
+        return colors[crc32(word.encode()) % len(colors)]
+
+    return paint

@@ -1,51 +1,75 @@
-"""All that `memorymaze instructions stats` tells of instructions, in one record."""
+"""All that `memorymaze instructions stats` tells of instructions: one list of figures.
 
+CSV writes the figures as they are, one number per row; tables and plots arrange them.
+"""
+
+import math
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
+from functools import partial
+from statistics import fmean
+from typing import Any
 
 import numpy as np
 from tqdm import tqdm
 
 from memorymaze.instructions.published import published_tables
 from memorymaze.instructions.records import WRITTEN_BY, Instruction
+from memorymaze.instructions.speech import spoken_marks
 from memorymaze.instructions.statistics import (
     COUNTING_RULES,
-    CellStatistics,
     TypeTokenCurve,
     describe_corpus,
     distinct_words,
     type_token_curve,
+    word_count,
 )
-from memorymaze.results.instruction_study.named_things import SiteNames
+from memorymaze.results.instruction_study.named_things import SiteNames, named_things
 from memorymaze.results.instruction_study.stated_distances import (
-    DistanceSummary,
+    VAGUE,
+    StatedDistance,
+    stated_distances,
     summarise_distances,
 )
-from memorymaze.results.instruction_study.text_measures import (
-    GroupMeans,
-    TextMeasures,
-    group_means,
-    measure_text,
-)
 from memorymaze.sites.records import Site
+from memorymaze.tables import Row
+from memorymaze.understanding import parse_route_description
+from memorymaze.wording import counted
+
+IN_PLAN = ("landmark", "door", "room", "way")
+ALL_SITES, BOTH_ITERATIONS = "all", "both"
 
 
 @dataclass(frozen=True, slots=True)
-class Vocabulary:
-    """The words of one study about one site, or one building of several sites."""
+class Figure:
+    """One number, and what it is about."""
 
+    table: str
     study: str
-    place: str
-    """Name of a site, or of a building that the paper counts as one."""
-    texts: int
+    measure: str
+    value: float
+    place: str = ""
+    """A site, a building of several, or `all`."""
+    route: str = ""
+    iteration: int | str = ""
+    """1, 2 or `both`."""
+    key: str | int = ""
+    """What else it is about: a counting rule, a unit, a number of words."""
+    published: float | None = None
+    """In the paper, on texts by people."""
+
+
+@dataclass(frozen=True, slots=True)
+class TextMeasures:
+    """What was counted in one text."""
+
+    instruction: Instruction
     words: int
-    """By the first counting rule."""
-    distinct: Mapping[str, int]
-    """Distinct words by the names of the counting rules."""
-    published: int | None
-    """Distinct words in the paper, which gives no rule."""
-    curve: TypeTokenCurve
+    counts: Mapping[str, int]
+    """Marks of speech, things named, and legs whose length is stated in numbers."""
+    distances: tuple[StatedDistance, ...]
+    """Stated lengths of legs whose true length is known."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,34 +79,40 @@ class InstructionStudy:
     instructions: tuple[Instruction, ...]
     written: tuple[str, ...]
     """Who wrote the texts, one sentence per source."""
-    cells: tuple[CellStatistics, ...]
-    """Table I."""
-    vocabularies: tuple[Vocabulary, ...]
+    figures: tuple[Figure, ...]
     texts: tuple[TextMeasures, ...]
-    groups: tuple[GroupMeans, ...]
-    distances: tuple[DistanceSummary, ...]
+    curves: Mapping[tuple[str, str], TypeTokenCurve]
+    """By study and place."""
 
     @property
     def equal_words(self) -> int:
         """The number of words that the smallest vocabulary's texts have, 0 for none."""
-        return min((each.words for each in self.vocabularies), default=0)
+        words = (row["words"] for row in self.rows("distinct_words", "study", "place"))
+        return int(min(words, default=0))
 
-    def rule_misses(self) -> dict[str, float | None]:
-        """Return for each counting rule how far it is from the published counts.
+    def rows(self, table: str, *about: str, **only: str) -> list[Row]:
+        """Arrange the figures of a table as rows.
 
-        The mean over studies and buildings of |counted / published - 1|; None where
-        there is nothing to compare.
+        Args:
+            table: Of the figures.
+            about: Fields that say what a row is about. All other figures are its
+                values, named by measure and key: `words`, `hedges mean`. Published
+                figures stand beside them: `words_mean published`.
+            only: Values that fields must have.
         """
-        compared = [each for each in self.vocabularies if each.published]
-        misses: dict[str, float | None] = {}
-        for rule in COUNTING_RULES:
-            off = [
-                abs(each.distinct[rule.name] / each.published - 1)
-                for each in compared
-                if each.published
-            ]
-            misses[rule.name] = sum(off) / len(off) if off else None
-        return misses
+        rows: dict[tuple[Any, ...], dict[str, Any]] = {}
+        for each in self.figures:
+            if each.table != table:
+                continue
+            if any(getattr(each, field) != value for field, value in only.items()):
+                continue
+            labels = {field: getattr(each, field) for field in about}
+            row = rows.setdefault(tuple(labels.values()), labels)
+            key = "" if "key" in about else str(each.key)
+            name = f"{each.measure} {key}".strip()
+            row[name] = each.value
+            row[f"{name} published"] = each.published
+        return list(rows.values())
 
 
 def study_instructions(
@@ -98,7 +128,7 @@ def study_instructions(
     Raises:
         InstructionFileError: There are no instructions.
     """
-    cells = describe_corpus(instructions, sites)
+    cells = [*_cells(instructions, sites)]
     names = {each.site: SiteNames(sites[each.site]) for each in instructions}
     texts = tuple(
         measure_text(each, names[each.site])
@@ -107,53 +137,169 @@ def study_instructions(
         )
     )
     counts = Counter(each.source for each in instructions)
+    vocabularies = _vocabularies(instructions)
+    curves = {
+        about: type_token_curve(told, np.random.default_rng(seed))
+        for about, told in vocabularies.items()
+    }
     return InstructionStudy(
         instructions=tuple(instructions),
         written=tuple(
-            f"{number} {'text' if number == 1 else 'texts'} written by "
-            f"{WRITTEN_BY[source]}."
+            f"{counted(number, 'text')} written by {WRITTEN_BY[source]}."
             for source, number in sorted(counts.items())
         ),
-        cells=tuple(cells),
-        vocabularies=tuple(_vocabularies(instructions, seed)),
-        texts=texts,
-        groups=tuple(group_means(texts)),
-        distances=tuple(
-            summarise_distances(leg for text in texts for leg in text.distances)
+        figures=(
+            *cells,
+            *_words(vocabularies, curves),
+            *_per_text(texts),
+            *_distances(leg for text in texts for leg in text.distances),
         ),
+        texts=texts,
+        curves=curves,
     )
 
 
+def measure_text(instruction: Instruction, names: SiteNames) -> TextMeasures:
+    """Count in one text."""
+    plan = parse_route_description(instruction.text)
+    marks = Counter(mark.kind for mark in spoken_marks(instruction.text))
+    named = Counter(thing.sort for thing in named_things(plan, names))
+    lengths = [each.length for each in (*plan.legs, plan.arrival)]
+    stated = sum(each is not None and each.unit != VAGUE for each in lengths)
+    return TextMeasures(
+        instruction,
+        word_count(instruction.text),
+        {
+            "hedges": marks["hedge"],
+            "fillers": marks["filler"],
+            "corrections": marks["correction"],
+            "things_in_plan": sum(named[sort] for sort in IN_PLAN),
+            "landmarks": named["landmark"],
+            "doors": named["door"],
+            "rooms": named["room"],
+            "ways": named["way"],
+            "floors": named["floor"],
+            "unknown_things": named["unknown"],
+            "distances": stated,
+        },
+        tuple(stated_distances(instruction, plan, names.site)),
+    )
+
+
+def _cells(
+    instructions: Sequence[Instruction], sites: Mapping[str, Site]
+) -> Iterator[Figure]:
+    """Yield the figures of Table I."""
+    published = {
+        (row.study, row.site, row.route, row.iteration): row
+        for row in published_tables().descriptions
+    }
+    for cell in describe_corpus(instructions, sites):
+        about = (cell.study, cell.site, cell.route, cell.iteration)
+        paper = published.get(about)
+        for name, value in asdict(cell).items():
+            if name in {"study", "site", "route", "iteration"} or math.isnan(value):
+                continue
+            yield Figure(
+                "table_1",
+                cell.study,
+                name,
+                value,
+                cell.site,
+                cell.route,
+                cell.iteration,
+                published=getattr(paper, name, None),
+            )
+
+
 def _vocabularies(
-    instructions: Iterable[Instruction], seed: int
-) -> Iterator[Vocabulary]:
+    instructions: Sequence[Instruction],
+) -> dict[tuple[str, str], list[str]]:
+    """Return texts by study and site, and by building where the paper takes several."""
     groups: dict[tuple[str, str], list[str]] = {}
-    told = list(instructions)
-    published = published_tables().distinct_words
-    for each in told:
+    for each in instructions:
         groups.setdefault((each.study, each.site), []).append(each.text)
-    for building, study in published:
-        sites = {site for kind, site in groups if kind == study}
-        if (
-            len(parts := [site for site in sites if site.startswith(f"{building}_")])
-            > 1
-        ):
+    for building, study in published_tables().distinct_words:
+        parts = [
+            site
+            for kind, site in groups
+            if kind == study and site.startswith(f"{building}_")
+        ]
+        if len(parts) > 1:
             groups[study, building] = [
-                each.text for each in told if each.study == study and each.site in parts
+                each.text
+                for each in instructions
+                if each.study == study and each.site in parts
             ]
-    rule = COUNTING_RULES[0]
-    for (study, place), texts in sorted(groups.items()):
-        words = sum(len(rule.tokens(text)) for text in texts)
-        if words == 0:
-            continue
-        yield Vocabulary(
-            study=study,
-            place=place,
-            texts=len(texts),
-            words=words,
-            distinct={
-                each.name: distinct_words(texts, each) for each in COUNTING_RULES
-            },
-            published=published.get((place, study)),
-            curve=type_token_curve(texts, np.random.default_rng(seed)),
+    return {
+        about: texts
+        for about, texts in sorted(groups.items())
+        if any(COUNTING_RULES[0].tokens(text) for text in texts)
+    }
+
+
+def _words(
+    vocabularies: Mapping[tuple[str, str], Sequence[str]],
+    curves: Mapping[tuple[str, str], TypeTokenCurve],
+) -> Iterator[Figure]:
+    published = published_tables().distinct_words
+    words = {
+        about: sum(len(COUNTING_RULES[0].tokens(text)) for text in texts)
+        for about, texts in vocabularies.items()
+    }
+    for (study, place), texts in vocabularies.items():
+        about, curve = (study, place), curves[study, place]
+        table = "distinct_words"
+        yield Figure(table, study, "texts", len(texts), place)
+        yield Figure(table, study, "words", words[about], place)
+        for rule in COUNTING_RULES:
+            count = distinct_words(texts, rule)
+            paper = published.get((place, study))
+            yield Figure(
+                table, study, table, count, place, key=rule.name, published=paper
+            )
+        equal = curve.at(min(words.values()))
+        yield Figure(table, study, table, equal, place, key="among equally many words")
+        for tokens, types in zip(curve.tokens, curve.types, strict=True):
+            yield Figure("type_token_curve", study, table, types, place, key=tokens)
+
+
+def _per_text(texts: Iterable[TextMeasures]) -> Iterator[Figure]:
+    """Yield means per study, site and iteration; first over all sites."""
+    groups: dict[tuple[str, str, int], list[TextMeasures]] = {}
+    for each in texts:
+        told = each.instruction
+        for site in ("", told.site):
+            for iteration in (0, told.iteration):
+                groups.setdefault((told.study, site, iteration), []).append(each)
+    for study, site, iteration in sorted(groups):
+        group = groups[study, site, iteration]
+        words = fmean(text.words for text in group)
+        figure = partial(
+            Figure,
+            "per_text",
+            study,
+            place=site or ALL_SITES,
+            iteration=iteration or BOTH_ITERATIONS,
         )
+        yield figure("texts", len(group))
+        yield figure("words", words, key="mean")
+        for name in group[0].counts:
+            found = [text.counts[name] for text in group]
+            share = fmean(number > 0 for number in found)
+            rate = 100 * fmean(found) / max(words, 1)
+            yield figure(name, fmean(found), key="mean")
+            yield figure(name, share, key="share of texts")
+            yield figure(name, rate, key="per 100 words")
+
+
+def _distances(legs: Iterable[StatedDistance]) -> Iterator[Figure]:
+    for each in summarise_distances(legs):
+        for name in ("legs", "texts", "median", "low", "high", "factor"):
+            yield Figure(
+                "stated_distances",
+                each.study,
+                name,
+                getattr(each, name),
+                key=each.unit,
+            )
