@@ -21,7 +21,7 @@ from benchmarks.measuring import Row
 from memorymaze.evaluation.driver import run_plan
 from memorymaze.evaluation.local_workers import LocalWorkforce
 from memorymaze.evaluation.plan import RunPlan, plan_run
-from memorymaze.evaluation.settings import AgentSettings
+from memorymaze.evaluation.settings import AgentSettings, RunSettings
 from memorymaze.evaluation.worker_pool import Workforce
 from memorymaze.sites import BUILTIN_SITE_NAMES
 
@@ -58,7 +58,7 @@ print(first - second, int(status["VmHWM"].split()[0]) / 1024)
 def run() -> list[Row]:
     rows: list[Row] = []
     for agent in AGENTS:
-        plan = plan_run(AgentSettings(agent), limit=EPISODES)
+        plan = plan_run(AgentSettings(agent), settings=RunSettings(limit=EPISODES))
         before = children_seconds()
         alone, alone_whole = throughput(plan, LocalWorkforce(1))
         cost = (children_seconds() - before) / len(plan.episodes)

@@ -64,6 +64,14 @@ def list_options(cls: type) -> list[Option]:
     return found
 
 
+def options_of(options: Any) -> list[Option]:
+    """Return options as they are set, each with its value in the place of the default."""
+    return [
+        replace(each, default=_as_given(getattr(options, each.name)))
+        for each in list_options(type(options))
+    ]
+
+
 def read_options(
     cls: type[Options], pairs: Iterable[tuple[str, str]], *, agent: str
 ) -> Options:

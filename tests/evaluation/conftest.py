@@ -11,7 +11,14 @@ from memorymaze.evaluation.plan import RunPlan, plan_run
 from memorymaze.evaluation.provenance import CodeStamp
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import RunRecord, open_run_folder
-from memorymaze.evaluation.settings import AgentSettings, FileStamp, RunSettings
+from memorymaze.evaluation.settings import (
+    AgentSettings,
+    FileStamp,
+    RunDefinition,
+    RunSettings,
+    with_choices,
+)
+from memorymaze.instructions import load_corpus
 from memorymaze.simulation import SimulationSettings
 
 TINY_INSTRUCTIONS = Path(__file__).parents[1] / "tiny_instructions.jsonl"
@@ -59,9 +66,9 @@ def result() -> Callable[..., EpisodeResult]:
 
 
 @pytest.fixture
-def settings() -> RunSettings:
+def settings() -> RunDefinition:
     """Settings of a run of two episodes."""
-    return RunSettings(
+    return RunDefinition(
         agent=AgentSettings("rules"),
         instructions=(FileStamp("some.jsonl", "12ab"),),
         sites=(FileStamp("university", "34cd"),),
@@ -74,7 +81,7 @@ def settings() -> RunSettings:
 
 
 @pytest.fixture
-def record(settings: RunSettings) -> RunRecord:
+def record(settings: RunDefinition) -> RunRecord:
     """What `run.json` says of that run."""
     code = CodeStamp("0.1.0", "56ef", "0123456789abcdef", "3.11.0", {"numpy": "2.4"})
     return RunRecord(settings, code, "2026-01-01T00:00:00+00:00")
@@ -87,9 +94,8 @@ def tiny_plan(tiny_sites_folder: Path) -> Callable[..., RunPlan]:
     def plan(agent: str, **options: Any) -> RunPlan:
         return plan_run(
             AgentSettings(agent),
-            instruction_files=[TINY_INSTRUCTIONS],
-            sites_folder=tiny_sites_folder,
-            **options,
+            load_corpus([TINY_INSTRUCTIONS], sites=tiny_sites_folder),
+            with_choices(RunSettings(), options),
         )
 
     return plan

@@ -10,7 +10,8 @@ import pytest
 from memorymaze.evaluation.asking import AskingSettings
 from memorymaze.evaluation.estimates import answers_estimate, cost_estimate
 from memorymaze.evaluation.plan import RunPlan, plan_run
-from memorymaze.evaluation.settings import AgentSettings
+from memorymaze.evaluation.settings import AgentSettings, RunSettings
+from memorymaze.instructions import load_corpus
 from memorymaze.language.spending import TokenPrice
 
 TINY_INSTRUCTIONS = Path(__file__).parents[1] / "tiny_instructions.jsonl"
@@ -29,9 +30,8 @@ def plan(tiny_sites_folder: Path) -> Callable[[AgentSettings], RunPlan]:
     def four(agent: AgentSettings) -> RunPlan:
         return plan_run(
             agent,
-            instruction_files=[TINY_INSTRUCTIONS],
-            sites_folder=tiny_sites_folder,
-            limit=4,
+            load_corpus([TINY_INSTRUCTIONS], sites=tiny_sites_folder),
+            RunSettings(limit=4),
         )
 
     return four
@@ -68,7 +68,7 @@ def test_nothing_is_said_without_prices(
 
 
 def test_a_run_tells_how_often_it_will_ask() -> None:
-    plan = plan_run(AgentSettings("stop"), limit=12)
+    plan = plan_run(AgentSettings("stop"), settings=RunSettings(limit=12))
     assert answers_estimate(plan) is None
     replayed = SimpleNamespace(agent=AgentSettings("navid", replay="replies.sqlite"))
     assert answers_estimate(SimpleNamespace(settings=replayed)) is None  # type: ignore[arg-type]

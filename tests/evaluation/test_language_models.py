@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 
 from memorymaze.errors import SettingsError, SpendingLimitReached
-from memorymaze.evaluation.agents_for_runs import build_agent
+from memorymaze.evaluation.agent_catalogue import build_agent
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.asking import AskingSettings
 from memorymaze.evaluation.driver import run_plan
@@ -22,8 +22,9 @@ from memorymaze.evaluation.language_models import build_language_model
 from memorymaze.evaluation.plan import RunPlan, plan_run
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import read_run
-from memorymaze.evaluation.settings import AgentSettings
+from memorymaze.evaluation.settings import AgentSettings, RunSettings
 from memorymaze.evaluation.trace import read_trace
+from memorymaze.instructions import load_corpus
 from memorymaze.language.spending import TokenPrice
 
 TINY_INSTRUCTIONS = Path(__file__).parents[1] / "tiny_instructions.jsonl"
@@ -74,9 +75,8 @@ def plan(tiny_sites_folder: Path) -> Callable[..., RunPlan]:
     def some(agent: AgentSettings, limit: int = 2) -> RunPlan:
         return plan_run(
             agent,
-            instruction_files=[TINY_INSTRUCTIONS],
-            sites_folder=tiny_sites_folder,
-            limit=limit,
+            load_corpus([TINY_INSTRUCTIONS], sites=tiny_sites_folder),
+            RunSettings(limit=limit),
         )
 
     return some

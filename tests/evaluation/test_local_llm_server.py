@@ -22,8 +22,9 @@ from memorymaze.evaluation.asking import AskingSettings
 from memorymaze.evaluation.driver import run_plan
 from memorymaze.evaluation.plan import plan_run
 from memorymaze.evaluation.run_folder import read_run
-from memorymaze.evaluation.settings import AgentSettings
+from memorymaze.evaluation.settings import AgentSettings, RunSettings
 from memorymaze.evaluation.trace import read_trace
+from memorymaze.instructions import load_corpus
 from memorymaze.language.local_models import SMOLLM2_FILE, local_model
 from memorymaze.language.model import CompletionRequest, Message
 from memorymaze.results.tables import load_runs, run_tables
@@ -88,9 +89,8 @@ def test_from_a_server_over_programs_and_walks_to_a_table_and_a_replay(
     def run(agent: AgentSettings, name: str):
         plan = plan_run(
             agent,
-            instruction_files=[TINY_INSTRUCTIONS],
-            sites_folder=tiny_sites_folder,
-            limit=1,
+            load_corpus([TINY_INSTRUCTIONS], sites=tiny_sites_folder),
+            RunSettings(limit=1),
         )
         return run_plan(plan, tmp_path / name, workers=1)
 

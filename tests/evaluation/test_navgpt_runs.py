@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from memorymaze.errors import SettingsError
-from memorymaze.evaluation.agents_for_runs import (
+from memorymaze.evaluation.agent_catalogue import (
     agent_names,
     agent_needs,
     build_agent,

@@ -19,12 +19,12 @@ from memorymaze.agents.agent import Journal
 from memorymaze.agents.navid import NavidAgent, NavidOptions
 from memorymaze.agents.navid.policy import Answer, Command, Frame, Task
 from memorymaze.errors import EpisodeOver, SettingsError
-from memorymaze.evaluation.agents_for_runs import build_agent
+from memorymaze.evaluation.agent_catalogue import build_agent
 from memorymaze.evaluation.asking import AskingSettings
+from memorymaze.evaluation.budgets import stepping_time_budget
 from memorymaze.evaluation.navid_runs import NavidOnSite
 from memorymaze.evaluation.navigation import navigate
 from memorymaze.evaluation.settings import AgentSettings
-from memorymaze.evaluation.step_budgets import stepping_time_budget
 from memorymaze.geometry.pose import turn_between
 from memorymaze.language.model import Completion, Usage
 from memorymaze.simulation import SimulatedRobot, SimulationSettings, build_scene

@@ -13,7 +13,7 @@ from memorymaze.evaluation.driver import run_plan
 from memorymaze.evaluation.plan import RunPlan
 from memorymaze.evaluation.results import EpisodeResult, result_from_line
 from memorymaze.evaluation.run_folder import RunRecord, open_run_folder, read_run
-from memorymaze.evaluation.settings import RunSettings, differences
+from memorymaze.evaluation.settings import RunDefinition, differences
 from memorymaze.evaluation.summary import summarise, summary_lines
 from memorymaze.evaluation.trace import read_trace
 from memorymaze.results.tables import load_runs, run_tables
@@ -72,7 +72,7 @@ def test_settings_from_before_there_were_obstacles_are_those_without(
 
 
 def test_a_run_without_obstacles_is_not_taken_up_with_them(
-    record: RunRecord, settings: RunSettings, tmp_path: Path
+    record: RunRecord, settings: RunDefinition, tmp_path: Path
 ) -> None:
     with open_run_folder(tmp_path, record, resume=False):
         pass
@@ -87,7 +87,7 @@ def test_a_run_without_obstacles_is_not_taken_up_with_them(
 
 
 def test_tables_and_summaries_show_the_track_and_how_safe_it_was(
-    record: RunRecord, settings: RunSettings, result: Make, tmp_path: Path
+    record: RunRecord, settings: RunDefinition, result: Make, tmp_path: Path
 ) -> None:
     busy = replace(settings, obstacles=BUSY)
     results = [

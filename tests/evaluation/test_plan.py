@@ -6,7 +6,8 @@ import pytest
 from memorymaze.errors import MemoryMazeError, SettingsError
 from memorymaze.evaluation.budgets import default_time_budget
 from memorymaze.evaluation.plan import RunPlan, plan_run
-from memorymaze.evaluation.settings import AgentSettings
+from memorymaze.evaluation.settings import AgentSettings, RunSettings
+from memorymaze.instructions import load_corpus
 from memorymaze.simulation import SimulationSettings
 
 Plan = Callable[..., RunPlan]
@@ -33,11 +34,11 @@ def test_the_time_budget_is_that_of_these_sites_unless_it_is_given(
 
 def test_nothing_is_planned_for_an_agent_that_does_not_exist(tmp_path: Path) -> None:
     with pytest.raises(SettingsError, match="expected one of"):
-        plan_run(AgentSettings("nobody"), instruction_files=[tmp_path / "none"])
+        plan_run(AgentSettings("nobody"), settings=RunSettings(limit=1))
 
 
 def test_the_shipped_instructions_need_the_shipped_sites(
     tiny_sites_folder: Path,
 ) -> None:
     with pytest.raises(MemoryMazeError, match=r"role_played\.jsonl:1: field 'site'"):
-        plan_run(AgentSettings("stop"), sites_folder=tiny_sites_folder)
+        plan_run(AgentSettings("stop"), load_corpus(sites=tiny_sites_folder))

@@ -24,6 +24,7 @@ from memorymaze.evaluation.program_files import (
     read_programs,
 )
 from memorymaze.evaluation.settings import AgentSettings, differences
+from memorymaze.instructions import load_corpus
 from memorymaze.instructions.files import load_instructions
 from memorymaze.language.spending import TokenPrice
 
@@ -74,8 +75,7 @@ def plan(tiny_sites_folder: Path) -> Callable[..., RunPlan]:
         agent = AgentSettings("code_generation", programs=str(programs))
         return plan_run(
             replace(agent, **changes),
-            instruction_files=[TINY_INSTRUCTIONS],
-            sites_folder=tiny_sites_folder,
+            load_corpus([TINY_INSTRUCTIONS], sites=tiny_sites_folder),
         )
 
     return make

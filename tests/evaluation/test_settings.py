@@ -7,7 +7,7 @@ import pytest
 from memorymaze.errors import SettingsError
 from memorymaze.evaluation.settings import (
     FileStamp,
-    RunSettings,
+    RunDefinition,
     differences,
     stamp_file,
 )
@@ -24,23 +24,25 @@ from memorymaze.evaluation.settings import (
     ],
 )
 def test_a_value_without_meaning_is_refused(
-    settings: RunSettings, changes: dict[str, Any], said: str
+    settings: RunDefinition, changes: dict[str, Any], said: str
 ) -> None:
     with pytest.raises(SettingsError, match=said):
         replace(settings, **changes)
 
 
-def test_a_run_has_a_time_budget_that_its_file_can_hold(settings: RunSettings) -> None:
+def test_a_run_has_a_time_budget_that_its_file_can_hold(
+    settings: RunDefinition,
+) -> None:
     endless = replace(settings.simulation, time_budget=float("inf"))
     with pytest.raises(SettingsError, match="time budget: expected a finite number"):
         replace(settings, simulation=endless)
 
 
-def test_equal_settings_do_not_differ(settings: RunSettings) -> None:
+def test_equal_settings_do_not_differ(settings: RunDefinition) -> None:
     assert differences(settings, replace(settings)) == []
 
 
-def test_one_more_site_is_a_difference(settings: RunSettings) -> None:
+def test_one_more_site_is_a_difference(settings: RunDefinition) -> None:
     more = replace(settings, sites=(*settings.sites, FileStamp("annex", "ff")))
     assert differences(settings, more) == ["sites[1]: None there, 'annex ff' here"]
 
@@ -54,7 +56,7 @@ def test_a_stamp_depends_on_the_content_of_a_file(tmp_path: Path) -> None:
     assert first.sha256 != stamp_file(path).sha256
 
 
-def test_files_of_one_name_are_told_apart(settings: RunSettings) -> None:
+def test_files_of_one_name_are_told_apart(settings: RunDefinition) -> None:
     pair = (FileStamp("some.jsonl", "1"), FileStamp("some.jsonl", "2"))
     other = (FileStamp("some.jsonl", "3"), FileStamp("some.jsonl", "2"))
     assert differences(
@@ -62,8 +64,8 @@ def test_files_of_one_name_are_told_apart(settings: RunSettings) -> None:
     ) == ["instructions[0]: 'some.jsonl 1' there, 'some.jsonl 3' here"]
 
 
-def test_an_agents_options_are_compared_by_name(settings: RunSettings) -> None:
-    def with_options(*pairs: tuple[str, str]) -> RunSettings:
+def test_an_agents_options_are_compared_by_name(settings: RunDefinition) -> None:
+    def with_options(*pairs: tuple[str, str]) -> RunDefinition:
         return replace(settings, agent=replace(settings.agent, options=pairs))
 
     some = with_options(("max_tokens", "9"), ("seed", "1"))

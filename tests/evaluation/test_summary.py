@@ -3,14 +3,14 @@ from collections.abc import Callable
 import pytest
 
 from memorymaze.evaluation.results import EpisodeResult
-from memorymaze.evaluation.settings import RunSettings
+from memorymaze.evaluation.settings import RunDefinition
 from memorymaze.evaluation.summary import summarise, summary_lines
 
 Make = Callable[..., EpisodeResult]
 
 
 def test_counts_means_and_sums_equal_those_worked_by_hand(
-    result: Make, settings: RunSettings
+    result: Make, settings: RunDefinition
 ) -> None:
     results = [
         result("a-1", collisions=2, spd=1.0),
@@ -28,7 +28,7 @@ def test_counts_means_and_sums_equal_those_worked_by_hand(
 
 
 def test_the_lines_say_who_wrote_the_instructions(
-    result: Make, settings: RunSettings
+    result: Make, settings: RunDefinition
 ) -> None:
     results = [result("a-1"), result("b-1", model_calls=2, tokens=90, cost_usd=0.5)]
     text = "\n".join(summary_lines(summarise(results, settings)))
@@ -37,7 +37,7 @@ def test_the_lines_say_who_wrote_the_instructions(
 
 
 def test_the_lines_say_what_went_wrong_most_often(
-    result: Make, settings: RunSettings
+    result: Make, settings: RunDefinition
 ) -> None:
     results = [
         result(f"{name}-1", stopped_by="crash", success=False, error=error)
@@ -48,6 +48,6 @@ def test_the_lines_say_what_went_wrong_most_often(
     assert "3 ended with an error, 2 of them with: often" in summary_lines(summary)
 
 
-def test_no_results_are_an_error(settings: RunSettings) -> None:
+def test_no_results_are_an_error(settings: RunDefinition) -> None:
     with pytest.raises(ValueError, match="at least one result"):
         summarise([], settings)

@@ -8,14 +8,15 @@ from typing import Any
 import pytest
 from playwright.sync_api import Browser, sync_playwright
 
-from memorymaze.evaluation.agents_for_runs import build_agent
+from memorymaze.evaluation.agent_catalogue import build_agent
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.episode import run_episode
 from memorymaze.evaluation.plan import plan_run
 from memorymaze.evaluation.provenance import CodeStamp
 from memorymaze.evaluation.run_folder import RunRecord, open_run_folder, read_run
-from memorymaze.evaluation.settings import AgentSettings
+from memorymaze.evaluation.settings import AgentSettings, RunSettings, with_choices
 from memorymaze.evaluation.trace import write_trace
+from memorymaze.instructions import load_corpus
 from memorymaze.results.story import RecordedEpisode, load_episode
 from memorymaze.simulation.obstacles import parse_obstacles
 
@@ -46,10 +47,8 @@ def _run(folder: Path, **settings: Any) -> Path:
     """Run two episodes in this process, which is quicker than starting workers."""
     plan = plan_run(
         AgentSettings("rules"),
-        instruction_files=[TESTS / "tiny_instructions.jsonl"],
-        sites_folder=SITES,
-        limit=2,
-        **settings,
+        load_corpus([TESTS / "tiny_instructions.jsonl"], sites=SITES),
+        with_choices(RunSettings(limit=2), settings),
     )
     code = CodeStamp(version="0", sha256="0", commit=None, python="3", packages={})
     record = RunRecord(plan.settings, code, "2026-01-01T00:00:00+00:00")

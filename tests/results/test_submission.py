@@ -7,11 +7,12 @@ from typing import Any
 
 import pytest
 
-from memorymaze.evaluation import submission
 from memorymaze.evaluation.driver import run_plan
 from memorymaze.evaluation.plan import plan_run
-from memorymaze.evaluation.settings import AgentSettings
+from memorymaze.evaluation.settings import AgentSettings, RunSettings, with_choices
 from memorymaze.evaluation.trace import trace_path
+from memorymaze.instructions import load_corpus
+from memorymaze.results import submission
 from memorymaze.results.submission import Submission, check_submission
 
 TESTS = Path(__file__).parents[1]
@@ -30,7 +31,11 @@ def finished(tmp_path_factory: pytest.TempPathFactory) -> Callable[..., Path]:
         key = f"{agent} {changes}"
         if key not in made:
             made[key] = tmp_path_factory.mktemp("runs") / "run"
-            plan = plan_run(AgentSettings(agent), **CORPUS, **changes)
+            plan = plan_run(
+                AgentSettings(agent),
+                load_corpus(CORPUS["instruction_files"], sites=CORPUS["sites_folder"]),
+                with_choices(RunSettings(), changes),
+            )
             run_plan(plan, made[key], workers=1)
         return made[key]
 
@@ -151,5 +156,5 @@ def test_own_agents_and_graphs_are_remarked_on(rules: Path) -> None:
     own = replace(settings, agent=AgentSettings("mine.py:Agent"))
     [remark] = submission.remarks(own, [])
     assert "must be published" in remark
-    [remark] = submission.remarks(replace(settings, agent=AgentSettings("navgpt")), [])
+    [remark] = submission.remarks(replace(settings, needs=("graph",)), [])
     assert "navigation graph" in remark

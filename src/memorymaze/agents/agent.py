@@ -4,12 +4,16 @@ import math
 import operator
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Any, Protocol
+from typing import Any, Literal, Protocol, cast, get_args
 
 import numpy as np
 
 from memorymaze.language.model import Completion
 from memorymaze.robot.api import Robot
+
+Need = Literal["language_model", "graph", "camera", "steps", "answers"]
+"""What an agent needs besides text and robot: a language model to ask, the site's
+navigation graph, pictures, primitive motions, or the reference path."""
 
 COUNTS = frozenset({"model_calls", "tokens"})
 AMOUNTS = frozenset({"cost_usd", "inference_s"})
@@ -99,6 +103,11 @@ class Agent(Protocol):
         for episode in episodes:
             agent.follow(text, robot, journal, rng)   # returns: the agent stopped
 
+    An agent that needs more than text and robot says so in a class attribute, which
+    decides its budget, its robot and what a run records:
+
+        needs: ClassVar[frozenset[Need]] = frozenset({"camera", "steps"})
+
     Returning, or calling `robot.stop()`, says "we are there". `EpisodeOver` raised by
     the robot passes through; `ProgramError` and `LanguageModelError` may be raised and
     end the episode as `crash`, `unsafe` or `model_error`.
@@ -118,3 +127,18 @@ class Agent(Protocol):
     ) -> None:
         """Drive the robot as the instruction says."""
         ...
+
+
+def needs_of(agent: object) -> frozenset[Need]:
+    """Return what an agent, or its class, declares in its attribute `needs`.
+
+    Raises:
+        TypeError: It declares something else than needs.
+    """
+    declared = getattr(agent, "needs", frozenset())
+    known = get_args(Need)
+    if isinstance(declared, str) or not all(each in known for each in declared):
+        raise TypeError(
+            f"needs: expected a set of some of {', '.join(known)}; got {declared!r}"
+        )
+    return cast(frozenset[Need], frozenset(declared))

@@ -2,7 +2,7 @@
 
 import argparse
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from memorymaze.cli.model_options import (
     add_model_options,
@@ -11,7 +11,7 @@ from memorymaze.cli.model_options import (
 )
 
 if TYPE_CHECKING:
-    from memorymaze.evaluation.settings import AgentSettings
+    from memorymaze.evaluation.settings import AgentSettings, RunSettings
 
 
 def add_agent_options(parser: argparse.ArgumentParser, default: str | None) -> None:
@@ -64,7 +64,6 @@ def add_episode_options(parser: argparse.ArgumentParser) -> None:
         "--seed",
         metavar="N",
         type=int,
-        default=0,
         help="of all randomness (default: 0)",
     )
     parser.add_argument(
@@ -85,6 +84,13 @@ def add_episode_options(parser: argparse.ArgumentParser) -> None:
         metavar="N",
         type=int,
         help="calls of the control API in an episode (default: 10000)",
+    )
+    parser.add_argument(
+        "--detection-range",
+        metavar="METRES",
+        type=float,
+        help="how far things are detected (default: 4; with --sail 40, to the end of "
+        "every hall)",
     )
     parser.add_argument(
         "--obstacles",
@@ -116,35 +122,34 @@ def add_episode_options(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def episode_settings(options: argparse.Namespace) -> dict[str, Any]:
-    """Return what the options say of every episode, defaults left out."""
-    names = (
-        "seed",
-        "success_distance",
-        "time_budget",
-        "call_budget",
-        "turning_points",
+CHOICES = (
+    "seed",
+    "success_distance",
+    "time_budget",
+    "call_budget",
+    "detection_range",
+    "turning_points",
+    "obstacles",
+    "detector",
+    "signs",
+)
+
+
+def episode_settings(
+    options: argparse.Namespace, base: "RunSettings", *more: str
+) -> "RunSettings":
+    """Return settings with what the options say, `more` settings by name included."""
+    from memorymaze.evaluation.settings import with_choices
+
+    given = {name: getattr(options, name) for name in (*CHOICES, *more)}
+    return with_choices(
+        base, {name: value for name, value in given.items() if value is not None}
     )
-    given = {name: getattr(options, name) for name in names}
-    settings = {name: value for name, value in given.items() if value is not None}
-    if options.detector is not None:
-        from memorymaze.perception.eyes import parse_detector
-
-        settings["detector"] = parse_detector(options.detector)
-    if options.signs is not None:
-        from memorymaze.perception.eyes import parse_signs
-
-        settings["signs"] = parse_signs(options.signs)
-    if options.obstacles is not None:
-        from memorymaze.simulation.obstacles import parse_obstacles
-
-        settings["obstacles"] = parse_obstacles(options.obstacles)
-    return settings
 
 
 def agent_settings(options: argparse.Namespace) -> "AgentSettings":
     """Return the agent that the options ask for."""
-    from memorymaze.evaluation.agents_for_runs import has_language_model, has_parser
+    from memorymaze.evaluation.agent_catalogue import has_language_model, has_parser
     from memorymaze.evaluation.settings import AgentSettings
 
     parser: bool | None = None

@@ -66,7 +66,7 @@ def generated_instructions(
         per_cell=PER_CELL if options.per_cell is None else options.per_cell,
         rates=parse_rates(options.errors),
         paired=options.paired,
-        seed=options.seed,
+        seed=options.seed or 0,
         instruction_files=tuple(options.instructions or ()),
     )
     return [str(instructions_for_run(folder, request))]

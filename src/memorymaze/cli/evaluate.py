@@ -5,10 +5,9 @@ import contextlib
 import shlex
 import sys
 from collections.abc import Generator
-from dataclasses import replace
 from datetime import datetime
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from memorymaze.cli.agent_options import (
     add_agent_options,
@@ -21,7 +20,9 @@ from memorymaze.cli.verbs import Verbs
 from memorymaze.wording import counted
 
 if TYPE_CHECKING:
+    from memorymaze.evaluation.settings import AgentSettings, RunSettings
     from memorymaze.evaluation.worker_pool import Workforce
+    from memorymaze.instructions import Corpus
 
 
 def add_parser(verbs: Verbs) -> None:
@@ -93,13 +94,6 @@ def add_parser(verbs: Verbs) -> None:
         type=float,
         help="real time after which an episode is given up as a crash (default: 3600)",
     )
-    parser.add_argument(
-        "--detection-range",
-        metavar="METRES",
-        type=float,
-        help="how far things are detected (default: 4; with --sail 40, to the end of "
-        "every hall)",
-    )
     add_episode_options(parser)
     add_error_options(parser)
     parser.set_defaults(run=_run)
@@ -122,12 +116,7 @@ def _run(options: argparse.Namespace) -> int:
     options.instructions = generated_instructions(options, out)
     # What a user's agent prints while it is made is no result.
     with contextlib.redirect_stdout(sys.stderr):
-        plan = plan_run(
-            limit=options.limit,
-            split=options.split,
-            **_what_to_follow(options),
-            **episode_settings(options),
-        )
+        plan = plan_run(*_what_to_follow(options))
     wall_limit = WALL_LIMIT if options.wall_limit is None else options.wall_limit
     with _workforce(options) as workforce:
         print(
@@ -181,39 +170,25 @@ def _workforce(options: argparse.Namespace) -> Generator["Workforce"]:
         yield cluster
 
 
-def _what_to_follow(options: argparse.Namespace) -> dict[str, Any]:
+def _what_to_follow(
+    options: argparse.Namespace,
+) -> "tuple[AgentSettings, Corpus, RunSettings]":
     from memorymaze.errors import SettingsError
-    from memorymaze.simulation.settings import SimulationSettings
+    from memorymaze.evaluation.plan import settings_for
+    from memorymaze.instructions import load_corpus
 
-    agent = agent_settings(options)
-    abilities = SimulationSettings()
-    chosen: dict[str, Any] = {
-        "instruction_files": options.instructions,
-        "sites_folder": options.sites,
-    }
-    if options.sail is not None:
-        from memorymaze.evaluation.sail_corpus import (
-            SAIL_SUCCESS_DISTANCE,
-            SAIL_TIME_BUDGET,
-            sail_abilities,
-            sail_agent,
-            sail_corpus,
+    if options.sail is not None and (options.instructions or options.sites):
+        raise SettingsError(
+            "--sail: has its own instructions and sites; leave out --instructions and "
+            "--sites"
         )
-
-        if options.instructions is not None or options.sites is not None:
-            raise SettingsError(
-                "--sail: has its own instructions and sites; leave out --instructions "
-                "and --sites"
-            )
-        if options.success_distance is None:
-            options.success_distance = SAIL_SUCCESS_DISTANCE
-        if options.time_budget is None:
-            options.time_budget = SAIL_TIME_BUDGET
-        agent, abilities = sail_agent(agent), sail_abilities(abilities)
-        chosen = {"corpus": sail_corpus(options.sail)}
-    if options.detection_range is not None:
-        abilities = replace(abilities, detection_range=options.detection_range)
-    return {"agent": agent, "simulation": abilities, **chosen}
+    agent = agent_settings(options)
+    if options.sail is not None:
+        corpus = load_corpus(options.sail)
+    else:
+        corpus = load_corpus(options.instructions, sites=options.sites)
+    base = settings_for(corpus)
+    return agent, corpus, episode_settings(options, base, "limit", "split")
 
 
 def _default_folder(agent: str) -> Path:

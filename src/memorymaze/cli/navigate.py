@@ -66,6 +66,7 @@ def _run(options: argparse.Namespace) -> int:
         navigate,
         write_navigation,
     )
+    from memorymaze.evaluation.settings import RunSettings
     from memorymaze.results.story.outcomes import outcome_line
     from memorymaze.sites import load_site
 
@@ -82,7 +83,7 @@ def _run(options: argparse.Namespace) -> int:
                 route,
                 options.text,
                 agent_settings(options),
-                **episode_settings(options),
+                episode_settings(options, RunSettings()),
                 watcher=onlooker,
             )
         if onlooker is not None:

@@ -3,7 +3,7 @@
 import textwrap
 from collections.abc import Iterator, Sequence
 
-from memorymaze.evaluation.agents_for_runs import (
+from memorymaze.evaluation.agent_catalogue import (
     Need,
     agent_names,
     agent_options,

@@ -1,16 +1,28 @@
-"""How much time an episode may take when nobody says otherwise."""
+"""How much time, and how many steps, an episode may take when nobody says otherwise.
+
+A robot that comes to rest after every 25 cm needs several times as long as one that
+drives on, so agents that go by primitive motions (a step ahead, a turn on the spot) get
+more time.
+"""
 
 import math
 from collections.abc import Iterable
 
 import numpy as np
 
+from memorymaze.agents.agent import Need
 from memorymaze.errors import SettingsError
 from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.sites.records import Route
 
 GENEROSITY = 3.0
 """A run's time budget lets a perfect follower finish any route this many times over."""
+
+
+STEP_M = 0.25
+TURN_DEG = 30
+STEP_SECONDS = 1.5
+"""Of a primitive motion from rest to rest: 25 cm take 1.4 s, 30 degrees 1.35 s."""
 
 
 def perfect_time(route: Route, settings: SimulationSettings) -> float:
@@ -49,3 +61,88 @@ def default_time_budget(routes: Iterable[Route], settings: SimulationSettings) -
     if not times:
         raise SettingsError("the sites of this run have no routes to set a budget by")
     return float(math.ceil(GENEROSITY * max(times)))
+
+
+def perfect_steps(
+    route: Route, step_m: float = STEP_M, turn_deg: float = TURN_DEG
+) -> int:
+    """Return the primitives of a walk along a route's line without a mistake.
+
+    It goes to the end of each straight piece and past it by less than a step, and turns
+    by whole primitives:
+
+        sum over pieces of ceil(length / step) + sum over turns of ceil(angle / turn)
+
+    Args:
+        route: The way.
+        step_m: Metres of a step ahead.
+        turn_deg: Degrees of a turn on the spot.
+    """
+    pieces = np.diff(np.array(route.line.coords)[:, :2], axis=0)
+    lengths = np.hypot(pieces[:, 0], pieces[:, 1])
+    pieces, lengths = pieces[lengths > 0], lengths[lengths > 0]
+    headings = np.unwrap(np.arctan2(pieces[:, 1], pieces[:, 0]))
+    turns = np.degrees(np.abs(np.diff(headings)))
+    # What is a whole number but for rounding is one.
+    ahead = np.ceil(lengths / step_m - 1e-6)
+    aside = np.ceil(turns / turn_deg - 1e-6)
+    return int(ahead.sum() + aside.sum())
+
+
+def fair_steps(
+    routes: Iterable[Route], step_m: float = STEP_M, turn_deg: float = TURN_DEG
+) -> int:
+    """Return three times the perfect steps of the longest route.
+
+    Args:
+        routes: All routes of a site, alternatives too: the number is the same in every
+            episode there, so it tells nothing of its route.
+        step_m: Metres of a step ahead.
+        turn_deg: Degrees of a turn on the spot.
+
+    Raises:
+        SettingsError: There are no routes.
+    """
+    steps = [perfect_steps(route, step_m, turn_deg) for route in routes]
+    if not steps:
+        raise SettingsError("the site has no routes to set a budget of steps by")
+    return math.ceil(GENEROSITY * max(steps))
+
+
+def stepping_time_budget(
+    routes: Iterable[Route], settings: SimulationSettings
+) -> float:
+    """Return the time for `fair_steps`, in whole seconds, and no less than for others.
+
+    Args:
+        routes: The routes of all sites of a run, alternatives too.
+        settings: The robot's abilities.
+
+    Raises:
+        SettingsError: There are no routes.
+    """
+    routes = list(routes)
+    usual = default_time_budget(routes, settings)
+    # The smaller turns that can be asked for need the most time.
+    return max(usual, math.ceil(STEP_SECONDS * fair_steps(routes, turn_deg=15)))
+
+
+def time_budget_for(
+    needs: frozenset[Need], routes: Iterable[Route], settings: SimulationSettings
+) -> float:
+    """Return the time budget of an agent that needs these when nobody says otherwise.
+
+    Raises:
+        SettingsError: There are no routes.
+    """
+    if "steps" in needs:
+        return stepping_time_budget(routes, settings)
+    return default_time_budget(routes, settings)
+
+
+def fewest_answers(route: Route, most: int, turn_deg: float = TURN_DEG) -> int:
+    """Return how often a policy must be asked on a walk without a mistake.
+
+    Each answer asks for `most` primitives at best; the last one says stop.
+    """
+    return perfect_steps(route, STEP_M * most, turn_deg * most) + 1

@@ -19,10 +19,10 @@ from memorymaze.errors import (
 )
 from memorymaze.evaluation.agent_failures import failure_line, failure_traceback
 from memorymaze.evaluation.arena import Arena
-from memorymaze.evaluation.handed_robot import HandedRobot
+from memorymaze.evaluation.guarded_robot import GuardedRobot
 from memorymaze.evaluation.results import EpisodeResult, StoppedBy
 from memorymaze.evaluation.seeds import detector_generator, episode_generators
-from memorymaze.evaluation.settings import RunSettings
+from memorymaze.evaluation.settings import RunDefinition
 from memorymaze.evaluation.trace_entries import (
     call_entry,
     closing_entries,
@@ -65,7 +65,7 @@ def run_episode(
     agent: Agent,
     episode: Episode,
     arena: Arena,
-    settings: RunSettings,
+    settings: RunDefinition,
     watcher: Watcher | None = None,
 ) -> EpisodeRun:
     """Let an agent follow an instruction, and score its walk.
@@ -97,7 +97,7 @@ def _attempt(
     agent: Agent,
     episode: Episode,
     arena: Arena,
-    settings: RunSettings,
+    settings: RunDefinition,
     watcher: Watcher | None,
 ) -> EpisodeRun:
     robot_rng, agent_rng = episode_generators(settings.seed, episode.id)
@@ -128,7 +128,7 @@ def _attempt(
         agent,
         episode.instruction.text,
         robot,
-        HandedRobot(robot) if settings.agent.is_own else robot,
+        GuardedRobot(robot),
         journal,
         agent_rng,
     )

@@ -1,20 +1,22 @@
 """What a worker process is given, what it does with it, and what comes of it."""
 
+import pickle
 from collections.abc import Callable
 from dataclasses import dataclass
 
+import cloudpickle
 import numpy as np
 
 from memorymaze.agents.agent import Journal
-from memorymaze.errors import SettingsError, SpendingLimitReached
+from memorymaze.errors import SpendingLimitReached
+from memorymaze.evaluation.agent_catalogue import build_agent
 from memorymaze.evaluation.agent_failures import WorkerLost, failure_line
-from memorymaze.evaluation.agents_for_runs import build_agent
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.episode import run_episode
-from memorymaze.evaluation.eyes_for_runs import checked_eyes
-from memorymaze.evaluation.looks_for_runs import looks_of_run
+from memorymaze.evaluation.eyes import checked_eyes
+from memorymaze.evaluation.plan import RunPlan
 from memorymaze.evaluation.results import EpisodeResult
-from memorymaze.evaluation.settings import RunSettings
+from memorymaze.evaluation.settings import RunDefinition
 from memorymaze.evaluation.trace import trace_content
 from memorymaze.instructions.records import Episode
 from memorymaze.robot.api import Robot
@@ -65,16 +67,24 @@ class EpisodeTask:
 class EpisodeWorker:
     """Makes, in a worker process, the function that runs one episode after another."""
 
-    settings: RunSettings
+    settings: RunDefinition
     sites: dict[str, Site]
+    agent: bytes | None = None
+    """The agent itself, pickled, where it was handed over as an object."""
+
+    @classmethod
+    def of(cls, plan: RunPlan, settings: RunDefinition) -> "EpisodeWorker":
+        """Return the worker of a plan, on settings that say more of this machine."""
+        given = None if plan.agent is None else cloudpickle.dumps(plan.agent)
+        return cls(settings, plan.sites, given)
 
     def __call__(self) -> Callable[[EpisodeTask], EpisodeOutcome]:
         """Make the agent; return the function."""
-        agent_for = build_agent(self.settings.agent)
+        given = None if self.agent is None else pickle.loads(self.agent)
+        agent_for = build_agent(self.settings.agent, given)
         obstacles = self.settings.obstacles
-        # On another machine than the plan's they may be missing, or see other looks.
+        # On another machine than the plan's they may be missing.
         eyes = checked_eyes(self.settings.detector, self.settings.signs)
-        _check_looks(self.settings)
         arenas = {
             name: Arena(site, obstacles, eyes) for name, site in self.sites.items()
         }
@@ -94,16 +104,6 @@ class EpisodeWorker:
             return EpisodeDone(done.result, trace_content(done.trace))
 
         return run
-
-
-def _check_looks(settings: RunSettings) -> None:
-    here = looks_of_run(settings.agent.name, settings.detector, settings.signs)
-    if here != settings.looks:
-        raise SettingsError(
-            f"looks of things: expected {settings.looks}, as where the run was begun, "
-            f"got {here}; run `memorymaze sites models` on every node or on none, and "
-            "give MEMORYMAZE_LOOKS alike"
-        )
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,8 +1,8 @@
 """What a run will ask and cost, said before it begins: estimates, with what they rest on."""
 
 from memorymaze.agents.navid.agent import NavidOptions
+from memorymaze.evaluation.budgets import fair_steps, fewest_answers
 from memorymaze.evaluation.plan import RunPlan
-from memorymaze.evaluation.step_budgets import fair_steps, fewest_answers
 from memorymaze.language.model import CompletionRequest
 from memorymaze.options import read_options
 

@@ -10,6 +10,7 @@ from memorymaze.agents.agent import Journal
 from memorymaze.agents.navgpt import NavGPTAgent
 from memorymaze.agents.navgpt.agent import loop_limits
 from memorymaze.errors import SettingsError
+from memorymaze.evaluation.guarded_robot import simulated_behind
 from memorymaze.robot.api import Robot
 from memorymaze.robot.viewpoints import Panorama
 from memorymaze.simulation import Scene, SimulatedRobot
@@ -60,24 +61,16 @@ class NavGPTOnGraph:
         journal: Journal,
         rng: np.random.Generator,
     ) -> None:
-        """Let the agent walk the graph of the robot's site.
-
-        Raises:
-            TypeError: The robot is not a simulated one.
-        """
-        if not isinstance(robot, SimulatedRobot):
-            raise TypeError(
-                f"NavGPT needs a SimulatedRobot, got {type(robot).__name__}: its "
-                "navigation graph is made from a site plan"
-            )
+        """Let the agent walk the graph of the robot's site."""
+        simulated = simulated_behind(robot, self.name)
         describe = self._describe
         walk = ViewpointWalk(
-            robot,
-            graph_of(robot.scene),
-            None if describe is None else describe(robot, journal),
+            simulated,
+            graph_of(simulated.scene),
+            None if describe is None else describe(simulated, journal),
         )
         limits = loop_limits(
-            self._agent.options, longest_route_viewpoints(robot.scene.site)
+            self._agent.options, longest_route_viewpoints(simulated.scene.site)
         )
         self._agent.follow(instruction, walk, journal, limits)
 

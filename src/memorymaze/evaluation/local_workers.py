@@ -19,7 +19,7 @@ from memorymaze.evaluation.episode_worker import (
     EpisodeWorker,
 )
 from memorymaze.evaluation.plan import RunPlan
-from memorymaze.evaluation.settings import RunSettings
+from memorymaze.evaluation.settings import RunDefinition
 from memorymaze.evaluation.worker_pool import LEAVING_TIME, WorkerDied
 from memorymaze.wording import counted
 
@@ -43,7 +43,7 @@ class LocalWorkforce:
         """Say how many there are."""
         return counted(self.workers or available_cores(), "worker")
 
-    def check(self, settings: RunSettings) -> None:
+    def check(self, settings: RunDefinition) -> None:
         """Refuse nothing: this machine made the plan."""
 
     def source(self, plan: RunPlan, folder: Path, episodes: int) -> "LocalSource":
@@ -59,7 +59,7 @@ class LocalWorkforce:
             threads=threads,
         )
         settings = replace(plan.settings, agent=replace(agent, asking=asking))
-        return LocalSource(EpisodeWorker(settings, plan.sites), count)
+        return LocalSource(EpisodeWorker.of(plan, settings), count)
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,12 +8,12 @@ from memorymaze.agents.agent import Agent, Journal
 from memorymaze.agents.navid import NavidAgent, NavidOptions
 from memorymaze.agents.navid.policy import Policy
 from memorymaze.errors import LanguageModelError, SettingsError
+from memorymaze.evaluation.budgets import fair_steps
+from memorymaze.evaluation.guarded_robot import simulated_behind
 from memorymaze.evaluation.language_models import build_language_model
 from memorymaze.evaluation.settings import AgentSettings
-from memorymaze.evaluation.step_budgets import fair_steps
 from memorymaze.language.local_models import is_local
 from memorymaze.robot.api import Robot
-from memorymaze.simulation import SimulatedRobot
 
 
 class NavidOnSite:
@@ -36,11 +36,9 @@ class NavidOnSite:
         rng: np.random.Generator,
     ) -> None:
         """Let the agent follow; only the number of steps comes from the site."""
-        limit = None
-        if isinstance(robot, SimulatedRobot):
-            motions = self._agent.options.motions
-            routes = robot.scene.site.routes
-            limit = fair_steps(routes, motions.forward_m, motions.turn_deg)
+        motions = self._agent.options.motions
+        routes = simulated_behind(robot, self.name).scene.site.routes
+        limit = fair_steps(routes, motions.forward_m, motions.turn_deg)
         self._agent.follow(instruction, robot, journal, rng, limit)
 
 

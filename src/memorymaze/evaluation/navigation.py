@@ -3,30 +3,29 @@
 import json
 import os
 from collections.abc import Sequence
-from dataclasses import asdict, replace
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from memorymaze.agents.agent import Agent
 from memorymaze.drawing.shapes import Met, ThingInTheWay
 from memorymaze.durable_files import write_whole
 from memorymaze.errors import RunFolderError, SettingsError
-from memorymaze.evaluation.agents_for_runs import build_agent
+from memorymaze.evaluation.agent_catalogue import (
+    agent_needs,
+    build_agent,
+    settings_of,
+)
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.episode import EpisodeRun, Watcher, run_episode
-from memorymaze.evaluation.eyes_for_runs import checked_eyes
-from memorymaze.evaluation.looks_for_runs import looks_of_run
+from memorymaze.evaluation.eyes import checked_eyes
+from memorymaze.evaluation.plan import define_run
 from memorymaze.evaluation.settings import AgentSettings, RunSettings
-from memorymaze.evaluation.step_budgets import time_budget_for
 from memorymaze.evaluation.trace import trace_lines
 from memorymaze.instructions.corpus import episodes
 from memorymaze.instructions.records import Instruction
-from memorymaze.metrics.success import SUCCESS_DISTANCE
-from memorymaze.perception.eyes import TRUTH, DetectorSettings, SignSource
-from memorymaze.simulation import SimulationSettings
-from memorymaze.simulation.obstacles import ObstacleSettings
-from memorymaze.simulation.settings import TurningPoints
 from memorymaze.sites import Route, Site
 
 FILES = ("trajectory.json", "trace.jsonl", "picture.png")
@@ -51,60 +50,25 @@ def navigate(
     site: Site,
     route: Route,
     text: str,
-    agent: AgentSettings,
+    agent: AgentSettings | Agent,
+    settings: RunSettings | None = None,
     *,
-    seed: int = 0,
-    success_distance: float = SUCCESS_DISTANCE,
-    time_budget: float | None = None,
-    call_budget: int | None = None,
-    obstacles: ObstacleSettings | None = None,
-    turning_points: TurningPoints = "annotated",
-    detector: DetectorSettings = TRUTH,
-    signs: SignSource = "truth",
     watcher: Watcher | None = None,
 ) -> EpisodeRun:
-    """Let an agent follow a text from the start of a route.
-
-    Args:
-        site: Where.
-        route: What the text describes; gives start, goal and reference path.
-        text: The instruction.
-        agent: Which agent.
-        seed: Of all random numbers.
-        success_distance: Metres.
-        time_budget: Simulated seconds; None for the default of the site's routes.
-        call_budget: Calls of the control API; None for the default.
-        obstacles: Things in the way and people; None for none.
-        turning_points: Where the robot knows turning points from.
-        detector: Eyes of `detect_from_RGB_image`.
-        signs: Where `read_signs` knows texts from.
-        watcher: Looks on while the agent follows.
+    """Let an agent follow one instruction from the start of a route.
 
     Raises:
         MemoryMazeError: Something that was given cannot be used.
     """
     if not text.strip():
         raise SettingsError("text: expected an instruction, got nothing")
-    abilities = SimulationSettings(turning_points=turning_points)
-    if time_budget is None:
-        time_budget = time_budget_for(agent.name, site.routes, abilities)
-    if call_budget is None:
-        call_budget = abilities.call_budget
-    settings = RunSettings(
-        agent=agent,
-        instructions=(),
-        sites=(),
-        seed=seed,
-        limit=None,
-        episodes=1,
-        success_distance=success_distance,
-        simulation=replace(abilities, time_budget=time_budget, call_budget=call_budget),
-        obstacles=obstacles,
-        detector=detector,
-        signs=signs,
-        looks=looks_of_run(agent.name, detector, signs),
-    )
-    eyes = checked_eyes(detector, signs)
+    settings = settings or RunSettings()
+    eyes = checked_eyes(settings.detector, settings.signs)
+    given = None if isinstance(agent, AgentSettings) else agent
+    chosen = agent if isinstance(agent, AgentSettings) else settings_of(agent)
+    follower = build_agent(chosen, given)
+    needs = agent_needs(chosen.name, given)
+    definition = define_run(chosen, settings, needs, [site], episodes=1)
     told = Instruction(
         id=f"{site.name}-{route.id}",
         site=site.name,
@@ -120,8 +84,8 @@ def navigate(
         split="test",
     )
     [episode] = episodes([told], {site.name: site})
-    arena = Arena(site, obstacles, eyes)
-    return run_episode(build_agent(agent)(episode), episode, arena, settings, watcher)
+    arena = Arena(site, settings.obstacles, eyes)
+    return run_episode(follower(episode), episode, arena, definition, watcher)
 
 
 def _met_in(trace: Sequence[dict[str, Any]]) -> Met | None:

@@ -1,12 +1,13 @@
 """The upper end: an agent that is given the answer."""
 
 from collections.abc import Sequence
+from typing import ClassVar
 
 import numpy as np
 
-from memorymaze.agents.agent import Journal
+from memorymaze.agents.agent import Journal, Need
+from memorymaze.evaluation.guarded_robot import simulated_behind
 from memorymaze.robot.api import Robot
-from memorymaze.simulation import SimulatedRobot
 
 
 class OracleAgent:
@@ -19,6 +20,7 @@ class OracleAgent:
     """
 
     name = "oracle"
+    needs: ClassVar[frozenset[Need]] = frozenset({"answers"})
 
     def __init__(self, reference_path: Sequence[tuple[float, float]]) -> None:
         """Remember the way."""
@@ -31,14 +33,6 @@ class OracleAgent:
         journal: Journal,
         rng: np.random.Generator,
     ) -> None:
-        """Drive along the reference path.
-
-        Raises:
-            TypeError: The robot is not a simulated one.
-        """
-        if not isinstance(robot, SimulatedRobot):
-            raise TypeError(
-                f"the oracle needs a SimulatedRobot, got {type(robot).__name__}"
-            )
-        robot.follow(self._reference_path)
+        """Drive along the reference path."""
+        simulated_behind(robot, self.name).follow(self._reference_path)
         robot.stop()

@@ -10,7 +10,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from memorymaze.agents.agent import Agent
+from memorymaze.agents.agent import Agent, Need, needs_of
 from memorymaze.errors import SettingsError
 from memorymaze.evaluation.agent_failures import failure_line
 from memorymaze.options import read_options
@@ -30,6 +30,27 @@ def own_options(name: str) -> type | None:
             f"agent {name!r}: expected `Options` to be a dataclass, got {options!r}"
         )
     return options
+
+
+def own_needs(name: str) -> frozenset[Need]:
+    """Return what an agent of a user's own declares in its attribute `needs`.
+
+    Raises:
+        SettingsError: The agent cannot be found, or declares what there is not.
+    """
+    return checked_needs(name, _find(name))
+
+
+def checked_needs(name: str, agent: object) -> frozenset[Need]:
+    """Return what an agent, or its class, declares that it needs.
+
+    Raises:
+        SettingsError: It declares what there is not.
+    """
+    try:
+        return needs_of(agent)
+    except TypeError as error:
+        raise SettingsError(f"agent {name!r}: {error}") from None
 
 
 def make_own_agent(name: str, options: tuple[tuple[str, str], ...] = ()) -> Agent:

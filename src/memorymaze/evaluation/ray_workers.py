@@ -28,9 +28,8 @@ from memorymaze.evaluation.episode_worker import (
 from memorymaze.evaluation.local_workers import available_cores
 from memorymaze.evaluation.plan import RunPlan
 from memorymaze.evaluation.provenance import code_stamp
-from memorymaze.evaluation.settings import RunSettings
+from memorymaze.evaluation.settings import RunDefinition
 from memorymaze.evaluation.worker_pool import LEAVING_TIME, WorkerDied
-from memorymaze.sites import Site
 from memorymaze.wording import counted
 
 ANSWER_TIME = 10.0
@@ -119,7 +118,7 @@ class RayWorkforce:
         cores = counted(self.cores, "core")
         return f"{workers} on a Ray cluster of {nodes} with {cores}"
 
-    def check(self, settings: RunSettings) -> None:
+    def check(self, settings: RunDefinition) -> None:
         """Refuse settings that only processes of one machine can keep together."""
         agent, asking = settings.agent, settings.agent.asking
         options = {name.replace("-", "_"): value for name, value in agent.options}
@@ -153,7 +152,9 @@ class RayWorkforce:
 
     def source(self, plan: RunPlan, folder: Path, episodes: int) -> "RaySource":
         """Return where workers come from; no more of them than there are episodes."""
-        prepare = TravellingWorker(plan.settings, plan.sites, pack_files(plan.settings))
+        prepare = TravellingWorker(
+            EpisodeWorker.of(plan, plan.settings), pack_files(plan.settings)
+        )
         return RaySource(prepare, min(self.workers, episodes))
 
 
@@ -259,8 +260,7 @@ def _host_class() -> type:
 class TravellingWorker:
     """An `EpisodeWorker` that brings along the files that its settings name."""
 
-    settings: RunSettings
-    sites: dict[str, Site]
+    worker: EpisodeWorker
     files: dict[str, bytes]
     """Contents by place: `agent/…`, `programs/…`, `replay/…`."""
 
@@ -273,7 +273,8 @@ class TravellingWorker:
             place = folder / name
             place.parent.mkdir(parents=True, exist_ok=True)
             place.write_bytes(content)
-        agent = self.settings.agent
+        settings = self.worker.settings
+        agent = settings.agent
         file, _, kind = agent.name.rpartition(":")
         own = f"{folder / 'agent' / Path(file).name}:{kind}"
         agent = replace(
@@ -284,14 +285,14 @@ class TravellingWorker:
             # The one core that a worker is given.
             asking=replace(agent.asking, threads=1),
         )
-        return EpisodeWorker(replace(self.settings, agent=agent), self.sites)()
+        return replace(self.worker, settings=replace(settings, agent=agent))()
 
 
 def _placed(name: str | None, folder: Path) -> str | None:
     return None if name is None else str(folder / Path(name).name)
 
 
-def pack_files(settings: RunSettings) -> dict[str, bytes]:
+def pack_files(settings: RunDefinition) -> dict[str, bytes]:
     """Read the files that the settings of a run name, and those beside its agent's."""
     agent = settings.agent
     paths: dict[str, Path] = {}

@@ -34,7 +34,7 @@ from memorymaze.evaluation.results import (
     result_from_line,
     result_to_line,
 )
-from memorymaze.evaluation.settings import RunSettings, differences
+from memorymaze.evaluation.settings import RunDefinition, differences
 from memorymaze.instructions.records import Instruction
 from memorymaze.sites import Site, load_site
 
@@ -46,7 +46,7 @@ FORMAT = 1
 class RunRecord:
     """What `run.json` says."""
 
-    settings: RunSettings
+    settings: RunDefinition
     code: CodeStamp
     started: str
     """Date and time in UTC, ISO 8601."""

@@ -1,19 +1,28 @@
 """What determines the results of a run, checked, compared and kept in `run.json`."""
 
+import difflib
 import hashlib
 import math
-from collections.abc import Iterable, Mapping
-from dataclasses import asdict, dataclass
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import asdict, dataclass, field, fields, replace
 from pathlib import Path
 from typing import Any
 
+from memorymaze.agents.agent import Need
 from memorymaze.errors import SettingsError
 from memorymaze.evaluation.asking import PATIENT, AskingSettings
 from memorymaze.evaluation.inference_time import MEASURED, InferenceTime
+from memorymaze.metrics.success import SUCCESS_DISTANCE
 from memorymaze.options import check_whole
-from memorymaze.perception.eyes import TRUTH, DetectorSettings, SignSource
+from memorymaze.perception.eyes import (
+    TRUTH,
+    DetectorSettings,
+    SignSource,
+    parse_detector,
+    parse_signs,
+)
 from memorymaze.pictures.furniture.cache import Looks
-from memorymaze.simulation.obstacles import ObstacleSettings
+from memorymaze.simulation.obstacles import ObstacleSettings, parse_obstacles
 from memorymaze.simulation.settings import SimulationSettings
 
 
@@ -56,38 +65,38 @@ class AgentSettings:
         return ":" in self.name
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class RunSettings:
-    """All that determines a run's results, besides the code.
+    """How episodes are run, whoever follows which instructions; every part has a default.
+
+    A new setting is a field here, and what it does where it acts: the command line, the
+    run folder and comparisons read it from this class.
 
     Raises:
         SettingsError: A value has no meaning.
     """
 
-    agent: AgentSettings
-    instructions: tuple[FileStamp, ...]
-    sites: tuple[FileStamp, ...]
-    seed: int
-    limit: int | None
-    """Episodes to run, alike many of every route of every study; None for all."""
-    episodes: int
-    """Episodes of the whole run."""
-    success_distance: float
-    """Metres from the goal within which stopping is success."""
-    simulation: SimulationSettings
-    """The robot's abilities, and the budgets of an episode."""
-    obstacles: ObstacleSettings | None = None
-    """Things in the way and people; None for buildings as in their plans."""
-    detector: DetectorSettings = TRUTH
-    """Eyes of `detect_from_RGB_image`."""
-    signs: SignSource = "truth"
-    """Where `read_signs` knows texts from."""
-    programs: FileStamp | None = None
-    """Programs that were written elsewhere; None where a model is asked."""
+    seed: int = 0
+    """Of all randomness."""
+    limit: int | None = None
+    """Episodes to run, alike many of every route of every study; none for all."""
     split: str | None = None
-    """Split of the instructions that the run is on; None for all."""
+    """Only instructions of this split; none for all."""
+    success_distance: float = SUCCESS_DISTANCE
+    """Metres; stopping nearer than this to the goal is success."""
+    time_budget: float | None = None
+    """Simulated seconds of an episode; none for three times what a perfect follower needs
+    for the longest route."""
+    obstacles: ObstacleSettings | None = None
+    """Things in the way and people; none for buildings as in their plans."""
+    detector: DetectorSettings = TRUTH
+    """What looks for objects."""
+    signs: SignSource = "truth"
+    """How `read_signs` reads: the truth, or OCR from the camera's picture."""
     looks: Looks | None = None
-    """How things look to the cameras; None for runs without."""
+    """How things look to the cameras; none for runs without."""
+    simulation: SimulationSettings = field(default_factory=SimulationSettings)
+    """The robot's abilities and the other limits of an episode."""
 
     def __post_init__(self) -> None:
         """Refuse values without meaning."""
@@ -99,6 +108,65 @@ class RunSettings:
                 "success distance: expected more than 0 metres, got "
                 f"{self.success_distance!r}"
             )
+
+
+def with_choices(settings: RunSettings, choices: Mapping[str, Any]) -> RunSettings:
+    """Return settings with some values changed, by their names.
+
+    Names are the fields of `RunSettings` and of `SimulationSettings`; texts are understood
+    as on the command line, such as `obstacles="medium"`.
+
+    Raises:
+        SettingsError: There is no such setting, or a value has no meaning.
+    """
+    names = [each.name for each in fields(RunSettings)]
+    abilities = [each.name for each in fields(SimulationSettings)]
+    run: dict[str, Any] = {}
+    robot: dict[str, Any] = {}
+    for name, value in choices.items():
+        if isinstance(value, str) and name in _READERS:
+            value = _READERS[name](value)
+        if name in names:
+            run[name] = value
+        elif name in abilities:
+            robot[name] = value
+        else:
+            known = [each for each in (*names, *abilities) if each != "simulation"]
+            close = difflib.get_close_matches(name, known, n=1)
+            meant = f"; did you mean {close[0]!r}?" if close else ""
+            raise SettingsError(
+                f"setting: expected one of {', '.join(known)}; got {name!r}{meant}"
+            )
+    if robot:
+        given = run.get("simulation", settings.simulation)
+        run["simulation"] = replace(given, **robot)
+    return replace(settings, **run)
+
+
+_READERS: dict[str, Callable[[str], Any]] = {
+    "detector": parse_detector,
+    "obstacles": parse_obstacles,
+    "signs": parse_signs,
+}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RunDefinition(RunSettings):
+    """Settings with all else that determines a run's results, besides the code."""
+
+    agent: AgentSettings
+    needs: tuple[Need, ...] = ()
+    """What the agent declares that it needs, sorted."""
+    instructions: tuple[FileStamp, ...]
+    sites: tuple[FileStamp, ...]
+    episodes: int
+    """Episodes of the whole run."""
+    programs: FileStamp | None = None
+    """Programs that were written elsewhere; None where a model is asked."""
+
+    def __post_init__(self) -> None:
+        """Refuse values without meaning."""
+        RunSettings.__post_init__(self)
         if not math.isfinite(self.simulation.time_budget):
             raise SettingsError(
                 "time budget: expected a finite number of seconds, got "
@@ -113,6 +181,7 @@ def stamp_file(path: str | Path, name: str | None = None) -> FileStamp:
 
 
 NOT_COMPARED = {
+    "time_budget",
     "agent.base_url",
     "agent.record",
     "agent.replay",
@@ -126,10 +195,11 @@ NOT_COMPARED = {
     "agent.asking.threads",
 }
 """Where replies come from and go to, and how patiently and how long they are asked for,
-which does not change what they say."""
+which does not change what they say; and the time budget as it was asked for, since what
+came of it is in `simulation`."""
 
 
-def differences(old: RunSettings, new: RunSettings) -> list[str]:
+def differences(old: RunDefinition, new: RunDefinition) -> list[str]:
     """Say in which settings two runs differ: `seed: 0 there, 1 here`."""
     before, after = dict(_flat(asdict(old))), dict(_flat(asdict(new)))
     names = [f for f in {**before, **after} if f not in NOT_COMPARED]

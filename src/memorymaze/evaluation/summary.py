@@ -8,7 +8,7 @@ from typing import Any
 
 from memorymaze.evaluation.collision_rates import collision_rates
 from memorymaze.evaluation.results import EpisodeResult
-from memorymaze.evaluation.settings import RunSettings
+from memorymaze.evaluation.settings import RunDefinition
 from memorymaze.instructions.records import WRITTEN_BY
 
 MEANS = (
@@ -49,7 +49,7 @@ SUMS = (
 
 
 def summarise(
-    results: Sequence[EpisodeResult], settings: RunSettings
+    results: Sequence[EpisodeResult], settings: RunDefinition
 ) -> dict[str, Any]:
     """Return counts, means and sums over all results, and per study and route.
 

@@ -3,13 +3,15 @@
 from collections.abc import Sequence
 from typing import Any
 
-from memorymaze.evaluation.settings import RunSettings
+from memorymaze.evaluation.settings import RunDefinition
 from memorymaze.geometry.trajectory import Trajectory
 from memorymaze.instructions.records import Episode
 from memorymaze.simulation import SimulatedRobot, TraceEvent
 
 
-def opening_entry(name: str, episode: Episode, settings: RunSettings) -> dict[str, Any]:
+def opening_entry(
+    name: str, episode: Episode, settings: RunDefinition
+) -> dict[str, Any]:
     """Say what is followed, from where, by whom."""
     told = episode.instruction
     return {

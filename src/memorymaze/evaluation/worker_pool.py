@@ -18,7 +18,7 @@ from typing import Any, Literal, Protocol
 from memorymaze.errors import MemoryMazeError
 from memorymaze.evaluation.episode_worker import EpisodeOutcome, EpisodeTask, Lost
 from memorymaze.evaluation.plan import RunPlan
-from memorymaze.evaluation.settings import RunSettings
+from memorymaze.evaluation.settings import RunDefinition
 
 STARTS = 3
 """Workers of one place that may die in a row before they are ready; then the run ends."""
@@ -94,7 +94,7 @@ class Workforce(Protocol):
         """Say how many there are, and where."""
         ...
 
-    def check(self, settings: RunSettings) -> None:
+    def check(self, settings: RunDefinition) -> None:
         """Refuse, before anything is written, what these workers cannot do.
 
         Raises:

@@ -6,12 +6,11 @@ from pathlib import Path
 from typing import Any, Literal
 
 from memorymaze.errors import RunFolderError, UndefinedMetricError
-from memorymaze.evaluation.agents_for_runs import agent_needs
 from memorymaze.evaluation.arena import Arena
+from memorymaze.evaluation.budgets import time_budget_for
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import RunRecord, read_run
-from memorymaze.evaluation.settings import RunSettings, differences, stamp_file
-from memorymaze.evaluation.step_budgets import time_budget_for
+from memorymaze.evaluation.settings import RunDefinition, differences, stamp_file
 from memorymaze.evaluation.trace import read_trace
 from memorymaze.geometry.trajectory import TimedPose, Trajectory
 from memorymaze.instructions.corpus import episodes
@@ -104,14 +103,14 @@ def check_submission(
 
 
 def _settings_problems(
-    settings: RunSettings,
+    settings: RunDefinition,
     files: Sequence[str | Path],
     sites: Mapping[str, Site],
     count: int,
 ) -> Iterator[str]:
     routes = [route for site in sites.values() for route in site.routes]
     abilities = SimulationSettings()
-    budget = time_budget_for(settings.agent.name, routes, abilities)
+    budget = time_budget_for(frozenset(settings.needs), routes, abilities)
     obstacles = None
     if settings.obstacles is not None:
         obstacles = replace(ObstacleSettings(), seed=settings.obstacles.seed)
@@ -135,7 +134,7 @@ def _settings_problems(
         yield "setting " + difference.replace(
             " there, ", " expected, got "
         ).removesuffix(" here")
-    if "answers" in agent_needs(settings.agent.name):
+    if "answers" in settings.needs:
         yield f"agent: {settings.agent.name} is given the answers"
 
 
@@ -182,7 +181,7 @@ def _trace_problems(
     result: EpisodeResult,
     episode: Episode,
     arena: Arena,
-    settings: RunSettings,
+    settings: RunDefinition,
 ) -> Iterator[str]:
     place = f"episode {result.episode_id!r}"
     try:
@@ -226,10 +225,9 @@ def _trace_problems(
             )
 
 
-def remarks(settings: RunSettings, results: Iterable[EpisodeResult]) -> Iterator[str]:
+def remarks(settings: RunDefinition, results: Iterable[EpisodeResult]) -> Iterator[str]:
     """Say what readers of a leaderboard must know of a run."""
-    needs = agent_needs(settings.agent.name)
-    if "graph" in needs:
+    if "graph" in settings.needs:
         yield "The agent is given the navigation graph of the building."
     if settings.agent.is_own:
         yield "The agent is not part of memorymaze; its code must be published with it."

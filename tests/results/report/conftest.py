@@ -11,6 +11,7 @@ from playwright.sync_api import Browser, Page
 from memorymaze.evaluation.driver import run_plan
 from memorymaze.evaluation.plan import plan_run
 from memorymaze.evaluation.settings import AgentSettings
+from memorymaze.instructions import load_corpus
 from memorymaze.results.report import read_sources, write_report
 
 TESTS = Path(__file__).parents[2]
@@ -70,8 +71,7 @@ def make_run(folder: Path, agent: str, instructions: Path = TINY_INSTRUCTIONS) -
     """Run an agent over instructions on the tiny sites."""
     plan = plan_run(
         AgentSettings(agent),
-        instruction_files=[instructions],
-        sites_folder=TINY_SITES,
+        load_corpus([instructions], sites=TINY_SITES),
     )
     run_plan(plan, folder, workers=1)
     return folder

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from memorymaze.errors import SettingsError
-from memorymaze.evaluation.sail_corpus import sail_corpus
 from memorymaze.evaluation.settings import FileStamp, stamp_file
+from memorymaze.instructions import load_corpus
 from memorymaze.instructions.files import BUILTIN_CORPUS, load_instructions
 from memorymaze.instructions.records import Instruction
 from memorymaze.results.tables import MeasuredRun, load_runs
@@ -72,7 +72,7 @@ def read_sources(
         )
     )
     if sail_folder is not None:
-        corpus = sail_corpus(sail_folder)
+        corpus = load_corpus(sail_folder)
         known = {each.instruction.id: each.instruction for each in corpus.episodes}
         missing = []
         sites, changed = _sites(runs, corpus.sites)

@@ -6,7 +6,7 @@ from pathlib import Path
 from memorymaze.errors import SettingsError, did_you_mean
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import RunRecord, read_run
-from memorymaze.evaluation.settings import RunSettings, stamp_file
+from memorymaze.evaluation.settings import RunDefinition, stamp_file
 from memorymaze.evaluation.trace import read_trace, trace_path
 from memorymaze.results.story.story import Story, story_of
 from memorymaze.sites import (
@@ -83,7 +83,9 @@ def _no_such_episode(path: Path, wanted: str, known: list[str]) -> str:
     )
 
 
-def _site_of(settings: RunSettings, name: str, sites_folder: str | Path | None) -> Site:
+def _site_of(
+    settings: RunDefinition, name: str, sites_folder: str | Path | None
+) -> Site:
     """Return the plan of this name, if it is the one the run was made with."""
     if sites_folder is not None:
         sites = load_sites(sites_folder)

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from memorymaze.errors import RunFolderError
 from memorymaze.evaluation.collision_rates import collision_rates
-from memorymaze.evaluation.eyes_for_runs import eyes_notes
+from memorymaze.evaluation.eyes import eyes_notes
 from memorymaze.evaluation.inference_time import describe_inference_time
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import RunRecord, read_run

@@ -6,10 +6,10 @@ import pytest
 
 from memorymaze.errors import DetectorError, SettingsError
 from memorymaze.evaluation.arena import Arena
-from memorymaze.evaluation.eyes_for_runs import checked_eyes, eyes_notes
+from memorymaze.evaluation.eyes import checked_eyes, eyes_notes
 from memorymaze.evaluation.navigation import navigate
 from memorymaze.evaluation.plan import plan_run
-from memorymaze.evaluation.settings import AgentSettings
+from memorymaze.evaluation.settings import AgentSettings, RunSettings
 from memorymaze.perception.error_model import ErrorModel
 from memorymaze.perception.eyes import (
     TRUTH,
@@ -32,18 +32,13 @@ class Looker:
 
 
 @pytest.fixture
-def walk(corridor_site: Site, monkeypatch):
+def walk(corridor_site: Site):
     """Let the looker walk with some detector; returns the episode's run."""
 
     def run(detector: DetectorSettings, seed: int = 0):
-        monkeypatch.setattr(
-            "memorymaze.evaluation.navigation.build_agent", lambda _: lambda _: Looker()
-        )
         route = corridor_site.find_route("R1")
-        agent = AgentSettings("looker")
-        return navigate(
-            corridor_site, route, "Go.", agent, seed=seed, detector=detector
-        )
+        settings = RunSettings(seed=seed, detector=detector)
+        return navigate(corridor_site, route, "Go.", Looker(), settings)
 
     return run
 
@@ -78,17 +73,18 @@ def test_eyes_that_cannot_be_had_are_found_out_before_the_run(tmp_path: Path):
     missing = DetectorSettings("grounding-dino", checkpoint=str(tmp_path / "none"))
 
     with pytest.raises(SettingsError, match="no such folder"):
-        plan_run(AgentSettings("stop"), detector=missing)
+        plan_run(AgentSettings("stop"), settings=RunSettings(detector=missing))
     with pytest.raises(SettingsError, match="expected one of truth, ocr"):
         checked_eyes(TRUTH, "tarot")
 
 
 def test_notes_say_which_eyes_a_run_had():
-    plan = plan_run(AgentSettings("stop"), limit=1)
+    plan = plan_run(AgentSettings("stop"), settings=RunSettings(limit=1))
     assert eyes_notes(plan.settings) == []
 
     wrong = plan_run(
-        AgentSettings("stop"), limit=1, detector=parse_detector("truth:miss=0.3")
+        AgentSettings("stop"),
+        settings=RunSettings(limit=1, detector=parse_detector("truth:miss=0.3")),
     )
     [note] = eyes_notes(wrong.settings)
     assert "DETECTOR truth:miss=0.3" in note
@@ -106,7 +102,8 @@ def test_tables_name_the_eyes_beside_the_method(tmp_path: Path):
     from memorymaze.results.tables import load_runs
 
     plan = plan_run(
-        AgentSettings("stop"), limit=1, detector=parse_detector("truth:errors")
+        AgentSettings("stop"),
+        settings=RunSettings(limit=1, detector=parse_detector("truth:errors")),
     )
     run_plan(plan, tmp_path / "run", workers=1)
 

@@ -3,19 +3,18 @@ from pathlib import Path
 import pytest
 
 from memorymaze.errors import SettingsError
-from memorymaze.evaluation.looks_for_runs import looks_of_run
-from memorymaze.perception.eyes import TRUTH
+from memorymaze.evaluation.eyes import looks_of_run
+from memorymaze.evaluation.settings import RunSettings
 
 
 def test_runs_without_cameras_do_not_depend_on_looks() -> None:
-    assert looks_of_run("rules", TRUTH, "truth") is None
-    assert looks_of_run("oracle", TRUTH, "truth") is None
+    assert looks_of_run(frozenset(), RunSettings()) is None
+    assert looks_of_run(frozenset({"answers"}), RunSettings()) is None
 
 
 def test_runs_with_cameras_say_what_these_show() -> None:
-    assert looks_of_run("navid", TRUTH, "truth") == "own"
-    assert looks_of_run("rules", TRUTH, "ocr") == "own"
-    assert looks_of_run("mine.py:Mine", TRUTH, "truth") == "own"
+    assert looks_of_run(frozenset({"camera"}), RunSettings()) == "own"
+    assert looks_of_run(frozenset(), RunSettings(signs="ocr")) == "own"
 
 
 def test_looks_that_are_not_there_are_refused_before_the_run(
@@ -24,4 +23,4 @@ def test_looks_that_are_not_there_are_refused_before_the_run(
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     monkeypatch.setenv("MEMORYMAZE_LOOKS", "sweethome3d")
     with pytest.raises(SettingsError, match="memorymaze sites models"):
-        looks_of_run("navid", TRUTH, "truth")
+        looks_of_run(frozenset({"camera"}), RunSettings())

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from memorymaze.evaluation.agents_for_runs import build_agent
+from memorymaze.evaluation.agent_catalogue import build_agent
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.episode import EpisodeRun, run_episode
 from memorymaze.evaluation.plan import RunPlan

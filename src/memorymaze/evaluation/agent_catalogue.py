@@ -5,17 +5,20 @@ To add one: an entry in `_KNOWN`, with how it is made, its dataclass of options 
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
-from typing import Any, Literal
+from dataclasses import dataclass, is_dataclass
+from typing import Any
 
 from memorymaze.agents import AGENTS
-from memorymaze.agents.agent import Agent
+from memorymaze.agents.agent import Agent, Need
 from memorymaze.agents.rules import RulesAgent, RulesOptions
 from memorymaze.errors import SettingsError, did_you_mean
 from memorymaze.evaluation.language_models import build_language_model
 from memorymaze.evaluation.oracle import OracleAgent
 from memorymaze.evaluation.own_agents import (
+    checked_agent,
+    checked_needs,
     make_own_agent,
+    own_needs,
     own_options,
 )
 from memorymaze.evaluation.program_replay import (
@@ -24,14 +27,10 @@ from memorymaze.evaluation.program_replay import (
 )
 from memorymaze.evaluation.settings import AgentSettings
 from memorymaze.instructions.records import Episode
-from memorymaze.options import read_options
+from memorymaze.options import options_of, read_options
 
 AgentFor = Callable[[Episode], Agent]
 """Gives the agent that follows an episode; most look at no episode."""
-
-Need = Literal["language_model", "graph", "camera", "steps", "answers"]
-"""What an agent is given besides text and robot: a language model to ask, the site's
-navigation graph, pictures, primitive motions, or the reference path."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -169,9 +168,15 @@ def known_agent(name: str) -> KnownAgent:
     )
 
 
-def agent_needs(name: str) -> frozenset[Need]:
-    """Return what an agent needs; nothing for users' own and for unknown names."""
-    return _KNOWN[name].needs if name in _KNOWN else frozenset()
+def agent_needs(name: str, given: Agent | None = None) -> frozenset[Need]:
+    """Return what an agent needs, by its name or as it was given.
+
+    Raises:
+        SettingsError: There is no such agent.
+    """
+    if given is not None:
+        return checked_needs(name, given)
+    return own_needs(name) if ":" in name else known_agent(name).needs
 
 
 def agent_options(name: str) -> type | None:
@@ -187,8 +192,11 @@ def agent_options(name: str) -> type | None:
 
 
 def has_language_model(name: str) -> bool:
-    """Tell whether the agent of this name asks a language model."""
-    return "language_model" in agent_needs(name)
+    """Tell whether a shipped agent of this name asks a language model.
+
+    Users' own agents have their models made by themselves.
+    """
+    return name in _KNOWN and "language_model" in _KNOWN[name].needs
 
 
 def has_parser(name: str) -> bool:
@@ -196,8 +204,24 @@ def has_parser(name: str) -> bool:
     return name in _KNOWN and _KNOWN[name].parser
 
 
-def build_agent(settings: AgentSettings) -> AgentFor:
-    """Make an agent.
+def settings_of(agent: Agent) -> AgentSettings:
+    """Return what a run records of an agent that is handed over as an object.
+
+    Raises:
+        SettingsError: It is no agent.
+    """
+    cls = type(agent)
+    name = f"{cls.__module__}:{cls.__qualname__}"
+    checked_needs(name, checked_agent(name, agent))
+    options = getattr(agent, "options", None)
+    given: tuple[tuple[str, str], ...] = ()
+    if is_dataclass(options) and not isinstance(options, type):
+        given = tuple((each.name, each.default) for each in options_of(options))
+    return AgentSettings(name, options=given)
+
+
+def build_agent(settings: AgentSettings, given: Agent | None = None) -> AgentFor:
+    """Make an agent, or take the one that is given as an object.
 
     Besides the names of `agent_names`, `package.module:Class` and `path/to/file.py:Class`
     are understood: anything that can be called without arguments, or that has a dataclass
@@ -209,6 +233,8 @@ def build_agent(settings: AgentSettings) -> AgentFor:
         SettingsError: There is no such agent, it cannot be made, it has no such options,
             or the settings name a language model for an agent that has none.
     """
+    if given is not None:
+        return lambda _: given
     known = None if settings.is_own else known_agent(settings.name)
     if not has_language_model(settings.name):
         _refuse_model(settings)

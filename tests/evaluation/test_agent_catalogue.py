@@ -6,13 +6,13 @@ import pytest
 
 from memorymaze.agents import AGENTS
 from memorymaze.errors import SettingsError
-from memorymaze.evaluation.agent_listing import agent_listing
-from memorymaze.evaluation.agents_for_runs import (
+from memorymaze.evaluation.agent_catalogue import (
     agent_names,
     agent_options,
     build_agent,
     known_agent,
 )
+from memorymaze.evaluation.agent_listing import agent_listing
 from memorymaze.evaluation.oracle import OracleAgent
 from memorymaze.evaluation.plan import RunPlan
 from memorymaze.evaluation.settings import AgentSettings

@@ -1,4 +1,4 @@
-"""The robot as agents of users' own get it: what it can do, and nothing behind it."""
+"""The robot as agents get it: what it can do, and nothing behind it."""
 
 import math
 
@@ -14,7 +14,7 @@ from memorymaze.simulation import SimulatedRobot
 from memorymaze.simulation.senses.lidar import LidarScan
 
 
-class HandedRobot:
+class GuardedRobot:
     """Passes on the control API, single steps, pictures and the LiDAR; has no more.
 
     A simulated robot also knows its building, its true pose and where routes end. An
@@ -91,3 +91,21 @@ class HandedRobot:
     def lidar_scan(self) -> LidarScan:
         """See `SimulatedRobot.lidar_scan`."""
         return self.__robot.lidar_scan()
+
+    def __repr__(self) -> str:
+        """Say what it is, and nothing of where."""
+        return "GuardedRobot(a robot that follows an instruction)"
+
+
+def simulated_behind(robot: object, agent: str) -> SimulatedRobot:
+    """Return the simulated robot behind a guarded one, for agents that are given more.
+
+    Raises:
+        TypeError: It is no simulated robot.
+    """
+    inner = getattr(robot, "_GuardedRobot__robot", robot)
+    if not isinstance(inner, SimulatedRobot):
+        raise TypeError(
+            f"agent {agent!r}: needs a SimulatedRobot, got {type(robot).__name__}"
+        )
+    return inner

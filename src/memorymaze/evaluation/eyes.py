@@ -1,8 +1,10 @@
-"""The detector and reader of signs of a run, tried before anything is written."""
+"""What a run sees with: its detector, its reader of signs, and the looks of things."""
 
+from memorymaze.agents.agent import Need
 from memorymaze.errors import SettingsError
 from memorymaze.evaluation.settings import RunSettings
 from memorymaze.perception.eyes import TRUTH, DetectorSettings, Eyes, SignSource
+from memorymaze.pictures.furniture.cache import Looks, looks_in_use
 
 
 def checked_eyes(detector: DetectorSettings, signs: SignSource) -> Eyes:
@@ -33,3 +35,15 @@ def eyes_notes(settings: RunSettings) -> list[str]:
     if settings.signs != "truth":
         notes.append(f"SIGNS READ BY {settings.signs.upper()} from pictures.")
     return notes
+
+
+def looks_of_run(needs: frozenset[Need], settings: RunSettings) -> Looks | None:
+    """Return how things look to the cameras of a run; None where nothing is drawn.
+
+    Raises:
+        SettingsError: The looks that are asked for are not there.
+    """
+    drawn = "camera" in needs or Eyes(settings.detector, settings.signs).need_pictures
+    if not drawn:
+        return None
+    return settings.looks or looks_in_use()
