@@ -1,16 +1,23 @@
-"""Reading what users name: files of a bounded size, text, and JSON.
+"""Reading what users name: files of a bounded size, text, JSON and its records.
 
 One refusal for all rooms; writing is in `durable_files.py`.
 """
 
 import json
+from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any, cast
 
 from memorymaze.errors import MemoryMazeError
 
+if TYPE_CHECKING:
+    from pydantic import ValidationError
+
 LARGEST_FILE = 2**28
 """Bytes; what is longer, such as an endless device, is refused."""
+PROBLEMS_SHOWN = 20
+LONGEST_SHOWN = 60
+"""Characters of a wrong value that a message shows."""
 
 
 def read_file(path: str | Path, error: type[MemoryMazeError]) -> bytes:
@@ -52,6 +59,19 @@ def read_text(path: str | Path, error: type[MemoryMazeError]) -> str:
         ) from None
 
 
+def read_lines(path: str | Path, error: type[MemoryMazeError]) -> list[tuple[str, str]]:
+    """Return the lines of a file that are not blank, each with its place, `file:line`.
+
+    Raises:
+        MemoryMazeError: Of the kind given: it cannot be read, or has no line.
+    """
+    lines = enumerate(read_text(path, error).split("\n"), start=1)
+    found = [(f"{path}:{number}", line) for number, line in lines if line.strip()]
+    if not found:
+        raise error(f"{path}: expected one JSON record per line, the file is empty")
+    return found
+
+
 def parse_json(text: str | bytes) -> Any:
     """Return what JSON says.
 
@@ -72,6 +92,95 @@ def parse_json(text: str | bytes) -> Any:
         ) from None
     except RecursionError:
         raise ValueError("expected JSON, got one nested too deep") from None
+
+
+def parse_record(line: str | bytes) -> dict[str, Any]:
+    """Return the record that a line of JSON is.
+
+    Raises:
+        ValueError: It is none; says what is there.
+    """
+    record = parse_json(line)
+    if not isinstance(record, dict):
+        raise ValueError(f"expected one JSON record {{…}}, got {shown(record)}")
+    return cast(dict[str, Any], record)
+
+
+def mistakes(error: "ValidationError") -> Iterator[tuple[str, str]]:
+    """Yield where each mistake in a record is, and what was expected and came there.
+
+    The place is as in `exits[0].to`, empty for the whole record.
+    """
+    for detail in error.errors(include_url=False):
+        where = ""
+        for step in detail["loc"]:
+            where += f"[{step}]" if isinstance(step, int) else f".{step}"
+        where = where.lstrip(".")
+        if detail["type"] == "missing":
+            yield where, "expected this member, got none; add it"
+            continue
+        wanted = _KINDS.get(detail["type"], detail["msg"])
+        for opening, instead in _OPENINGS.items():
+            if wanted.startswith(opening):
+                wanted = instead + wanted.removeprefix(opening)
+        yield where, f"expected {wanted}, got {shown(detail['input'])}"
+
+
+_KINDS = {
+    "dataclass_type": "a record {…}",
+    "dict_type": "a record {…}",
+    "list_type": "a list",
+    "model_type": "a record {…}",
+    "tuple_type": "a list",
+}
+_OPENINGS = {
+    "Input should be ": "",
+    "List should have ": "a list with ",
+    "String should have ": "a text with ",
+    "Value error, expected ": "",
+}
+
+
+def writable(text: str) -> str:
+    """Return a text that can be written as UTF-8.
+
+    Raises:
+        ValueError: It has halves of characters.
+    """
+    try:
+        text.encode()
+    except UnicodeEncodeError:
+        raise ValueError("expected text without halves of characters") from None
+    return text
+
+
+def shown(value: object) -> str:
+    """Return what came, cut to a length that fits a message."""
+    try:
+        text = (
+            value
+            if isinstance(value, str)
+            else json.dumps(value, ensure_ascii=False, default=repr)
+        )
+    except RecursionError:
+        return "something nested too deep to show"
+    cut = text if len(text) <= LONGEST_SHOWN else text[: LONGEST_SHOWN - 3] + "…"
+    return (
+        (repr(cut) if isinstance(value, str) else cut)
+        .encode("utf-8", "backslashreplace")
+        .decode()
+    )
+
+
+def refusal(
+    problems: Sequence[object], error: type[MemoryMazeError]
+) -> MemoryMazeError:
+    """Return the error that lists problems, the first 20 in full."""
+    more = len(problems) - PROBLEMS_SHOWN
+    lines = [str(problem) for problem in problems[:PROBLEMS_SHOWN]]
+    lines += [f"… and {more} more"] if more > 0 else []
+    noun = "problem" if len(problems) == 1 else "problems"
+    return error(f"{len(problems)} {noun}:\n" + "\n".join(lines))
 
 
 def _without_repeats(pairs: list[tuple[str, Any]]) -> dict[str, Any]:

@@ -62,19 +62,19 @@ def test_a_line_separator_inside_a_text_does_not_end_the_line(
 @pytest.mark.parametrize(
     ("changes", "said"),
     [
-        pytest.param(
-            {"iteration": 3}, "'iteration': expected the number 1 or 2, got 3", id="3"
-        ),
+        pytest.param({"iteration": 3}, "'iteration': expected 1 or 2, got 3", id="3"),
         pytest.param({"iteration": "1"}, "'iteration': expected", id="text number"),
         pytest.param({"iteration": True}, "got true", id="flag for a number"),
-        pytest.param({"study": "lab"}, "expected 'online' or 'onsite'", id="study"),
-        pytest.param({"text": "  "}, "expected the instruction", id="blank text"),
+        pytest.param({"study": "lab"}, "expected 'online', 'onsite' or 'sail'", id="study"),
+        pytest.param(
+            {"text": "  "}, "expected a text that is not empty", id="blank text"
+        ),
         pytest.param({"text": 5}, "got 5", id="number for a text"),
-        pytest.param({"failures": None}, "expected a list of", id="no list"),
-        pytest.param({"failures": [3]}, "'failures.0'", id="no record"),
+        pytest.param({"failures": None}, "expected a list, got null", id="no list"),
+        pytest.param({"failures": [3]}, "'failures[0]'", id="no record"),
         pytest.param(
             {"failures": [{"kind": "x", "where": "y"}]},
-            "'failures.0.detail' is missing",
+            "'failures[0].detail': expected this member",
             id="failure without detail",
         ),
         pytest.param({"source": "gpt"}, "'human', 'llm' or 'synthetic'", id="source"),

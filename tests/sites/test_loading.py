@@ -154,7 +154,7 @@ def test_the_message_names_file_feature_rule_and_what_came(changed: Changed):
         load_site(path)
     assert str(caught.value) == (
         f"{path}: chair: members: properties.heading_deg: expected a valid number, "
-        'got "north"'
+        "got 'north'"
     )
 
 

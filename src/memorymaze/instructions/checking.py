@@ -88,8 +88,8 @@ def _damaged(instructions: Sequence[Instruction]) -> list[InstructionProblem]:
 def _texts(each: Instruction) -> list[tuple[str, str]]:
     texts = [("text", each.text), ("original_text", each.original_text or "")]
     for number, failure in enumerate(each.failures):
-        texts.append((f"failures.{number}.where", failure.where))
-        texts.append((f"failures.{number}.detail", failure.detail))
+        texts.append((f"failures[{number}].where", failure.where))
+        texts.append((f"failures[{number}].detail", failure.detail))
     return texts
 
 
@@ -304,7 +304,7 @@ def _notes(each: Instruction, names: _PlaceNames, route: Route) -> Iterator[str]
         )
     known = [kind.name for kind in ERROR_KINDS]
     for number, failure in enumerate(each.failures):
-        field = f"field 'failures.{number}"
+        field = f"field 'failures[{number}]"
         if failure.kind not in known:
             hint = did_you_mean(failure.kind, known) or f": {', '.join(known)}"
             yield f"{field}.kind': {failure.kind!r} is none of the paper's kinds{hint}"

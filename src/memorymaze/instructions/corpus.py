@@ -4,12 +4,12 @@ from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 
 from memorymaze.errors import InstructionFileError, SettingsError, did_you_mean
+from memorymaze.input_files import refusal
 from memorymaze.instructions.files import (
     BUILTIN_CORPUS,
     InstructionProblem,
     load_instructions,
     place_of,
-    refusal,
     repeated_ids,
 )
 from memorymaze.instructions.records import Corpus, Episode, Instruction
@@ -82,7 +82,7 @@ def episodes(
     chosen = list(instructions)
     problems = repeated_ids(chosen) + site_problems(chosen, sites)
     if problems:
-        raise refusal(problems)
+        raise refusal(problems, InstructionFileError)
     return [_episode(instruction, sites) for instruction in chosen]
 
 

@@ -7,20 +7,29 @@ that lists them.
 import json
 import warnings
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass, fields
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
+from pydantic import TypeAdapter, ValidationError
+
 from memorymaze.durable_files import write_whole
-from memorymaze.errors import InstructionFileError, InstructionFileWarning
-from memorymaze.input_files import read_text
-from memorymaze.instructions.line_format import instruction_record, parse_line
+from memorymaze.errors import (
+    InstructionFileError,
+    InstructionFileWarning,
+    did_you_mean,
+)
+from memorymaze.input_files import mistakes, parse_record, read_lines, refusal
 from memorymaze.instructions.records import Instruction
 
 BUILTIN_CORPUS = Path(str(files("memorymaze.instructions") / "data/role_played.jsonl"))
 """The shipped corpus: 564 texts written by a language model (see its README)."""
-PROBLEMS_SHOWN = 20
+FIELDS = tuple(each.name for each in fields(Instruction) if each.name != "origin")
+"""Names of what a line can have."""
+OPTIONAL = ("original_text", "followers", "pair", "spans", "method")
+"""Those that are not written where they say nothing."""
+_INSTRUCTION = TypeAdapter(Instruction)
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,18 +49,6 @@ class InstructionProblem:
 def place_of(instruction: Instruction) -> str:
     """Return where an instruction comes from: `file:line`, else its id."""
     return instruction.origin or f"instruction {instruction.id}"
-
-
-def refusal(problems: Sequence[InstructionProblem]) -> InstructionFileError:
-    """Return the error that lists the problems, the first 20 in full."""
-    shown = [str(problem) for problem in problems[:PROBLEMS_SHOWN]]
-    more = len(problems) - len(shown)
-    if more:
-        shown.append(f"… and {more} more")
-    noun = "problem" if len(problems) == 1 else "problems"
-    return InstructionFileError(
-        f"{len(problems)} {noun} in the instructions:\n" + "\n".join(shown)
-    )
 
 
 def repeated_ids(instructions: Iterable[Instruction]) -> list[InstructionProblem]:
@@ -96,7 +93,7 @@ def load_instructions(
         problems += wrong
     problems += repeated_ids(instructions)
     if problems:
-        raise refusal(problems)
+        raise refusal(problems, InstructionFileError)
     return instructions
 
 
@@ -113,29 +110,73 @@ def read_instruction_file(
     """
     instructions: list[Instruction] = []
     problems: list[InstructionProblem] = []
-    unknown: dict[str, int] = {}
-    text = read_text(path, InstructionFileError)
-    for number, line in enumerate(text.split("\n"), start=1):
-        if not line.strip():
-            continue
-        place = f"{path}:{number}"
+    unknown: dict[str, str] = {}
+    for place, line in read_lines(path, InstructionFileError):
         instruction, extra, wrong = parse_line(line, place)
         problems += [InstructionProblem(place, message) for message in wrong]
         if instruction is not None:
             instructions.append(instruction)
         for name in extra:
-            unknown.setdefault(name, number)
-    if not instructions and not problems:
-        raise InstructionFileError(
-            f"{path}: expected one JSON record per line, the file is empty"
-        )
-    for name, number in unknown.items():
+            unknown.setdefault(name, place)
+    for name, place in unknown.items():
         warnings.warn(
-            f"{path}:{number}: field {name!r} is not part of the format and not used",
+            f"{place}: field {name!r} is not part of the format and not used",
             InstructionFileWarning,
             stacklevel=3,
         )
     return instructions, problems
+
+
+def parse_line(
+    line: str, place: str
+) -> tuple[Instruction | None, list[str], list[str]]:
+    """Read one line.
+
+    Returns:
+        The instruction, or None where something is wrong; the names of fields that
+        the format does not know; and what is wrong, one entry per field.
+    """
+    try:
+        record = parse_record(line)
+        unknown = _unknown_fields(record)
+        known = {name: record[name] for name in FIELDS if name in record}
+        instruction = _INSTRUCTION.validate_python({**known, "origin": place})
+        _check_spans(instruction)
+    except ValidationError as error:
+        return None, [], [f"field {name!r}: {said}" for name, said in mistakes(error)]
+    except ValueError as error:
+        return None, [], [str(error)]
+    return instruction, unknown, []
+
+
+def _unknown_fields(record: Mapping[str, Any]) -> list[str]:
+    unknown = [name for name in record if name not in FIELDS]
+    unset = [name for name in FIELDS if name not in record]
+    for name in unknown:
+        meant = did_you_mean(name, unset, cutoff=0.75)
+        if meant:
+            raise ValueError(f"field {name!r} is unknown{meant}")
+    return unknown
+
+
+def _check_spans(instruction: Instruction) -> None:
+    length = len(instruction.text)
+    for number, span in enumerate(instruction.spans):
+        if not span.start <= span.end <= length:
+            raise ValueError(
+                f"field 'spans[{number}]': expected start <= end <= {length}, the length "
+                f"of the text, got {span.start} and {span.end}"
+            )
+
+
+def instruction_record(instruction: Instruction) -> dict[str, Any]:
+    """Return the JSON record of an instruction, which `parse_line` reads back."""
+    record = asdict(instruction)
+    del record["origin"]
+    for optional in OPTIONAL:
+        if not record[optional] and record[optional] != "":
+            del record[optional]
+    return record
 
 
 def write_instructions(path: str | Path, instructions: Iterable[Instruction]) -> None:

@@ -1,12 +1,43 @@
-"""Instructions, episodes and corpora as records; nothing here reads a file."""
+"""Instructions, episodes and corpora as records; nothing here reads a file.
 
+What the types of an instruction's fields allow is checked where files are read.
+"""
+
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Literal
+from typing import Annotated, Literal
+
+from pydantic import AfterValidator, BeforeValidator, Field, Strict
 
 from memorymaze.geometry.pose import Pose
+from memorymaze.input_files import writable
 from memorymaze.sites.records import Site
+
+
+def _said(text: str) -> str:
+    if not text.strip():
+        raise ValueError("expected a text that is not empty")
+    return writable(text)
+
+
+def _whole(value: object) -> object:
+    """Refuse `true` and `1.0`, which compare equal to 1."""
+    if type(value) is not int:
+        raise ValueError("expected a whole number")
+    return value
+
+
+def _small_letters(name: str) -> str:
+    if not re.fullmatch(r"[a-z0-9_]+", name):
+        raise ValueError("expected a name in small letters such as 'dev' or 'test'")
+    return name
+
+
+Text = Annotated[str, AfterValidator(_said)]
+AnyText = Annotated[str, AfterValidator(writable)]
+Count = Annotated[int, Strict(), Field(ge=0)]
 
 WRITTEN_BY = {
     "human": "people",
@@ -20,37 +51,37 @@ WRITTEN_BY = {
 class Failure:
     """A significant error in an instruction."""
 
-    kind: str
+    kind: Text
     """Such as `missing_turn`, `extra_turn`, `wrong_destination`."""
-    where: str
+    where: AnyText
     """Turning point id or place."""
-    detail: str
+    detail: AnyText
 
 
 @dataclass(frozen=True, slots=True)
 class Span:
     """Labelled words of an instruction."""
 
-    kind: str
+    kind: Text
     """Of an error, or of a surface mark such as `filler`."""
-    start: int
+    start: Count
     """Character of the text."""
-    end: int
+    end: Count
     """Character after the last one; `start` where words are missing."""
-    where: str
+    where: AnyText = ""
     """Turning point id or place; empty for surface marks."""
-    detail: str
+    detail: AnyText = ""
 
 
 @dataclass(frozen=True, slots=True)
 class Followers:
     """How people fared who followed an instruction themselves."""
 
-    usable: bool
+    usable: Annotated[bool, Strict()]
     """Whether its corpus knows a legal path that the instruction tells."""
-    tried: int | None
+    tried: Count | None
     """None where the corpus does not tell."""
-    arrived: int | None
+    arrived: Count | None
     """Of these those who reached the goal."""
 
 
@@ -58,27 +89,27 @@ class Followers:
 class Instruction:
     """One person's description of a way, and what is known about it."""
 
-    id: str
-    site: str
-    route: str
+    id: Text
+    site: Text
+    route: Text
     """`R1`, `R2`, …"""
     study: Literal["online", "onsite", "sail"]
-    iteration: Literal[1, 2]
-    participant: str
-    text: str
-    reference_route: str
+    iteration: Annotated[Literal[1, 2], BeforeValidator(_whole)]
+    participant: Text
+    text: Text
+    reference_route: Text
     """Route id in the site plan of the way described."""
     failures: tuple[Failure, ...]
     """Empty when the instruction is right."""
     source: Literal["human", "llm", "synthetic"]
-    language: str
-    split: str
+    language: Text
+    split: Annotated[str, AfterValidator(_small_letters)] = "test"
     """`dev` (prompts may be built from it) or `test`."""
-    original_text: str | None = None
+    original_text: AnyText | None = None
     """What was said before translation or editing."""
     followers: Followers | None = None
     """None where nobody is known to have followed it."""
-    pair: str | None = None
+    pair: Text | None = None
     """Shared by a text with errors and the same text without; None where it has no
     counterpart."""
     spans: tuple[Span, ...] = ()

@@ -7,25 +7,15 @@ records made from them.
 from typing import Annotated, Literal
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field
-from pydantic_core import PydanticCustomError
+
+from memorymaze.input_files import writable
 
 FARTHEST = 100_000.0
 """No coordinate of a building is farther than this many metres from the origin."""
 
-
-def _writable(text: str) -> str:
-    try:
-        text.encode()
-    except UnicodeEncodeError:
-        raise PydanticCustomError(
-            "writable", "text without halves of characters"
-        ) from None
-    return text
-
-
 Coordinate = Annotated[float, Field(ge=-FARTHEST, le=FARTHEST)]
 Position = Annotated[list[Coordinate], Field(min_length=2)]
-AnyText = Annotated[str, AfterValidator(_writable)]
+AnyText = Annotated[str, AfterValidator(writable)]
 Text = Annotated[AnyText, Field(min_length=1)]
 Identity = Annotated[str, Field(pattern=r"^[^\p{C}]+$")]
 """Any text without control characters, so that a message about it is one line."""

@@ -1,4 +1,4 @@
-"""From a plan's file to checked features; what they mean is in `conversion.py`."""
+"""From a plan's file to checked features; what they mean is in `loading.py`."""
 
 import json
 from collections.abc import Mapping, Sequence
@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import TypeVar, cast
 
 from pydantic import BaseModel, ValidationError
-from pydantic_core import ErrorDetails
 
+from memorymaze.input_files import mistakes, shown
 from memorymaze.sites.plan_models import FEATURE_MODELS, FeatureModel, PlanHeader
 from memorymaze.sites.problems import PLAN, Finding, Rule
 
@@ -174,36 +174,7 @@ def _validated(
         return model.model_validate(raw)
     except ValidationError as error:
         findings.extend(
-            Finding(label, "members", _sentence(detail))
-            for detail in error.errors(include_url=False)
+            Finding(label, "members", f"{where}: {said}")
+            for where, said in mistakes(error)
         )
         return None
-
-
-def _sentence(detail: ErrorDetails) -> str:
-    """Say where a value is, what was expected there, and what came."""
-    where = ""
-    for step in detail["loc"]:
-        where += f"[{step}]" if isinstance(step, int) else f".{step}"
-    where = where.lstrip(".")
-    if detail["type"] == "missing":
-        return (
-            f"{where}: expected this member, got none; add it (null only where allowed)"
-        )
-    wanted = (
-        "printable characters"
-        if detail["type"] == "string_pattern_mismatch"
-        else detail["msg"]
-    )
-    for opening in ("Input should be ", "List should ", "String should "):
-        wanted = wanted.removeprefix(opening)
-    return f"{where}: expected {wanted}, got {shown(detail['input'])}"
-
-
-def shown(value: object) -> str:
-    """Return a value as JSON, cut to a length that fits a message."""
-    try:
-        text = json.dumps(value, default=repr)
-    except RecursionError:
-        return "something nested too deep to show"
-    return text if len(text) <= 60 else text[:57] + "…"

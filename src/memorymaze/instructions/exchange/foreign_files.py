@@ -8,9 +8,8 @@ from pathlib import Path
 from typing import Any, Literal, NamedTuple
 
 from memorymaze.errors import InstructionFileError
-from memorymaze.input_files import parse_json, read_file
-from memorymaze.instructions.files import InstructionProblem, refusal, write_file
-from memorymaze.instructions.line_format import parse_line
+from memorymaze.input_files import parse_json, read_file, refusal
+from memorymaze.instructions.files import InstructionProblem, parse_line, write_file
 from memorymaze.instructions.records import Instruction
 from memorymaze.sites.records import Route, Site
 
@@ -44,7 +43,7 @@ def parsed(record: Mapping[str, Any], place: str) -> Instruction:
     if instruction is None or unknown:
         strange = [f"field {name!r}" for name in unknown]
         said = [InstructionProblem(place, each) for each in (*problems, *strange)]
-        raise refusal(said)
+        raise refusal(said, InstructionFileError)
     return instruction
 
 

@@ -12,8 +12,12 @@ from typing import TYPE_CHECKING, Any, Literal
 from memorymaze.errors import InstructionFileError
 from memorymaze.extras import require_extra
 from memorymaze.instructions.exchange.foreign_files import parsed
-from memorymaze.instructions.files import write_file
-from memorymaze.instructions.line_format import instruction_record
+from memorymaze.instructions.files import (
+    FIELDS,
+    OPTIONAL,
+    instruction_record,
+    write_file,
+)
 from memorymaze.instructions.records import Instruction
 
 if TYPE_CHECKING:
@@ -21,26 +25,6 @@ if TYPE_CHECKING:
 
 Kind = Literal["csv", "parquet"]
 
-COLUMNS = (
-    "id",
-    "site",
-    "route",
-    "study",
-    "iteration",
-    "participant",
-    "text",
-    "reference_route",
-    "failures",
-    "source",
-    "language",
-    "split",
-    "original_text",
-    "followers",
-    "pair",
-    "spans",
-    "method",
-)
-OPTIONAL = ("original_text", "followers", "pair", "spans", "method")
 STRUCTURED = ("failures", "followers", "spans")
 """Columns that hold JSON."""
 
@@ -59,7 +43,7 @@ def instruction_frame(instructions: Iterable[Instruction]) -> "pandas.DataFrame"
             if name in record:
                 record[name] = json.dumps(record[name], ensure_ascii=False)
         rows.append(record)
-    return pandas.DataFrame(rows, columns=list(COLUMNS))
+    return pandas.DataFrame(rows, columns=list(FIELDS))
 
 
 def write_spreadsheet(
