@@ -54,15 +54,15 @@ def test_a_line_has_the_id_and_the_eight_values(
         ({"graph": "lime"}, "unknown graph 'lime'; did you mean 'line'?"),
         ({"graph": "astray"}, "graphs['astray']: edge 0 ('a' to 'z'): unknown node"),
         ({"graph": "negative"}, "graphs['negative']: edge 0 ('a' to 'a'): expected"),
-        ({"graph": "wordy"}, "graphs['wordy'].edges[0][2]: input should be a valid"),
+        ({"graph": "wordy"}, "graphs['wordy'].edges[0][2]: expected a valid"),
         ({"agent_path": ["a", "q"]}, "unknown node 'q' at place 1"),
         ({"agent_path": []}, "at least one node in the agent's path"),
-        ({"agent_path": "abc"}, "cases[1].agent_path: input should be a valid list"),
-        ({"agent_path": [7]}, "cases[1].agent_path[0]: input should be a valid string"),
+        ({"agent_path": "abc"}, "cases[1].agent_path: expected a list, got"),
+        ({"agent_path": [7]}, "cases[1].agent_path[0]: expected a valid string"),
         ({"threshold": 0}, "threshold > 0 m, got 0.0"),
-        ({"threshold": True}, "cases[1].threshold: input should be a valid number"),
-        ({"threshold": float("nan")}, "cases[1].threshold: input should be a finite"),
-        ({"threshold": "9" * 99}, f"got '{'9' * 39}..."),
+        ({"threshold": True}, "cases[1].threshold: expected a valid number"),
+        ({"threshold": float("nan")}, "cases[1].threshold: expected a finite"),
+        ({"threshold": "9" * 99}, f"got '{'9' * 57}…'"),
     ],
 )
 def test_what_is_wrong_with_a_case_is_said_in_its_line_only(
@@ -82,8 +82,8 @@ def test_what_is_wrong_with_a_case_is_said_in_its_line_only(
 @pytest.mark.parametrize(
     ("case", "error"),
     [
-        (5, "cases[0]: expected an object"),
-        ({"graph": "line"}, "cases[0]: expected a member `id`"),
+        (5, "cases[0]: expected a record {…}, got 5"),
+        ({"graph": "line"}, "cases[0].id: expected this member, got none; add it"),
     ],
 )
 def test_a_case_without_an_id_is_named_by_its_place(

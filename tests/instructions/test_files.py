@@ -65,7 +65,9 @@ def test_a_line_separator_inside_a_text_does_not_end_the_line(
         pytest.param({"iteration": 3}, "'iteration': expected 1 or 2, got 3", id="3"),
         pytest.param({"iteration": "1"}, "'iteration': expected", id="text number"),
         pytest.param({"iteration": True}, "got true", id="flag for a number"),
-        pytest.param({"study": "lab"}, "expected 'online', 'onsite' or 'sail'", id="study"),
+        pytest.param(
+            {"study": "lab"}, "expected 'online', 'onsite' or 'sail'", id="study"
+        ),
         pytest.param(
             {"text": "  "}, "expected a text that is not empty", id="blank text"
         ),

@@ -14,7 +14,7 @@ from memorymaze.collection.questions import (
     way_in_words,
 )
 from memorymaze.errors import LabelFileError
-from memorymaze.input_files import read_text
+from memorymaze.input_files import read_text, refusal
 from memorymaze.instructions.files import write_file
 from memorymaze.instructions.records import WRITTEN_BY, Failure
 
@@ -94,7 +94,7 @@ def read_label_sheet(
         else:
             labels += [] if label is None else [label]
     if wrong:
-        raise LabelFileError("\n".join(["rows that cannot be used:", *wrong]))
+        raise refusal(wrong, LabelFileError)
     return labels
 
 

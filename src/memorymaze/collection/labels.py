@@ -3,16 +3,16 @@
 import json
 import os
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, fields
 from hashlib import sha256
 from pathlib import Path
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic import TypeAdapter, ValidationError
 
 from memorymaze.errors import LabelFileError, SettingsError
-from memorymaze.input_files import read_file
+from memorymaze.input_files import mistakes, parse_record, read_file, refusal
 from memorymaze.instructions.error_kinds import ERROR_KINDS
-from memorymaze.instructions.records import Failure, Instruction
+from memorymaze.instructions.records import Failure, Instruction, Text
 from memorymaze.sites.records import Site
 
 OTHER_KIND = "other"
@@ -29,33 +29,18 @@ STAMP_LENGTH = 16
 class Label:
     """What one annotator says of one instruction."""
 
-    instruction: str
+    instruction: Text
     """Its id."""
     text_sha256: str
     """Of the text that was judged, the first 16 digits."""
-    annotator: str
-    way: str
+    annotator: Text
+    way: Text
     """Id of the route that the text describes, or `none`."""
     failures: tuple[Failure, ...]
     """Empty: an attentive person who follows the text arrives."""
 
 
-class _FailureLine(BaseModel):
-    model_config = ConfigDict(strict=True, extra="forbid")
-
-    kind: str = Field(min_length=1)
-    where: str
-    detail: str
-
-
-class _LabelLine(BaseModel):
-    model_config = ConfigDict(strict=True, extra="forbid")
-
-    instruction: str = Field(min_length=1)
-    text_sha256: str
-    annotator: str = Field(min_length=1)
-    way: str = Field(min_length=1)
-    failures: list[_FailureLine]
+_LABEL = TypeAdapter(Label)
 
 
 def text_stamp(text: str) -> str:
@@ -104,24 +89,21 @@ def read_labels(
             except ValueError as error:
                 wrong.append(f"{path}:{number}: {error}")
     if wrong:
-        more = [f"… and {len(wrong) - 20} more"] if len(wrong) > 20 else []
-        raise LabelFileError(
-            "\n".join(["labels that cannot be used:", *wrong[:20], *more])
-        )
+        raise refusal(wrong, LabelFileError)
     return labels
 
 
 def _label(
     line: bytes, known: Mapping[str, Instruction], sites: Mapping[str, Site]
 ) -> Label:
+    record = parse_record(line)
+    for name in record.keys() - {each.name for each in fields(Label)}:
+        raise ValueError(f"field {name!r} is unknown")
     try:
-        read = _LabelLine.model_validate(json.loads(line))
+        read = _LABEL.validate_python(record)
     except ValidationError as error:
-        first = error.errors()[0]
-        field = ".".join(map(str, first["loc"]))
-        raise ValueError(f"field {field!r}: {first['msg']}") from None
-    except ValueError:
-        raise ValueError("expected one JSON record per line") from None
+        field, said = next(mistakes(error))
+        raise ValueError(f"field {field!r}: {said}") from None
     told = known.get(read.instruction)
     if told is None:
         raise ValueError(
@@ -138,13 +120,7 @@ def _label(
         raise ValueError(
             f"field 'way': expected {', '.join(ways)} or {NO_WAY}, got {read.way!r}"
         )
-    return Label(
-        read.instruction,
-        read.text_sha256,
-        read.annotator,
-        read.way,
-        tuple(Failure(each.kind, each.where, each.detail) for each in read.failures),
-    )
+    return read
 
 
 def latest_labels(labels: Iterable[Label]) -> dict[tuple[str, str], Label]:

@@ -11,15 +11,13 @@ from typing import Annotated, Any, cast
 from pydantic import BaseModel, Field, StrictStr, ValidationError
 
 from memorymaze.errors import CaseFileError, UndefinedMetricError, did_you_mean
-from memorymaze.input_files import parse_json, read_text
+from memorymaze.input_files import mistakes, parse_json, read_text
 from memorymaze.metrics.graph import NavigationGraph
 from memorymaze.metrics.score import score_path
 
 Metres = Annotated[float, Field(strict=True, allow_inf_nan=False)]
 
 CASE_LISTS = ("cases", "undefined_cases")
-SHOWN = 40
-"""Characters of a wrong value that a message shows."""
 _KINDS: dict[type, str] = {
     dict: "an object",
     list: "a list",
@@ -141,14 +139,5 @@ class _Graphs:
 
 
 def _first_problem(place: str, error: ValidationError) -> str:
-    problem = error.errors(include_url=False)[0]
-    steps = [
-        f"[{part}]" if isinstance(part, int) else f".{part}" for part in problem["loc"]
-    ]
-    if problem["type"] == "missing":
-        return f"{place}{''.join(steps[:-1])}: expected a member `{problem['loc'][-1]}`"
-    if problem["type"] == "model_type":
-        return f"{place}: expected an object"
-    given = repr(problem["input"])
-    shown = given if len(given) <= SHOWN else given[:SHOWN] + "..."
-    return f"{place}{''.join(steps)}: {problem['msg'].lower()}, got {shown}"
+    where, said = next(mistakes(error))
+    return f"{place}{where and '.'}{where}: {said}"

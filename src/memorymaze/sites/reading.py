@@ -1,6 +1,5 @@
 """From a plan's file to checked features; what they mean is in `loading.py`."""
 
-import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -8,7 +7,8 @@ from typing import TypeVar, cast
 
 from pydantic import BaseModel, ValidationError
 
-from memorymaze.input_files import mistakes, shown
+from memorymaze.errors import SitePlanError
+from memorymaze.input_files import mistakes, parse_json, read_text, shown
 from memorymaze.sites.plan_models import FEATURE_MODELS, FeatureModel, PlanHeader
 from memorymaze.sites.problems import PLAN, Finding, Rule
 
@@ -70,36 +70,20 @@ def _read_document(path: Path) -> Mapping[str, object] | Finding:
     def finding(rule: Rule, message: str) -> Finding:
         return Finding(PLAN, rule, message)
 
+    if path.is_dir():
+        return finding("readable", "expected a GeoJSON file, got a directory")
+    if path.exists() and not path.is_file():
+        return finding("readable", "expected a GeoJSON file, got a device or pipe")
     try:
-        if path.is_dir():
-            return finding("readable", "expected a GeoJSON file, got a directory")
-        if path.exists() and not path.is_file():
-            return finding("readable", "expected a GeoJSON file, got a device or pipe")
-        text = path.read_bytes().decode("utf-8-sig")
-    except FileNotFoundError:
-        return finding("readable", "expected a GeoJSON file, got none: no such file")
-    except UnicodeDecodeError as error:
-        return finding(
-            "readable",
-            "expected text in UTF-8, got other bytes at position "
-            f"{error.start}; save the plan as GeoJSON in UTF-8",
-        )
-    except (OSError, ValueError) as error:
-        return finding("readable", f"expected a readable file, got: {error}")
+        text = read_text(path, SitePlanError)
+    except SitePlanError as error:
+        return finding("readable", str(error).removeprefix(f"{path}: "))
     if not text.strip():
         return finding("json", "expected a GeoJSON document, got an empty file")
     try:
-        document: object = json.loads(text)
-    except json.JSONDecodeError as error:
-        return finding(
-            "json",
-            f"expected JSON, got a mistake in line {error.lineno}, column "
-            f"{error.colno}: {error.msg}",
-        )
-    except RecursionError:
-        return finding("json", "expected JSON, got brackets nested too deep to read")
+        document = parse_json(text)
     except ValueError as error:
-        return finding("json", f"expected JSON, got a number out of bounds: {error}")
+        return finding("json", str(error))
     if not isinstance(document, dict):
         return finding(
             "json",

@@ -170,7 +170,10 @@ def test_files_of_others_are_read_when_it_is_said_how_they_came_to_be(
         (lambda item: item.update(scan="mars"), "got 'mars'"),
         (lambda item: item["instructions"].pop(), "expected 1 records"),
         (lambda item: item["instructions"].__setitem__(0, "Go!"), "was edited"),
-        (lambda item: item.pop("path"), r"0\.path is wrong"),
+        (
+            lambda item: item.pop("path"),
+            r"R2R items: \[0\]\.path: expected this member",
+        ),
     ],
 )
 def test_what_is_wrong_in_an_r2r_file_is_named(

@@ -7,8 +7,10 @@ from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Literal, NamedTuple
 
+from pydantic import ValidationError
+
 from memorymaze.errors import InstructionFileError
-from memorymaze.input_files import parse_json, read_file, refusal
+from memorymaze.input_files import mistakes, parse_json, read_file, refusal
 from memorymaze.instructions.files import InstructionProblem, parse_line, write_file
 from memorymaze.instructions.records import Instruction
 from memorymaze.sites.records import Route, Site
@@ -114,6 +116,28 @@ def own_or_new(
 def split_of(path: Path) -> str:
     """Return the split that a file name ends in: `R2R_val_seen.json` is `val_seen`."""
     return path.name.partition(".")[0].removeprefix("R2R_").lower() or "test"
+
+
+def site_called(name: str, sites: Mapping[str, Site], place: str) -> Site:
+    """Return the site that a foreign record names.
+
+    Raises:
+        InstructionFileError: There is none of this name.
+    """
+    if name not in sites:
+        raise InstructionFileError(
+            f"{place}: expected one of the sites ({', '.join(sorted(sites))}), got "
+            f"{name!r}; give the folder of its plan with --sites"
+        )
+    return sites[name]
+
+
+def not_in_the_format(
+    path: Path, error: ValidationError, what: str
+) -> InstructionFileError:
+    """Return what to raise of a file that does not hold what was expected."""
+    where, said = next(mistakes(error))
+    return InstructionFileError(f"{path}: expected {what}: {where}: {said}")
 
 
 def read_json(path: str | Path) -> Any:

@@ -26,8 +26,10 @@ from memorymaze.instructions.exchange.foreign_files import (
     OWN_FIELD,
     Unlabelled,
     by_split,
+    not_in_the_format,
     own_or_new,
     read_json,
+    site_called,
     split_of,
     write_json,
 )
@@ -126,12 +128,7 @@ def read_r2r(
         try:
             items = _ITEMS.validate_python(read_json(path))
         except ValidationError as error:
-            first = error.errors()[0]
-            where = ".".join(map(str, first["loc"])) or "the file"
-            raise InstructionFileError(
-                f"{path}: expected a list of R2R items (path_id, scan, path, "
-                f"instructions), got one where {where} is wrong ({first['msg']})"
-            ) from None
+            raise not_in_the_format(path, error, "R2R items") from None
         for item in items:
             read += _instructions(item, path, sites, routes, labels)
     return read
@@ -175,12 +172,7 @@ def _instructions(
     labels: Unlabelled | None,
 ) -> list[Instruction]:
     place = f"{path}: path_id {item.path_id}"
-    if item.scan not in sites:
-        raise InstructionFileError(
-            f"{place}: expected a scan that is one of the sites "
-            f"({', '.join(sorted(sites))}), got {item.scan!r}; give the folder of its "
-            "plan with --sites"
-        )
+    site = site_called(item.scan, sites, place)
     kept = item.memorymaze or [None] * len(item.instructions)
     if len(kept) != len(item.instructions):
         raise InstructionFileError(
@@ -189,7 +181,7 @@ def _instructions(
         )
     found = routes.get((item.scan, *item.path))
     if found is None:
-        known = ", ".join(route.id for route in sites[item.scan].routes)
+        known = ", ".join(route.id for route in site.routes)
         raise InstructionFileError(
             f"{place}: expected the path of a route of {item.scan} ({known}) on its "
             "navigation graph, got another; add the route to the plan"

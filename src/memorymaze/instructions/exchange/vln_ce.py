@@ -23,8 +23,10 @@ from memorymaze.instructions.exchange.foreign_files import (
     OWN_FIELD,
     Unlabelled,
     by_split,
+    not_in_the_format,
     own_or_new,
     read_json,
+    site_called,
     split_of,
     write_json,
 )
@@ -188,12 +190,7 @@ def read_vln_ce(
         try:
             content = _File.model_validate(read_json(path))
         except ValidationError as error:
-            first = error.errors()[0]
-            where = ".".join(map(str, first["loc"])) or "the file"
-            raise InstructionFileError(
-                f"{path}: expected VLN-CE episodes, got a file where {where} is wrong "
-                f"({first['msg']})"
-            ) from None
+            raise not_in_the_format(path, error, "VLN-CE episodes") from None
         for episode in content.episodes:
             place = f"{path}: episode_id {episode.episode_id}"
             read.append(
@@ -245,14 +242,7 @@ def _ground_truth(route: Route, step: float, turn: float) -> dict[str, Any]:
 def _routes_of(
     episode: _Episode, sites: Mapping[str, Site], place: str
 ) -> list[tuple[Site, Route]]:
-    name = Path(episode.scene_id).stem
-    site = sites.get(name)
-    if site is None:
-        raise InstructionFileError(
-            f"{place}: expected a scene_id that ends in one of the sites "
-            f"({', '.join(sorted(sites))}), got {episode.scene_id!r}; give the folder of "
-            "its plan with --sites"
-        )
+    site = site_called(Path(episode.scene_id).stem, sites, place)
     path = [from_position(point) for point in episode.reference_path]
     heading = to_heading(episode.start_rotation)
     found = [
@@ -264,7 +254,7 @@ def _routes_of(
     if not found:
         known = ", ".join(route.id for route in site.routes)
         raise InstructionFileError(
-            f"{place}: expected start and reference_path of a route of {name} ({known}), "
+            f"{place}: expected start and reference_path of a route of {site.name} ({known}), "
             "got others; add the route to the plan"
         )
     return found

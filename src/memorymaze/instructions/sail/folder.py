@@ -8,7 +8,6 @@ and `data/Paragraph.xml`: `<example file="Cleaned-EDA_Grid0_1_2_Dirs_1.txt" map=
 ended by full stops. The latter tells nothing about followers.
 """
 
-import json
 import re
 from collections import Counter
 from collections.abc import Callable
@@ -20,7 +19,7 @@ from xml.etree import ElementTree
 from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, ValidationError
 
 from memorymaze.errors import InstructionFileError
-from memorymaze.input_files import read_file, read_text
+from memorymaze.input_files import mistakes, read_file, read_text
 from memorymaze.instructions.sail.records import (
     Cell,
     Hall,
@@ -175,12 +174,8 @@ def _valid(read: Callable[[str], Read], text: str, place: str) -> Read:
     try:
         return read(text)
     except ValidationError as error:
-        first = error.errors()[0]
-        field = ".".join(str(part) for part in first["loc"]) or "the whole"
-        got = json.dumps(first["input"], default=repr)[:60]
-        raise InstructionFileError(
-            f"{place}: {field}: {first['msg']}, got {got}"
-        ) from None
+        where, said = next(mistakes(error))
+        raise InstructionFileError(f"{place}: {where or 'the whole'}: {said}") from None
 
 
 def _read_original_layout(folder: Path) -> MazeTexts:
