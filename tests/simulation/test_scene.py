@@ -13,9 +13,9 @@ from memorymaze.sites import Site
 
 
 def test_every_door_and_landmark_is_one_geom_of_its_own(
-    load_sites: dict[str, Site],
+    builtin_sites: dict[str, Site],
 ) -> None:
-    for site in load_sites.values():
+    for site in builtin_sites.values():
         scene = build_scene(site)
         records = [*site.doors, *site.landmarks]
         assert set(scene.geom_ids) == {record.id for record in records}

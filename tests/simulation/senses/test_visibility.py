@@ -246,9 +246,9 @@ def test_door_is_described_by_style_room_and_label(
 
 
 def test_view_agrees_with_a_ray_for_every_pixel_block(
-    load_sites: dict[str, Site],
+    builtin_sites: dict[str, Site],
 ) -> None:
-    site = load_sites["museum_7f"]
+    site = builtin_sites["museum_7f"]
     scene = build_scene(site)
     overlaps: list[float] = []
     for route in site.routes[:2]:
