@@ -185,8 +185,8 @@ def _draw(args: argparse.Namespace) -> int:
 
 
 def _models(args: argparse.Namespace) -> int:
-    from memorymaze.pictures.furniture.cache import build_cache, cache_folder
-    from memorymaze.pictures.furniture.libraries import DEBIAN_FOLDER
+    from memorymaze.pictures.furniture.conversion import DEBIAN_FOLDER, build_cache
+    from memorymaze.pictures.furniture.models import cache_folder
 
     def told(line: str) -> None:
         print(line, file=sys.stderr)

@@ -4,7 +4,7 @@ from memorymaze.agents.agent import Need
 from memorymaze.errors import SettingsError
 from memorymaze.evaluation.settings import RunSettings
 from memorymaze.perception.eyes import TRUTH, DetectorSettings, Eyes, SignSource
-from memorymaze.pictures.furniture.cache import Looks, looks_in_use
+from memorymaze.pictures.furniture.models import Looks, looks_in_use
 
 
 def checked_eyes(detector: DetectorSettings, signs: SignSource) -> Eyes:

@@ -21,7 +21,7 @@ from memorymaze.perception.eyes import (
     parse_detector,
     parse_signs,
 )
-from memorymaze.pictures.furniture.cache import Looks
+from memorymaze.pictures.furniture.models import Looks
 from memorymaze.simulation.obstacles import ObstacleSettings, parse_obstacles
 from memorymaze.simulation.settings import SimulationSettings
 

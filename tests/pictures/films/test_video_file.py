@@ -7,8 +7,11 @@ import numpy as np
 import pytest
 
 from memorymaze.errors import SettingsError
-from memorymaze.pictures.films.spherical import mark_spherical
-from memorymaze.pictures.films.video_file import VideoFile, check_video_path
+from memorymaze.pictures.films.video_file import (
+    VideoFile,
+    check_video_path,
+    mark_spherical,
+)
 
 Write = Callable[..., Path]
 RED, BLUE = (200, 40, 30), (20, 60, 210)

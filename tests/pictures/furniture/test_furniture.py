@@ -6,13 +6,16 @@ import numpy as np
 import pytest
 
 from memorymaze.errors import SettingsError
-from memorymaze.pictures.furniture.cache import (
+from memorymaze.pictures.furniture.conversion import (
     build_cache,
+    library_files,
+    pieces_of,
+)
+from memorymaze.pictures.furniture.models import (
     cache_folder,
+    furniture_for,
     looks_in_use,
 )
-from memorymaze.pictures.furniture.fitting import furniture_for
-from memorymaze.pictures.furniture.libraries import library_files, pieces_of
 from memorymaze.pictures.looks.assembly import Order
 
 CONE = Order("traffic cone", 0.4, 0.4, 0.9)

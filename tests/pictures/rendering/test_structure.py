@@ -6,10 +6,14 @@ import pytest
 import shapely
 from shapely import LineString, box
 
-from memorymaze.pictures.rendering.floor_parts import floor_parts, sliced
-from memorymaze.pictures.rendering.openings import Opening, Surroundings
+from memorymaze.pictures.rendering.floor_plan import (
+    Opening,
+    Surroundings,
+    floor_parts,
+    sliced,
+    wall_faces,
+)
 from memorymaze.pictures.rendering.structure import structure_of
-from memorymaze.pictures.rendering.wall_faces import wall_faces
 from memorymaze.sites import Site
 from memorymaze.sites.records import Door, Room
 

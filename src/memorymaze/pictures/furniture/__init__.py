@@ -1,1 +1,4 @@
-"""Furniture models of Sweet Home 3D, converted into the user's cache on request."""
+"""Furniture models of others (Sweet Home 3D) in place of ours, where a user converted them.
+
+`conversion` makes them, `models` finds the one for a thing. Holds no model itself.
+"""

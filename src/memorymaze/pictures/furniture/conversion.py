@@ -1,9 +1,16 @@
-"""From a piece of a furniture library to a model: at most 4000 triangles, upright."""
+"""From furniture libraries of Sweet Home 3D (`.sh3f`) to models in the user's cache."""
 
 import io
+import json
+import re
+import shutil
+import tempfile
 import warnings
+from collections.abc import Callable, Iterator
+from dataclasses import asdict, dataclass
+from pathlib import Path
 from typing import Any
-from zipfile import ZipFile
+from zipfile import BadZipFile, ZipFile
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,16 +18,38 @@ from PIL import Image
 
 from memorymaze.errors import SettingsError
 from memorymaze.extras import require_extra
-from memorymaze.pictures.furniture.cleaning import (
+from memorymaze.pictures.furniture.mesh_cleaning import (
     Surface,
     cleaned,
     finished,
     thinned,
 )
-from memorymaze.pictures.furniture.libraries import Piece
+from memorymaze.pictures.furniture.models import (
+    CREDITS,
+    FORMAT,
+    INDEX,
+    Credit,
+    area_of,
+    cache_folder,
+    choice,
+    file_of,
+    forget_models,
+)
 from memorymaze.pictures.looks.assembly import MeshPart, ObjectModel
 from memorymaze.pictures.looks.materials import Material
 
+DEBIAN_FOLDER = Path("/usr/share/sweethome3d/furniture")
+INSTALLING = "apt-get install sweethome3d-furniture"
+
+CATALOGUE = "PluginFurnitureCatalog.properties"
+LICENCES = {
+    "BlendSwap-CC-0": "CC0 1.0",
+    "BlendSwap-CC-BY": "CC BY 3.0",
+    "KatorLegaz": "CC BY 3.0 US",
+    "Reallusion": "CC BY 3.0 US",
+    "Scopia": "CC BY 3.0",
+}
+"""Of the libraries that Debian ships, as its copyright file tells."""
 MOST_TRIANGLES = 4000
 LARGEST_TEXTURE = 256
 """Pixels along a side."""
@@ -31,6 +60,140 @@ AXES = np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
 """From their frame (x to a viewer's right, y up, z to the front) to ours."""
 
 _Look = tuple[tuple[float, float, float, float], bytes | None]
+
+
+def build_cache(
+    folder: Path = DEBIAN_FOLDER, told: Callable[[str], None] = lambda _: None
+) -> tuple[Credit, ...]:
+    """Convert all chosen models, and put them in the place of those that were there.
+
+    Args:
+        folder: With the furniture libraries (`.sh3f`).
+        told: Hears about each model, and why one is left out.
+
+    Raises:
+        SettingsError: There are no libraries, or a tool to convert them is missing.
+    """
+    libraries = library_files(folder)
+    check_tools()
+    pieces = {
+        piece.id: (piece, library)
+        for library in libraries
+        for piece in pieces_of(library).values()
+    }
+    place = cache_folder()
+    place.parent.mkdir(parents=True, exist_ok=True)
+    made: list[Credit] = []
+    with tempfile.TemporaryDirectory(dir=place.parent) as workshop:
+        for archetype, chosen in choice().pieces.items():
+            for name in chosen:
+                if name not in pieces:
+                    told(f"{name}: not in {folder}; left out")
+                    continue
+                piece, library = pieces[name]
+                try:
+                    with ZipFile(library) as archive:
+                        model = converted(piece, archive)
+                except SettingsError as problem:
+                    told(f"{problem}; left out")
+                    continue
+                _save(model, file_of(Path(workshop), name))
+                made.append(_credit(piece, archetype, model))
+                told(f"{name}: {model.triangle_count} triangles, for {archetype}")
+        content = {"format": FORMAT, "models": [asdict(each) for each in made]}
+        text = json.dumps(content, indent=1, ensure_ascii=False)
+        (Path(workshop) / INDEX).write_text(text, encoding="utf-8")
+        (Path(workshop) / CREDITS).write_text(_credits_page(made), encoding="utf-8")
+        shutil.rmtree(place, ignore_errors=True)
+        shutil.copytree(workshop, place)
+    forget_models()
+    return tuple(made)
+
+
+@dataclass(frozen=True, slots=True)
+class Piece:
+    """An entry of a library's catalogue."""
+
+    id: str
+    """Library and file, such as `Scopia/ficus`."""
+    name: str
+    """As people call it."""
+    member: str
+    """Its OBJ file in the archive."""
+    size: tuple[float, float, float]
+    """Length across the front, depth and height, metres."""
+    rotation: NDArray[np.float64]
+    """(3, 3), to be applied to the vertices of the file before all else."""
+    creator: str
+    licence: str
+
+
+def library_files(folder: Path = DEBIAN_FOLDER) -> list[Path]:
+    """Return the libraries in a folder whose licence is known.
+
+    Raises:
+        SettingsError: There are none; says how to get them.
+    """
+    files = [folder / f"{name}.sh3f" for name in LICENCES]
+    found = [file for file in files if file.is_file()]
+    if not found:
+        raise SettingsError(
+            f"furniture models: expected {', '.join(f'{n}.sh3f' for n in LICENCES)} in "
+            f"{folder}, got none of them; on Debian and Ubuntu: {INSTALLING}"
+        )
+    return found
+
+
+def pieces_of(library: Path) -> dict[str, Piece]:
+    """Return the pieces of a library by id.
+
+    Raises:
+        SettingsError: The file is no furniture library.
+    """
+    try:
+        with ZipFile(library) as archive:
+            text = archive.read(CATALOGUE).decode("latin-1")
+            members = set(archive.namelist())
+    except (BadZipFile, KeyError, OSError) as problem:
+        raise SettingsError(
+            f"{library}: expected a furniture library of Sweet Home 3D with "
+            f"{CATALOGUE}, got {problem}"
+        ) from None
+    name = library.stem
+    pieces = (_piece(name, entry) for entry in _entries(text))
+    return {piece.id: piece for piece in pieces if piece.member in members}
+
+
+def _entries(text: str) -> Iterator[dict[str, str]]:
+    """Read `key#number=value` lines, a dictionary for each number."""
+    entries: dict[int, dict[str, str]] = {}
+    for key, number, value in re.findall(
+        r"^(\w+)#(\d+)[ \t]*=[ \t]*(.*?)\s*$", text, re.MULTILINE
+    ):
+        plain = re.sub(
+            r"\\u([0-9a-fA-F]{4})", lambda code: chr(int(code[1], 16)), value
+        )
+        entries.setdefault(int(number), {})[key] = plain
+    for _, entry in sorted(entries.items()):
+        if "model" in entry:
+            yield entry
+
+
+def _piece(library: str, entry: dict[str, str]) -> Piece:
+    member = entry["model"].lstrip("/")
+    centimetres = (float(entry[key]) for key in ("width", "depth", "height"))
+    length, depth, height = (each / 100 for each in centimetres)
+    turned = [float(each) for each in entry.get("modelRotation", "").split()]
+    rotation = np.array(turned).reshape(3, 3) if turned else np.eye(3)
+    return Piece(
+        f"{library}/{Path(member).stem}",
+        entry.get("name", Path(member).stem),
+        member,
+        (length, depth, height),
+        rotation,
+        entry.get("creator") or library,
+        LICENCES.get(library, "unknown"),
+    )
 
 
 def check_tools() -> None:
@@ -198,4 +361,55 @@ def _part(surface: Surface, look: Material) -> MeshPart:
         normals.astype(np.float32),
         None if uv is None else uv.astype(np.float32),
         look,
+    )
+
+
+def _save(model: ObjectModel, path: Path) -> None:
+    arrays: dict[str, Any] = {"parts": np.array(len(model.parts))}
+    for number, part in enumerate(model.parts):
+        arrays[f"vertices_{number}"] = part.vertices
+        arrays[f"faces_{number}"] = part.faces
+        arrays[f"normals_{number}"] = part.normals
+        arrays[f"rgba_{number}"] = np.array(part.material.rgba)
+        if part.uv is not None and part.material.texture is not None:
+            arrays[f"uv_{number}"] = part.uv
+            arrays[f"texture_{number}"] = part.material.texture
+    np.savez_compressed(path, **arrays)
+
+
+def _credit(piece: Piece, archetype: str, model: ObjectModel) -> Credit:
+    main = max(model.parts, key=area_of).material
+    red, green, blue = main.rgba[:3]
+    if main.texture is not None:
+        red, green, blue = (main.texture.reshape(-1, 3).mean(axis=0) / 255).tolist()
+    return Credit(
+        piece.id,
+        piece.name,
+        archetype,
+        piece.size,
+        piece.creator,
+        piece.licence,
+        model.triangle_count,
+        (red, green, blue),
+    )
+
+
+def _credits_page(models: list[Credit]) -> str:
+    rows = "\n".join(
+        f"| {each.id} | {each.name} | {each.archetype} | {each.creator} | "
+        f"{each.licence} | {each.triangles} |"
+        for each in models
+    )
+    return (
+        "# Furniture models\n\n"
+        "Converted from the furniture libraries of Sweet Home 3D (Debian package\n"
+        "sweethome3d-furniture). CC BY 3.0: "
+        "https://creativecommons.org/licenses/by/3.0/,\n"
+        "CC0 1.0: https://creativecommons.org/publicdomain/zero/1.0/. Changes: double "
+        "faces\ndropped, reduced to the triangles given, pictures shrunk to 256 pixels; "
+        "when shown,\nstretched to the size of the thing they stand for, and painted "
+        "where a plan says so.\n\n"
+        "| model | name | stands for | creator | licence | triangles |\n"
+        "|---|---|---|---|---|---|\n"
+        f"{rows}\n"
     )

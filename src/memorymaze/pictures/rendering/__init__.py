@@ -1,6 +1,7 @@
 """Pictures of a building: a scene for the eye, and cameras that draw it with OpenGL.
 
-Nothing here is imported, and no OpenGL loaded, until someone asks for a camera.
+Holds no looks of single things, and nothing of how a robot moves. No OpenGL is loaded
+until someone asks for a camera.
 """
 
 from memorymaze.pictures.rendering.camera import Camera, CameraFrame, RenderedCamera

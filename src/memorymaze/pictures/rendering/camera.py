@@ -4,7 +4,6 @@ import math
 import os
 import sys
 from collections.abc import Sequence
-from types import TracebackType
 from typing import Protocol
 
 import mujoco
@@ -15,7 +14,6 @@ from memorymaze.errors import RenderingError, SettingsError
 from memorymaze.geometry.pose import Pose
 from memorymaze.pictures.rendering.open_gl import filter_fast, open_context
 from memorymaze.pictures.rendering.sky import SKY_DISTANCE
-from memorymaze.pictures.rendering.viewpoint import geoms_in_view
 from memorymaze.pictures.rendering.visual_scene import (
     HIDDEN_GROUP,
     LARGEST_PICTURE,
@@ -153,12 +151,7 @@ class RenderedCamera:
         """Return itself."""
         return self
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         """Close it."""
         self.close()
 
@@ -202,10 +195,21 @@ class RenderedCamera:
         return np.flatnonzero(seen)
 
     def _may_be_seen(self, pose: Pose, pitch: float) -> NDArray[np.bool_]:
-        size = (self.width, self.height)
-        return geoms_in_view(
-            self._scene, pose, pitch, size, self.horizontal_fov, self.far
-        )
+        """Leave out what walls hide and what lies beside the picture.
+
+        Of no meaning for the sky's geoms.
+        """
+        half = self.horizontal_fov / 2
+        vertical = math.atan(math.tan(half) * self.height / self.width)
+        if abs(pitch) + vertical >= math.pi / 2 - 0.01:
+            half = math.pi
+        elif pitch:
+            # Above and below the level the same picture is wider on the plan.
+            reach = math.tan(half) / math.cos(vertical)
+            half = math.atan2(reach, math.cos(abs(pitch) + vertical))
+        lines, far = self._scene.sightlines, self.far * 1.5
+        outlook = lines.outlook(pose.x, pose.y, pose.heading, half, far)
+        return outlook.sees(self._scene.centres, self._scene.radii)
 
     def _aim(self, pose: Pose, height: float, pitch: float) -> None:
         ahead = (math.cos(pose.heading), math.sin(pose.heading))

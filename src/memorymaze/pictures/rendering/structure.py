@@ -10,25 +10,26 @@ from shapely.geometry.polygon import orient
 
 from memorymaze.pictures.looks import surfaces
 from memorymaze.pictures.looks.materials import Material
-from memorymaze.pictures.rendering.beyond import outer_face, reveal_and_view, shaft
-from memorymaze.pictures.rendering.floor_parts import (
-    BAY,
-    FloorPart,
-    floor_parts,
-    sliced,
-)
-from memorymaze.pictures.rendering.glazing import (
+from memorymaze.pictures.rendering.behind_walls import (
     BAR,
     balustrade,
     glass_wall,
+    outer_face,
+    reveal_and_view,
+    shaft,
     wind_screen,
 )
-from memorymaze.pictures.rendering.openings import (
+from memorymaze.pictures.rendering.floor_plan import (
+    BAY,
+    FloorPart,
     Surroundings,
+    WallFace,
+    floor_parts,
     openings_of,
+    sliced,
+    wall_faces,
 )
-from memorymaze.pictures.rendering.sight import hiding_segments
-from memorymaze.pictures.rendering.slices import (
+from memorymaze.pictures.rendering.meshes import (
     SKIRTING_HEIGHT,
     Hole,
     Kind,
@@ -39,7 +40,7 @@ from memorymaze.pictures.rendering.slices import (
     upright,
     wall_uv,
 )
-from memorymaze.pictures.rendering.wall_faces import WallFace, wall_faces
+from memorymaze.pictures.rendering.visibility import hiding_segments
 from memorymaze.simulation.scene import rings_with_things_above
 from memorymaze.sites.records import Site
 

@@ -10,20 +10,20 @@ from numpy.typing import NDArray
 from shapely import Point, prepare
 
 from memorymaze.geometry.pose import Pose
-from memorymaze.pictures.furniture.cache import Looks, looks_in_use
+from memorymaze.pictures.furniture.models import Looks, looks_in_use
 from memorymaze.pictures.looks import surfaces
 from memorymaze.pictures.looks.assembly import MeshPart
 from memorymaze.pictures.looks.catalogue import model_for_landmark, model_of
 from memorymaze.pictures.looks.doors import model_for_door
-from memorymaze.pictures.rendering.assembling import (
+from memorymaze.pictures.rendering.meshes import MeshBuilder
+from memorymaze.pictures.rendering.mujoco_model import (
     OPAQUE_FROM,
     PlacedMeshes,
     SpecAssembler,
 )
-from memorymaze.pictures.rendering.meshes import MeshBuilder
-from memorymaze.pictures.rendering.sight import Sightlines
 from memorymaze.pictures.rendering.sky import FACES, sky_dome, sky_faces
 from memorymaze.pictures.rendering.structure import Structure, structure_of
+from memorymaze.pictures.rendering.visibility import Sightlines
 from memorymaze.simulation.obstacles.settings import Movable
 from memorymaze.simulation.scene import SceneObject
 from memorymaze.simulation.solids import door_solid, landmark_solid

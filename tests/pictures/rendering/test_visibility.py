@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from memorymaze.pictures.rendering.sight import Sightlines
+from memorymaze.pictures.rendering.visibility import Sightlines
 
 WALL = Sightlines(np.array([[5.0, -1.0, 5.0, 1.0]]))
 

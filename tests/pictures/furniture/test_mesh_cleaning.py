@@ -3,7 +3,7 @@ import trimesh
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from memorymaze.pictures.furniture.cleaning import (
+from memorymaze.pictures.furniture.mesh_cleaning import (
     Surface,
     cleaned,
     finished,

@@ -10,11 +10,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from memorymaze.pictures.rendering.openings import Surroundings
-from memorymaze.pictures.rendering.wall_faces import WallFace
+from memorymaze.pictures.rendering.floor_plan import Surroundings, WallFace
 
 FloatArray = NDArray[np.float64]
-
 RAYS_PER_RADIAN = 120
 MARGIN = 0.05
 """Metres that a thing may lie behind a wall and still counts as seen."""
