@@ -16,7 +16,7 @@ from memorymaze.cli.agent_options import (
     episode_settings,
 )
 from memorymaze.cli.error_options import add_error_options, generated_instructions
-from memorymaze.cli.verbs import Verbs
+from memorymaze.cli.verbs import Verbs, add_sites_option
 from memorymaze.wording import counted
 
 if TYPE_CHECKING:
@@ -47,11 +47,7 @@ def add_parser(verbs: Verbs) -> None:
         nargs="+",
         help="JSONL files (default: the shipped texts, written by a language model)",
     )
-    parser.add_argument(
-        "--sites",
-        metavar="DIR",
-        help="folder of site plans (default: the three shipped ones)",
-    )
+    add_sites_option(parser)
     parser.add_argument(
         "--sail",
         metavar="DIR",

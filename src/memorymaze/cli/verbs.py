@@ -1,4 +1,4 @@
-"""The place where a verb adds its parser."""
+"""What verbs share: the place where they add their parser, and `--sites`."""
 
 from argparse import ArgumentParser
 from typing import Protocol
@@ -17,3 +17,12 @@ class Verbs(Protocol):
     ) -> ArgumentParser:
         """Add a verb and return its parser."""
         ...
+
+
+def add_sites_option(parser: ArgumentParser) -> None:
+    """Add `--sites`, of verbs that look at buildings."""
+    parser.add_argument(
+        "--sites",
+        metavar="DIR",
+        help="folder of site plans (default: the three shipped ones)",
+    )

@@ -43,23 +43,30 @@ def load_site(site: str | Path) -> records.Site:
             rule of the first problem, and how many more there are.
     """
     path = plan_file(site)
-    text = path.read_bytes() if path.is_file() else b""
-    plan = read_plan(path)
-    made, broken, shape_findings = site_from_content(plan, str(path), text)
+    return sound_site(read_plan(path), str(path))
+
+
+def sound_site(plan: PlanContent, source: str) -> records.Site:
+    """Return the site of a plan.
+
+    Raises:
+        SitePlanError: It cannot be used.
+    """
+    site, broken, shape_findings = site_from_content(plan, source)
     findings = [*plan.findings, *shape_findings]
-    if made is not None:
-        findings += loading_findings(made, broken)
-    if findings or made is None:
+    if site is not None:
+        findings += loading_findings(site, broken)
+    if findings or site is None:
         first, *others = findings
         more = (
-            f" ({len(others)} more: see them all with `memorymaze sites check {path}`)"
+            f" ({len(others)} more: see them all with `memorymaze sites check {source}`)"
             if others
             else ""
         )
         raise SitePlanError(
-            f"{path}: {first.feature}: {first.rule}: {first.message}{more}"
+            f"{source}: {first.feature}: {first.rule}: {first.message}{more}"
         )
-    return made
+    return site
 
 
 def load_sites(folder: str | Path | None = None) -> dict[str, records.Site]:

@@ -40,6 +40,11 @@ def read_plan(path: Path) -> PlanContent:
     document = _read_document(path)
     if isinstance(document, Finding):
         return PlanContent(None, (), {}, (document,))
+    return understand_plan(document)
+
+
+def understand_plan(document: Mapping[str, object]) -> PlanContent:
+    """Return what can be understood of a plan that is already JSON."""
     findings: list[Finding] = []
     header = _validated(PlanHeader, document, PLAN, findings)
     features: list[FeatureModel] = []

@@ -3,8 +3,7 @@
 import argparse
 import sys
 
-from memorymaze.cli.instructions.sites_option import add_sites_option
-from memorymaze.cli.verbs import Verbs
+from memorymaze.cli.verbs import Verbs, add_sites_option
 from memorymaze.wording import counted
 
 

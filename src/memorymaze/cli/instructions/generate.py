@@ -4,8 +4,7 @@ import argparse
 import sys
 from typing import TYPE_CHECKING
 
-from memorymaze.cli.instructions.sites_option import add_sites_option
-from memorymaze.cli.verbs import Verbs
+from memorymaze.cli.verbs import Verbs, add_sites_option
 from memorymaze.wording import counted
 
 if TYPE_CHECKING:

@@ -6,15 +6,14 @@ hall, a picture on both of its walls, and the piece of furniture in a corner of 
 
 import json
 import math
-import tempfile
 from collections.abc import Iterator
-from dataclasses import replace
 from itertools import pairwise
-from pathlib import Path
 from typing import Any
 
 from memorymaze.instructions.sail.records import Cell, Hall, Maze
-from memorymaze.sites import Site, load_site
+from memorymaze.sites import Site
+from memorymaze.sites.loading import sound_site
+from memorymaze.sites.reading import understand_plan
 
 EDGE = 4.0
 """Metres from node to node."""
@@ -73,10 +72,9 @@ def maze_site(maze: Maze, source: str = "") -> Site:
     Raises:
         SitePlanError: It does not make a sound plan, as one with too many nodes.
     """
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / f"{site_name(maze.name)}.geojson"
-        path.write_text(json.dumps(maze_plan(maze)), encoding="utf-8")
-        return replace(load_site(path), source=source)
+    # JSON has lists where the plan has tuples.
+    plan = json.loads(json.dumps(maze_plan(maze)))
+    return sound_site(understand_plan(plan), source)
 
 
 def maze_plan(maze: Maze) -> dict[str, Any]:
