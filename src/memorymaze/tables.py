@@ -27,7 +27,7 @@ TEXT_WIDTH = 118
 """Characters; columns that do not fit stand below the others."""
 _ADDITION = re.compile(r" (?=[\[(])")
 """Before what stands behind a number: its interval, or what it is compared with."""
-_NUMBER = re.compile(r"-|(< )?[-+]?\d[\d.,]*( ?%)?")
+_NUMBER = re.compile(r"-|(< )?[-+]?\d[\d.,]*( ?%)?|\d{4}-\d\d-\d\d")
 _LATEX = str.maketrans({
     "\\": r"\textbackslash{}",
     "~": r"\textasciitilde{}",
@@ -59,8 +59,8 @@ class Column:
     """Which of two values is the better one; LaTeX sets the best in bold."""
     show: Callable[[Row], str] | None = None
     """Writes the cell where the field's value alone does not make it."""
-    link: Callable[[Row], str] | None = None
-    """Where the cell leads to on a page."""
+    link: Callable[[Row], str | None] | None = None
+    """Where the cell leads to on a page; None for nowhere."""
     is_data: bool = True
     """Whether CSV and frames have it."""
 
@@ -389,8 +389,9 @@ class _Cells:
         row = self._table.rows[number]
         shown, *addition = map(escape, self._parts[number])
         shown += "".join(f' <span class="interval">{each}</span>' for each in addition)
-        if self.column.link is not None and shown:
-            shown = f'<a href="{escape(self.column.link(row))}">{shown}</a>'
+        target = self.column.link and self.column.link(row)
+        if target:
+            shown = f'<a href="{escape(target)}">{shown}</a>'
         if self.column.role == "label":
             return f'<th scope="row">{shown}</th>'
         value = row.get(self.column.name)

@@ -12,8 +12,7 @@ from memorymaze.evaluation.plan import plan_run
 from memorymaze.evaluation.settings import AgentSettings, RunSettings, with_choices
 from memorymaze.evaluation.trace import trace_path
 from memorymaze.instructions import load_corpus
-from memorymaze.results import submission
-from memorymaze.results.submission import Submission, check_submission
+from memorymaze.results.submission import Submission, check_submission, remarks
 
 TESTS = Path(__file__).parents[1]
 CORPUS: dict[str, Any] = {
@@ -154,7 +153,7 @@ def test_another_corpus_than_the_leaderboards_is_refused(
 def test_own_agents_and_graphs_are_remarked_on(rules: Path) -> None:
     settings = check(rules).record.settings
     own = replace(settings, agent=AgentSettings("mine.py:Agent"))
-    [remark] = submission.remarks(own, [])
+    [remark] = remarks(own, [])
     assert "must be published" in remark
-    [remark] = submission.remarks(replace(settings, needs=("graph",)), [])
+    [remark] = remarks(replace(settings, needs=("graph",)), [])
     assert "navigation graph" in remark

@@ -208,19 +208,15 @@ def _trace_problems(
         return
     if result.stopped_by != "agent":
         values = values.without_success()
-    found = {
-        "success": (values.success, float(result.success)),
-        "oracle_success": (values.oracle_success, float(result.oracle_success)),
-        "spd": (values.ne, result.spd),
-        "spl": (values.spl, result.spl),
-        "cls": (values.cls, result.cls),
-        "ndtw": (values.ndtw, result.ndtw),
-        "sdtw": (values.sdtw, result.sdtw),
-    }
-    for name, (again, said) in found.items():
+    for name, again in values.as_dict().items():
+        # The length of a path in whole millimetres is another one.
+        if name == "path_length":
+            continue
+        field = "spd" if name == "ne" else name
+        said = float(getattr(result, field))
         if abs(again - said) > ROUNDING:
             yield (
-                f"{place}: expected {name} {again:.3f}, as its trajectory gives, got "
+                f"{place}: expected {field} {again:.3f}, as its trajectory gives, got "
                 f"{said:.3f}"
             )
 

@@ -1,24 +1,30 @@
 """A leaderboard: which runs of a folder can stand on it, and its pages."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import get_args
+from typing import Any, get_args
 
 from memorymaze.errors import RunFolderError, SettingsError
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.instructions.records import WRITTEN_BY
-from memorymaze.metrics.aggregate import Estimate
-from memorymaze.results.report.overview import TableGroup, settings_rows, table_groups
-from memorymaze.results.report.pages import Pages, safe_name
+from memorymaze.results.report.overview import settings_rows, table_groups
+from memorymaze.results.report.pages import Pages, safe_name, study_title
 from memorymaze.results.submission import Submission, Track, check_submission
 from memorymaze.results.tables import (
+    PAPER_MEASURES,
     MeasuredRun,
+    Place,
     estimate_means,
     load_runs,
     run_notes,
+    table_rows,
 )
+from memorymaze.results.tables.measures import means_fields
+from memorymaze.results.tables.runs import place_of
+from memorymaze.tables import Column, Table
 
+PUBLISHED = "published"
 TRACK_TITLES: dict[Track, str] = {
     "default": "Default track",
     "obstacles": "Track with obstacles and people",
@@ -57,18 +63,6 @@ class Leaderboard:
 
     standing: tuple[Standing, ...]
     refused: tuple[Refused, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class Ranked:
-    """A run's place in a study."""
-
-    place: int
-    """From 1; equal success rates and SPDs share one."""
-    standing: Standing
-    episodes: int
-    values: dict[str, Estimate]
-    """Unweighted means over routes, by the names in `MEASURES`."""
 
 
 def read_leaderboard(
@@ -130,20 +124,12 @@ def write_leaderboard(board: Leaderboard, folder: str | Path) -> None:
         for source in sorted({result.source for result in everything})
     ]
     shared = {"places": (), "written": written}
-    pages.write(
-        "index.html",
-        "leaderboard.html",
-        shared
-        | {
-            "tracks": [
-                (TRACK_TITLES[track], _studies(board, track))
-                for track in get_args(Track)
-                if any(each.submission.track == track for each in board.standing)
-            ],
-            "refused": board.refused,
-        },
-        title="Leaderboard",
-    )
+    tracks = [(TRACK_TITLES[t], _tables(board, t)) for t in get_args(Track)]
+    view = {
+        "tracks": [(title, tables) for title, tables in tracks if tables],
+        "refused": board.refused,
+    }
+    pages.write("index.html", "leaderboard.html", shared | view, title="Leaderboard")
     for each in board.standing:
         pages.write(
             each.page,
@@ -176,42 +162,66 @@ def _runs_in(folder: Path) -> list[Path]:
     return runs
 
 
-def _studies(
-    board: Leaderboard, track: Track
-) -> list[tuple[str, list[Ranked], list[TableGroup]]]:
+def _tables(board: Leaderboard, track: Track) -> list[Table]:
     """Return for every study the runs in order, and the paper's means."""
     chosen = [each for each in board.standing if each.submission.track == track]
-    studies = dict.fromkeys(
-        result.study for each in chosen for result in each.submission.results
-    )
-    published = table_groups([chosen[0].measured], "II") if chosen else []
-    return [
+    studies = {result.study for each in chosen for result in each.submission.results}
+    return [_table(chosen, track, study) for study in sorted(studies)]
+
+
+def _table(chosen: Sequence[Standing], track: Track, study: str) -> Table:
+    rows = [row for each in chosen for row in _standing(each, study)]
+    rows.sort(key=lambda row: (-row["sr"], row["spd"], row["run"]))
+    for number, row in enumerate(rows, start=1):
+        before = rows[number - 2] if number > 1 else None
+        is_equal = before and all(before[name] == row[name] for name in ("sr", "spd"))
+        row["place"] = before["place"] if before and is_equal else number
+    return Table(
+        f"{TRACK_TITLES[track]}: {study_title(study)}, means over routes",
         (
-            study,
-            _ranked(chosen, study),
-            [each for each in published if each.is_mean and each.study == study],
-        )
-        for study in sorted(studies)
-    ]
+            Column("place", "Place"),
+            Column("method", "Method", "label"),
+            Column("run", "Run", link=lambda row: row.get("page")),
+            Column("begun", "Begun"),
+            Column("episodes", "Episodes"),
+            *(each.column() for each in PAPER_MEASURES),
+            Column("remarks", "Remarks"),
+        ),
+        (*rows, *_published(chosen[0], study)),
+        name=f"leaderboard-{track}-{study}",
+        aside=lambda row: row["run"] == PUBLISHED,
+    )
 
 
-def _ranked(chosen: Sequence[Standing], study: str) -> list[Ranked]:
-    found: list[tuple[Standing, int, dict[str, Estimate]]] = []
-    for each in chosen:
-        cells: dict[tuple[str, str], list[EpisodeResult]] = {}
-        for result in each.submission.results:
-            if result.study == study:
-                cells.setdefault((result.site, result.route), []).append(result)
-        if cells:
-            count = sum(map(len, cells.values()))
-            found.append((each, count, estimate_means(list(cells.values()))))
-    found.sort(key=lambda e: (-e[2]["sr"].mean, e[2]["spd"].mean, e[0].name))
-    ranked: list[Ranked] = []
-    for number, (each, count, values) in enumerate(found, start=1):
-        before = ranked[-1] if ranked else None
-        is_equal = before is not None and all(
-            before.values[name].mean == values[name].mean for name in ("sr", "spd")
-        )
-        place = before.place if before is not None and is_equal else number
-        ranked.append(Ranked(place, each, count, values))
-    return ranked
+def _standing(standing: Standing, study: str) -> Iterator[dict[str, Any]]:
+    cells: dict[Place, list[EpisodeResult]] = {}
+    for result in standing.submission.results:
+        if result.study == study:
+            cells.setdefault(place_of(result), []).append(result)
+    if cells:
+        means = estimate_means(list(cells.values()))
+        yield {
+            "method": standing.measured.label,
+            "run": standing.name,
+            "page": standing.page,
+            "begun": standing.submission.record.started[:10],
+            "episodes": sum(map(len, cells.values())),
+            **means_fields(means),
+            "remarks": " ".join(standing.submission.remarks),
+        }
+
+
+def _published(any_run: Standing, study: str) -> Iterator[dict[str, Any]]:
+    """Yield the paper's means over routes, where the study has several."""
+    parsers = {None: "", True: ", with parser", False: ", without parser"}
+    for row in table_rows([any_run.measured], "II"):
+        if row.run is None and row.is_mean and row.study == study:
+            yield {
+                "place": None,
+                "method": row.method + parsers[row.parser],
+                "run": PUBLISHED,
+                "begun": None,
+                "episodes": None,
+                **means_fields(row.values),
+                "remarks": "another experiment",
+            }

@@ -4,7 +4,7 @@ What a measure is worth for an episode is worked out in `metrics`; a field of
 `EpisodeResult` holds it. Everything that shows it reads this list.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 from typing import Any, Literal
 
@@ -130,3 +130,11 @@ def estimate_fields(
     if estimate is None:
         return {name: None}
     return {name: estimate.mean, low: estimate.low, high: estimate.high}
+
+
+def means_fields(means: Mapping[str, Estimate]) -> dict[str, Any]:
+    """Return the fields of means by the names of their measures."""
+    fields: dict[str, Any] = {}
+    for name, estimate in means.items():
+        fields |= estimate_fields(name, estimate)
+    return fields

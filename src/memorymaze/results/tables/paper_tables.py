@@ -12,8 +12,8 @@ from memorymaze.metrics.aggregate import Estimate
 from memorymaze.results.tables.measures import (
     KEY,
     PAPER_MEASURES,
-    estimate_fields,
     estimate_means,
+    means_fields,
 )
 from memorymaze.results.tables.runs import (
     STUDY_TITLES,
@@ -224,9 +224,8 @@ def _fields(row: TableRow, table: TableName, *, costs: bool) -> Row:
         "parser": row.parser,
         "figures": "published" if row.run is None else "measured",
         "instructions_written_by": "human",
+        **means_fields(row.values),
     }
-    for name, estimate in row.values.items():
-        record |= estimate_fields(name, estimate)
     if row.run is not None:
         record |= {"episodes": row.episodes, "participants": row.participants}
         record |= _run_fields(row, row.run)
