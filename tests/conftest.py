@@ -1,27 +1,41 @@
-"""Tiny sites that every room's tests share; their plans are in `tiny_sites/`."""
+"""Tiny sites, instructions and runs that the tests of every room share."""
 
 import json
 import math
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import pytest
-from hypothesis import settings
+from hypothesis import settings as property_settings
 
 from memorymaze.errors import CommandError, EpisodeOver
+from memorymaze.evaluation.plan import RunPlan, plan_run
+from memorymaze.evaluation.provenance import CodeStamp
+from memorymaze.evaluation.results import EpisodeResult
+from memorymaze.evaluation.run_folder import RunRecord, open_run_folder
+from memorymaze.evaluation.settings import (
+    AgentSettings,
+    FileStamp,
+    RunDefinition,
+    RunSettings,
+    with_choices,
+)
+from memorymaze.instructions import load_corpus
 from memorymaze.robot.api import Detection, Direction, MoveResult, SignText, TurnResult
-from memorymaze.simulation import Scene, build_scene
+from memorymaze.simulation import Scene, SimulationSettings, build_scene
 from memorymaze.sites import Site, load_site, load_sites
 
 # How long an example takes says more of the machine than of the code.
-settings.register_profile("untimed", deadline=None)
-settings.load_profile("untimed")
+property_settings.register_profile("untimed", deadline=None)
+property_settings.load_profile("untimed")
 
 Plan = dict[str, Any]
 
 TINY_SITES = Path(__file__).parent / "tiny_sites"
+TINY_INSTRUCTIONS = Path(__file__).parent / "tiny_instructions.jsonl"
 
 # Furniture models that this user converted must not change what cameras see in tests.
 os.environ["MEMORYMAZE_LOOKS"] = "own"
@@ -31,6 +45,18 @@ os.environ["MEMORYMAZE_LOOKS"] = "own"
 def tiny_sites_folder() -> Path:
     """Folder with the plans of all tiny sites."""
     return TINY_SITES
+
+
+@pytest.fixture(scope="session")
+def tiny_instructions() -> Path:
+    """File of twelve instructions on three tiny sites."""
+    return TINY_INSTRUCTIONS
+
+
+@pytest.fixture(scope="session")
+def tiny_options() -> list[str]:
+    """What the command line is given to follow them."""
+    return ["--instructions", str(TINY_INSTRUCTIONS), "--sites", str(TINY_SITES)]
 
 
 @pytest.fixture(scope="session")
@@ -244,3 +270,99 @@ class PaperRobot:
 def make_paper_robot() -> Callable[..., PaperRobot]:
     """Makes robots for programs to drive, which live nowhere and record their calls."""
     return PaperRobot
+
+
+@pytest.fixture
+def result() -> Callable[..., EpisodeResult]:
+    """Make the result of a successful episode; name the fields that differ."""
+
+    def make(episode_id: str = "a-1", **changes: Any) -> EpisodeResult:
+        right = EpisodeResult(
+            episode_id=episode_id,
+            instruction_id=episode_id,
+            site="university",
+            route="R1",
+            reference_route="route_r1_reference",
+            study="online",
+            iteration=1,
+            participant=episode_id.split("-")[0],
+            source="llm",
+            split="test",
+            agent="rules",
+            stopped_by="agent",
+            success=True,
+            oracle_success=True,
+            spd=1.0,
+            cls=0.5,
+            spl=0.9,
+            ndtw=0.8,
+            sdtw=0.8,
+            path_length=41.5,
+            collisions=0,
+            turns_in_order=1.0,
+            duration_s=60.0,
+            wall_s=0.5,
+            api_calls=20,
+            model_calls=0,
+            tokens=0,
+            cost_usd=0.0,
+            error=None,
+        )
+        return replace(right, **changes)
+
+    return make
+
+
+@pytest.fixture
+def settings() -> RunDefinition:
+    """Settings of a run of two episodes."""
+    return RunDefinition(
+        agent=AgentSettings("rules"),
+        instructions=(FileStamp("some.jsonl", "12ab"),),
+        sites=(FileStamp("university", "34cd"),),
+        seed=0,
+        limit=None,
+        episodes=2,
+        success_distance=3.0,
+        simulation=SimulationSettings(time_budget=529.0),
+    )
+
+
+@pytest.fixture
+def record(settings: RunDefinition) -> RunRecord:
+    """What `run.json` says of that run."""
+    code = CodeStamp("0.1.0", "56ef", "0123456789abcdef", "3.11.0", {"numpy": "2.4"})
+    return RunRecord(settings, code, "2026-01-01T00:00:00+00:00")
+
+
+@pytest.fixture
+def tiny_plan(
+    tiny_instructions: Path, tiny_sites_folder: Path
+) -> Callable[..., RunPlan]:
+    """Plan a run of twelve instructions on three tiny sites."""
+
+    def plan(agent: str, **options: Any) -> RunPlan:
+        return plan_run(
+            AgentSettings(agent),
+            load_corpus([tiny_instructions], sites=tiny_sites_folder),
+            with_choices(RunSettings(), options),
+        )
+
+    return plan
+
+
+@pytest.fixture
+def write(tmp_path: Path, record: RunRecord) -> Callable[..., Path]:
+    """Write a finished run folder."""
+
+    def finished(
+        name: str, results: Sequence[EpisodeResult], episodes: int = 0
+    ) -> Path:
+        settings = replace(record.settings, episodes=episodes or len(results))
+        whole = replace(record, settings=settings)
+        with open_run_folder(tmp_path / name, whole, resume=False) as run:
+            for one in results:
+                run.add(one)
+        return tmp_path / name
+
+    return finished

@@ -66,24 +66,23 @@ def timeless(results: Sequence[EpisodeResult]) -> list[EpisodeResult]:
 
 
 def evaluate(
-    agent: str, sites: Path, out: Path, *more: str
+    agent: str, files: list[str], out: Path, *more: str
 ) -> subprocess.CompletedProcess[str]:
-    files = ["--instructions", str(sites.parent / "tiny_instructions.jsonl")]
-    options = ["--sites", str(sites), "--out", str(out), "--workers", "1", *more]
-    command = ["memorymaze", "evaluate", "--agent", agent, *files, *options]
+    options = [*files, "--out", str(out), "--workers", "1", *more]
+    command = ["memorymaze", "evaluate", "--agent", agent, *options]
     return subprocess.run(
         [sys.executable, "-m", *command], capture_output=True, text=True, check=False
     )
 
 
 def test_a_run_killed_again_and_again_ends_as_an_unbroken_one(
-    tmp_path: Path, troubled: str, tiny_plan: Plan, tiny_sites_folder: Path
+    tmp_path: Path, troubled: str, tiny_plan: Plan, tiny_options: list[str]
 ) -> None:
     whole = run_plan(tiny_plan(troubled), tmp_path / "whole", workers=2)
     out = tmp_path / "broken"
     for word in ("door", "think"):
         order(tmp_path, word, "parent SIGKILL")
-        done = evaluate(troubled, tiny_sites_folder, out, "--resume")
+        done = evaluate(troubled, tiny_options, out, "--resume")
         assert done.returncode == -signal.SIGKILL
         before = (out / "episodes.jsonl").read_bytes()
         (out / "episodes.jsonl").write_bytes(before[: -len(before) // 40])
@@ -101,11 +100,11 @@ def test_a_run_killed_again_and_again_ends_as_an_unbroken_one(
 
 
 def test_ctrl_c_ends_a_run_cleanly_and_says_how_to_go_on(
-    tmp_path: Path, troubled: str, tiny_sites_folder: Path
+    tmp_path: Path, troubled: str, tiny_options: list[str]
 ) -> None:
     order(tmp_path, "door", "parent SIGINT")
     out = tmp_path / "run"
-    done = evaluate(troubled, tiny_sites_folder, out)
+    done = evaluate(troubled, tiny_options, out)
     assert done.returncode == 1
     assert f"--out {out}" in done.stderr
     assert "--resume" in done.stderr
