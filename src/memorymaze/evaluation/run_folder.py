@@ -10,13 +10,12 @@ summary.json             the numbers of the whole run, at the end
 
 import gzip
 import json
-import tempfile
 import zlib
 from collections.abc import Generator, Iterable, Mapping
 from contextlib import ExitStack, contextmanager
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 from urllib.parse import quote
 
 from pydantic import TypeAdapter, ValidationError
@@ -35,8 +34,11 @@ from memorymaze.evaluation.results import (
     result_to_line,
 )
 from memorymaze.evaluation.settings import RunDefinition, differences
+from memorymaze.input_files import parse_json
 from memorymaze.instructions.records import Instruction
-from memorymaze.sites import Site, load_site
+from memorymaze.sites.loading import sound_site
+from memorymaze.sites.reading import understand_plan
+from memorymaze.sites.records import Site
 
 FORMAT = 1
 """Of the run folder; older folders are refused, not guessed at."""
@@ -170,12 +172,16 @@ def read_plans(path: str | Path) -> dict[str, Site]:
             "made by an older version, so name the folder of its plans with --sites"
         )
     sites: dict[str, Site] = {}
-    with tempfile.TemporaryDirectory() as folder:
-        for file in files:
-            plan = Path(folder) / file.stem
-            plan.write_bytes(_unpacked(file))
-            site = replace(load_site(plan), source=str(file))
-            sites[site.name] = site
+    for file in files:
+        try:
+            document = parse_json(_unpacked(file))
+        except ValueError as error:
+            raise _damaged_input(file, error) from None
+        if not isinstance(document, dict):
+            raise _damaged_input(file, "it holds no plan")
+        plan = understand_plan(cast(dict[str, object], document))
+        site = sound_site(plan, str(file))
+        sites[site.name] = site
     return sites
 
 
@@ -194,10 +200,7 @@ def read_instructions(path: str | Path) -> list[Instruction]:
     try:
         return [_INSTRUCTION.validate_json(line) for line in _lines(_unpacked(file))]
     except ValidationError as error:
-        raise RunFolderError(
-            f"{file}: expected one instruction per line, got a damaged file "
-            f"({error.errors()[0]['msg']})"
-        ) from None
+        raise _damaged_input(file, error.errors()[0]["msg"]) from None
 
 
 def _keep_inputs(
@@ -230,7 +233,11 @@ def _unpacked(file: Path) -> bytes:
             raise EOFError("it is empty")
         return gzip.decompress(packed)
     except (OSError, EOFError, zlib.error) as error:
-        raise RunFolderError(f"{file}: the file is damaged ({error})") from None
+        raise _damaged_input(file, error) from None
+
+
+def _damaged_input(file: Path, what: object) -> RunFolderError:
+    return RunFolderError(f"{file}: the file is damaged ({what})")
 
 
 def _lines(content: bytes) -> list[bytes]:

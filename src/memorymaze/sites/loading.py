@@ -1,5 +1,6 @@
 """Sites from plans: those of this package, files and folders, made into records."""
 
+import json
 import math
 from collections.abc import Callable, Sequence
 from itertools import pairwise
@@ -141,7 +142,7 @@ class _ShapeError(Exception):
 
 
 def site_from_content(
-    content: PlanContent, source: str, text: bytes = b""
+    content: PlanContent, source: str
 ) -> tuple[records.Site | None, dict[str, str], list[Finding]]:
     """Make a Site of all features whose shapes are sound.
 
@@ -184,7 +185,7 @@ def site_from_content(
         landmarks=all_of(records.Landmark),
         routes=all_of(records.Route),
         source=source,
-        plan=text,
+        plan=json.dumps(content.document, ensure_ascii=False).encode(),
     )
     return site, broken, findings
 

@@ -221,7 +221,7 @@ class Site:
     source: str = field(default="", compare=False)
     """Path of the file it was read from."""
     plan: bytes = field(default=b"", compare=False, repr=False)
-    """Content of its plan, in the format of `docs/site_plans.md`."""
+    """Its plan as JSON, in the format of `docs/site_plans.md`."""
 
     @cached_property
     def walkable_floor(self) -> Polygon:
