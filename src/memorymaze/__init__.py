@@ -1,11 +1,99 @@
-"""Memory-Maze: guide robots that follow route instructions given from memory."""
+"""Memory-Maze: guide robots that follow route instructions given from memory.
+
+    import memorymaze as mm
+
+    walk = mm.follow("Along the hall, then left.", site="university", route="R1")
+    run = mm.evaluate(MyAgent(), mm.load_corpus(), limit=60, out="runs/mine")
+    print(run.table())
+
+See `docs/python.md`. What is named here is loaded when it is first used.
+"""
 
 import importlib
 import sys
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from memorymaze.agents.agent import Agent, Journal
+    from memorymaze.evaluation.settings import AgentSettings, RunSettings
+    from memorymaze.instructions.corpus import load_corpus
+    from memorymaze.instructions.records import Corpus, Episode, Instruction
+    from memorymaze.library.runs import (
+        Comparison,
+        Run,
+        compare,
+        evaluate,
+        load_run,
+    )
+    from memorymaze.library.walks import Walk, follow, make_robot
+    from memorymaze.robot.api import Robot
+    from memorymaze.robot.steps import SteppingRobot
+    from memorymaze.simulation.obstacles import ObstacleSettings
+    from memorymaze.simulation.settings import SimulationSettings
+    from memorymaze.sites.loading import load_site
+    from memorymaze.sites.records import Site
+    from memorymaze.tables import Table
 
 __version__ = "0.1.0"
 
-__all__ = ["__version__"]
+__all__ = [
+    "Agent",
+    "AgentSettings",
+    "Comparison",
+    "Corpus",
+    "Episode",
+    "Instruction",
+    "Journal",
+    "ObstacleSettings",
+    "Robot",
+    "Run",
+    "RunSettings",
+    "SimulationSettings",
+    "Site",
+    "SteppingRobot",
+    "Table",
+    "Walk",
+    "__version__",
+    "compare",
+    "evaluate",
+    "follow",
+    "load_corpus",
+    "load_run",
+    "load_site",
+    "make_robot",
+]
+
+_ROOMS = {
+    "agents.agent": ("Agent", "Journal"),
+    "evaluation.settings": ("AgentSettings", "RunSettings"),
+    "instructions.corpus": ("load_corpus",),
+    "instructions.records": ("Corpus", "Episode", "Instruction"),
+    "library.runs": ("Comparison", "Run", "compare", "evaluate", "load_run"),
+    "library.walks": ("Walk", "follow", "make_robot"),
+    "robot.api": ("Robot",),
+    "robot.steps": ("SteppingRobot",),
+    "simulation.obstacles": ("ObstacleSettings",),
+    "simulation.settings": ("SimulationSettings",),
+    "sites.loading": ("load_site",),
+    "sites.records": ("Site",),
+    "tables": ("Table",),
+}
+_MODULE_OF = {name: room for room, names in _ROOMS.items() for name in names}
+
+
+def __getattr__(name: str) -> Any:
+    """Load what is named on the front door, from its room."""
+    if name not in _MODULE_OF:
+        raise AttributeError(f"module 'memorymaze' has no attribute {name!r}")
+    value = getattr(importlib.import_module(f"memorymaze.{_MODULE_OF[name]}"), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    """Return the names of the front door."""
+    return sorted({*globals(), *__all__})
+
 
 # `gymnasium.make("memorymaze:MemoryMaze/University-v0")` imports this package to have
 # its environments registered. Without Gymnasium nothing of it is loaded.

@@ -90,7 +90,7 @@ def test_an_option_without_meaning_gives_code_2_and_one_message(
 @pytest.mark.parametrize(
     ("option", "content", "said"),
     [
-        pytest.param("--instructions", "{bad", ":1: expected one JSON", id="line"),
+        pytest.param("--instructions", "{bad", ":1: expected JSON", id="line"),
         pytest.param("--sites", "", "no such folder", id="sites"),
     ],
 )

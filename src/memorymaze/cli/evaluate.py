@@ -2,10 +2,10 @@
 
 import argparse
 import contextlib
+import functools
 import shlex
 import sys
 from collections.abc import Generator
-from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -20,6 +20,7 @@ from memorymaze.cli.verbs import Verbs, add_sites_option
 from memorymaze.wording import counted
 
 if TYPE_CHECKING:
+    from memorymaze.evaluation.plan import RunPlan
     from memorymaze.evaluation.settings import AgentSettings, RunSettings
     from memorymaze.evaluation.worker_pool import Workforce
     from memorymaze.instructions import Corpus
@@ -97,10 +98,9 @@ def add_parser(verbs: Verbs) -> None:
 
 def _run(options: argparse.Namespace) -> int:
     from memorymaze.errors import SettingsError
-    from memorymaze.evaluation.driver import WALL_LIMIT, run_plan
-    from memorymaze.evaluation.estimates import answers_estimate, cost_estimate
-    from memorymaze.evaluation.plan import plan_run
+    from memorymaze.evaluation.driver import WALL_LIMIT
     from memorymaze.evaluation.summary import summarise, summary_lines
+    from memorymaze.library.runs import default_folder, evaluate
 
     if options.workers < 0:
         raise SettingsError(
@@ -108,31 +108,24 @@ def _run(options: argparse.Namespace) -> int:
         )
     if options.resume and options.out is None:
         raise SettingsError("--resume: name the run's folder with --out")
-    out = Path(options.out or _default_folder(options.agent))
+    out = Path(options.out or default_folder(options.agent))
     options.instructions = generated_instructions(options, out)
-    # What a user's agent prints while it is made is no result.
-    with contextlib.redirect_stdout(sys.stderr):
-        plan = plan_run(*_what_to_follow(options))
+    agent, corpus, settings = _what_to_follow(options)
     wall_limit = WALL_LIMIT if options.wall_limit is None else options.wall_limit
     with _workforce(options) as workforce:
-        print(
-            f"{counted(len(plan.episodes), 'episode')} on {', '.join(plan.sites)}; "
-            f"{workforce}; "
-            f"time budget {plan.settings.simulation.time_budget:g} s, call budget "
-            f"{plan.settings.simulation.call_budget}; into {out}",
-            file=sys.stderr,
-        )
-        for estimate in (answers_estimate(plan), cost_estimate(plan)):
-            if estimate:
-                print(estimate, file=sys.stderr)
         try:
-            results = run_plan(
-                plan,
-                out,
-                workers=workforce,
-                resume=options.resume,
-                wall_limit=wall_limit,
-            )
+            # What a user's agent prints while it is made is no result.
+            with contextlib.redirect_stdout(sys.stderr):
+                run = evaluate(
+                    agent,
+                    corpus,
+                    out=out,
+                    settings=settings,
+                    workers=workforce,
+                    resume=options.resume,
+                    wall_limit=wall_limit,
+                    on_plan=functools.partial(_announce, workforce),
+                )
         except KeyboardInterrupt:
             print(
                 "\nmemorymaze: interrupted; what is finished is kept. To go on:\n  "
@@ -141,9 +134,25 @@ def _run(options: argparse.Namespace) -> int:
             )
             return 1
     print(f"run {out}")
-    print("\n".join(summary_lines(summarise(results, plan.settings))))
+    print("\n".join(summary_lines(summarise(run.results, run.record.settings))))
     print(f"tables: memorymaze table {shlex.quote(str(out))}")
     return 0
+
+
+def _announce(workforce: "Workforce", plan: "RunPlan", out: Path) -> None:
+    """Say what is to be run, and what that will ask and cost."""
+    from memorymaze.evaluation.estimates import answers_estimate, cost_estimate
+
+    print(
+        f"{counted(len(plan.episodes), 'episode')} on {', '.join(plan.sites)}; "
+        f"{workforce}; "
+        f"time budget {plan.settings.simulation.time_budget:g} s, call budget "
+        f"{plan.settings.simulation.call_budget}; into {out}",
+        file=sys.stderr,
+    )
+    for estimate in (answers_estimate(plan), cost_estimate(plan)):
+        if estimate:
+            print(estimate, file=sys.stderr)
 
 
 @contextlib.contextmanager
@@ -185,11 +194,6 @@ def _what_to_follow(
         corpus = load_corpus(options.instructions, sites=options.sites)
     base = settings_for(corpus)
     return agent, corpus, episode_settings(options, base, "limit", "split")
-
-
-def _default_folder(agent: str) -> Path:
-    name = Path(agent.replace(":", "-")).name.replace(".py", "")
-    return Path("runs") / f"{name}-{datetime.now().strftime('%Y%m%d-%H%M%S')}"
 
 
 def _resuming(arguments: list[str], out: Path) -> str:

@@ -61,16 +61,11 @@ def add_parser(verbs: Verbs) -> None:
 
 
 def _run(options: argparse.Namespace) -> int:
-    from memorymaze.evaluation.navigation import (
-        check_folder,
-        navigate,
-        write_navigation,
-    )
-    from memorymaze.evaluation.settings import RunSettings
+    import memorymaze as mm
+    from memorymaze.evaluation.navigation import check_folder
     from memorymaze.results.story.outcomes import outcome_line
-    from memorymaze.sites import load_site
 
-    site = load_site(options.site)
+    site = mm.load_site(options.site)
     route = site.find_route(options.route)
     folder = Path(options.out or _default_folder(site.name, route.id))
     check_folder(folder)
@@ -78,22 +73,25 @@ def _run(options: argparse.Namespace) -> int:
         onlooker = _onlooker(stack, options, site, route)
         # What a user's agent prints is no result.
         with contextlib.redirect_stdout(sys.stderr):
-            run = navigate(
-                site,
-                route,
+            walk = mm.follow(
                 options.text,
                 agent_settings(options),
-                episode_settings(options, RunSettings()),
+                site=site,
+                route=route.id,
+                settings=episode_settings(options, mm.RunSettings()),
                 watcher=onlooker,
             )
         if onlooker is not None:
-            onlooker.end(outcome_line(run.result))
+            onlooker.end(outcome_line(walk.result))
     if onlooker is not None and onlooker.trouble is not None:
         print(
             f"memorymaze: note: could not show it all ({onlooker.trouble})",
             file=sys.stderr,
         )
-    result = run.result
+    for entry in walk.trace:
+        if entry.get("about") == "traceback":
+            print(*entry["lines"], sep="\n", file=sys.stderr)
+    result = walk.result
     outcome = "arrived" if result.success else "did not arrive"
     print(f"{outcome}; stopped by {result.stopped_by}")
     if result.error:
@@ -110,7 +108,7 @@ def _run(options: argparse.Namespace) -> int:
             f"{result.cost_usd:.4f} USD, {result.inference_s:.1f} s of inference; the "
             f"user stands waiting {result.standing_s:.1f} s"
         )
-    for path in write_navigation(run, site, route, folder):
+    for path in walk.save(folder):
         print(path)
     return 0
 

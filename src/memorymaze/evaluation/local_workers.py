@@ -5,8 +5,9 @@ import math
 import multiprocessing
 import os
 import signal
+import sys
 import threading
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Generator, Sequence
 from dataclasses import dataclass, replace
 from multiprocessing.connection import Connection, wait
 from pathlib import Path
@@ -83,6 +84,23 @@ class LocalSource:
         return [w for w in workers if w.connection in there or not w.is_alive()]
 
 
+@contextlib.contextmanager
+def _main_left_out() -> Generator[None]:
+    """Keep new processes from running the user's script once more.
+
+    They need nothing of it: agents that are defined there come pickled, with their code.
+    """
+    main = sys.modules["__main__"]
+    hidden = {name: vars(main).pop(name, None) for name in ("__file__", "__spec__")}
+    main.__spec__ = None
+    try:
+        yield
+    finally:
+        vars(main).update({
+            name: value for name, value in hidden.items() if value is not None
+        })
+
+
 class LocalWorker:
     """A process of this machine, and the connection to it."""
 
@@ -95,7 +113,8 @@ class LocalWorker:
         # means. A blocked signal stays blocked in the child, from its first moment.
         before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
         try:
-            self._process.start()
+            with _main_left_out():
+                self._process.start()
         finally:
             signal.pthread_sigmask(signal.SIG_SETMASK, before)
         theirs.close()

@@ -10,8 +10,6 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from platform import python_version
 
-import memorymaze
-
 PACKAGES = ("mujoco", "numpy", "pydantic-monty", "scipy", "shapely")
 """Packages whose version can change a result."""
 OPTIONAL_PACKAGES = ("navground",)
@@ -54,14 +52,14 @@ class CodeStamp:
 @cache
 def code_stamp() -> CodeStamp:
     """Return the stamp of the code that is running."""
-    root = Path(memorymaze.__file__).parent
+    root = Path(__file__).parents[1]
     digest = hashlib.sha256()
     for path in sorted(root.rglob("*")):
         if path.is_file() and "__pycache__" not in path.parts:
             digest.update(str(path.relative_to(root)).encode() + b"\0")
             digest.update(hashlib.sha256(path.read_bytes()).digest())
     return CodeStamp(
-        version=memorymaze.__version__,
+        version=version("memorymaze"),
         sha256=digest.hexdigest(),
         commit=_commit(root),
         python=python_version(),

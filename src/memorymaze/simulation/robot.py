@@ -135,6 +135,15 @@ class SimulatedRobot:
         self._look: tuple[tuple[float, Pose], RayCamera] | None = None
         """When and where the camera looked last, and what it sees there."""
 
+    def __repr__(self) -> str:
+        """Say where it is, and when."""
+        x, y, heading = self.pose
+        return (
+            f"SimulatedRobot({self.scene.site.name}: x {x:.2f} m, y {y:.2f} m, heading "
+            f"{math.degrees(heading):.0f} degrees, {self.time:.1f} s, "
+            f"{self._driver.distance:.1f} m driven)"
+        )
+
     # What agents call.
 
     def move_forward(self, distance: float) -> MoveResult:

@@ -223,6 +223,14 @@ class Site:
     plan: bytes = field(default=b"", compare=False, repr=False)
     """Its plan as JSON, in the format of `docs/site_plans.md`."""
 
+    def __repr__(self) -> str:
+        """Return name and size."""
+        return (
+            f"Site({self.name!r}: {self.title}, {len(self.turning_points)} turning points, "
+            f"{len(self.doors)} doors, {len(self.landmarks)} landmarks, routes "
+            f"{', '.join(route.id for route in self.routes) or 'none'})"
+        )
+
     @cached_property
     def walkable_floor(self) -> Polygon:
         """Union of all corridors, areas and turning points, with its holes.

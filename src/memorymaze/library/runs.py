@@ -1,0 +1,195 @@
+"""Runs of agents over corpora, read back, shown and compared."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from datetime import datetime
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from memorymaze.errors import SettingsError
+from memorymaze.evaluation.driver import WALL_LIMIT, run_plan
+from memorymaze.evaluation.frames import episode_frame
+from memorymaze.evaluation.plan import RunPlan, plan_run, settings_for
+from memorymaze.evaluation.results import EpisodeResult
+from memorymaze.evaluation.run_folder import RunRecord
+from memorymaze.evaluation.settings import RunSettings, with_choices
+from memorymaze.evaluation.worker_pool import Workforce
+from memorymaze.instructions import Corpus, load_corpus
+from memorymaze.library.agents import AgentChoice, chosen_agent
+from memorymaze.results.tables import (
+    MeasuredRun,
+    TableChoice,
+    compare_runs,
+    comparison_table,
+    load_runs,
+    run_tables,
+)
+from memorymaze.results.tables.figures import success_figure
+from memorymaze.tables import Table
+
+if TYPE_CHECKING:
+    import pandas
+    from matplotlib.figure import Figure
+
+
+@dataclass(frozen=True, slots=True)
+class Run:
+    """A run folder, read."""
+
+    folder: Path
+    measured: MeasuredRun = field(repr=False)
+    """Settings and results, as tables take them."""
+
+    @property
+    def results(self) -> tuple[EpisodeResult, ...]:
+        """What came of each episode, in the order of their ids."""
+        return self.measured.results
+
+    @property
+    def record(self) -> RunRecord:
+        """What `run.json` says: settings, code, beginning."""
+        return self.measured.record
+
+    def table(self, choice: TableChoice = "II") -> Table:
+        """Return the run as one of the paper's tables, beside the published figures.
+
+        Args:
+            choice: `II` (methods), `III` (iterations) or `errors` (kinds of errors).
+        """
+        return run_tables([self.measured], choice)[0]
+
+    def frame(self) -> "pandas.DataFrame":
+        """Return the results, a row an episode.
+
+        Raises:
+            SettingsError: pandas is not installed.
+        """
+        frame = episode_frame([self.folder])
+        return frame[frame.episode_id.isin([each.episode_id for each in self.results])]
+
+    def plot(self) -> "Figure":
+        """Draw the success rate of every route, with intervals."""
+        return success_figure([self.measured])
+
+    def __len__(self) -> int:
+        """Return the number of episodes that have a result."""
+        return len(self.results)
+
+    def __repr__(self) -> str:
+        """Say who followed how much, and how well."""
+        rate = sum(each.success for each in self.results) / len(self.results)
+        missing = f", {self.measured.missing} to come" if self.measured.missing else ""
+        return (
+            f"Run({str(self.folder)!r}: {self.measured.label}, {len(self)} episodes"
+            f"{missing}, success {rate:.2f})"
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class Comparison:
+    """Two runs or more on the same episodes, each beside the first."""
+
+    runs: tuple[Run, ...]
+
+    def table(self) -> Table:
+        """Return the paired differences, with intervals and tests.
+
+        Raises:
+            SettingsError: There are more than two runs, which one table cannot pair.
+        """
+        if len(self.runs) != 2:
+            raise SettingsError(
+                f"paired table: expected two runs, got {len(self.runs)}; compare two at "
+                "a time, or take paper_table()"
+            )
+        return comparison_table(compare_runs(*(run.measured for run in self.runs)))
+
+    def paper_table(self, choice: TableChoice = "II") -> Table:
+        """Return all runs in one of the paper's tables; see `Run.table`."""
+        return run_tables([run.measured for run in self.runs], choice)[0]
+
+    def frame(self) -> "pandas.DataFrame":
+        """Return the paired differences as a frame."""
+        return self.table().frame()
+
+    def plot(self) -> "Figure":
+        """Draw the success rates of all runs side by side."""
+        return success_figure([run.measured for run in self.runs])
+
+    def __repr__(self) -> str:
+        """Name the runs."""
+        return f"Comparison({' with '.join(run.measured.label for run in self.runs)})"
+
+
+def evaluate(
+    agent: AgentChoice,
+    corpus: Corpus | str | Path | Sequence[str | Path] | None = None,
+    *,
+    out: str | Path | None = None,
+    settings: RunSettings | None = None,
+    workers: int | Workforce = 0,
+    resume: bool = False,
+    wall_limit: float = WALL_LIMIT,
+    on_plan: Callable[[RunPlan, Path], None] | None = None,
+    **choices: Any,
+) -> Run:
+    """Run an agent over a corpus, into a folder.
+
+    The same as `memorymaze evaluate`: the results do not depend on how it was called.
+
+    Args:
+        agent: A name, your own as `module:Class` or `file.py:Class`, a class, an object,
+            or `AgentSettings` where it is given a model or options.
+        corpus: What is followed, and where: loaded, or what `load_corpus` takes; None
+            for the shipped texts.
+        out: Run folder; None for `runs/AGENT-TIME`.
+        settings: How; those that belong to the corpus when None.
+        workers: Processes, 0 for one per core; or workers elsewhere.
+        resume: Whether to finish a run that is in the folder.
+        wall_limit: Real seconds after which an episode is given up.
+        on_plan: Called with the plan and the folder, before anything is run.
+        **choices: Settings to change, such as `limit=60`, `seed=1` or
+            `obstacles="light"`; see `RunSettings` and `SimulationSettings`.
+
+    Raises:
+        MemoryMazeError: Something that was given cannot be used; what agents do wrong
+            is part of the results.
+    """
+    followed = corpus if isinstance(corpus, Corpus) else load_corpus(corpus)
+    base = settings_for(followed) if settings is None else settings
+    plan = plan_run(chosen_agent(agent), followed, with_choices(base, choices))
+    folder = Path(out) if out is not None else default_folder(plan.settings.agent.name)
+    if on_plan is not None:
+        on_plan(plan, folder)
+    run_plan(plan, folder, workers=workers, resume=resume, wall_limit=wall_limit)
+    return load_run(folder)
+
+
+def load_run(folder: str | Path, *, exclude_dev: bool = False) -> Run:
+    """Read a run folder, also one that is still being written.
+
+    Raises:
+        RunFolderError: It is no run folder, is damaged, or has no result yet.
+    """
+    [measured] = load_runs([folder], exclude_dev=exclude_dev)
+    return Run(Path(folder), measured)
+
+
+def compare(*runs: Run | str | Path, exclude_dev: bool = False) -> Comparison:
+    """Compare runs on the episodes that they share; the first is the baseline.
+
+    Raises:
+        SettingsError: There are fewer than two.
+        RunFolderError: One is no run folder.
+    """
+    if len(runs) < 2:
+        raise SettingsError(f"compare: expected two runs or more, got {len(runs)}")
+    folders = [run.folder if isinstance(run, Run) else Path(run) for run in runs]
+    measured = load_runs(folders, exclude_dev=exclude_dev)
+    return Comparison(tuple(map(Run, folders, measured)))
+
+
+def default_folder(agent: str) -> Path:
+    """Return the folder of a run that none was named for: `runs/AGENT-TIME`."""
+    name = Path(agent.replace(":", "-")).name.replace(".py", "")
+    return Path("runs") / f"{name}-{datetime.now().strftime('%Y%m%d-%H%M%S')}"

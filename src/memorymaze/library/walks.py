@@ -1,0 +1,169 @@
+"""One robot in a building, and one instruction followed by an agent."""
+
+import tempfile
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from memorymaze.evaluation.navigation import navigate, write_navigation
+from memorymaze.evaluation.settings import RunSettings, with_choices
+from memorymaze.library.agents import AgentChoice, chosen_agent
+from memorymaze.pictures import robot_cameras
+from memorymaze.simulation import SimulatedRobot, build_scene
+from memorymaze.sites import Route, Site, load_site
+
+if TYPE_CHECKING:
+    from PIL.Image import Image
+
+    from memorymaze.evaluation.episode import EpisodeRun, Watcher
+    from memorymaze.evaluation.results import EpisodeResult
+    from memorymaze.geometry.trajectory import Trajectory
+
+
+@dataclass(frozen=True, slots=True)
+class Walk:
+    """What came of one instruction: result, trajectory and trace."""
+
+    text: str
+    """The instruction."""
+    site: Site
+    route: Route
+    """The route it was said to describe."""
+    run: "EpisodeRun" = field(repr=False)
+    """All that the episode left behind."""
+
+    @property
+    def result(self) -> "EpisodeResult":
+        """Every measure of the walk."""
+        return self.run.result
+
+    @property
+    def success(self) -> bool:
+        """Whether it stopped by itself near enough to the goal."""
+        return self.result.success
+
+    @property
+    def spd(self) -> float:
+        """Shortest walk from where it ended to the goal, metres."""
+        return self.result.spd
+
+    @property
+    def stopped_by(self) -> str:
+        """Who or what ended it, such as `agent` or `budget`."""
+        return self.result.stopped_by
+
+    @property
+    def trajectory(self) -> "Trajectory":
+        """Where the robot went."""
+        return self.run.trajectory
+
+    @property
+    def trace(self) -> tuple[dict[str, Any], ...]:
+        """Every call and note in the order of time; see `docs/data_formats.md`."""
+        return self.run.trace
+
+    def plot(self) -> "Image":
+        """Draw the walk on the plan; notebooks show the picture.
+
+        Raises:
+            RunFolderError: No temporary file can be written.
+        """
+        from PIL import Image
+
+        with tempfile.TemporaryDirectory() as folder:
+            *_, picture = self.save(folder)
+            with Image.open(picture) as image:
+                return image.convert("RGB")
+
+    def save(self, folder: str | Path) -> list[Path]:
+        """Write trajectory, trace and picture into a folder; return the files.
+
+        Raises:
+            RunFolderError: The folder cannot be written.
+        """
+        return write_navigation(self.run, self.site, self.route, Path(folder))
+
+    def __repr__(self) -> str:
+        """Say how it ended."""
+        end = "arrived" if self.success else f"ended {self.spd:.1f} m from the goal"
+        return (
+            f"Walk({self.site.name} {self.route.id}: {end}, stopped by "
+            f"{self.stopped_by}, {self.result.path_length:.1f} m in "
+            f"{self.result.duration_s:.0f} s)"
+        )
+
+
+def follow(
+    text: str,
+    agent: AgentChoice = "rules",
+    *,
+    site: Site | str | Path,
+    route: str = "R1",
+    settings: RunSettings | None = None,
+    watcher: "Watcher | None" = None,
+    **choices: Any,
+) -> Walk:
+    """Let an agent follow one instruction from the start of a route.
+
+    Args:
+        text: The instruction.
+        agent: A name, your own as `module:Class` or `file.py:Class`, a class, an object,
+            or `AgentSettings` where it is given a model or options.
+        site: The building: loaded, or by name or file.
+        route: Gives start and goal: `R1`, or the id of a way.
+        settings: How the episode is run; the defaults when None.
+        watcher: Looks on while the agent follows.
+        **choices: Settings to change, such as `seed=1` or `obstacles="light"`; see
+            `RunSettings` and `SimulationSettings`.
+
+    Raises:
+        MemoryMazeError: Something that was given cannot be used; what the agent does
+            wrong is part of the walk.
+    """
+    building = site if isinstance(site, Site) else load_site(site)
+    way = building.find_route(route)
+    run = navigate(
+        building,
+        way,
+        text,
+        chosen_agent(agent),
+        with_choices(settings or RunSettings(), choices),
+        watcher=watcher,
+    )
+    return Walk(text, building, way, run)
+
+
+def make_robot(
+    site: Site | str | Path,
+    route: str = "R1",
+    *,
+    seed: int = 0,
+    settings: RunSettings | None = None,
+    **choices: Any,
+) -> SimulatedRobot:
+    """Put a robot at the start of a route, to be driven by hand.
+
+    It is not guarded: its `scene` knows the building and the goal. Agents get another
+    one, which does not.
+
+    Args:
+        site: The building: loaded, or by name or file.
+        route: Gives the start: `R1`, or the id of a way.
+        seed: Of wheels and sensors.
+        settings: Abilities, detector and things in the way; the defaults when None.
+        **choices: Settings to change, as for `follow`.
+
+    Raises:
+        MemoryMazeError: Something that was given cannot be used.
+    """
+    building = site if isinstance(site, Site) else load_site(site)
+    chosen = with_choices(settings or RunSettings(), choices)
+    return SimulatedRobot(
+        build_scene(building, chosen.obstacles),
+        building.find_route(route).start,
+        chosen.simulation,
+        np.random.default_rng(seed),
+        cameras=robot_cameras,
+    )
