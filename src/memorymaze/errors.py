@@ -50,8 +50,8 @@ class CommandError(MemoryMazeError, ValueError):
     """A command to the robot has an argument without meaning; says what is allowed."""
 
 
-class ProgramFileError(MemoryMazeError):
-    """A file of requests, replies or programs is unusable; names file and line."""
+class AnswerFileError(MemoryMazeError):
+    """A file of requests or answers is unusable; names file and line."""
 
 
 class RunFolderError(MemoryMazeError):

@@ -15,8 +15,8 @@ from memorymaze.evaluation.agent_catalogue import (
 from memorymaze.evaluation.episode_worker import EpisodeDone, EpisodeTask, EpisodeWorker
 from memorymaze.evaluation.plan import RunPlan
 from memorymaze.evaluation.settings import AgentSettings
+from memorymaze.language.answers import RecordingModel
 from memorymaze.language.model import CompletionRequest
-from memorymaze.language.recorded_replies import RecordingModel
 from memorymaze.language.scripted_model import ScriptedLanguageModel
 
 

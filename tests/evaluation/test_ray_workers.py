@@ -309,19 +309,11 @@ def test_an_agents_files_are_needed_no_more_once_they_are_packed(
     assert done.result.agent == "traveller"
 
 
-def test_programs_and_recorded_replies_travel(
-    tmp_path: Path, settings: RunSettings
-) -> None:
-    (tmp_path / "programs.jsonl").write_bytes(b"programs")
-    (tmp_path / "replies.sqlite").write_bytes(b"replies")
-    agent = AgentSettings(
-        "code_generation",
-        programs=str(tmp_path / "programs.jsonl"),
-        replay=str(tmp_path / "replies.sqlite"),
-    )
+def test_a_file_of_answers_travels(tmp_path: Path, settings: RunSettings) -> None:
+    (tmp_path / "answers.sqlite").write_bytes(b"answers")
+    agent = AgentSettings("code_generation", replay=str(tmp_path / "answers.sqlite"))
     assert pack_files(replace(settings, agent=agent)) == {
-        "programs/programs.jsonl": b"programs",
-        "replay/replies.sqlite": b"replies",
+        "replay/answers.sqlite": b"answers",
     }
 
 

@@ -1,4 +1,4 @@
-"""The stand-in for a language model answers what `memorymaze prompts` asks."""
+"""The stand-in for a language model answers what `memorymaze answers requests` asks."""
 
 import runpy
 from pathlib import Path

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from memorymaze.errors import ProgramFileError
+from memorymaze.errors import AnswerFileError
 from memorymaze.language.batch_files import read_replies, request_line
 from memorymaze.language.model import Completion, CompletionRequest, Message, Usage
 
@@ -130,7 +130,9 @@ def test_an_answer_counts_before_failures(
 @pytest.mark.parametrize(
     ("lines", "said"),
     [
-        pytest.param(["{"], r"replies.jsonl:1: .* not JSON: '\{'", id="no json"),
+        pytest.param(
+            ["{"], r"replies.jsonl:1: expected JSON, got a mistake", id="no json"
+        ),
         pytest.param(["[1]"], "expected one JSON record", id="list"),
         pytest.param(['{"id": 1}'], "with the `custom_id`", id="no id"),
         pytest.param(
@@ -141,15 +143,15 @@ def test_an_answer_counts_before_failures(
         pytest.param([reply(), reply()], ":2: .*second one to 'a'", id="twice"),
         pytest.param(
             [reply(response={"status_code": 200, "body": {}})],
-            r"response\.body: field 'choices'",
+            r"field 'response\.body\.choices'",
             id="no choices",
         ),
         pytest.param(
-            [{"custom_id": 3, "text": "x"}], "'custom_id' is wrong", id="number"
+            [{"custom_id": 3, "text": "x"}], "'custom_id': expected", id="number"
         ),
         pytest.param(
             [{"custom_id": "a", "text": "x", "prompt_tokens": -1}],
-            "'prompt_tokens' is wrong",
+            "'prompt_tokens': expected",
             id="tokens",
         ),
         pytest.param([""], "the file is empty", id="empty"),
@@ -159,13 +161,13 @@ def test_an_answer_counts_before_failures(
 def test_what_is_no_reply_is_told_with_its_line(
     file: Callable[..., Path], lines: list[Any], said: str
 ) -> None:
-    with pytest.raises(ProgramFileError, match=said):
+    with pytest.raises(AnswerFileError, match=said):
         read_replies([file(*lines)])
 
 
 def test_a_file_that_is_not_there_or_no_text_is_told(tmp_path: Path) -> None:
-    with pytest.raises(ProgramFileError, match=r"none\.jsonl: cannot be read"):
+    with pytest.raises(AnswerFileError, match=r"none\.jsonl: cannot be read"):
         read_replies([tmp_path / "none.jsonl"])
     (tmp_path / "bytes.jsonl").write_bytes(b"{\xff}")
-    with pytest.raises(ProgramFileError, match="expected UTF-8, got byte 0xff"):
+    with pytest.raises(AnswerFileError, match="expected UTF-8, got byte 0xff"):
         read_replies([tmp_path / "bytes.jsonl"])

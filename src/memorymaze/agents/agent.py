@@ -62,6 +62,8 @@ class Journal:
             completion: The reply.
             stage: What was asked for, such as `program`.
         """
+        if not completion.inferred:
+            return
         usage = completion.usage
         self.model_calls += 1
         self.tokens += usage.prompt_tokens + usage.completion_tokens

@@ -53,7 +53,10 @@ def add_agent_options(parser: argparse.ArgumentParser, default: str | None) -> N
         "--record", metavar="FILE", help="keep the model's replies in a file"
     )
     model.add_argument(
-        "--replay", metavar="FILE", help="take replies from a file; ask no model"
+        "--replay",
+        "--programs",
+        metavar="FILE",
+        help="take answers from a file; ask no model (docs/language_models.md)",
     )
     add_model_options(parser)
 
@@ -153,8 +156,7 @@ def agent_settings(options: argparse.Namespace) -> "AgentSettings":
     from memorymaze.evaluation.settings import AgentSettings
 
     parser: bool | None = None
-    programs: str | None = getattr(options, "programs", None)
-    if options.no_parser or (has_parser(options.agent) and programs is None):
+    if options.no_parser or (has_parser(options.agent) and options.replay is None):
         parser = not options.no_parser
     asks = has_language_model(options.agent)
     return AgentSettings(
@@ -167,7 +169,6 @@ def agent_settings(options: argparse.Namespace) -> "AgentSettings":
         asking=asking_settings(options, asks=asks),
         inference_time=inference_time(options, asks=asks),
         options=given_options(options.set),
-        programs=programs,
     )
 
 

@@ -37,12 +37,6 @@ def add_parser(verbs: Verbs) -> None:
     )
     add_agent_options(parser, default=None)
     parser.add_argument(
-        "--programs",
-        metavar="FILE",
-        help="run programs that were written elsewhere (code_generation; see `memorymaze "
-        "programs`)",
-    )
-    parser.add_argument(
         "--instructions",
         metavar="FILE",
         nargs="+",
@@ -141,7 +135,7 @@ def _run(options: argparse.Namespace) -> int:
 
 def _announce(workforce: "Workforce", plan: "RunPlan", out: Path) -> None:
     """Say what is to be run, and what that will ask and cost."""
-    from memorymaze.evaluation.estimates import answers_estimate, cost_estimate
+    from memorymaze.evaluation.estimates import said_beforehand
 
     print(
         f"{counted(len(plan.episodes), 'episode')} on {', '.join(plan.sites)}; "
@@ -150,9 +144,8 @@ def _announce(workforce: "Workforce", plan: "RunPlan", out: Path) -> None:
         f"{plan.settings.simulation.call_budget}; into {out}",
         file=sys.stderr,
     )
-    for estimate in (answers_estimate(plan), cost_estimate(plan)):
-        if estimate:
-            print(estimate, file=sys.stderr)
+    for line in said_beforehand(plan):
+        print(line, file=sys.stderr)
 
 
 @contextlib.contextmanager

@@ -15,13 +15,12 @@ from collections.abc import Sequence
 from memorymaze import __version__
 from memorymaze.cli import (
     agents,
+    answers,
     compare,
     evaluate,
     instructions,
     leaderboard,
     navigate,
-    programs,
-    prompts,
     replay,
     report,
     score,
@@ -100,8 +99,7 @@ def _parser() -> argparse.ArgumentParser:
         instructions,
         sites,
         agents,
-        prompts,
-        programs,
+        answers,
         replay,
         walkthrough,
     ):

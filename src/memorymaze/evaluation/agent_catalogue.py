@@ -12,7 +12,7 @@ from memorymaze.agents import AGENTS
 from memorymaze.agents.agent import Agent, Need
 from memorymaze.agents.rules import RulesAgent, RulesOptions
 from memorymaze.errors import SettingsError, did_you_mean
-from memorymaze.evaluation.language_models import build_language_model
+from memorymaze.evaluation.language_models import build_language_model, parses_first
 from memorymaze.evaluation.oracle import OracleAgent
 from memorymaze.evaluation.own_agents import (
     checked_agent,
@@ -21,12 +21,9 @@ from memorymaze.evaluation.own_agents import (
     own_needs,
     own_options,
 )
-from memorymaze.evaluation.program_replay import (
-    load_agents_programs,
-    replayed_programs,
-)
 from memorymaze.evaluation.settings import AgentSettings
 from memorymaze.instructions.records import Episode
+from memorymaze.language.answers import AboutInstruction
 from memorymaze.options import options_of, read_options
 
 AgentFor = Callable[[Episode], Agent]
@@ -51,14 +48,14 @@ class KnownAgent:
 def _code_generation(settings: AgentSettings, options: Any) -> AgentFor:
     from memorymaze.agents.code_generation import CodeGenerationAgent
 
-    programs = load_agents_programs(settings)
-    if programs is not None:
-        return replayed_programs(programs, settings)
     model = build_language_model(settings)
-    agent = CodeGenerationAgent(
-        model, parser=settings.parser is not False, options=options
-    )
-    return lambda _: agent
+    parser = parses_first(settings)
+
+    def agent_for(episode: Episode) -> Agent:
+        asked = AboutInstruction(model, episode.instruction.id)
+        return CodeGenerationAgent(asked, parser=parser, options=options)
+
+    return agent_for
 
 
 def _code_generation_options() -> type:
@@ -70,8 +67,7 @@ def _code_generation_options() -> type:
 def _navgpt(settings: AgentSettings, options: Any) -> AgentFor:
     from memorymaze.evaluation.navgpt_runs import navgpt_for_runs
 
-    agent = navgpt_for_runs(settings, options)
-    return lambda _: agent
+    return navgpt_for_runs(settings, options)
 
 
 def _navgpt_options() -> type:
@@ -102,10 +98,9 @@ def _rules_options() -> type:
 
 
 def _navid(settings: AgentSettings, options: Any) -> AgentFor:
-    from memorymaze.evaluation.navid_runs import build_navid
+    from memorymaze.evaluation.navid_runs import navid_for_runs
 
-    agent = build_navid(settings, options)
-    return lambda _: agent
+    return navid_for_runs(settings, options)
 
 
 def _navid_options() -> type:

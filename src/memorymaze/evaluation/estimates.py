@@ -1,5 +1,7 @@
 """What a run will ask and cost, said before it begins: estimates, with what they rest on."""
 
+from collections.abc import Iterator
+
 from memorymaze.agents.navid.agent import NavidOptions
 from memorymaze.evaluation.budgets import fair_steps, fewest_answers
 from memorymaze.evaluation.plan import RunPlan
@@ -16,6 +18,13 @@ REPLY_TOKENS = 1000
 """Assumed of a reply, where it may be longer."""
 
 
+def said_beforehand(plan: RunPlan) -> Iterator[str]:
+    """Yield what is worth knowing before a run begins, a line each."""
+    if plan.settings.answers is not None:
+        yield str(plan.settings.answers)
+    yield from filter(None, (answers_estimate(plan), cost_estimate(plan)))
+
+
 def cost_estimate(plan: RunPlan) -> str | None:
     """Return a line on what a run's model will cost, at the prices that were given.
 
@@ -28,7 +37,7 @@ def cost_estimate(plan: RunPlan) -> str | None:
         return None
     limit = agent.asking.max_cost
     end = "" if limit is None else f"; the run ends when {limit:g} USD are spent"
-    if agent.name != "code_generation" or agent.programs is not None:
+    if agent.name != "code_generation":
         return (
             f"cost: cannot be told beforehand, because {agent.name} asks again and "
             f"again until it arrives or gives up{end or '; set --max-cost'}"

@@ -48,6 +48,8 @@ class NavGPTOnGraph:
         """
         self._agent = agent
         self._describe = describe
+        self.prompts = agent.prompts
+        """Versions of the prompts that the agent asks with."""
 
     @property
     def name(self) -> str:

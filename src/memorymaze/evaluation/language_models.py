@@ -1,9 +1,14 @@
-"""From settings to the language model that an agent asks."""
+"""From settings to the language model that an agent asks, or to the answers it takes."""
 
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from memorymaze.errors import SettingsError
-from memorymaze.evaluation.settings import AgentSettings
+from memorymaze.agents.agent import Agent
+from memorymaze.errors import AnswerFileError, SettingsError
+from memorymaze.evaluation.settings import AgentSettings, AnswersTaken, stamp_file
+from memorymaze.instructions.records import Episode
+from memorymaze.language.answer_files import AnswerFile
+from memorymaze.language.answers import RecordingModel, ReplayingModel
 from memorymaze.language.local_models import is_local, local_model, model_name
 from memorymaze.language.model import LanguageModel
 from memorymaze.language.spending import PricedModel
@@ -18,9 +23,9 @@ def build_language_model(settings: AgentSettings) -> LanguageModel:
             used.
     """
     price = settings.asking.price
-    if settings.replay is not None:
-        model = _replayed(settings, settings.replay)
-        return model if price is None else PricedModel(model, price)
+    replayed = replaying_model(settings)
+    if replayed is not None:
+        return replayed if price is None else PricedModel(replayed, price)
     if settings.model is None:
         raise SettingsError(
             f"--agent {settings.name}: name a language model with --model, or take "
@@ -33,24 +38,77 @@ def build_language_model(settings: AgentSettings) -> LanguageModel:
     if price is not None:
         model = PricedModel(model, price)
     model = _limited(settings, model)
-    if settings.record is None:
-        return model
-    from memorymaze.language.recorded_replies import RecordingModel
-
-    return RecordingModel(model, settings.record)
+    return model if settings.record is None else RecordingModel(model, settings.record)
 
 
-def _replayed(settings: AgentSettings, path: str) -> LanguageModel:
-    from memorymaze.language.recorded_replies import ReplayingModel
+def replaying_model(settings: AgentSettings) -> ReplayingModel | None:
+    """Return what gives an agent recorded answers; None where a model is asked.
 
+    Raises:
+        SettingsError: The file cannot be used, or the settings also say how to ask.
+        AnswerFileError: Something in the file is wrong.
+    """
+    if settings.replay is None:
+        return None
     for option in ("record", "base_url"):
         if getattr(settings, option) is not None:
             raise SettingsError(
                 f"--replay and --{option.replace('_', '-')}: replies are replayed "
                 "or asked for, not both; leave one out"
             )
-    named = settings.model
-    return ReplayingModel(path, name=None if named is None else model_name(named))
+    named = None if settings.model is None else model_name(settings.model)
+    return ReplayingModel(settings.replay, name=named)
+
+
+def parses_first(settings: AgentSettings) -> bool:
+    """Tell whether an agent with a parser uses it; by its answers, if nobody says."""
+    if settings.parser is not None:
+        return settings.parser
+    model = replaying_model(settings)
+    stages = set() if model is None else {stage for _, stage in model.versions()}
+    return not stages or any(stage.partition("+")[0] == "parse" for stage in stages)
+
+
+def answers_taken(
+    settings: AgentSettings,
+    agent_for: Callable[[Episode], Agent],
+    episodes: Sequence[Episode],
+) -> AnswersTaken | None:
+    """Say which answers a run takes; None where it asks a model.
+
+    Raises:
+        AnswerFileError: A file has no answer for some episodes; names the first. A
+            store may have none: a failure of the model is not kept.
+    """
+    model = replaying_model(settings)
+    if model is None or settings.replay is None:
+        return None
+    versions = model.versions()
+    wanted = list(dict.fromkeys(each.instruction.id for each in episodes))
+    known = {instruction for instruction, _ in versions}
+    missing = [each for each in wanted if versions and each not in known]
+    if missing and isinstance(model.answers, AnswerFile):
+        raise AnswerFileError(
+            f"{settings.replay}: expected an answer for each of {len(wanted)} "
+            f"instructions, got none for {len(missing)}: "
+            f"{', '.join(missing[:10])}{', …' if len(missing) > 10 else ''}; for one "
+            "that the model failed on write a record with `error`"
+        )
+    prompts: dict[str, str] = getattr(agent_for(episodes[0]), "prompts", {})
+    other = unknown = 0
+    for each in wanted:
+        answered = [
+            (versions.get((each, stage)) or versions.get((each, plain), set()), prompt)
+            for stage, prompt in prompts.items()
+            for plain in [stage.partition("+")[0]]
+        ]
+        differing = [
+            found for found, prompt in answered if found and prompt not in found
+        ]
+        unknown += any(None in found for found in differing)
+        other += bool(differing) and not any(None in found for found in differing)
+    stamp = stamp_file(settings.replay)
+    return AnswersTaken(stamp.name, stamp.sha256, len(missing), other, unknown)
 
 
 def _server(settings: AgentSettings, name: str) -> LanguageModel:

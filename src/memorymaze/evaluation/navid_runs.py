@@ -1,18 +1,23 @@
 """The NaVid protocol's agent for runs: its policy, and the fair budget of a site."""
 
+from collections.abc import Callable
 from functools import partial
 
 import numpy as np
 
 from memorymaze.agents.agent import Agent, Journal
 from memorymaze.agents.navid import NavidAgent, NavidOptions
+from memorymaze.agents.navid.model_policies import BlindPolicy, VisionPolicy
 from memorymaze.agents.navid.policy import Policy
 from memorymaze.errors import LanguageModelError, SettingsError
 from memorymaze.evaluation.budgets import fair_steps
 from memorymaze.evaluation.guarded_robot import simulated_behind
 from memorymaze.evaluation.language_models import build_language_model
 from memorymaze.evaluation.settings import AgentSettings
+from memorymaze.instructions.records import Episode
+from memorymaze.language.answers import AboutInstruction
 from memorymaze.language.local_models import is_local
+from memorymaze.language.model import LanguageModel
 from memorymaze.robot.api import Robot
 
 
@@ -22,6 +27,8 @@ class NavidOnSite:
     def __init__(self, agent: NavidAgent) -> None:
         """Stand for an agent."""
         self._agent = agent
+        self.prompts = agent.prompts
+        """Versions of the prompts that the agent asks with."""
 
     @property
     def name(self) -> str:
@@ -42,45 +49,49 @@ class NavidOnSite:
         self._agent.follow(instruction, robot, journal, rng, limit)
 
 
-def build_navid(settings: AgentSettings, options: NavidOptions) -> Agent:
-    """Make the agent, on a policy server or on a vision model.
+def navid_for_runs(
+    settings: AgentSettings, options: NavidOptions
+) -> Callable[[Episode], Agent]:
+    """Return what makes the agent of an episode, on a policy server or a vision model.
 
     Raises:
         SettingsError: The server cannot be used, no model is named, or both are.
     """
-    if options.server is None:
-        policy = _vision_policy(settings, options)
-    else:
+    if options.server is not None:
         policy = _remote_policy(settings, options, options.server)
-    return NavidOnSite(NavidAgent(policy, options))
+        return lambda _: NavidOnSite(NavidAgent(policy, options))
+    model = _checked_model(settings, options)
+
+    def agent_for(episode: Episode) -> Agent:
+        asked = AboutInstruction(model, episode.instruction.id)
+        return NavidOnSite(NavidAgent(_policy(asked, options), options))
+
+    return agent_for
 
 
-def _vision_policy(settings: AgentSettings, options: NavidOptions) -> Policy:
-    from memorymaze.agents.navid.model_policies import BlindPolicy, VisionPolicy
-
+def _checked_model(settings: AgentSettings, options: NavidOptions) -> LanguageModel:
     if settings.model is None and settings.replay is None:
         raise SettingsError(
             "--agent navid: name a vision model with --model, or a policy server with "
             "--set server=URL, or take recorded replies with --replay"
         )
-    if options.pictures == "none":
-        return BlindPolicy(
-            build_language_model(settings),
-            temperature=options.temperature,
-            max_tokens=options.max_tokens,
-        )
-    if (
-        settings.replay is None
-        and settings.base_url is None
-        and is_local(settings.model or "")
-    ):
+    here = settings.base_url is None and is_local(settings.model or "")
+    if options.pictures == "shown" and settings.replay is None and here:
         raise SettingsError(
             f"--model {settings.model}: models that run here see no pictures; name a "
             "vision model on a server (--base-url), or leave pictures out with --set "
             "pictures=none"
         )
+    return build_language_model(settings)
+
+
+def _policy(model: LanguageModel, options: NavidOptions) -> Policy:
+    if options.pictures == "none":
+        return BlindPolicy(
+            model, temperature=options.temperature, max_tokens=options.max_tokens
+        )
     return VisionPolicy(
-        build_language_model(settings),
+        model,
         history=options.history,
         history_width=options.history_width,
         temperature=options.temperature,
@@ -96,7 +107,7 @@ def _remote_policy(
         RemotePolicy,
         ReplayedPolicy,
     )
-    from memorymaze.language.recorded_replies import RecordingModel, ReplayingModel
+    from memorymaze.language.answers import RecordingModel, ReplayingModel
 
     if options.pictures == "none":
         raise SettingsError(

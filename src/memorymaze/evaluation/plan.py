@@ -8,14 +8,16 @@ from memorymaze.evaluation.agent_catalogue import (
     agent_needs,
     agent_options,
     build_agent,
+    has_parser,
     settings_of,
 )
 from memorymaze.evaluation.budgets import time_budget_for
 from memorymaze.evaluation.eyes import checked_eyes, looks_of_run
-from memorymaze.evaluation.program_replay import check_programs_for, with_programs
+from memorymaze.evaluation.language_models import answers_taken, parses_first
 from memorymaze.evaluation.sampling import of_split, sample
 from memorymaze.evaluation.settings import (
     AgentSettings,
+    AnswersTaken,
     FileStamp,
     RunDefinition,
     RunSettings,
@@ -60,13 +62,12 @@ def plan_run(
     checked_eyes(settings.detector, settings.signs)
     given = None if isinstance(agent, AgentSettings) else agent
     chosen_agent = agent if isinstance(agent, AgentSettings) else settings_of(agent)
-    chosen_agent, programs = with_programs(chosen_agent)
+    if has_parser(chosen_agent.name):
+        chosen_agent = replace(chosen_agent, parser=parses_first(chosen_agent))
     if given is None:
         chosen_agent = _told_heading(chosen_agent, corpus)
-    build_agent(chosen_agent, given)
+    agent_for = build_agent(chosen_agent, given)
     chosen = sample(of_split(list(corpus.episodes), settings.split), settings.limit)
-    if programs is not None:
-        check_programs_for(programs, chosen)
     names = dict.fromkeys(episode.instruction.site for episode in chosen)
     sites = {name: corpus.sites[name] for name in names}
     definition = define_run(
@@ -77,7 +78,7 @@ def plan_run(
         instructions=tuple(stamp_file(path) for path in corpus.files),
         stamps=tuple(stamp_file(site.source, name) for name, site in sites.items()),
         episodes=len(chosen),
-        programs=None if programs is None else stamp_file(programs.path),
+        answers=answers_taken(chosen_agent, agent_for, chosen),
     )
     return RunPlan(definition, tuple(chosen), sites, given)
 
@@ -91,7 +92,7 @@ def define_run(
     episodes: int,
     instructions: tuple[FileStamp, ...] = (),
     stamps: tuple[FileStamp, ...] = (),
-    programs: FileStamp | None = None,
+    answers: AnswersTaken | None = None,
 ) -> RunDefinition:
     """Settle what settings leave open: the time budget, and what cameras show.
 
@@ -112,7 +113,7 @@ def define_run(
         instructions=instructions,
         sites=stamps,
         episodes=episodes,
-        programs=programs,
+        answers=answers,
     )
 
 

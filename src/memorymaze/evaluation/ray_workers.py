@@ -262,7 +262,7 @@ class TravellingWorker:
 
     worker: EpisodeWorker
     files: dict[str, bytes]
-    """Contents by place: `agent/…`, `programs/…`, `replay/…`."""
+    """Contents by place: `agent/…`, `replay/…`."""
 
     def __call__(self) -> Callable[[EpisodeTask], EpisodeOutcome]:
         """Write the files, see that this machine has what the run needs, and prepare."""
@@ -280,7 +280,6 @@ class TravellingWorker:
         agent = replace(
             agent,
             name=own if file.endswith(".py") else agent.name,
-            programs=_placed(agent.programs, folder / "programs"),
             replay=_placed(agent.replay, folder / "replay"),
             # The one core that a worker is given.
             asking=replace(agent.asking, threads=1),
@@ -300,7 +299,6 @@ def pack_files(settings: RunDefinition) -> dict[str, bytes]:
         paths = {
             f"agent/{name}": path for name, path in agent_files(agent.name).items()
         }
-    for role, name in (("programs", agent.programs), ("replay", agent.replay)):
-        if name is not None:
-            paths[f"{role}/{Path(name).name}"] = Path(name)
+    if agent.replay is not None:
+        paths[f"replay/{Path(agent.replay).name}"] = Path(agent.replay)
     return {name: path.read_bytes() for name, path in paths.items()}

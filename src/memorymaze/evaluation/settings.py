@@ -24,6 +24,7 @@ from memorymaze.perception.eyes import (
 from memorymaze.pictures.furniture.models import Looks
 from memorymaze.simulation.obstacles import ObstacleSettings, parse_obstacles
 from memorymaze.simulation.settings import SimulationSettings
+from memorymaze.wording import counted
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,6 +33,35 @@ class FileStamp:
 
     name: str
     sha256: str
+
+
+@dataclass(frozen=True, slots=True)
+class AnswersTaken(FileStamp):
+    """Answers of a language model that were given before the run."""
+
+    missing: int = 0
+    """Instructions without any."""
+    other_prompt: int = 0
+    """Instructions with answers that were given to another version of the prompt."""
+    unknown_prompt: int = 0
+    """Instructions with answers that do not say to which version they were given."""
+
+    def __str__(self) -> str:
+        """Say where the answers come from, and to which prompts they were given."""
+        parts = [f"answers given before the run, from {self.name} ({self.sha256[:12]})"]
+        if self.missing:
+            parts.append(f"{counted(self.missing, 'instruction')} WITHOUT AN ANSWER")
+        if self.other_prompt:
+            parts.append(
+                f"those to {counted(self.other_prompt, 'instruction')} were given to "
+                "ANOTHER VERSION OF THE PROMPT"
+            )
+        if self.unknown_prompt:
+            parts.append(
+                f"those to {counted(self.unknown_prompt, 'instruction')} do not say to "
+                "which version of the prompt they were given"
+            )
+        return "; ".join(parts)
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,15 +79,13 @@ class AgentSettings:
     record: str | None = None
     """File that the model's replies are written to."""
     replay: str | None = None
-    """File that replies are read from instead of asking a model."""
+    """Store or file that answers are read from instead of asking a model."""
     options: tuple[tuple[str, str], ...] = ()
     """Names and values of the agent's own options, as they were given."""
     asking: AskingSettings = PATIENT
     """How the language model is asked, and what may be spent on it."""
     inference_time: InferenceTime = MEASURED
     """How long the robot stands while the model thinks."""
-    programs: str | None = None
-    """File of programs that are run instead of asking a model."""
 
     @property
     def is_own(self) -> bool:
@@ -161,8 +189,8 @@ class RunDefinition(RunSettings):
     sites: tuple[FileStamp, ...]
     episodes: int
     """Episodes of the whole run."""
-    programs: FileStamp | None = None
-    """Programs that were written elsewhere; None where a model is asked."""
+    answers: AnswersTaken | None = None
+    """Answers that were given before; None where a model is asked."""
 
     def __post_init__(self) -> None:
         """Refuse values without meaning."""
@@ -185,7 +213,6 @@ NOT_COMPARED = {
     "agent.base_url",
     "agent.record",
     "agent.replay",
-    "agent.programs",
     "agent.asking.timeout",
     "agent.asking.retries",
     "agent.asking.max_requests",

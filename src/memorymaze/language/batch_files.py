@@ -6,6 +6,7 @@ own: `custom_id` and `text`, if known also `model`, `prompt_tokens`, `completion
 and `latency_s`.
 """
 
+import base64
 import json
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -14,10 +15,12 @@ from typing import Annotated, Any
 
 from pydantic import BaseModel, Field, StringConstraints, ValidationError
 
-from memorymaze.language.json_lines import json_record, lines_of, listed, shown
+from memorymaze.errors import AnswerFileError
+from memorymaze.input_files import mistakes, parse_record, read_lines, refusal
 from memorymaze.language.model import (
     Completion,
     CompletionRequest,
+    Message,
     Usage,
     why_unusable,
 )
@@ -95,13 +98,13 @@ def request_line(
     Args:
         identifier: Comes back with the reply as `custom_id`.
         model: The server's name for the model.
-        request: What to ask; without pictures.
+        request: What to ask.
         length_field: What the server calls the longest reply.
     """
     body: dict[str, Any] = {
         "model": model,
         "messages": [
-            {"role": message.role, "content": message.content}
+            {"role": message.role, "content": content_of(message)}
             for message in request.messages
         ],
         "temperature": request.temperature,
@@ -119,6 +122,18 @@ def request_line(
     return json.dumps(record)
 
 
+def content_of(message: Message) -> str | list[dict[str, Any]]:
+    """Return a message's text, or text and pictures as the parts of a list."""
+    if not message.pictures:
+        return message.content
+    parts: list[dict[str, Any]] = [{"type": "text", "text": message.content}]
+    for picture in message.pictures:
+        data = base64.b64encode(picture.data).decode("ascii")
+        address = f"data:{picture.media_type};base64,{data}"
+        parts.append({"type": "image_url", "image_url": {"url": address}})
+    return parts
+
+
 def read_replies(paths: Sequence[str | Path]) -> dict[str, BatchReply]:
     """Read files of replies; return the replies by their requests' `custom_id`.
 
@@ -126,12 +141,14 @@ def read_replies(paths: Sequence[str | Path]) -> dict[str, BatchReply]:
     requests may be run again, and the new file be read beside the old one.
 
     Raises:
-        ProgramFileError: A file cannot be read, a line is no reply, or a request has two
+        AnswerFileError: A file cannot be read, a line is no reply, or a request has two
             answers; lists them.
     """
     replies: dict[str, BatchReply] = {}
     problems: list[str] = []
-    for place, line in (each for path in paths for each in lines_of(path)):
+    for place, line in (
+        each for path in paths for each in read_lines(path, AnswerFileError)
+    ):
         try:
             reply = _reply(line, place)
         except ValueError as error:
@@ -146,13 +163,13 @@ def read_replies(paths: Sequence[str | Path]) -> dict[str, BatchReply]:
                 f"{reply.id!r}, which {earlier.place} answers; delete one of the lines"
             )
     if problems:
-        raise listed(problems)
+        raise refusal(problems, AnswerFileError)
     return replies
 
 
 def _reply(line: str, place: str) -> BatchReply:
     """Read one line."""
-    record = json_record(line)
+    record = parse_record(line)
     if "custom_id" not in record:
         raise ValueError(
             "expected a reply with the `custom_id` of its request, got the fields "
@@ -170,14 +187,14 @@ def _reply(line: str, place: str) -> BatchReply:
             said = Completion(plain.text, plain.model, usage, plain.latency_s)
             return _checked(head, said, why_unusable(plain.text), place)
     except ValidationError as error:
-        raise ValueError(_explained(error)) from None
+        raise ValueError(_first_mistake(error)) from None
     response = head.response
     if response is None or response.status_code != 200 or head.error:
         return BatchReply(head.custom_id, None, _failure(head), place)
     try:
         body = _Body.model_validate(response.body)
     except ValidationError as error:
-        raise ValueError(f"response.body: {_explained(error)}") from None
+        raise ValueError(_first_mistake(error, "response.body.")) from None
     usage = body.usage or _Usage()
     counted = Usage(usage.prompt_tokens, usage.completion_tokens)
     first = body.choices[0]
@@ -207,7 +224,6 @@ def _failure(line: _Line) -> str:
     return f"the language model {what}: {' '.join(str(told).split())[:300]}"
 
 
-def _explained(error: ValidationError) -> str:
-    first = error.errors()[0]
-    name = ".".join(str(part) for part in first["loc"]) or "the record"
-    return f"field {name!r} is wrong ({first['msg']}), got {shown(first['input'])}"
+def _first_mistake(error: ValidationError, inside: str = "") -> str:
+    where, what = next(mistakes(error))
+    return f"field {inside + where!r}: {what}"

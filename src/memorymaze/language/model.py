@@ -43,8 +43,22 @@ class Message:
 
 
 @dataclass(frozen=True, slots=True)
+class Question:
+    """Which question of an agent a request is; answers are found by it."""
+
+    stage: str
+    """What is asked for, such as `program+parser` or `step`."""
+    prompt: str
+    """Version of the prompt; see `prompt_texts.prompt_version`."""
+    number: int = 1
+    """Counts the requests of this stage in an episode."""
+    instruction: str = ""
+    """Id of the instruction; set by the run, since agents know none."""
+
+
+@dataclass(frozen=True, slots=True)
 class CompletionRequest:
-    """All that determines a reply: the key of recorded replies."""
+    """All that determines a reply, and which question it answers."""
 
     messages: tuple[Message, ...]
     temperature: float = 0.0
@@ -53,6 +67,8 @@ class CompletionRequest:
     grammar: str | None = None
     """GBNF grammar of the whole reply, for models that can be held to one; others
     never see it."""
+    question: Question | None = None
+    """Does not determine the reply; None where it is found by the request alone."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,6 +90,8 @@ class Completion:
     usage: Usage
     latency: float
     """Seconds from request to reply."""
+    inferred: bool = True
+    """False for an answer that somebody wrote into a file: it is no inference."""
 
 
 class LanguageModel(Protocol):

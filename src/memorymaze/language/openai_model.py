@@ -1,6 +1,5 @@
 """A client for servers that speak OpenAI's chat-completions protocol."""
 
-import base64
 import os
 import time
 from collections.abc import Iterator
@@ -11,10 +10,10 @@ import httpx2
 import openai
 
 from memorymaze.errors import LanguageModelError, SettingsError
+from memorymaze.language.batch_files import content_of
 from memorymaze.language.model import (
     Completion,
     CompletionRequest,
-    Message,
     Usage,
     why_unusable,
 )
@@ -141,7 +140,7 @@ class OpenAIModel:
         return create(
             model=self._model,
             messages=[
-                {"role": message.role, "content": _content(message)}
+                {"role": message.role, "content": content_of(message)}
                 for message in request.messages
             ],
             temperature=request.temperature,
@@ -222,18 +221,6 @@ class OpenAIModel:
         return LanguageModelError(
             f"language model {self._model} at {self._server} sent an answer {what}"
         )
-
-
-def _content(message: Message) -> str | list[dict[str, Any]]:
-    """Return a message's text, or text and pictures as the parts of a list."""
-    if not message.pictures:
-        return message.content
-    parts: list[dict[str, Any]] = [{"type": "text", "text": message.content}]
-    for picture in message.pictures:
-        data = base64.b64encode(picture.data).decode("ascii")
-        address = f"data:{picture.media_type};base64,{data}"
-        parts.append({"type": "image_url", "image_url": {"url": address}})
-    return parts
 
 
 def _from_environment(name: str) -> str | None:

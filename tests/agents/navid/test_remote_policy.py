@@ -37,7 +37,7 @@ from memorymaze.agents.navid.remote_policy import (
     ServerInfo,
 )
 from memorymaze.errors import EpisodeOver, LanguageModelError, SettingsError
-from memorymaze.language.recorded_replies import RecordingModel, ReplayingModel
+from memorymaze.language.answers import RecordingModel, ReplayingModel
 
 EXAMPLE = Path(__file__).parents[3] / "examples" / "navid_server.py"
 server = SimpleNamespace(**runpy.run_path(str(EXAMPLE)))

@@ -17,6 +17,7 @@ from memorymaze.agents.code_generation.requests import (
 )
 from memorymaze.errors import InterpreterLostError, ProgramError
 from memorymaze.language.model import CompletionRequest, LanguageModel
+from memorymaze.language.prompt_texts import numbered
 from memorymaze.language.sandbox import DEFAULT_LIMITS, ProgramLimits, run_program
 from memorymaze.robot.api import Robot
 from memorymaze.robot.specification import API_NAMES
@@ -57,6 +58,16 @@ class CodeGenerationAgent:
         """`code_generation[model]`, with `+parser` when instructions are parsed, …."""
         return f"code_generation[{self._model.name}]{self._requests.variant}"
 
+    @property
+    def asks_beforehand(self) -> bool:
+        """Whether all is asked before the robot moves."""
+        return not self._requests.options.repair
+
+    @property
+    def prompts(self) -> dict[str, str]:
+        """Versions of the prompts by stage, which answers in files are compared with."""
+        return self._requests.prompts
+
     def follow(
         self,
         instruction: str,
@@ -79,7 +90,7 @@ class CodeGenerationAgent:
             reply = self._ask("parse", self._requests.parse(instruction), journal)
             steps = read_steps(reply)
             journal.note("steps", steps=steps)
-            way = self._requests.numbered(steps)
+            way = numbered(steps)
         reply = self._ask("program", self._requests.program(way), journal)
         if not self._requests.options.repair:
             self._run(reply, robot, journal)

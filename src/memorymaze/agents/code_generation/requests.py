@@ -11,8 +11,8 @@ from typing import Literal
 
 from memorymaze.agents.code_generation.replies import program_grammar, steps_grammar
 from memorymaze.errors import SettingsError
-from memorymaze.language.model import CompletionRequest, Message
-from memorymaze.language.prompt_texts import load_prompt
+from memorymaze.language.model import CompletionRequest, Message, Question
+from memorymaze.language.prompt_texts import load_prompt, prompt_version
 from memorymaze.robot.specification import api_specification
 
 _FIRST_STAGE = re.compile(r"^First (\w+):\n.*?^Refined \1:", re.MULTILINE | re.DOTALL)
@@ -86,10 +86,17 @@ class CodeGenerationRequests:
         single = "+single_stage" * (self.options.stages == "single")
         return "+parser" * self.parser + single + "+repair" * self.options.repair
 
+    @property
+    def prompts(self) -> dict[str, str]:
+        """The versions of the prompts, by the stages asked before the robot moves."""
+        first = [self.parse("")] if self.parser else []
+        questions = [each.question for each in (*first, self.program(""))]
+        return {each.stage: each.prompt for each in questions if each is not None}
+
     def parse(self, instruction: str) -> CompletionRequest:
         """Return the request that turns an instruction into steps."""
         task = Message("user", f"Description:\n{_quote(instruction)}")
-        return self._request(self._parsing, [task], steps_grammar())
+        return self._request("parse", self._parsing, [task], steps_grammar())
 
     def program(self, way: str) -> CompletionRequest:
         """Return the request for a program.
@@ -97,7 +104,8 @@ class CodeGenerationRequests:
         Args:
             way: The instruction, or its steps as `numbered` writes them.
         """
-        return self._request(self._writing, [_way(way)], program_grammar())
+        turns = [_way(way)]
+        return self._request("program", self._writing, turns, program_grammar())
 
     def repair(
         self, way: str, reply: str, error: str, done: Sequence[str]
@@ -116,7 +124,7 @@ class CodeGenerationRequests:
             where = load_prompt("repair_at_the_start")
         said = load_prompt("repair_program", error=error, where=where)
         turns = [_way(way), Message("assistant", reply), Message("user", said)]
-        return self._request(self._writing, turns, program_grammar())
+        return self._request("repair", self._writing, turns, program_grammar())
 
     def _prompt(self, name: str, output: str, **slots: str) -> str:
         single = self.options.stages == "single"
@@ -127,20 +135,17 @@ class CodeGenerationRequests:
         return _FIRST_STAGE.sub(lambda stage: f"{stage[1].capitalize()}:", prompt)
 
     def _request(
-        self, prompt: str, turns: Sequence[Message], grammar: str
+        self, stage: str, prompt: str, turns: Sequence[Message], grammar: str
     ) -> CompletionRequest:
+        variant = self.variant.removesuffix("+repair")
         return CompletionRequest(
             messages=(Message("system", prompt), *turns),
             temperature=self.options.temperature,
             max_tokens=self.options.max_tokens,
             seed=self.options.seed,
             grammar=grammar if self.options.grammar else None,
+            question=Question(stage + variant, prompt_version(prompt)),
         )
-
-    @staticmethod
-    def numbered(steps: Sequence[str]) -> str:
-        """Return steps as the request for a program has them, one a line."""
-        return "\n".join(f"{number}. {step}" for number, step in enumerate(steps, 1))
 
 
 def _way(way: str) -> Message:

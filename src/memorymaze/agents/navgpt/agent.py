@@ -29,8 +29,13 @@ from memorymaze.agents.navgpt.replies import (
     thought_of,
 )
 from memorymaze.errors import EpisodeOver, SettingsError
-from memorymaze.language.model import CompletionRequest, LanguageModel, Message
-from memorymaze.language.prompt_texts import load_prompt
+from memorymaze.language.model import (
+    CompletionRequest,
+    LanguageModel,
+    Message,
+    Question,
+)
+from memorymaze.language.prompt_texts import load_prompt, prompt_version
 from memorymaze.robot.viewpoints import Journey, ViewpointRobot
 
 RELEASED_ITERATIONS = 10
@@ -152,6 +157,9 @@ class NavGPTAgent:
         """What was set."""
         self._model = model
         self._rules = load_prompt("navgpt_rules", move_action=MOVE_ACTION)
+        step = load_prompt("navgpt_step", instruction="", start="", steps="")
+        self.prompts = {"step": prompt_version(self._rules, step)}
+        """Version of the prompt, which answers in files are compared with."""
 
     @property
     def name(self) -> str:
@@ -190,7 +198,8 @@ class NavGPTAgent:
         """
 
         def ask(start: str, steps: str, listed: Sequence[str]) -> str:
-            return self._ask(instruction, start, steps, listed, journal)
+            number = walk.counts.requests
+            return self._ask(instruction, start, steps, listed, number, journal)
 
         walk = Walk(ask, robot, journal, limits, faithful=self.options.faithful)
         try:
@@ -204,6 +213,7 @@ class NavGPTAgent:
         start: str,
         steps: str,
         listed: Sequence[str],
+        number: int,
         journal: Journal,
     ) -> str:
         """Return the model's next reply; counted in the journal."""
@@ -220,6 +230,7 @@ class NavGPTAgent:
                 max_tokens=self.options.max_tokens,
                 seed=self.options.seed,
                 grammar=reply_grammar(listed) if self.options.grammar else None,
+                question=Question("step", self.prompts["step"], number),
             )
         )
         journal.count(completion, stage="step")

@@ -146,6 +146,8 @@ class NavidAgent:
         """
         self._policy = policy
         self._options = options or NavidOptions()
+        self.prompts: dict[str, str] = getattr(policy, "prompts", {})
+        """Version of the prompt of a language model; answers are compared with it."""
 
     @property
     def name(self) -> str:

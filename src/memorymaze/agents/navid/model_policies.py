@@ -4,8 +4,10 @@ The policy without pictures is an ablation, and the only way for models that kno
 alone.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import groupby
+from typing import ClassVar
 
 from memorymaze.agents.navid.policy import Answer, Frame, Motion, Motions, Task
 from memorymaze.agents.navid.replies import reply_grammar
@@ -14,8 +16,9 @@ from memorymaze.language.model import (
     LanguageModel,
     Message,
     Picture,
+    Question,
 )
-from memorymaze.language.prompt_texts import load_prompt
+from memorymaze.language.prompt_texts import load_prompt, prompt_version
 
 SAID_MOTIONS = 40
 """Motions so far that the model is told, each with its whole length: the last ones."""
@@ -36,8 +39,75 @@ def chosen_frames(past: int, wanted: int) -> list[int]:
     return [index * (past - 1) // (wanted - 1) for index in range(wanted)]
 
 
-class VisionPolicy:
+class _ModelPolicy:
+    """What both policies have in common: how the model is asked."""
+
+    prompt: ClassVar[str]
+    """Name of the prompt."""
+
+    def __init__(
+        self, model: LanguageModel, *, temperature: float = 0.0, max_tokens: int = 300
+    ) -> None:
+        """Prepare to ask a model."""
+        self._model = model
+        self._temperature = temperature
+        self._max_tokens = max_tokens
+        text = load_prompt(self.prompt, forward="", turn="")
+        self.prompts = {"act": prompt_version(text)}
+        """Version of the prompt, which answers in files are compared with."""
+
+    @property
+    def name(self) -> str:
+        """The model's name."""
+        return self._model.name
+
+    def ask(
+        self,
+        task: Task,
+        told: Sequence[str],
+        pictures: tuple[Picture, ...],
+        number: int,
+        problem: str | None,
+    ) -> Answer:
+        """Ask for the next motion.
+
+        Args:
+            task: The episode.
+            told: Lines on the way so far.
+            pictures: That they speak of.
+            number: How often it was asked in the episode, this time included.
+            problem: Why the last answer could not be used, where it is asked again.
+        """
+        lines = [
+            "The way as it was described:",
+            f'"""\n{task.instruction.strip()}\n"""',
+            *told,
+            "What is the next motion?",
+        ]
+        if problem is not None:
+            lines.append(
+                f"Your last answer could not be used: {problem}. Answer with one JSON "
+                "object as described."
+            )
+        completion = self._model.complete(
+            CompletionRequest(
+                (
+                    Message("system", rules(self.prompt, task.motions)),
+                    Message("user", "\n".join(lines), pictures),
+                ),
+                temperature=self._temperature,
+                max_tokens=self._max_tokens,
+                grammar=reply_grammar(task.motions),
+                question=Question("act", self.prompts["act"], number),
+            )
+        )
+        return Answer(completion, completion.text)
+
+
+class VisionPolicy(_ModelPolicy):
     """Shows pictures to a language model and asks for the next motion."""
+
+    prompt = "navid_protocol"
 
     def __init__(
         self,
@@ -57,62 +127,13 @@ class VisionPolicy:
             temperature: Of each request.
             max_tokens: Longest reply.
         """
-        self._model = model
-        self._history = history
-        self._history_width = history_width
-        self._temperature = temperature
-        self._max_tokens = max_tokens
-
-    @property
-    def name(self) -> str:
-        """The model's name."""
-        return self._model.name
+        super().__init__(model, temperature=temperature, max_tokens=max_tokens)
+        self.history = history
+        self.history_width = history_width
 
     def begin(self, task: Task) -> "_VisionSession":
         """Begin an episode."""
         return _VisionSession(self, task)
-
-    def ask(self, task: Task, past: "list[_Past]", frame: Frame, again: str) -> Answer:
-        """Ask about a picture.
-
-        Args:
-            task: The episode.
-            past: All pictures before the current one.
-            frame: The current picture.
-            again: What to say besides, where the model is asked again; may be empty.
-        """
-        chosen = [past[index] for index in chosen_frames(len(past), self._history)]
-        shown = [
-            f"Picture {number}: {each.caption}" for number, each in enumerate(chosen, 1)
-        ]
-        shown.append(
-            f"Picture {len(chosen) + 1}, the current one: "
-            f"{_caption(frame, task.motions)}"
-        )
-        text = "\n".join([
-            "The way as it was described:",
-            f'"""\n{task.instruction.strip()}\n"""',
-            *shown,
-            "What is the next motion?",
-            *([again] if again else []),
-        ])
-        pictures = (*(each.picture for each in chosen), frame.jpeg())
-        request = CompletionRequest(
-            (
-                Message("system", rules("navid_protocol", task.motions)),
-                Message("user", text, pictures),
-            ),
-            temperature=self._temperature,
-            max_tokens=self._max_tokens,
-            grammar=reply_grammar(task.motions),
-        )
-        completion = self._model.complete(request)
-        return Answer(completion, completion.text)
-
-    def remembered(self, task: Task, frame: Frame) -> "_Past":
-        """Return what is kept of a picture."""
-        small = frame.jpeg(self._history_width)
-        return _Past(frame.step, small, _caption(frame, task.motions))
 
 
 @dataclass(frozen=True, slots=True)
@@ -131,18 +152,26 @@ class _VisionSession:
         self._policy = policy
         self._task = task
         self._seen: list[_Past] = []
+        self._asked = 0
 
     def observe(self, frame: Frame) -> None:
         """See `PolicySession.observe`."""
         if not self._seen or frame.step > self._seen[-1].step:
-            self._seen.append(self._policy.remembered(self._task, frame))
+            small = frame.jpeg(self._policy.history_width)
+            said = _caption(frame, self._task.motions)
+            self._seen.append(_Past(frame.step, small, said))
 
     def act(self, frame: Frame, problem: str | None = None) -> Answer:
         """See `PolicySession.act`."""
         self.observe(frame)
-        return self._policy.ask(
-            self._task, self._seen[:-1], frame, asked_again(problem)
-        )
+        self._asked += 1
+        past = self._seen[:-1]
+        chosen = [past[each] for each in chosen_frames(len(past), self._policy.history)]
+        told = [f"Picture {n}: {each.caption}" for n, each in enumerate(chosen, 1)]
+        now = _caption(frame, self._task.motions)
+        told.append(f"Picture {len(chosen) + 1}, the current one: {now}")
+        pictures = (*(each.picture for each in chosen), frame.jpeg())
+        return self._policy.ask(self._task, told, pictures, self._asked, problem)
 
     def close(self) -> None:
         """See `PolicySession.close`."""
@@ -154,16 +183,6 @@ def rules(prompt: str, motions: Motions) -> str:
     amounts = [motions.amounts(kind) for kind in ("forward", "left")]
     forward, turn = (f"{low}, {middle} or {high}" for low, middle, high in amounts)
     return load_prompt(prompt, forward=forward, turn=turn)
-
-
-def asked_again(problem: str | None) -> str:
-    """Return what to say to a model that is asked again; empty where it is not."""
-    if problem is None:
-        return ""
-    return (
-        f"Your last answer could not be used: {problem}. Answer with one JSON object as "
-        "described."
-    )
 
 
 def _caption(frame: Frame, motions: Motions) -> str:
@@ -179,16 +198,10 @@ def _caption(frame: Frame, motions: Motions) -> str:
     return f"step {frame.step}, {done}"
 
 
-class BlindPolicy:
+class BlindPolicy(_ModelPolicy):
     """Tells a language model the motions so far and asks for the next one."""
 
-    def __init__(
-        self, model: LanguageModel, *, temperature: float = 0.0, max_tokens: int = 300
-    ) -> None:
-        """Prepare."""
-        self._model = model
-        self._temperature = temperature
-        self._max_tokens = max_tokens
+    prompt = "navid_protocol_blind"
 
     @property
     def name(self) -> str:
@@ -199,34 +212,6 @@ class BlindPolicy:
         """Begin an episode."""
         return _BlindSession(self, task)
 
-    def ask(self, task: Task, done: list[Motion], step: int, again: str) -> Answer:
-        """Ask for the next motion.
-
-        Args:
-            task: The episode.
-            done: All motions so far.
-            step: Steps done so far, those without a motion too.
-            again: What to say besides, where the model is asked again; may be empty.
-        """
-        text = "\n".join([
-            "The way as it was described:",
-            f'"""\n{task.instruction.strip()}\n"""',
-            f"Motions so far, in {step} steps: {_told(done, task.motions)}",
-            "What is the next motion?",
-            *([again] if again else []),
-        ])
-        request = CompletionRequest(
-            (
-                Message("system", rules("navid_protocol_blind", task.motions)),
-                Message("user", text),
-            ),
-            temperature=self._temperature,
-            max_tokens=self._max_tokens,
-            grammar=reply_grammar(task.motions),
-        )
-        completion = self._model.complete(request)
-        return Answer(completion, completion.text)
-
 
 class _BlindSession:
     """One episode: remembers the motions and no picture."""
@@ -236,6 +221,7 @@ class _BlindSession:
         self._task = task
         self._done: list[Motion] = []
         self._shown = 0
+        self._asked = 0
 
     def observe(self, frame: Frame) -> None:
         """See `PolicySession.observe`."""
@@ -247,9 +233,10 @@ class _BlindSession:
     def act(self, frame: Frame, problem: str | None = None) -> Answer:
         """See `PolicySession.act`."""
         self.observe(frame)
-        return self._policy.ask(
-            self._task, self._done, frame.step, asked_again(problem)
-        )
+        self._asked += 1
+        done = _told(self._done, self._task.motions)
+        told = [f"Motions so far, in {frame.step} steps: {done}"]
+        return self._policy.ask(self._task, told, (), self._asked, problem)
 
     def close(self) -> None:
         """See `PolicySession.close`."""

@@ -155,13 +155,10 @@ def run_notes(run: MeasuredRun) -> list[str]:
         notes += _obstacle_notes(settings.obstacles, run.results)
     if settings.agent.model is not None:
         notes.append(f"language model {settings.agent.model}")
-    if settings.programs is not None:
+    if settings.answers is not None:
         known = any(result.inference_s for result in run.results)
         unknown = "; how long their model took is not known and counted as 0 s"
-        notes.append(
-            f"programs written before the run, from {settings.programs.name} "
-            f"({settings.programs.sha256[:12]})" + ("" if known else unknown)
-        )
+        notes.append(f"{settings.answers}{'' if known else unknown}")
     if run.asked_a_model:
         notes.append(describe_inference_time(settings.agent.inference_time))
         price = settings.agent.asking.price

@@ -1,4 +1,4 @@
-"""The way without a network: prompts, replies, programs, run, table."""
+"""The way without a network: requests, replies, store, run, table."""
 
 import json
 from collections.abc import Callable
@@ -12,8 +12,10 @@ from memorymaze.agents.code_generation import CodeGenerationRequests
 from memorymaze.agents.code_generation.replies import read_steps
 from memorymaze.evaluation.run_folder import read_run
 from memorymaze.instructions.files import load_instructions
+from memorymaze.language.answer_store import AnswerStore
+from memorymaze.language.answers import RecordingModel
 from memorymaze.language.model import CompletionRequest, Message
-from memorymaze.language.recorded_replies import RecordingModel
+from memorymaze.language.prompt_texts import numbered
 from memorymaze.language.scripted_model import ScriptedLanguageModel
 
 Memorymaze = Callable[..., Any]
@@ -91,6 +93,10 @@ def batch_replies(requests: Path, replies: Path) -> None:
     replies.write_text("".join(reversed(lines)), encoding="utf-8")
 
 
+def results(folder: Path) -> list[Any]:
+    return [replace(each, wall_s=0.0) for each in read_run(folder)[1]]
+
+
 def record_replies(path: Path, instructions: Path, *, parser: bool) -> None:
     """Keep what the same model says when it is asked while a run goes on."""
     model = RecordingModel(ScriptedLanguageModel(answer, name="scripted"), path)
@@ -101,7 +107,7 @@ def record_replies(path: Path, instructions: Path, *, parser: bool) -> None:
             said = model.complete(requests.parse(way)).text
             if said.startswith("I would"):
                 continue
-            way = requests.numbered(read_steps(said))
+            way = numbered(read_steps(said))
         model.complete(requests.program(way))
 
 
@@ -109,75 +115,86 @@ def record_replies(path: Path, instructions: Path, *, parser: bool) -> None:
 def test_the_way_through_files_gives_the_tables_of_the_way_with_a_model(
     memorymaze: Memorymaze, tiny_files: list[str], tmp_path: Path, parser: bool
 ) -> None:
-    instructions = tiny_files[:2]
     variant = [] if parser else ["--no-parser"]
-    agent = ["--agent", "code_generation"]
+    agent = ["--agent", "code_generation", *variant]
+    run = ["--workers", "1", *tiny_files]
 
     record_replies(tmp_path / "kept.sqlite", Path(tiny_files[1]), parser=parser)
     online = tmp_path / "online" / "run"
-    replay = ["--replay", tmp_path / "kept.sqlite", *variant]
-    run = ["--workers", "1", *tiny_files]
+    replay = ["--replay", tmp_path / "kept.sqlite"]
     said = memorymaze("evaluate", *agent, *replay, *run, "--out", online)
     assert said.code == 0, said.err
 
-    prompts = ["prompts", *agent, "--model", "scripted", *instructions, *variant]
-    steps: list[str | Path] = []
-    if parser:
-        asked, got = tmp_path / "parse.jsonl", tmp_path / "parsed.jsonl"
-        said = memorymaze(*prompts, "--out", asked)
-        assert "12 requests for steps" in said.out
+    store = tmp_path / "answers.sqlite"
+    ask = ["answers", "requests", *agent, "--model", "scripted", "--store", store]
+    for stage in ("parse", "program") if parser else ("program",):
+        asked, got = tmp_path / f"{stage}.jsonl", tmp_path / f"{stage}_replies.jsonl"
+        said = memorymaze(*ask, *tiny_files, "--out", asked)
+        assert said.code == 0, said.err
         batch_replies(asked, got)
-        steps = ["--steps", got]
-    asked, got = tmp_path / "program.jsonl", tmp_path / "programs_replies.jsonl"
-    said = memorymaze(*prompts, *steps, "--out", asked)
-    assert said.code == 0
-    assert "requests for programs" in said.out
-    batch_replies(asked, got)
-    programs = tmp_path / "programs.jsonl"
-    said = memorymaze("programs", "read", got, *steps, "--out", programs)
+        said = memorymaze("answers", "import", got, "--store", store)
+        assert said.code == 0, said.err
+    said = memorymaze(*ask, *tiny_files, "--out", tmp_path / "nothing.jsonl")
+    assert "nothing is open" in said.out
+    said = memorymaze("answers", "check", store, *variant, *tiny_files)
     assert said.code == 0, said.err
-    said = memorymaze("programs", "check", programs, *instructions)
-    assert said.code == 0, said.out
-    assert "12 records for 12 instructions, by code_generation[scripted]" in said.out
+    assert "12 episodes; answers given before the run, from answers.sqlite" in said.out
 
     offline = tmp_path / "offline" / "run"
-    said = memorymaze(
-        "evaluate", *agent, "--programs", programs, *run, "--out", offline
-    )
+    said = memorymaze("evaluate", *agent, "--replay", store, *run, "--out", offline)
     assert said.code == 0, said.err
-
-    def results(folder: Path) -> list[Any]:
-        return [replace(each, wall_s=0.0) for each in read_run(folder)[1]]
-
     assert results(offline) == results(online)
     endings = {each.stopped_by for each in results(online)}
     assert endings == {"agent", "crash", "unsafe", "model_error"}
     assert any(each.success for each in results(online))
-    for given in (["--table", "both", "--format", "csv"], ["--format", "text"]):
-        asked, written = (
-            memorymaze("table", each, *given).out for each in (online, offline)
-        )
-        assert "scripted" in asked
-        # Above the key a text names the file of programs.
-        begin = asked.find("SR success rate") + 1
-        assert asked[begin:] == written[written.find("SR success rate") + 1 :]
-    assert "programs written before the run, from programs.jsonl" in written
+    said = memorymaze("table", offline, "--format", "text")
+    assert "answers given before the run, from answers.sqlite" in said.out
+
+
+def test_a_request_that_failed_stays_open(
+    memorymaze: Memorymaze, tiny_files: list[str], tmp_path: Path
+) -> None:
+    store, asked = tmp_path / "answers.sqlite", tmp_path / "asked.jsonl"
+    ask = ["answers", "requests", "--agent", "code_generation", "--no-parser"]
+    ask += ["--model", "m", "--store", str(store), *tiny_files]
+    memorymaze(*ask, "--out", asked)
+    ids = [json.loads(line)["custom_id"] for line in asked.read_text().splitlines()]
+    lines = [{"custom_id": each, "text": "```\nstop()\n```"} for each in ids[1:]]
+    lines.append({"custom_id": ids[0], "error": {"message": "Too busy."}})
+    replies = tmp_path / "replies.jsonl"
+    replies.write_text("\n".join(map(json.dumps, lines)), encoding="utf-8")
+
+    said = memorymaze("answers", "import", replies, "--store", store)
+    assert said.code == 0
+    assert f"no answer: {ids[0]}: the language model failed: Too busy." in said.err
+    assert f"{len(ids) - 1} answers" in said.out
+    again = tmp_path / "again.jsonl"
+    assert "1 request in" in memorymaze(*ask, "--out", again).out
+    assert json.loads(again.read_text(encoding="utf-8"))["custom_id"] == ids[0]
+
+
+def test_replies_to_what_was_not_asked_are_refused(
+    memorymaze: Memorymaze, tmp_path: Path
+) -> None:
+    store, replies = tmp_path / "answers.sqlite", tmp_path / "replies.jsonl"
+    AnswerStore(store, make=True)
+    replies.write_text('{"custom_id": "program/x", "text": "stop()"}', encoding="utf-8")
+    said = memorymaze("answers", "import", replies, "--store", store)
+    assert said.code != 0
+    assert f"{replies}:1: {store} has not asked 'program/x'" in said.err
 
 
 def test_a_file_that_is_there_is_not_written_over(
     memorymaze: Memorymaze, tiny_files: list[str], tmp_path: Path
 ) -> None:
-    replies = tmp_path / "replies.jsonl"
-    replies.write_text('{"custom_id": "program/p1-1", "text": "```\\nstop()\\n```"}\n')
-    before = replies.read_bytes()
-    command = ["programs", "read", replies, "--model", "m", "--out"]
-    said = memorymaze(*command, replies)
+    there = tmp_path / "requests.jsonl"
+    there.write_text("mine", encoding="utf-8")
+    ask = ["answers", "requests", "--agent", "code_generation", "--model", "m"]
+    ask += ["--store", str(tmp_path / "answers.sqlite"), *tiny_files, "--out"]
+    said = memorymaze(*ask, there)
     assert said.code == 2
     assert "exists already" in said.err
-    assert replies.read_bytes() == before
-    said = memorymaze(*command, tmp_path / "no folder" / "x")
-    assert said.code == 2
-    assert "cannot be written" in said.err
+    assert there.read_text(encoding="utf-8") == "mine"
 
 
 def test_a_file_with_problems_is_told_line_by_line(
@@ -186,33 +203,11 @@ def test_a_file_with_problems_is_told_line_by_line(
     programs = tmp_path / "programs.jsonl"
     record = {"instruction_id": "p1-1", "model": "m", "program": "turn('left'"}
     programs.write_text(json.dumps(record) + "\n{\n", encoding="utf-8")
-    said = memorymaze("programs", "check", programs, *tiny_files[:2])
+    said = memorymaze("answers", "check", programs, *tiny_files)
     assert (said.code, said.err) == (1, "")
-    assert f"problem: {programs}:2: expected one JSON record" in said.out
-    assert f"crash: {programs}:1: p1-1: line 1: " in said.out
-    assert "no program for 11 of 12 instructions" in said.out
-    run = ["evaluate", "--agent", "code_generation", "--programs", programs]
+    assert f"{programs}:2: expected JSON" in said.out
+    run = ["evaluate", "--agent", "code_generation", "--replay", programs]
     said = memorymaze(*run, *tiny_files, "--out", tmp_path / "run")
     assert said.code == 1
     assert f"{programs}:2" in said.err
     assert not (tmp_path / "run").exists()
-
-
-def test_a_missing_reply_gives_code_1_and_its_instruction(
-    memorymaze: Memorymaze, tmp_path: Path
-) -> None:
-    parsed, written = tmp_path / "parsed.jsonl", tmp_path / "written.jsonl"
-    lines = [
-        json.dumps({"custom_id": f"parse+parser/{each}", "text": "1. Go."}) + "\n"
-        for each in ("a", "b")
-    ]
-    parsed.write_text("".join(lines), encoding="utf-8")
-    reply = {"custom_id": "program+parser/a", "text": "```\nstop()\n```"}
-    written.write_text(json.dumps(reply), encoding="utf-8")
-    said = memorymaze(
-        *("programs", "read", written, "--steps", parsed, "--model", "m"),
-        *("--out", tmp_path / "programs.jsonl"),
-    )
-    assert said.code == 1
-    assert "a reply is missing: b" in said.err
-    assert "1 program, 0 without one (model_error), 1 missing" in said.out

@@ -9,15 +9,24 @@ from pathlib import Path
 import pytest
 
 from memorymaze.errors import (
+    AnswerFileError,
     LanguageModelError,
     RecordedPicturesWarning,
     SettingsError,
 )
-from memorymaze.language.model import CompletionRequest, Message, Picture
-from memorymaze.language.recorded_replies import (
+from memorymaze.language.answer_store import AnswerStore, request_key
+from memorymaze.language.answers import (
+    AboutInstruction,
     RecordingModel,
     ReplayingModel,
-    request_key,
+)
+from memorymaze.language.model import (
+    Completion,
+    CompletionRequest,
+    Message,
+    Picture,
+    Question,
+    Usage,
 )
 from memorymaze.language.scripted_model import ScriptedLanguageModel
 
@@ -150,7 +159,7 @@ def test_a_missing_file_is_said_and_not_made(store: Path):
 def test_another_file_is_said_and_left_alone(store: Path):
     store.write_text("a diary, not a database " * 50, encoding="utf-8")
 
-    with pytest.raises(SettingsError, match="file of recorded replies"):
+    with pytest.raises(AnswerFileError, match="expected JSON"):
         ReplayingModel(store, name="scripted")
     with pytest.raises(SettingsError, match="file of recorded replies"):
         RecordingModel(ScriptedLanguageModel(["x"]), store)
@@ -184,8 +193,8 @@ def test_a_file_that_may_only_be_read_replays(store: Path):
 def test_several_processes_record_into_one_file(store: Path):
     script = """
 import sys
-from memorymaze.language.model import CompletionRequest, Message, Picture
-from memorymaze.language.recorded_replies import RecordingModel
+from memorymaze.language.model import Completion, CompletionRequest, Message, Picture, Question, Usage
+from memorymaze.language.answers import RecordingModel
 from memorymaze.language.scripted_model import ScriptedLanguageModel
 
 me, path = sys.argv[1:]
@@ -248,3 +257,80 @@ def test_a_file_from_before_pictures_had_names_replays(store: Path):
     assert ReplayingModel(store).complete(shown(b"a", "1")).text == "x"
     with pytest.raises(LanguageModelError, match="no reply"):
         ReplayingModel(store).complete(shown(b"b", "1"))
+
+
+def asked(text: str, prompt: str, number: int = 1) -> CompletionRequest:
+    question = Question("step", prompt, number)
+    return CompletionRequest((Message("user", text),), question=question)
+
+
+def test_a_mended_prompt_finds_the_answers_to_the_one_before(store: Path):
+    recording = RecordingModel(ScriptedLanguageModel(["left", "right"]), store)
+    about = AboutInstruction(recording, "p1-1")
+    about.complete(asked("You are here.", "v1", 1))
+    about.complete(asked("You are there.", "v1", 2))
+    replaying = AboutInstruction(ReplayingModel(store), "p1-1")
+
+    assert replaying.complete(asked("You stand here.", "v2", 1)).text == "left"
+    assert replaying.complete(asked("You stand there.", "v2", 2)).text == "right"
+    with pytest.raises(LanguageModelError, match="step number 3 of 'p1-1'"):
+        replaying.complete(asked("You stand there.", "v2", 3))
+    with pytest.raises(LanguageModelError, match="step of 'p2-1'"):
+        AboutInstruction(ReplayingModel(store), "p2-1").complete(asked("x", "v2"))
+    assert ReplayingModel(store).versions() == {("p1-1", "step"): {"v1"}}
+
+
+def test_another_request_of_the_same_prompt_is_not_answered(store: Path):
+    recording = RecordingModel(ScriptedLanguageModel(["left"]), store)
+    AboutInstruction(recording, "p1-1").complete(asked("You are here.", "v1"))
+    replaying = AboutInstruction(ReplayingModel(store), "p1-1")
+
+    with pytest.raises(LanguageModelError, match="differs from what was asked"):
+        replaying.complete(asked("You are elsewhere.", "v1"))
+
+
+def test_of_several_answers_to_an_older_prompt_none_is_guessed_at(store: Path):
+    recording = RecordingModel(ScriptedLanguageModel(["left", "right"]), store)
+    about = AboutInstruction(recording, "p1-1")
+    about.complete(asked("Facing north.", "v1"))
+    about.complete(asked("Facing south.", "v1"))
+    replaying = AboutInstruction(ReplayingModel(store), "p1-1")
+
+    assert replaying.complete(asked("Facing south.", "v1")).text == "right"
+    with pytest.raises(LanguageModelError, match="no reply"):
+        replaying.complete(asked("You face south.", "v2"))
+
+
+def test_requests_kept_for_somebody_else_are_answered_once(store: Path):
+    answers = AnswerStore(store, make=True)
+    answers.expect("m")
+    request = asked("You are here.", "v1")
+    identifier = answers.ask("m", request)
+    said = Completion("left", "m-2026", Usage(10, 1), 0.0)
+    with pytest.raises(LanguageModelError, match="no reply of m"):
+        ReplayingModel(store).complete(request)
+
+    answers.answer(identifier, said)
+    answers.answer(identifier, said)
+
+    assert ReplayingModel(store).complete(request) == said
+    with pytest.raises(ValueError, match="has another answer"):
+        answers.answer(identifier, replace(said, text="right"))
+    with pytest.raises(ValueError, match="has not asked 'step/p1-1/abc'"):
+        answers.answer("step/p1-1/abc", said)
+
+
+def test_a_store_from_before_requests_were_questions_replays(store: Path):
+    request = asked("You are here.", "v1")
+    recording = RecordingModel(ScriptedLanguageModel(["left"]), store)
+    AboutInstruction(recording, "p1-1").complete(request)
+    with sqlite3.connect(store) as database:
+        for table in ("questions", "requests", "models"):
+            database.execute(f"DROP TABLE {table}")
+    database.close()
+
+    replaying = ReplayingModel(store)
+    assert AboutInstruction(replaying, "p1-1").complete(request).text == "left"
+    assert replaying.versions() == {}
+    with pytest.raises(LanguageModelError, match="no reply"):
+        AboutInstruction(replaying, "p1-1").complete(asked("x", "v2"))

@@ -1,0 +1,131 @@
+"""What an agent would still ask, and what comes of the answers it has; no model is asked."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any, Literal, cast
+
+import numpy as np
+
+from memorymaze.agents.agent import Agent, Journal
+from memorymaze.errors import EpisodeOver, LanguageModelError, ProgramError
+from memorymaze.evaluation.agent_catalogue import build_agent
+from memorymaze.evaluation.arena import Arena
+from memorymaze.evaluation.episode import run_episode
+from memorymaze.evaluation.language_models import replaying_model
+from memorymaze.evaluation.plan import RunPlan
+from memorymaze.instructions.records import Episode
+from memorymaze.language.answer_files import AnswerFile
+from memorymaze.language.answers import UnansweredError
+from memorymaze.language.model import CompletionRequest
+from memorymaze.perception.eyes import Eyes
+from memorymaze.robot.api import Robot
+
+Kind = Literal["unsafe", "crash", "model_error", "note"]
+"""How an episode will end, or `note`: worth knowing."""
+
+
+def open_requests(plan: RunPlan) -> Iterator[CompletionRequest]:
+    """Yield the next request of each episode that its answers leave open.
+
+    Agents that ask all they ask before the robot moves are not put into a simulation.
+    """
+    agent_for = build_agent(plan.settings.agent)
+    settings = plan.settings
+    eyes = Eyes(settings.detector, settings.signs)
+    arenas = {
+        name: Arena(site, settings.obstacles, eyes) for name, site in plan.sites.items()
+    }
+    for episode in plan.episodes:
+        agent = _Inquirer(agent_for(episode))
+        if agent.asks_beforehand:
+            _follow_nowhere(agent, episode, Journal())
+        else:
+            run_episode(agent, episode, arenas[episode.instruction.site], settings)
+        if agent.open is not None:
+            yield agent.open
+
+
+@dataclass(frozen=True, slots=True)
+class Remark:
+    """One line on answers."""
+
+    kind: Kind
+    text: str
+    """With `file:line` where there is one."""
+
+
+def remarks_on(plan: RunPlan) -> Iterator[Remark]:
+    """Say how episodes will end before their robot moves, by the answers they have.
+
+    Only agents that ask beforehand tell; programs are checked, not run.
+    """
+    agent_for = build_agent(plan.settings.agent)
+    known = {episode.instruction.id for episode in plan.episodes}
+    places: dict[str, str] = {}
+    model = replaying_model(plan.settings.agent)
+    if model is not None and isinstance(model.answers, AnswerFile):
+        places = {each.instruction: each.place for each in model.answers.answers}
+        for name in places.keys() - known:
+            told = f"{places[name]}: {name!r} is the id of no instruction; not used"
+            yield Remark("note", told)
+        if model.answers.unused:
+            fields = ", ".join(map(repr, model.answers.unused))
+            told = f"{model.answers.path}: fields that are not used: {fields}"
+            yield Remark("note", told)
+    for episode in plan.episodes:
+        agent = _Inquirer(agent_for(episode))
+        if not agent.asks_beforehand:
+            return
+        journal = Journal()
+        ending = _follow_nowhere(agent, episode, journal)
+        name = episode.instruction.id
+        place = f"{places.get(name, plan.settings.agent.replay)}: {name}"
+        if isinstance(ending, ProgramError):
+            yield Remark("unsafe" if ending.unsafe else "crash", f"{place}: {ending}")
+        elif isinstance(ending, LanguageModelError):
+            yield Remark("model_error", f"{place}: {ending}")
+        for note in journal.notes:
+            if note["kind"] == "doubts":
+                yield from (
+                    Remark("note", f"{place}: {each}") for each in note["doubts"]
+                )
+
+
+class _Inquirer:
+    """An agent that remembers the request that nobody had answered."""
+
+    def __init__(self, agent: Agent) -> None:
+        self._agent = agent
+        self.name = agent.name
+        self.asks_beforehand = bool(getattr(agent, "asks_beforehand", False))
+        self.open: CompletionRequest | None = None
+
+    def follow(
+        self, instruction: str, robot: Robot, journal: Journal, rng: np.random.Generator
+    ) -> None:
+        try:
+            self._agent.follow(instruction, robot, journal, rng)
+        except UnansweredError as unanswered:
+            self.open = unanswered.request
+            raise
+
+
+def _follow_nowhere(
+    agent: Agent, episode: Episode, journal: Journal
+) -> ProgramError | LanguageModelError | None:
+    """Let an agent ask; it is stopped where it would move. Return what went wrong."""
+    robot = cast(Robot, _Nowhere())
+    try:
+        agent.follow(episode.instruction.text, robot, journal, np.random.default_rng(0))
+    except EpisodeOver:
+        return None
+    except (ProgramError, LanguageModelError) as problem:
+        return problem
+    return None
+
+
+class _Nowhere:
+    """A robot in no building: whatever is called ends the episode."""
+
+    def __getattr__(self, name: str) -> Any:
+        raise EpisodeOver("budget")

@@ -1,0 +1,212 @@
+"""Runs on answers that were given before, and what they leave open."""
+
+import json
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from memorymaze.agents.code_generation import CodeGenerationRequests
+from memorymaze.errors import AnswerFileError, SettingsError
+from memorymaze.evaluation.answers import open_requests, remarks_on
+from memorymaze.evaluation.asking import AskingSettings
+from memorymaze.evaluation.driver import run_plan
+from memorymaze.evaluation.plan import RunPlan, plan_run
+from memorymaze.evaluation.settings import AgentSettings, differences
+from memorymaze.instructions import load_corpus
+from memorymaze.instructions.files import load_instructions
+from memorymaze.language.answer_store import AnswerStore
+from memorymaze.language.answers import AboutInstruction, RecordingModel
+from memorymaze.language.scripted_model import ScriptedLanguageModel
+from memorymaze.language.spending import TokenPrice
+
+TINY_INSTRUCTIONS = Path(__file__).parents[1] / "tiny_instructions.jsonl"
+IDS = [each.id for each in load_instructions([TINY_INSTRUCTIONS])]
+BY_HAND = {"model": "m", "program": "move_forward(3)\nstop()"}
+
+
+@pytest.fixture
+def file(tmp_path: Path) -> Callable[..., Path]:
+    """Write a record for each tiny instruction, changed for some."""
+
+    def write(changed: dict[str, dict[str, Any]] | None = None, **fields: Any) -> Path:
+        path = tmp_path / "answers.jsonl"
+        records = [
+            {
+                "instruction_id": each,
+                **BY_HAND,
+                **fields,
+                **(changed or {}).get(each, {}),
+            }
+            for each in IDS
+        ]
+        path.write_text("\n".join(map(json.dumps, records)), encoding="utf-8")
+        return path
+
+    return write
+
+
+@pytest.fixture
+def plan(tiny_sites_folder: Path) -> Callable[..., RunPlan]:
+    """Plan a run on the tiny instructions that takes answers."""
+
+    def make(answers: Path, name: str = "code_generation", **changes: Any) -> RunPlan:
+        return plan_run(
+            replace(AgentSettings(name, replay=str(answers)), **changes),
+            load_corpus([TINY_INSTRUCTIONS], sites=tiny_sites_folder),
+        )
+
+    return make
+
+
+def test_programs_by_hand_run_without_a_parser_and_without_an_inference(
+    file: Callable[..., Path], plan: Callable[..., RunPlan], tmp_path: Path
+) -> None:
+    planned = plan(file())
+    assert planned.settings.agent.parser is False
+    results = run_plan(planned, tmp_path / "run", workers=1)
+    assert {(one.agent, one.stopped_by, one.model_calls) for one in results} == {
+        ("code_generation[m]", "agent", 0)
+    }
+    assert all(2 < one.path_length < 4 for one in results)
+
+
+def test_replies_are_counted_at_the_prices_given(
+    file: Callable[..., Path], plan: Callable[..., RunPlan], tmp_path: Path
+) -> None:
+    text = f"```\n{BY_HAND['program']}\n```"
+    reply = {"stage": "program", "text": text, "prompt_tokens": 100, "latency_s": 2.0}
+    asking = AskingSettings(price=TokenPrice(1.0, 2.0))
+    planned = plan(file(replies=[reply]), asking=asking)
+    [one, *_] = run_plan(planned, tmp_path / "run", workers=1)
+    assert (one.model_calls, one.tokens, one.inference_s) == (1, 100, 2.0)
+    assert one.cost_usd == pytest.approx(100 / 1e6)
+    assert one.standing_s == pytest.approx(2.0, abs=0.1)
+
+
+def test_the_run_says_to_which_prompt_answers_were_given(
+    file: Callable[..., Path], plan: Callable[..., RunPlan]
+) -> None:
+    now = CodeGenerationRequests(parser=False).prompts["program"]
+    answers = {
+        "stage": "program",
+        "program": None,
+        "reply": "```\nstop()\n```",
+        "prompt": now,
+    }
+    older = {IDS[0]: {"prompt": "0123456789ab"}, IDS[1]: {"prompt": None}}
+    taken = plan(file(**answers)).settings.answers
+    assert taken is not None
+    assert (taken.other_prompt, taken.unknown_prompt) == (0, 0)
+    taken = plan(file(older, **answers)).settings.answers
+    assert taken is not None
+    assert (taken.other_prompt, taken.unknown_prompt) == (1, 1)
+    assert "those to 1 instruction were given to ANOTHER VERSION" in str(taken)
+    assert "1 instruction do not say to which version" in str(taken)
+
+
+def test_an_instruction_without_an_answer_is_told_before_the_run(
+    file: Callable[..., Path], plan: Callable[..., RunPlan]
+) -> None:
+    path = file()
+    path.write_text(path.read_text(encoding="utf-8").splitlines()[0], encoding="utf-8")
+    with pytest.raises(AnswerFileError, match=r"none for 11: p2-1, .*, …;"):
+        plan(path)
+
+
+def test_changed_answers_are_another_run(
+    file: Callable[..., Path], plan: Callable[..., RunPlan]
+) -> None:
+    before = plan(file()).settings
+    after = plan(file(program="stop()")).settings
+    assert [line.split(":")[0] for line in differences(before, after)] == [
+        "answers.sha256"
+    ]
+
+
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        ({"record": "x"}, "--replay and --record"),
+        ({"base_url": "http://localhost:1/v1"}, "--replay and --base-url"),
+        ({"name": "rules"}, "'rules' asks no language model"),
+    ],
+)
+def test_answers_beside_what_asks_are_refused(
+    file: Callable[..., Path],
+    plan: Callable[..., RunPlan],
+    changes: dict[str, Any],
+    said: str,
+) -> None:
+    with pytest.raises(SettingsError, match=said):
+        plan(file(), **changes)
+
+
+def test_what_is_known_of_programs_before_they_run_is_told(
+    file: Callable[..., Path], plan: Callable[..., RunPlan]
+) -> None:
+    path = file({
+        IDS[1]: {"program": "turns = 1\nwalk()"},
+        IDS[2]: {"program": "import os\nimport numpy"},
+        IDS[3]: {"program": None, "error": "It refused."},
+    })
+    with path.open("a", encoding="utf-8") as lines:
+        lines.write("\n" + json.dumps({"instruction_id": "x", **BY_HAND, "hue": "red"}))
+    said = [
+        (each.kind, each.text.removeprefix(str(path)))
+        for each in remarks_on(plan(path))
+    ]
+    assert (
+        "crash",
+        f":2: {IDS[1]}: line 2: Name `walk` used when not defined "
+        "[unresolved-reference]",
+    ) in said
+    [outside] = [text for kind, text in said if kind == "unsafe"]
+    assert outside.startswith(f":3: {IDS[2]}: line 2: Cannot resolve")
+    assert ("model_error", f":4: {IDS[3]}: It refused.") in said
+    assert ("note", ":13: 'x' is the id of no instruction; not used") in said
+    assert ("note", ": fields that are not used: 'hue'") in said
+
+
+def test_the_next_request_of_each_episode_is_open(
+    plan: Callable[..., RunPlan], tmp_path: Path
+) -> None:
+    path = tmp_path / "answers.sqlite"
+    AnswerStore(path, make=True).expect("m")
+    asked = list(open_requests(plan(path, parser=True)))
+    stages = [each.question and each.question.stage for each in asked]
+    assert stages == ["parse+parser"] * 12
+
+    model = RecordingModel(ScriptedLanguageModel(lambda _: "1. Go.", name="m"), path)
+    about = AboutInstruction(model, IDS[0])
+    about.complete(asked[0])
+    planned = plan(path, parser=True)
+    assert planned.settings.answers is not None
+    assert planned.settings.answers.missing == 11
+    stages = [e.question and e.question.stage for e in open_requests(planned)]
+    same = [request.messages == asked[0].messages for request in asked]
+    assert stages == ["program+parser" if each else "parse+parser" for each in same]
+
+
+def test_an_agent_that_asks_on_the_way_is_followed_to_its_open_request(
+    plan: Callable[..., RunPlan], tmp_path: Path
+) -> None:
+    path = tmp_path / "answers.sqlite"
+    AnswerStore(path, make=True).expect("m")
+    planned = plan(path, "navgpt")
+    planned = replace(planned, episodes=planned.episodes[:1])
+    [first] = open_requests(planned)
+    viewpoint = next(
+        each[:32]
+        for each in first.messages[-1].content.split("Viewpoints: ")[1:]
+        if not each.startswith("none")
+    )
+    reply = f"Action: go_to_viewpoint\nAction Input: {viewpoint}"
+    model = RecordingModel(ScriptedLanguageModel([reply], name="m"), path)
+    AboutInstruction(model, planned.episodes[0].instruction.id).complete(first)
+
+    [second] = open_requests(planned)
+    assert second.question is not None
+    assert (second.question.stage, second.question.number) == ("step", 2)

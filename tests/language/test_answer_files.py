@@ -1,0 +1,170 @@
+"""Files of answers are read whole, or every fault in them is named with its line."""
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from memorymaze.errors import AnswerFileError, LanguageModelError
+from memorymaze.language.answer_files import AnswerFile
+from memorymaze.language.answers import AboutInstruction, ReplayingModel
+from memorymaze.language.model import CompletionRequest, Message, Question, Usage
+
+BY_HAND = {"instruction_id": "a", "model": "m", "program": "stop()"}
+STEP = {"instruction_id": "a", "step": 2, "reply": "Go on."}
+WRITTEN = {
+    **BY_HAND,
+    "parser": True,
+    "steps": ["Go.", "Stop."],
+    "replies": [
+        {"stage": "parse", "text": "1. Go.\n2. Stop.", "prompt_tokens": 10},
+        {"stage": "program", "text": "```\nstop()\n```", "latency_s": 1.5},
+    ],
+}
+
+
+@pytest.fixture
+def file(tmp_path: Path) -> Callable[..., Path]:
+    """Write records to a file."""
+
+    def write(*records: Any) -> Path:
+        path = tmp_path / "answers.jsonl"
+        lines = [r if isinstance(r, str) else json.dumps(r) for r in records]
+        path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+        return path
+
+    return write
+
+
+def ask(path: Path, stage: str, number: int = 1, prompt: str = "v1") -> Any:
+    """Ask about the instruction `a`."""
+    request = CompletionRequest(
+        (Message("user", "…"),), question=Question(stage, prompt, number)
+    )
+    return AboutInstruction(ReplayingModel(path), "a").complete(request)
+
+
+def test_a_reply_answers_its_step_and_no_other(file: Callable[..., Path]) -> None:
+    path = file(STEP, {**STEP, "step": 3, "reply": "There."})
+    assert ask(path, "step", 2).text == "Go on."
+    assert ask(path, "step", 3).text == "There."
+    for stage, number in (("step", 4), ("program", 2)):
+        with pytest.raises(LanguageModelError, match="no reply of answers is recorded"):
+            ask(path, stage, number)
+
+
+def test_what_a_model_wrote_on_the_way_to_a_program_is_its_answers(
+    file: Callable[..., Path],
+) -> None:
+    path = file(WRITTEN)
+    assert ask(path, "parse+parser").usage == Usage(10)
+    said = ask(path, "program+parser+single_stage")
+    assert (said.text, said.model, said.latency) == ("```\nstop()\n```", "m", 1.5)
+
+
+def test_a_program_by_hand_is_no_inference(file: Callable[..., Path]) -> None:
+    said = ask(file(BY_HAND), "program")
+    assert said.text == "```python\nstop()\n```"
+    assert not said.inferred
+
+
+def test_steps_stand_for_a_reply_that_is_not_there(file: Callable[..., Path]) -> None:
+    path = file({**BY_HAND, "parser": True, "steps": ["Go.", "Stop."]})
+    assert ask(path, "parse+parser").text == "1. Go.\n2. Stop."
+
+
+def test_an_error_ends_where_the_answers_end(file: Callable[..., Path]) -> None:
+    record = {**WRITTEN, "program": None, "error": "It refused."}
+    path = file({**record, "replies": WRITTEN["replies"][:1]})
+    assert ask(path, "parse+parser").text.startswith("1. Go.")
+    with pytest.raises(LanguageModelError, match=r"^It refused\.$"):
+        ask(path, "program+parser")
+
+
+def test_the_answer_to_the_present_prompt_counts_before_others(
+    file: Callable[..., Path],
+) -> None:
+    path = file(*({**STEP, "prompt": each, "reply": each} for each in ("v1", "v2")))
+    assert ask(path, "step", 2, "v1").text == "v1"
+    assert ask(path, "step", 2, "v3").text == "v2"
+    assert AnswerFile(path).stages() == {("a", "step"): {"v1", "v2"}}
+
+
+@pytest.mark.parametrize(
+    ("lines", "said"),
+    [
+        pytest.param(["{"], "expected JSON", id="no json"),
+        pytest.param(
+            [{**BY_HAND, "model": ""}], "'model': expected a text", id="empty"
+        ),
+        pytest.param(
+            [{"model": "m", "program": ""}],
+            "'instruction_id': expected this member",
+            id="id",
+        ),
+        pytest.param([{**BY_HAND, "error": "no"}], "got program and error", id="both"),
+        pytest.param([{"instruction_id": "a"}], "got neither", id="neither"),
+        pytest.param(
+            [{**BY_HAND, "methode": "x"}], "did you mean 'method'", id="misspelt"
+        ),
+        pytest.param(
+            [{**BY_HAND, "program": 3}], "'program': expected a valid string", id="type"
+        ),
+        pytest.param(
+            [BY_HAND, BY_HAND], r":2: .*a second one to program of 'a'", id="twice"
+        ),
+        pytest.param([STEP, STEP], r":2: .*to step of 'a', which .*:1", id="steps"),
+        pytest.param(
+            [BY_HAND, {**BY_HAND, "instruction_id": "b", "model": "n"}],
+            ":2: expected model 'm' as in the first record, got 'n'",
+            id="two models",
+        ),
+        pytest.param(
+            [{**BY_HAND, "replies": [{"stage": "parse", "text": "", "latency_s": -1}]}],
+            r"'replies\[0\]\.latency_s': expected greater",
+            id="inner",
+        ),
+        pytest.param(
+            [{**WRITTEN, "program": "turn('left')"}], "got another one", id="changed"
+        ),
+        pytest.param([{**BY_HAND, "parser": True}], "expected `steps`", id="no steps"),
+        pytest.param(
+            [{"instruction_id": "a", "reply": "x"}], "'stage' is missing", id="stage"
+        ),
+    ],
+)
+def test_what_is_wrong_is_told_with_its_line(
+    file: Callable[..., Path], lines: list[Any], said: str
+) -> None:
+    with pytest.raises(AnswerFileError, match=said):
+        ReplayingModel(file(*lines))
+
+
+def test_what_is_sound_is_read_beside_what_is_not(file: Callable[..., Path]) -> None:
+    found = AnswerFile(file("{", BY_HAND, BY_HAND))
+    assert [each.instruction for each in found.answers] == ["a"]
+    assert len(found.problems) == 2
+
+
+TEXTS = st.text(
+    st.characters(exclude_categories=["Cs"]), min_size=1, max_size=30
+).filter(str.strip)
+
+
+@given(st.dictionaries(TEXTS, TEXTS, min_size=1))
+def test_any_text_in_any_field_survives_a_file(replies: dict[str, str]) -> None:
+    lines = [
+        json.dumps({"instruction_id": name, "stage": "step", "reply": text})
+        for name, text in replies.items()
+    ]
+    with TemporaryDirectory() as folder:
+        path = Path(folder) / "answers.jsonl"
+        path.write_text("\n".join(lines), encoding="utf-8")
+        read = AnswerFile(path).answers
+    said = {each.instruction: each.completion for each in read}
+    assert {name: each and each.text for name, each in said.items()} == replies
