@@ -2,46 +2,65 @@
 
 from collections.abc import Sequence
 
+import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from memorymaze.results.tables.paper_tables import table_rows
-from memorymaze.results.tables.runs import STUDY_TITLES, MeasuredRun, place_title
+from memorymaze.metrics.aggregate import Estimate
+from memorymaze.results.tables.measures import estimate_means
+from memorymaze.results.tables.runs import (
+    STUDY_TITLES,
+    MeasuredRun,
+    groups_of_places,
+    place_of,
+    place_title,
+    places_of,
+)
 
 
 def success_figure(runs: Sequence[MeasuredRun]) -> Figure:
     """Draw the success rate of every route of each run, with 95 % intervals.
 
-    A panel for each study; within it the routes, and after them their mean.
+    A panel for each study; within it the routes, and after them their mean. A run has
+    a bar only where it has episodes.
     """
-    rows = [row for row in table_rows(runs, "II") if row.run is not None]
-    studies = list(dict.fromkeys(row.study for row in rows))
+    results = [result for run in runs for result in run.results]
+    studies = [
+        study for study in STUDY_TITLES if any(r.study == study for r in results)
+    ]
+    studies += sorted({result.study for result in results} - STUDY_TITLES.keys())
     figure = Figure(figsize=(8, 0.6 + 3.0 * len(studies)), layout="constrained")
     panels = figure.subplots(len(studies), squeeze=False)[:, 0]
     for panel, study in zip(panels, studies, strict=True):
-        shown = [row for row in rows if row.study == study]
-        titles = list(
-            dict.fromkeys(
-                "Mean" if row.is_mean else place_title(row.places) for row in shown
-            )
-        )
-        width = 0.8 / len(runs)
-        for number, run in enumerate(runs):
-            own = [row.values["sr"] for row in shown if row.run is run]
-            places = [index + (number + 0.5) * width - 0.4 for index in range(len(own))]
-            means = [each.mean for each in own]
-            below = [each.mean - _end(each.low, each.mean) for each in own]
-            above = [_end(each.high, each.mean) - each.mean for each in own]
-            panel.bar(
-                places, means, width, yerr=[below, above], capsize=3, label=run.label
-            )
-        panel.set_xticks(range(len(titles)), titles, rotation=15, ha="right")
-        panel.set_ylim(0, 1)
-        panel.set_ylabel("success rate")
-        panel.set_title(STUDY_TITLES.get(study, study))
+        _draw(panel, runs, study)
     panels[0].legend(frameon=False)
     return figure
 
 
+def _draw(panel: Axes, runs: Sequence[MeasuredRun], study: str) -> None:
+    places = places_of((result for run in runs for result in run.results), study)
+    groups = groups_of_places(places)
+    width = 0.8 / len(runs)
+    for number, run in enumerate(runs):
+        bars: dict[float, Estimate] = {}
+        for index, group in enumerate(groups):
+            own = [r for r in run.results if r.study == study and place_of(r) in group]
+            cells = [[r for r in own if place_of(r) == place] for place in group]
+            if own:
+                found = estimate_means([cell for cell in cells if cell])["sr"]
+                bars[index + (number + 0.5) * width - 0.4] = found
+        means = [each.mean for each in bars.values()]
+        # Where no interval can be told, none is drawn.
+        low = [_end(each.low, each.mean) for each in bars.values()]
+        high = [_end(each.high, each.mean) for each in bars.values()]
+        error = [np.subtract(means, low), np.subtract(high, means)]
+        panel.bar([*bars], means, width, yerr=error, capsize=3, label=run.label)
+    titles = ["Mean" if len(group) > 1 else place_title(group) for group in groups]
+    panel.set_xticks(range(len(titles)), titles, rotation=15, ha="right")
+    panel.set_ylim(0, 1)
+    panel.set_ylabel("success rate")
+    panel.set_title(STUDY_TITLES.get(study, study))
+
+
 def _end(end: float | None, mean: float) -> float:
-    """Return an interval's end; the mean where there is no interval."""
     return mean if end is None else end
