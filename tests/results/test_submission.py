@@ -15,10 +15,7 @@ from memorymaze.instructions import load_corpus
 from memorymaze.results.submission import Submission, check_submission, remarks
 
 TESTS = Path(__file__).parents[1]
-CORPUS: dict[str, Any] = {
-    "instruction_files": [TESTS / "tiny_instructions.jsonl"],
-    "sites_folder": TESTS / "tiny_sites",
-}
+CORPUS = load_corpus(TESTS / "tiny_instructions.jsonl", sites=TESTS / "tiny_sites")
 
 
 @pytest.fixture(scope="module")
@@ -32,7 +29,7 @@ def finished(tmp_path_factory: pytest.TempPathFactory) -> Callable[..., Path]:
             made[key] = tmp_path_factory.mktemp("runs") / "run"
             plan = plan_run(
                 AgentSettings(agent),
-                load_corpus(CORPUS["instruction_files"], sites=CORPUS["sites_folder"]),
+                CORPUS,
                 with_choices(RunSettings(), changes),
             )
             run_plan(plan, made[key], workers=1)
@@ -58,7 +55,7 @@ def rules(finished: Callable[..., Path], tmp_path: Path) -> Path:
 
 
 def check(folder: Path) -> Submission:
-    return check_submission(folder, **CORPUS)
+    return check_submission(folder, CORPUS)
 
 
 def edit_result(folder: Path, **changes: Any) -> str:
@@ -95,6 +92,57 @@ def test_a_missing_or_damaged_trace_is_found(rules: Path) -> None:
     assert any("no such file" in each for each in check(rules).problems)
 
 
+def spoil_trace(folder: Path, how: str) -> str:
+    """Spoil the trace of the first episode; return the episode's id."""
+    episode = edit_result(folder)
+    path = trace_path(folder, episode)
+    content = path.read_bytes()
+    entries = [json.loads(line) for line in gzip.decompress(content).splitlines()]
+    walk = next(entry for entry in entries if entry["kind"] == "trajectory")
+    match how:
+        case "flipped byte":
+            # The bits that say how the first block is packed.
+            path.write_bytes(content[:10] + bytes([content[10] | 6]) + content[11:])
+            return episode
+        case "nested too deep":
+            path.write_bytes(gzip.compress(b"[" * 100_000))
+            return episode
+        case "no object":
+            entries.insert(0, [1, 2])
+        case "no kind":
+            del entries[0]["kind"]
+        case "no poses":
+            del walk["poses"]
+        case "odd poses":
+            walk["poses"] = [{"x": 1}]
+        case "outside":
+            walk["poses"] = [[0.0, 1e9, 1e9, 0.0], [1.0, 1e9, 1e9, 0.0]]
+        case _:
+            walk["poses"][-1][1] = float("nan")
+    lines = "".join(f"{json.dumps(entry)}\n" for entry in entries)
+    path.write_bytes(gzip.compress(lines.encode()))
+    return episode
+
+
+@pytest.mark.parametrize(
+    "how",
+    [
+        "flipped byte",
+        "nested too deep",
+        "no object",
+        "no kind",
+        "no poses",
+        "odd poses",
+        "outside",
+        "no number",
+    ],
+)
+def test_a_bad_trace_costs_its_own_walk_alone(rules: Path, how: str) -> None:
+    episode = spoil_trace(rules, how)
+    [problem] = check(rules).problems
+    assert episode in problem or str(trace_path(rules, episode)) in problem
+
+
 def test_a_trace_with_a_call_that_needs_answers_is_found(rules: Path) -> None:
     episode = edit_result(rules)
     path = trace_path(rules, episode)
@@ -113,7 +161,7 @@ def test_edited_code_and_missing_episodes_are_found(rules: Path) -> None:
     file.write_text("\n".join([*lines[1:], ""]), encoding="utf-8")
     problems = check(rules).problems
     assert any("expected a run by committed code" in each for each in problems)
-    assert any(f"1 of {len(lines)} episodes have no result" in e for e in problems)
+    assert any(f"episodes without a result: 1 of {len(lines)}" in e for e in problems)
 
 
 @pytest.mark.parametrize(
@@ -144,9 +192,7 @@ def test_another_corpus_than_the_leaderboards_is_refused(
     other = tmp_path / "other.jsonl"
     text = (TESTS / "tiny_instructions.jsonl").read_text(encoding="utf-8")
     other.write_text(text.replace("left", "right", 1), encoding="utf-8")
-    found = check_submission(
-        rules, instruction_files=[other], sites_folder=CORPUS["sites_folder"]
-    )
+    found = check_submission(rules, load_corpus(other, sites=TESTS / "tiny_sites"))
     assert any(each.startswith("setting instructions[0]") for each in found.problems)
 
 

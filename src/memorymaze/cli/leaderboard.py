@@ -38,6 +38,7 @@ def add_parser(verbs: Verbs) -> None:
 def _run(options: argparse.Namespace) -> int:
     from tqdm import tqdm
 
+    from memorymaze.instructions import load_corpus
     from memorymaze.results.report.leaderboard import (
         read_leaderboard,
         write_leaderboard,
@@ -53,8 +54,7 @@ def _run(options: argparse.Namespace) -> int:
 
         board = read_leaderboard(
             options.folder,
-            instruction_files=options.instructions,
-            sites_folder=options.sites,
+            load_corpus(options.instructions, sites=options.sites),
             progress=show,
         )
     write_leaderboard(board, options.out)

@@ -37,6 +37,7 @@ def add_parser(verbs: Verbs) -> None:
 def _run(options: argparse.Namespace) -> int:
     from tqdm import tqdm
 
+    from memorymaze.instructions import load_corpus
     from memorymaze.results.submission import check_submission
 
     with tqdm(unit="trace", disable=not sys.stderr.isatty()) as bar:
@@ -47,8 +48,7 @@ def _run(options: argparse.Namespace) -> int:
 
         found = check_submission(
             options.folder,
-            instruction_files=options.instructions,
-            sites_folder=options.sites,
+            load_corpus(options.instructions, sites=options.sites),
             progress=show,
         )
     for problem in found.problems[:SHOWN]:

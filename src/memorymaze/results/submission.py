@@ -1,6 +1,6 @@
 """Whether a run can stand on a leaderboard: complete, by the rules, and as it says."""
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Literal
@@ -11,16 +11,16 @@ from memorymaze.evaluation.budgets import time_budget_for
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import RunRecord, read_run
 from memorymaze.evaluation.settings import RunDefinition, differences, stamp_file
-from memorymaze.evaluation.trace import read_trace
+from memorymaze.evaluation.trace import read_trace, trace_path
 from memorymaze.geometry.trajectory import TimedPose, Trajectory
-from memorymaze.instructions.corpus import episodes
-from memorymaze.instructions.files import BUILTIN_CORPUS, load_instructions
+from memorymaze.instructions.corpus import Corpus, load_corpus
 from memorymaze.instructions.records import Episode
 from memorymaze.metrics.success import SUCCESS_DISTANCE
 from memorymaze.perception.eyes import TRUTH
 from memorymaze.simulation.obstacles import ObstacleSettings
 from memorymaze.simulation.settings import SimulationSettings
-from memorymaze.sites import Site, load_sites
+from memorymaze.sites import Site
+from memorymaze.wording import counted
 
 Track = Literal["default", "obstacles"]
 
@@ -28,6 +28,9 @@ ROUNDING = 0.02
 """By how much a metric may differ that is worked out from poses in whole millimetres."""
 PRIVILEGED_CALLS = frozenset({"follow"})
 """Calls in a trace that only an agent makes that knows the answers."""
+
+_UNSCORABLE = (ArithmeticError, LookupError, TypeError, ValueError)
+"""What scoring raises on something that is no trajectory."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,9 +49,8 @@ class Submission:
 
 def check_submission(
     folder: str | Path,
+    corpus: Corpus | None = None,
     *,
-    instruction_files: Sequence[str | Path] | None = None,
-    sites_folder: str | Path | None = None,
     progress: Callable[[int, int], None] | None = None,
 ) -> Submission:
     """Look over a run folder as a leaderboard would.
@@ -62,29 +64,23 @@ def check_submission(
 
     Args:
         folder: Run folder.
-        instruction_files: The leaderboard's corpus; None for the shipped one.
-        sites_folder: The leaderboard's site plans; None for the shipped ones.
+        corpus: The leaderboard's; None for the shipped instructions and plans.
         progress: Told how many traces of how many are done.
 
     Raises:
-        MemoryMazeError: It is no run folder, or is damaged, or corpus and plans cannot
-            be read.
+        MemoryMazeError: It is no run folder, or is damaged.
     """
-    folder = Path(folder)
+    folder, corpus = Path(folder), corpus or load_corpus()
     record, results = read_run(folder)
     settings = record.settings
-    files = [BUILTIN_CORPUS] if instruction_files is None else instruction_files
-    sites = load_sites(sites_folder)
-    corpus = episodes(load_instructions(files), sites)
-    sites = {name: sites[name] for name in {e.instruction.site for e in corpus}}
     problems = [
-        *_settings_problems(settings, files, sites, len(corpus)),
-        *_episode_problems(results, corpus),
+        *_settings_problems(settings, corpus),
+        *_episode_problems(results, corpus.episodes),
         *_code_problems(record),
     ]
     if not problems:
-        arenas = {name: Arena(site) for name, site in sites.items()}
-        known = {episode.id: episode for episode in corpus}
+        arenas = {name: Arena(site) for name, site in _sites_of(corpus).items()}
+        known = {episode.id: episode for episode in corpus.episodes}
         for number, result in enumerate(results, start=1):
             episode = known[result.episode_id]
             problems += _trace_problems(
@@ -102,12 +98,8 @@ def check_submission(
     )
 
 
-def _settings_problems(
-    settings: RunDefinition,
-    files: Sequence[str | Path],
-    sites: Mapping[str, Site],
-    count: int,
-) -> Iterator[str]:
+def _settings_problems(settings: RunDefinition, corpus: Corpus) -> Iterator[str]:
+    sites = _sites_of(corpus)
     routes = [route for site in sites.values() for route in site.routes]
     abilities = SimulationSettings()
     budget = time_budget_for(frozenset(settings.needs), routes, abilities)
@@ -119,11 +111,11 @@ def _settings_problems(
     names = order if len(order) == len(sites) else sorted(sites)
     expected = replace(
         settings,
-        instructions=tuple(stamp_file(path) for path in files),
+        instructions=tuple(stamp_file(path) for path in corpus.files),
         sites=tuple(stamp_file(sites[name].source, name) for name in names),
         limit=None,
         split=None,
-        episodes=count,
+        episodes=len(corpus.episodes),
         success_distance=SUCCESS_DISTANCE,
         simulation=replace(abilities, time_budget=budget),
         obstacles=obstacles,
@@ -138,6 +130,12 @@ def _settings_problems(
         yield f"agent: {settings.agent.name} is given the answers"
 
 
+def _sites_of(corpus: Corpus) -> dict[str, Site]:
+    """Return the sites that episodes take place on."""
+    names = {episode.instruction.site for episode in corpus.episodes}
+    return {name: corpus.sites[name] for name in names}
+
+
 def _episode_problems(
     results: Sequence[EpisodeResult], corpus: Sequence[Episode]
 ) -> Iterator[str]:
@@ -145,7 +143,7 @@ def _episode_problems(
     missing = told.keys() - {result.episode_id for result in results}
     if missing:
         yield (
-            f"{len(missing)} of {len(told)} episodes have no result, such as "
+            f"episodes without a result: {len(missing)} of {len(told)}, such as "
             f"{min(missing)!r}; finish the run with --resume"
         )
     for result in results:
@@ -185,26 +183,26 @@ def _trace_problems(
 ) -> Iterator[str]:
     place = f"episode {result.episode_id!r}"
     try:
-        entries = list(read_trace(folder, result.episode_id))
+        entries = list(_entries(folder, result.episode_id))
     except RunFolderError as error:
         yield str(error)
         return
-    ending: Any = next((e for e in entries if e["kind"] == "end"), {})
-    walked: Any = next((e for e in entries if e["kind"] == "trajectory"), None)
+    ending = next((e for e in entries if e["kind"] == "end"), {})
+    walked = next((e for e in entries if e["kind"] == "trajectory"), None)
     if ending.get("stopped_by") != result.stopped_by or walked is None:
         yield (
             f"{place}: expected a trace that ends with {result.stopped_by}, got "
             f"{ending.get('stopped_by')}"
         )
         return
-    called = {entry.get("call") for entry in entries}
-    for call in sorted(PRIVILEGED_CALLS.intersection(called)):
+    called = [entry.get("call") for entry in entries]
+    for call in sorted(name for name in PRIVILEGED_CALLS if name in called):
         yield f"{place}: the trace has the call {call}, which needs answers"
     try:
         walk = Trajectory([TimedPose(*pose) for pose in walked["poses"]])
         values = arena.score(episode, walk, settings.success_distance)
-    except (TypeError, ValueError, UndefinedMetricError) as error:
-        yield f"{place}: the trajectory in the trace cannot be scored ({error})"
+    except (*_UNSCORABLE, UndefinedMetricError) as error:
+        yield f"{place}: the trajectory in the trace cannot be scored ({error!r})"
         return
     if result.stopped_by != "agent":
         values = values.without_success()
@@ -214,11 +212,28 @@ def _trace_problems(
             continue
         field = "spd" if name == "ne" else name
         said = float(getattr(result, field))
-        if abs(again - said) > ROUNDING:
+        # What is no number is never near another.
+        if not abs(again - said) <= ROUNDING:
             yield (
                 f"{place}: expected {field} {again:.3f}, as its trajectory gives, got "
                 f"{said:.3f}"
             )
+
+
+def _entries(folder: Path, episode_id: str) -> Iterator[dict[str, Any]]:
+    """Yield the entries of a trace.
+
+    Raises:
+        RunFolderError: There is none, or it is damaged, or holds something else.
+    """
+    entries: Iterator[Any] = read_trace(folder, episode_id)
+    for number, entry in enumerate(entries, start=1):
+        if not (isinstance(entry, dict) and "kind" in entry):
+            raise RunFolderError(
+                f"{trace_path(folder, episode_id)}:{number}: expected an entry of a "
+                f"trace, an object with `kind`, got {str(entry)[:40]}"
+            )
+        yield entry
 
 
 def remarks(settings: RunDefinition, results: Iterable[EpisodeResult]) -> Iterator[str]:
@@ -230,5 +245,6 @@ def remarks(settings: RunDefinition, results: Iterable[EpisodeResult]) -> Iterat
     development = sum(result.split == "dev" for result in results)
     if development:
         yield (
-            f"{development} episodes are on texts that prompts may be built from (dev)."
+            f"With {counted(development, 'episode')} on texts that prompts may be built "
+            "from (dev)."
         )

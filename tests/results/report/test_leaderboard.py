@@ -9,11 +9,13 @@ from axe_playwright_python.sync_playwright import Axe
 from playwright.sync_api import Page
 
 from memorymaze.errors import SettingsError
+from memorymaze.instructions import load_corpus
 from memorymaze.results.report.leaderboard import (
     Leaderboard,
     read_leaderboard,
     write_leaderboard,
 )
+from memorymaze.results.report.pages import Pages
 
 TESTS = Path(__file__).parents[2]
 
@@ -21,8 +23,7 @@ TESTS = Path(__file__).parents[2]
 def read(folder: Path) -> Leaderboard:
     return read_leaderboard(
         folder,
-        instruction_files=[TESTS / "tiny_instructions.jsonl"],
-        sites_folder=TESTS / "tiny_sites",
+        load_corpus(TESTS / "tiny_instructions.jsonl", sites=TESTS / "tiny_sites"),
     )
 
 
@@ -82,6 +83,38 @@ def test_runs_that_cannot_stand_on_it_are_listed_with_the_reason(
     text = (tmp_path / "out" / "index.html").read_text(encoding="utf-8")
     assert "expected a run by committed code" in text
     assert "README" not in text
+
+
+def test_a_damaged_run_is_named_and_left_out_and_the_others_stand(
+    submitted: Path,
+) -> None:
+    trace = next((submitted / "stop" / "traces").rglob("*.gz"))
+    content = trace.read_bytes()
+    # The bits that say how the first block is packed.
+    trace.write_bytes(content[:10] + bytes([content[10] | 6]) + content[11:])
+    (submitted / "nothing" / "run.json").write_text("[" * 100_000, encoding="utf-8")
+    board = read(submitted)
+    assert [each.name for each in board.standing] == ["rules"]
+    reasons = {each.name: each.reasons for each in board.refused}
+    assert str(trace) in reasons["stop"][0]
+    assert "run.json" in reasons["nothing"][0]
+
+
+def test_a_leaderboard_that_fails_leaves_nothing_that_blocks_the_next(
+    submitted: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    board = read(submitted)
+
+    def full(*_: object, **__: object) -> None:
+        raise OSError(28, "No space left on device")
+
+    with monkeypatch.context() as disk:
+        disk.setattr(Pages, "copy_static", full)
+        with pytest.raises(OSError, match="No space"):
+            write_leaderboard(board, tmp_path / "out")
+    assert not (tmp_path / "out").exists()
+    write_leaderboard(board, tmp_path / "out")
+    assert (tmp_path / "out" / "index.html").exists()
 
 
 def test_a_leaderboard_without_runs_says_so(tmp_path: Path) -> None:

@@ -2,15 +2,21 @@
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any, get_args
 
-from memorymaze.errors import RunFolderError, SettingsError
+from memorymaze.errors import MemoryMazeError, SettingsError
 from memorymaze.evaluation.results import EpisodeResult
+from memorymaze.instructions import Corpus, load_corpus
 from memorymaze.instructions.records import WRITTEN_BY
 from memorymaze.results.report.overview import settings_rows, table_groups
 from memorymaze.results.report.pages import Pages, safe_name, study_title
-from memorymaze.results.submission import Submission, Track, check_submission
+from memorymaze.results.submission import (
+    Submission,
+    Track,
+    check_submission,
+)
 from memorymaze.results.tables import (
     PAPER_MEASURES,
     MeasuredRun,
@@ -67,40 +73,32 @@ class Leaderboard:
 
 def read_leaderboard(
     folder: str | Path,
+    corpus: Corpus | None = None,
     *,
-    instruction_files: Sequence[str | Path] | None = None,
-    sites_folder: str | Path | None = None,
     progress: Callable[[str, int, int], None] | None = None,
 ) -> Leaderboard:
     """Look over every run folder in a folder; files beside them do not matter.
 
+    A run that cannot be read is refused as one that breaks the rules; it does not
+    touch the others.
+
     Args:
         folder: Holds run folders.
-        instruction_files: The leaderboard's corpus; None for the shipped one.
-        sites_folder: The leaderboard's site plans; None for the shipped ones.
+        corpus: The leaderboard's; None for the shipped instructions and plans.
         progress: Told the run's name, and how many of its traces of how many are done.
 
     Raises:
         SettingsError: The folder does not hold folders, or is a run itself.
-        MemoryMazeError: Corpus or plans cannot be read.
     """
+    corpus = corpus or load_corpus()
     standing: list[Standing] = []
     refused: list[Refused] = []
     for run in _runs_in(Path(folder)):
-
-        def told(done: int, total: int, name: str = run.name) -> None:
-            if progress is not None:
-                progress(name, done, total)
-
+        told = None if progress is None else partial(progress, run.name)
         try:
-            found = check_submission(
-                run,
-                instruction_files=instruction_files,
-                sites_folder=sites_folder,
-                progress=told,
-            )
-            measured = load_runs([run])[0] if not found.problems else None
-        except RunFolderError as error:
+            found = check_submission(run, corpus, progress=told)
+            measured = None if found.problems else load_runs([run])[0]
+        except MemoryMazeError as error:
             refused.append(Refused(run.name, (str(error),)))
             continue
         if measured is None:
@@ -222,6 +220,6 @@ def _published(any_run: Standing, study: str) -> Iterator[dict[str, Any]]:
                 "run": PUBLISHED,
                 "begun": None,
                 "episodes": None,
-                **means_fields(row.values),
+                **{name: each.mean for name, each in row.values.items()},
                 "remarks": "another experiment",
             }
