@@ -76,6 +76,22 @@ def test_what_is_unknown_is_a_dash_and_what_is_not_there_is_nothing() -> None:
     assert "| R1 | a_b | - | 3 |" in table(walk(left=None)).markdown()
 
 
+def test_intervals_that_tell_nothing_are_said_in_words() -> None:
+    rows = [
+        walk(low=None, high=None),
+        walk("b", low=2.25, high=2.25),
+        walk("c"),
+        walk("d", left=None, low=None, high=None),
+    ]
+    lines = table(*rows).markdown().splitlines()
+    assert [line.split(" | ")[2] for line in lines if line.startswith("| R1")] == [
+        "2.2 (too few)",
+        "2.2 (all equal)",
+        "2.2",
+        "-",
+    ]
+
+
 def test_blocks_are_told_apart_in_every_form() -> None:
     both = table(walk(), walk(site="mall"))
     assert both.text().count("Left (m)") == 2

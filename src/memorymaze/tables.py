@@ -54,7 +54,8 @@ class Column:
     signed: bool = False
     """Whether a plus is written too."""
     interval: tuple[str, str] | None = None
-    """Fields of the ends between which the true value probably lies."""
+    """Fields of the ends between which the true value probably lies. Where they are None
+    or equal, nothing can be told of that; the cell says so: `too few`, `all equal`."""
     better: Literal["higher", "lower"] | None = None
     """Which of two values is the better one; LaTeX sets the best in bold."""
     show: Callable[[Row], str] | None = None
@@ -76,9 +77,13 @@ class Column:
         if self.name not in row:
             return ""
         shown = self._written(row[self.name])
-        ends = [row.get(end) for end in self.interval or ()]
-        if None in ends or not ends:
+        ends = [row[end] for end in self.interval or () if end in row]
+        if not ends or row[self.name] is None:
             return shown
+        if None in ends:
+            return f"{shown} (too few)"
+        if ends[0] == ends[1]:
+            return f"{shown} (all equal)"
         return f"{shown} [{', '.join(map(self._written, ends))}]"
 
     def _written(self, value: Any) -> str:

@@ -30,10 +30,10 @@ def test_development_texts_are_left_out_on_demand(
 ) -> None:
     said = memorymaze("table", run).out
     assert "3 episodes" in said
-    assert "1 episodes on development texts (split dev) are counted" in said
+    assert "with 1 episode on development texts (split dev)" in said
     said = memorymaze("table", run, "--exclude-dev").out
     assert "2 episodes" in said
-    assert "1 episodes on development texts are left out" in said
+    assert "without 1 episode on development texts" in said
 
 
 def test_a_folder_that_is_no_run_gives_code_1(

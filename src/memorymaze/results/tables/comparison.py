@@ -17,6 +17,7 @@ from memorymaze.results.tables.measures import (
     Measure,
     estimate_fields,
     values_of,
+    with_interval_notes,
 )
 from memorymaze.results.tables.runs import (
     STUDY_TITLES,
@@ -37,6 +38,9 @@ KEY = (
     "participants, two-sided, not corrected for the number of rows. The mean over "
     "routes is unweighted. Arrived: both / only A / only B / neither."
 )
+
+NOT_TOLD = ("agent.", "needs:", "programs", "limit:", "episodes:")
+"""Beginnings of differences that are the agent's own, or said by what is left out."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,8 +68,8 @@ class ComparisonRow:
     """Means of the second run."""
     difference: dict[str, Estimate]
     """Second minus first, with 95 % intervals of a paired bootstrap."""
-    p_value: dict[str, float]
-    """Two-sided, by flipping the signs of whole participants."""
+    p_value: dict[str, float | None]
+    """Two-sided, by flipping the signs of whole participants; None for one alone."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -97,6 +101,8 @@ def compare_runs(first: MeasuredRun, second: MeasuredRun, seed: int = 0) -> Comp
             "got no episode that both have"
         )
     pairs = [(there[key], here[key]) for key in shared]
+    # Looks are None where an agent asks for no pictures.
+    looks = (first.record.settings.looks, second.record.settings.looks)
     return Comparison(
         first=first,
         second=second,
@@ -110,14 +116,15 @@ def compare_runs(first: MeasuredRun, second: MeasuredRun, seed: int = 0) -> Comp
         settings=tuple(
             line
             for line in differences(first.record.settings, second.record.settings)
-            if not line.startswith(("agent.", "limit:", "episodes:"))
+            if not line.startswith(NOT_TOLD)
+            and not (line.startswith("looks:") and None in looks)
         ),
     )
 
 
 def comparison_table(found: Comparison) -> Table:
     """Return a comparison as a table, with what is unfair about it in the notes."""
-    return Table(
+    table = Table(
         "Comparison of two runs",
         (
             Column("study", "Study", "group", show=lambda r: STUDY_TITLES[r["study"]]),
@@ -140,14 +147,17 @@ def comparison_table(found: Comparison) -> Table:
         tuple(_notes(found)),
         "comparison",
     )
+    return with_interval_notes(table)
 
 
-def p_cell(p: float) -> str:
-    """Write the probability of a test.
+def p_cell(p: float | None) -> str:
+    """Write the probability of a test; `- (too few)` where one person allows none.
 
     >>> p_cell(0.25), p_cell(0.0002)
     ('0.250', '< 0.001')
     """
+    if p is None:
+        return "- (too few)"
     return "< 0.001" if p < 0.001 else f"{p:.3f}"
 
 
@@ -168,7 +178,9 @@ def _row(
     after = np.array([values_of(two, MEASURES) for _, two in chosen])
     rng = np.random.default_rng(seed)
     estimates = participant_bootstrap(after - before, participants, rng, cells=cells)
-    p_values = sign_flip_test(after - before, participants, rng, cells=cells)
+    p_values: Sequence[float | None] = [None] * len(MEASURES)
+    if len(set(participants)) > 1:
+        p_values = sign_flip_test(after - before, participants, rng, cells=cells)
     counts = Counter((one.success, two.success) for one, two in chosen)
     names = [each.name for each in MEASURES]
     return ComparisonRow(

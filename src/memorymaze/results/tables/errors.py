@@ -10,7 +10,12 @@ from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.instructions.error_kinds import ERROR_KINDS
 from memorymaze.metrics.aggregate import Estimate, participant_bootstrap
 from memorymaze.metrics.paired import sign_flip_test
-from memorymaze.results.tables.measures import ends, estimate_fields
+from memorymaze.results.tables.comparison import p_cell
+from memorymaze.results.tables.measures import (
+    ends,
+    estimate_fields,
+    with_interval_notes,
+)
 from memorymaze.results.tables.runs import MeasuredRun, run_notes
 from memorymaze.tables import Column, Row, Table
 
@@ -36,7 +41,7 @@ COLUMNS = (
         signed=True,
         interval=ends("difference"),
     ),
-    Column("p", "p", digits=4),
+    Column("p", "p", show=lambda row: p_cell(row["p"]) if row["pairs"] else "-"),
 )
 
 
@@ -70,13 +75,14 @@ def error_table(run: MeasuredRun) -> Table:
             for kind in known
             if groups.get(kind)
         ]
-    return Table(
+    table = Table(
         f"Success by kind of error: {run.label}",
         COLUMNS,
         tuple(rows),
         ("\n".join(run_notes(run)), KEY),
         "errors",
     )
+    return with_interval_notes(table)
 
 
 def _kind(result: EpisodeResult) -> str:
@@ -92,7 +98,7 @@ def _figures(
     own = [wrong for wrong, _ in pairs]
     differences = [float(a.success) - float(b.success) for a, b in pairs]
     p = None
-    if pairs:
+    if len({each.participant for each in own}) > 1:
         (p,) = sign_flip_test(
             [[each] for each in differences],
             [each.participant for each in own],

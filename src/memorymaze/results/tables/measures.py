@@ -5,14 +5,14 @@ What a measure is worth for an episode is worked out in `metrics`; a field of
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from typing import Any, Literal
 
 import numpy as np
 
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.metrics.aggregate import Estimate, participant_bootstrap
-from memorymaze.tables import Column
+from memorymaze.tables import Column, Table
 
 Better = Literal["higher", "lower"]
 
@@ -73,6 +73,25 @@ KEY = (
     "instructions."
 )
 
+NO_INTERVAL = {
+    "(too few)": "too few: fewer than two participants on the same routes (SAIL: fewer "
+    "than two paragraphs), so no interval can be told and no test made.",
+    "(all equal)": "all equal: every value is the same, so the bootstrap finds no "
+    "spread; that does not make it certain.",
+}
+"""What stands in cells instead of an interval, and what it means."""
+
+
+def with_interval_notes(table: Table) -> Table:
+    """Return a table that explains what stands in its cells instead of intervals."""
+    cells = [column.cell(row) for column in table.columns for row in table.rows]
+    found = [
+        note
+        for words, note in NO_INTERVAL.items()
+        if any(cell.endswith(words) for cell in cells)
+    ]
+    return replace(table, notes=(*table.notes, *found))
+
 
 def estimate_means(
     cells: Sequence[Sequence[EpisodeResult]], seed: int = 0
@@ -114,7 +133,8 @@ def estimate_cell(estimate: Estimate, *, signed: bool = False) -> str:
     '0.50 [0.25, 0.75]'
     """
     column = Column("mean", digits=2, signed=signed, interval=("low", "high"))
-    return column.cell(asdict(estimate))
+    known = {name: end for name, end in asdict(estimate).items() if end is not None}
+    return column.cell(known)
 
 
 def ends(name: str) -> tuple[str, str]:

@@ -14,6 +14,7 @@ from memorymaze.results.tables.measures import (
     PAPER_MEASURES,
     estimate_means,
     means_fields,
+    with_interval_notes,
 )
 from memorymaze.results.tables.runs import (
     STUDY_TITLES,
@@ -84,13 +85,15 @@ def paper_table(runs: Sequence[MeasuredRun], name: TableName) -> Table:
     """Return Table II or III of runs, with the published figures beside them."""
     costs = any(run.asked_a_model for run in runs)
     notes = ["\n".join(run_notes(run)) for run in runs]
-    return Table(
-        TITLES[name],
-        _columns(costs=costs),
-        tuple(_fields(row, name, costs=costs) for row in table_rows(runs, name)),
-        (*notes, KEY, *([COST_KEY] if costs else [])),
-        f"table-{name.lower()}",
-        lambda row: row["figures"] == "published",
+    return with_interval_notes(
+        Table(
+            TITLES[name],
+            _columns(costs=costs),
+            tuple(_fields(row, name, costs=costs) for row in table_rows(runs, name)),
+            (*notes, KEY, *([COST_KEY] if costs else [])),
+            f"table-{name.lower()}",
+            lambda row: row["figures"] == "published",
+        )
     )
 
 
@@ -224,9 +227,11 @@ def _fields(row: TableRow, table: TableName, *, costs: bool) -> Row:
         "parser": row.parser,
         "figures": "published" if row.run is None else "measured",
         "instructions_written_by": "human",
-        **means_fields(row.values),
     }
-    if row.run is not None:
+    if row.run is None:
+        record |= {name: each.mean for name, each in row.values.items()}
+    else:
+        record |= means_fields(row.values)
         record |= {"episodes": row.episodes, "participants": row.participants}
         record |= _run_fields(row, row.run)
         record |= _cost_fields(row, row.run) if costs else {}

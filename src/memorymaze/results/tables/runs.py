@@ -16,6 +16,7 @@ from memorymaze.instructions.published import PublishedResult, published_tables
 from memorymaze.instructions.records import WRITTEN_BY
 from memorymaze.perception.eyes import TRUTH
 from memorymaze.simulation.obstacles import ObstacleSettings
+from memorymaze.wording import counted
 
 STUDY_TITLES = {
     "online": "Online instructions (thinking out loud)",
@@ -137,7 +138,7 @@ def run_notes(run: MeasuredRun) -> list[str]:
     )
     files = ", ".join(stamp.name for stamp in settings.instructions)
     notes = [
-        f"{run.label}: run {run.name}, {len(run.results)} episodes; instructions "
+        f"{run.label}: run {run.name}, {counted(len(run.results), 'episode')}; instructions "
         f"({files}): {written}.",
         f"success distance {settings.success_distance:g} m, time budget "
         f"{settings.simulation.time_budget:g} s, call budget "
@@ -168,21 +169,24 @@ def run_notes(run: MeasuredRun) -> list[str]:
                 f"{price.completion:g} written"
             )
     if run.left_out:
-        notes.append(f"{run.left_out} episodes on development texts are left out.")
+        notes.append(
+            f"without {counted(run.left_out, 'episode')} on development texts "
+            "(--exclude-dev)."
+        )
     development = sum(each.split == "dev" for each in run.results)
     if development:
         notes.append(
-            f"{development} episodes on development texts (split dev) are counted; "
-            "--exclude-dev leaves them out."
+            f"with {counted(development, 'episode')} on development texts (split dev); "
+            "--exclude-dev leaves such out."
         )
     if settings.split is not None:
         notes.append(f"only instructions of the split {settings.split}.")
     if settings.limit is not None:
-        notes.append(f"A SAMPLE of {settings.episodes} episodes (--limit).")
+        notes.append(f"A SAMPLE of {counted(settings.episodes, 'episode')} (--limit).")
     if run.missing:
         notes.append(
-            f"INCOMPLETE: {run.missing} of {settings.episodes} episodes are missing; "
-            "finish the run with --resume."
+            f"INCOMPLETE: {run.missing} of {counted(settings.episodes, 'episode')} "
+            "missing; finish the run with --resume."
         )
     return notes
 
@@ -193,7 +197,7 @@ def _obstacle_notes(
     """Say that a run is of the obstacle track, and how safely the robot drove."""
     crowd = f"{obstacles.people_per_100m2:g} people per 100 m2"
     if obstacles.people is not None:
-        crowd = f"{obstacles.people} people"
+        crowd = "1 person" if obstacles.people == 1 else f"{obstacles.people} people"
     found = collision_rates(results)
     return [
         "TRACK WITH OBSTACLES AND PEOPLE, not comparable with runs without: "

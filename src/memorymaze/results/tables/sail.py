@@ -9,9 +9,10 @@ from memorymaze.errors import SettingsError
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.instructions.sail import DEVELOPMENT, paragraph_of
 from memorymaze.metrics.aggregate import participant_bootstrap
-from memorymaze.results.tables.measures import estimate_fields
+from memorymaze.results.tables.measures import estimate_fields, with_interval_notes
 from memorymaze.results.tables.runs import MeasuredRun, run_notes
 from memorymaze.tables import Column, Row, Table
+from memorymaze.wording import counted
 
 STUDY = "sail"
 KEY = (
@@ -42,7 +43,7 @@ def sail_table(run: MeasuredRun) -> Table:
     """Return success by kind of paragraph and map; the run is on SAIL."""
     metres = run.record.settings.simulation.detection_range
     seen = f"things are detected up to {metres:g} m away"
-    return Table(
+    table = Table(
         f"SAIL, final position: {run.label}",
         (
             Column("method"),
@@ -58,11 +59,13 @@ def sail_table(run: MeasuredRun) -> Table:
         ("\n".join([*run_notes(run), seen]), KEY),
         "sail",
     )
+    return with_interval_notes(table)
 
 
 def _people(row: Row) -> str:
     share = row["people"]
-    return "-" if share is None else f"{share:.2f} ({row['followers']} trials)"
+    trials = counted(row["followers"], "trial")
+    return "-" if share is None else f"{share:.2f} ({trials})"
 
 
 def _rows(run: MeasuredRun) -> list[Row]:

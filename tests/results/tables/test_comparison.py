@@ -1,7 +1,9 @@
 import csv
 import io
+import json
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -17,6 +19,14 @@ from memorymaze.results.tables.comparison import Outcomes
 
 Make = Callable[..., EpisodeResult]
 Write = Callable[..., Path]
+
+
+def change_settings(folder: Path, **changes: Any) -> None:
+    """Change what a run folder says of its run."""
+    path = folder / "run.json"
+    content = json.loads(path.read_text(encoding="utf-8"))
+    content["settings"] |= changes
+    path.write_text(json.dumps(content), encoding="utf-8")
 
 
 @pytest.fixture
@@ -75,6 +85,43 @@ def test_only_episodes_of_both_runs_count_and_the_rest_is_told(
     assert "LEFT OUT, as only one run has them: 2 only in A, 1 only in B." in text
     with pytest.raises(RunFolderError, match="no episode that both have"):
         compare_runs(*load_runs([folders[0], write("c", [result("v-1")])]))
+
+
+def test_what_belongs_to_the_agent_raises_no_alarm(write: Write, result: Make) -> None:
+    folders = [write("a", [result("x-1")]), write("b", [result("x-1")])]
+    change_settings(folders[1], looks="own", needs=["camera"])
+    assert compare_runs(*load_runs(folders)).settings == ()
+
+
+def test_pictures_of_other_looks_are_an_unfair_comparison(
+    write: Write, result: Make
+) -> None:
+    folders = [write("a", [result("x-1")]), write("b", [result("x-1")])]
+    change_settings(folders[0], looks="sweethome3d")
+    change_settings(folders[1], looks="own")
+    comparison = compare_runs(*load_runs(folders))
+    assert comparison.settings == ("looks: 'sweethome3d' there, 'own' here",)
+
+
+def test_one_person_allows_no_test_and_equal_values_no_interval(
+    write: Write, result: Make
+) -> None:
+    one = [write("a", [result("x-1")]), write("b", [result("x-1", spd=9.0)])]
+    table = comparison_table(compare_runs(*load_runs(one)))
+    spd = next(row for row in table.rows if row["measure"] == "spd")
+    assert (spd["difference"], spd["low"], spd["p"]) == (8.0, None, None)
+    text = table.text()
+    assert "+8.00 (too few)" in text
+    assert "- (too few)" in text
+    assert "too few: fewer than two participants" in text
+    names = ("x-1", "y-1", "z-1")
+    several = [
+        write("c", [result(name) for name in names]),
+        write("d", [result(name, spd=9.0) for name in names]),
+    ]
+    text = comparison_table(compare_runs(*load_runs(several))).text()
+    assert "+8.00 (all equal)" in text
+    assert "too few" not in text
 
 
 def test_every_format_says_the_same(two_runs: list[Path]) -> None:
