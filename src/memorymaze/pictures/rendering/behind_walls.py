@@ -12,6 +12,7 @@ from memorymaze.pictures.looks.materials import Material
 from memorymaze.pictures.rendering.floor_plan import (
     BAY,
     DOUBLE_WALL,
+    Outline,
     Surroundings,
     WallFace,
 )
@@ -32,6 +33,10 @@ MODULE = 1.4
 """Width of a pane of a glass wall at most, metres."""
 BAR = 0.05
 """Width of a bar between panes, metres."""
+VIEW_WIDTH, VIEW_HEIGHT = 3.2, 2.6
+"""Metres that the picture of a dim room's far end covers."""
+WIDER = 0.5
+"""How far a room reaches to either side of the hole one sees it through, metres."""
 SHAFT_DEPTH = 5.0
 """How far one looks down a hole with a balustrade, metres."""
 OUTSIDE_TOP, OUTSIDE_BOTTOM = 0.5, -4.5
@@ -135,44 +140,104 @@ def _bar(
     )
 
 
-def reveal_and_view(
+def reveals_and_rooms(
     made: Slice,
     face: WallFace,
-    hole: Hole,
+    holes: list[Hole],
     height: float,
     surroundings: Surroundings,
 ) -> None:
-    """Add the thickness of the wall round a hole, and a dim room where one is."""
-    low, high, bottom, top = hole
-    x, y = face.at((low + high) / 2)
-    behind, depth = surroundings.behind(x, y, face.heading + math.pi)
-    reveal = surfaces.solid(0.74, 0.73, 0.70)
-    if behind == "outdoors":
-        made.shows_sky = True
-        _box_inside(
-            made, face, (low, high), (bottom, top), 0.12, reveal, reveal, reveal
-        )
-        return
-    # A room is wider and higher than the hole through which one looks into it.
-    wall = surfaces.dim_wall()
-    _box_inside(
-        made,
-        face,
-        (low, high),
-        (bottom if bottom > 0.3 else 0.0, min(top, height)),
-        depth,
-        wall,
-        surfaces.solid(0.20, 0.19, 0.18),
-        surfaces.solid(0.34, 0.34, 0.34),
-    )
-    upright(
-        made.builders["beyond", surfaces.dim_view()],
-        face,
-        (low, high),
-        (bottom if bottom > 0.3 else 0.0, top),
-        -depth,
-        lambda s, z: ((low + face.x + face.y + s) / 3.2, 1 - z / 2.6),
-    )
+    """Add the thickness of the wall round its holes, and dim rooms where they are."""
+    rooms: list[tuple[float, float, float]] = []
+    for low, high, bottom, top in _joined(holes):
+        x, y = face.at((low + high) / 2)
+        behind, depth = surroundings.behind(x, y, face.heading + math.pi)
+        if behind == "outdoors":
+            made.shows_sky = True
+            for outline in surroundings.hollow(face, (low, high), OUTSIDE_WALL):
+                _reveal(made, face, outline, (bottom, top))
+        elif rooms and low - rooms[-1][1] < 2 * WIDER:
+            start, _, reach = rooms.pop()
+            rooms.append((start, high, max(reach, depth)))
+        else:
+            rooms.append((low, high, depth))
+    for low, high, depth in rooms:
+        # A room is wider and higher than the hole through which one looks into it.
+        along = (max(low - WIDER, 0.0), min(high + WIDER, face.length))
+        for outline in surroundings.hollow(face, along, depth, room=True):
+            _room(made, face, outline, height)
+
+
+def _joined(holes: list[Hole]) -> list[Hole]:
+    """Join openings that only a bar parts."""
+    runs: list[Hole] = []
+    for low, high, bottom, top in sorted(holes):
+        if runs and low - runs[-1][1] < 2 * BAR and runs[-1][2:] == (bottom, top):
+            low = runs.pop()[0]
+        runs.append((low, high, bottom, top))
+    return runs
+
+
+def _reveal(
+    made: Slice, face: WallFace, outline: Outline, height: tuple[float, float]
+) -> None:
+    """Add the sides of a hole, which is open at its far end."""
+    plaster = surfaces.solid(0.74, 0.73, 0.70)
+    _floor_and_ceiling(made, face, outline, height, (plaster, plaster))
+    builder = made.builders["beyond", plaster]
+    for start, end in pairwise(outline):
+        if not _runs_along(start, end):
+            builder.quad(_upright(face, start, end, height))
+
+
+def _room(made: Slice, face: WallFace, outline: Outline, height: float) -> None:
+    """Add a room whose lights are off, open to the wall."""
+    colours = (surfaces.solid(0.20, 0.19, 0.18), surfaces.solid(0.34, 0.34, 0.34))
+    _floor_and_ceiling(made, face, outline, (0.0, height), colours)
+    plain = made.builders["beyond", surfaces.dim_wall()]
+    view = made.builders["beyond", surfaces.dim_view()]
+    top = min(height, VIEW_HEIGHT)
+    for start, end in pairwise(outline):
+        if max(start[1], end[1]) == 0.0:
+            continue
+        if not _runs_along(start, end):
+            plain.quad(_upright(face, start, end, (0.0, height)))
+            continue
+        a, b = ((face.x + face.y + along) / VIEW_WIDTH for along in (start[0], end[0]))
+        rise = 1 - top / VIEW_HEIGHT
+        pictured = [(a, 1.0), (b, 1.0), (b, rise), (a, rise)]
+        view.quad(_upright(face, start, end, (0.0, top)), pictured)
+        if height > top:
+            plain.quad(_upright(face, start, end, (top, height)))
+
+
+def _floor_and_ceiling(
+    made: Slice,
+    face: WallFace,
+    outline: Outline,
+    height: tuple[float, float],
+    materials: tuple[Material, Material],
+) -> None:
+    ground = Polygon([face.at(along, -behind) for along, behind in outline])
+    for material, z, up in zip(materials, height, (True, False), strict=True):
+        made.builders["beyond", material].polygon(ground, z, np.zeros((3, 2)), up=up)
+
+
+def _runs_along(start: tuple[float, float], end: tuple[float, float]) -> bool:
+    """Whether a side of an outline faces the wall, more or less."""
+    return abs(end[1] - start[1]) < 0.1 * abs(end[0] - start[0])
+
+
+def _upright(
+    face: WallFace,
+    start: tuple[float, float],
+    end: tuple[float, float],
+    height: tuple[float, float],
+) -> list[tuple[float, float, float]]:
+    """Return the corners of a side of an outline, seen from within."""
+    (ax, ay), (bx, by) = face.at(start[0], -start[1]), face.at(end[0], -end[1])
+    low, high = height
+    return [(ax, ay, low), (bx, by, low), (bx, by, high), (ax, ay, high)]
 
 
 def outer_face(
@@ -199,15 +264,16 @@ def outer_face(
         end = high
         if high == face.length and face.ends_at_corner:
             end += OUTSIDE_REACH
-        upright(
-            builder,
-            face,
-            (start, end),
-            (bottom + OUTSIDE_BOTTOM, top + OUTSIDE_BOTTOM),
-            -OUTSIDE_WALL,
-            lambda along, z: (along / STOREY, 1 - z / STOREY),
-            outwards=True,
-        )
+        for stretch in surroundings.off_floor(face, (start, end), OUTSIDE_WALL):
+            upright(
+                builder,
+                face,
+                stretch,
+                (bottom + OUTSIDE_BOTTOM, top + OUTSIDE_BOTTOM),
+                -OUTSIDE_WALL,
+                lambda along, z: (along / STOREY, 1 - z / STOREY),
+                outwards=True,
+            )
 
 
 def shaft(hole: Polygon, height: float) -> Slice:
@@ -231,39 +297,3 @@ def shaft(hole: Polygon, height: float) -> Slice:
             (bx, by, 0.0),
         ])
     return made
-
-
-def _box_inside(
-    made: Slice,
-    face: WallFace,
-    along: tuple[float, float],
-    height: tuple[float, float],
-    depth: float,
-    sides: Material,
-    floor: Material,
-    ceiling: Material,
-) -> None:
-    """Add the four sides of a box that opens to the floor, seen from within."""
-    (a, b), (z0, z1) = along, height
-    front = [face.at(a), face.at(b)]
-    back = [face.at(a, -depth), face.at(b, -depth)]
-    side = made.builders["beyond", sides]
-    uv = [(0.0, 1.0), (depth / BAY, 1.0), (depth / BAY, 0.0), (0.0, 0.0)]
-    left = [(*front[0], z0), (*back[0], z0), (*back[0], z1), (*front[0], z1)]
-    right = [(*front[1], z0), (*back[1], z0), (*back[1], z1), (*front[1], z1)]
-    side.quad(left, uv)
-    side.quad(right[::-1], uv[::-1])
-    made.builders["beyond", floor].quad(
-        [
-            (*front[0], z0),
-            (*front[1], z0),
-            (*back[1], z0),
-            (*back[0], z0),
-        ][::-1]
-    )
-    made.builders["beyond", ceiling].quad([
-        (*front[0], z1),
-        (*front[1], z1),
-        (*back[1], z1),
-        (*back[0], z1),
-    ])

@@ -19,7 +19,10 @@ from shapely import (
     STRtree,
     affinity,
     box,
+    get_coordinates,
     prepare,
+    transform,
+    unary_union,
 )
 from shapely.geometry.base import BaseGeometry
 from shapely.geometry.polygon import orient
@@ -36,9 +39,15 @@ SLICE = 6.0
 SMALLEST = 1e-4
 """Square metres below which a left-over piece is dropped."""
 Behind = Literal["outdoors", "room"]
+Outline = list[tuple[float, float]]
+"""Of what is hollow behind a wall, closed: metres along and behind it."""
 DEEPEST = 2.6
 """Metres that a room is seen deep."""
 SHALLOWEST = 0.12
+CLEAR = 0.02
+"""Metres that what is seen behind a wall keeps off the floor."""
+ROOM_WALL = 0.5
+"""Metres of wall between a room of the plan and the floor, at most."""
 DOUBLE_WALL = 0.8
 """Between floors nearer than this there is wall, not open air, metres."""
 NEAR_WALL = 0.4
@@ -224,36 +233,6 @@ def openings_of(site: Site) -> list[Opening]:
     return openings
 
 
-class Surroundings:
-    """Tells what is behind a place on a wall."""
-
-    def __init__(self, site: Site) -> None:
-        """Look at a site's rooms and floor."""
-        self._floor: BaseGeometry = site.walkable_floor
-        self._rooms = [room.polygon for room in site.rooms]
-        self._holes = self._floor.convex_hull.difference(self._floor)
-        self._site = site
-        prepare(self._floor)
-
-    def behind(self, x: float, y: float, heading: float) -> tuple[Behind, float]:
-        """Return what is behind a wall, and how many metres deep one can look into it."""
-        dx, dy = math.cos(heading), math.sin(heading)
-        near = Point(x + 0.5 * dx, y + 0.5 * dy)
-        ray = LineString([
-            (x + 0.08 * dx, y + 0.08 * dy),
-            (x + 12 * dx, y + 12 * dy),
-        ])
-        crossed = ray.intersection(self._floor)
-        way = 12.0
-        if not crossed.is_empty:
-            way = crossed.distance(Point(x, y))
-        if any(room.contains(near) for room in self._rooms):
-            return "room", max(SHALLOWEST, min(DEEPEST, way - 0.12))
-        if way < DOUBLE_WALL:
-            return "room", max(SHALLOWEST, min(DEEPEST, way - 0.12))
-        return "outdoors", way
-
-
 @dataclass(frozen=True, slots=True)
 class WallFace:
     """A straight, upright rectangle beside one part of the floor."""
@@ -282,6 +261,11 @@ class WallFace:
             self.x + self.ux * along - self.uy * out,
             self.y + self.uy * along + self.ux * out,
         )
+
+    def local(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return points as metres along it and behind it, (N, 2)."""
+        offsets = points - (self.x, self.y)
+        return offsets @ np.array([[self.ux, self.uy], [self.uy, -self.ux]])
 
     @property
     def heading(self) -> float:
@@ -388,3 +372,80 @@ def _merged(cuts: list[float]) -> list[float]:
         if cut - kept[-1] > SHORTEST and cuts[-1] - cut > SHORTEST:
             kept.append(cut)
     return [*kept, cuts[-1]]
+
+
+class Surroundings:
+    """Tells what is behind a place on a wall."""
+
+    def __init__(self, site: Site) -> None:
+        """Look at a site's rooms and floor."""
+        self._floor: BaseGeometry = site.walkable_floor
+        self._rooms = [room.polygon for room in site.rooms]
+        self._holes = self._floor.convex_hull.difference(self._floor)
+        self._site = site
+        prepare(self._floor)
+
+    def behind(self, x: float, y: float, heading: float) -> tuple[Behind, float]:
+        """Return what is behind a wall, and how many metres deep one can look into it."""
+        dx, dy = math.cos(heading), math.sin(heading)
+        near = Point(x + 0.5 * dx, y + 0.5 * dy)
+        ray = LineString([
+            (x + 0.08 * dx, y + 0.08 * dy),
+            (x + 12 * dx, y + 12 * dy),
+        ])
+        crossed = ray.intersection(self._floor)
+        way = 12.0
+        if not crossed.is_empty:
+            way = crossed.distance(Point(x, y))
+        if any(room.contains(near) for room in self._rooms):
+            return "room", max(SHALLOWEST, min(DEEPEST, way - 0.12))
+        if way < DOUBLE_WALL:
+            return "room", max(SHALLOWEST, min(DEEPEST, way - 0.12))
+        return "outdoors", way
+
+    def hollow(
+        self,
+        face: WallFace,
+        along: tuple[float, float],
+        depth: float,
+        *,
+        room: bool = False,
+    ) -> list[Outline]:
+        """Return what is hollow behind a piece of wall: no floor, and of a room only it.
+
+        Args:
+            face: The wall.
+            along: From where to where, metres along the wall.
+            depth: How far behind the wall at most, metres.
+            room: Whether only what rooms cover counts, where there are rooms.
+        """
+        low, high = along
+        corners = [face.at(low), face.at(high), face.at(high, -depth)]
+        strip = Polygon([*corners, face.at(low, -depth)])
+        taken = self._floor.intersection(strip.buffer(2 * CLEAR))
+        hollow = box(low, 0.0, high, depth).difference(
+            transform(taken, face.local).buffer(CLEAR, join_style="mitre")
+        )
+        near = [each for each in self._rooms if each.distance(strip) < ROOM_WALL]
+        if room and near:
+            rooms = transform(unary_union(near), face.local)
+            hollow = hollow.intersection(rooms.buffer(ROOM_WALL, join_style="mitre"))
+        outlines: list[Outline] = []
+        for piece in polygons_of(hollow):
+            outer = [(x, y) for x, y, *_ in orient(piece).exterior.coords]
+            if min(y for _, y in outer) < 2 * CLEAR:
+                outlines.append([(x, 0.0 if y < 2 * CLEAR else y) for x, y in outer])
+        return outlines
+
+    def off_floor(
+        self, face: WallFace, along: tuple[float, float], behind: float
+    ) -> list[tuple[float, float]]:
+        """Return the stretches of a line behind a wall that do not lie in the floor."""
+        line = LineString([face.at(each, -behind) for each in along])
+        rest = line.difference(self._floor)
+        stretches = [
+            face.local(get_coordinates(piece))[:, 0]
+            for piece in getattr(rest, "geoms", [rest])
+            if not piece.is_empty
+        ]
+        return [(float(each.min()), float(each.max())) for each in stretches]

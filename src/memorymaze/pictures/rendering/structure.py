@@ -11,11 +11,10 @@ from shapely.geometry.polygon import orient
 from memorymaze.pictures.looks import surfaces
 from memorymaze.pictures.looks.materials import Material
 from memorymaze.pictures.rendering.behind_walls import (
-    BAR,
     balustrade,
     glass_wall,
     outer_face,
-    reveal_and_view,
+    reveals_and_rooms,
     shaft,
     wind_screen,
 )
@@ -180,20 +179,9 @@ def _wall(
         upright(builder, face, (low, high), (bottom, top), 0.0, wall_uv(face, height))
     _skirting(made, face, holes)
     foot_shade(made, face, holes)
-    for hole in _runs(holes):
-        reveal_and_view(made, face, hole, height, surroundings)
+    reveals_and_rooms(made, face, holes, height, surroundings)
     if face.ring == 0:
         outer_face(made, face, height, holes, surroundings)
-
-
-def _runs(holes: list[Hole]) -> list[Hole]:
-    """Join openings that only a bar parts: behind them is one room."""
-    runs: list[Hole] = []
-    for low, high, bottom, top in sorted(holes):
-        if runs and low - runs[-1][1] < 2 * BAR and runs[-1][2:] == (bottom, top):
-            low = runs.pop()[0]
-        runs.append((low, high, bottom, top))
-    return runs
 
 
 def _skirting(made: Slice, face: WallFace, holes: list[Hole]) -> None:
