@@ -1,5 +1,6 @@
 import threading
 from collections.abc import Callable, Generator
+from dataclasses import replace
 from http.client import HTTPConnection
 from pathlib import Path
 from urllib.parse import urlsplit
@@ -7,8 +8,10 @@ from urllib.parse import urlsplit
 import pytest
 from axe_playwright_python.sync_playwright import Axe
 from playwright.sync_api import Browser, Page
+from shapely import Point, Polygon, box
 
 from memorymaze.evaluation.episode import EpisodeRun
+from memorymaze.geometry.pose import Pose
 from memorymaze.results.watching import Onlooker, Present
 from memorymaze.results.watching.browser import BrowserView
 from memorymaze.sites import Site
@@ -39,7 +42,7 @@ def test_the_page_and_its_parts_are_served_to_this_machine_only(
     view: BrowserView,
 ) -> None:
     assert urlsplit(view.address).hostname == "127.0.0.1"
-    for part in ("", "page.css", "page.js", "plan.png"):
+    for part in ("", "page.css", "page.js", "plan.svg"):
         status, content = asked(view, part)
         assert status == 200
         assert content
@@ -71,6 +74,31 @@ def test_who_comes_late_is_told_everything_to_the_end(
 
 def test_a_walk_goes_on_when_nobody_comes(view: BrowserView) -> None:
     assert not view.wait_for_somebody(0.01)
+
+
+def test_the_page_shows_the_part_of_the_plan_where_the_walk_is(
+    builtin_sites: dict[str, Site], present: Present, page: Page
+) -> None:
+    site = builtin_sites["university"]
+    route = site.reference_route("R1")
+
+    def shown() -> Polygon:
+        west, top, wide, high = map(
+            float, str(page.get_attribute("#map", "viewBox")).split()
+        )
+        return box(west, -top - high, west + wide, -top)
+
+    with BrowserView(site, route, "Go.", "A walk", lambda _: None) as view:
+        page.goto(view.address)
+        assert view.wait_for_somebody(10)
+        page.wait_for_function("document.title === 'A walk'")
+        assert shown().covers(route.line)
+        assert not shown().covers(site.walkable_floor)
+        away = site.walkable_floor.bounds[2:]
+        view.show(replace(present, pose=Pose(*away, 0.0)))
+        page.wait_for_selector("#robot:not([hidden])")
+        assert shown().covers(Point(away))
+        view.finish("over")
 
 
 @pytest.fixture

@@ -1,7 +1,7 @@
 """An episode in the browser: a page for this machine alone, gone with the episode."""
 
-import io
 import json
+import math
 import secrets
 import sys
 import threading
@@ -14,18 +14,15 @@ from types import TracebackType
 from typing import Any, cast
 from urllib.parse import urlsplit
 
-import numpy as np
-from PIL import Image
-
-from memorymaze.drawing.plan_picture import draw_plan
 from memorymaze.drawing.shapes import route_color
+from memorymaze.drawing.svg import Frame, path_data, plan_frame, svg_plan
 from memorymaze.geometry.pose import Pose
 from memorymaze.results.watching.onlooker import Present
 from memorymaze.sites import Route, Site
 
 PERIOD = 1 / 20
-PLAN_SIZE = (1400, 1050)
-"""Pixels."""
+AROUND = 8.0
+"""Metres of plan shown round the way described; more when the robot leaves it."""
 PATIENCE = 60.0
 """Seconds that a walk waits for somebody to open the page."""
 FAREWELL = 5.0
@@ -63,23 +60,20 @@ class BrowserView:
             OSError: No port can be opened.
         """
         self._say = say or _on_stderr
-        west, south, east, north = site.walkable_floor.bounds
-        corners = np.array([(west, south), (east, north)])
-        self._sheet = draw_plan(site, [route], corners, PLAN_SIZE, magnified=1.2)
         self._sent = 0
         self._finished = False
         self._step: object = None
         self._still: list[list[float]] = []
-        content = io.BytesIO()
-        Image.fromarray(self._sheet.picture).save(content, "PNG")
-        self._server = _Server(content.getvalue())
+        self._server = _Server(svg_plan(site).encode())
+        west, south, east, north = route.line.buffer(AROUND).bounds
         about = {
             "title": title,
             "instruction": instruction,
-            "width": PLAN_SIZE[0],
-            "height": PLAN_SIZE[1],
-            "scale": self._sheet.scale,
-            "routeColor": route_color(route.route),
+            "plan": plan_frame(site),
+            "view": Frame(west, -north, east - west, north - south),
+            "way": path_data([list(route.line.coords)]),
+            "goal": _place(*route.line.coords[-1][:2]),
+            "wayColor": route_color(route.route),
         }
         self._server.publish({"about": about})
 
@@ -107,16 +101,16 @@ class BrowserView:
         news: dict[str, Any] = {
             "time": round(present.time, 2),
             "distance": round(present.distance, 1),
-            "robot": self._place(present.pose),
-            "path": [_short(self._sheet.pixel(*each)) for each in path],
+            "robot": _directed(present.pose),
+            "path": [_place(*each) for each in path],
             "events": [
                 {"time": round(event.time, 1), "kind": event.kind, "text": event.text}
                 for event in present.fresh
             ],
-            "people": [self._place(each) for each in present.people.values()],
+            "people": [_place(each.x, each.y) for each in present.people.values()],
         }
         if present.things and not self._still:
-            self._still = [self._place(pose) for pose in present.things.values()]
+            self._still = [_place(each.x, each.y) for each in present.things.values()]
             news["things"] = self._still
         if present.step != self._step:
             self._step = present.step
@@ -144,14 +138,15 @@ class BrowserView:
             self._server.publish({"over": "The episode was broken off."})
         self._server.close(FAREWELL if error is None else 0.5)
 
-    def _place(self, pose: Pose) -> list[float]:
-        """Return column, row and degrees clockwise from east."""
-        x, y = _short(self._sheet.pixel(pose.x, pose.y))
-        return [x, y, round(-float(np.degrees(pose.heading)), 1)]
+
+def _place(x: float, y: float) -> list[float]:
+    """Return a place in the coordinates of the page: metres, y down."""
+    return [round(x, 2), round(-y, 2)]
 
 
-def _short(place: tuple[float, float]) -> list[float]:
-    return [round(place[0], 1), round(place[1], 1)]
+def _directed(pose: Pose) -> list[float]:
+    """Return a place with degrees clockwise from east."""
+    return [*_place(pose.x, pose.y), round(-math.degrees(pose.heading), 1)]
 
 
 def _on_stderr(text: str) -> None:
@@ -168,7 +163,7 @@ class _Server(ThreadingHTTPServer):
         super().__init__((HOST, 0), _Handler)
         self.root = f"/{secrets.token_urlsafe(9)}/"
         folder = files("memorymaze.results.watching") / "page"
-        self.documents = {f"{self.root}plan.png": (plan, "image/png")}
+        self.documents = {f"{self.root}plan.svg": (plan, "image/svg+xml")}
         for name, file in PAGE.items():
             kind = f"{TYPES[file.rpartition('.')[2]]}; charset=utf-8"
             self.documents[self.root + name] = ((folder / file).read_bytes(), kind)

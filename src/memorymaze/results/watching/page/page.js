@@ -5,6 +5,7 @@ const SVG = "http://www.w3.org/2000/svg";
 const MOST = 2000;
 const part = (id) => document.getElementById(id);
 const path = [];
+let view = [0, 0, 1, 1];
 
 function made(name, attributes) {
   const element = document.createElementNS(SVG, name);
@@ -19,17 +20,35 @@ function told(tag, text, name) {
   return element;
 }
 
+// All places are metres, y down.
 function begin(about) {
   path.length = 0;
   part("log").replaceChildren();
   document.title = about.title;
   part("title").textContent = about.title;
   part("instruction").textContent = about.instruction;
-  part("map").setAttribute("viewBox", `0 0 ${about.width} ${about.height}`);
-  part("plan").setAttribute("width", about.width);
-  part("plan").setAttribute("height", about.height);
-  part("key-way").setAttribute("stroke", about.routeColor);
+  const [x, y, width, height] = about.plan;
+  for (const [key, value] of Object.entries({ x, y, width, height })) part("plan").setAttribute(key, value);
+  part("way").setAttribute("d", about.way);
+  for (const id of ["way", "key-way"]) part(id).setAttribute("stroke", about.wayColor);
+  view = about.view;
+  const [east, south] = about.goal;
+  look(east, south);
+  part("goal").setAttribute("fill", about.wayColor);
+  part("goal").setAttribute("transform", `translate(${east} ${south}) scale(${scale()})`);
 }
+
+// Shows more of the plan when the robot comes near the edge of what is shown.
+function look(x, y) {
+  const [west, north, width, height] = view;
+  const left = Math.min(west, x - 3);
+  const top = Math.min(north, y - 3);
+  view = [left, top, Math.max(west + width, x + 3) - left, Math.max(north + height, y + 3) - top];
+  part("map").setAttribute("viewBox", view.join(" "));
+}
+
+// Marks are as large on a plan of any size.
+const scale = () => Math.max(view[2], view[3]) / 800;
 
 function showStep(step) {
   part("step-heading").textContent = step.heading || "Step";
@@ -60,16 +79,17 @@ function show(news) {
   part("map-words").textContent = `The robot on the plan after ${words}`;
   const [x, y, degrees] = news.robot;
   part("robot").removeAttribute("hidden");
-  part("robot").setAttribute("transform", `translate(${x} ${y}) rotate(${degrees})`);
+  look(x, y);
+  part("robot").setAttribute("transform", `translate(${x} ${y}) rotate(${degrees}) scale(${scale()})`);
   path.push(...news.path);
   part("path").setAttribute("points", [...path, [x, y]].map((place) => place.join(",")).join(" "));
   part("people").replaceChildren(
-    ...news.people.map(([cx, cy]) => made("circle", { class: "person", r: 7, cx, cy })),
+    ...news.people.map(([cx, cy]) => made("circle", { class: "person", r: 7 * scale(), cx, cy })),
   );
   if (news.things) {
     const shape = "M -7 -7 H 7 V 7 H -7 Z M -7 -7 L 7 7 M -7 7 L 7 -7";
     part("things").replaceChildren(
-      ...news.things.map(([tx, ty]) => made("path", { class: "thing", d: shape, transform: `translate(${tx} ${ty})` })),
+      ...news.things.map(([tx, ty]) => made("path", { class: "thing", d: shape, transform: `translate(${tx} ${ty}) scale(${scale()})` })),
     );
     document.body.classList.add("crowded");
   }
