@@ -9,7 +9,7 @@ import pytest
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
-from memorymaze.drawing.plan_picture import draw_scale_and_north, draw_site
+from memorymaze.drawing.plan_picture import draw_scale_and_north, draw_site, draw_walk
 from memorymaze.drawing.shapes import Met, ThingInTheWay
 from memorymaze.errors import SettingsError
 from memorymaze.geometry.trajectory import TimedPose, Trajectory
@@ -147,6 +147,34 @@ def test_things_in_the_way_and_people_are_drawn_and_explained(
     assert "cart" in drawn
     assert {"left in the way", "person, from the dot on", "near miss"} <= set(drawn)
     assert "left in the way" not in words(l_site)
+
+
+def test_the_picture_of_a_walk_shows_its_surroundings_and_what_came_of_it(
+    builtin_sites: dict[str, Site], tmp_path: Path
+):
+    site = builtin_sites["university"]
+    route = site.reference_route("R1")
+    path = tmp_path / "walk.svg"
+    draw_walk(
+        site,
+        route,
+        list(route.line.coords),
+        path,
+        instruction="Go  on\n to the library.",
+        outcome="✔ ARRIVED",
+        arrived=True,
+    )
+    root = ElementTree.parse(path).getroot()
+    texts = ["".join(text.itertext()).strip() for text in root.iter(f"{SVG}text")]
+    assert {"“Go on to the library.”", "✔ ARRIVED", "Library"} <= set(texts)
+    assert "GHI Lounge" not in " ".join(texts)
+    whole = tmp_path / "whole.svg"
+    draw_site(site, whole)
+    sizes = [
+        float(ElementTree.parse(each).getroot().attrib["width"].removesuffix("pt"))
+        for each in (path, whole)
+    ]
+    assert sizes[0] < 0.7 * sizes[1]
 
 
 def test_a_walk_of_the_wrong_shape_is_refused(l_site: Site, tmp_path: Path):

@@ -63,7 +63,7 @@ def add_parser(verbs: Verbs) -> None:
 def _run(options: argparse.Namespace) -> int:
     import memorymaze as mm
     from memorymaze.evaluation.navigation import check_folder
-    from memorymaze.results.story.outcomes import outcome_line
+    from memorymaze.evaluation.outcomes import outcome_line
 
     site = mm.load_site(options.site)
     route = site.find_route(options.route)

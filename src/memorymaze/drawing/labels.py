@@ -5,12 +5,12 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Literal, NamedTuple
 
-from shapely import Polygon, box, get_coordinates, segmentize
+from shapely import LineString, Polygon, box, get_coordinates, segmentize
 from shapely.geometry.base import BaseGeometry
 
 from memorymaze.drawing.label_placing import Box, LabelSpace, PlacedLabel, wrapped
 from memorymaze.drawing.shapes import is_covering
-from memorymaze.sites.records import Corridor, Landmark, Route, Site
+from memorymaze.sites.records import Landmark, Route, Site
 
 LONGEST_LABEL = 34
 """Characters."""
@@ -65,7 +65,7 @@ def place_labels(
             space.take(_bounds(each.footprint.bounds))
     return [
         *_room_names(site, space, names),
-        *_place_names(site, space, names),
+        *_place_names(site, space, names, sheet),
         *_thing_labels(site, space, thing, sheet),
     ]
 
@@ -85,24 +85,25 @@ def _room_names(
 
 
 def _place_names(
-    site: Site, space: LabelSpace, sizes: Sequence[float]
+    site: Site, space: LabelSpace, sizes: Sequence[float], sheet: Box
 ) -> Iterator[Label]:
     for area in site.areas:
         if area.name:
             frames = _frames_across(area.polygon)
             yield Label(space.inside(wrapped(area.name), frames, sizes), "way")
     for corridor in site.corridors:
-        if corridor.name:
-            yield Label(_corridor_name(corridor, corridor.name, space, sizes), "way")
+        way = corridor.centre_line.intersection(box(*sheet))
+        if corridor.name and isinstance(way, LineString) and way.length:
+            label = _corridor_name(corridor.name, way, corridor.width, space, sizes)
+            yield Label(label, "way")
 
 
 def _corridor_name(
-    corridor: Corridor, name: str, space: LabelSpace, sizes: Sequence[float]
+    name: str, way: LineString, wide: float, space: LabelSpace, sizes: Sequence[float]
 ) -> PlacedLabel | None:
-    way = corridor.centre_line
     start, end = way.coords[0], way.coords[-1]
     angle = math.atan2(end[1] - start[1], end[0] - start[0])
-    aside = corridor.width / 4
+    aside = wide / 4
     spots = [
         (
             start[0] + share * (end[0] - start[0]) - side * aside * math.sin(angle),

@@ -2,7 +2,7 @@
 
 import textwrap
 from collections.abc import Collection, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -33,11 +33,13 @@ from memorymaze.drawing.shapes import (
     Met,
     Points,
     Shape,
+    part_of,
     route_color,
 )
 from memorymaze.errors import SettingsError
 from memorymaze.geometry.trajectory import Trajectory
 from memorymaze.sites.records import Route, Site
+from memorymaze.wording import counted
 
 DRAWING_SUFFIXES = (".png", ".svg", ".pdf")
 MARGIN = 2.0
@@ -51,8 +53,11 @@ LARGEST_SHEET = 60.0
 DOTS_PER_INCH = 130
 NARROWEST = 9.0
 """Inches of paper that title and legend need."""
-HEAD, FOOT = 0.9, 1.25
-"""Inches above and below the plan."""
+HEAD_GAP, FOOT = 0.38, 1.25
+"""Inches round what is written above the plan, and for the legend below."""
+WIDE_FROM = 0x2E80
+"""Characters from here on are as wide as high."""
+ARRIVED_COLOR, FAILED_COLOR = "#0b5d2a", "#8a1c1c"
 BAR_LENGTHS = (1, 2, 5, 10, 20, 50, 100, 200, 500)
 """Metres that a scale bar may stand for."""
 LONGEST_BAR = 3.0
@@ -62,6 +67,24 @@ CORNER = 4.0
 AROUND = 6.0
 """Metres of plan shown round a walk and the way described."""
 PIXELS_PER_INCH = 100
+
+Bounds = tuple[float, float, float, float]
+"""West, south, east, north; metres."""
+
+
+@dataclass(frozen=True, slots=True)
+class HeadLine:
+    """Something to be written above a plan."""
+
+    text: str
+    size: float
+    """Points."""
+    color: str = "black"
+
+    @property
+    def height(self) -> float:
+        """Return what a row of it takes, inches."""
+        return 1.5 * self.size / 72
 
 
 def draw_site(
@@ -86,20 +109,71 @@ def draw_site(
         SettingsError: The suffix is not one of these, or a route is not in the site.
         OSError: The file cannot be written.
     """
+    path = _checked(path)
+    shown = _chosen_routes(site, routes)
+    walks = [_points(trajectory) for trajectory in trajectories]
+    bounds = [site.walkable_floor.bounds]
+    bounds += [room.polygon.bounds for room in site.rooms]
+    bounds += [thing.footprint.bounds for thing in site.landmarks]
+    bounds += [(*walk.min(axis=0), *walk.max(axis=0)) for walk in walks]
+    west, south, east, north = site.walkable_floor.bounds
+    facts = (
+        f"{site.floor} · {east - west:.0f} x {north - south:.0f} m · "
+        f"{counted(len(site.turning_points), 'turning point')} · "
+        f"{counted(len(site.doors), 'door')} · "
+        f"{counted(len(site.landmarks), 'landmark')}"
+    )
+    head = [HeadLine(site.title, 15), HeadLine(facts, 9.5, "#555555")]
+    _write(path, site, _around(bounds, MARGIN), head, shown, walks, met)
+
+
+def draw_walk(
+    site: Site,
+    route: Route,
+    walk: Trajectory | ArrayLike,
+    path: str | Path,
+    *,
+    instruction: str,
+    outcome: str,
+    arrived: bool,
+    met: Met | None = None,
+) -> None:
+    """Draw the part of a plan where a walk was, with what was told and came of it.
+
+    Args:
+        site: Where.
+        route: The way that the instruction describes.
+        walk: As a trajectory or points in metres, (N, 2).
+        path: File to write; its suffix chooses the format: `.png`, `.svg` or `.pdf`.
+        instruction: The text; white space in it becomes single spaces.
+        outcome: How the walk ended, in a line.
+        arrived: Whether it ended at the goal.
+        met: Things left in the way and people who walked about.
+
+    Raises:
+        SettingsError: The suffix is not one of these.
+        OSError: The file cannot be written.
+    """
+    path = _checked(path)
+    points = _points(walk)
+    bounds = [route.line.bounds, (*points.min(axis=0), *points.max(axis=0))]
+    shown = _around(bounds, AROUND)
+    head = [
+        HeadLine(f"{site.title} · {route.id}", 13),
+        HeadLine(f"“{' '.join(instruction.split())}”", 10.5),
+        HeadLine(outcome, 10.5, ARRIVED_COLOR if arrived else FAILED_COLOR),
+    ]
+    _write(path, part_of(site, shown), shown, head, [route], [points], met)
+
+
+def _checked(path: str | Path) -> Path:
     path = Path(path)
     if path.suffix.lower() not in DRAWING_SUFFIXES:
         raise SettingsError(
             f"{path}: expected a file name ending in {', '.join(DRAWING_SUFFIXES)}, got "
             f"{path.suffix or 'no suffix'!r}"
         )
-    shown = _chosen_routes(site, routes)
-    walks = [_points(trajectory) for trajectory in trajectories]
-    undated = {".svg": {"Date": None}, ".pdf": {"CreationDate": None}}
-    # Text in SVG stays text, and the same site gives the same file.
-    with lettering(**{"svg.fonttype": "none", "svg.hashsalt": site.name}):
-        _sheet(site, shown, walks, met or Met()).savefig(
-            path, dpi=DOTS_PER_INCH, metadata=undated.get(path.suffix.lower())
-        )
+    return path
 
 
 def _chosen_routes(site: Site, routes: bool | Collection[str]) -> list[Route]:
@@ -125,21 +199,47 @@ def _points(walk: Trajectory | ArrayLike) -> Points:
     return array
 
 
+def _around(bounds: Sequence[Sequence[float]], margin: float) -> Bounds:
+    """Return what holds some bounds, with a margin."""
+    table = np.array(bounds, dtype=np.float64)
+    west, south = (table[:, :2].min(axis=0) - margin).tolist()
+    east, north = (table[:, 2:].max(axis=0) + margin).tolist()
+    return west, south, east, north
+
+
+def _write(
+    path: Path,
+    site: Site,
+    bounds: Bounds,
+    head: Sequence[HeadLine],
+    routes: Sequence[Route],
+    walks: Sequence[Points],
+    met: Met | None,
+) -> None:
+    undated = {".svg": {"Date": None}, ".pdf": {"CreationDate": None}}
+    # Text in SVG stays text, and the same site gives the same file.
+    with lettering(**{"svg.fonttype": "none", "svg.hashsalt": site.name}):
+        _sheet(site, bounds, head, routes, walks, met or Met()).savefig(
+            path, dpi=DOTS_PER_INCH, metadata=undated.get(path.suffix.lower())
+        )
+
+
 def _sheet(
-    site: Site, routes: Sequence[Route], walks: Sequence[Points], met: Met
+    site: Site,
+    bounds: Bounds,
+    head: Sequence[HeadLine],
+    routes: Sequence[Route],
+    walks: Sequence[Points],
+    met: Met,
 ) -> Figure:
-    everything = [site.walkable_floor.bounds]
-    everything += [room.polygon.bounds for room in site.rooms]
-    everything += [thing.footprint.bounds for thing in site.landmarks]
-    everything += [(*walk.min(axis=0), *walk.max(axis=0)) for walk in walks]
-    table = np.array(everything)
-    west, south = table[:, :2].min(axis=0) - MARGIN
-    east, north = table[:, 2:].max(axis=0) + MARGIN
+    west, south, east, north = bounds
     wide, high = east - west, north - south
     scale = float(np.clip(LONGEST_SIDE / max(wide, high), *SCALES))
     scale = min(scale, LARGEST_SHEET / max(wide, high))
     sheet_wide = max(wide * scale, NARROWEST)
-    sheet_high = high * scale + HEAD + FOOT
+    rows = _rows(head, sheet_wide - CORNER)
+    top = sum(row.height for row in rows) + HEAD_GAP
+    sheet_high = high * scale + top + FOOT
     figure = Figure(figsize=(sheet_wide, sheet_high), facecolor="white")
     FigureCanvasAgg(figure)
     frame = (
@@ -157,7 +257,7 @@ def _sheet(
     space = LabelSpace(metres_per_point=1 / (72 * scale))
     magnified = float(np.clip(scale / SCALES[0], 1.0, 1.6))
     left_out = write_labels(axes, site, routes, space, magnified)
-    _write_head(figure, site)
+    _write_head(figure, rows)
     draw_scale_and_north(figure, site, scale)
     _write_legend(figure, list(_marks(site, routes, bool(walks), met)), left_out)
     return figure
@@ -178,24 +278,28 @@ def _axes_in(
     return axes
 
 
-def _write_head(figure: Figure, site: Site) -> None:
-    """Write title and counts above the plan."""
-    west, south, east, north = site.walkable_floor.bounds
-    facts = (
-        f"{site.floor} · {east - west:.0f} x {north - south:.0f} m · "
-        f"{len(site.turning_points)} turning points · {len(site.doors)} doors · "
-        f"{len(site.landmarks)} landmarks"
-    )
-    for text, from_top, size, color in (
-        (site.title, 0.36, 15, "black"),
-        (facts, 0.66, 9.5, "#555555"),
-    ):
+def _rows(head: Sequence[HeadLine], wide: float) -> list[HeadLine]:
+    """Break what stands above a plan into rows that fit a width, inches."""
+    rows: list[HeadLine] = []
+    for line in head:
+        # Letters of other scripts are as wide as high.
+        letter = 1.0 if any(ord(each) >= WIDE_FROM for each in line.text) else 0.56
+        most = max(20, int(wide * 72 / (letter * line.size)))
+        rows += [replace(line, text=text) for text in textwrap.wrap(line.text, most)]
+    return rows
+
+
+def _write_head(figure: Figure, rows: Sequence[HeadLine]) -> None:
+    """Write above the plan, from the top."""
+    down = HEAD_GAP / 3
+    for row in rows:
+        down += row.height
         figure.text(
             0.25 / figure.get_figwidth(),
-            1 - from_top / figure.get_figheight(),
-            text,
-            fontsize=size,
-            color=color,
+            1 - down / figure.get_figheight(),
+            row.text,
+            fontsize=row.size,
+            color=row.color,
             parse_math=False,
         )
 
@@ -374,7 +478,9 @@ def draw_plan(
     width, height = size
     figure = Figure(figsize=(width / dpi, height / dpi), dpi=dpi, facecolor="white")
     canvas = FigureCanvasAgg(figure)
-    axes = _axes_in(figure, (0, 0, 1, 1), middle - half, middle + half)
+    low, high = middle - half, middle + half
+    site = part_of(site, _around([[*low, *high]], 0.0))
+    axes = _axes_in(figure, (0, 0, 1, 1), low, high)
     with lettering():
         paint_plan(axes, site, turning_points=False)
         for route in routes:
@@ -386,5 +492,4 @@ def draw_plan(
         write_labels(axes, site, routes, LabelSpace(dpi / (72 * scale)))
         canvas.draw()
     picture = np.asarray(canvas.buffer_rgba())[:height, :width, :3].copy()
-    west, north = float(middle[0] - half[0]), float(middle[1] + half[1])
-    return PlanSheet(picture, scale, west, north)
+    return PlanSheet(picture, scale, float(low[0]), float(high[1]))

@@ -5,12 +5,12 @@ The back ends paint them and nothing else: `axes` on matplotlib's axes, `svg` on
 """
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from shapely import LineString, Polygon, get_coordinates
+from shapely import LineString, Polygon, box, get_coordinates
 
 from memorymaze.sites.records import Landmark, Route, Site
 
@@ -153,6 +153,41 @@ def plan_bounds(site: Site, margin: float) -> tuple[float, float, float, float]:
     west, south = (table[:, :2].min(axis=0) - margin).tolist()
     east, north = (table[:, 2:].max(axis=0) + margin).tolist()
     return west, south, east, north
+
+
+def part_of(site: Site, bounds: tuple[float, float, float, float]) -> Site:
+    """Return a site with only what a part of its plan shows, so that it is named there.
+
+    Args:
+        site: The whole.
+        bounds: West, south, east, north; metres.
+    """
+    sheet = box(*bounds)
+
+    def cut(whole: Polygon) -> Polygon:
+        seen = whole.intersection(sheet)
+        return seen if isinstance(seen, Polygon) else whole
+
+    return replace(
+        site,
+        rooms=tuple(
+            replace(room, polygon=cut(room.polygon))
+            for room in site.rooms
+            if room.polygon.intersection(sheet).area
+        ),
+        areas=tuple(
+            replace(area, polygon=cut(area.polygon))
+            for area in site.areas
+            if area.polygon.intersection(sheet).area
+        ),
+        doors=tuple(door for door in site.doors if door.line.intersects(sheet)),
+        landmarks=tuple(
+            thing for thing in site.landmarks if thing.footprint.intersects(sheet)
+        ),
+        turning_points=tuple(
+            place for place in site.turning_points if place.polygon.intersects(sheet)
+        ),
+    )
 
 
 class ThingInTheWay(NamedTuple):

@@ -21,6 +21,7 @@ from memorymaze.evaluation.agent_catalogue import (
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.episode import EpisodeRun, Watcher, run_episode
 from memorymaze.evaluation.eyes import checked_eyes
+from memorymaze.evaluation.outcomes import outcome_line
 from memorymaze.evaluation.plan import define_run
 from memorymaze.evaluation.settings import AgentSettings, RunSettings
 from memorymaze.evaluation.trace import trace_lines
@@ -114,7 +115,7 @@ def write_navigation(
     Raises:
         RunFolderError: The folder cannot be written.
     """
-    from memorymaze.drawing.plan_picture import draw_site
+    from memorymaze.drawing.plan_picture import draw_walk
 
     content: dict[str, Any] = {
         "site": site.name,
@@ -130,11 +131,14 @@ def write_navigation(
         text = json.dumps(content, ensure_ascii=False) + "\n"
         write_whole(files[0], text.encode("utf-8", "backslashreplace"))
         write_whole(files[1], trace_lines(run.trace))
-        draw_site(
+        draw_walk(
             site,
+            route,
+            run.trajectory,
             files[2],
-            trajectories=[run.trajectory],
-            routes=[route.id],
+            instruction=run.trace[0]["instruction"],
+            outcome=outcome_line(run.result),
+            arrived=run.result.success,
             met=_met_in(run.trace),
         )
     except OSError as error:

@@ -14,12 +14,12 @@ from tqdm import tqdm
 
 from memorymaze.drawing.plan_picture import draw_plan
 from memorymaze.errors import SettingsError
+from memorymaze.evaluation.outcomes import outcome_line, source_line
 from memorymaze.pictures.films.video_file import VideoFile, check_video_path
 from memorymaze.results.replay.page import Page, layout_of
 from memorymaze.results.replay.plan_view import SMOOTHING, PlanView, legend_of
 from memorymaze.results.replay.senses import Eyes, boxes_at, draw_boxes
 from memorymaze.results.story.moments import Moments
-from memorymaze.results.story.outcomes import outcome_line, source_line
 from memorymaze.results.story.recorded_episode import RecordedEpisode
 from memorymaze.simulation import build_scene
 

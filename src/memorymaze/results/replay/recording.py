@@ -16,11 +16,11 @@ from shapely import get_coordinates
 from tqdm import tqdm
 
 from memorymaze.errors import SettingsError
+from memorymaze.evaluation.outcomes import outcome_line, source_line
 from memorymaze.extras import require_extra
 from memorymaze.results.replay.film import SECONDS_BETWEEN_LINES, ReplaySettings
 from memorymaze.results.replay.senses import PICTURE_SIZE, Eyes, Scans
 from memorymaze.results.story.moments import Moment, Moments
-from memorymaze.results.story.outcomes import outcome_line, source_line
 from memorymaze.results.story.recorded_episode import RecordedEpisode
 from memorymaze.simulation import build_scene
 from memorymaze.simulation.motion.wheeled_base import CAMERA_HEIGHT, ROBOT_RADIUS

@@ -12,13 +12,13 @@ import numpy as np
 from shapely import LineString, get_coordinates
 
 from memorymaze.drawing.svg import path_data
+from memorymaze.evaluation.outcomes import ending_words
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.geometry.trajectory import TimedPose, Trajectory
 from memorymaze.instructions.records import WRITTEN_BY, Instruction
 from memorymaze.results.report.pages import safe_name
 from memorymaze.results.report.sources import ReportRun
 from memorymaze.results.story.events import KINDS
-from memorymaze.results.story.outcomes import ending_words
 from memorymaze.results.story.story import Story
 
 OFF_LINE = 0.06

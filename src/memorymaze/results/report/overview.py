@@ -10,12 +10,12 @@ from statistics import fmean
 import numpy as np
 
 from memorymaze.errors import RunFolderError
+from memorymaze.evaluation.outcomes import ENDINGS
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import RunRecord
 from memorymaze.instructions.records import WRITTEN_BY, Failure, Instruction
 from memorymaze.metrics.aggregate import Estimate
 from memorymaze.results.report.sources import ReportRun, Sources
-from memorymaze.results.story.outcomes import ENDINGS
 from memorymaze.results.tables import (
     Comparison,
     MeasuredRun,

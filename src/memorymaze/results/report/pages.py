@@ -12,8 +12,8 @@ from markupsafe import Markup
 
 from memorymaze.drawing.svg import svg_number
 from memorymaze.errors import SettingsError
+from memorymaze.evaluation.outcomes import OUTCOMES, ending_words, outcome_of
 from memorymaze.metrics.aggregate import Estimate
-from memorymaze.results.story.outcomes import OUTCOMES, ending_words, outcome_of
 from memorymaze.results.tables import (
     MEASURES,
     PAPER_MEASURES,

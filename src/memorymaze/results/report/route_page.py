@@ -8,6 +8,7 @@ import numpy as np
 from shapely import LineString, get_coordinates
 
 from memorymaze.drawing.svg import Frame, path_data, plan_frame
+from memorymaze.evaluation.outcomes import Outcome, outcome_of
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.geometry.trajectory import Trajectory
 from memorymaze.results.report.following import (
@@ -19,7 +20,6 @@ from memorymaze.results.report.following import (
     first_wrong,
 )
 from memorymaze.results.report.sources import ReportRun
-from memorymaze.results.story.outcomes import Outcome, outcome_of
 from memorymaze.sites import Route, Site
 
 SIMPLER = 0.12
