@@ -2,6 +2,7 @@
 
 import fcntl
 import os
+import shutil
 from collections.abc import Generator
 from contextlib import contextmanager
 from pathlib import Path
@@ -39,6 +40,59 @@ def write_new(path: str | Path, content: bytes) -> None:
         raise SettingsError(
             f"--out {path}: cannot be written ({error.strerror})"
         ) from None
+
+
+@contextmanager
+def new_folder(path: str | Path, *, replaces: str | None = None) -> Generator[Path]:
+    """Give a folder to fill; it takes its name when it is full, or is never there.
+
+    Args:
+        path: The folder to make.
+        replaces: A file inside by which a folder is known that may be replaced; None
+            where none may be.
+
+    Raises:
+        SettingsError: Something else is there, or it cannot be made.
+    """
+    path = Path(path)
+    check_new_folder(path, replaces=replaces)
+    unfinished = path.with_name(f".{path.name}.{os.getpid()}{UNFINISHED}")
+    try:
+        unfinished.mkdir(parents=True)
+    except OSError as error:
+        raise SettingsError(
+            f"--out {path}: cannot be made ({error.strerror})"
+        ) from None
+    try:
+        yield unfinished
+        if replaces is not None and path.exists():
+            shutil.rmtree(path)
+        unfinished.replace(path)
+    finally:
+        shutil.rmtree(unfinished, ignore_errors=True)
+
+
+def check_new_folder(path: str | Path, *, replaces: str | None = None) -> None:
+    """Refuse a place for a new folder before anything is done for it.
+
+    Raises:
+        SettingsError: Something else is there, see `new_folder`.
+    """
+    path = Path(path)
+    if not path.name:
+        raise SettingsError(f"--out {path}: expected a folder to make, got {path}")
+    try:
+        is_free = not path.exists() or (path.is_dir() and not any(path.iterdir()))
+    except OSError as error:
+        raise SettingsError(
+            f"--out {path}: cannot be looked into ({error.strerror})"
+        ) from None
+    if is_free or (replaces is not None and (path / replaces).is_file()):
+        return
+    what = "" if replaces is None else f" and is no folder with {replaces}"
+    raise SettingsError(
+        f"--out {path}: exists already{what}; choose another name, or delete it"
+    )
 
 
 def remove_leftovers(folder: Path) -> None:

@@ -22,6 +22,11 @@ def add_parser(verbs: Verbs) -> None:
         "--out", metavar="DIR", required=True, help="folder to make; not there yet"
     )
     parser.add_argument(
+        "--overwrite",
+        action="store_true",
+        help="replace the report that is there, once the new one is whole",
+    )
+    parser.add_argument(
         "--instructions",
         metavar="FILE",
         nargs="+",
@@ -50,8 +55,9 @@ def _run(options: argparse.Namespace) -> int:
     from tqdm import tqdm
 
     from memorymaze.errors import SettingsError
-    from memorymaze.results.report import read_sources, write_report
+    from memorymaze.results.report import check_out, read_sources, write_report
 
+    check_out(options.out, overwrite=options.overwrite)
     if options.sail is not None and (options.instructions or options.sites):
         raise SettingsError(
             "--sail: has its own instructions and sites; leave out --instructions and "
@@ -70,7 +76,9 @@ def _run(options: argparse.Namespace) -> int:
             bar.total = total
             bar.update(done - bar.n)
 
-        notes = write_report(sources, options.out, progress=show)
+        notes = write_report(
+            sources, options.out, overwrite=options.overwrite, progress=show
+        )
     for note in notes:
         print(f"memorymaze: note: {note}", file=sys.stderr)
     print(f"{options.out}/index.html")

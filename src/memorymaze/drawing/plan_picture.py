@@ -39,7 +39,7 @@ from memorymaze.drawing.shapes import (
 from memorymaze.errors import SettingsError
 from memorymaze.geometry.trajectory import Trajectory
 from memorymaze.sites.records import Route, Site
-from memorymaze.wording import counted
+from memorymaze.wording import counted, single_spaced
 
 DRAWING_SUFFIXES = (".png", ".svg", ".pdf")
 MARGIN = 2.0
@@ -160,7 +160,7 @@ def draw_walk(
     shown = _around(bounds, AROUND)
     head = [
         HeadLine(f"{site.title} · {route.id}", 13),
-        HeadLine(f"“{' '.join(instruction.split())}”", 10.5),
+        HeadLine(f"“{single_spaced(instruction)}”", 10.5),
         HeadLine(outcome, 10.5, ARRIVED_COLOR if arrived else FAILED_COLOR),
     ]
     _write(path, part_of(site, shown), shown, head, [route], [points], met)

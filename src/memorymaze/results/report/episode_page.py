@@ -20,6 +20,7 @@ from memorymaze.results.report.pages import safe_name
 from memorymaze.results.report.sources import ReportRun
 from memorymaze.results.story.events import KINDS
 from memorymaze.results.story.story import Story
+from memorymaze.wording import counted, single_spaced
 
 OFF_LINE = 0.06
 """Metres by which a pose may be off the straight way between those that are kept."""
@@ -66,7 +67,7 @@ class RunInEpisode:
             f"Walk of {self.run.title}: {result.path_length:.1f} m in "
             f"{result.duration_s:.0f} s, {ending_words(result)}, "
             f"{result.spd:.1f} m walk from the goal; {result.turns_in_order:.0%} of the "
-            f"turns in order, {result.collisions} collisions."
+            f"turns in order, {counted(result.collisions, 'collision')}."
         )
 
     @property
@@ -113,10 +114,10 @@ class EpisodeRow:
 def told_text(instruction: Instruction | None, runs: Sequence[RunInEpisode]) -> str:
     """Return the instruction's text, from its file or else from a trace."""
     if instruction is not None:
-        return instruction.text
+        return single_spaced(instruction.text)
     for each in runs:
         if each.story is not None and each.story.instruction is not None:
-            return each.story.instruction
+            return single_spaced(each.story.instruction)
     return "(neither the instruction's file nor a trace could be read)"
 
 

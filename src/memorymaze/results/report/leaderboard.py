@@ -6,6 +6,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any, get_args
 
+from memorymaze.durable_files import new_folder
 from memorymaze.errors import MemoryMazeError, SettingsError
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.instructions import Corpus, load_corpus
@@ -114,7 +115,11 @@ def write_leaderboard(board: Leaderboard, folder: str | Path) -> None:
     Raises:
         SettingsError: The folder is not empty, or cannot be made.
     """
-    pages = Pages(folder)
+    with new_folder(folder) as unfinished:
+        _write(board, Pages(unfinished))
+
+
+def _write(board: Leaderboard, pages: Pages) -> None:
     pages.copy_static("report.css", "tables.js")
     everything = [r for each in board.standing for r in each.submission.results]
     written = [

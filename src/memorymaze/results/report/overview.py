@@ -27,6 +27,7 @@ from memorymaze.results.tables import (
     group_title,
     table_rows,
 )
+from memorymaze.wording import counted
 
 BARS = 20
 """Of a distribution, about."""
@@ -116,8 +117,7 @@ def written_by(sources: Sources) -> list[str]:
     }
     counts = Counter(texts.values())
     return [
-        f"{count} instruction{'' if count == 1 else 's'} written by "
-        f"{WRITTEN_BY[source]}"
+        f"{counted(count, 'instruction')} written by {WRITTEN_BY[source]}"
         for source, count in sorted(counts.items())
     ]
 

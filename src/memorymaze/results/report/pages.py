@@ -11,7 +11,6 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
 from memorymaze.drawing.svg import svg_number
-from memorymaze.errors import SettingsError
 from memorymaze.evaluation.outcomes import OUTCOMES, ending_words, outcome_of
 from memorymaze.metrics.aggregate import Estimate
 from memorymaze.results.tables import (
@@ -23,6 +22,7 @@ from memorymaze.results.tables import (
 )
 from memorymaze.results.tables.comparison import p_cell
 from memorymaze.results.tables.measures import estimate_cell
+from memorymaze.wording import counted
 
 ROOM = "memorymaze.results.report"
 
@@ -34,6 +34,9 @@ POLICY = (
 LONGEST_NAME = 80
 """Characters of an id that a name keeps."""
 
+UNPRINTABLE = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f]")
+"""Characters that HTML does not allow."""
+
 RESERVED = frozenset(
     {"con", "prn", "aux", "nul"}
     | {f"{port}{number}" for port in ("com", "lpt") for number in range(10)}
@@ -44,27 +47,11 @@ ERROR_TITLES = {"none": "no error", "any": "any error"}
 
 
 class Pages:
-    """A folder that becomes a site of static pages."""
+    """Writes static pages into a folder that is there."""
 
-    def __init__(self, folder: str | Path) -> None:
-        """Make the folder.
-
-        Raises:
-            SettingsError: It exists already and is not empty, or cannot be made.
-        """
-        self.folder = Path(folder)
-        try:
-            if self.folder.exists() and (
-                not self.folder.is_dir() or any(self.folder.iterdir())
-            ):
-                raise SettingsError(
-                    f"--out {folder}: exists already; choose another name, or delete it"
-                )
-            self.folder.mkdir(parents=True, exist_ok=True)
-        except OSError as error:
-            raise SettingsError(
-                f"--out {folder}: cannot be made ({error.strerror})"
-            ) from None
+    def __init__(self, folder: Path) -> None:
+        """Prepare the templates."""
+        self.folder = folder
         self._templates = Environment(
             loader=PackageLoader(ROOM),
             autoescape=True,
@@ -84,6 +71,7 @@ class Pages:
         }
         self._templates.globals.update(words)
         self._templates.filters.update({
+            "counted": counted,
             "difference": _difference,
             "file": safe_name,
             "kind": error_title,
@@ -111,10 +99,10 @@ class Pages:
         self.write_text(path, text)
 
     def write_text(self, path: str, text: str) -> None:
-        """Write a file; characters that UTF-8 does not know become `?`."""
+        """Write a file; characters that no page can have become `?`."""
         file = self.folder / path
         file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_bytes(text.encode("utf-8", "replace"))
+        file.write_bytes(UNPRINTABLE.sub("?", text).encode("utf-8", "replace"))
 
     def copy_static(self, *names: str) -> None:
         """Copy style and scripts from the package."""

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from memorymaze.drawing.svg import Frame, path_data, plan_frame, svg_plan
+from memorymaze.durable_files import check_new_folder, new_folder
 from memorymaze.errors import RunFolderError
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.trace import read_trace, trace_path
@@ -39,31 +40,46 @@ from memorymaze.results.story.story import Story, story_of
 from memorymaze.results.tables import Place, run_notes
 from memorymaze.sites import Route, Site
 
+MARK = "static/replay.js"
+"""A file by which a folder is known to be a report."""
+
 
 def write_report(
     sources: Sources,
     folder: str | Path,
     *,
+    overwrite: bool = False,
     progress: Callable[[int, int], None] | None = None,
 ) -> list[str]:
     """Write a report as a site of static pages; `index.html` is where it begins.
 
     Equal runs, instructions and plans give equal files. A trace that cannot be read
-    costs its own walk only, and its page says so.
+    costs its own walk only, and its page says so. The folder is there when the report
+    is whole, or as it was before.
 
     Args:
         sources: What it tells of.
         folder: Made; must not hold anything yet.
+        overwrite: Whether a report that is there is replaced.
         progress: Told how many episodes of how many are done.
 
     Returns:
         What readers should know: files not found, traces that cannot be read.
 
     Raises:
-        SettingsError: The folder is not empty, or cannot be made.
+        SettingsError: The folder holds something else, or cannot be made.
     """
-    pages = Pages(folder)
-    return _Report(sources, pages).write(progress)
+    with new_folder(folder, replaces=MARK if overwrite else None) as unfinished:
+        return _Report(sources, Pages(unfinished)).write(progress)
+
+
+def check_out(folder: str | Path, *, overwrite: bool = False) -> None:
+    """Refuse a place for a report before anything is read for it.
+
+    Raises:
+        SettingsError: It holds something else.
+    """
+    check_new_folder(folder, replaces=MARK if overwrite else None)
 
 
 class _Report:

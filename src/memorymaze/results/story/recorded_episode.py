@@ -16,6 +16,7 @@ from memorymaze.sites import (
     load_site,
     load_sites,
 )
+from memorymaze.wording import single_spaced
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -35,7 +36,7 @@ class RecordedEpisode:
     @property
     def instruction(self) -> str:
         """What the agent was told."""
-        return self.story.instruction or ""
+        return single_spaced(self.story.instruction or "")
 
 
 def load_episode(

@@ -15,6 +15,7 @@ from memorymaze.results.story.events import Event, events_of, news
 from memorymaze.results.story.understanding import CurrentStep, step_of, understood
 from memorymaze.simulation import SimulatedRobot
 from memorymaze.sites import Route, Site
+from memorymaze.wording import single_spaced
 
 DEFAULT_PACE = 10.0
 """Simulated seconds per second: a walk of minutes is over before one looks away."""
@@ -224,6 +225,7 @@ def watching(
     """
     if pace is not None:
         check_pace(pace)
+    text = single_spaced(text)
     shown_pace = DEFAULT_PACE if pace is None else pace
     if kind == "browser":
         from memorymaze.results.watching.browser import BrowserView
