@@ -1,3 +1,4 @@
+import shutil
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -22,23 +23,19 @@ def run_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture
-def given(run_folder: Path, tiny_sites_folder: Path) -> list[str | Path]:
-    """Run, episode and the folder of its plans."""
-    return [run_folder, "p4-2", "--sites", tiny_sites_folder]
+def given(run_folder: Path, tmp_path: Path) -> list[str | Path]:
+    """Run and episode; nothing else is in the folder that commands run in."""
+    return [shutil.copytree(run_folder, tmp_path / "runs" / "one"), "p4-2"]
 
 
-def test_the_video_is_where_it_says(
-    memorymaze: Memorymaze,
-    given: list[str | Path],
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
+def test_a_video_is_kept_in_its_run(
+    memorymaze: Memorymaze, given: list[str | Path]
 ) -> None:
-    monkeypatch.chdir(tmp_path)
+    video = Path(given[0], "replays", "p4-2.mp4")
     said = memorymaze("replay", *given, *SMALL)
     assert said.code == 0, said.err
-    assert said.out.startswith("replay-p4-2.mp4: ")
-    assert [each.name for each in tmp_path.iterdir()] == ["replay-p4-2.mp4"]
-    assert b"ftyp" in (tmp_path / "replay-p4-2.mp4").read_bytes()[:16]
+    assert said.out.startswith(f"{video}: ")
+    assert b"ftyp" in video.read_bytes()[:16]
 
 
 def test_a_recording_is_written_instead_of_the_video(
@@ -50,7 +47,11 @@ def test_a_recording_is_written_instead_of_the_video(
     monkeypatch.chdir(tmp_path)
     said = memorymaze("replay", *given, *SMALL, "--rerun", "walk.rrd")
     assert (said.code, said.out) == (0, "walk.rrd\n"), said.err
-    assert [each.name for each in tmp_path.iterdir()] == ["walk.rrd"]
+    assert {each.name for each in tmp_path.iterdir()} == {"runs", "walk.rrd"}
+    said = memorymaze("replay", *given, *SMALL, "--rerun")
+    kept = Path(given[0], "replays")
+    assert (said.code, said.out) == (0, f"{kept / 'p4-2.rrd'}\n"), said.err
+    assert [each.name for each in kept.iterdir()] == ["p4-2.rrd"]
 
 
 @pytest.mark.parametrize(
@@ -63,7 +64,6 @@ def test_a_recording_is_written_instead_of_the_video(
         pytest.param(["--out", "a.avi"], "*.mp4", id="kind"),
         pytest.param(["--out", "x/a.mp4"], "make ", id="folder"),
         pytest.param(["--rerun", "a.mp4"], "*.rrd", id="recording"),
-        pytest.param(["--sites", "x"], "no such folder", id="sites"),
     ],
 )
 def test_wrong_input_gives_one_message_and_no_file(
@@ -76,10 +76,11 @@ def test_wrong_input_gives_one_message_and_no_file(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     done = memorymaze("replay", *given, *arguments)
-    assert (done.code, done.out) == (1 if "--sites" in arguments else 2, "")
+    assert (done.code, done.out) == (2, "")
     assert said in done.err
     assert "Traceback" not in done.err
-    assert not any(tmp_path.iterdir())
+    assert [each.name for each in tmp_path.iterdir()] == ["runs"]
+    assert not Path(given[0], "replays").exists()
 
 
 def test_a_wrong_episode_is_wrong_usage(

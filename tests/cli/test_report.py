@@ -16,14 +16,16 @@ def run(memorymaze: Callable[..., Any], tiny_files: list[str], tmp_path: Path) -
 
 
 def test_report_names_the_page_to_open(
-    memorymaze: Callable[..., Any], tiny_files: list[str], run: Path, tmp_path: Path
+    memorymaze: Callable[..., Any], run: Path, tmp_path: Path
 ) -> None:
-    said = memorymaze("report", run, "--out", tmp_path / "out", *tiny_files)
+    said = memorymaze("report", run, "--out", tmp_path / "out")
     assert (said.code, said.out) == (0, f"{tmp_path / 'out'}/index.html\n")
     assert (tmp_path / "out" / "index.html").is_file()
-    again = memorymaze("report", run, "--out", tmp_path / "out", *tiny_files)
+    again = memorymaze("report", run, "--out", tmp_path / "out")
     assert again.code == 2
     assert "exists already" in again.err
+    again = memorymaze("report", run, "--out", tmp_path / "out", "--overwrite")
+    assert again.code == 0
 
 
 def test_leaderboard_says_who_was_refused_and_why(

@@ -52,7 +52,14 @@ def _run(folder: Path, **settings: Any) -> Path:
     )
     code = CodeStamp(version="0", sha256="0", commit=None, python="3", packages={})
     record = RunRecord(plan.settings, code, "2026-01-01T00:00:00+00:00")
-    with open_run_folder(folder, record, resume=False) as run:
+    told = {each.instruction.id: each.instruction for each in plan.episodes}
+    with open_run_folder(
+        folder,
+        record,
+        resume=False,
+        sites=plan.sites.values(),
+        instructions=told.values(),
+    ) as run:
         for episode in plan.episodes:
             site = plan.sites[episode.instruction.site]
             arena = Arena(site, plan.settings.obstacles)
@@ -81,13 +88,13 @@ def crowded_run(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture(scope="session")
 def episode(tiny_run: Path) -> RecordedEpisode:
     """The first episode of the run."""
-    return load_episode(tiny_run, episode_ids(tiny_run)[0], SITES)
+    return load_episode(tiny_run, episode_ids(tiny_run)[0])
 
 
 @pytest.fixture(scope="session")
 def crowded_episode(crowded_run: Path) -> RecordedEpisode:
     """The first episode of the run with people."""
-    return load_episode(crowded_run, episode_ids(crowded_run)[0], SITES)
+    return load_episode(crowded_run, episode_ids(crowded_run)[0])
 
 
 def episode_ids(run: Path) -> list[str]:

@@ -2,6 +2,7 @@
 
 import argparse
 import re
+from pathlib import Path
 from urllib.parse import quote
 
 from memorymaze.cli.verbs import Verbs
@@ -23,13 +24,16 @@ def add_parser(verbs: Verbs) -> None:
         "episode", metavar="EPISODE", help="id of an episode, as episodes.jsonl has it"
     )
     parser.add_argument(
-        "--out", metavar="FILE", help="video (default: replay-EPISODE.mp4)"
+        "--out", metavar="FILE", help="video (default: RUN/replays/EPISODE.mp4)"
     )
     parser.add_argument(
         "--rerun",
         metavar="FILE.rrd",
-        help="write a recording for the Rerun viewer instead of a video, or beside "
-        "the one that --out names; needs the extra [rerun]",
+        nargs="?",
+        const="",
+        help="write a recording for the Rerun viewer (default: "
+        "RUN/replays/EPISODE.rrd) instead of a video, or beside the one that --out "
+        "names; needs the extra [rerun]",
     )
     parser.add_argument(
         "--speed",
@@ -53,16 +57,13 @@ def add_parser(verbs: Verbs) -> None:
         action="store_true",
         help="leave out what the robot saw, which takes most of the time",
     )
-    parser.add_argument(
-        "--sites",
-        metavar="DIR",
-        help="folder of the run's site plans (default: the shipped ones)",
-    )
     parser.set_defaults(run=_run)
 
 
 def _run(options: argparse.Namespace) -> int:
-    from memorymaze.results.replay.film import ReplaySettings
+    from memorymaze.pictures.films.video_file import check_video_path
+    from memorymaze.results.replay.film import ReplaySettings, film_replay
+    from memorymaze.results.replay.recording import check_recording_path, record_replay
     from memorymaze.results.story import load_episode
 
     settings = ReplaySettings(
@@ -73,24 +74,26 @@ def _run(options: argparse.Namespace) -> int:
     )
     # An id may hold anything, also `../../x`.
     name = quote(options.episode, safe="")[:100]
-    video = options.out or (None if options.rerun else f"replay-{name}.mp4")
+    folder = Path(options.run_folder, "replays")
+    recording = options.rerun
+    if recording == "":
+        recording = str(folder / f"{name}.rrd")
+    video = options.out
+    if video is None and recording is None:
+        video = str(folder / f"{name}.mp4")
+    episode = load_episode(options.run_folder, options.episode)
+    if any(
+        file is not None and Path(file).parent == folder for file in (video, recording)
+    ):
+        folder.mkdir(exist_ok=True)
     if video is not None:
-        from memorymaze.pictures.films.video_file import check_video_path
-
         check_video_path(video)
-    if options.rerun is not None:
-        from memorymaze.results.replay.recording import check_recording_path
-
-        check_recording_path(options.rerun)
-    episode = load_episode(options.run_folder, options.episode, options.sites)
-    if options.rerun is not None:
-        from memorymaze.results.replay.recording import record_replay
-
-        record_replay(episode, options.rerun, settings, progress=True)
-        print(options.rerun)
+    if recording is not None:
+        check_recording_path(recording)
+    if recording is not None:
+        record_replay(episode, recording, settings, progress=True)
+        print(recording)
     if video is not None:
-        from memorymaze.results.replay.film import film_replay
-
         count = film_replay(episode, video, settings, progress=True)
         print(f"{video}: {count / settings.fps:.0f} s, {count} frames")
     return 0

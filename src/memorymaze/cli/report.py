@@ -27,23 +27,6 @@ def add_parser(verbs: Verbs) -> None:
         help="replace the report that is there, once the new one is whole",
     )
     parser.add_argument(
-        "--instructions",
-        metavar="FILE",
-        nargs="+",
-        default=[],
-        help="instruction files of the runs (the shipped ones are found by themselves)",
-    )
-    parser.add_argument(
-        "--sites",
-        metavar="DIR",
-        help="site plans of the runs (default: the three shipped ones)",
-    )
-    parser.add_argument(
-        "--sail",
-        metavar="DIR",
-        help="the SAIL corpus, for runs made with --sail; in place of the two above",
-    )
-    parser.add_argument(
         "--exclude-dev",
         action="store_true",
         help="leave out the instructions that prompts may be built from (split dev)",
@@ -54,22 +37,10 @@ def add_parser(verbs: Verbs) -> None:
 def _run(options: argparse.Namespace) -> int:
     from tqdm import tqdm
 
-    from memorymaze.errors import SettingsError
     from memorymaze.results.report import check_out, read_sources, write_report
 
     check_out(options.out, overwrite=options.overwrite)
-    if options.sail is not None and (options.instructions or options.sites):
-        raise SettingsError(
-            "--sail: has its own instructions and sites; leave out --instructions and "
-            "--sites"
-        )
-    sources = read_sources(
-        options.runs,
-        instruction_files=options.instructions,
-        sites_folder=options.sites,
-        sail_folder=options.sail,
-        exclude_dev=options.exclude_dev,
-    )
+    sources = read_sources(options.runs, exclude_dev=options.exclude_dev)
     with tqdm(unit="episode", disable=not sys.stderr.isatty()) as bar:
 
         def show(done: int, total: int) -> None:

@@ -169,7 +169,7 @@ def read_plans(path: str | Path) -> dict[str, Site]:
     if not files:
         raise RunFolderError(
             f"{path}: expected a run that keeps its plans, got none in plans/; it was "
-            "made by an older version, so name the folder of its plans with --sites"
+            "made by an older version of memorymaze, so run it again"
         )
     sites: dict[str, Site] = {}
     for file in files:
@@ -195,7 +195,7 @@ def read_instructions(path: str | Path) -> list[Instruction]:
     if not file.is_file():
         raise RunFolderError(
             f"{path}: expected a run that keeps its instructions, got no {INSTRUCTIONS};"
-            " it was made by an older version, so name them with --instructions"
+            " it was made by an older version of memorymaze, so run it again"
         )
     try:
         return [_INSTRUCTION.validate_json(line) for line in _lines(_unpacked(file))]

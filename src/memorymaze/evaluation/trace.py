@@ -4,6 +4,7 @@ import gzip
 import hashlib
 import json
 import math
+import zlib
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import fields, is_dataclass
 from pathlib import Path
@@ -72,7 +73,7 @@ def read_trace(folder: Path, episode_id: str) -> Iterator[dict[str, Any]]:
         raise RunFolderError(
             f"{path}: expected the trace of episode {episode_id!r}, got no such file"
         ) from None
-    except (OSError, EOFError, ValueError) as error:
+    except (OSError, EOFError, ValueError, RecursionError, zlib.error) as error:
         raise RunFolderError(f"{path}: the trace is damaged ({error})") from None
 
 

@@ -79,8 +79,7 @@ def make_run(folder: Path, agent: str, instructions: Path = TINY_INSTRUCTIONS) -
 
 def make_report(out: Path, *runs: Path, **options: Any) -> list[str]:
     """Write the report on some runs."""
-    options = {"instruction_files": [TINY_INSTRUCTIONS]} | options
-    return write_report(read_sources(runs, sites_folder=TINY_SITES, **options), out)
+    return write_report(read_sources(runs), out, **options)
 
 
 @pytest.fixture(scope="session")
@@ -128,7 +127,7 @@ def hostile_report(tmp_path_factory: pytest.TempPathFactory) -> Path:
     instructions.write_text(json.dumps(told) + "\n", encoding="utf-8")
     (folder / "agent.py").write_text(AGENT.format(hostile=HOSTILE), encoding="utf-8")
     run = make_run(folder / "run", f"{folder / 'agent.py'}:Hostile", instructions)
-    make_report(folder / "out", run, instruction_files=[instructions])
+    make_report(folder / "out", run)
     return folder / "out"
 
 

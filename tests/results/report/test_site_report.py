@@ -1,3 +1,4 @@
+import gzip
 import re
 import shutil
 from collections.abc import Callable
@@ -9,10 +10,6 @@ import pytest
 from memorymaze.errors import RunFolderError, SettingsError
 from memorymaze.evaluation.trace import trace_path
 from memorymaze.results.report import read_sources
-
-TESTS = Path(__file__).parents[2]
-TINY_SITES = TESTS / "tiny_sites"
-TINY_INSTRUCTIONS = TESTS / "tiny_instructions.jsonl"
 
 Reported = Callable[..., list[str]]
 
@@ -95,17 +92,53 @@ def test_a_trace_that_cannot_be_read_costs_its_own_walk_only(
     assert all("trace cannot be read" not in text for text in pages.values())
 
 
-def test_instructions_that_were_not_found_are_taken_from_the_traces(
+def test_instructions_with_another_text_are_told(
     runs: dict[str, Path], reported: Reported, tmp_path: Path
 ) -> None:
-    [note] = reported(tmp_path / "out", runs["stop"], instruction_files=[])
-    assert "tiny_instructions.jsonl" in note
-    assert "--instructions" in note
-    page = next((tmp_path / "out/episodes").iterdir()).read_text(encoding="utf-8")
-    assert "nothing is known of errors" in page
-    assert "could be read" not in page
-    errors = (tmp_path / "out/errors.html").read_text(encoding="utf-8")
-    assert "nothing is known of errors" in errors
+    run = shutil.copytree(runs["stop"], tmp_path / "other")
+    file = run / "instructions.jsonl.gz"
+    content = gzip.decompress(file.read_bytes()).replace(b'"text":"', b'"text":"Oh: ')
+    file.write_bytes(gzip.compress(content))
+    [note] = reported(tmp_path / "out", runs["stop"], run)
+    assert "of run B had another text" in note
+
+
+def test_a_report_is_replaced_only_on_request(
+    runs: dict[str, Path], reported: Reported, tmp_path: Path
+) -> None:
+    out = tmp_path / "out"
+    reported(out, runs["stop"])
+    (out / "old.txt").write_text("old", encoding="utf-8")
+    with pytest.raises(SettingsError, match="exists already"):
+        reported(out, runs["stop"])
+    assert (out / "old.txt").exists()
+    reported(out, runs["stop"], overwrite=True)
+    assert (out / "index.html").exists()
+    assert not (out / "old.txt").exists()
+
+
+def test_what_is_no_report_is_never_replaced(
+    runs: dict[str, Path], reported: Reported, tmp_path: Path
+) -> None:
+    (tmp_path / "mine.txt").write_text("keep", encoding="utf-8")
+    with pytest.raises(SettingsError, match="is no folder with static"):
+        reported(tmp_path, runs["stop"], overwrite=True)
+    with pytest.raises(SettingsError, match="expected a folder to make"):
+        reported(Path(), runs["stop"], overwrite=True)
+    assert [file.name for file in tmp_path.iterdir()] == ["mine.txt"]
+
+
+def test_a_report_that_fails_leaves_nothing_behind(
+    runs: dict[str, Path], reported: Reported, tmp_path: Path
+) -> None:
+    def stop(done: int, total: int) -> None:
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        reported(tmp_path / "out", runs["stop"], progress=stop)
+    assert list(tmp_path.iterdir()) == []
+    reported(tmp_path / "out", runs["stop"])
+    assert [file.name for file in tmp_path.iterdir()] == ["out"]
 
 
 def test_a_folder_with_something_in_it_is_left_alone(
@@ -124,10 +157,11 @@ def test_what_cannot_be_reported_on_is_named(
     with pytest.raises(RunFolderError, match="no such folder"):
         read_sources([tmp_path / "none"])
     with pytest.raises(SettingsError, match="once, got it twice"):
-        read_sources([stop, stop], sites_folder=TINY_SITES)
-    with pytest.raises(SettingsError, match="expected its plan among"):
-        read_sources([stop])
-    other = tmp_path / "other.jsonl"
-    other.write_bytes(TINY_INSTRUCTIONS.read_bytes() + b"\n")
-    with pytest.raises(SettingsError, match="with another content"):
-        read_sources([stop], instruction_files=[other], sites_folder=TINY_SITES)
+        read_sources([stop, stop])
+    run = shutil.copytree(stop, tmp_path / "run")
+    (run / "instructions.jsonl.gz").unlink()
+    with pytest.raises(RunFolderError, match="keeps its instructions"):
+        read_sources([run])
+    shutil.rmtree(run / "plans")
+    with pytest.raises(RunFolderError, match="keeps its plans"):
+        read_sources([run])

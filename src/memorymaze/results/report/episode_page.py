@@ -4,7 +4,7 @@ import json
 import math
 import re
 from bisect import bisect_right
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import chain
 
@@ -20,7 +20,7 @@ from memorymaze.results.report.pages import safe_name
 from memorymaze.results.report.sources import ReportRun
 from memorymaze.results.story.events import KINDS
 from memorymaze.results.story.story import Story
-from memorymaze.wording import counted, single_spaced
+from memorymaze.wording import counted
 
 OFF_LINE = 0.06
 """Metres by which a pose may be off the straight way between those that are kept."""
@@ -83,9 +83,7 @@ class EpisodeView:
     episode_id: str
     first: EpisodeResult
     """Of any run; what belongs to the instruction is the same in all."""
-    instruction: Instruction | None
-    """None where its file was not found."""
-    text: str
+    instruction: Instruction
     runs: tuple[RunInEpisode, ...]
 
     @property
@@ -105,20 +103,10 @@ class EpisodeRow:
 
     episode_id: str
     first: EpisodeResult
-    failures: tuple[str, ...] | None
-    """Kinds of errors; None where the instruction's file was not found."""
+    failures: tuple[str, ...]
+    """Kinds of errors in the instruction."""
     results: tuple[EpisodeResult | None, ...]
     """One per run of the report."""
-
-
-def told_text(instruction: Instruction | None, runs: Sequence[RunInEpisode]) -> str:
-    """Return the instruction's text, from its file or else from a trace."""
-    if instruction is not None:
-        return single_spaced(instruction.text)
-    for each in runs:
-        if each.story is not None and each.story.instruction is not None:
-            return single_spaced(each.story.instruction)
-    return "(neither the instruction's file nor a trace could be read)"
 
 
 def story_record(story: Story) -> str:

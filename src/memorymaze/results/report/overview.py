@@ -225,22 +225,14 @@ class ErrorKind:
 def error_kinds(
     runs: Sequence[ReportRun], instructions: Mapping[str, Instruction]
 ) -> list[ErrorKind]:
-    """Return results by kind of error: without, with any, then the commonest first.
-
-    Only episodes whose instruction file was found count.
-    """
+    """Return results by kind of error: without, with any, then the commonest first."""
     results: list[dict[str, list[EpisodeResult]]] = []
     for run in runs:
         by_instruction: dict[str, list[EpisodeResult]] = {}
         for each in run.measured.results:
             by_instruction.setdefault(each.instruction_id, []).append(each)
         results.append(by_instruction)
-    followed = sorted({
-        each.instruction_id
-        for run in runs
-        for each in run.measured.results
-        if each.instruction_id in instructions
-    })
+    followed = sorted(set[str]().union(*results))
     groups: dict[str, list[Instruction]] = {NO_ERROR: [], ANY_ERROR: []}
     for name in followed:
         told = instructions[name]

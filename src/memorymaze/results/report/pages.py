@@ -2,7 +2,7 @@
 
 import hashlib
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
@@ -22,7 +22,7 @@ from memorymaze.results.tables import (
 )
 from memorymaze.results.tables.comparison import p_cell
 from memorymaze.results.tables.measures import estimate_cell
-from memorymaze.wording import counted
+from memorymaze.wording import counted, single_spaced
 
 ROOM = "memorymaze.results.report"
 
@@ -70,16 +70,18 @@ class Pages:
             "route_page": route_page,
         }
         self._templates.globals.update(words)
-        self._templates.filters.update({
+        filters: dict[str, Callable[..., Any]] = {
             "counted": counted,
             "difference": _difference,
             "file": safe_name,
             "kind": error_title,
             "number": svg_number,
             "p": p_cell,
+            "spaced": single_spaced,
             "study": study_title,
             "value": _estimate,
-        })
+        }
+        self._templates.filters.update(filters)
 
     def write(
         self, path: str, template: str, view: Mapping[str, Any], *, title: str

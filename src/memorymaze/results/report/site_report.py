@@ -9,13 +9,11 @@ from memorymaze.drawing.svg import Frame, path_data, plan_frame, svg_plan
 from memorymaze.durable_files import check_new_folder, new_folder
 from memorymaze.errors import RunFolderError
 from memorymaze.evaluation.results import EpisodeResult
-from memorymaze.evaluation.trace import read_trace, trace_path
 from memorymaze.results.report.episode_page import (
     EpisodeRow,
     EpisodeView,
     RunInEpisode,
     story_record,
-    told_text,
 )
 from memorymaze.results.report.following import follow
 from memorymaze.results.report.overview import (
@@ -36,7 +34,8 @@ from memorymaze.results.report.route_page import (
     simplified,
 )
 from memorymaze.results.report.sources import Sources
-from memorymaze.results.story.story import Story, story_of
+from memorymaze.results.story.recorded_episode import read_story
+from memorymaze.results.story.story import Story
 from memorymaze.results.tables import Place, run_notes
 from memorymaze.sites import Route, Site
 
@@ -136,7 +135,7 @@ class _Report:
         first = runs[0].result
         place = Place(first.site, first.route)
         site = self._sources.sites[first.site]
-        told = self._sources.instructions.get(first.instruction_id)
+        told = self._sources.instructions[first.instruction_id]
         route = site.route(first.reference_route)
         walks = self._walks.setdefault(place, [[] for _ in self._runs])
         for each in runs:
@@ -152,13 +151,12 @@ class _Report:
                     "(window.replayData = window.replayData || {})["
                     f'"{each.number}"] = {story_record(each.story)};\n',
                 )
-        view = EpisodeView(episode, first, told, told_text(told, runs), tuple(runs))
-        failures = None if told is None else tuple(f.kind for f in told.failures)
+        view = EpisodeView(episode, first, told, tuple(runs))
         self._rows.setdefault(place, []).append(
             EpisodeRow(
                 episode,
                 first,
-                failures,
+                tuple(failure.kind for failure in told.failures),
                 tuple(by_id.get(episode) for by_id in self._by_id),
             )
         )
@@ -180,8 +178,7 @@ class _Report:
         story: Story | None = None
         problem: str | None = None
         try:
-            place = str(trace_path(run.folder, result.episode_id))
-            story = story_of(read_trace(run.folder, result.episode_id), place)
+            story = read_story(run.folder, result.episode_id)
         except RunFolderError as error:
             problem = str(error)
             self._problems.append(problem)
@@ -258,7 +255,6 @@ class _Report:
             "errors.html",
             "Errors in instructions",
             kinds=error_kinds(self._runs, self._sources.instructions),
-            warnings=self._sources.notes,
         )
         self._page(
             "episodes.html",

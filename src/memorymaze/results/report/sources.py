@@ -1,17 +1,17 @@
 """What a report is made from: runs, the instructions they followed, the plans."""
 
 import string
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from memorymaze.errors import SettingsError
-from memorymaze.evaluation.settings import FileStamp, stamp_file
-from memorymaze.instructions import load_corpus
-from memorymaze.instructions.files import BUILTIN_CORPUS, load_instructions
+from memorymaze.errors import RunFolderError, SettingsError
+from memorymaze.evaluation.run_folder import read_instructions, read_plans
 from memorymaze.instructions.records import Instruction
+from memorymaze.results.story.recorded_episode import site_of
 from memorymaze.results.tables import MeasuredRun, load_runs
-from memorymaze.sites import Site, load_sites
+from memorymaze.sites import Site
+from memorymaze.wording import counted
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,33 +36,25 @@ class Sources:
     runs: tuple[ReportRun, ...]
     sites: dict[str, Site]
     instructions: dict[str, Instruction]
-    """By id; none of files that were not found."""
+    """By id."""
     notes: tuple[str, ...]
-    """What could not be found, and what has changed since the runs."""
+    """What readers should know."""
 
 
 def read_sources(
-    folders: Sequence[str | Path],
-    *,
-    instruction_files: Sequence[str | Path] = (),
-    sites_folder: str | Path | None = None,
-    sail_folder: str | Path | None = None,
-    exclude_dev: bool = False,
+    folders: Sequence[str | Path], *, exclude_dev: bool = False
 ) -> Sources:
-    """Read runs with the instructions and plans that they name.
+    """Read runs with the instructions and plans that they keep.
 
     Args:
         folders: Run folders, at least one.
-        instruction_files: Where instructions are looked for besides the shipped ones;
-            a file belongs to a run when its fingerprint stands in `run.json`.
-        sites_folder: Plans of the runs' sites; None for the shipped ones.
-        sail_folder: The SAIL corpus, for runs on it; it has sites and instructions.
         exclude_dev: Whether to leave out instructions that prompts may be built from.
 
     Raises:
-        RunFolderError: A folder is no run, or has no result to show.
-        SettingsError: A file belongs to no run, a site has no plan or another one.
-        MemoryMazeError: A file cannot be used.
+        RunFolderError: A folder is no run, has no result to show, or does not keep what
+            it was made with.
+        SettingsError: A folder is named twice.
+        SitePlanError: A plan cannot be used.
     """
     _check_names(folders)
     runs = tuple(
@@ -71,15 +63,40 @@ def read_sources(
             zip(folders, load_runs(folders, exclude_dev=exclude_dev), strict=True)
         )
     )
-    if sail_folder is not None:
-        corpus = load_corpus(sail_folder)
-        known = {each.instruction.id: each.instruction for each in corpus.episodes}
-        missing = []
-        sites, changed = _sites(runs, corpus.sites)
-    else:
-        known, missing = _instructions(runs, instruction_files)
-        sites, changed = _sites(runs, load_sites(sites_folder))
-    return Sources(runs, sites, known, (*missing, *changed))
+    sites: dict[str, Site] = {}
+    instructions: dict[str, Instruction] = {}
+    notes: list[str] = []
+    for run in runs:
+        plans = read_plans(run.folder)
+        for result in run.measured.results:
+            site = site_of(result, plans, run.folder)
+            sites.setdefault(site.name, site)
+            site_of(result, sites, run.folder)
+        notes += [
+            f"The plan of {name} in run {run.letter} is another one than before; its "
+            "walks are drawn on that of the first run."
+            for name, site in plans.items()
+            if name in sites and sites[name].plan != site.plan
+        ]
+        told = {each.id: each for each in read_instructions(run.folder)}
+        for result in run.measured.results:
+            if result.instruction_id not in told:
+                raise RunFolderError(
+                    f"{run.folder}: expected instruction {result.instruction_id!r} of "
+                    f"episode {result.episode_id!r} among those that the run keeps"
+                )
+        others = [
+            name
+            for name in told.keys() & instructions.keys()
+            if told[name].text != instructions[name].text
+        ]
+        if others:
+            notes.append(
+                f"{counted(len(others), 'instruction')} of run {run.letter} had another "
+                f"text than before, such as {min(others)}; that of the first run is shown."
+            )
+        instructions = told | instructions
+    return Sources(runs, sites, instructions, tuple(notes))
 
 
 def _check_names(folders: Sequence[str | Path]) -> None:
@@ -93,71 +110,3 @@ def _letter(number: int) -> str:
     letters = string.ascii_uppercase
     after, first = divmod(number, len(letters))
     return letters[first] if after == 0 else f"{letters[first]}{after + 1}"
-
-
-def _instructions(
-    runs: Sequence[ReportRun], files: Sequence[str | Path]
-) -> tuple[dict[str, Instruction], list[str]]:
-    wanted = _stamps(runs, "instructions")
-    by_content: dict[str, Path] = {}
-    for file in (BUILTIN_CORPUS, *map(Path, files)):
-        try:
-            stamp = stamp_file(file)
-        except OSError as error:
-            raise SettingsError(
-                f"--instructions {file}: cannot be read ({error.strerror})"
-            ) from None
-        if file is not BUILTIN_CORPUS and stamp.sha256 not in wanted:
-            raise SettingsError(
-                f"--instructions {file}: expected a file that a run followed ("
-                f"{', '.join(sorted(each.name for each in wanted.values()))}), got one "
-                "with another content"
-            )
-        by_content.setdefault(stamp.sha256, file)
-    found = [by_content[content] for content in wanted if content in by_content]
-    missing = [
-        f"Instruction file {stamp.name} ({stamp.sha256[:12]}) was not found, so nothing "
-        "is known of errors in its instructions; name it with --instructions."
-        for content, stamp in wanted.items()
-        if content not in by_content
-    ]
-    read = load_instructions(found) if found else []
-    return {each.id: each for each in read}, missing
-
-
-def _sites(
-    runs: Sequence[ReportRun], there: Mapping[str, Site]
-) -> tuple[dict[str, Site], list[str]]:
-    names = {each.site for run in runs for each in run.measured.results}
-    for name in sorted(names - there.keys()):
-        raise SettingsError(
-            f"site {name}: expected its plan among {', '.join(there)}; name the folder "
-            "with the plans of the runs with --sites, or that of SAIL with --sail"
-        )
-    routes = {
-        (each.site, each.reference_route): each
-        for run in runs
-        for each in run.measured.results
-    }
-    for (site, route), result in routes.items():
-        if route not in {each.id for each in there[site].routes}:
-            raise SettingsError(
-                f"site {site}: episode {result.episode_id!r} follows {route!r}, which "
-                "its plan does not have; name the folder with the plans of the runs "
-                "with --sites"
-            )
-    stamps = {stamp.name: stamp for stamp in _stamps(runs, "sites").values()}
-    changed = [
-        f"The plan of {name} is not the one that the runs were made on."
-        for name in sorted(names & stamps.keys())
-        if stamp_file(there[name].source).sha256 != stamps[name].sha256
-    ]
-    return {name: site for name, site in there.items() if name in names}, changed
-
-
-def _stamps(runs: Sequence[ReportRun], field: str) -> Mapping[str, FileStamp]:
-    return {
-        stamp.sha256: stamp
-        for run in runs
-        for stamp in getattr(run.measured.record.settings, field)
-    }

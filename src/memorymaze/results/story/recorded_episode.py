@@ -1,21 +1,15 @@
 """An episode of a run as its folder keeps it, with the plan it took place on."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from memorymaze.errors import SettingsError, did_you_mean
+from memorymaze.errors import RunFolderError, SettingsError, did_you_mean
 from memorymaze.evaluation.results import EpisodeResult
-from memorymaze.evaluation.run_folder import RunRecord, read_run
-from memorymaze.evaluation.settings import RunDefinition, stamp_file
+from memorymaze.evaluation.run_folder import RunRecord, read_plans, read_run
 from memorymaze.evaluation.trace import read_trace, trace_path
 from memorymaze.results.story.story import Story, story_of
-from memorymaze.sites import (
-    BUILTIN_SITE_NAMES,
-    Route,
-    Site,
-    load_site,
-    load_sites,
-)
+from memorymaze.sites import Route, Site
 from memorymaze.wording import single_spaced
 
 
@@ -39,20 +33,16 @@ class RecordedEpisode:
         return single_spaced(self.story.instruction or "")
 
 
-def load_episode(
-    folder: str | Path, episode_id: str, sites_folder: str | Path | None = None
-) -> RecordedEpisode:
-    """Read an episode from a run folder, and the plan it took place on.
+def load_episode(folder: str | Path, episode_id: str) -> RecordedEpisode:
+    """Read an episode from a run folder, with the plan that the folder keeps.
 
     Args:
         folder: Of the run.
         episode_id: As `episodes.jsonl` has it.
-        sites_folder: Folder of the run's site plans; None for the shipped ones.
 
     Raises:
-        SettingsError: The run has no such episode, or the plan is not there or not the
-            one that the run was made with.
-        RunFolderError: The folder is no run, or the trace is missing or damaged.
+        SettingsError: The run has no such episode.
+        RunFolderError: The folder is no run, keeps no plan, or is damaged.
         SitePlanError: A plan cannot be used.
     """
     path = Path(folder)
@@ -61,15 +51,36 @@ def load_episode(
     result = by_id.get(episode_id)
     if result is None:
         raise SettingsError(_no_such_episode(path, episode_id, list(by_id)))
-    trace = read_trace(path, episode_id)
-    story = story_of(trace, str(trace_path(path, episode_id)))
-    site = _site_of(record.settings, result.site, sites_folder)
-    if not any(route.id == result.reference_route for route in site.routes):
-        raise SettingsError(
-            f"{path}: expected a route {result.reference_route!r} in the plan "
-            f"{site.name}, got none; is {site.source} the plan of this run?"
+    story = read_story(path, episode_id)
+    return RecordedEpisode(
+        record, result, story, site_of(result, read_plans(path), path)
+    )
+
+
+def read_story(folder: Path, episode_id: str) -> Story:
+    """Read the story of an episode from its trace.
+
+    Raises:
+        RunFolderError: The trace is not there, or damaged.
+    """
+    place = str(trace_path(folder, episode_id))
+    return story_of(read_trace(folder, episode_id), place)
+
+
+def site_of(result: EpisodeResult, plans: Mapping[str, Site], folder: Path) -> Site:
+    """Return where an episode took place.
+
+    Raises:
+        RunFolderError: There is no such plan, or it lacks the route.
+    """
+    site = plans.get(result.site)
+    if site is None or result.reference_route not in {each.id for each in site.routes}:
+        raise RunFolderError(
+            f"{folder}: expected a plan of {result.site} with the route "
+            f"{result.reference_route!r} in plans/, as episode {result.episode_id!r} "
+            f"has it, got {', '.join(plans)} without"
         )
-    return RecordedEpisode(record, result, story, site)
+    return site
 
 
 def _no_such_episode(path: Path, wanted: str, known: list[str]) -> str:
@@ -82,32 +93,3 @@ def _no_such_episode(path: Path, wanted: str, known: list[str]) -> str:
         f"episode: expected one of the {len(known)} that {path} has finished, got "
         f"{wanted!r}{hint}"
     )
-
-
-def _site_of(
-    settings: RunDefinition, name: str, sites_folder: str | Path | None
-) -> Site:
-    """Return the plan of this name, if it is the one the run was made with."""
-    if sites_folder is not None:
-        sites = load_sites(sites_folder)
-        if name not in sites:
-            raise SettingsError(
-                f"--sites {sites_folder}: expected the plan of {name}, got "
-                f"{', '.join(sites)}"
-            )
-        site = sites[name]
-    elif name in BUILTIN_SITE_NAMES:
-        site = load_site(name)
-    else:
-        raise SettingsError(
-            f"the episode took place in {name}, whose plan is not shipped; name the "
-            "folder of the run's plans with --sites DIR"
-        )
-    stamp = next((each for each in settings.sites if each.name == name), None)
-    if stamp is not None and stamp_file(site.source).sha256 != stamp.sha256:
-        raise SettingsError(
-            f"{site.source}: expected the plan that the run was made with (sha256 "
-            f"{stamp.sha256[:12]}…), got another one of the same name; name the folder "
-            "of the run's plans with --sites DIR"
-        )
-    return site
