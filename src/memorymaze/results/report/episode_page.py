@@ -12,16 +12,20 @@ import numpy as np
 from shapely import LineString, get_coordinates
 
 from memorymaze.drawing.svg import path_data
-from memorymaze.evaluation.outcomes import ending_words
+from memorymaze.evaluation.outcomes import Outcome, ending_words, outcome_of
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.geometry.trajectory import TimedPose, Trajectory
 from memorymaze.instructions.records import WRITTEN_BY, Instruction
+from memorymaze.results.report.following import Following, follow
 from memorymaze.results.report.pages import safe_name
 from memorymaze.results.report.sources import ReportRun
 from memorymaze.results.story.events import KINDS
 from memorymaze.results.story.story import Story
+from memorymaze.sites import Route
 from memorymaze.wording import counted
 
+SIMPLER = 0.12
+"""Metres by which a drawn walk may differ from the real one."""
 OFF_LINE = 0.06
 """Metres by which a pose may be off the straight way between those that are kept."""
 OFF_HEADING = 0.15
@@ -30,6 +34,31 @@ PIECES = re.compile(r"(?<=; )|(?= \(looked for )")
 """Where the texts of events are taken apart."""
 NEARBY = 10.0
 """Metres from the robot within which people are shown."""
+
+
+@dataclass(frozen=True, slots=True)
+class WalkOfRun:
+    """A walk as pages draw it, and where it left the way described."""
+
+    result: EpisodeResult
+    line: np.ndarray
+    """Places, simplified, metres, shape (N, 2)."""
+    following: Following
+
+    @property
+    def outcome(self) -> Outcome:
+        """Return how it ended."""
+        return outcome_of(self.result)
+
+    @property
+    def data(self) -> str:
+        """Return the `d` of an SVG path."""
+        return path_data([self.line.tolist()])
+
+    @property
+    def end(self) -> tuple[float, float]:
+        """Return where it ends, in the coordinates of the SVG."""
+        return float(self.line[-1][0]), -float(self.line[-1][1])
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,20 +73,8 @@ class RunInEpisode:
     """None where the trace cannot be read."""
     problem: str | None
     """Why it cannot."""
-    line: np.ndarray | None
-    """Places of the walk, simplified, metres."""
-
-    @property
-    def data(self) -> str:
-        """Return the walk as the `d` of an SVG path."""
-        return "" if self.line is None else path_data([self.line.tolist()])
-
-    @property
-    def end(self) -> tuple[float, float]:
-        """Return where it ends, in the coordinates of the SVG."""
-        if self.line is None:
-            return 0.0, 0.0
-        return float(self.line[-1][0]), -float(self.line[-1][1])
+    walk: WalkOfRun | None
+    """None with the story."""
 
     @property
     def numbers(self) -> str:
@@ -107,6 +124,15 @@ class EpisodeRow:
     """Kinds of errors in the instruction."""
     results: tuple[EpisodeResult | None, ...]
     """One per run of the report."""
+
+
+def walk_of(result: EpisodeResult, story: Story, way: Route, near: float) -> WalkOfRun:
+    """Return the walk of a story, which follows a way within some metres."""
+    points = story.walk.points
+    following = follow(list(way.line.coords), points, near)
+    if len(points) > 1:
+        points = get_coordinates(LineString(points).simplify(SIMPLER))
+    return WalkOfRun(result, points, following)
 
 
 def story_record(story: Story) -> str:

@@ -1,20 +1,17 @@
 """What a route's page shows: walks, where they leave the way, and their decisions."""
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from shapely import LineString, get_coordinates
+from shapely import get_coordinates
 
-from memorymaze.drawing.svg import Frame, path_data, plan_frame
-from memorymaze.evaluation.outcomes import Outcome, outcome_of
-from memorymaze.evaluation.results import EpisodeResult
-from memorymaze.geometry.trajectory import Trajectory
+from memorymaze.drawing.svg import Frame, plan_frame
+from memorymaze.results.report.episode_page import WalkOfRun
 from memorymaze.results.report.following import (
     DecisionCount,
     FollowedTo,
-    Following,
     count_decisions,
     decisions_of,
     first_wrong,
@@ -22,35 +19,11 @@ from memorymaze.results.report.following import (
 from memorymaze.results.report.sources import ReportRun
 from memorymaze.sites import Route, Site
 
-SIMPLER = 0.12
-"""Metres by which a drawn walk may differ from the real one."""
 CELL = 2.0
 """Side of a cell of the heat map, metres."""
 SHADES = 5
 PAPER = 3.0
 """Metres of plan round what is drawn."""
-
-
-@dataclass(frozen=True, slots=True)
-class WalkOfRun:
-    """A walk of a run, kept for the page of its route."""
-
-    result: EpisodeResult
-    line: np.ndarray
-    """Places, simplified, metres, shape (N, 2)."""
-    following: Following
-
-
-@dataclass(frozen=True, slots=True)
-class DrawnWalk:
-    """A walk as it is drawn."""
-
-    result: EpisodeResult
-    outcome: Outcome
-    data: str
-    """Of the SVG path."""
-    end: tuple[float, float]
-    """Coordinates of the SVG."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,7 +57,7 @@ class RunOnRoute:
     """A run on a route."""
 
     run: ReportRun
-    walks: tuple[DrawnWalk, ...]
+    walks: tuple[WalkOfRun, ...]
     outcomes: dict[str, int]
     """Numbers of walks by the key of their outcome."""
     cells: tuple[HeatCell, ...]
@@ -93,13 +66,6 @@ class RunOnRoute:
     returned: int
     """Of these those that arrived all the same."""
     ways: tuple[WayCounts, ...]
-
-
-def simplified(walk: Trajectory) -> np.ndarray:
-    """Return a walk's places with as few points as its picture needs, shape (N, 2)."""
-    if len(walk.points) < 2:
-        return walk.points
-    return get_coordinates(LineString(walk.points).simplify(SIMPLER))
 
 
 def picture_frame(
@@ -120,15 +86,6 @@ def picture_frame(
 
 def run_on_route(run: ReportRun, site: Site, walks: Sequence[WalkOfRun]) -> RunOnRoute:
     """Count and prepare the walks of a run on a route, on all ways described."""
-    drawn = [
-        DrawnWalk(
-            result=walk.result,
-            outcome=outcome_of(walk.result),
-            data=path_data([walk.line.tolist()]),
-            end=(float(walk.line[-1][0]), -float(walk.line[-1][1])),
-        )
-        for walk in walks
-    ]
     off = [each for each in walks if each.following.how in {"left", "turned_back"}]
     by_way: dict[str, list[WalkOfRun]] = {}
     for walk in walks:
@@ -136,17 +93,16 @@ def run_on_route(run: ReportRun, site: Site, walks: Sequence[WalkOfRun]) -> RunO
     return RunOnRoute(
         run=run,
         # Rare outcomes on top: what fails must not hide beneath what arrives.
-        walks=tuple(sorted(drawn, key=lambda each: each.outcome.key)),
-        outcomes=dict(Counter(each.outcome.key for each in drawn)),
+        walks=tuple(sorted(walks, key=lambda each: each.outcome.key)),
+        outcomes=dict(Counter(each.outcome.key for each in walks)),
         cells=tuple(_cells(off)),
         left=len(off),
         returned=sum(each.result.success for each in off),
-        ways=tuple(_way_counts(site, way, by_way[way]) for way in _order(by_way)),
+        ways=tuple(
+            _way_counts(site, way, by_way[way])
+            for way in sorted(by_way, key=lambda way: (-len(by_way[way]), way))
+        ),
     )
-
-
-def _order(by_way: Mapping[str, Sequence[WalkOfRun]]) -> list[str]:
-    return sorted(by_way, key=lambda way: (-len(by_way[way]), way))
 
 
 def _way_counts(site: Site, way: str, walks: Sequence[WalkOfRun]) -> WayCounts:

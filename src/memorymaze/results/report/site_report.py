@@ -13,9 +13,10 @@ from memorymaze.results.report.episode_page import (
     EpisodeRow,
     EpisodeView,
     RunInEpisode,
+    WalkOfRun,
     story_record,
+    walk_of,
 )
-from memorymaze.results.report.following import follow
 from memorymaze.results.report.overview import (
     MEASURES,
     compare_pair,
@@ -27,15 +28,9 @@ from memorymaze.results.report.overview import (
     written_by,
 )
 from memorymaze.results.report.pages import Pages, route_page, safe_name
-from memorymaze.results.report.route_page import (
-    WalkOfRun,
-    picture_frame,
-    run_on_route,
-    simplified,
-)
+from memorymaze.results.report.route_page import picture_frame, run_on_route
 from memorymaze.results.report.sources import Sources
 from memorymaze.results.story.recorded_episode import read_story
-from memorymaze.results.story.story import Story
 from memorymaze.results.tables import Place, run_notes
 from memorymaze.sites import Route, Site
 
@@ -139,13 +134,8 @@ class _Report:
         route = site.route(first.reference_route)
         walks = self._walks.setdefault(place, [[] for _ in self._runs])
         for each in runs:
-            if each.story is not None and each.line is not None:
-                distance = each.run.measured.record.settings.success_distance
-                following = follow(
-                    list(route.line.coords), each.story.walk.points, distance
-                )
-                walk = WalkOfRun(each.result, each.line, following)
-                walks[each.number].append(walk)
+            if each.story is not None and each.walk is not None:
+                walks[each.number].append(each.walk)
                 self._pages.write_text(
                     each.data_file,
                     "(window.replayData = window.replayData || {})["
@@ -175,15 +165,15 @@ class _Report:
 
     def _run_in_episode(self, number: int, result: EpisodeResult) -> RunInEpisode:
         run = self._runs[number]
-        story: Story | None = None
-        problem: str | None = None
         try:
             story = read_story(run.folder, result.episode_id)
         except RunFolderError as error:
-            problem = str(error)
-            self._problems.append(problem)
-        line = None if story is None else simplified(story.walk)
-        return RunInEpisode(run, number, result, story, problem, line)
+            self._problems.append(str(error))
+            return RunInEpisode(run, number, result, None, str(error), None)
+        way = self._sources.sites[result.site].route(result.reference_route)
+        near = run.measured.record.settings.success_distance
+        walk = walk_of(result, story, way, near)
+        return RunInEpisode(run, number, result, story, None, walk)
 
     # -- routes
 
