@@ -9,7 +9,8 @@ import pytest
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
-from memorymaze.drawing.plan_picture import draw_scale_and_north, draw_site, draw_walk
+from memorymaze.drawing.margin import draw_scale_and_north
+from memorymaze.drawing.plan_picture import draw_site, draw_walk
 from memorymaze.drawing.shapes import Met, ThingInTheWay
 from memorymaze.errors import SettingsError
 from memorymaze.geometry.trajectory import TimedPose, Trajectory

@@ -9,12 +9,14 @@ import numpy as np
 from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection, PathCollection
+from matplotlib.figure import Figure
 from matplotlib.font_manager import fontManager
 from matplotlib.lines import Line2D
 from matplotlib.patches import PathPatch
 from matplotlib.patches import Polygon as PolygonPatch
 from matplotlib.path import Path
 from matplotlib.typing import RcKeyType
+from numpy.typing import ArrayLike
 from shapely import Polygon, get_coordinates, orient_polygons
 
 from memorymaze.drawing.label_placing import LabelSpace
@@ -76,6 +78,21 @@ def lettering(**style: object) -> Generator[None]:
     with rc_context(settings), warnings.catch_warnings():
         warnings.filterwarnings("ignore", message="Glyph .* missing from font")
         yield
+
+
+def axes_in(
+    figure: Figure,
+    frame: tuple[float, float, float, float],
+    low: ArrayLike,
+    high: ArrayLike,
+) -> Axes:
+    """Return axes without ticks, from one corner of a plan to the opposite one."""
+    axes = figure.add_axes(frame)
+    (west, south), (east, north) = np.asarray([low, high], dtype=np.float64).tolist()
+    axes.set_xlim(west, east)
+    axes.set_ylim(south, north)
+    axes.set_axis_off()
+    return axes
 
 
 def paint_plan(axes: Axes, site: Site, *, turning_points: bool = True) -> None:

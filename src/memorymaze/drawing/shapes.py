@@ -110,6 +110,13 @@ class Shape(NamedTuple):
         family = "thing" if self.kind in {"covering", "overhead"} else self.kind
         return VARIETIES.get(family, {}).get(self.variety, INKS[family].paper)
 
+    def outlines(self) -> Iterator[Points]:
+        """Return its lines, and the edges of its areas, holes too."""
+        yield from self.lines
+        for polygon in self.polygons:
+            for ring in (polygon.exterior, *polygon.interiors):
+                yield get_coordinates(ring)
+
 
 def plan_shapes(site: Site) -> Iterator[Shape]:
     """Return all shapes of a plan, the lowest first."""

@@ -4,13 +4,12 @@ Walks are drawn over it in the pages; `plan_picture.py` draws sheets for paper.
 """
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import groupby
 from typing import NamedTuple
 
 from markupsafe import Markup
-from shapely import get_coordinates
 
 from memorymaze.drawing.label_placing import LabelSpace, PlacedLabel
 from memorymaze.drawing.labels import Label, place_labels
@@ -84,16 +83,13 @@ def svg_plan(site: Site) -> str:
     return "\n".join(parts)
 
 
-def path_data(
-    lines: Iterable[Sequence[Sequence[float]]], *, closed: bool = False
-) -> str:
-    """Return lines in metres, y up, as the `d` of an SVG path, y down."""
-    return "".join(
-        "M"
-        + "L".join(f"{svg_number(x)} {svg_number(-y)}" for x, y, *_ in line)
-        + ("Z" if closed else "")
-        for line in lines
-    )
+def path_data(line: Sequence[Sequence[float]], *, closed: bool = False) -> str:
+    """Return a line in metres, y up, as the `d` of an SVG path, y down.
+
+    A closed one ends where it began.
+    """
+    points = [f"{svg_number(x)} {svg_number(-y)}" for x, y, *_ in line]
+    return f"M{'L'.join(points[:-1])}Z" if closed else f"M{'L'.join(points)}"
 
 
 def svg_number(value: float) -> str:
@@ -130,14 +126,11 @@ def _style() -> str:
 
 
 def _path(kind: str, shapes: Sequence[Shape]) -> Markup:
-    rings = [
-        get_coordinates(ring).tolist()[:-1]
+    data = "".join(
+        path_data(line.tolist(), closed=bool(shape.polygons))
         for shape in shapes
-        for polygon in shape.polygons
-        for ring in (polygon.exterior, *polygon.interiors)
-    ]
-    lines = [line.tolist() for shape in shapes for line in shape.lines]
-    data = path_data(rings, closed=True) + path_data(lines)
+        for line in shape.outlines()
+    )
     if not data:
         return Markup("")
     return Markup('<path class="{}" fill-rule="evenodd" d="{}"/>').format(kind, data)

@@ -12,9 +12,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
-from shapely import get_coordinates
 from tqdm import tqdm
 
+from memorymaze.drawing.shapes import plan_shapes
 from memorymaze.errors import SettingsError
 from memorymaze.evaluation.outcomes import outcome_line, source_line
 from memorymaze.extras import require_extra
@@ -29,6 +29,12 @@ from memorymaze.sites import Site
 TIMELINE = "simulated_time"
 CAMERA = "world/robot/camera"
 WALL, ROUTE, WALK = (47, 47, 47), (215, 48, 31), (17, 17, 17)
+PLAN = {
+    "walls": ({"wall"}, WALL, 0.06),
+    "doors": ({"door"}, (156, 90, 30), 0.05),
+    "landmarks": ({"covering", "thing", "overhead"}, (76, 140, 74), 0.03),
+}
+"""Entities of a plan: kinds of shapes, colour, radius of lines in metres."""
 PEOPLE, THINGS, SCAN = (11, 114, 133), (194, 24, 91), (122, 79, 181)
 ON_FLOOR = 0.02
 """Metres over the floor at which lines lie."""
@@ -207,18 +213,10 @@ def _log_building(stream: Any, episode: RecordedEpisode, moments: Moments) -> No
 
     site, route = episode.site, episode.route
     stream.log("world", rr.ViewCoordinates.RIGHT_HAND_Z_UP, static=True)
-    floor = site.walkable_floor
-    rings = [get_coordinates(ring) for ring in (floor.exterior, *floor.interiors)]
-    _lines(stream, "world/plan/walls", rings, WALL, 0.06)
-    doors = [get_coordinates(door.line) for door in site.doors]
-    _lines(stream, "world/plan/doors", doors, (156, 90, 30), 0.05)
-    _lines(
-        stream,
-        "world/plan/landmarks",
-        [get_coordinates(each.footprint) for each in site.landmarks],
-        (76, 140, 74),
-        0.03,
-    )
+    for entity, (kinds, colour, radius) in PLAN.items():
+        shapes = [each for each in plan_shapes(site) if each.kind in kinds]
+        lines = [line for shape in shapes for line in shape.outlines()]
+        _lines(stream, f"world/plan/{entity}", lines, colour, radius)
     _names(stream, site)
     way = np.array(route.line.coords)[:, :2]
     _lines(stream, "world/way_described", [way], ROUTE, 0.08)

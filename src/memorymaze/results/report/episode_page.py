@@ -53,7 +53,7 @@ class WalkOfRun:
     @property
     def data(self) -> str:
         """Return the `d` of an SVG path."""
-        return path_data([self.line.tolist()])
+        return path_data(self.line.tolist())
 
     @property
     def end(self) -> tuple[float, float]:

@@ -158,7 +158,7 @@ class _Report:
             route=route,
             site=site,
             frame=plan_frame(site),
-            way=path_data([list(route.line.coords)]),
+            way=path_data(list(route.line.coords)),
             before=before,
             after=after,
         )
@@ -261,4 +261,4 @@ class _Report:
 
 
 def _drawn(routes: Sequence[Route]) -> list[str]:
-    return [path_data([list(route.line.coords)]) for route in routes]
+    return [path_data(list(route.line.coords)) for route in routes]

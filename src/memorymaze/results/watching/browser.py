@@ -71,7 +71,7 @@ class BrowserView:
             "instruction": instruction,
             "plan": plan_frame(site),
             "view": Frame(west, -north, east - west, north - south),
-            "way": path_data([list(route.line.coords)]),
+            "way": path_data(list(route.line.coords)),
             "goal": _place(*route.line.coords[-1][:2]),
             "wayColor": route_color(route.route),
         }
