@@ -20,7 +20,7 @@ TINY_INSTRUCTIONS = TESTS / "tiny_instructions.jsonl"
 
 HOSTILE = (
     "</script><script>window.hacked = 1</script>\"'><img src=x onerror='hacked=1'> "
-    "{{ 7 * 7 }} & \u202e\u2028 <b>go left</b>"
+    "{{ 7 * 7 }} & \u202e\u2028\x00\x1b[31m <b>go left</b>"
 )
 """What somebody might say who wants to take over a page."""
 

@@ -53,6 +53,23 @@ def test_every_page_says_that_a_model_wrote_the_instructions(
         assert "LANGUAGE MODEL, not by people" in page.read_text(encoding="utf-8")
 
 
+def test_no_page_holds_characters_that_html_does_not_allow(
+    hostile_report: Path,
+) -> None:
+    for name, content in files_of(hostile_report).items():
+        assert re.findall(rb"[\x00-\x08\x0b\x0c\x0e-\x1f]", content) == [], name
+
+
+def test_one_of_a_kind_is_counted_in_the_singular(hostile_report: Path) -> None:
+    plural = re.compile(r"\b1 (?:episodes|walks|instructions|turns|routes|times)\b")
+    for page in hostile_report.rglob("*.html"):
+        # What notes on runs say is the tables' matter.
+        if page.name != "index.html":
+            assert plural.findall(page.read_text(encoding="utf-8")) == [], page
+    episodes = (hostile_report / "episodes.html").read_text(encoding="utf-8")
+    assert "1 episode<" in episodes
+
+
 def test_pages_have_one_first_heading_and_skip_no_level(report: Path) -> None:
     for page in report.rglob("*.html"):
         text = page.read_text(encoding="utf-8")
