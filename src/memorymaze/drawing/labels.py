@@ -80,8 +80,32 @@ def _room_names(
     site: Site, space: LabelSpace, sizes: Sequence[float]
 ) -> Iterator[Label]:
     for room in site.rooms:
-        frame = _inner_frame(room.polygon)
-        yield Label(space.inside(wrapped(room.name), [frame], sizes), "name")
+        texts, frame = wrapped(room.name), _inner_frame(room.polygon)
+        label = space.inside(texts, [frame], sizes)
+        yield Label(label or _slanted_name(texts, room.polygon, space, sizes), "name")
+
+
+def _slanted_name(
+    texts: Sequence[str], polygon: Polygon, space: LabelSpace, sizes: Sequence[float]
+) -> PlacedLabel | None:
+    """Write a name along the longer side of a room that stands aslant."""
+    rectangle = polygon.minimum_rotated_rectangle
+    if not isinstance(rectangle, Polygon):
+        return None
+    corners = get_coordinates(rectangle)
+    sides = corners[1:3] - corners[:2]
+    long, short = sorted(sides.tolist(), key=lambda side: -math.hypot(*side))
+    angle = math.atan2(long[1], long[0])
+    angle = (angle + math.pi / 2) % math.pi - math.pi / 2
+    middle = (rectangle.centroid.x, rectangle.centroid.y)
+    for size in sizes:
+        for text in texts:
+            length, height = space.extent(text, size)
+            if length > 0.95 * math.hypot(*long) or height > 0.95 * math.hypot(*short):
+                continue
+            if label := space.along(text, [middle], angle, size):
+                return label
+    return None
 
 
 def _place_names(
