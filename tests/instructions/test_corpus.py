@@ -8,6 +8,7 @@ import pytest
 from memorymaze.errors import InstructionFileError, SettingsError
 from memorymaze.instructions import (
     BUILTIN_CORPUS,
+    Instruction,
     episodes,
     load_corpus,
     load_instructions,
@@ -111,3 +112,18 @@ def test_a_folder_with_plans_and_instructions_is_a_corpus(
 def test_a_folder_without_instructions_says_what_was_expected(tmp_path: Path) -> None:
     with pytest.raises(InstructionFileError, match="folder of the SAIL corpus"):
         load_corpus(tmp_path)
+
+
+def test_what_an_instruction_leaves_out_is_filled_in_by_its_site(
+    tiny_sites: dict[str, Site],
+) -> None:
+    told = [
+        Instruction(site="loop", route="R1", text=" Turn left. "),
+        Instruction(site="t_junction", route="R2", text="Turn right."),
+    ]
+    first, second = episodes(told, tiny_sites)
+    assert (first.id, second.id) == ("instruction-1", "instruction-2")
+    assert first.instruction.text == "Turn left."
+    assert first.instruction.participant == "instruction-1"
+    assert first.instruction.reference_route == "route_r1_reference"
+    assert second.goal == tiny_sites["t_junction"].find_route("R2").line.coords[-1]

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from memorymaze.errors import InstructionFileError
-from memorymaze.instructions import Failure, load_instructions
+from memorymaze.instructions import Failure, Instruction, load_instructions
 
 Line = Callable[..., dict[str, Any]]
 Write = Callable[..., Path]
@@ -32,13 +32,40 @@ def test_every_field_of_a_line_arrives(line: Line, instruction_file: Write) -> N
     assert (read.iteration, read.split, read.origin) == (1, "dev", f"{path}:1")
 
 
-def test_split_and_original_text_may_be_left_out(
+def test_only_site_route_and_text_are_needed(instruction_file: Write) -> None:
+    record = {"site": "loop", "route": "R1", "text": "Turn left."}
+    path = instruction_file("", record, name="mine.jsonl")
+    [read] = load_instructions([path])
+    assert read == Instruction(
+        id="mine-2", participant="mine-2", site="loop", route="R1", text="Turn left."
+    )
+    assert (read.study, read.source, read.split) == ("online", "human", "test")
+    assert read.origin == f"{path}:2"
+
+
+@pytest.mark.parametrize(
+    ("typed", "read"),
+    [
+        pytest.param(
+            "  Turn\tleft,\u00a0 then stop. \n", "Turn left, then stop.", id="runs"
+        ),
+        pytest.param("1. Left \r\n 2. Right", "1. Left\n2. Right", id="lines"),
+        pytest.param("Left.\n\n\n\nRight.", "Left.\n\nRight.", id="paragraphs"),
+    ],
+)
+def test_the_white_space_of_a_text_is_put_in_order(
+    line: Line, instruction_file: Write, typed: str, read: str
+) -> None:
+    [one] = load_instructions([instruction_file(line(text=typed))])
+    assert one.text == read
+
+
+def test_a_text_with_labelled_words_keeps_its_white_space(
     line: Line, instruction_file: Write
 ) -> None:
-    record = line()
-    del record["split"]
-    [read] = load_instructions([instruction_file(record)])
-    assert (read.split, read.original_text) == ("test", None)
+    span = {"kind": "filler", "start": 2, "end": 4}
+    [one] = load_instructions([instruction_file(line(text="  um  left", spans=[span]))])
+    assert one.text == "  um  left"
 
 
 def test_a_byte_order_mark_windows_line_ends_and_blank_lines_are_read(
@@ -56,7 +83,7 @@ def test_a_line_separator_inside_a_text_does_not_end_the_line(
     path = tmp_path / "separator.jsonl"
     record = line(text="left\u2028right")
     path.write_text(json.dumps(record, ensure_ascii=False), encoding="utf-8")
-    assert load_instructions([path])[0].text == "left\u2028right"
+    assert [each.text for each in load_instructions([path])] == ["left right"]
 
 
 @pytest.mark.parametrize(

@@ -1,6 +1,7 @@
 """What agents are evaluated on: texts made into episodes on their sites."""
 
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from memorymaze.errors import InstructionFileError, SettingsError, did_you_mean
@@ -11,10 +12,11 @@ from memorymaze.instructions.files import (
     load_instructions,
     place_of,
     repeated_ids,
+    tidied,
 )
 from memorymaze.instructions.records import Corpus, Episode, Instruction
 from memorymaze.instructions.sail import is_sail_folder, sail_corpus
-from memorymaze.sites import Site, load_sites
+from memorymaze.sites import Route, Site, load_sites
 
 
 def load_corpus(
@@ -70,7 +72,8 @@ def episodes(
     """Turn instructions into episodes, in order.
 
     An episode starts where its reference route starts and its goal is that route's
-    last point; its id is the instruction's.
+    last point; its id is the instruction's. What an instruction leaves out (its id,
+    the way it describes) is filled in.
 
     Args:
         instructions: What to follow.
@@ -79,11 +82,19 @@ def episodes(
     Raises:
         InstructionFileError: A site or route does not exist, or an id repeats.
     """
-    chosen = list(instructions)
+    chosen = [_completed(each, number) for number, each in enumerate(instructions, 1)]
     problems = repeated_ids(chosen) + site_problems(chosen, sites)
     if problems:
         raise refusal(problems, InstructionFileError)
     return [_episode(instruction, sites) for instruction in chosen]
+
+
+def _completed(each: Instruction, number: int) -> Instruction:
+    """Name an instruction that was made in memory without a name."""
+    name = each.id or f"instruction-{number}"
+    if each.id and each.participant:
+        return each
+    return tidied(replace(each, id=name, participant=each.participant or name))
 
 
 def site_problems(
@@ -99,9 +110,17 @@ def site_problems(
 
 
 def _episode(instruction: Instruction, sites: Mapping[str, Site]) -> Episode:
-    route = sites[instruction.site].route(instruction.reference_route)
+    route = _way_of(instruction, sites[instruction.site])
+    instruction = replace(instruction, reference_route=route.id)
     path = tuple((float(x), float(y)) for x, y, *_ in route.line.coords)
     return Episode(instruction.id, instruction, route.start, path[-1], path)
+
+
+def _way_of(instruction: Instruction, site: Site) -> Route:
+    """Return the way that an instruction describes; both exist."""
+    if instruction.reference_route:
+        return site.route(instruction.reference_route)
+    return site.reference_route(instruction.route)
 
 
 def _misplaced(instruction: Instruction, sites: Mapping[str, Site]) -> str | None:
@@ -112,6 +131,8 @@ def _misplaced(instruction: Instruction, sites: Mapping[str, Site]) -> str | Non
     names = {route.route for route in site.routes}
     if instruction.route not in names:
         return _not_found("route", instruction.route, names)
+    if not instruction.reference_route:
+        return None
     route = routes.get(instruction.reference_route)
     if route is None:
         return _not_found("reference_route", instruction.reference_route, routes)

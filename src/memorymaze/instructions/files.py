@@ -5,9 +5,10 @@ that lists them.
 """
 
 import json
+import re
 import warnings
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import asdict, dataclass, fields
+from dataclasses import asdict, dataclass, fields, replace
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
@@ -119,12 +120,17 @@ def read_instruction_file(
         for name in extra:
             unknown.setdefault(name, place)
     for name, place in unknown.items():
-        warnings.warn(
-            f"{place}: field {name!r} is not part of the format and not used",
-            InstructionFileWarning,
-            stacklevel=3,
-        )
+        warn_of_unknown(name, place)
     return instructions, problems
+
+
+def warn_of_unknown(name: str, place: str) -> None:
+    """Warn of a field that is left out."""
+    warnings.warn(
+        f"{place}: field {name!r} is not part of the format and not used",
+        InstructionFileWarning,
+        stacklevel=4,
+    )
 
 
 def parse_line(
@@ -137,16 +143,49 @@ def parse_line(
         the format does not know; and what is wrong, one entry per field.
     """
     try:
-        record = parse_record(line)
+        return read_record(parse_record(line), place)
+    except ValueError as error:
+        return None, [], [str(error)]
+
+
+def read_record(
+    record: Mapping[str, Any], place: str
+) -> tuple[Instruction | None, list[str], list[str]]:
+    """Read one record from `file:line`; returns what `parse_line` does.
+
+    An instruction without an id is called after file and line.
+    """
+    try:
         unknown = _unknown_fields(record)
         known = {name: record[name] for name in FIELDS if name in record}
-        instruction = _INSTRUCTION.validate_python({**known, "origin": place})
-        _check_spans(instruction)
+        name = known.setdefault("id", _name_of(place))
+        known.setdefault("participant", name)
+        read = _INSTRUCTION.validate_python({**known, "origin": place})
+        _check_spans(read)
     except ValidationError as error:
         return None, [], [f"field {name!r}: {said}" for name, said in mistakes(error)]
     except ValueError as error:
         return None, [], [str(error)]
-    return instruction, unknown, []
+    return tidied(read), unknown, []
+
+
+def tidied(instruction: Instruction) -> Instruction:
+    """Return an instruction with the white space of its text in order.
+
+    Spaces, tabs and their like become one space, and none stand at the ends of lines.
+    Where words are labelled by their places the text stays as it is.
+    """
+    if instruction.spans:
+        return instruction
+    lines = re.split(r"\r\n?|\n", instruction.text)
+    text = "\n".join(" ".join(line.split()) for line in lines).strip()
+    return replace(instruction, text=re.sub(r"\n{3,}", "\n\n", text))
+
+
+def _name_of(place: str) -> str:
+    """Return `mine-3` for `folder/mine.jsonl:3`."""
+    file, _, number = place.rpartition(":")
+    return f"{Path(file).stem}-{number.removeprefix(' row ')}"
 
 
 def _unknown_fields(record: Mapping[str, Any]) -> list[str]:
@@ -201,6 +240,8 @@ def write_file(path: str | Path, content: bytes) -> None:
         InstructionFileError: It cannot be written.
     """
     path = Path(path)
+    if not path.name or path.is_dir():
+        raise InstructionFileError(f"{path}: expected a file to write, got a folder")
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         write_whole(path, content)

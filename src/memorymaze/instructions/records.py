@@ -35,8 +35,8 @@ def _small_letters(name: str) -> str:
     return name
 
 
-Text = Annotated[str, AfterValidator(_said)]
-AnyText = Annotated[str, AfterValidator(writable)]
+Text = Annotated[str, Strict(), AfterValidator(_said)]
+AnyText = Annotated[str, Strict(), AfterValidator(writable)]
 Count = Annotated[int, Strict(), Field(ge=0)]
 
 WRITTEN_BY = {
@@ -85,24 +85,31 @@ class Followers:
     """Of these those who reached the goal."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Instruction:
-    """One person's description of a way, and what is known about it."""
+    """One person's description of a way, and what is known about it.
 
-    id: Text
+    Only `site`, `route` and `text` are needed; the rest has a default.
+    """
+
+    id: Text = ""
+    """Empty until it is read from a file or becomes an episode."""
     site: Text
     route: Text
     """`R1`, `R2`, …"""
-    study: Literal["online", "onsite", "sail"]
-    iteration: Annotated[Literal[1, 2], BeforeValidator(_whole)]
-    participant: Text
+    study: Literal["online", "onsite", "sail"] = "online"
+    """`online`: typed; `onsite`: spoken."""
+    iteration: Annotated[Literal[1, 2], BeforeValidator(_whole)] = 1
+    participant: Text = ""
+    """Who said it; as `id` where nothing is said."""
     text: Text
-    reference_route: Text
-    """Route id in the site plan of the way described."""
-    failures: tuple[Failure, ...]
+    reference_route: Text = ""
+    """Route id in the site plan of the way described; empty for the reference route,
+    until the instruction becomes an episode."""
+    failures: tuple[Failure, ...] = ()
     """Empty when the instruction is right."""
-    source: Literal["human", "llm", "synthetic"]
-    language: Text
+    source: Literal["human", "llm", "synthetic"] = "human"
+    language: Text = "en"
     split: Annotated[str, AfterValidator(_small_letters)] = "test"
     """`dev` (prompts may be built from it) or `test`."""
     original_text: AnyText | None = None

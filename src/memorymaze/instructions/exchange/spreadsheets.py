@@ -1,49 +1,32 @@
 """Instructions as a table, CSV or Parquet: one row each, a column per field.
 
-Needs pandas, and pyarrow for Parquet: the extra `tables`.
+Parquet needs pyarrow: the extra `tables`.
 """
 
+import csv
 import io
 import json
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import Any, Literal
 
 from memorymaze.errors import InstructionFileError
 from memorymaze.extras import require_extra
-from memorymaze.instructions.exchange.foreign_files import parsed
+from memorymaze.input_files import parse_json, read_file, read_text, refusal
 from memorymaze.instructions.files import (
     FIELDS,
-    OPTIONAL,
+    InstructionProblem,
     instruction_record,
+    read_record,
+    warn_of_unknown,
     write_file,
 )
 from memorymaze.instructions.records import Instruction
-
-if TYPE_CHECKING:
-    import pandas
 
 Kind = Literal["csv", "parquet"]
 
 STRUCTURED = ("failures", "followers", "spans")
 """Columns that hold JSON."""
-
-
-def instruction_frame(instructions: Iterable[Instruction]) -> "pandas.DataFrame":
-    """Return a data frame with a row per instruction; lists and records are JSON.
-
-    Raises:
-        SettingsError: pandas is not installed.
-    """
-    pandas = _pandas()
-    rows: list[dict[str, Any]] = []
-    for each in instructions:
-        record = instruction_record(each)
-        for name in STRUCTURED:
-            if name in record:
-                record[name] = json.dumps(record[name], ensure_ascii=False)
-        rows.append(record)
-    return pandas.DataFrame(rows, columns=list(FIELDS))
 
 
 def write_spreadsheet(
@@ -55,64 +38,123 @@ def write_spreadsheet(
         InstructionFileError: The file cannot be written.
         SettingsError: A package is missing.
     """
-    frame = instruction_frame(instructions)
-    content = io.BytesIO()
-    if kind == "csv":
-        frame.to_csv(content, index=False, lineterminator="\n", encoding="utf-8")
-    else:
-        require_extra("tables", "pyarrow", purpose="Parquet")
-        frame.to_parquet(content, index=False, engine="pyarrow")
-    write_file(path, content.getvalue())
+    rows: list[dict[str, Any]] = []
+    for each in instructions:
+        record = instruction_record(each)
+        for name in STRUCTURED:
+            if name in record:
+                record[name] = json.dumps(record[name], ensure_ascii=False)
+        rows.append({name: record.get(name) for name in FIELDS})
+    write_file(path, _as_csv(rows) if kind == "csv" else _as_parquet(rows))
 
 
 def read_spreadsheet(path: str | Path, kind: Kind) -> list[Instruction]:
     """Read what `write_spreadsheet` writes; columns may be in any order.
 
+    Empty cells, and columns that are not there, have their defaults.
+
     Raises:
-        InstructionFileError: The file cannot be read, or a row is wrong; names the row.
+        InstructionFileError: The file cannot be read, or rows are wrong; lists them.
         SettingsError: A package is missing.
     """
-    pandas = _pandas()
-    if kind == "parquet":
-        require_extra("tables", "pyarrow", purpose="Parquet")
+    columns, rows = _from_csv(path) if kind == "csv" else _from_parquet(path)
+    missing = [name for name in ("site", "route", "text") if name not in columns]
+    if missing:
+        raise InstructionFileError(
+            f"{path}: expected columns site, route and text, got none called "
+            f"{', '.join(missing)}"
+        )
+    for name in columns:
+        if name not in FIELDS:
+            warn_of_unknown(name, str(path))
+    if not rows:
+        raise InstructionFileError(
+            f"{path}: expected a row per instruction, got the names of columns alone"
+        )
+    read: list[Instruction] = []
+    problems: list[InstructionProblem] = []
+    # The first row of a CSV file is on line 2, below the names of the columns.
+    for number, row in enumerate(rows, start=2):
+        instruction, wrong = _instruction(row, f"{path}: row {number}")
+        problems += [
+            InstructionProblem(f"{path}: row {number}", each) for each in wrong
+        ]
+        read += [] if instruction is None else [instruction]
+    if problems:
+        raise refusal(problems, InstructionFileError)
+    return read
+
+
+def _instruction(
+    row: dict[str, Any], place: str
+) -> tuple[Instruction | None, list[str]]:
+    record = {
+        name: value
+        for name, value in row.items()
+        if name in FIELDS and value is not None
+    }
+    for name in STRUCTURED:
+        if isinstance(record.get(name), str):
+            try:
+                record[name] = parse_json(record[name])
+            except ValueError as error:
+                return None, [f"column {name!r}: {error}"]
+    if isinstance(record.get("iteration"), str) and record["iteration"].isdecimal():
+        record["iteration"] = int(record["iteration"])
+    instruction, _, wrong = read_record(record, place)
+    return instruction, wrong
+
+
+def _as_csv(rows: Iterable[dict[str, Any]]) -> bytes:
+    content = io.StringIO()
+    writer = csv.DictWriter(content, FIELDS, lineterminator="\n")
+    writer.writeheader()
+    writer.writerows(rows)
+    return content.getvalue().encode()
+
+
+def _from_csv(path: str | Path) -> tuple[Sequence[str], list[dict[str, Any]]]:
+    text = io.StringIO(read_text(path, InstructionFileError), newline="")
     try:
-        if kind == "csv":
-            frame = pandas.read_csv(path, dtype=str, keep_default_na=False)
-        else:
-            frame = pandas.read_parquet(path, engine="pyarrow")
+        columns, *lines = list(csv.reader(text, strict=True)) or [[]]
+    except csv.Error as error:
+        raise InstructionFileError(f"{path}: expected CSV ({error})") from None
+    for name in columns:
+        if columns.count(name) > 1:
+            raise InstructionFileError(f"{path}: expected column {name!r} once")
+    rows: list[dict[str, Any]] = []
+    for number, cells in enumerate(lines, start=2):
+        if len(cells) > len(columns):
+            raise InstructionFileError(
+                f"{path}: row {number}: expected at most {len(columns)} cells, got "
+                f"{len(cells)}"
+            )
+        named = zip(columns, cells, strict=False)
+        rows += [{name: cell for name, cell in named if cell}] if cells else []
+    return columns, rows
+
+
+def _as_parquet(rows: list[dict[str, Any]]) -> bytes:
+    parquet = _parquet()
+    import pyarrow
+
+    content = io.BytesIO()
+    parquet.write_table(pyarrow.Table.from_pylist(rows), content)
+    return content.getvalue()
+
+
+def _from_parquet(path: str | Path) -> tuple[Sequence[str], list[dict[str, Any]]]:
+    parquet = _parquet()
+    content = io.BytesIO(read_file(path, InstructionFileError))
+    try:
+        table = parquet.read_table(content)
+        return table.column_names, table.to_pylist()
     except (OSError, ValueError) as error:
         raise InstructionFileError(f"{path}: cannot be read ({error})") from None
-    records: list[dict[str, Any]] = frame.to_dict(orient="records")
-    # The first row of a CSV file is on line 2, below the names of the columns.
-    return [
-        parsed(_record(row, f"{path}: row {number}"), f"{path}: row {number}")
-        for number, row in enumerate(records, start=2)
-    ]
 
 
-def _record(row: dict[str, Any], place: str) -> dict[str, Any]:
-    record = {name: value for name, value in row.items() if _has_value(name, value)}
-    try:
-        for name in STRUCTURED:
-            if name in record:
-                record[name] = json.loads(record[name])
-        record["iteration"] = int(record.get("iteration", ""))
-    except (TypeError, ValueError):
-        raise InstructionFileError(
-            f"{place}: expected `iteration` 1 or 2, and JSON in `failures` (such as []) "
-            f"`followers` and `spans`, got {row.get('iteration')!r}, "
-            f"{row.get('failures')!r}, {row.get('followers')!r} and {row.get('spans')!r}"
-        ) from None
-    return record
+def _parquet() -> Any:
+    require_extra("tables", "pyarrow", purpose="Parquet")
+    import pyarrow.parquet
 
-
-def _has_value(name: str, value: object) -> bool:
-    missing = value is None or value != value  # NaN stands for nothing in a frame
-    return not missing and not (name in OPTIONAL and value == "")
-
-
-def _pandas() -> Any:
-    require_extra("tables", "pandas", purpose="CSV and Parquet")
-    import pandas
-
-    return pandas
+    return pyarrow.parquet
