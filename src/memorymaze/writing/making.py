@@ -100,7 +100,7 @@ def _from_files(
         and request.study in {None, each.study}
         and request.iteration in {None, each.iteration}
     ]
-    episodes(chosen, sites)
+    chosen = [each.instruction for each in episodes(chosen, sites)]
     made = with_errors(
         chosen, sites, request.rates, request.seed, paired=request.paired
     )

@@ -56,15 +56,12 @@ def _run(options: argparse.Namespace) -> int:
         read_labels,
     )
     from memorymaze.errors import SettingsError
-    from memorymaze.instructions.corpus import episodes
-    from memorymaze.instructions.files import load_instructions, write_instructions
-    from memorymaze.sites import load_sites
+    from memorymaze.instructions import episodes, load_corpus, write_instructions
 
     if options.seed < 0:
         raise SettingsError(f"--seed: expected 0 or more, got {options.seed}")
-    sites = load_sites(options.sites)
-    told = load_instructions(options.instructions and [options.instructions])
-    episodes(told, sites)
+    corpus = load_corpus(options.instructions, sites=options.sites)
+    told, sites = corpus.instructions, corpus.sites
     labels = latest_labels(read_labels(options.labels, told, sites))
     if options.file_as is not None:
         name = check_annotator(options.file_as)

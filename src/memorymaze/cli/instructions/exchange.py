@@ -65,18 +65,15 @@ def add_parser(actions: Verbs) -> None:
 
 
 def _export(options: argparse.Namespace) -> int:
-    from memorymaze.instructions.corpus import episodes
+    from memorymaze.instructions import load_corpus
     from memorymaze.instructions.exchange import (
         write_r2r,
         write_spreadsheet,
         write_vln_ce,
     )
-    from memorymaze.instructions.files import load_instructions
-    from memorymaze.sites import load_sites
 
-    read = load_instructions(options.files or None)
-    sites = load_sites(options.sites)
-    episodes(read, sites)
+    corpus = load_corpus(options.files or None, sites=options.sites)
+    read, sites = corpus.instructions, corpus.sites
     if options.format in {"csv", "parquet"}:
         written = [Path(options.out)]
         write_spreadsheet(options.out, read, options.format)
@@ -90,14 +87,13 @@ def _export(options: argparse.Namespace) -> int:
 
 def _import(options: argparse.Namespace) -> int:
     from memorymaze.errors import SettingsError
-    from memorymaze.instructions.corpus import episodes
+    from memorymaze.instructions import episodes, write_instructions
     from memorymaze.instructions.exchange import (
         Unlabelled,
         read_r2r,
         read_spreadsheet,
         read_vln_ce,
     )
-    from memorymaze.instructions.files import write_instructions
     from memorymaze.sites import load_sites
 
     sites = load_sites(options.sites)
@@ -113,7 +109,7 @@ def _import(options: argparse.Namespace) -> int:
     else:
         reader = read_r2r if options.format == "r2r" else read_vln_ce
         read = reader(options.files, sites, labels)
-    episodes(read, sites)
+    read = [each.instruction for each in episodes(read, sites)]
     write_instructions(options.out, read)
     print(f"{options.out}: {counted(len(read), 'instruction')}")
     return 0

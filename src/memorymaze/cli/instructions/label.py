@@ -44,18 +44,15 @@ def _run(options: argparse.Namespace) -> int:
     )
     from memorymaze.collection.questions import questions
     from memorymaze.errors import SettingsError
-    from memorymaze.instructions.corpus import episodes
-    from memorymaze.instructions.files import load_instructions
-    from memorymaze.sites import load_sites
+    from memorymaze.instructions import load_corpus
 
     annotator = check_annotator(options.annotator)
     if options.csv is not None and options.pictures is not None:
         raise SettingsError(
             "--pictures: is for labelling in the terminal, without --csv"
         )
-    sites = load_sites(options.sites)
-    told = load_instructions([options.file])
-    episodes(told, sites)
+    corpus = load_corpus([options.file], sites=options.sites)
+    told, sites = corpus.instructions, corpus.sites
     known = (
         read_labels([options.out], told, sites) if Path(options.out).exists() else []
     )

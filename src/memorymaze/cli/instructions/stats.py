@@ -42,10 +42,9 @@ def add_parser(actions: Verbs) -> None:
 
 def _run(options: argparse.Namespace) -> int:
     from memorymaze.errors import SettingsError
-    from memorymaze.instructions.corpus import episodes
-    from memorymaze.instructions.files import load_instructions, write_file
+    from memorymaze.instructions import load_corpus
+    from memorymaze.instructions.files import write_file
     from memorymaze.results.instruction_study import write_study
-    from memorymaze.sites import load_sites
 
     if options.seed < 0:
         raise SettingsError(f"--seed: expected 0 or more, got {options.seed}")
@@ -53,10 +52,10 @@ def _run(options: argparse.Namespace) -> int:
         raise SettingsError("--format html: expected --out FILE, got none")
     if options.out is not None and Path(options.out).is_dir():
         raise SettingsError(f"--out {options.out}: expected a file, got a folder")
-    sites = load_sites(options.sites)
-    read = load_instructions(options.files or None)
-    episodes(read, sites)
-    text = write_study(read, sites, options.format, seed=options.seed)
+    corpus = load_corpus(options.files or None, sites=options.sites)
+    text = write_study(
+        corpus.instructions, corpus.sites, options.format, seed=options.seed
+    )
     if options.out is None:
         print(text, end="")
     else:
