@@ -64,6 +64,16 @@ def test_check_takes_names_files_and_folders(
     assert capsys.readouterr().err.startswith("9 plans: 0 errors")
 
 
+def test_new_writes_a_plan_that_check_lets_pass_and_writes_it_once(
+    command: Command, capsys: pytest.CaptureFixture[str]
+):
+    assert command("new", "annex", "--out", "buildings/annex.geojson") == 0
+    assert capsys.readouterr().out == "buildings/annex.geojson\n"
+    assert command("check", "buildings") == 0
+    with pytest.raises(SettingsError, match="exists already"):
+        command("new", "annex", "--out", "buildings/annex.geojson")
+
+
 def test_check_fails_when_a_plan_has_an_error(
     command: Command, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ):

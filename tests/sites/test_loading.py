@@ -111,6 +111,9 @@ def test_a_byte_order_mark_does_no_harm(tmp_path: Path, plan_texts: dict[str, st
         pytest.param(b"[" * 100_000, "nested too deep", id="deep"),
         pytest.param(b"1" * 5000, "digits", id="long number"),
         pytest.param(b"{}", "expected this member", id="nothing in it"),
+        pytest.param(
+            b'{"name": "a", "name": "b"}', "'name': expected it once", id="name twice"
+        ),
     ],
 )
 def test_a_file_that_is_no_plan_gives_one_clear_line(
@@ -133,6 +136,8 @@ def test_a_missing_file_and_a_folder_give_clear_messages(tmp_path: Path):
         load_site("a\0b.geojson")
     with pytest.raises(SitePlanError, match="got a directory"):
         load_site(tmp_path)
+    with pytest.raises(SitePlanError, match="got a device or pipe"):
+        load_site("/dev/zero")
 
 
 def test_a_long_list_of_mistakes_is_told_by_the_first_and_a_count(

@@ -1,4 +1,4 @@
-"""`memorymaze sites`: list, check and draw site plans."""
+"""`memorymaze sites`: list, begin, check and draw site plans."""
 
 import argparse
 import sys
@@ -19,13 +19,14 @@ def add_parser(verbs: Verbs) -> None:
     """Add the verb to the command line."""
     parser = verbs.add_parser(
         "sites",
-        help="list, check and draw site plans, and get models for them",
-        description="List, check and draw site plans (docs/site_plans.md), and "
+        help="list, begin, check and draw site plans, and get models for them",
+        description="List, begin, check and draw site plans (docs/site_plans.md), and "
         "convert models for what stands in them (docs/assets.md).",
         epilog="example: memorymaze sites check my_buildings/annex.geojson",
     )
     parts = parser.add_subparsers(title="verbs", metavar="VERB", required=True)
     _add_list(parts)
+    _add_new(parts)
     _add_check(parts)
     _add_draw(parts)
     _add_models(parts)
@@ -45,6 +46,22 @@ def _add_list(verbs: Verbs) -> None:
         help="a folder with plans (*.geojson); without it, the benchmark's own sites",
     )
     parser.set_defaults(run=_list)
+
+
+def _add_new(verbs: Verbs) -> None:
+    parser = verbs.add_parser(
+        "new",
+        help="write a small plan to begin with",
+        description="Write a small plan that is right in every part: two corridors, a "
+        "corner, a door, a bench and a route. Change it into your building; "
+        "docs/site_plans.md explains every member.",
+        epilog="example: memorymaze sites new annex --out my_buildings/annex.geojson",
+    )
+    parser.add_argument("name", metavar="NAME", help="what instructions will call it")
+    parser.add_argument(
+        "--out", metavar="FILE", help="file to write (default: NAME.geojson)"
+    )
+    parser.set_defaults(run=_new)
 
 
 def _add_check(verbs: Verbs) -> None:
@@ -115,6 +132,18 @@ def _add_models(verbs: Verbs) -> None:
         help="folder with furniture libraries, *.sh3f (default: where Debian has them)",
     )
     parser.set_defaults(run=_models)
+
+
+def _new(args: argparse.Namespace) -> int:
+    from memorymaze.durable_files import write_new
+    from memorymaze.sites.loading import new_plan
+
+    plan = new_plan(args.name)
+    out = Path(args.out or f"{args.name}.geojson")
+    out.parent.mkdir(parents=True, exist_ok=True)
+    write_new(out, plan)
+    print(out)
+    return DONE
 
 
 def _list(args: argparse.Namespace) -> int:

@@ -4,14 +4,13 @@ What each rule means is in `docs/site_plans.md`.
 """
 
 import math
-import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from memorymaze.sites import plan_models as models
 from memorymaze.sites.floor_rules import exact_floor, floor_findings, thing_findings
-from memorymaze.sites.loading import site_from_content
+from memorymaze.sites.loading import SNAKE_CASE, site_from_content
 from memorymaze.sites.loading_rules import (
     FLOOR_RULES,
     floor_is_complete,
@@ -57,7 +56,6 @@ ROOM_USES = (
     "stairwell",
 )
 DOOR_STYLES = ("wood", "glass", "steel", "automatic_glass", "elevator", "fire")
-SNAKE_CASE = re.compile(r"[a-z0-9]+(_[a-z0-9]+)*")
 
 
 def check_site(path: str | Path) -> list[SiteProblem]:

@@ -2,6 +2,7 @@
 
 import json
 import math
+import re
 from collections.abc import Callable, Sequence
 from itertools import pairwise
 from pathlib import Path
@@ -19,6 +20,8 @@ from memorymaze.sites.problems import Finding, Rule
 from memorymaze.sites.reading import PlanContent, read_plan
 
 Record = TypeVar("Record")
+
+SNAKE_CASE = re.compile(r"[a-z0-9]+(_[a-z0-9]+)*")
 
 SMALLEST_AREA = 0.01
 """A floor or room smaller than this many square metres is a slip of the pen."""
@@ -139,6 +142,27 @@ class _ShapeError(Exception):
     def __init__(self, rule: Rule, message: str) -> None:
         super().__init__(message)
         self.rule: Rule = rule
+
+
+def new_plan(name: str) -> bytes:
+    """Return a small plan to begin with: two corridors, a corner, a door, a route.
+
+    Raises:
+        SettingsError: The name is not of small letters, digits and underscores.
+    """
+    if not SNAKE_CASE.fullmatch(name):
+        raise SettingsError(
+            "name: expected small letters, digits and underscores, such as annex_2, got "
+            f"{name!r}"
+        )
+    plan = (Path(__file__).parent / "data/skeleton.geojson").read_text("utf-8")
+    title = name.replace("_", " ").capitalize()
+    return (
+        plan
+        .replace('"name": "annex"', f'"name": "{name}"')
+        .replace('"title": "Annex"', f'"title": "{title}"')
+        .encode()
+    )
 
 
 def site_from_content(
@@ -337,15 +361,16 @@ def _landmark(feature: models.LandmarkFeature) -> records.Landmark:
 
 def _route(feature: models.RouteFeature) -> records.Route:
     properties = feature.properties
+    line = _line(feature.geometry.coordinates)
     return records.Route(
         feature.id,
-        _line(feature.geometry.coordinates),
+        line,
         properties.route,
         properties.role,
         _radians(properties.start_heading_deg),
         properties.goal,
         properties.goal_landmark,
-        properties.length_m,
+        line.length if properties.length_m is None else properties.length_m,
         tuple(records.RouteTurn(turn.at, turn.direction) for turn in properties.turns),
         properties.note,
     )

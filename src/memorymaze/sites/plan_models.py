@@ -174,7 +174,8 @@ class _RouteProperties(_Model):
     start_heading_deg: Degrees
     goal: Text
     goal_landmark: Identity
-    length_m: Annotated[float, Field(gt=0, le=FARTHEST)]
+    length_m: Annotated[float, Field(gt=0, le=FARTHEST)] | None = None
+    """None: as long as its line."""
     turns: list[_TurnModel]
     note: AnyText
 
