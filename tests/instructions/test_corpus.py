@@ -127,3 +127,30 @@ def test_what_an_instruction_leaves_out_is_filled_in_by_its_site(
     assert first.instruction.participant == "instruction-1"
     assert first.instruction.reference_route == "route_r1_reference"
     assert second.goal == tiny_sites["t_junction"].find_route("R2").line.coords[-1]
+
+
+def test_the_halves_read_and_not_read_while_developing_are_splits() -> None:
+    corpus = load_corpus()
+    halves = {name: corpus.of_split(name) for name in ("developed", "held_out")}
+    assert {name: len(half) for name, half in halves.items()} == {
+        "developed": 278,
+        "held_out": 286,
+    }
+    people = [
+        {each.instruction.participant for each in half} for half in halves.values()
+    ]
+    assert people[0].isdisjoint(people[1])
+    assert len(corpus.of_split("dev")) == 10
+    assert corpus.of_split(None) == corpus.episodes
+
+
+def test_a_corpus_of_ones_own_has_no_halves(
+    line: Line, instruction_file: Write, tiny_sites: dict[str, Site]
+) -> None:
+    corpus = load_corpus(instruction_file(line()), sites=[tiny_sites["loop"]])
+    assert len(corpus.of_split("test")) == 1
+    for split in ("held_out", "held-out", "dev"):
+        with pytest.raises(SettingsError, match=f"one of test, got '{split}'"):
+            corpus.of_split(split)
+    with pytest.raises(SettingsError, match="did you mean 'held_out'"):
+        load_corpus().of_split("held-out")

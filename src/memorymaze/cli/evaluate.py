@@ -50,7 +50,11 @@ def add_parser(verbs: Verbs) -> None:
         "people, each from four start headings (docs/sail.md)",
     )
     parser.add_argument(
-        "--split", metavar="NAME", help="only instructions of this split: dev or test"
+        "--split",
+        metavar="NAME",
+        help="only instructions of this split: dev or test (whether prompts may be built "
+        "from them); or developed or held_out, the halves of the participants whose texts "
+        "were and were not read while the rules agent was developed",
     )
     parser.add_argument(
         "--limit",

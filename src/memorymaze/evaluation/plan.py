@@ -14,7 +14,7 @@ from memorymaze.evaluation.agent_catalogue import (
 from memorymaze.evaluation.budgets import time_budget_for
 from memorymaze.evaluation.eyes import checked_eyes, looks_of_run
 from memorymaze.evaluation.language_models import answers_taken, parses_first
-from memorymaze.evaluation.sampling import of_split, sample
+from memorymaze.evaluation.sampling import sample
 from memorymaze.evaluation.settings import (
     AgentSettings,
     AnswersTaken,
@@ -67,7 +67,7 @@ def plan_run(
     if given is None:
         chosen_agent = _told_heading(chosen_agent, corpus)
     agent_for = build_agent(chosen_agent, given)
-    chosen = sample(of_split(list(corpus.episodes), settings.split), settings.limit)
+    chosen = sample(corpus.of_split(settings.split), settings.limit)
     names = dict.fromkeys(episode.instruction.site for episode in chosen)
     sites = {name: corpus.sites[name] for name in names}
     definition = define_run(

@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 
-from memorymaze.errors import SettingsError
 from memorymaze.instructions.records import Episode
 from memorymaze.options import check_whole
 
@@ -37,21 +36,6 @@ def sample(episodes: Sequence[Episode], limit: int | None) -> list[Episode]:
         for place in _evenly(count, len(cell))
     }
     return [episode for place, episode in enumerate(episodes) if place in chosen]
-
-
-def of_split(episodes: list[Episode], split: str | None) -> list[Episode]:
-    """Return the episodes of a split; all for None.
-
-    Raises:
-        SettingsError: None is of this split.
-    """
-    if split is None:
-        return episodes
-    kept = [episode for episode in episodes if episode.instruction.split == split]
-    if not kept:
-        known = sorted({episode.instruction.split for episode in episodes})
-        raise SettingsError(f"split: expected one of {', '.join(known)}, got {split!r}")
-    return kept
 
 
 def _shares(sizes: Sequence[int], limit: int) -> list[int]:

@@ -20,7 +20,7 @@ from memorymaze.gym.observations import Senses, Sensor
 from memorymaze.gym.rewards import Progress, RewardChoice, reward_settings
 from memorymaze.instructions.corpus import episodes
 from memorymaze.instructions.files import load_instructions
-from memorymaze.instructions.records import Episode
+from memorymaze.instructions.records import Episode, is_of_split
 from memorymaze.metrics.success import SUCCESS_DISTANCE
 from memorymaze.simulation import SimulatedRobot, SimulationSettings
 from memorymaze.simulation.obstacles import ObstacleSettings
@@ -326,7 +326,12 @@ def choose_episodes(
         if value is None:
             continue
         there = sorted({str(getattr(each, name)) for each in told})
-        told = [each for each in told if getattr(each, name) == value]
+        told = [
+            each
+            for each in told
+            if getattr(each, name) == value
+            or (name == "split" and is_of_split(each, value))
+        ]
         if not told:
             raise SettingsError(
                 f"{name}: expected one of {', '.join(there)}, got {value!r}"

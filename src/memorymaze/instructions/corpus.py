@@ -63,7 +63,13 @@ def load_corpus(
     else:
         known = {site.name: site for site in sites}
     read = episodes(load_instructions(files), known)
-    return Corpus(name, tuple(read), known, tuple(map(Path, files)))
+    return Corpus(
+        name,
+        tuple(read),
+        known,
+        tuple(map(Path, files)),
+        was_half_read=list(map(Path, files)) == [BUILTIN_CORPUS],
+    )
 
 
 def episodes(

@@ -6,11 +6,13 @@ What the types of an instruction's fields allow is checked where files are read.
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from hashlib import sha256
 from pathlib import Path
 from typing import Annotated, Literal
 
 from pydantic import AfterValidator, BeforeValidator, Field, Strict
 
+from memorymaze.errors import SettingsError, did_you_mean
 from memorymaze.geometry.pose import Pose
 from memorymaze.input_files import writable
 from memorymaze.sites.records import Site
@@ -45,6 +47,25 @@ WRITTEN_BY = {
     "synthetic": "a program (synthetic), not by people",
 }
 """Who wrote an instruction, by its source, as it is said wherever results are shown."""
+
+DEVELOPED, HELD_OUT = "developed", "held_out"
+"""Splits of the participants whose texts were read while the `rules` agent was developed,
+and of the others; also those of `dev` and `test`, which say where prompts come from."""
+
+
+def was_developed_on(participant: str) -> bool:
+    """Return whether a participant's texts were read while `rules` was developed.
+
+    They are those with an even SHA-256, of the shipped corpus and of SAIL.
+    """
+    return sha256(participant.encode()).digest()[-1] % 2 == 0
+
+
+def is_of_split(instruction: "Instruction", split: str) -> bool:
+    """Return whether an instruction is of a split: its own, or one of the halves."""
+    if split in {DEVELOPED, HELD_OUT}:
+        return was_developed_on(instruction.participant) == (split == DEVELOPED)
+    return instruction.split == split
 
 
 @dataclass(frozen=True, slots=True)
@@ -164,12 +185,32 @@ class Corpus:
     start_heading_is_told: bool = True
     """Whether a text may build on the way one faces at the start; False where each is
     followed from several headings."""
+    was_half_read: bool = False
+    """Whether half of its participants were read while `rules` was developed."""
 
     @property
     def instructions(self) -> tuple[Instruction, ...]:
         """What is followed, each once, in order."""
         by_id = {each.instruction.id: each.instruction for each in self.episodes}
         return tuple(by_id.values())
+
+    def of_split(self, split: str | None) -> tuple[Episode, ...]:
+        """Return the episodes of a split, such as `test` or `held_out`; all for None.
+
+        Raises:
+            SettingsError: None is of this split; says which there are.
+        """
+        if split is None:
+            return self.episodes
+        known = sorted({each.instruction.split for each in self.episodes})
+        known += [DEVELOPED, HELD_OUT] if self.was_half_read else []
+        kept = [each for each in self.episodes if is_of_split(each.instruction, split)]
+        if split not in known or not kept:
+            raise SettingsError(
+                f"split: expected one of {', '.join(known)}, got {split!r}"
+                f"{did_you_mean(split, known)}"
+            )
+        return tuple(kept)
 
     def __repr__(self) -> str:
         """Return name and size."""

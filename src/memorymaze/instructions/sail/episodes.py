@@ -1,12 +1,17 @@
 """SAIL's paragraphs as episodes: four for each, one for every start heading."""
 
-import hashlib
 import math
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from memorymaze.geometry.pose import Pose, wrap_angle
-from memorymaze.instructions.records import Corpus, Episode, Followers, Instruction
+from memorymaze.instructions.records import (
+    Corpus,
+    Episode,
+    Followers,
+    Instruction,
+    was_developed_on,
+)
 from memorymaze.instructions.sail.folder import load_sail
 from memorymaze.instructions.sail.records import Paragraph
 from memorymaze.instructions.sail.sites import EDGE, maze_site, route_name, site_name
@@ -45,6 +50,7 @@ def sail_corpus(folder: str | Path) -> Corpus:
         time_budget=TIME_BUDGET,
         detection_range=DETECTION_RANGE,
         start_heading_is_told=False,
+        was_half_read=True,
     )
 
 
@@ -87,16 +93,10 @@ def _episode(paragraph: Paragraph, site: Site, heading: str) -> Episode:
         failures=(),
         source="human",
         language="en",
-        split=_split(paragraph.writer),
+        split=DEVELOPMENT if was_developed_on(paragraph.writer) else "test",
         followers=Followers(paragraph.usable, paragraph.followers, paragraph.arrived),
     )
     path = tuple((float(x), float(y)) for x, y, *_ in route.line.coords)
     x, y = path[0]
     start = Pose(x, y, wrap_angle(math.radians(HEADINGS[heading])))
     return Episode(f"{paragraph.id}{_MARK}{heading}", told, start, path[-1], path)
-
-
-def _split(writer: str) -> str:
-    """Halve the writers by the SHA-256 of their names, even ones for development."""
-    even = hashlib.sha256(writer.encode()).digest()[-1] % 2 == 0
-    return DEVELOPMENT if even else "test"
