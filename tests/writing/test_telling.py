@@ -152,8 +152,11 @@ def test_a_written_record_is_read_back_with_its_labels(t_site: Site) -> None:
     ("spans", "said"),
     [
         ('[{"kind": "filler", "start": 3, "end": 9999}]', "the length of the text"),
-        ('[{"kind": "filler", "start": -1, "end": 2}]', "a character of the text"),
-        ('[{"start": 0, "end": 2}]', "missing"),
+        (
+            '[{"kind": "filler", "start": -1, "end": 2}]',
+            "spans[0].start': expected greater than or equal to 0",
+        ),
+        ('[{"start": 0, "end": 2}]', "spans[0].kind': expected this member"),
     ],
 )
 def test_labels_outside_the_text_are_refused(
