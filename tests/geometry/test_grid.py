@@ -25,6 +25,12 @@ def test_centres_lie_on_multiples_of_the_cell_and_on_the_floor() -> None:
     assert grid.centres.tolist() == [[0.5, 0.5], [1.0, 0.5], [1.5, 0.5]]
 
 
+def test_a_floor_with_too_many_cells_is_refused_before_they_are_made() -> None:
+    hall = shapely.box(0, 0, 1900, 1900)
+    with pytest.raises(ValueError, match=r"at most 50,000 m² .* got 3,610,000 m²"):
+        FloorGrid.from_polygon(hall)
+
+
 def test_neighbours_are_joined_in_eight_directions() -> None:
     grid = FloorGrid.from_polygon(shapely.box(0, 0, 1, 1))
     middle = node(grid, 0.5, 0.5)

@@ -8,6 +8,7 @@ from typing import Any
 import pytest
 
 from memorymaze.errors import SitePlanError
+from memorymaze.geometry.grid import LARGEST_FLOOR
 from memorymaze.sites import check_site, load_site
 
 Changed = Callable[[str, str, dict[str, Any]], Path]
@@ -153,6 +154,13 @@ def test_a_plan_in_millimetres_is_told_that_metres_are_wanted(
     message = _refused(enlarged("l_shape", 1000), "-", "floor-size")
     assert "at most 2000 m across, got 13000 m" in message
     assert "millimetres" in message
+
+
+def test_a_hall_whose_distances_would_take_gigabytes_is_refused_with_its_size(
+    enlarged: Callable[[str, float], Path],
+):
+    message = _refused(enlarged("l_shape", 100), "-", "floor-size")
+    assert f"at most {LARGEST_FLOOR:,.0f} m², got 460,000 m²" in message
 
 
 def test_a_floor_that_obstacles_cover_wholly_is_refused(changed: Changed):

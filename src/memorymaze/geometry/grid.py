@@ -28,6 +28,13 @@ FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.intp]
 BoolArray = NDArray[np.bool_]
 
+CELL = 0.5
+"""Side of a cell, metres."""
+MOST_CELLS = 200_000
+"""Of one floor. They take some 200 MB, and the distances from a place some tenths of a
+second; both grow with their number."""
+LARGEST_FLOOR = MOST_CELLS * CELL**2
+"""Square metres that have so many cells."""
 HALF_DIAGONAL = 0.7072
 """Of a cell of size 1, rounded up."""
 
@@ -57,7 +64,7 @@ class FloorGrid:
 
     @classmethod
     def from_polygon(
-        cls, floor: Polygon | MultiPolygon, cell: float = 0.5, tolerance: float = 0.5
+        cls, floor: Polygon | MultiPolygon, cell: float = CELL, tolerance: float = 0.5
     ) -> Self:
         """Lay a grid over a floor.
 
@@ -67,21 +74,28 @@ class FloorGrid:
             tolerance: Metres a point may lie off the floor and still be mapped.
 
         Raises:
-            ValueError: The floor is empty, invalid, or has no cell centre on it.
+            ValueError: The floor is empty, invalid, too large, or has no cell centre on it.
         """
         if not (np.isfinite(cell) and cell > 0):
             raise ValueError(f"expected a cell size > 0 m, got {cell}")
+        cells = floor.area / cell**2
+        if cells > MOST_CELLS:
+            raise ValueError(
+                f"expected a floor of at most {MOST_CELLS * cell**2:,.0f} m² for cells "
+                f"of {cell:g} m, got {floor.area:,.0f} m²"
+            )
         prepared = Floor(floor)
         west, south, east, north = floor.bounds
         xs = np.arange(np.floor(west / cell), np.ceil(east / cell) + 1) * cell
         ys = np.arange(np.floor(south / cell), np.ceil(north / cell) + 1) * cell
-        grid_x, grid_y = np.meshgrid(xs, ys, indexing="ij")
-        on_floor = prepared.contains(grid_x, grid_y)
+        # Row by row: the box around a building may be far larger than its floor.
+        on_floor = np.stack([prepared.contains(np.full_like(ys, x), ys) for x in xs])
         if not on_floor.any():
             raise ValueError(f"no centre of a {cell} m cell lies on the floor")
-        number = np.full(on_floor.shape, -1, dtype=np.intp)
+        number = np.full(on_floor.shape, -1, dtype=np.int32)
         number[on_floor] = np.arange(np.count_nonzero(on_floor))
-        centres = np.column_stack([grid_x[on_floor], grid_y[on_floor]])
+        rows, columns = np.nonzero(on_floor)
+        centres = np.column_stack([xs[rows], ys[columns]])
         graph = _steps(number, centres, prepared, cell)
         labels = connected_components(graph, directed=False)[1]
         kept = np.flatnonzero(labels == np.argmax(np.bincount(labels)))

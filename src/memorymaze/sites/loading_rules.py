@@ -4,6 +4,7 @@ from collections.abc import Iterator, Mapping
 
 from shapely import Point, union_all
 
+from memorymaze.geometry.grid import LARGEST_FLOOR
 from memorymaze.sites.problems import PLAN, Finding
 from memorymaze.sites.records import Site, floor_pieces
 
@@ -120,6 +121,15 @@ def _floor(site: Site) -> Iterator[Finding]:
         )
         return
     main, *others = floor_pieces([each.polygon for each in named])
+    if main.area > LARGEST_FLOOR:
+        yield Finding(
+            PLAN,
+            "floor-size",
+            f"expected a floor of at most {LARGEST_FLOOR:,.0f} m², got "
+            f"{main.area:,.0f} m²; distances on a larger one take gigabytes and minutes: "
+            "cut the building into several sites",
+        )
+        return
     for piece in others:
         on_it = [
             each.id
