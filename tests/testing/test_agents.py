@@ -1,21 +1,31 @@
+import runpy
 from collections.abc import Callable
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
 from memorymaze.agents import AGENTS, Agent, Journal, StopAgent
 from memorymaze.agents.code_generation import CodeGenerationAgent
+from memorymaze.agents.navgpt import NavGPTAgent, NavGPTOptions
 from memorymaze.agents.navid import NavidAgent
 from memorymaze.agents.navid.model_policies import VisionPolicy
 from memorymaze.errors import EpisodeOver
+from memorymaze.evaluation.graph_agents import NavGPTOnGraph
+from memorymaze.evaluation.navid_runs import NavidOnSite
+from memorymaze.evaluation.oracle import OracleAgent
 from memorymaze.geometry.pose import Pose
 from memorymaze.language.model import CompletionRequest
 from memorymaze.language.scripted_model import ScriptedLanguageModel
 from memorymaze.pictures import robot_cameras
 from memorymaze.robot.api import Robot
+from memorymaze.robot.steps import SteppingRobot
 from memorymaze.simulation import SimulatedRobot, SimulationSettings, build_scene
 from memorymaze.sites import Site
 from memorymaze.testing import check_agent
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
 
 PROGRAM = """
 move_forward(5.0)
@@ -43,7 +53,7 @@ def test_the_code_generation_agent_keeps_the_contract(parser: bool) -> None:
 
 
 @pytest.fixture
-def make_robot(corridor_site: Site) -> Callable[[], Robot]:
+def make_robot(corridor_site: Site) -> Callable[[], SteppingRobot]:
     """Robots in a corridor, for ten simulated seconds."""
     scene = build_scene(corridor_site)
     settings = SimulationSettings(time_budget=10.0)
@@ -54,10 +64,33 @@ def make_robot(corridor_site: Site) -> Callable[[], Robot]:
     "reply", ['{"action": "forward", "amount": 75}', "turn left 90 degrees", "?"]
 )
 def test_an_agent_that_goes_by_single_steps_keeps_the_contract(
-    make_robot: Callable[[], Robot], reply: str
+    make_robot: Callable[[], SteppingRobot], reply: str
 ) -> None:
     policy = VisionPolicy(ScriptedLanguageModel(lambda _: reply))
     check_agent(NavidAgent(policy), make_robot)
+
+
+@pytest.mark.parametrize(
+    ("file", "name"),
+    [("right_hand.py", "RightHand"), ("depth_walker.py", "DepthWalker")],
+)
+def test_the_example_agents_keep_the_contract(
+    make_robot: Callable[[], SteppingRobot], file: str, name: str
+) -> None:
+    check_agent(runpy.run_path(str(EXAMPLES / file))[name](), make_robot)
+
+
+def test_agents_that_are_given_more_of_the_site_keep_the_contract(
+    make_robot: Callable[[], SteppingRobot],
+) -> None:
+    silent = ScriptedLanguageModel(lambda _: "Thought: There.\nFinal Answer: arrived")
+    policy = VisionPolicy(ScriptedLanguageModel(lambda _: "turn left 90 degrees"))
+    for agent in (
+        OracleAgent([(2, 0), (9, 0)]),
+        NavGPTOnGraph(NavGPTAgent(silent, NavGPTOptions())),
+        NavidOnSite(NavidAgent(policy)),
+    ):
+        check_agent(agent, make_robot)
 
 
 class Nameless(StopAgent):
@@ -83,6 +116,13 @@ class Denying(StopAgent):
                 continue
 
 
+class Peeking(StopAgent):
+    def follow(
+        self, instruction: str, robot: Any, journal: Journal, rng: np.random.Generator
+    ) -> None:
+        robot.say(robot.scene.site.name)
+
+
 class Remembering(StopAgent):
     def __init__(self) -> None:
         self.followed = 0
@@ -99,16 +139,19 @@ class Remembering(StopAgent):
     [
         pytest.param(Nameless(), "one line of text, got ''", id="nameless"),
         pytest.param(Failing(), r"IndexError: no words \(test_agents.py", id="failing"),
+        pytest.param(Peeking(), "follows an instruction has no 'scene'", id="peeking"),
         pytest.param(Denying(), "episode is over; got '10 more calls'", id="denying"),
         pytest.param(Remembering(), "the same calls for the same", id="remembering"),
     ],
 )
 def test_an_agent_that_breaks_the_contract_is_told_how(
-    agent: Agent, said: str, make_robot: Callable[[], Robot]
+    agent: Agent, said: str, make_robot: Callable[[], SteppingRobot]
 ) -> None:
     with pytest.raises(AssertionError, match=said):
         check_agent(agent, make_robot)
 
 
-def test_an_agent_may_promise_no_repetition(make_robot: Callable[[], Robot]) -> None:
+def test_an_agent_may_promise_no_repetition(
+    make_robot: Callable[[], SteppingRobot],
+) -> None:
     check_agent(Remembering(), make_robot, repeatable=False)

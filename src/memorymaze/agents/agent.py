@@ -9,7 +9,7 @@ from typing import Any, Literal, Protocol, cast, get_args
 import numpy as np
 
 from memorymaze.language.model import Completion
-from memorymaze.robot.api import Robot
+from memorymaze.robot.steps import SteppingRobot
 
 Need = Literal["language_model", "graph", "camera", "steps", "answers"]
 """What an agent needs besides text and robot: a language model to ask, the site's
@@ -123,11 +123,14 @@ class Agent(Protocol):
     def follow(
         self,
         instruction: str,
-        robot: Robot,
+        robot: SteppingRobot,
         journal: Journal,
         rng: np.random.Generator,
     ) -> None:
-        """Drive the robot as the instruction says."""
+        """Drive the robot as the instruction says.
+
+        An agent that needs neither steps nor pictures takes a `Robot`.
+        """
         ...
 
 

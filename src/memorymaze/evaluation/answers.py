@@ -18,7 +18,7 @@ from memorymaze.language.answer_files import AnswerFile
 from memorymaze.language.answers import UnansweredError
 from memorymaze.language.model import CompletionRequest
 from memorymaze.perception.eyes import Eyes
-from memorymaze.robot.api import Robot
+from memorymaze.robot.steps import SteppingRobot
 
 Kind = Literal["unsafe", "crash", "model_error", "note"]
 """How an episode will end, or `note`: worth knowing."""
@@ -101,7 +101,11 @@ class _Inquirer:
         self.open: CompletionRequest | None = None
 
     def follow(
-        self, instruction: str, robot: Robot, journal: Journal, rng: np.random.Generator
+        self,
+        instruction: str,
+        robot: SteppingRobot,
+        journal: Journal,
+        rng: np.random.Generator,
     ) -> None:
         try:
             self._agent.follow(instruction, robot, journal, rng)
@@ -114,7 +118,7 @@ def _follow_nowhere(
     agent: Agent, episode: Episode, journal: Journal
 ) -> ProgramError | LanguageModelError | None:
     """Let an agent ask; it is stopped where it would move. Return what went wrong."""
-    robot = cast(Robot, _Nowhere())
+    robot = cast(SteppingRobot, _Nowhere())
     try:
         agent.follow(episode.instruction.text, robot, journal, np.random.default_rng(0))
     except EpisodeOver:

@@ -33,7 +33,7 @@ from memorymaze.evaluation.trace_entries import (
 from memorymaze.evaluation.turns import turns_in_order
 from memorymaze.geometry.trajectory import Trajectory
 from memorymaze.instructions.records import Episode
-from memorymaze.robot.api import Robot
+from memorymaze.robot.steps import SteppingRobot
 from memorymaze.simulation import SimulatedRobot
 
 
@@ -197,7 +197,7 @@ def _follow(
     agent: Agent,
     text: str,
     robot: SimulatedRobot,
-    handed: Robot,
+    handed: SteppingRobot,
     journal: Journal,
     rng: Any,
 ) -> _Ending:

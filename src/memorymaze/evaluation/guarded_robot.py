@@ -9,9 +9,8 @@ from memorymaze.robot.api import (
     SignText,
     TurnResult,
 )
-from memorymaze.robot.steps import CameraPicture
+from memorymaze.robot.steps import CameraPicture, LidarScan
 from memorymaze.simulation import SimulatedRobot
-from memorymaze.simulation.senses.lidar import LidarScan
 
 
 class GuardedRobot:
@@ -33,7 +32,7 @@ class GuardedRobot:
         """Refuse what agents do not get."""
         raise AttributeError(
             f"a robot that follows an instruction has no {name!r}: agents get what is in "
-            "memorymaze.robot.api and memorymaze.robot.steps, and lidar_scan()",
+            "memorymaze.robot.api and memorymaze.robot.steps",
             name=name,
             obj=self,
         )
@@ -89,7 +88,7 @@ class GuardedRobot:
         return self.__robot.camera_picture(width, height, horizontal_fov)
 
     def lidar_scan(self) -> LidarScan:
-        """See `SimulatedRobot.lidar_scan`."""
+        """See `SteppingRobot.lidar_scan`."""
         return self.__robot.lidar_scan()
 
     def __repr__(self) -> str:

@@ -1,4 +1,4 @@
-"""Primitive motions and raw pictures, for agents that decide step by step.
+"""Primitive motions, pictures with depth and LiDAR scans, for agents that go by steps.
 
 Programs in the sandbox do not get these: the control API proper is
 `memorymaze.robot.api`.
@@ -13,6 +13,8 @@ from numpy.typing import NDArray
 
 from memorymaze.robot.api import Robot
 
+FloatArray = NDArray[np.float64]
+
 
 @dataclass(frozen=True, eq=False)
 class CameraPicture:
@@ -24,11 +26,46 @@ class CameraPicture:
     """Metres along the optical axis, (height, width); inf where nothing is."""
 
 
+@dataclass(frozen=True, eq=False)
+class LidarScan:
+    """What one turn of a LiDAR measured, in the robot's frame; it knows no pose."""
+
+    ranges: FloatArray
+    """Metres along each ray, shape (beams, rays) or with one beam (rays,). `inf`
+    where nothing came back: nothing within `farthest`, something within `nearest`, or
+    a ray that dropped out. Never nan."""
+    angles: FloatArray
+    """Of the rays in the horizontal plane, radians from straight ahead, left positive,
+    ascending from -pi; shape (rays,)."""
+    elevations: FloatArray
+    """Of the beams, radians, up positive, shape (beams,)."""
+    time: float
+    """Simulated seconds."""
+
+    def points(self) -> FloatArray:
+        """Return where the rays ended: metres in the robot's frame, shape (N, 3).
+
+        x ahead, y to the left, z up from the sensor; only rays that gave a return.
+        """
+        ranges = np.atleast_2d(self.ranges)
+        level = ranges * np.cos(self.elevations)[:, np.newaxis]
+        with np.errstate(invalid="ignore"):  # inf times a sine of 0
+            points = np.stack(
+                [
+                    level * np.cos(self.angles),
+                    level * np.sin(self.angles),
+                    ranges * np.sin(self.elevations)[:, np.newaxis],
+                ],
+                axis=-1,
+            )
+        return points[np.isfinite(ranges)]
+
+
 @runtime_checkable
 class SteppingRobot(Robot, Protocol):
     """A robot that can also be moved by single steps, without any help in steering.
 
-    Each call counts as a call of the control API. The robot stands when a step ends.
+    This is what every agent is given. Each call counts as a call of the control API. The robot stands when a step ends.
     """
 
     def step_forward(self, distance: float) -> float:
@@ -80,4 +117,8 @@ class SteppingRobot(Robot, Protocol):
             RenderingError: This machine cannot draw; says what to install.
             EpisodeOver: The episode is over.
         """
+        ...
+
+    def lidar_scan(self) -> LidarScan:
+        """Measure once all around, in no time; it is no call of the control API."""
         ...

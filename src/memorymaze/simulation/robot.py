@@ -27,7 +27,7 @@ from memorymaze.robot.api import (
     SignText,
     TurnResult,
 )
-from memorymaze.robot.steps import CameraPicture
+from memorymaze.robot.steps import CameraPicture, LidarScan
 from memorymaze.simulation.cameras import (
     CameraFrame,
     CameraMaker,
@@ -45,7 +45,7 @@ from memorymaze.simulation.motion.driving import Driver, TimeIsUp
 from memorymaze.simulation.motion.pilot import Pilot
 from memorymaze.simulation.obstacles.surroundings import NearMiss, Surroundings
 from memorymaze.simulation.scene import Scene
-from memorymaze.simulation.senses.lidar import Lidar, LidarScan, LidarSettings
+from memorymaze.simulation.senses.lidar import Lidar, LidarSettings
 from memorymaze.simulation.senses.lidar_turning_points import LidarTurningPoints
 from memorymaze.simulation.senses.odometry import Odometry, OdometrySettings
 from memorymaze.simulation.senses.visibility import RayCamera, camera_elsewhere
@@ -342,7 +342,7 @@ class SimulatedRobot:
         self._driver.on_motion = on_motion
 
     def lidar_scan(self) -> LidarScan:
-        """Return what the LiDAR measures from where the robot is."""
+        """See `SteppingRobot.lidar_scan`."""
         return self._lidar.scan(self.pose, self.time)
 
     def camera_view(self) -> CameraView:

@@ -1,8 +1,7 @@
 """What every agent must do that follows instructions."""
 
-import math
 from collections.abc import Callable, Sequence
-from typing import Any, TypeVar
+from typing import Any, cast
 
 import numpy as np
 
@@ -14,22 +13,14 @@ from memorymaze.errors import (
     SettingsError,
 )
 from memorymaze.evaluation.agent_failures import failure_line
+from memorymaze.evaluation.guarded_robot import GuardedRobot
 from memorymaze.evaluation.own_agents import checked_agent
 from memorymaze.pictures import robot_cameras
-from memorymaze.robot.api import (
-    Detection,
-    Direction,
-    MoveResult,
-    Robot,
-    SignText,
-    TurnResult,
-)
-from memorymaze.robot.steps import CameraPicture, SteppingRobot
+from memorymaze.robot.specification import API_NAMES
+from memorymaze.robot.steps import SteppingRobot
 from memorymaze.simulation import SimulatedRobot, SimulationSettings, build_scene
 from memorymaze.sites import load_site
 from memorymaze.testing.expectation import expect
-
-Result = TypeVar("Result")
 
 INSTRUCTIONS = (
     "Go straight ahead to the end, turn left there, and stop at the second door.",
@@ -46,7 +37,7 @@ LEFTOVER_CALLS = 3
 
 def check_agent(
     agent: Agent,
-    make_robot: Callable[[], Robot] | None = None,
+    make_robot: Callable[[], SteppingRobot] | None = None,
     *,
     instructions: Sequence[str] = INSTRUCTIONS,
     repeatable: bool = True,
@@ -54,7 +45,8 @@ def check_agent(
     """Check that an agent keeps its contract.
 
     It follows every instruction, then the first one again, each time with a robot at
-    the beginning of an episode. Whatever it is told it must end without an error of
+    the beginning of an episode, and guarded as in a run: it has the control API, steps,
+    pictures and scans, and no more. Whatever it is told it must end without an error of
     its own, leave the robot alone when the episode is over, and do the same again when
     told the same.
 
@@ -84,7 +76,7 @@ def check_agent(
         expect(again == calls, f"{what}, such as {_end(calls)}", _end(again))
 
 
-def _museum() -> Callable[[], Robot]:
+def _museum() -> Callable[[], SteppingRobot]:
     scene = build_scene(load_site("museum_5f"))
     start = scene.site.reference_route("R2").start
     settings = SimulationSettings(time_budget=40.0, call_budget=300)
@@ -93,13 +85,13 @@ def _museum() -> Callable[[], Robot]:
     )
 
 
-def _followed(agent: Agent, text: str, robot: Robot) -> list[str]:
+def _followed(agent: Agent, text: str, robot: SteppingRobot) -> list[str]:
     """Let an agent follow a text; return what it called."""
-    steps = isinstance(robot, SteppingRobot)
-    watched = _WatchedSteppingRobot(robot) if steps else _WatchedRobot(robot)
+    heard = _Calls(robot)
     named = f"follow({text[:30]!r}…) to end"
+    guarded = GuardedRobot(cast(SimulatedRobot, robot))
     try:
-        agent.follow(text, watched, Journal(), np.random.default_rng(0))
+        agent.follow(text, guarded, Journal(), np.random.default_rng(0))
     except (EpisodeOver, ProgramError, LanguageModelError):
         pass
     except (Exception, SystemExit) as error:
@@ -108,82 +100,35 @@ def _followed(agent: Agent, text: str, robot: Robot) -> list[str]:
             f"expected {allowed}; got {failure_line(error, agent)}"
         ) from error
     expect(
-        watched.leftover <= LEFTOVER_CALLS,
+        heard.leftover <= LEFTOVER_CALLS,
         f"{named} where the robot says that the episode is over",
-        f"{watched.leftover} more calls",
+        f"{heard.leftover} more calls",
     )
-    return watched.calls
+    return heard.made
 
 
 def _end(calls: Sequence[str]) -> str:
     return f"{len(calls)} calls, at last {', '.join(calls[-3:]) or 'none'}"
 
 
-class _WatchedRobot:
-    """Passes calls on and remembers them."""
-
-    def __init__(self, robot: Robot) -> None:
-        self._robot = robot
-        self._over = False
-        self.calls: list[str] = []
-        self.leftover = 0
-
-    def move_forward(self, distance: float) -> MoveResult:
-        return self._passed("move_forward", self._robot.move_forward, distance)
-
-    def detect_turning_point(self) -> list[Direction]:
-        return self._passed("detect_turning_point", self._robot.detect_turning_point)
-
-    def turning_point_id(self) -> int | None:
-        return self._passed("turning_point_id", self._robot.turning_point_id)
-
-    def turn(self, direction: str) -> TurnResult:
-        return self._passed("turn", self._robot.turn, direction)
-
-    def detect_from_RGB_image(self, object: str) -> list[Detection]:
-        return self._passed(
-            "detect_from_RGB_image", self._robot.detect_from_RGB_image, object
-        )
-
-    def read_signs(self) -> list[SignText]:
-        return self._passed("read_signs", self._robot.read_signs)
-
-    def say(self, text: str) -> None:
-        self._passed("say", self._robot.say, text)
-
-    def distance_travelled(self) -> float:
-        return self._passed("distance_travelled", self._robot.distance_travelled)
-
-    def stop(self) -> None:
-        self._passed("stop", self._robot.stop)
-
-    def _passed(
-        self, name: str, call: Callable[..., Result], *arguments: Any
-    ) -> Result:
-        self.calls.append(f"{name}{arguments!r}")
-        self.leftover += self._over
-        try:
-            return call(*arguments)
-        except EpisodeOver:
-            self._over = True
-            raise
-
-
-class _WatchedSteppingRobot(_WatchedRobot):
-    """The same, for robots that can be moved by single steps."""
+class _Calls:
+    """Listens to what is called of a robot."""
 
     def __init__(self, robot: SteppingRobot) -> None:
-        super().__init__(robot)
-        self._stepping = robot
+        self.made: list[str] = []
+        self.leftover = 0
+        self._over = False
+        for name in (*API_NAMES, "step_forward", "rotate", "camera_picture"):
+            setattr(robot, name, self._heard(name, getattr(robot, name)))
 
-    def step_forward(self, distance: float) -> float:
-        return self._passed("step_forward", self._stepping.step_forward, distance)
+    def _heard(self, name: str, call: Callable[..., Any]) -> Callable[..., Any]:
+        def heard(*arguments: Any) -> Any:
+            self.made.append(f"{name}{arguments!r}")
+            self.leftover += self._over
+            try:
+                return call(*arguments)
+            except EpisodeOver:
+                self._over = True
+                raise
 
-    def rotate(self, angle: float) -> float:
-        return self._passed("rotate", self._stepping.rotate, angle)
-
-    def camera_picture(
-        self, width: int = 640, height: int = 480, horizontal_fov: float = math.pi / 2
-    ) -> CameraPicture:
-        picture = self._stepping.camera_picture
-        return self._passed("camera_picture", picture, width, height, horizontal_fov)
+        return heard

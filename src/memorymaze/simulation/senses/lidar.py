@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from memorymaze.errors import SettingsError
 from memorymaze.geometry.pose import Pose
 from memorymaze.options import check_number
+from memorymaze.robot.steps import LidarScan
 from memorymaze.simulation.motion.wheeled_base import ROBOT_GROUP
 from memorymaze.simulation.scene import FLOOR_GROUP, Scene
 
@@ -64,41 +65,6 @@ class LidarSettings:
             whole = each.name in ("rays", "beams")
             value = getattr(self, each.name)
             check_number(f"LiDAR setting {each.name}", value, least, most, whole=whole)
-
-
-@dataclass(frozen=True, eq=False)
-class LidarScan:
-    """What one turn of a LiDAR measured, in the robot's frame; it knows no pose."""
-
-    ranges: FloatArray
-    """Metres along each ray, shape (beams, rays) or with one beam (rays,). `inf`
-    where nothing came back: nothing within `farthest`, something within `nearest`, or
-    a ray that dropped out. Never nan."""
-    angles: FloatArray
-    """Of the rays in the horizontal plane, radians from straight ahead, left positive,
-    ascending from -pi; shape (rays,)."""
-    elevations: FloatArray
-    """Of the beams, radians, up positive, shape (beams,)."""
-    time: float
-    """Simulated seconds."""
-
-    def points(self) -> FloatArray:
-        """Return where the rays ended: metres in the robot's frame, shape (N, 3).
-
-        x ahead, y to the left, z up from the sensor; only rays that gave a return.
-        """
-        ranges = np.atleast_2d(self.ranges)
-        level = ranges * np.cos(self.elevations)[:, np.newaxis]
-        with np.errstate(invalid="ignore"):  # inf times a sine of 0
-            points = np.stack(
-                [
-                    level * np.cos(self.angles),
-                    level * np.sin(self.angles),
-                    ranges * np.sin(self.elevations)[:, np.newaxis],
-                ],
-                axis=-1,
-            )
-        return points[np.isfinite(ranges)]
 
 
 class Lidar:
