@@ -124,6 +124,7 @@ def test_a_site_without_a_file_cannot_have_captions_kept(
 @pytest.mark.parametrize(
     ("reply", "message"),
     [
+        ('{"views": ' + "[" * 100_000 + "}", "got none"),
         ("", "got none"),
         ("[1, 2]", "got none"),
         ('{"views": []}', "got none"),

@@ -1,6 +1,7 @@
 """A client holds its own against servers that are down, slow, busy or talk nonsense."""
 
 import contextlib
+import gzip
 import json
 import socket
 import threading
@@ -62,6 +63,10 @@ CUT = object()
 """An answer: its first half, then the connection is cut."""
 DRIP = object()
 """An answer: a byte now and then, without an end."""
+DRIP_HEADERS = object()
+"""An answer: one line of its head after the other, without an end."""
+BOMB = object()
+"""An answer: small on its way, and large when it is unpacked."""
 FLOOD = object()
 """An answer: as fast as it goes, without an end."""
 
@@ -89,6 +94,21 @@ class Server:
                 if answer in (HANG, CLOSE):
                     self.close_connection = True
                     self.connection.shutdown(socket.SHUT_RDWR)
+                    return
+                if answer is DRIP_HEADERS:
+                    self.close_connection = True
+                    self.wfile.write(b"HTTP/1.1 200 OK\r\n")
+                    with contextlib.suppress(OSError):
+                        while not server.released.wait(0.001):
+                            self.wfile.write(b"x-more: to come\r\n")
+                    return
+                if answer is BOMB:
+                    data = gzip.compress(b" " * 2**22)
+                    self.send_response(200)
+                    self.send_header("content-encoding", "gzip")
+                    self.send_header("content-length", str(len(data)))
+                    self.end_headers()
+                    self.wfile.write(data)
                     return
                 if answer in (CUT, DRIP, FLOOD):
                     self.send_response(200)
@@ -240,7 +260,11 @@ def test_passing_trouble_is_tried_again(trouble: object):
     assert len(server.requests) == 3
 
 
-@pytest.mark.parametrize("trouble", [HANG, DRIP], ids=["silent", "without an end"])
+@pytest.mark.parametrize(
+    "trouble",
+    [HANG, DRIP, DRIP_HEADERS],
+    ids=["silent", "without an end", "without an end of its head"],
+)
 def test_a_slow_answer_is_tried_again(trouble: object):
     with Server(trouble, reply("at last")) as server:
         assert server.model(timeout=0.3).complete(REQUEST).text == "at last"
@@ -284,6 +308,13 @@ def test_waits_double_unless_the_server_asks_for_longer(monkeypatch):
         (CUT, "cannot be reached: .* (3 attempts)"),
         (HANG, "did not answer in time (3 attempts)"),
         (DRIP, "did not answer in time (3 attempts)"),
+        (DRIP_HEADERS, "did not answer in time (3 attempts)"),
+        (BOMB, "sent an answer that is compressed (gzip)"),
+        ((200, '{"choices": ' + "[" * 100_000), "sent an answer not JSON"),
+        (reply(usage={"prompt_tokens": 10**30}), "that counts 10000000000"),
+        (reply(usage={"completion_tokens": 1e30}), "that counts 1e.30 completion_to"),
+        (reply(usage={"prompt_tokens": -1}), "that counts -1 prompt_tokens"),
+        (reply(usage={"prompt_tokens": "many"}), "that counts 'many' prompt_tokens"),
         (failure(401, "bad key"), "answered 401: .*bad key"),
         (failure(404, "no such model"), "answered 404: .*no such model"),
         (
@@ -307,7 +338,7 @@ def test_waits_double_unless_the_server_asks_for_longer(monkeypatch):
 )
 def test_every_failure_is_one_line_with_its_cause(answer: object, message: str):
     pattern = message.replace("(", r"\(").replace(")", r"\)")
-    slow = answer in (HANG, DRIP)
+    slow = any(answer is each for each in (HANG, DRIP, DRIP_HEADERS))
     with (
         Server(answer) as server,
         pytest.raises(LanguageModelError, match=pattern) as caught,

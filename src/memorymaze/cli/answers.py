@@ -37,6 +37,8 @@ def _add_requests(actions: Verbs) -> None:
         help="write what is open",
         description="Write the next request of each episode to which the store has no "
         "answer. Agents that ask while they walk are followed to that point.",
+        epilog="example: memorymaze answers requests --agent code_generation --model "
+        "gpt-4o --store answers.sqlite --out requests.jsonl",
     )
     parser.add_argument(
         "--model", metavar="NAME", required=True, help="as the server calls it"
@@ -60,6 +62,7 @@ def _add_import(actions: Verbs) -> None:
         help="read replies into a store",
         description="Read the replies to `memorymaze answers requests` into the store "
         "that it kept the requests in. Requests that failed stay open.",
+        epilog="example: memorymaze answers import replies.jsonl --store answers.sqlite",
     )
     parser.add_argument("replies", metavar="REPLIES", nargs="+", help="JSONL")
     parser.add_argument("--store", metavar="FILE", required=True)
@@ -73,6 +76,7 @@ def _add_check(actions: Verbs) -> None:
         description="Say which instructions lack answers, which answers were given to "
         "another version of the prompt, and how episodes will end before the robot "
         "moves: each program is checked as the sandbox does, and not run.",
+        epilog="example: memorymaze answers check answers.sqlite",
     )
     parser.add_argument("file", metavar="FILE", help="a store, or a JSONL file")
     parser.add_argument("--model", metavar="NAME", help="of a store with several")

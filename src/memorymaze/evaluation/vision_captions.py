@@ -280,7 +280,7 @@ def read_captions(reply: str) -> Captions:
         record: Any = json.loads(reply[reply.index("{") : reply.rindex("}") + 1])
         views: Any = record["views"]
         summary: Any = record["summary"]
-    except (ValueError, KeyError, TypeError):
+    except (ValueError, KeyError, TypeError, RecursionError):
         raise ValueError(f"{expected}; got none") from None
     good = isinstance(views, list) and all(
         isinstance(each, str) and each.strip() for each in [*views, summary]

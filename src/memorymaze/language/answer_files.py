@@ -15,12 +15,12 @@ from pydantic import Field, StringConstraints, TypeAdapter, ValidationError
 
 from memorymaze.errors import AnswerFileError
 from memorymaze.input_files import mistakes, parse_record, read_lines
-from memorymaze.language.model import Completion, Question, Usage
+from memorymaze.language.model import MOST_TOKENS, Completion, Question, Usage
 from memorymaze.language.prompt_texts import numbered
 
 Text = Annotated[str, StringConstraints(min_length=1, pattern=r"\S")]
-Count = Annotated[int, Field(ge=0)]
-Amount = Annotated[float, Field(ge=0, allow_inf_nan=False)]
+Count = Annotated[int, Field(ge=0, le=MOST_TOKENS)]
+Amount = Annotated[float, Field(ge=0, le=1e9)]
 
 
 @dataclass(frozen=True, slots=True)

@@ -238,7 +238,8 @@ class AnswerStore:
             return None
         try:
             record: dict[str, Any] = json.loads(rows[0][0])
-            return Completion(**{**record, "usage": Usage(**record["usage"])})
+            usage = Usage(**record.pop("usage"))
+            return Completion(usage=usage, **record)
         except (ValueError, KeyError, TypeError) as error:
             raise self._unreadable(error) from error
 

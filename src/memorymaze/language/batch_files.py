@@ -18,6 +18,7 @@ from pydantic import BaseModel, Field, StringConstraints, ValidationError
 from memorymaze.errors import AnswerFileError
 from memorymaze.input_files import mistakes, parse_record, read_lines, refusal
 from memorymaze.language.model import (
+    MOST_TOKENS,
     Completion,
     CompletionRequest,
     Message,
@@ -25,7 +26,7 @@ from memorymaze.language.model import (
     why_unusable,
 )
 
-Count = Annotated[int, Field(ge=0)]
+Count = Annotated[int, Field(ge=0, le=MOST_TOKENS)]
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,6 +3,8 @@
 from dataclasses import dataclass
 from typing import Literal, Protocol
 
+MOST_TOKENS = 10_000_000
+"""Of a request or a reply; what counts more is taken for garbage."""
 LONGEST_REPLY = 200_000
 """Characters beyond which a reply is taken for garbage."""
 

@@ -3,8 +3,8 @@
 import os
 import time
 from collections.abc import Iterator
+from functools import partial
 from typing import Any, Literal, NoReturn
-from urllib.parse import urlsplit
 
 import httpx2
 import openai
@@ -12,17 +12,16 @@ import openai
 from memorymaze.errors import LanguageModelError, SettingsError
 from memorymaze.language.batch_files import content_of
 from memorymaze.language.model import (
+    MOST_TOKENS,
     Completion,
     CompletionRequest,
     Usage,
     why_unusable,
 )
+from memorymaze.language.server_calls import checked_address, one_line, within
 
 LONGEST_ANSWER = 8 * 2**20
 """Bytes of an answer beyond which it is taken for garbage."""
-_DEADLINE = "memorymaze_deadline"
-
-
 LONGEST_DELAY = 60.0
 """Seconds that are waited at most before an attempt."""
 
@@ -86,18 +85,28 @@ class OpenAIModel:
         self._grammar_server = grammar_server
         self._limit_name = "max_tokens"
         self._server = base_url or "OpenAI"
-        self._client = openai.OpenAI(
-            base_url=None if base_url is None else _checked(base_url),
+        self._timeout = timeout
+        if base_url is not None:
+            checked_address(
+                "language model server", base_url, "http://localhost:8000/v1"
+            )
+        self._connect = partial(
+            openai.OpenAI,
+            base_url=base_url,
             api_key=api_key or "none",
             timeout=timeout,
             max_retries=0,
-            http_client=bounded_client(timeout),
         )
+        self._client = self._connect(http_client=_client(timeout))
 
     @property
     def name(self) -> str:
         """The server's name for the model."""
         return self._model
+
+    @property
+    def _who(self) -> str:
+        return f"language model {self._model} at {self._server}"
 
     @property
     def takes_grammar(self) -> bool:
@@ -114,18 +123,30 @@ class OpenAIModel:
         while True:
             began = time.monotonic()
             try:
-                return self._read(self._ask(request), time.monotonic() - began)
+                answer = self._ask_in_time(request)
+                return self._read(answer, time.monotonic() - began)
             except openai.OpenAIError as error:
                 if self._adapt(error):
                     continue
                 delay = self._delay(error, attempt)
                 if delay is None:
                     self._fail(error, attempt + 1)
-            except ValueError as error:
+            except (ValueError, RecursionError) as error:
                 # The server said it sent JSON and did not.
-                raise self._unusable(f"not JSON ({_one_line(error)})") from error
+                raise self._unusable(f"not JSON ({one_line(error)})") from error
             attempt += 1
             time.sleep(delay)
+
+    def _ask_in_time(self, request: CompletionRequest) -> Any:
+        try:
+            return within(self._timeout, partial(self._ask, request))
+        except TimeoutError as error:
+            self._client.close()
+            self._client = self._connect(http_client=_client(self._timeout))
+            asked = httpx2.Request("POST", self._client.base_url)
+            raise openai.APITimeoutError(asked) from error
+        except LanguageModelError as error:
+            raise LanguageModelError(f"{self._who} {error}") from error
 
     def _ask(self, request: CompletionRequest) -> Any:
         optional: dict[str, Any] = {self._limit_name: request.max_tokens}
@@ -181,14 +202,12 @@ class OpenAIModel:
             case openai.APITimeoutError():
                 cause = "did not answer in time"
             case openai.APIConnectionError():
-                cause = f"cannot be reached: {_one_line(error.__cause__ or error)}"
+                cause = f"cannot be reached: {one_line(error.__cause__ or error)}"
             case openai.APIStatusError():
-                cause = f"answered {error.status_code}: {_one_line(error)}"
+                cause = f"answered {error.status_code}: {one_line(error)}"
             case _:
-                cause = _one_line(error)
-        raise LanguageModelError(
-            f"language model {self._model} at {self._server} {cause}{tried}"
-        ) from error
+                cause = one_line(error)
+        raise LanguageModelError(f"{self._who} {cause}{tried}") from error
 
     def _read(self, answer: Any, latency: float) -> Completion:
         """Return the reply in a server's answer."""
@@ -206,8 +225,7 @@ class OpenAIModel:
             raise self._unusable(wrong)
         usage = getattr(answer, "usage", None)
         prompt, completion = (
-            _count(getattr(usage, name, None))
-            for name in ("prompt_tokens", "completion_tokens")
+            self._count(usage, name) for name in ("prompt_tokens", "completion_tokens")
         )
         model = getattr(answer, "model", None)
         return Completion(
@@ -218,9 +236,16 @@ class OpenAIModel:
         )
 
     def _unusable(self, what: str) -> LanguageModelError:
-        return LanguageModelError(
-            f"language model {self._model} at {self._server} sent an answer {what}"
-        )
+        return LanguageModelError(f"{self._who} sent an answer {what}")
+
+    def _count(self, usage: Any, name: str) -> int:
+        """Return how many tokens a server counts; 0 where it does not tell."""
+        count = getattr(usage, name, None)
+        if count is None:
+            return 0
+        if type(count) is not int or not 0 <= count <= MOST_TOKENS:
+            raise self._unusable(f"that counts {count!r:.30} {name}")
+        return count
 
 
 def _from_environment(name: str) -> str | None:
@@ -231,21 +256,6 @@ def _from_environment(name: str) -> str | None:
     return None
 
 
-def _checked(address: str) -> str:
-    """Return a server's address if it is one."""
-    try:
-        parts = urlsplit(address)
-        good = parts.scheme in {"http", "https"} and parts.hostname and parts.port != 0
-    except ValueError:
-        good = False
-    if not good:
-        raise SettingsError(
-            "language model server: expected an address such as "
-            f"http://localhost:8000/v1, got {address!r}"
-        )
-    return address
-
-
 def _asked_wait(error: openai.APIStatusError) -> float:
     """Return the seconds a server asks to be left alone."""
     try:
@@ -254,57 +264,38 @@ def _asked_wait(error: openai.APIStatusError) -> float:
         return 0.0
 
 
-def _count(value: object) -> int:
-    return value if isinstance(value, int) and value > 0 else 0
-
-
-def _one_line(error: BaseException) -> str:
-    return " ".join(str(error).split())[:300] or type(error).__name__
-
-
-def bounded_client(timeout: float) -> httpx2.Client:
-    """Make a client for the OpenAI library.
-
-    Args:
-        timeout: Seconds from a request to the end of its answer, at most. Later the
-            client raises what it raises when nothing comes at all.
-    """
-
-    def begin(request: httpx2.Request) -> None:
-        request.extensions = {
-            **request.extensions,
-            _DEADLINE: time.monotonic() + timeout,
-        }
+def _client(timeout: float) -> httpx2.Client:
+    """Make a client whose answers are not compressed and not longer than allowed."""
 
     def bound(response: httpx2.Response) -> None:
+        kind = response.headers.get("content-encoding", "identity")
+        if kind != "identity":
+            raise LanguageModelError(
+                f"sent an answer that is compressed ({kind}), which was not asked for"
+            )
         if isinstance(response.stream, httpx2.SyncByteStream):
-            response.stream = _BoundedStream(response.stream, response.request)
+            response.stream = _BoundedStream(response.stream)
 
     return openai.DefaultHttpxClient(
-        timeout=timeout, event_hooks={"request": [begin], "response": [bound]}
+        timeout=timeout,
+        headers={"accept-encoding": "identity"},
+        event_hooks={"response": [bound]},
     )
 
 
 class _BoundedStream(httpx2.SyncByteStream):
-    """The bytes of an answer, until it takes too long or gets too long."""
+    """The bytes of an answer, until there are too many."""
 
-    def __init__(self, stream: httpx2.SyncByteStream, request: httpx2.Request) -> None:
+    def __init__(self, stream: httpx2.SyncByteStream) -> None:
         self._stream = stream
-        self._request = request
 
     def __iter__(self) -> Iterator[bytes]:
-        deadline: float = self._request.extensions[_DEADLINE]
         came = 0
         for part in self._stream:
             came += len(part)
             if came > LONGEST_ANSWER:
                 raise LanguageModelError(
-                    f"the language model's server at {self._request.url} sent more than "
-                    f"{LONGEST_ANSWER} bytes in one answer"
-                )
-            if time.monotonic() > deadline:
-                raise httpx2.ReadTimeout(
-                    "the answer does not end", request=self._request
+                    f"sent an answer of more than {LONGEST_ANSWER} bytes"
                 )
             yield part
 

@@ -56,6 +56,8 @@ HANG = object()
 """An answer: nothing, for longer than the client waits."""
 DRIP = object()
 """An answer: a blank at a time, without end."""
+DRIP_HEADERS = object()
+"""An answer: a line of its head at a time, without end."""
 
 
 class OddServer:
@@ -81,6 +83,12 @@ class OddServer:
                     odd.released.wait(5)
                 if answer in (HANG, CUT):
                     self.connection.shutdown(socket.SHUT_RDWR)
+                    return
+                if answer is DRIP_HEADERS:
+                    self.wfile.write(b"HTTP/1.1 200 OK\r\n")
+                    with contextlib.suppress(OSError):
+                        while not odd.released.wait(0.02):
+                            self.wfile.write(b"x-more: to come\r\n")
                     return
                 status, body = answer if isinstance(answer, tuple) else (200, answer)
                 if not isinstance(body, bytes) and body is not DRIP:
@@ -276,6 +284,12 @@ def test_a_server_sees_the_whole_video_where_first_answers_were_recorded_before(
         pytest.param(CUT, "broke off", id="cut connection"),
         pytest.param(HANG, "did not answer within 0.3 s", id="silence"),
         pytest.param(DRIP, "did not answer within 0.3 s", id="endless drip"),
+        pytest.param(DRIP_HEADERS, "did not answer within 0.3 s", id="endless head"),
+        pytest.param(
+            {"text": AHEAD, "usage": {"prompt_tokens": 10**30}},
+            "'usage.prompt_tokens' is wrong",
+            id="absurd tokens",
+        ),
         pytest.param(b"<html>hello", "that is wrong .*<html>hello", id="no JSON"),
         pytest.param(b"\xff\xfe\x00", "that is wrong", id="no text"),
         pytest.param(b"", "that is wrong", id="empty"),

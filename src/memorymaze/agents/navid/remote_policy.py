@@ -17,8 +17,8 @@ import contextlib
 import secrets
 import time
 from collections.abc import Callable
+from functools import partial
 from typing import Annotated, Any, Literal, TypeVar
-from urllib.parse import urlsplit
 
 import httpx2
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
@@ -34,14 +34,16 @@ from memorymaze.agents.navid.policy import (
     Motion,
     Task,
 )
-from memorymaze.errors import LanguageModelError, SettingsError
+from memorymaze.errors import LanguageModelError
 from memorymaze.language.model import (
+    MOST_TOKENS,
     Completion,
     CompletionRequest,
     LanguageModel,
     Message,
     Usage,
 )
+from memorymaze.language.server_calls import checked_address, one_line, within
 
 Reply = TypeVar("Reply", bound=BaseModel)
 LONGEST_ANSWER = 1_000_000
@@ -55,8 +57,9 @@ VERSION = 1
 
 Name = Annotated[str, Field(min_length=1, max_length=200, pattern=r"^[^\x00-\x1f]+$")]
 Session = Annotated[str, Field(min_length=1, max_length=64)]
-Amount = Annotated[float, Field(ge=0, allow_inf_nan=False)]
+Amount = Annotated[float, Field(ge=0, le=1e9)]
 Count = Annotated[int, Field(ge=0)]
+Tokens = Annotated[int, Field(ge=0, le=MOST_TOKENS)]
 
 
 class _Sent(BaseModel):
@@ -155,8 +158,8 @@ class MotionReply(_Received):
 class ReplyUsage(_Received):
     """What an answer cost."""
 
-    prompt_tokens: Count = 0
-    completion_tokens: Count = 0
+    prompt_tokens: Tokens = 0
+    completion_tokens: Tokens = 0
     cost_usd: Amount | None = None
 
 
@@ -221,15 +224,11 @@ class PolicyServer:
         Raises:
             SettingsError: The address is none.
         """
-        self.address = _checked(address)
+        example = "http://localhost:8765"
+        self.address = checked_address("--set server", address, example).rstrip("/")
         self._timeout = timeout
         self._retries = retries
         self._first_delay = first_delay
-        # Connections that stay open would outlive the episode and go stale.
-        unkept = httpx2.Limits(max_keepalive_connections=0)
-        self._client = httpx2.Client(
-            timeout=timeout, follow_redirects=False, limits=unkept
-        )
 
     def info(self) -> ServerInfo:
         """Ask who is there.
@@ -278,12 +277,12 @@ class PolicyServer:
                 cause = f"answered {status}: {_said(answer)}"
             except httpx2.InvalidURL as error:
                 raise self._error(path, f"cannot be asked: {error}") from error
-            except httpx2.TimeoutException:
+            except (TimeoutError, httpx2.TimeoutException):
                 cause = f"did not answer within {self._timeout:g} s"
             except httpx2.ConnectError as error:
-                cause = f"cannot be reached: {_one_line(error)}; is it running?"
+                cause = f"cannot be reached: {one_line(error)}; is it running?"
             except httpx2.HTTPError as error:
-                cause = f"broke off: {_one_line(error)}"
+                cause = f"broke off: {one_line(error)}"
             attempt += 1
             if attempt > self._retries:
                 tried = f" ({attempt} attempts)" if attempt > 1 else ""
@@ -291,14 +290,22 @@ class PolicyServer:
             time.sleep(self._first_delay * 2 ** (attempt - 1))
 
     def _send(self, method: str, path: str, body: str | None) -> tuple[int, bytes]:
-        """Return status and body of the answer."""
-        latest = time.monotonic() + self._timeout
+        """Return status and body of the answer.
+
+        A connection of its own: one that stays open would outlive the episode.
+        """
+        with httpx2.Client(timeout=self._timeout, follow_redirects=False) as client:
+            return within(
+                self._timeout, partial(self._exchanged, client, method, path, body)
+            )
+
+    def _exchanged(
+        self, client: httpx2.Client, method: str, path: str, body: str | None
+    ) -> tuple[int, bytes]:
         received = bytearray()
-        with self._client.stream(
-            method,
-            self.address + path,
-            content=body,
-            headers={"content-type": "application/json", "accept-encoding": "identity"},
+        headers = {"content-type": "application/json", "accept-encoding": "identity"}
+        with client.stream(
+            method, self.address + path, content=body, headers=headers
         ) as answer:
             for piece in answer.iter_raw():
                 received += piece
@@ -306,9 +313,6 @@ class PolicyServer:
                     raise self._error(
                         path, f"sent an answer of more than {LONGEST_ANSWER} bytes"
                     )
-                # Each piece may come in time and the whole never end.
-                if time.monotonic() > latest:
-                    raise httpx2.ReadTimeout("the answer did not end")
             return answer.status_code, bytes(received)
 
     def _read(
@@ -331,21 +335,6 @@ class PolicyServer:
         return LanguageModelError(f"policy server {self.address}{path} {cause}")
 
 
-def _checked(address: str) -> str:
-    try:
-        parts = urlsplit(address)
-        good = parts.scheme in {"http", "https"} and parts.hostname and parts.port != 0
-        good = good and not (parts.query or parts.fragment)
-    except ValueError:
-        good = False
-    if not good:
-        raise SettingsError(
-            "--set server: expected an address such as http://localhost:8765, got "
-            f"{address!r}"
-        )
-    return address.rstrip("/")
-
-
 def _said(answer: bytes) -> str:
     try:
         return " ".join(Failure.model_validate_json(answer).error.split())[:300]
@@ -355,10 +344,6 @@ def _said(answer: bytes) -> str:
 
 def _beginning(answer: bytes) -> str:
     return repr(" ".join(answer[:300].decode("utf-8", "replace").split())[:80])
-
-
-def _one_line(error: BaseException) -> str:
-    return " ".join(str(error).split())[:200] or type(error).__name__
 
 
 class RemotePolicy:
