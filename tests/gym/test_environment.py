@@ -13,11 +13,13 @@ from gymnasium.error import ResetNeeded
 from gymnasium.utils.env_checker import check_env
 
 from memorymaze.errors import InstructionFileError, SettingsError
+from memorymaze.evaluation.settings import RunSettings
 from memorymaze.geometry.pose import turn_between
 from memorymaze.gym import (
     ENVIRONMENTS,
     ContinuousActions,
     DiscreteActions,
+    Senses,
     register_environments,
 )
 from memorymaze.simulation.obstacles import ObstacleSettings
@@ -39,9 +41,7 @@ def test_a_building_of_ones_own_passes_gymnasiums_checks(
     env = make_tiny(
         "t_junction",
         actions=actions,
-        sensors=("rgb", "depth", "lidar"),
-        width=32,
-        height=24,
+        sensors=Senses(("rgb", "depth", "lidar"), width=32, height=24),
         render_mode="rgb_array",
     )
     check_env(env.unwrapped)
@@ -51,7 +51,9 @@ def test_a_building_of_ones_own_passes_gymnasiums_checks(
 @pytest.mark.parametrize("name", ["University", "Museum5F", "Museum7F"])
 def test_the_buildings_of_the_benchmark_pass_gymnasiums_checks(name: str) -> None:
     env = gymnasium.make(
-        f"MemoryMaze/{name}-v0", width=32, height=24, render_mode="rgb_array"
+        f"MemoryMaze/{name}-v0",
+        sensors={"width": 32, "height": 24},
+        render_mode="rgb_array",
     )
     check_env(env.unwrapped)
 
@@ -59,7 +61,9 @@ def test_the_buildings_of_the_benchmark_pass_gymnasiums_checks(name: str) -> Non
 def test_an_observation_holds_the_instruction_and_what_the_sensors_see(
     make_tiny: MakeTiny,
 ) -> None:
-    env = make_tiny("corridor", sensors=("rgb", "depth", "lidar"), width=48, height=32)
+    env = make_tiny(
+        "corridor", sensors=Senses(("rgb", "depth", "lidar"), width=48, height=32)
+    )
     seen, told = env.reset(options={"episode_id": "p1-1"})
     assert env.observation_space.contains(seen)
     assert seen["instruction"] == told["instruction"]
@@ -213,9 +217,10 @@ def test_episodes_are_chosen_by_route_study_and_split() -> None:
     every = ids()
     assert ids(route="R1") | ids(route="R2") == every
     assert ids(study="online") | ids(study="onsite") == every
-    assert ids(split="dev") | ids(split="test") == every
-    one = ids(route="R1", study="online", split="dev")
-    assert one == ids(route="R1") & ids(study="online") & ids(split="dev")
+    halves = [ids(settings={"split": split}) for split in ("dev", "test")]
+    assert halves[0] | halves[1] == every
+    one = ids(route="R1", study="online", settings={"split": "dev"})
+    assert one == ids(route="R1") & ids(study="online") & halves[0]
     assert one
 
 
@@ -233,14 +238,29 @@ def test_who_wrote_the_instruction_is_always_said() -> None:
 
 
 def test_people_and_things_can_be_there(make_tiny: MakeTiny) -> None:
-    env = make_tiny(obstacles=ObstacleSettings(people=2, things_per_100m=5))
+    env = make_tiny(settings=RunSettings(obstacles=ObstacleSettings(people=2)))
     env.reset(seed=0)
     for _ in range(5):
         env.step(AHEAD)
 
 
+def test_settings_of_a_run_act_in_an_environment_too(make_tiny: MakeTiny) -> None:
+    env: Any = make_tiny(
+        settings={"obstacles": "light,people=0", "max_speed": 0.5, "time_budget": 1}
+    )
+    env.reset(options={"episode_id": "p6-1"})
+    *_, truncated, told = env.step(AHEAD)
+    while not truncated:
+        *_, truncated, told = env.step(AHEAD)
+    assert env.unwrapped.settings.obstacles.people == 0
+    assert told["stopped_by"] == "budget"
+    assert told["time"] == pytest.approx(1, abs=0.2)
+
+
 def test_it_draws_what_the_camera_sees_and_closes_twice(make_tiny: MakeTiny) -> None:
-    env = make_tiny("corridor", render_mode="rgb_array", width=40, height=30)
+    env = make_tiny(
+        "corridor", render_mode="rgb_array", sensors={"width": 40, "height": 30}
+    )
     env.reset()
     picture: Any = env.render()
     assert picture.shape == (30, 40, 3)
@@ -256,17 +276,23 @@ def test_it_draws_what_the_camera_sees_and_closes_twice(make_tiny: MakeTiny) -> 
         pytest.param({"instructions": None}, "give instructions=FILE", id="no texts"),
         pytest.param({"route": "R9"}, "route: expected one of R1", id="route"),
         pytest.param({"study": "phone"}, "got 'phone'", id="study"),
-        pytest.param({"split": "train"}, "split: expected one of", id="split"),
+        pytest.param({"settings": {"split": "x"}}, "split: expected one", id="split"),
+        pytest.param(
+            {"settings": {"splits": "dev"}}, "did you mean 'split'", id="name"
+        ),
+        pytest.param({"settings": {"seed": 3}}, "no use for seed", id="seed"),
+        pytest.param({"settings": {"signs": "ocr"}}, "no use for signs", id="signs"),
         pytest.param({"sensors": ("sonar",)}, "rgb, depth, lidar", id="sensor"),
         pytest.param({"sensors": "rgb"}, "in a list", id="sensors as text"),
-        pytest.param({"width": 0}, "width", id="width"),
-        pytest.param({"horizontal_fov": 90}, "radians", id="degrees"),
-        pytest.param({"depth_range": -1}, "depth_range", id="depth"),
+        pytest.param({"sensors": {"width": 0}}, "width", id="width"),
+        pytest.param({"sensors": {"horizontal_fov": 90}}, "radians", id="degrees"),
+        pytest.param({"sensors": {"depth_range": -1}}, "depth_range", id="depth"),
         pytest.param({"actions": "jump"}, "'discrete'", id="actions"),
         pytest.param({"reward": "money"}, "'sparse'", id="reward"),
         pytest.param({"reward": {"win": 1}}, "success", id="part of the reward"),
         pytest.param({"max_steps": 0}, "max_steps", id="steps"),
-        pytest.param({"success_distance": 0}, "success_distance", id="distance"),
+        pytest.param({"settings": {"success_distance": 0}}, "distance", id="distance"),
+        pytest.param({"sensors": {"wide": 1}}, "horizontal_fov", id="sense"),
     ],
 )
 def test_settings_without_meaning_are_refused(

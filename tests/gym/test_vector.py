@@ -9,7 +9,7 @@ import pytest
 
 Settings = Callable[..., dict[str, Any]]
 
-PICTURES = {"sensors": ("rgb",), "width": 32, "height": 24}
+PICTURES = {"sensors": {"width": 32, "height": 24}}
 
 
 def walk(settings: dict[str, Any], mode: str, **how: Any) -> list[Any]:

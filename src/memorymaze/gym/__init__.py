@@ -21,6 +21,7 @@ from memorymaze.gym.environment import (
     NavigationEnvironment,
     register_environments,
 )
+from memorymaze.gym.observations import Senses
 from memorymaze.gym.rewards import RewardSettings
 
 __all__ = [
@@ -29,6 +30,7 @@ __all__ = [
     "DiscreteActions",
     "NavigationEnvironment",
     "RewardSettings",
+    "Senses",
     "register_environments",
 ]
 

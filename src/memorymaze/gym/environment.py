@@ -1,7 +1,7 @@
 """`NavigationEnvironment`: one building and its instructions as a Gymnasium environment."""
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from functools import lru_cache
@@ -15,14 +15,15 @@ from numpy.typing import NDArray
 
 from memorymaze.errors import EpisodeOver, SettingsError, did_you_mean
 from memorymaze.evaluation.arena import Arena
+from memorymaze.evaluation.settings import RunSettings, with_choices
 from memorymaze.gym.actions import ActionSet, action_set, most_steps
-from memorymaze.gym.observations import Senses, Sensor
+from memorymaze.gym.observations import Senses, SensorChoice, senses_of
 from memorymaze.gym.rewards import Progress, RewardChoice, reward_settings
 from memorymaze.instructions.corpus import episodes
 from memorymaze.instructions.files import load_instructions
 from memorymaze.instructions.records import Episode, is_of_split
-from memorymaze.metrics.success import SUCCESS_DISTANCE
-from memorymaze.simulation import SimulatedRobot, SimulationSettings
+from memorymaze.options import check_number
+from memorymaze.simulation import SimulatedRobot
 from memorymaze.simulation.obstacles import ObstacleSettings
 from memorymaze.sites import Site, load_site
 
@@ -70,17 +71,11 @@ class NavigationEnvironment(gymnasium.Env[Observation, Any]):
         instructions: str | Path | Sequence[str | Path] | None = None,
         route: str | None = None,
         study: str | None = None,
-        split: str | None = None,
-        sensors: Sequence[Sensor] = ("rgb",),
-        width: int = 224,
-        height: int = 224,
-        horizontal_fov: float = math.pi / 2,
-        depth_range: float = 10.0,
+        sensors: SensorChoice = ("rgb",),
         actions: Literal["discrete", "continuous"] | ActionSet = "discrete",
         reward: RewardChoice = "progress",
-        success_distance: float = SUCCESS_DISTANCE,
         max_steps: int | None = None,
-        obstacles: ObstacleSettings | None = None,
+        settings: RunSettings | Mapping[str, Any] | None = None,
         privileged: bool = False,
         render_mode: str | None = None,
     ) -> None:
@@ -91,18 +86,13 @@ class NavigationEnvironment(gymnasium.Env[Observation, Any]):
             instructions: Files; None for the shipped ones, which a language model wrote.
             route: Only episodes of this route, such as `R1`.
             study: Only episodes of this study, `online` or `onsite`.
-            split: Only episodes of this split, `dev` or `test`.
-            sensors: Some of `rgb`, `depth` and `lidar`.
-            width: Of pictures, pixels.
-            height: Of pictures, pixels.
-            horizontal_fov: Of the camera, radians.
-            depth_range: Metres; what is farther reads as this.
+            sensors: Some of `rgb`, `depth` and `lidar`, or `Senses` with more settings.
             actions: `discrete`, `continuous`, or settings of either.
             reward: `progress`, `sparse`, or settings of its parts.
-            success_distance: Metres to the goal within which stopping is a success.
             max_steps: Steps after which an episode is truncated; None for three times
                 what a perfect follower of the site's longest route needs.
-            obstacles: Things in the way and people; None for none.
+            settings: As of a run, or some of them by name: `split`,
+                `success_distance`, `time_budget`, `obstacles` and what the robot can do.
             privileged: Whether `info` tells pose, goal and distance to it all along.
             render_mode: None or `rgb_array`.
 
@@ -114,32 +104,28 @@ class NavigationEnvironment(gymnasium.Env[Observation, Any]):
             raise SettingsError(
                 f"render_mode: expected None or 'rgb_array', got {render_mode!r}"
             )
-        if not 0 < success_distance < math.inf:
-            raise SettingsError(
-                "success_distance: expected metres greater than 0, got "
-                f"{success_distance!r}"
-            )
         self.render_mode = render_mode
         self.privileged = privileged
-        self.success_distance = success_distance
-        self._arena = _arena(site, obstacles)
+        self.settings = _settings_of_an_environment(settings)
+        self._arena = _arena(site, self.settings.obstacles)
         plan = self._arena.site
         self._episodes = choose_episodes(
-            plan, instructions, route=route, study=study, split=split
+            plan, instructions, route=route, study=study, split=self.settings.split
         )
-        self._senses = Senses(sensors, width, height, horizontal_fov, depth_range)
+        self._senses = senses_of(sensors)
         self._actions = action_set(actions)
         self._reward = reward_settings(reward)
-        # The steps are the budget here; simulated time is none.
-        self._settings = SimulationSettings(time_budget=math.inf)
+        abilities = self.settings.simulation
         if max_steps is None:
-            max_steps = most_steps(self._actions, plan.routes, self._settings)
-        if not isinstance(max_steps, int) or max_steps < 1:  # pyright: ignore[reportUnnecessaryIsInstance]
-            raise SettingsError(
-                f"max_steps: expected a whole number of at least 1, got {max_steps!r}"
-            )
+            max_steps = most_steps(self._actions, plan.routes, abilities)
+        check_number("max_steps", max_steps, least=1, whole=True)
         self.max_steps = max_steps
-        self._settings = replace(self._settings, call_budget=max_steps + 1)
+        # The steps are the budget here; simulated time is none unless it is asked for.
+        self._abilities = replace(
+            abilities,
+            time_budget=self.settings.time_budget or math.inf,
+            call_budget=max_steps + 1,
+        )
         self.action_space = self._actions.space
         self.observation_space = self._senses.space(
             each.instruction.text for each in self._episodes
@@ -241,7 +227,7 @@ class NavigationEnvironment(gymnasium.Env[Observation, Any]):
     def _begin(self, episode: Episode, rng: np.random.Generator) -> None:
         self._episode = episode
         self._robot = self._arena.robot(
-            episode, self._settings, rng, lambda event: None
+            episode, self._abilities, rng, lambda event: None
         )
         self._steps = 0
         self._is_over = False
@@ -284,11 +270,36 @@ class NavigationEnvironment(gymnasium.Env[Observation, Any]):
     def _score(self, robot: SimulatedRobot) -> Information:
         ended = robot.stopped_by or "budget"
         walk = robot.trajectory()
-        values = self._arena.score(self._episode, walk, self.success_distance)
+        values = self._arena.score(self._episode, walk, self.settings.success_distance)
         if ended != "agent":
             values = values.without_success()
         scores = values.as_dict()
         return {"stopped_by": ended, "spd": scores.pop("ne"), **scores}
+
+
+def _settings_of_an_environment(
+    given: RunSettings | Mapping[str, Any] | None,
+) -> RunSettings:
+    """Return the settings that were given, or the defaults.
+
+    Raises:
+        SettingsError: One has no meaning, or none for an environment.
+    """
+    plain = RunSettings()
+    settings = given
+    if not isinstance(settings, RunSettings):
+        settings = with_choices(plain, settings or {})
+    without_use = [
+        name
+        for name in ("seed", "limit", "detector", "signs", "looks")
+        if getattr(settings, name) != getattr(plain, name)
+    ]
+    if without_use:
+        raise SettingsError(
+            f"settings: an environment has no use for {', '.join(without_use)}: "
+            "seeds and episodes are chosen by reset(), and nothing is detected"
+        )
+    return settings
 
 
 def choose_episodes(

@@ -8,8 +8,8 @@ they were at the start; so texts are looked up anew in each copy.
 
 import math
 import string
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, fields
 from typing import Any, Literal, overload
 
 import numpy as np
@@ -18,6 +18,7 @@ from gymnasium.spaces import Text
 from gymnasium.vector.utils import read_from_shared_memory
 
 from memorymaze.errors import SettingsError
+from memorymaze.options import check_number
 from memorymaze.simulation import SimulatedRobot
 from memorymaze.simulation.senses.lidar import LidarSettings
 
@@ -57,20 +58,13 @@ class Senses:
                 f"{self.sensors!r}"
             )
         for name in ("width", "height"):
-            value = getattr(self, name)
-            if not isinstance(value, int) or value < 1:
-                raise SettingsError(
-                    f"{name}: expected pixels, 1 or more, got {value!r}"
-                )
+            check_number(f"{name}, pixels", getattr(self, name), least=1, whole=True)
         if not 0 < self.horizontal_fov < math.pi:
             raise SettingsError(
                 "horizontal_fov: expected radians between 0 and pi, got "
                 f"{self.horizontal_fov!r}"
             )
-        if not 0 < self.depth_range < math.inf:
-            raise SettingsError(
-                f"depth_range: expected metres greater than 0, got {self.depth_range!r}"
-            )
+        check_number("depth_range, metres", self.depth_range, above=0)
 
     def space(self, texts: Iterable[str]) -> spaces.Dict:
         """Return the observation space for these instructions."""
@@ -137,3 +131,24 @@ def _read_live(space: InstructionSpace, shared_memory: Any, n: int = 1) -> Any:
 
 
 read_from_shared_memory.register(InstructionSpace, _read_live)
+
+
+SensorChoice = Sequence[Sensor] | Senses | Mapping[str, Any]
+
+
+def senses_of(choice: SensorChoice) -> Senses:
+    """Return the senses that a setting means: names of sensors, settings, or `Senses`.
+
+    Raises:
+        SettingsError: It means none.
+    """
+    if isinstance(choice, Senses):
+        return choice
+    if not isinstance(choice, Mapping):
+        return Senses(choice)
+    names = [each.name for each in fields(Senses)]
+    if not set(choice) <= set(names):
+        raise SettingsError(
+            f"sensors: expected some of {', '.join(names)}, got {choice!r}"
+        )
+    return Senses(**choice)
