@@ -15,11 +15,15 @@ UNFINISHED = ".unfinished"
 def write_whole(path: Path, content: bytes) -> None:
     """Write a file so that it is there in full or, if we are killed, not at all."""
     unfinished = path.with_name(f"{path.name}.{os.getpid()}{UNFINISHED}")
-    with unfinished.open("wb") as file:
-        file.write(content)
-        file.flush()
-        os.fsync(file.fileno())
-    unfinished.replace(path)
+    try:
+        with _naming(path), unfinished.open("wb") as file:
+            file.write(content)
+            file.flush()
+            os.fsync(file.fileno())
+        unfinished.replace(path)
+    except BaseException:
+        unfinished.unlink(missing_ok=True)
+        raise
     _sync_folder(path.parent)
 
 
@@ -103,10 +107,20 @@ def remove_leftovers(folder: Path) -> None:
 
 def append_line(path: Path, line: str) -> None:
     """Append a line; on return it is on the disk."""
-    with path.open("ab") as file:
+    with _naming(path), path.open("ab") as file:
         file.write(line.encode() + b"\n")
         file.flush()
         os.fsync(file.fileno())
+
+
+@contextmanager
+def _naming(path: Path) -> Generator[None]:
+    """Say which file a refusal is about: a full disk does not tell."""
+    try:
+        yield
+    except OSError as error:
+        error.filename = str(path)
+        raise
 
 
 @contextmanager

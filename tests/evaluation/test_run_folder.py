@@ -1,3 +1,5 @@
+import errno
+import os
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -282,3 +284,23 @@ def test_a_run_that_does_not_keep_what_it_was_made_with_is_to_be_run_again(
         read_plans(tmp_path)
     with pytest.raises(RunFolderError, match="run it again"):
         read_instructions(tmp_path)
+
+
+def test_a_full_disk_names_the_file_and_how_to_go_on(
+    tmp_path: Path, record: RunRecord, result: Make, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with open_run_folder(tmp_path, record, resume=False) as run:
+        run.add(result("a-1"), b"trace")
+
+        def refuse(handle: int) -> None:
+            raise OSError(errno.ENOSPC, "No space left on device")
+
+        monkeypatch.setattr(os, "fsync", refuse)
+        with pytest.raises(RunFolderError, match="--resume") as caught:
+            run.add(result("b-1"), b"trace")
+        assert str(tmp_path / "traces/b-1.jsonl.gz") in str(caught.value)
+        assert "No space left on device" in str(caught.value)
+        with pytest.raises(RunFolderError, match=r"summary\.json: .*--resume"):
+            run.write_summary({})
+    assert [each.episode_id for each in read_run(tmp_path)[1]] == ["a-1"]
+    assert not list(tmp_path.rglob("*.unfinished"))

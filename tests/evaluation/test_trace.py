@@ -1,3 +1,4 @@
+import gzip
 import math
 from pathlib import Path
 
@@ -76,11 +77,40 @@ def test_long_ids_that_begin_alike_have_files_of_their_own(folder: Path) -> None
     assert trace_path(folder, "a" * 200) != trace_path(folder, "a" * 201)
 
 
-def test_a_missing_and_a_damaged_trace_are_named(folder: Path) -> None:
+def test_a_missing_trace_is_named(folder: Path) -> None:
     with pytest.raises(RunFolderError, match="trace of episode 'none'"):
         list(read_trace(folder, "none"))
-    write_trace(folder, "a", [{"x": 1}])
-    path = trace_path(folder, "a")
-    path.write_bytes(path.read_bytes()[:-9])
-    with pytest.raises(RunFolderError, match="damaged"):
+
+
+def packed(text: bytes) -> bytes:
+    return gzip.compress(text, mtime=0)
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        pytest.param(packed(b'{"x": 1}')[:-9], id="cut off"),
+        pytest.param(packed(b'{"x": 1}')[:12] + b"\xff" * 20, id="flipped bytes"),
+        pytest.param(packed(b"[" * 99_999), id="nested too deep"),
+        pytest.param(packed(b"\xff\n"), id="no text"),
+        pytest.param(packed(b'{"x": 1\n'), id="no json"),
+        pytest.param(b"x", id="no gzip"),
+    ],
+)
+def test_a_damaged_trace_is_named_with_its_episode(
+    folder: Path, content: bytes
+) -> None:
+    trace_path(folder, "a").write_bytes(content)
+    with pytest.raises(RunFolderError, match="episode 'a' is damaged") as caught:
+        list(read_trace(folder, "a"))
+    assert str(trace_path(folder, "a")) in str(caught.value)
+
+
+@pytest.mark.parametrize("place", range(10, 40))
+def test_no_flipped_byte_ends_in_another_error(folder: Path, place: int) -> None:
+    write_trace(folder, "a", [{"x": [1, 2, 3], "text": "left at the door"}])
+    content = bytearray(trace_path(folder, "a").read_bytes())
+    content[place] ^= 0xFF
+    trace_path(folder, "a").write_bytes(bytes(content))
+    with pytest.raises(RunFolderError):
         list(read_trace(folder, "a"))

@@ -15,7 +15,6 @@ from memorymaze.evaluation.provenance import code_stamp
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import RunFolder, RunRecord, open_run_folder
 from memorymaze.evaluation.summary import summarise
-from memorymaze.evaluation.trace import keep_trace
 from memorymaze.evaluation.worker_pool import WorkerPool, Workforce
 
 WALL_LIMIT = 3600.0
@@ -85,9 +84,7 @@ def run_plan(
                     limit = outcome.reason
                     queue.close()
                 else:
-                    # Before its result: an episode that counts as done has its trace.
-                    keep_trace(path, outcome.result.episode_id, outcome.trace)
-                    run.add(outcome.result)
+                    run.add(outcome.result, outcome.trace)
                     progress.count(outcome.result)
         results = [run.finished[key] for key in sorted(run.finished)]
         if results:

@@ -34,6 +34,7 @@ from memorymaze.evaluation.results import (
     result_to_line,
 )
 from memorymaze.evaluation.settings import RunDefinition, differences
+from memorymaze.evaluation.trace import keep_trace
 from memorymaze.input_files import parse_json
 from memorymaze.instructions.records import Instruction
 from memorymaze.sites.loading import sound_site
@@ -74,8 +75,8 @@ class RunFolder:
         self.path = path
         self.finished = finished
 
-    def add(self, result: EpisodeResult) -> None:
-        """Append the result of an episode; on return it is on the disk.
+    def add(self, result: EpisodeResult, trace: bytes | None = None) -> None:
+        """Write the trace of an episode, then its result; both are then on the disk.
 
         Raises:
             RunFolderError: The episode has a result already, or the disk refuses.
@@ -84,15 +85,17 @@ class RunFolder:
             raise RunFolderError(
                 f"{self.path}: episode {result.episode_id!r} has a result already"
             )
-        try:
+        with _telling_how_to_go_on(self.path):
+            # In this order: an episode that counts as done has its trace.
+            if trace is not None:
+                keep_trace(self.path, result.episode_id, trace)
             append_line(self.path / "episodes.jsonl", result_to_line(result))
-        except OSError as error:
-            raise _refused(self.path, error) from None
         self.finished[result.episode_id] = result
 
     def write_summary(self, summary: Mapping[str, Any]) -> None:
         """Write `summary.json`."""
-        write_whole(self.path / "summary.json", _pretty(summary))
+        with _telling_how_to_go_on(self.path):
+            write_whole(self.path / "summary.json", _pretty(summary))
 
 
 @contextmanager
@@ -341,6 +344,18 @@ def _damaged(place: Path, what: str) -> RunFolderError:
         f"{place}: expected the settings of a run, got a damaged file: {what}; bring it "
         "back, or run again into another folder"
     )
+
+
+@contextmanager
+def _telling_how_to_go_on(path: Path) -> Generator[None]:
+    try:
+        yield
+    except OSError as error:
+        raise RunFolderError(
+            f"{error.filename or path}: cannot be written ({error.strerror or error}); "
+            f"what is finished is kept in {path}. Make room, and add --resume to the "
+            "command to go on"
+        ) from None
 
 
 def _refused(path: Path, error: OSError) -> RunFolderError:

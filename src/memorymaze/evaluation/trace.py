@@ -74,7 +74,10 @@ def read_trace(folder: Path, episode_id: str) -> Iterator[dict[str, Any]]:
             f"{path}: expected the trace of episode {episode_id!r}, got no such file"
         ) from None
     except (OSError, EOFError, ValueError, RecursionError, zlib.error) as error:
-        raise RunFolderError(f"{path}: the trace is damaged ({error})") from None
+        raise RunFolderError(
+            f"{path}: the trace of episode {episode_id!r} is damaged ({error}); delete "
+            "its line in episodes.jsonl, and --resume runs the episode again"
+        ) from None
 
 
 def _line(entry: Mapping[str, object]) -> str:
