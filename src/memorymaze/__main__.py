@@ -1,8 +1,18 @@
-"""`python -m memorymaze` is `memorymaze`."""
+"""The command `memorymaze`, which is `python -m memorymaze` too."""
 
 import sys
 
-from memorymaze.cli.main import main
+
+def main() -> int:
+    """Run the command line; Ctrl-C while it is being loaded is no traceback either."""
+    try:
+        from memorymaze.cli.main import main as run
+
+        return run()
+    except KeyboardInterrupt:
+        print("memorymaze: interrupted", file=sys.stderr)
+        return 1
+
 
 if __name__ == "__main__":
     sys.exit(main())
