@@ -96,6 +96,7 @@ def add_parser(verbs: Verbs) -> None:
 
 def _run(options: argparse.Namespace) -> int:
     from memorymaze.errors import SettingsError
+    from memorymaze.evaluation.agent_failures import crash_lines
     from memorymaze.evaluation.driver import WALL_LIMIT
     from memorymaze.evaluation.summary import summarise, summary_lines
     from memorymaze.library.runs import default_folder, evaluate
@@ -133,6 +134,8 @@ def _run(options: argparse.Namespace) -> int:
             return 1
     print(f"run {out}")
     print("\n".join(summary_lines(summarise(run.results, run.record.settings))))
+    for line in crash_lines(out, run.results, whole=options.debug):
+        print(line, file=sys.stderr)
     print(f"tables: memorymaze table {shlex.quote(str(out))}")
     return 0
 

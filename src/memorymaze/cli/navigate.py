@@ -62,6 +62,7 @@ def add_parser(verbs: Verbs) -> None:
 
 def _run(options: argparse.Namespace) -> int:
     import memorymaze as mm
+    from memorymaze.evaluation.agent_failures import kept_traceback
     from memorymaze.evaluation.navigation import check_folder
     from memorymaze.evaluation.outcomes import outcome_line
 
@@ -88,9 +89,8 @@ def _run(options: argparse.Namespace) -> int:
             f"memorymaze: note: could not show it all ({onlooker.trouble})",
             file=sys.stderr,
         )
-    for entry in walk.trace:
-        if entry.get("about") == "traceback":
-            print(*entry["lines"], sep="\n", file=sys.stderr)
+    for line in kept_traceback(walk.trace):
+        print(line, file=sys.stderr)
     result = walk.result
     outcome = "arrived" if result.success else "did not arrive"
     print(f"{outcome}; stopped by {result.stopped_by}")
