@@ -1,8 +1,16 @@
+import inspect
+import sys
+from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
+from memorymaze.errors import RunFolderError
 from memorymaze.evaluation.agent_files import agent_files, agent_fingerprint
+from memorymaze.evaluation.plan import RunPlan
+from memorymaze.evaluation.run_folder import RunRecord, open_run_folder
+from memorymaze.evaluation.settings import FileStamp, RunDefinition, differences
 
 
 def write(folder: Path, files: dict[str, str]) -> str:
@@ -69,5 +77,84 @@ def test_an_edit_beside_an_agent_changes_its_fingerprint(tmp_path: Path) -> None
     write(tmp_path, {"unrelated": "x = 2"})
     assert agent_fingerprint(agent) == before
     write(tmp_path, {"maps": "x = 2"})
-    after = agent_fingerprint(agent)
-    assert [each for each in after if after[each] != before[each]] == ["maps.py"]
+    changed = set(before) - set(agent_fingerprint(agent))
+    assert [stamp.name for stamp in changed] == ["maps.py"]
+
+
+AGENT = """
+from dataclasses import dataclass
+from fingerprinted_maps import Map
+
+class Guide:
+    name = "guide"
+
+    @dataclass(frozen=True)
+    class Options:
+        stride: float = 2.0
+        \"\"\"Metres.\"\"\"
+
+    def __init__(self, options):
+        pass
+
+    def follow(self, instruction, robot, journal, rng):
+        pass
+"""
+
+
+def test_a_run_is_not_resumed_with_an_edited_agent(
+    tmp_path: Path,
+    record: RunRecord,
+    tiny_plan: Callable[..., RunPlan],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(sys, "path", [*sys.path])
+    agent = write(tmp_path, {"guide": AGENT, "fingerprinted_maps": "class Map: pass"})
+    begun = replace(record, settings=tiny_plan(agent).settings)
+    assert begun.settings.option_values == (("stride", "2.0"),)
+    with open_run_folder(tmp_path / "run", begun, resume=False):
+        pass
+    write(tmp_path, {"fingerprinted_maps": "class Map: scale = 2"})
+    edited = replace(record, settings=tiny_plan(agent).settings)
+    with (
+        pytest.raises(RunFolderError, match=r"agent\.file fingerprinted_maps\.py: '"),
+        open_run_folder(tmp_path / "run", edited, resume=True),
+    ):
+        pass
+
+
+def test_an_agent_that_is_handed_over_is_known_by_the_file_of_its_class() -> None:
+    class Handed:
+        pass
+
+    names = [stamp.name for stamp in agent_fingerprint("some:Handed", Handed())]
+    assert names[0] == Path(__file__).name
+
+
+def test_an_agent_from_a_notebook_is_known_by_its_source(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    class Noted:
+        pass
+
+    monkeypatch.setattr(Noted, "__module__", "a_notebook")
+    monkeypatch.setattr(inspect, "getsource", lambda kind: "class Noted: pass")
+    [stamp] = agent_fingerprint("a_notebook:Noted", Noted())
+    assert stamp.name.startswith("class ")
+
+
+def test_two_versions_of_an_agent_differ_by_its_files_and_options(
+    settings: RunDefinition,
+) -> None:
+    def with_version(sha: str, stride: str) -> RunDefinition:
+        return replace(
+            settings,
+            agent_files=(FileStamp("guide.py", sha),),
+            option_values=(("stride", stride),),
+        )
+
+    assert differences(with_version("12", "2"), with_version("34", "3")) == [
+        "agent.file guide.py: '12' there, '34' here",
+        "agent.options.stride: '2' there, '3' here",
+    ]
+    # Runs of older versions say neither.
+    assert differences(settings, with_version("34", "3")) == []

@@ -186,6 +186,18 @@ def agent_options(name: str) -> type | None:
     return None if options is None else options()
 
 
+def option_values(
+    settings: AgentSettings, given: Agent | None = None
+) -> tuple[tuple[str, str], ...]:
+    """Return all options of an agent with their values, also those nobody gave."""
+    kind = None if given is not None else agent_options(settings.name)
+    if kind is None:
+        # Those of an object are all there.
+        return settings.options
+    chosen = read_options(kind, settings.options, agent=settings.name)
+    return tuple((each.name, each.default) for each in options_of(chosen))
+
+
 def has_language_model(name: str) -> bool:
     """Tell whether a shipped agent of this name asks a language model.
 

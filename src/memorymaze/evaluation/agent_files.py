@@ -3,10 +3,17 @@
 import ast
 import hashlib
 import importlib.util
+import inspect
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 
+import memorymaze
+from memorymaze.evaluation.settings import FileStamp, stamp_file
+
 INSTALLED = {"site-packages", "dist-packages"}
+OURS = Path(memorymaze.__file__).parent
+"""Of the agents in here the stamp of the code tells."""
 
 
 def agent_files(name: str) -> dict[str, Path]:
@@ -22,12 +29,14 @@ def agent_files(name: str) -> dict[str, Path]:
         root = first.parent
     else:
         spec = importlib.util.find_spec(place) if place else None
-        if spec is None or spec.origin is None:
+        if spec is None or spec.origin is None or not spec.has_location:
             return {}
         first = Path(spec.origin).absolute()
         root = first.parents[place.count(".") + (first.stem == "__init__")]
-        if INSTALLED & set(root.parts):
-            return {first.name: first}
+    if first.is_relative_to(OURS):
+        return {}
+    if INSTALLED & set(root.parts):
+        return {first.name: first}
     found: dict[str, Path] = {}
     waiting = [first]
     while waiting:
@@ -39,12 +48,30 @@ def agent_files(name: str) -> dict[str, Path]:
     return found
 
 
-def agent_fingerprint(name: str) -> dict[str, str]:
-    """Return the SHA-256 of an agent's files, by their names."""
-    return {
-        name: hashlib.sha256(path.read_bytes()).hexdigest()
-        for name, path in agent_files(name).items()
-    }
+def agent_fingerprint(name: str, given: object = None) -> tuple[FileStamp, ...]:
+    """Return the fingerprints of an agent's files.
+
+    Args:
+        name: Of the agent.
+        given: The agent itself, where it was handed over; the source of its class
+            counts where that is in no file, as in a notebook.
+    """
+    if given is not None:
+        kind = type(given)
+        file = getattr(sys.modules.get(kind.__module__), "__file__", None)
+        if file is None:
+            return _source_stamp(kind)
+        name = f"{file}:{kind.__qualname__}"
+    return tuple(stamp_file(path, name) for name, path in agent_files(name).items())
+
+
+def _source_stamp(kind: type) -> tuple[FileStamp, ...]:
+    try:
+        source = inspect.getsource(kind)
+    except (OSError, TypeError):
+        return ()
+    digest = hashlib.sha256(source.encode()).hexdigest()
+    return (FileStamp(f"class {kind.__qualname__}", digest),)
 
 
 def _imported(path: Path, root: Path) -> Iterator[Path]:

@@ -9,8 +9,10 @@ from memorymaze.evaluation.agent_catalogue import (
     agent_options,
     build_agent,
     has_parser,
+    option_values,
     settings_of,
 )
+from memorymaze.evaluation.agent_files import agent_fingerprint
 from memorymaze.evaluation.budgets import time_budget_for
 from memorymaze.evaluation.eyes import checked_eyes, looks_of_run
 from memorymaze.evaluation.language_models import answers_taken, parses_first
@@ -79,6 +81,8 @@ def plan_run(
         stamps=tuple(stamp_file(site.source, name) for name, site in sites.items()),
         episodes=len(chosen),
         answers=answers_taken(chosen_agent, agent_for, chosen),
+        agent_files=agent_fingerprint(chosen_agent.name, given),
+        option_values=option_values(chosen_agent, given),
     )
     return RunPlan(definition, tuple(chosen), sites, given)
 
@@ -93,6 +97,8 @@ def define_run(
     instructions: tuple[FileStamp, ...] = (),
     stamps: tuple[FileStamp, ...] = (),
     answers: AnswersTaken | None = None,
+    agent_files: tuple[FileStamp, ...] = (),
+    option_values: tuple[tuple[str, str], ...] = (),
 ) -> RunDefinition:
     """Settle what settings leave open: the time budget, and what cameras show.
 
@@ -109,6 +115,8 @@ def define_run(
     return RunDefinition(
         **chosen,
         agent=agent,
+        agent_files=agent_files,
+        option_values=option_values,
         needs=tuple(sorted(needs)),
         instructions=instructions,
         sites=stamps,

@@ -185,6 +185,10 @@ class RunDefinition(RunSettings):
     agent: AgentSettings
     needs: tuple[Need, ...] = ()
     """What the agent declares that it needs, sorted."""
+    agent_files: tuple[FileStamp, ...] = ()
+    """Of an agent of a user's own: its file and those beside it that it imports."""
+    option_values: tuple[tuple[str, str], ...] = ()
+    """All options of the agent as it has them, also those that nobody gave."""
     instructions: tuple[FileStamp, ...]
     sites: tuple[FileStamp, ...]
     episodes: int
@@ -228,6 +232,10 @@ came of it is in `simulation`."""
 
 def differences(old: RunDefinition, new: RunDefinition) -> list[str]:
     """Say in which settings two runs differ: `seed: 0 there, 1 here`."""
+    # Runs of older versions do not say these; of an unknown value nothing is said.
+    for name in ("agent_files", "option_values"):
+        if not (getattr(old, name) and getattr(new, name)):
+            old, new = replace(old, **{name: ()}), replace(new, **{name: ()})
     before, after = dict(_flat(asdict(old))), dict(_flat(asdict(new)))
     names = [f for f in {**before, **after} if f not in NOT_COMPARED]
     return [
@@ -237,14 +245,26 @@ def differences(old: RunDefinition, new: RunDefinition) -> list[str]:
     ]
 
 
+def agent_version(settings: RunDefinition) -> str | None:
+    """Say which files and options an agent of a user's own has; None for all others."""
+    if not settings.agent_files:
+        return None
+    files = ", ".join(f"{f.name} {f.sha256[:12]}" for f in settings.agent_files)
+    options = ", ".join(f"{name} {value}" for name, value in settings.option_values)
+    return f"agent files {files}{f'; options {options}' if options else ''}"
+
+
 def _flat(value: Mapping[str, Any], prefix: str = "") -> Iterable[tuple[str, Any]]:
     for name, part in value.items():
         if name in {"instructions", "sites"}:
             for number, stamp in enumerate(part):
                 yield f"{name}[{number}]", f"{stamp['name']} {stamp['sha256'][:12]}"
-        elif name == "options":
+        elif name == "agent_files":
+            for stamp in part:
+                yield f"agent.file {stamp['name']}", stamp["sha256"][:12]
+        elif name in {"options", "option_values"}:
             for option, given in part:
-                yield f"{prefix}{name}.{option.replace('-', '_')}", given
+                yield f"agent.options.{option.replace('-', '_')}", given
         elif isinstance(part, Mapping):
             yield from _flat(part, f"{prefix}{name}.")
         else:

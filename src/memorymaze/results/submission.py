@@ -10,7 +10,12 @@ from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.budgets import time_budget_for
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import RunRecord, read_run
-from memorymaze.evaluation.settings import RunDefinition, differences, stamp_file
+from memorymaze.evaluation.settings import (
+    RunDefinition,
+    agent_version,
+    differences,
+    stamp_file,
+)
 from memorymaze.evaluation.trace import read_trace, trace_path
 from memorymaze.geometry.trajectory import TimedPose, Trajectory
 from memorymaze.instructions.corpus import Corpus, load_corpus
@@ -241,7 +246,11 @@ def remarks(settings: RunDefinition, results: Iterable[EpisodeResult]) -> Iterat
     if "graph" in settings.needs:
         yield "The agent is given the navigation graph of the building."
     if settings.agent.is_own:
-        yield "The agent is not part of memorymaze; its code must be published with it."
+        files = agent_version(settings) or "files not known"
+        yield (
+            "The agent is not part of memorymaze; its code must be published with it: "
+            f"{files}."
+        )
     development = sum(result.split == "dev" for result in results)
     if development:
         yield (

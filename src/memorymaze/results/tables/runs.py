@@ -12,6 +12,7 @@ from memorymaze.evaluation.eyes import eyes_notes
 from memorymaze.evaluation.inference_time import describe_inference_time
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import RunRecord, read_run
+from memorymaze.evaluation.settings import agent_version
 from memorymaze.instructions.published import PublishedResult, published_tables
 from memorymaze.instructions.records import WRITTEN_BY
 from memorymaze.perception.eyes import TRUTH
@@ -154,6 +155,9 @@ def run_notes(run: MeasuredRun) -> list[str]:
     notes += eyes_notes(settings)
     if settings.obstacles is not None:
         notes += _obstacle_notes(settings.obstacles, run.results)
+    version = agent_version(settings)
+    if version is not None:
+        notes.append(version)
     if settings.agent.model is not None:
         notes.append(f"language model {settings.agent.model}")
     if settings.answers is not None:
