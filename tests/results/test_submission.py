@@ -87,7 +87,9 @@ def test_a_success_that_the_agent_did_not_end_is_found(rules: Path) -> None:
 def test_a_missing_or_damaged_trace_is_found(rules: Path) -> None:
     episode = edit_result(rules)
     trace_path(rules, episode).write_bytes(b"nothing")
-    assert any(f"episode {episode!r} is damaged" in each for each in check(rules).problems)
+    assert any(
+        f"episode {episode!r} is damaged" in each for each in check(rules).problems
+    )
     trace_path(rules, episode).unlink()
     assert any("no such file" in each for each in check(rules).problems)
 

@@ -101,7 +101,7 @@ def test_a_trace_that_cannot_be_read_costs_its_own_walk_only(
     episode = traces[0].name.removesuffix(".jsonl.gz")
     assert trace_path(run, episode) == traces[0]
     [note] = reported(tmp_path / "out", run)
-    assert "the trace is damaged" in note
+    assert f"episode {episode!r} is damaged" in note
     pages = {
         p.stem: p.read_text("utf-8") for p in (tmp_path / "out/episodes").iterdir()
     }

@@ -93,6 +93,14 @@ def test_what_belongs_to_the_agent_raises_no_alarm(write: Write, result: Make) -
     assert compare_runs(*load_runs(folders)).settings == ()
 
 
+def test_two_versions_of_one_agent_are_told_apart(write: Write, result: Make) -> None:
+    folders = [write("a", [result("x-1")]), write("b", [result("x-1")])]
+    for folder, sha in zip(folders, ("12", "34"), strict=True):
+        change_settings(folder, agent_files=[{"name": "guide.py", "sha256": sha}])
+    told = "agent.file guide.py: '12' there, '34' here"
+    assert compare_runs(*load_runs(folders)).settings == (told,)
+
+
 def test_pictures_of_other_looks_are_an_unfair_comparison(
     write: Write, result: Make
 ) -> None:

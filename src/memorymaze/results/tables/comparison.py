@@ -42,6 +42,9 @@ KEY = (
 NOT_TOLD = ("agent.", "needs:", "programs", "limit:", "episodes:")
 """Beginnings of differences that are the agent's own, or said by what is left out."""
 
+VERSIONS = ("agent.file ", "agent.options.")
+"""Of those the ones that tell two versions of one agent apart."""
+
 
 @dataclass(frozen=True, slots=True)
 class Outcomes:
@@ -103,6 +106,8 @@ def compare_runs(first: MeasuredRun, second: MeasuredRun, seed: int = 0) -> Comp
     pairs = [(there[key], here[key]) for key in shared]
     # Looks are None where an agent asks for no pictures.
     looks = (first.record.settings.looks, second.record.settings.looks)
+    names = {each.record.settings.agent.name for each in (first, second)}
+    same_agent = len(names) == 1
     return Comparison(
         first=first,
         second=second,
@@ -116,8 +121,11 @@ def compare_runs(first: MeasuredRun, second: MeasuredRun, seed: int = 0) -> Comp
         settings=tuple(
             line
             for line in differences(first.record.settings, second.record.settings)
-            if not line.startswith(NOT_TOLD)
-            and not (line.startswith("looks:") and None in looks)
+            if (same_agent and line.startswith(VERSIONS))
+            or not (
+                line.startswith(NOT_TOLD)
+                or (line.startswith("looks:") and None in looks)
+            )
         ),
     )
 
