@@ -38,6 +38,10 @@ class InstructionFileWarning(UserWarning):
     """An instruction file has something that is not used; names file and line."""
 
 
+class PlanFileError(MemoryMazeError):
+    """A route plan is unusable; names file and line, and the field."""
+
+
 class LabelFileError(MemoryMazeError):
     """A file or sheet of labels is unusable; names file and line."""
 

@@ -7,16 +7,13 @@ import pytest
 from memorymaze.agents.rules.evidence import length_cost
 from memorymaze.agents.rules.floor_map import FloorMap, Sighting
 from memorymaze.agents.rules.outlooks import (
+    Outlook,
     first_heading_cost,
     outlook_cost,
     walls_cost,
 )
-from memorymaze.understanding import (
-    ANY_FLOOR,
-    Length,
-    Outlook,
-    parse_route_description,
-)
+from memorymaze.routes import Length
+from memorymaze.understanding import ANY_FLOOR, parse_route_description
 
 EAST, NORTH = 0, 1
 
@@ -81,7 +78,9 @@ def test_the_first_words_tell_which_way_one_faces(floor: FloorMap) -> None:
 
 
 @pytest.mark.parametrize(("places", "junctions"), [(2, 0), (5, 2)])
-def test_segments_count_places_or_junctions(places: int, junctions: int) -> None:
-    two = Length(20.0, "segments", 2.0)
+def test_a_length_in_places_counts_places_or_junctions(
+    places: int, junctions: int
+) -> None:
+    two = Length(16.0, "places", 2.0)
     assert length_cost(two, 8.0, places, junctions) <= 0.5
     assert length_cost(two, 8.0, places + 3, junctions + 5) >= 3.0

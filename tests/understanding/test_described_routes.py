@@ -6,7 +6,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from memorymaze.understanding import RoutePlan, parse_route_description
+from memorymaze.routes import RoutePlan
+from memorymaze.understanding import parse_route_description
 
 
 class Told(NamedTuple):

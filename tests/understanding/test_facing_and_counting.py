@@ -1,13 +1,9 @@
-"""Descriptions by floors, segments and facing, and repairs of known misreadings."""
+"""Descriptions by floors, places counted and facing, and repairs of misreadings."""
 
 import pytest
 
-from memorymaze.understanding import (
-    Mention,
-    RoutePlan,
-    floor_phrase,
-    parse_route_description,
-)
+from memorymaze.routes import Mention, RoutePlan, Side, Start
+from memorymaze.understanding import floor_phrase, parse_route_description
 
 
 def _ways(plan: RoutePlan) -> str:
@@ -50,19 +46,21 @@ def test_places_to_turn_are_counted(text: str, counts: list[float | None]) -> No
     assert [each.count if each else None for each in lengths] == counts
 
 
-def test_what_one_faces_at_first_is_the_outlook_of_the_first_leg() -> None:
+def test_what_one_faces_at_first_is_said_of_the_start() -> None:
     plan = parse_route_description(
         "face the easel . turn left . go forward one segment"
     )
     assert _ways(plan) == "left"
-    assert plan.legs[0].outlook.ahead == ("easel",)
-    assert not plan.legs[0].goes
+    assert plan.start == Start(facing="easel")
+    assert plan.legs[0].on_the_spot
 
 
 def test_facing_something_on_the_way_is_a_turn_to_a_side_not_told() -> None:
     plan = parse_route_description("go forward two segments . face the easel . go on")
-    assert _ways(plan) == "facing"
-    assert plan.arrival.outlook.ahead == ("easel",)
+    assert _ways(plan) == "either"
+    assert plan.legs[0].mentions == (
+        Mention("easel", "object", "target", side="ahead"),
+    )
 
 
 @pytest.mark.parametrize(
@@ -73,21 +71,31 @@ def test_a_thing_that_is_faced_by_the_way_is_no_command(text: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "walls"),
+    "text",
     [
-        ("with your back to the wall go forward", ("behind",)),
-        ("place your back against the wall of the 't' intersection . go", ("behind",)),
-        ("turn so that the wall is on your right . walk forward twice", ("right",)),
-        ("turn so the wall is to your left . walk forward", ("left",)),
+        "with your back to the wall go forward",
+        "place your back against the wall of the 't' intersection . go",
     ],
 )
-def test_walls_tell_how_one_stands(text: str, walls: tuple[str, ...]) -> None:
-    assert parse_route_description(text).arrival.outlook.walls == walls
+def test_a_wall_behind_tells_how_one_stands(text: str) -> None:
+    assert parse_route_description(text).start == Start(from_="wall")
+
+
+@pytest.mark.parametrize(
+    ("text", "side"),
+    [
+        ("turn so that the wall is on your right . walk forward twice", "right"),
+        ("turn so the wall is to your left . walk forward", "left"),
+    ],
+)
+def test_a_wall_beside_one_tells_how_one_stands(text: str, side: Side) -> None:
+    wall = Mention("wall", "wall", "along", side=side)
+    assert parse_route_description(text).arrival.mentions == (wall,)
 
 
 def test_the_back_to_a_thing_means_to_walk_away_from_it() -> None:
     plan = parse_route_description("with your back to the sofa . go forward twice")
-    assert plan.arrival.outlook.behind == ("sofa",)
+    assert plan.start == Start(from_="sofa")
 
 
 def test_a_way_is_taken_by_its_floor() -> None:
@@ -95,20 +103,21 @@ def test_a_way_is_taken_by_its_floor() -> None:
         "take the blue path to the lamp . turn left into the pink hall . stop at the end"
     )
     assert _ways(plan) == "left"
-    assert plan.legs[0].outlook.ahead == ("blue floor",)
-    assert plan.arrival.outlook.ahead == ("pink floor",)
+    assert plan.start == Start(facing="blue floor")
+    pink = Mention("pink floor", "floor", "target", side="ahead")
+    assert pink in plan.legs[0].mentions
 
 
 def test_a_crossing_is_known_by_the_floor_of_its_other_way() -> None:
     plan = parse_route_description(
         "go forward to the intersection with the blue-tiled hall . turn right . go on"
     )
-    assert plan.legs[0].mentions == (Mention("blue floor", "turn"),)
+    assert plan.legs[0].mentions == (Mention("blue floor", "floor", "turn"),)
 
 
 def test_it_stands_for_the_thing_named_last() -> None:
     plan = parse_route_description("face the easel . go to it . turn right . go on")
-    assert Mention("easel", "turn") in plan.legs[0].mentions
+    assert Mention("easel", "object", "turn") in plan.legs[0].mentions
 
 
 def test_numbered_places_are_where_one_starts_and_ends() -> None:

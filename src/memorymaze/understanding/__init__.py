@@ -1,39 +1,23 @@
-"""Reading English route descriptions: text in, a typed plan out."""
+"""Reading English route descriptions: text in, a plan out.
 
-from memorymaze.routes.plan import (
-    Arrival,
-    Leg,
-    Length,
-    Mention,
-    Outlook,
-    Passing,
-    RoutePlan,
-    Side,
-    Turn,
-)
-from memorymaze.understanding.describing import describe
+Holds the grammar and the words of descriptions (`data`). Does not hold what a plan is
+(`routes`), how one walks with it (`agents`) or how texts are made (`writing`).
+"""
+
 from memorymaze.understanding.reading import parse_route_description
 from memorymaze.understanding.things import (
     ANY_FLOOR,
     floor_phrase,
     is_common,
     is_floor,
+    kind_of,
 )
 
 __all__ = [
     "ANY_FLOOR",
-    "Arrival",
-    "Leg",
-    "Length",
-    "Mention",
-    "Outlook",
-    "Passing",
-    "RoutePlan",
-    "Side",
-    "Turn",
-    "describe",
     "floor_phrase",
     "is_common",
     "is_floor",
+    "kind_of",
     "parse_route_description",
 ]

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Literal
 
-from memorymaze.routes.plan import (
+from memorymaze.routes import (
     Length,
     Mention,
     Passing,
@@ -17,11 +17,11 @@ from memorymaze.routes.plan import (
     Turn,
     Way,
 )
-from memorymaze.understanding.clause import Event
+from memorymaze.understanding.clause import AT_THE_TURN, Event
 from memorymaze.understanding.drafts import Draft, place_of
 from memorymaze.understanding.lengths import SEGMENT_METRES
 from memorymaze.understanding.repetitions import Restating
-from memorymaze.understanding.things import is_floor
+from memorymaze.understanding.things import is_floor, kind_of
 
 _AT_ONCE = Length(4.0, "vague")
 _LONGEST_OPEN = 3
@@ -136,7 +136,7 @@ class _Assembly:
         if at_once and not draft.lengths and not draft.mentions:
             draft.lengths.append(_AT_ONCE)
         draft.turn = Turn(
-            way or "forward_or_side",
+            way or "either",
             ordinal=ordinal,
             at_end=draft.at_end,
             junction=draft.junction,
@@ -198,7 +198,7 @@ class _Assembly:
         if way.ordinal is not None and way.ordinal > 0:
             self._way = None
             metres = way.ordinal * SEGMENT_METRES
-            length = Length(metres, "segments", float(way.ordinal))
+            length = Length(metres, "places", float(way.ordinal))
             self._draft.lengths.append(length)
 
     def _end_on_a_side(self) -> None:
@@ -250,20 +250,23 @@ class _Assembly:
 
     def _add_thing(self, event: Event, at: int) -> None:
         if event.relation == "from":
+            if not self._done and self._draft.is_new and not self._draft.origin:
+                self._draft.origin = event.phrase
             return
         if event.relation == "away":
             self._draft.behind.append(event.phrase)
             return
         back = bool(self._done) and (event.back or self._ends_the_turn(event, at))
         draft = self._done[-1] if back else self._draft
+        if event.subject:
+            draft.subjects.add(len(draft.mentions))
         draft.mentions.append(
             Mention(
                 event.phrase,
+                kind_of(event.phrase),
                 place_of(event, back),
                 side=self._side,
-                weak=event.relation == "into",
                 nth=event.ordinal,
-                subject=event.subject,
                 ignored=event.ignored,
             )
         )
@@ -283,7 +286,7 @@ class _Assembly:
         """Turn to what is said next, unless one has just turned or still stands."""
         draft = self._draft
         if not draft.is_new or (always and draft.walls and draft.ahead):
-            self._add_turn(Event("turn", way="facing"), at)
+            self._add_turn(Event("turn", way="either"), at)
 
     def _add_side(self, event: Event) -> None:
         if event.of_goal:
@@ -313,7 +316,7 @@ class _Assembly:
 
     def _ends_the_turn(self, event: Event, at: int) -> bool:
         """`Turn right, opposite the hall.`: a place said last is that of the turn."""
-        if event.relation not in {"at", "beside", "before", "after"} or not self._done:
+        if event.relation not in AT_THE_TURN or not self._done:
             return False
         if not self._draft.is_new:
             return False

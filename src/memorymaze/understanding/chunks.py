@@ -14,8 +14,9 @@ the content words `W`).
 
 import re
 from dataclasses import dataclass, replace
+from typing import Literal
 
-from memorymaze.routes.plan import Length, Way
+from memorymaze.routes import Length, Way
 from memorymaze.understanding.lengths import (
     LENGTH,
     NUMBER,
@@ -65,6 +66,10 @@ _PLAIN_SIGNS = {
 """Quotes, dashes and arrows, and what is read for them."""
 
 
+Direction = Way | Literal["forward"]
+"""What a word for a direction can mean; `forward` is no turn."""
+
+
 @dataclass(frozen=True, slots=True)
 class Chunk:
     """One piece of a description."""
@@ -73,14 +78,19 @@ class Chunk:
     text: str
     start: int
     """Offset in the normalised text."""
-    way: Way | None = None
+    way: Direction | None = None
     """Direction of `L` and `S`; first direction of `2`."""
-    second_way: Way | None = None
+    second_turn: Way | None = None
     """Second direction of `2`."""
     number: float | None = None
     """Value of `O` and `n`."""
     length: Length | None = None
     """Value of `M`."""
+
+    @property
+    def turn(self) -> Way | None:
+        """Where one turns to by it; None for straight on."""
+        return None if self.way == "forward" else self.way
 
 
 def normalise(text: str) -> str:
@@ -198,10 +208,10 @@ def _valued(kind: str, words: str, at: int) -> Chunk:
         return replace(chunk, number=float(ordinal))
     if kind == "2":
         first, second = re.findall(r"left|right", words)[:2]
-        return replace(chunk, way=first, second_way=second)
+        return replace(chunk, way=first, second_turn=second)
     if kind == "d":
         side, other = ("left", "right") if "left" in words else ("right", "left")
-        return replace(chunk, way=side, second_way=other)
+        return replace(chunk, way=side, second_turn=other)
     if kind in {"L", "S"}:
         return replace(chunk, way=_way_of(words))
     if kind == "s" and (side := re.search(r"\b(left|right)\b", words)):
@@ -209,7 +219,7 @@ def _valued(kind: str, words: str, at: int) -> Chunk:
     return chunk
 
 
-def _way_of(words: str) -> Way | None:
+def _way_of(words: str) -> Direction | None:
     clock = re.search(r"(\w+) ?o'? ?clock", words)
     if clock:
         way = CLOCK.get(clock[1])

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
 
-from memorymaze.routes.plan import Junction, Length, Side, Way
+from memorymaze.routes import Junction, Length, Side, Way
 from memorymaze.understanding.chunks import Chunk
 
 EventKind = Literal[
@@ -39,6 +39,7 @@ lies along a way (`take the blue path`, `face the easel`), `wall` a side without
 Relation = Literal[
     "at",
     "beside",
+    "opposite",
     "before",
     "after",
     "until",
@@ -50,6 +51,14 @@ Relation = Literal[
     "",
 ]
 """How a thing is bound to the clause: `before` and `after` as the words were said."""
+AT_THE_TURN: frozenset[Relation] = frozenset({
+    "at",
+    "beside",
+    "opposite",
+    "before",
+    "after",
+})
+"""How the thing is bound that says where a turn is."""
 
 
 @dataclass(frozen=True, slots=True)

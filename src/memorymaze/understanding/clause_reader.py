@@ -5,7 +5,13 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from memorymaze.understanding.chunks import Chunk
-from memorymaze.understanding.clause import Clause, Event, Relation, side_of
+from memorymaze.understanding.clause import (
+    AT_THE_TURN,
+    Clause,
+    Event,
+    Relation,
+    side_of,
+)
 from memorymaze.understanding.directions import (
     comes_before_its_thing,
     faces,
@@ -29,6 +35,7 @@ _ROUND = re.compile(r"round|around|bend|curve|curl|wind")
 _REACHED = re.compile(r"reach|come|comes|get to|arrive|hit|face|facing|meet")
 _LEAVING = re.compile(r"leav|\b(?:of|from|out|off|exit)\b")
 _TOWARDS = re.compile(r"towards?\b")
+_OPPOSITE = re.compile(r"opposite|across")
 _LOOSE = {"with", "among", "in", "inside", "between"}
 
 
@@ -195,13 +202,13 @@ class ClauseReader:
         chunk = clause.chunks[at]
         diagonal = chunk.kind == "d"
         if diagonal and clause.kind_before(at) == "N" and "front" in chunk.text:
-            self._take(Event("turn", way=chunk.way))  # "at the window front left"
+            self._take(Event("turn", way=chunk.turn))  # "at the window front left"
         elif not is_on_both_sides(clause, at):
-            self._take(Event("turn", way=chunk.way))
+            self._take(Event("turn", way=chunk.turn))
             self._take(
                 Event(
                     "turn",
-                    way=chunk.second_way,
+                    way=chunk.second_turn,
                     at_once=True,
                     joined=True,
                     forced=diagonal,
@@ -219,7 +226,7 @@ class ClauseReader:
             self._add(Event("way", side=side_of(chunk), likely=True))
         elif turn:
             bends = "K" in clause.kinds[:at]
-            self._take(Event("turn", way=chunk.way, forced=bends))
+            self._take(Event("turn", way=chunk.turn, forced=bends))
         elif chunk.way is not None or chunk.kind == "S":
             first = comes_before_its_thing(clause, at)
             goal = clause.kinds.startswith(("Z", "R")) and "N" not in clause.kinds
@@ -254,7 +261,7 @@ class ClauseReader:
             self._add(Event("ahead", phrase=phrase, walks=True))
         counted = clause.kind_before(at) == "O"
         nth = int(clause.chunks[at - 1].number or 1) if counted else None
-        back = self._turned and relation in {"at", "beside", "before", "after"}
+        back = self._turned and relation in AT_THE_TURN
         self._add(
             Event(
                 "thing",
@@ -310,7 +317,7 @@ class ClauseReader:
                 loose = chunk.text in _LOOSE or _TOWARDS.match(chunk.text)
                 return "see" if loose else "at"
             case "w":
-                return "beside"
+                return "opposite" if _OPPOSITE.search(chunk.text) else "beside"
             case "Q":
                 return "before" if "before" in chunk.text else "after"
             case "U":

@@ -6,7 +6,7 @@
 import re
 from dataclasses import replace
 
-from memorymaze.routes.plan import Length
+from memorymaze.routes import Length
 from memorymaze.understanding.chunks import Chunk
 
 _CLASSES = {

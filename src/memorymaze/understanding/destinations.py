@@ -2,7 +2,7 @@
 
 import re
 
-from memorymaze.routes.plan import Mention, Side
+from memorymaze.routes import Mention, Side
 from memorymaze.understanding.chunks import Chunk
 from memorymaze.understanding.drafts import Draft
 from memorymaze.understanding.things import (
@@ -40,24 +40,29 @@ def find_destinations(
 ) -> tuple[tuple[str, ...], Side | None, int | None]:
     """Return words for the destination, its side, and which of its kind it is.
 
-    The likeliest words come first. Things named on the last stretch are weighed by how they are named: announced as
-    the destination, said to be ahead or on a side, named last or more than once.
+    The likeliest words come first. Things named on the last stretch are weighed by how
+    they are named: announced as the destination, said to be ahead or on a side, named
+    last or more than once.
     """
     scores: dict[str, float] = {}
     sides: dict[str, Side | None] = {}
     named = _weights_in_text(chunks, text)
-    candidates = list(last.mentions)
-    counted = any(length.count is not None for length in last.lengths)
-    if counted or any(is_floor(m.phrase) and m.place == "turn" for m in candidates):
+    candidates = _candidates(last)
+    counted = any(length.unit == "places" for length in last.lengths)
+    if counted or any(is_floor(m.phrase) and m.place == "turn" for m in last.mentions):
         # "You see a clock. Go two blocks.": the end is told by the blocks.
-        candidates = [m for m in candidates if m.place not in {"along", "passed"}]
+        candidates = [c for c in candidates if c[0].place not in {"along", "passed"}]
     if not candidates and drafts and last.is_new:
-        candidates = [m for m in drafts[-1].mentions if m.place in {"target", "along"}]
+        candidates = [
+            each
+            for each in _candidates(drafts[-1])
+            if each[0].place in {"target", "along"}
+        ]
     passed = {m.phrase for m in last.mentions if m.side == "behind"}
-    for order, mention in enumerate(candidates):
+    for order, (mention, subject) in enumerate(candidates):
         if mention.phrase in passed or mention.ignored or is_floor(mention.phrase):
             continue
-        score = _score(mention) + named.get(mention.phrase, 0.0)
+        score = _score(mention, subject=subject) + named.get(mention.phrase, 0.0)
         score += 1.2 * (order + 1) / len(candidates)
         if score > scores.get(mention.phrase, -9.0):
             scores[mention.phrase] = score
@@ -107,7 +112,12 @@ def _named_on_the_way(drafts: list[Draft]) -> set[str]:
     }
 
 
-def _score(mention: Mention) -> float:
+def _candidates(draft: Draft) -> list[tuple[Mention, bool]]:
+    """Return the things of a draft, and whether a clause says where each is."""
+    return [(each, n in draft.subjects) for n, each in enumerate(draft.mentions)]
+
+
+def _score(mention: Mention, *, subject: bool) -> float:
     score = 0.0
     if mention.side == "ahead":
         score += 1.2
@@ -115,9 +125,9 @@ def _score(mention: Mention) -> float:
         score += 0.6
     if mention.place in {"turn", "target"}:
         score += 0.6
-    if mention.subject:
+    if subject:
         score += 0.8
-    if mention.place in {"before_turn", "after_turn", "passed", "beside"}:
+    if mention.place in {"before_turn", "after_turn", "passed", "beside", "opposite"}:
         score -= 1.0
     if re.search(r"\d", mention.phrase):
         score += 0.4

@@ -7,7 +7,7 @@ or to be left alone.
 import re
 from dataclasses import dataclass
 
-from memorymaze.routes.plan import Junction, Side
+from memorymaze.routes import Junction, Side
 from memorymaze.understanding.chunks import Chunk
 from memorymaze.understanding.clause import (
     Clause,

@@ -1,26 +1,36 @@
 """Legs in the making, and how they become records."""
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
-from memorymaze.routes.plan import (
+from memorymaze.routes import (
     Arrival,
     Junction,
     Leg,
     Length,
     Mention,
-    Outlook,
     Passing,
     Place,
+    RoutePlan,
     Side,
+    Start,
     Turn,
 )
 from memorymaze.understanding.clause import Event
 from memorymaze.understanding.lengths import combine_lengths
+from memorymaze.understanding.things import kind_of
 
+JUNCTION_NAMES: dict[Junction, str] = {
+    "t": "t junction",
+    "crossing": "crossing",
+    "corner": "corner",
+}
+"""What a junction is called where one arrives at it."""
 _PLACES: dict[str, Place] = {
     "at": "turn",
     "until": "turn",
     "beside": "beside",
+    "opposite": "opposite",
     "after": "before_turn",
     "before": "after_turn",
     "into": "target",
@@ -49,6 +59,10 @@ class Draft:
     side: Side | None = None
     """Side of what is not named: `it is on your left`."""
     turn: Turn | None = None
+    origin: str = ""
+    """What one comes from; of the first."""
+    subjects: set[int] = field(default_factory=set[int])
+    """Indices of mentions that a clause is about: `the chapel is on your left`."""
     plain_last: bool = False
     """True when the turn was one bare word after a thing named in its sentence."""
 
@@ -65,20 +79,13 @@ class Draft:
         )
 
     @property
-    def outlook(self) -> Outlook:
-        """What was said of its beginning."""
-        return Outlook(
-            tuple(dict.fromkeys(self.ahead)), tuple(self.behind), tuple(self.walls)
-        )
-
-    @property
     def has_ended(self) -> bool:
         """Whether it was said where it ends, though not which way one turns there."""
         return bool(
             self.at_end
             or self.junction
             or self.lengths
-            or any(m.place in {"turn", "beside"} for m in self.mentions)
+            or any(m.place in {"turn", "beside", "opposite"} for m in self.mentions)
         )
 
     @property
@@ -92,33 +99,81 @@ def place_of(event: Event, back: bool) -> Place:
     return _PLACES.get(event.relation, "turn" if back else "along")
 
 
-def leg_of(draft: Draft) -> Leg:
-    """Return the finished leg of a draft that ends in a turn."""
+def plan_of(
+    drafts: Sequence[Draft],
+    destinations: tuple[str, ...],
+    side: Side | None,
+    nth: int | None,
+) -> RoutePlan:
+    """Return the plan of drafts, the last of which leads to one of the destinations."""
+    *before, last = drafts
+    legs = tuple(_leg_of(number, draft, drafts) for number, draft in enumerate(before))
+    return RoutePlan(
+        start=_start_of(drafts[0]),
+        legs=legs,
+        arrival=Arrival(
+            destinations=destinations,
+            side=side,
+            nth=nth,
+            at_end=last.at_end,
+            length=combine_lengths(last.lengths),
+            mentions=_mentions_of(last, first=not legs),
+            passings=tuple(last.passings),
+            too_far=tuple(last.too_far),
+            on_the_spot=last.is_new and not destinations,
+        ),
+    )
+
+
+def _leg_of(number: int, draft: Draft, drafts: Sequence[Draft]) -> Leg:
+    """Return the leg of a draft; what lies beyond its turn is said of it."""
+    turn = draft.turn or Turn("either")
+    before = drafts[number - 1].turn if number else None
+    turned = before is None or before.way == "around" or drafts[number].ahead
     return Leg(
-        turn=draft.turn or Turn("forward_or_side"),
+        turn=turn,
+        on_the_spot=draft.is_new and bool(turned),
         length=combine_lengths(draft.lengths),
-        mentions=tuple(draft.mentions),
+        mentions=(
+            *_mentions_of(draft, first=not number),
+            *_outlook_of(drafts[number + 1]),
+        ),
         passings=tuple(draft.passings),
         too_far=tuple(draft.too_far),
-        outlook=draft.outlook,
-        goes=not draft.is_new,
     )
 
 
-def arrival_of(
-    draft: Draft, destinations: tuple[str, ...], side: Side | None, nth: int | None
-) -> Arrival:
-    """Return the last stretch, to one of the destinations."""
-    return Arrival(
-        destinations=destinations,
-        side=side,
-        nth=nth,
-        length=combine_lengths(draft.lengths),
-        at_end=draft.at_end,
-        mentions=tuple(draft.mentions),
-        passings=tuple(draft.passings),
-        too_far=tuple(draft.too_far),
-        outlook=draft.outlook,
-        junction=draft.junction,
-        goes=not draft.is_new,
-    )
+def _start_of(draft: Draft) -> Start:
+    """Return what is said of the start; where the wall is, when that is said."""
+    ahead = list(dict.fromkeys(draft.ahead))
+    behind = list(draft.behind)
+    if "ahead" in draft.walls:
+        ahead.append("wall")
+    if "behind" in draft.walls:
+        behind.append("wall")
+    if not behind and draft.origin:
+        behind.append(draft.origin)
+    return Start(" and ".join(ahead) or None, " and ".join(behind) or None)
+
+
+def _outlook_of(draft: Draft) -> Iterator[Mention]:
+    """Yield what one has before, behind and beside oneself where a stretch begins."""
+    for phrase in dict.fromkeys(draft.ahead):
+        yield Mention(phrase, kind_of(phrase), "target", side="ahead")
+    for phrase in draft.behind:
+        yield Mention(phrase, kind_of(phrase), "target", side="behind")
+    for side in draft.walls:
+        yield Mention("wall", "wall", "target", side=side)
+
+
+def _mentions_of(draft: Draft, *, first: bool) -> tuple[Mention, ...]:
+    """Return the things on a stretch, and the junction at the end of the last one."""
+    walls = [
+        Mention("wall", "wall", "along", side=side)
+        for side in draft.walls
+        if first and side in {"left", "right"}
+    ]
+    ends = draft.turn is None and draft.junction is not None
+    junction = JUNCTION_NAMES[draft.junction] if ends and draft.junction else ""
+    place = [Mention(junction, "place", "turn")] if junction else []
+    return (*walls, *draft.mentions, *place)

@@ -2,13 +2,11 @@
 
 import math
 import re
-from typing import Literal
 
-from memorymaze.routes.plan import Length
+from memorymaze.routes import Length, Unit
 from memorymaze.understanding.vocabulary import ONES, QUANTITIES, TENS
 
-_Unit = Literal["metres", "steps", "time", "vague", "segments"]
-_LOOSE_UNITS: tuple[_Unit, ...] = ("vague", "time")
+_LOOSE_UNITS: tuple[Unit, ...] = ("vague", "time")
 """Units that do not count beside others."""
 STEP = 0.7
 """Metres of one step."""
@@ -64,7 +62,7 @@ def read_length(match: re.Match[str]) -> Length:
         count += {"half": 0.5, "bit": 0.2, "quarter": 0.25}[match["extra"]]
     unit = match["unit"]
     vague = match["low"].strip() in {"a few", "few", "some", "several", "a couple of"}
-    kind: _Unit = "metres"
+    kind: Unit = "metres"
     if unit.startswith("min"):
         metres, kind = count * 60.0 * WALKING_SPEED, "time"
     elif unit.startswith("sec"):
@@ -111,7 +109,7 @@ def read_segments(match: re.Match[str]) -> Length:
             match[name] for name in ("count", "places", "bare", "often") if match[name]
         )
         count = read_number(words)
-    return Length(count * SEGMENT_METRES, "segments", count)
+    return Length(count * SEGMENT_METRES, "places", count)
 
 
 def combine_lengths(lengths: list[Length]) -> Length | None:
@@ -122,14 +120,14 @@ def combine_lengths(lengths: list[Length]) -> Length | None:
     """
     if not lengths:
         return None
-    sums: dict[_Unit, float] = {}
+    sums: dict[Unit, float] = {}
     for length in lengths:
         sums[length.unit] = sums.get(length.unit, 0.0) + length.metres
     for loose in _LOOSE_UNITS:
         if loose in sums and len(sums) > 1:
             del sums[loose]
-    if "segments" in sums:
+    if "places" in sums:
         count = sum(each.count or 0.0 for each in lengths)
-        return Length(sums["segments"], "segments", count)
+        return Length(sums["places"], "places", count)
     metres = math.exp(sum(math.log(max(v, 0.3)) for v in sums.values()) / len(sums))
     return Length(metres, next(iter(sums)))

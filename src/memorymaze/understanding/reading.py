@@ -3,14 +3,14 @@
 import re
 from collections.abc import Sequence
 
-from memorymaze.routes.plan import RoutePlan
+from memorymaze.routes import RoutePlan
 from memorymaze.understanding.assembly import assemble
 from memorymaze.understanding.chunks import Chunk, cut, normalise
 from memorymaze.understanding.clause import Event
 from memorymaze.understanding.clause_reader import ClauseReader
 from memorymaze.understanding.corrections import apply_corrections
 from memorymaze.understanding.destinations import find_destinations
-from memorymaze.understanding.drafts import arrival_of, leg_of
+from memorymaze.understanding.drafts import plan_of
 from memorymaze.understanding.repetitions import without_overviews
 from memorymaze.understanding.things import thing_phrase
 
@@ -24,9 +24,8 @@ def parse_route_description(text: str) -> RoutePlan:
     chunks = apply_corrections(cut(words))
     events = without_overviews(_sentences(split_clauses(chunks), words))
     drafts = assemble(events)
-    legs = tuple(leg_of(draft) for draft in drafts[:-1])
     destinations, side, nth = find_destinations(drafts[-1], drafts[:-1], chunks, words)
-    return RoutePlan(legs, arrival_of(drafts[-1], destinations, side, nth))
+    return plan_of(drafts, destinations, side, nth)
 
 
 def _sentences(clauses: list[list[Chunk]], text: str) -> list[tuple[str, list[Event]]]:

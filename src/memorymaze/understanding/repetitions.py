@@ -8,7 +8,7 @@ the desk, yes.`
 import re
 from collections.abc import Sequence
 
-from memorymaze.routes.plan import Way
+from memorymaze.routes import Way
 from memorymaze.understanding.clause import Event
 from memorymaze.understanding.drafts import Draft
 

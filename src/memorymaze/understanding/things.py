@@ -2,11 +2,13 @@
 
 import re
 
+from memorymaze.routes import Kind
 from memorymaze.understanding.vocabulary import (
     COMMON,
     FILLERS,
     FLOORS,
     IDLE_ENDS,
+    KINDS,
     ONES,
     PLAIN,
     SIGN_BINDERS,
@@ -43,6 +45,9 @@ _LANES = re.compile(
 )
 
 
+_BINDING = re.compile(r" (?:of|with|that|for|on|in|saying|marked|called|named) ")
+
+
 def thing_phrase(words: str) -> str:
     """Return the words to look for, or "" when they name nothing a camera finds."""
     tokens = [token for token in words.split() if token not in {"the", "a", "an"}]
@@ -66,6 +71,16 @@ def _is_idle(token: str) -> bool:
     if token in IDLE_ENDS:
         return True
     return token.endswith("ing") and token not in THINGS_IN_ING and len(token) > 5
+
+
+def kind_of(phrase: str) -> Kind:
+    """Return what a thing is, by the words for it.
+
+    >>> kind_of("door that says Radiology"), kind_of("green library sign")
+    ('door', 'sign')
+    """
+    head = _BINDING.split(phrase, maxsplit=1)[0].split()[-1]
+    return KINDS.get(head, "object")
 
 
 def is_lane(phrase: str) -> bool:

@@ -7,6 +7,8 @@ from dataclasses import dataclass
 from importlib.resources import files
 from typing import Any
 
+from memorymaze.routes import Kind
+
 _DATA = files("memorymaze.understanding") / "data"
 
 
@@ -102,6 +104,10 @@ CLOCK: Mapping[str, str] = _words["clock"]
 ONES: Mapping[str, int] = _words["ones"]
 TENS: Mapping[str, int] = _words["tens"]
 QUANTITIES: Mapping[str, float] = _words["quantities"]
+KINDS: Mapping[str, Kind] = {
+    noun: kind for kind, nouns in _words["kinds"].items() for noun in nouns.split()
+}
+"""What a thing is, by the head noun of its name."""
 FLOORS = tuple(
     (re.compile(rf"\b(?:{words})\b"), look) for words, look in _words["floors"]
 )

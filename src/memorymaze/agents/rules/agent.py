@@ -11,17 +11,17 @@ from memorymaze.agents.rules.alignment import Aligner, Branch, Ending, Standing
 from memorymaze.agents.rules.arriving import Arrivals, approach
 from memorymaze.agents.rules.evidence import choices_at
 from memorymaze.agents.rules.floor_map import Sighting
-from memorymaze.agents.rules.outlooks import first_heading_cost
+from memorymaze.agents.rules.outlooks import (
+    faces,
+    first_heading_cost,
+    outlook_of,
+    things_of,
+)
 from memorymaze.agents.rules.walker import Walker
 from memorymaze.geometry.pose import wrap_angle
 from memorymaze.robot.api import Robot
-from memorymaze.understanding import (
-    ANY_FLOOR,
-    RoutePlan,
-    describe,
-    is_floor,
-    parse_route_description,
-)
+from memorymaze.routes import RoutePlan, describe
+from memorymaze.understanding import ANY_FLOOR, is_floor, parse_route_description
 
 SAME_HEADING = math.radians(35)
 """Ways to face that differ by less are one."""
@@ -144,8 +144,8 @@ class _Search:
         """Things that the way to face at the start may be told by."""
         legs = self._plan.legs
         first = legs[0] if legs else self._plan.arrival
-        named = [m.phrase for m in first.mentions]
-        outlook = first.outlook
+        named = [m.phrase for m in things_of(first)]
+        outlook = outlook_of(self._plan, 0)
         return [*outlook.ahead, *outlook.behind, *named, *self._arrivals.phrases]
 
     def _survey(self) -> None:
@@ -278,10 +278,10 @@ class _Search:
         for rival in rivals:
             first = rival.standing.leg
             for leg in legs[max(first - 1, 0) : first + 2]:
-                phrases.extend(m.phrase for m in leg.mentions)
-                phrases.extend(leg.too_far)
+                phrases.extend(m.phrase for m in things_of(leg))
+                phrases.extend((*leg.too_far, *leg.wrong_way))
             if first >= len(legs) - 1:
-                phrases.extend(m.phrase for m in self._plan.arrival.mentions)
+                phrases.extend(m.phrase for m in things_of(self._plan.arrival))
         return list(dict.fromkeys(phrases))
 
     def _finish(self, ending: Ending) -> None:
@@ -315,10 +315,11 @@ class _Search:
 def _looks_of(plan: RoutePlan) -> tuple[str, ...]:
     """Return what to look for along every way; nothing where no way is told by looks."""
     parts = (*plan.legs, plan.arrival)
-    ahead = [phrase for part in parts for phrase in part.outlook.ahead]
-    named = [m.phrase for part in parts for m in part.mentions if is_floor(m.phrase)]
+    outlooks = [outlook_of(plan, number) for number in range(len(parts))]
+    ahead = [phrase for outlook in outlooks for phrase in outlook.ahead]
+    named = [m.phrase for part in parts for m in things_of(part) if is_floor(m.phrase)]
     floors = [phrase for phrase in (*ahead, *named) if is_floor(phrase)]
-    turns = any(leg.turn.way == "facing" for leg in plan.legs)
+    turns = any(faces(plan, number) for number in range(len(plan.legs)))
     if not floors and not turns:
         return ()
     return tuple(dict.fromkeys([*([ANY_FLOOR] if floors else []), *ahead, *floors]))

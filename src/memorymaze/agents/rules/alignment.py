@@ -21,13 +21,15 @@ from memorymaze.agents.rules.evidence import (
     way_cost,
 )
 from memorymaze.agents.rules.floor_map import FloorMap, Point, Stretch
-from memorymaze.agents.rules.outlooks import outlook_cost, outlook_of, walls_cost
-from memorymaze.geometry.pose import wrap_angle
-from memorymaze.understanding import (
-    Leg,
-    Length,
-    RoutePlan,
+from memorymaze.agents.rules.outlooks import (
+    faces,
+    outlook_cost,
+    outlook_of,
+    things_of,
+    walls_cost,
 )
+from memorymaze.geometry.pose import wrap_angle
+from memorymaze.routes import Leg, Length, RoutePlan
 
 UNSAID_TURN = 4.0
 """Cost of a turn that the description leaves out where one could go on."""
@@ -142,7 +144,7 @@ class Aligner:
             if standing.walked > 6.0 and standing.asked:
                 ahead += UNSEEN_YET * max(
                     mentions_cost(
-                        [m for m in leg.mentions if m.place in {"along", "passed"}],
+                        [m for m in things_of(leg) if m.place in {"along", "passed"}],
                         self._floor,
                         standing.line,
                         standing.line[-1],
@@ -224,9 +226,8 @@ class Aligner:
             return False
         if leg.passings or any(
             m.place in {"turn", "before_turn", "passed"}
-            and not m.weak
             and not self._floor.seen(m.phrase)
-            for m in leg.mentions
+            for m in things_of(leg)
         ):
             return False
         return turn.way in {"left", "right"} and bool(choices.on(turn.way))
@@ -247,8 +248,11 @@ class Aligner:
         for number in range(standing.leg, min(standing.leg + 3, len(self.plan.legs))):
             leg = self.plan.legs[number]
             base = skipped + self._place_cost(standing, leg, lead, choices)
-            for index, angle in self._ways_of(leg, standing, choices):
-                way = way_cost(leg.turn, angle)
+            looks = faces(self.plan, number)
+            anew = looks or leg.turn.way == "around"
+            ways = self._all_ways(standing) if anew else choices.ways
+            for index, angle in ways:
+                way = way_cost(leg.turn, angle, faces=looks)
                 if way >= 4.0 and len(choices.ways) > 1 and skipped:
                     continue
                 cost = base + way + self._outlook_cost(standing, number + 1, index)
@@ -262,7 +266,7 @@ class Aligner:
                     story=(*story, told),
                 )
                 yield Branch(done, index)
-                if leg.turn.way in {"facing", "around"} and self._turns_at_once(done):
+                if anew and self._turns_at_once(done):
                     yield from self._turns(done, self._choices(done))
             skip = self._skip_cost(number)
             skipped += skip
@@ -273,12 +277,8 @@ class Aligner:
         crossing = self._floor.crossings[standing.at]
         return choices_at(crossing.exits, crossing.closed, standing.heading)
 
-    def _ways_of(
-        self, leg: Leg, standing: Standing, choices: Choices
-    ) -> tuple[tuple[int, float], ...]:
-        """Return the ways a turn may lead; back only where it may mean that."""
-        if leg.turn.way not in {"facing", "around"}:
-            return choices.ways
+    def _all_ways(self, standing: Standing) -> tuple[tuple[int, float], ...]:
+        """Return all ways out, the way back too."""
         crossing = self._floor.crossings[standing.at]
         return tuple(
             (index, wrap_angle(heading - standing.heading))
@@ -289,7 +289,7 @@ class Aligner:
     def _turns_at_once(self, standing: Standing) -> bool:
         """Tell whether the next turn follows on the spot: `face it, turn left`."""
         leg = self._leg(standing)
-        return leg is not None and not leg.goes
+        return leg is not None and leg.on_the_spot
 
     def _outlook_cost(self, standing: Standing, leg: int, exit: int) -> float:
         """Compare the way an exit leads with what was said of the way of a leg."""
@@ -302,7 +302,7 @@ class Aligner:
 
     def _skip_cost(self, number: int) -> float:
         turn = self.plan.legs[number].turn
-        easy = turn.way.startswith("slight") or turn.way in {"forward", "facing"}
+        easy = turn.way.startswith("slight") or faces(self.plan, number)
         if turn.forced or easy:
             return BEND_LEFT_OUT
         cost = LEFT_OUT - 1.2 * turn.doubt
@@ -320,7 +320,7 @@ class Aligner:
         turn = leg.turn
         junction = len(choices.ways) > 1
         cost = _walked_cost(_with_lead(leg.length, lead), standing, junction)
-        if leg.goes and not standing.walked:
+        if not leg.on_the_spot and not standing.walked:
             cost += NOT_GONE
         cost += junction_cost(turn, choices)
         cost += ordinal_cost(
@@ -333,14 +333,16 @@ class Aligner:
             leg.passings, standing.left, standing.right, standing.crossings
         )
         cost += mentions_cost(
-            leg.mentions,
+            things_of(leg),
             self._floor,
             standing.line,
             crossing.place,
             standing.asked or frozenset(),
             standing.at,
         )
-        cost += too_far_cost(leg.too_far, self._floor, standing.line, crossing.place)
+        cost += too_far_cost(
+            (*leg.too_far, *leg.wrong_way), self._floor, standing.line, crossing.place
+        )
         return cost
 
     def _on_side(self, standing: Standing, leg: Leg) -> int:
@@ -364,7 +366,7 @@ def _walked_cost(length: Length | None, standing: Standing, junction: int) -> fl
 
 
 def _is_passed(length: Length, standing: Standing) -> bool:
-    if length.count is not None:
+    if length.unit == "places" and length.count is not None:
         return standing.places > length.count
     return standing.walked > length.metres
 
@@ -373,6 +375,6 @@ def _with_lead(length: Length | None, lead: float) -> Length | None:
     """Add the length of legs that were left out."""
     if length is None or not lead:
         return length
-    if length.count is not None:
+    if length.unit == "places":
         return length
     return Length(length.metres + lead, length.unit)

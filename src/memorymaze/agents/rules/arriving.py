@@ -13,13 +13,10 @@ from memorymaze.agents.rules.evidence import (
     passings_cost,
 )
 from memorymaze.agents.rules.floor_map import FloorMap, Point, Sighting, Stretch
+from memorymaze.agents.rules.outlooks import junction_at_the_end, things_of
 from memorymaze.agents.rules.walker import Walker
-from memorymaze.understanding import (
-    RoutePlan,
-    Turn,
-    is_common,
-    is_floor,
-)
+from memorymaze.routes import RoutePlan, Turn
+from memorymaze.understanding import is_common, is_floor
 
 POORLY_SEEN = 1.0
 """Nats lost, times one minus the score, by stopping at something seen."""
@@ -100,7 +97,7 @@ class Arrivals:
                 standing.story,
             )
         length = self._plan.arrival.length
-        if to_come == 0 and length is not None and length.count is None:
+        if to_come == 0 and length is not None and length.unit != "places":
             rest = length.metres - standing.walked
             if 0.0 < rest < stretch.length:
                 unseen = self._unseen + self._fit(standing, rest, 0)
@@ -127,10 +124,11 @@ class Arrivals:
         unseen = min([self._unseen, *here])
         cost = standing.cost + unseen + self._fit(standing, 0.0, 0)
         arrival = self._plan.arrival
-        if arrival.junction is not None:
-            cost += junction_cost(Turn("forward", junction=arrival.junction), choices)
+        junction = junction_at_the_end(arrival)
+        if junction is not None:
+            cost += junction_cost(Turn("either", junction=junction), choices)
         if choices.forward is not None:
-            open_end = arrival.length is None and not (arrival.junction or here)
+            open_end = arrival.length is None and not (junction or here)
             cost += 1.0 if open_end or arrival.at_end else 0.3
         elif arrival.at_end:
             cost -= 0.5
@@ -144,7 +142,11 @@ class Arrivals:
     def after_turn(self, standing: Standing) -> Iterator[Ending]:
         """Yield the ending where the last turn is all there is to do."""
         arrival = self._plan.arrival
-        if standing.leg < len(self._plan.legs) or standing.walked or arrival.goes:
+        if (
+            standing.leg < len(self._plan.legs)
+            or standing.walked
+            or not arrival.on_the_spot
+        ):
             return
         if self.phrases or not self._plan.legs:
             return
@@ -219,16 +221,17 @@ class Arrivals:
         walked = standing.walked + further
         places = standing.places + bool(further)
         crossings = standing.crossings + bool(further)
-        if arrival.length is not None and arrival.length.count is not None:
+        counted = arrival.length is not None and arrival.length.unit == "places"
+        if counted:
             begun = self._counted_from(standing)
             places, crossings = places - begun, max(crossings - begun, 0)
         told = length_cost(arrival.length, walked, places, crossings)
-        cost = told if arrival.length and arrival.length.count else 0.7 * told
+        cost = told if counted else 0.7 * told
         cost += passings_cost(
             arrival.passings, standing.left, standing.right, standing.crossings
         )
         line = standing.line
-        others = [m for m in arrival.mentions if m.phrase not in self.phrases]
+        others = [m for m in things_of(arrival) if m.phrase not in self.phrases]
         cost += 0.5 * mentions_cost(
             others,
             self._floor,

@@ -13,18 +13,12 @@ from itertools import pairwise
 from memorymaze.agents.rules.floor_map import AT_CROSSING, SEES_FAR, FloorMap, Point
 from memorymaze.agents.rules.outlooks import crossing_floor_cost
 from memorymaze.geometry.pose import wrap_angle
-from memorymaze.understanding import (
-    Length,
-    Mention,
-    Passing,
-    Turn,
-    is_common,
-    is_floor,
-)
+from memorymaze.routes import Length, Mention, Passing, Turn
+from memorymaze.understanding import is_common, is_floor
 
-SPREAD = {"metres": 0.4, "steps": 0.45, "time": 0.6, "vague": 0.9, "segments": 0.5}
+SPREAD = {"metres": 0.4, "steps": 0.45, "time": 0.6, "vague": 0.9, "places": 0.5}
 """Standard deviation of the logarithm of a length from memory, by what was counted."""
-GREATEST = {"metres": 3.5, "steps": 3.2, "time": 2.4, "vague": 1.6, "segments": 4.0}
+GREATEST = {"metres": 3.5, "steps": 3.2, "time": 2.4, "vague": 1.6, "places": 4.0}
 """A length that is wrong altogether costs this."""
 
 FORWARD, SLIGHT, BACK = math.radians(15), math.radians(60), math.radians(160)
@@ -32,6 +26,9 @@ MISCOUNTED = 1.6
 """For each place where one can turn that was counted too many or too few."""
 ELSEWHERE = 2.5
 """What was said to be at a turn was seen, but at another place."""
+AT_THE_TURN = frozenset({"turn", "beside", "opposite", "before_turn", "after_turn"})
+PLACE_METRES = 8.0
+"""From one place where one can turn to the next, where only metres are told."""
 BESIDE = 5.0
 """Metres from the line of a leg within which a thing is on it."""
 
@@ -85,8 +82,9 @@ def length_cost(
     """
     if length is None:
         return 0.0
-    if length.count is not None:
-        off = min(abs(places - length.count), abs(junctions - length.count) + 0.3)
+    if length.unit == "places":
+        count = length.count or length.metres / PLACE_METRES
+        off = min(abs(places - count), abs(junctions - count) + 0.3)
         return min(MISCOUNTED * off, GREATEST[length.unit])
     ratio = math.log(max(walked, 1.0) / max(length.metres, 1.0))
     slack = 2.0 / max(length.metres, 2.0)
@@ -94,16 +92,20 @@ def length_cost(
     return min(0.5 * off * off, GREATEST[length.unit])
 
 
-def way_cost(turn: Turn, angle: float) -> float:
-    """Compare the direction of a turn with the angle of a way out."""
-    if turn.way == "facing":
+def way_cost(turn: Turn, angle: float, *, faces: bool = False) -> float:
+    """Compare the direction of a turn with the angle of a way out.
+
+    Args:
+        turn: What was said.
+        angle: Radians, left positive.
+        faces: Whether of the turn only what lies that way was said.
+    """
+    if faces:
         return 0.2 if abs(angle) <= BACK else 1.0
     if turn.way == "around":
         return 0.0 if abs(angle) > BACK else 4.0
-    if turn.way == "forward_or_side":
+    if turn.way == "either":
         return 0.3 if abs(angle) > FORWARD else 1.5
-    if turn.way == "forward":
-        return 0.0 if abs(angle) <= SLIGHT else 3.0
     right = turn.way.endswith("right")
     if right:
         angle = -angle
@@ -201,8 +203,10 @@ def _mention_cost(
     place: Point,
     asked: frozenset[str],
 ) -> float:
-    weight = 0.4 if mention.weak else 0.5 if is_common(mention.phrase) else 1.0
-    at_turn = mention.place in {"turn", "beside", "before_turn", "after_turn"}
+    weight = (
+        0.4 if mention.place == "target" else 0.5 if is_common(mention.phrase) else 1.0
+    )
+    at_turn = mention.place in AT_THE_TURN
     best = 0.0
     for sighting in floor.seen(mention.phrase):
         beside = distance_to_line(sighting.place, line)

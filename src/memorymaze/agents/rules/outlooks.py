@@ -1,17 +1,18 @@
-"""How well what is seen along the ways out of a crossing fits what was said of them."""
+"""What was said of the ways out of a crossing, and how well what is seen there fits.
+
+A plan says of a turn what it leads to: a `target` ahead, behind, or a wall on a side.
+That is the outlook of the next stretch; the outlook of the first is what is said of the
+start.
+"""
 
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 from memorymaze.agents.rules.floor_map import SEES_FAR, FloorMap
 from memorymaze.geometry.pose import wrap_angle
-from memorymaze.understanding import (
-    Mention,
-    Outlook,
-    RoutePlan,
-    Side,
-    is_floor,
-)
+from memorymaze.routes import Arrival, Junction, Leg, Mention, RoutePlan, Side
+from memorymaze.understanding import is_floor
 
 OTHER_FLOOR = 2.8
 """The way has another floor than the one said."""
@@ -36,6 +37,96 @@ _SIDES: dict[Side, float] = {
     "behind": math.pi,
     "right": -math.pi / 2,
 }
+
+
+_JUNCTIONS: dict[str, Junction] = {
+    "t junction": "t",
+    "crossing": "crossing",
+    "corner": "corner",
+}
+"""Places that are no things to look for, where one arrives or turns."""
+
+
+@dataclass(frozen=True, slots=True)
+class Outlook:
+    """What one sees, or has around oneself, facing along a stretch before walking it."""
+
+    ahead: tuple[str, ...] = ()
+    """Floors of the way, and things that lie that way."""
+    behind: tuple[str, ...] = ()
+    """Things that lie the other way."""
+    walls: tuple[Side, ...] = ()
+    """Sides on which there is no way."""
+
+
+def outlook_of(plan: RoutePlan, leg: int) -> Outlook:
+    """Return what was said of the beginning of a leg, or of the last stretch."""
+    if leg == 0:
+        return _outlook_of_start(plan)
+    told = [each for each in plan.legs[leg - 1].mentions if _is_outlook(each)]
+    things = [each for each in told if each.kind != "wall"]
+    return Outlook(
+        tuple(each.phrase for each in things if each.side == "ahead"),
+        tuple(each.phrase for each in things if each.side == "behind"),
+        tuple(each.side for each in told if each.kind == "wall" and each.side),
+    )
+
+
+def _outlook_of_start(plan: RoutePlan) -> Outlook:
+    ahead = plan.start.facing.split(" and ") if plan.start.facing else []
+    behind = plan.start.from_.split(" and ") if plan.start.from_ else []
+    first = plan.legs[0] if plan.legs else plan.arrival
+    walls: list[Side] = [
+        each.side
+        for each in first.mentions
+        if each.kind == "wall" and each.place == "along" and each.side
+    ]
+    if "wall" in ahead:
+        walls.append("ahead")
+    if "wall" in behind:
+        walls.append("behind")
+    return Outlook(
+        tuple(each for each in ahead if each != "wall"),
+        tuple(each for each in behind if each != "wall"),
+        tuple(walls),
+    )
+
+
+def _is_outlook(mention: Mention) -> bool:
+    if mention.place != "target":
+        return False
+    return mention.side in {"ahead", "behind"} or (
+        mention.kind == "wall" and mention.side is not None
+    )
+
+
+def things_of(part: Leg | Arrival) -> tuple[Mention, ...]:
+    """Return the things on a stretch and at its turn, without what is an outlook."""
+    return tuple(
+        each
+        for each in part.mentions
+        if not _is_outlook(each) and _junction_of(each) is None
+    )
+
+
+def junction_at_the_end(arrival: Arrival) -> Junction | None:
+    """Return the kind of junction where one arrives, if that is said."""
+    for mention in arrival.mentions:
+        junction = _junction_of(mention)
+        if junction is not None:
+            return junction
+    return None
+
+
+def _junction_of(mention: Mention) -> Junction | None:
+    if mention.kind != "place" or mention.place != "turn":
+        return None
+    return _JUNCTIONS.get(mention.phrase)
+
+
+def faces(plan: RoutePlan, leg: int) -> bool:
+    """Tell whether of a turn only what lies that way is said: `turn to the clock`."""
+    return plan.legs[leg].turn.way == "either" and bool(outlook_of(plan, leg + 1).ahead)
 
 
 def outlook_cost(outlook: Outlook, floor: FloorMap, at: int, exit: int | None) -> float:
@@ -85,19 +176,13 @@ def walls_cost(
 
 def crossing_floor_cost(mention: Mention, floor: FloorMap, at: int | None) -> float:
     """Compare a floor that a crossing was said to have with the ways out of it."""
-    if at is None or mention.place not in {"turn", "beside", "target"}:
+    if at is None or mention.place not in {"turn", "beside", "opposite", "target"}:
         return 0.0
     views = [view for view in floor.views_from(at) if mention.phrase in view.asked]
     if any(view.has_floor(mention.phrase) for view in views):
         return -1.2
     told = [view for view in views if view.floor is not None]
     return 1.5 if len(told) > 1 or (told and len(views) == len(told)) else 0.0
-
-
-def outlook_of(plan: RoutePlan, leg: int) -> Outlook:
-    """Return what was said of the beginning of a leg, or of the last stretch."""
-    legs = plan.legs
-    return legs[leg].outlook if leg < len(legs) else plan.arrival.outlook
 
 
 def first_heading_cost(
@@ -118,10 +203,10 @@ def first_heading_cost(
     cost += outlook_cost(outlook, floor, at, exit)
     first = plan.legs[0] if plan.legs else plan.arrival
     if exit is None:
-        return cost + INTO_WALL * first.goes
+        return cost + INTO_WALL * (not first.on_the_spot)
     things = tuple(
         mention.phrase
-        for mention in first.mentions
+        for mention in things_of(first)
         if mention.place in {"turn", "passed"} and not is_floor(mention.phrase)
     )
     seen = outlook_cost(Outlook(things[:1]), floor, at, exit)

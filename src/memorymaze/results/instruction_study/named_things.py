@@ -8,9 +8,10 @@ from typing import Literal
 from memorymaze.perception.camera_view import ObjectDescription
 from memorymaze.perception.matching import MATCH_THRESHOLD, match_score
 from memorymaze.perception.noun_phrase import words_of
+from memorymaze.routes import RoutePlan
 from memorymaze.simulation.senses.sight_targets import describe_door, describe_landmark
 from memorymaze.sites.records import Site
-from memorymaze.understanding import RoutePlan, is_floor
+from memorymaze.understanding import is_floor
 
 Sort = Literal["landmark", "door", "room", "way", "floor", "unknown"]
 
@@ -99,6 +100,4 @@ def _phrases(plan: RoutePlan) -> Iterator[str]:
     for leg in (*plan.legs, plan.arrival):
         yield from (mention.phrase for mention in leg.mentions)
         yield from leg.too_far
-        yield from leg.outlook.ahead
-        yield from leg.outlook.behind
     yield from plan.arrival.destinations

@@ -13,8 +13,8 @@ import numpy as np
 from shapely import Point
 
 from memorymaze.instructions.records import Instruction
+from memorymaze.routes import Length, RoutePlan
 from memorymaze.sites.records import Route, Site
-from memorymaze.understanding import Length, RoutePlan
 
 SIDES = {
     "left": "left",
@@ -128,24 +128,14 @@ def stated_distances(
     return [
         StatedDistance(instruction, number, length.unit, length.metres, true)
         for number, ((true, _), (_, length)) in enumerate(zip(legs, said, strict=True))
-        if length is not None and length.unit != "segments" and true > 0
+        if length is not None and length.unit != "places" and true > 0
     ]
 
 
 def _described(plan: RoutePlan) -> list[tuple[str, Length | None]]:
     """Return side and length of every described leg; the last one's side is `""`."""
-    said: list[tuple[str, Length | None]] = []
-    straight = False
-    for leg in plan.legs:
-        side = SIDES.get(leg.turn.way, leg.turn.way)
-        if side == "forward":
-            # Where a leg ends is unsure then, so its length is left out.
-            straight = True
-            continue
-        said.append((side, None if straight else leg.length))
-        straight = False
-    said.append(("", None if straight else plan.arrival.length))
-    return said
+    turns = [(SIDES.get(leg.turn.way, leg.turn.way), leg.length) for leg in plan.legs]
+    return [*turns, ("", plan.arrival.length)]
 
 
 def _without(

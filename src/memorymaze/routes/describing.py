@@ -2,14 +2,14 @@
 
 from collections.abc import Sequence
 
-from memorymaze.routes.plan import (
+from memorymaze.routes.records import (
     Arrival,
     Leg,
     Length,
     Mention,
-    Outlook,
     Passing,
     RoutePlan,
+    Start,
     Turn,
 )
 
@@ -18,9 +18,7 @@ _WAYS = {
     "right": "turn right",
     "slight_left": "bear left",
     "slight_right": "bear right",
-    "forward": "go straight on",
-    "forward_or_side": "turn where the way leads",
-    "facing": "turn to what comes next",
+    "either": "turn where the way leads",
     "around": "turn around",
 }
 _ORDINALS = {1: "first", 2: "second", 3: "third", -1: "last"}
@@ -28,6 +26,7 @@ _JUNCTIONS = {"t": "a T junction", "crossing": "a crossing", "corner": "a corner
 _PLACES = {
     "turn": "at",
     "beside": "next to",
+    "opposite": "opposite",
     "before_turn": "after",
     "after_turn": "before",
     "along": "with",
@@ -39,27 +38,36 @@ _PLACES = {
 def describe(plan: RoutePlan) -> list[str]:
     """Return one line for each leg and one for the arrival.
 
-    >>> from memorymaze.understanding import parse_route_description
-    >>> text = "Take the second left at the clock. After 10 m the office is on the right."
-    >>> for line in describe(parse_route_description(text)):
+    >>> turn = Leg(Turn("left", ordinal=2), mentions=(Mention("clock", "object", "turn"),))
+    >>> arrival = Arrival(("office",), side="right", length=Length(10, "metres"))
+    >>> for line in describe(RoutePlan(legs=(turn,), arrival=arrival)):
     ...     print(line)
     1. turn left (second; at clock)
     2. arrive at office (after 10 m; on the right)
     """
-    lines = [f"{n}. {_leg(leg)}" for n, leg in enumerate(plan.legs, start=1)]
-    return [*lines, f"{len(lines) + 1}. {_arrival(plan.arrival)}"]
+    parts = [_start(plan.start)] if plan.start != Start() else []
+    parts += [_leg(leg) for leg in plan.legs]
+    parts.append(_arrival(plan.arrival))
+    return [f"{number}. {part}" for number, part in enumerate(parts, start=1)]
+
+
+def _start(start: Start) -> str:
+    facing = [f"facing {start.facing}"] if start.facing else []
+    behind = [f"away from {start.from_}"] if start.from_ else []
+    return f"start {', '.join([*facing, *behind])}"
 
 
 def _leg(leg: Leg) -> str:
-    notes = [*_turn_notes(leg.turn), *_outlook_notes(leg.outlook)]
+    notes = _turn_notes(leg.turn)
+    if leg.on_the_spot:
+        notes.append("where one stands")
     notes += _way_notes(leg.length, leg.passings)
-    notes += _thing_notes(leg.mentions, leg.too_far)
+    notes += _thing_notes(leg.mentions, leg.too_far, leg.wrong_way)
     return _with_notes(_WAYS[leg.turn.way], notes)
 
 
 def _arrival(arrival: Arrival) -> str:
-    notes = _outlook_notes(arrival.outlook)
-    notes += _way_notes(arrival.length, arrival.passings)
+    notes = _way_notes(arrival.length, arrival.passings)
     if arrival.at_end:
         notes.append("at the end")
     if arrival.nth is not None:
@@ -69,7 +77,7 @@ def _arrival(arrival: Arrival) -> str:
     elif arrival.side is not None:
         notes.append(arrival.side)
     others = [m for m in arrival.mentions if m.phrase not in arrival.destinations]
-    notes += _thing_notes(others, arrival.too_far)
+    notes += _thing_notes(others, arrival.too_far, arrival.wrong_way)
     names = " or ".join(arrival.destinations) or "a place not named"
     return _with_notes(f"arrive at {names}", notes)
 
@@ -77,7 +85,9 @@ def _arrival(arrival: Arrival) -> str:
 def _turn_notes(turn: Turn) -> list[str]:
     notes: list[str] = []
     if turn.ordinal is not None:
-        notes.append(_ordinal(turn.ordinal))
+        after = f" after {turn.counted_after}" if turn.counted_after else ""
+        other = f" or {_ordinal(turn.or_ordinal)}" if turn.or_ordinal else ""
+        notes.append(f"{_ordinal(turn.ordinal)}{other}{after}")
     if turn.junction is not None:
         notes.append(f"at {_JUNCTIONS[turn.junction]}")
     if turn.at_end:
@@ -91,31 +101,29 @@ def _turn_notes(turn: Turn) -> list[str]:
     return notes
 
 
-def _outlook_notes(outlook: Outlook) -> list[str]:
-    notes = [f"along {phrase}" for phrase in outlook.ahead]
-    notes += [f"away from {phrase}" for phrase in outlook.behind]
-    return [*notes, *(f"wall {side}" for side in outlook.walls)]
-
-
 def _way_notes(length: Length | None, passings: Sequence[Passing]) -> list[str]:
     notes: list[str] = []
-    if length is not None and length.count is not None:
-        notes.append(f"after {length.count:g} segments")
+    if length is not None and length.unit == "places":
+        notes.append(f"after {length.count or 1:g} places")
     elif length is not None:
         notes.append(f"after {length.metres:.0f} m")
     for passing in passings:
         count = "all" if passing.count is None else str(passing.count)
+        what = f" {passing.what}" if passing.what else ""
         side = f" on the {passing.side}" if passing.side else ""
-        notes.append(f"pass {count}{side}")
+        notes.append(f"pass {count}{what}{side}")
     return notes
 
 
-def _thing_notes(mentions: Sequence[Mention], too_far: Sequence[str]) -> list[str]:
+def _thing_notes(
+    mentions: Sequence[Mention], too_far: Sequence[str], wrong_way: Sequence[str]
+) -> list[str]:
     notes: list[str] = []
     for mention in mentions:
         side = f" {mention.side}" if mention.side else ""
         notes.append(f"{_PLACES[mention.place]} {mention.phrase}{side}")
-    return [*notes, *(f"too far: {phrase}" for phrase in too_far)]
+    notes += [f"too far: {phrase}" for phrase in too_far]
+    return [*notes, *(f"wrong way: {phrase}" for phrase in wrong_way)]
 
 
 def _ordinal(number: int) -> str:
