@@ -45,20 +45,20 @@ def describe(plan: RoutePlan) -> list[str]:
     1. turn left (second; at clock)
     2. arrive at office (after 10 m; on the right)
     """
-    parts = [_start(plan.start)] if plan.start != Start() else []
-    parts += [_leg(leg) for leg in plan.legs]
-    parts.append(_arrival(plan.arrival))
+    start = _start_notes(plan.start)
+    firsts = [start, *[[] for _ in plan.legs]]
+    parts = [_leg(leg, first) for leg, first in zip(plan.legs, firsts, strict=False)]
+    parts.append(_arrival(plan.arrival, firsts[-1]))
     return [f"{number}. {part}" for number, part in enumerate(parts, start=1)]
 
 
-def _start(start: Start) -> str:
+def _start_notes(start: Start) -> list[str]:
     facing = [f"facing {start.facing}"] if start.facing else []
-    behind = [f"away from {start.from_}"] if start.from_ else []
-    return f"start {', '.join([*facing, *behind])}"
+    return [*facing, *([f"from {start.from_}"] if start.from_ else [])]
 
 
-def _leg(leg: Leg) -> str:
-    notes = _turn_notes(leg.turn)
+def _leg(leg: Leg, first: Sequence[str]) -> str:
+    notes = [*first, *_turn_notes(leg.turn)]
     if leg.on_the_spot:
         notes.append("where one stands")
     notes += _way_notes(leg.length, leg.passings)
@@ -66,8 +66,8 @@ def _leg(leg: Leg) -> str:
     return _with_notes(_WAYS[leg.turn.way], notes)
 
 
-def _arrival(arrival: Arrival) -> str:
-    notes = _way_notes(arrival.length, arrival.passings)
+def _arrival(arrival: Arrival, first: Sequence[str]) -> str:
+    notes = [*first, *_way_notes(arrival.length, arrival.passings)]
     if arrival.at_end:
         notes.append("at the end")
     if arrival.nth is not None:
