@@ -4,11 +4,11 @@ One refusal for all rooms; writing is in `durable_files.py`.
 """
 
 import json
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
-from memorymaze.errors import MemoryMazeError
+from memorymaze.errors import MemoryMazeError, did_you_mean
 
 if TYPE_CHECKING:
     from pydantic import ValidationError
@@ -104,6 +104,22 @@ def parse_record(line: str | bytes) -> dict[str, Any]:
     if not isinstance(record, dict):
         raise ValueError(f"expected one JSON record {{…}}, got {shown(record)}")
     return cast(dict[str, Any], record)
+
+
+def unknown_fields(record: Mapping[str, Any], known: Iterable[str]) -> list[str]:
+    """Return the names in a record that its format does not know.
+
+    Raises:
+        ValueError: One looks like a misspelt name that the record lacks.
+    """
+    known = list(known)
+    unknown = [name for name in record if name not in known]
+    lacking = [name for name in known if name not in record]
+    for name in unknown:
+        meant = did_you_mean(name, lacking, cutoff=0.75)
+        if meant:
+            raise ValueError(f"field {name!r} is unknown{meant}")
+    return unknown
 
 
 def mistakes(error: "ValidationError") -> Iterator[tuple[str, str]]:

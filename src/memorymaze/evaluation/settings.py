@@ -1,6 +1,5 @@
 """What determines the results of a run, checked, compared and kept in `run.json`."""
 
-import difflib
 import hashlib
 import math
 from collections.abc import Callable, Iterable, Mapping
@@ -9,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from memorymaze.agents.agent import Need
-from memorymaze.errors import SettingsError
+from memorymaze.errors import SettingsError, did_you_mean
 from memorymaze.evaluation.asking import PATIENT, AskingSettings
 from memorymaze.evaluation.inference_time import MEASURED, InferenceTime
 from memorymaze.metrics.success import SUCCESS_DISTANCE
@@ -160,10 +159,9 @@ def with_choices(settings: RunSettings, choices: Mapping[str, Any]) -> RunSettin
             robot[name] = value
         else:
             known = [each for each in (*names, *abilities) if each != "simulation"]
-            close = difflib.get_close_matches(name, known, n=1)
-            meant = f"; did you mean {close[0]!r}?" if close else ""
             raise SettingsError(
-                f"setting: expected one of {', '.join(known)}; got {name!r}{meant}"
+                f"setting: expected one of {', '.join(known)}; got {name!r}"
+                f"{did_you_mean(name, known)}"
             )
     if robot:
         given = run.get("simulation", settings.simulation)

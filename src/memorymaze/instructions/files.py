@@ -19,9 +19,14 @@ from memorymaze.durable_files import write_whole
 from memorymaze.errors import (
     InstructionFileError,
     InstructionFileWarning,
-    did_you_mean,
 )
-from memorymaze.input_files import mistakes, parse_record, read_lines, refusal
+from memorymaze.input_files import (
+    mistakes,
+    parse_record,
+    read_lines,
+    refusal,
+    unknown_fields,
+)
 from memorymaze.instructions.records import Instruction
 
 BUILTIN_CORPUS = Path(str(files("memorymaze.instructions") / "data/role_played.jsonl"))
@@ -156,7 +161,7 @@ def read_record(
     An instruction without an id is called after file and line.
     """
     try:
-        unknown = _unknown_fields(record)
+        unknown = unknown_fields(record, FIELDS)
         known = {name: record[name] for name in FIELDS if name in record}
         name = known.setdefault("id", _name_of(place))
         known.setdefault("participant", name)
@@ -186,16 +191,6 @@ def _name_of(place: str) -> str:
     """Return `mine-3` for `folder/mine.jsonl:3`."""
     file, _, number = place.rpartition(":")
     return f"{Path(file).stem}-{number.removeprefix(' row ')}"
-
-
-def _unknown_fields(record: Mapping[str, Any]) -> list[str]:
-    unknown = [name for name in record if name not in FIELDS]
-    unset = [name for name in FIELDS if name not in record]
-    for name in unknown:
-        meant = did_you_mean(name, unset, cutoff=0.75)
-        if meant:
-            raise ValueError(f"field {name!r} is unknown{meant}")
-    return unknown
 
 
 def _check_spans(instruction: Instruction) -> None:

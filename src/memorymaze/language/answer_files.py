@@ -5,7 +5,6 @@ all that one instruction took on the way to a program (`instruction_id`, `progra
 `error`, and `replies`). What else there can be is in `docs/language_models.md`.
 """
 
-import difflib
 from collections.abc import Iterator
 from dataclasses import dataclass, fields
 from pathlib import Path
@@ -14,7 +13,7 @@ from typing import Annotated
 from pydantic import Field, StringConstraints, TypeAdapter, ValidationError
 
 from memorymaze.errors import AnswerFileError
-from memorymaze.input_files import mistakes, parse_record, read_lines
+from memorymaze.input_files import mistakes, parse_record, read_lines, unknown_fields
 from memorymaze.language.model import MOST_TOKENS, Completion, Question, Usage
 from memorymaze.language.prompt_texts import numbered
 
@@ -153,12 +152,7 @@ class AnswerFile:
 def _read(line: str) -> tuple[_Record, list[str]]:
     """Read one line; return the record and the names of fields that nobody knows."""
     content = parse_record(line)
-    unknown = [name for name in content if name not in _FIELDS]
-    unset = [name for name in _FIELDS if name not in content]
-    for name in unknown:
-        close = difflib.get_close_matches(name, unset, n=1, cutoff=0.75)
-        if close:
-            raise ValueError(f"field {name!r} is unknown; did you mean {close[0]!r}?")
+    unknown = unknown_fields(content, _FIELDS)
     try:
         record = _RECORD.validate_python(content)
     except ValidationError as error:

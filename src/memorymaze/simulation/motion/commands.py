@@ -3,13 +3,12 @@
 Angles are relative to the way the robot faces, left positive.
 """
 
-import difflib
 import math
 from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from memorymaze.errors import CommandError
+from memorymaze.errors import CommandError, did_you_mean
 from memorymaze.robot.api import DIRECTIONS, Direction
 from memorymaze.simulation.settings import TIMESTEP, SimulationSettings
 
@@ -74,10 +73,9 @@ def parse_direction(direction: object) -> Direction:
     for known in DIRECTIONS:
         if isinstance(direction, str) and direction == known:
             return known
-    close = difflib.get_close_matches(str(direction), DIRECTIONS, n=1)
-    hint = f" (did you mean {close[0]!r}?)" if close else ""
     raise CommandError(
-        f"turn: expected one of {', '.join(DIRECTIONS)}; got {direction!r}{hint}"
+        f"turn: expected one of {', '.join(DIRECTIONS)}; got {direction!r}"
+        f"{did_you_mean(direction, DIRECTIONS)}"
     )
 
 
