@@ -82,6 +82,7 @@ def test_intervals_that_tell_nothing_are_said_in_words() -> None:
         walk("b", low=2.25, high=2.25),
         walk("c"),
         walk("d", left=None, low=None, high=None),
+        walk("e", left=3.0, low=2.99, high=3.01),
     ]
     lines = table(*rows).markdown().splitlines()
     assert [line.split(" | ")[2] for line in lines if line.startswith("| R1")] == [
@@ -89,6 +90,7 @@ def test_intervals_that_tell_nothing_are_said_in_words() -> None:
         "2.2 (all equal)",
         "2.2",
         "-",
+        "3.0 (within 0.1)",
     ]
 
 

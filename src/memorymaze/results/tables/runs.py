@@ -199,9 +199,10 @@ def _obstacle_notes(
     obstacles: ObstacleSettings, results: Sequence[EpisodeResult]
 ) -> list[str]:
     """Say that a run is of the obstacle track, and how safely the robot drove."""
-    crowd = f"{obstacles.people_per_100m2:g} people per 100 m2"
-    if obstacles.people is not None:
-        crowd = "1 person" if obstacles.people == 1 else f"{obstacles.people} people"
+    given = obstacles.people
+    number = obstacles.people_per_100m2 if given is None else given
+    crowd = f"{number:g} {'person' if number == 1 else 'people'}"
+    crowd += " per 100 m2" if given is None else ""
     found = collision_rates(results)
     return [
         "TRACK WITH OBSTACLES AND PEOPLE, not comparable with runs without: "
