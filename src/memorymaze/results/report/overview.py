@@ -18,6 +18,7 @@ from memorymaze.metrics.aggregate import Estimate
 from memorymaze.results.report.sources import ReportRun, Sources
 from memorymaze.results.tables import (
     Comparison,
+    Measure,
     MeasuredRun,
     Place,
     TableName,
@@ -120,26 +121,6 @@ def written_by(sources: Sources) -> list[str]:
         f"{counted(count, 'instruction')} written by {WRITTEN_BY[source]}"
         for source, count in sorted(counts.items())
     ]
-
-
-@dataclass(frozen=True, slots=True)
-class Measure:
-    """Something measured of every episode."""
-
-    field: str
-    """Of `EpisodeResult`."""
-    title: str
-    unit: str
-    """Empty where it has none."""
-    digits: int
-
-
-MEASURES = (
-    Measure("spd", "SPD: shortest walk left to the goal", "m", 1),
-    Measure("path_length", "Path length", "m", 1),
-    Measure("cls", "CLS: coverage weighted by length", "", 2),
-    Measure("duration_s", "Duration, simulated", "s", 0),
-)
 
 
 @dataclass(frozen=True, slots=True)

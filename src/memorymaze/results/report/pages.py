@@ -14,7 +14,7 @@ from memorymaze.drawing.svg import svg_number
 from memorymaze.evaluation.outcomes import OUTCOMES, ending_words, outcome_of
 from memorymaze.metrics.aggregate import Estimate
 from memorymaze.results.tables import (
-    MEASURES,
+    COMPARED_MEASURES,
     PAPER_MEASURES,
     STUDY_TITLES,
     Place,
@@ -60,7 +60,7 @@ class Pages:
             lstrip_blocks=True,
         )
         words: dict[str, Any] = {
-            "MEASURES": MEASURES,
+            "COMPARED_MEASURES": COMPARED_MEASURES,
             "PAPER_MEASURES": PAPER_MEASURES,
             "OUTCOMES": OUTCOMES,
             "ending_words": ending_words,

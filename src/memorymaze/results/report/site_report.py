@@ -18,7 +18,6 @@ from memorymaze.results.report.episode_page import (
     walk_of,
 )
 from memorymaze.results.report.overview import (
-    MEASURES,
     compare_pair,
     count_endings,
     error_kinds,
@@ -31,7 +30,7 @@ from memorymaze.results.report.pages import Pages, route_page, safe_name
 from memorymaze.results.report.route_page import picture_frame, run_on_route
 from memorymaze.results.report.sources import Sources
 from memorymaze.results.story.recorded_episode import read_story
-from memorymaze.results.tables import Place, run_notes
+from memorymaze.results.tables import SPREAD_MEASURES, Place, run_notes
 from memorymaze.sites import Route, Site
 
 MARK = "static/replay.js"
@@ -238,7 +237,9 @@ class _Report:
             "distributions.html",
             "distributions.html",
             "Distributions",
-            spreads=[(measure, spreads(self._runs, measure)) for measure in MEASURES],
+            spreads=[
+                (measure, spreads(self._runs, measure)) for measure in SPREAD_MEASURES
+            ],
         )
         self._page(
             "errors.html",

@@ -19,8 +19,10 @@ from memorymaze.results.tables.comparison import (
 )
 from memorymaze.results.tables.errors import error_table
 from memorymaze.results.tables.measures import (
-    MEASURES,
+    COMPARED_MEASURES,
     PAPER_MEASURES,
+    SPREAD_MEASURES,
+    Measure,
     estimate_means,
 )
 from memorymaze.results.tables.paper_tables import (
@@ -42,10 +44,12 @@ from memorymaze.results.tables.sail import is_sail, sail_table
 from memorymaze.tables import Table
 
 __all__ = [
-    "MEASURES",
+    "COMPARED_MEASURES",
     "PAPER_MEASURES",
+    "SPREAD_MEASURES",
     "STUDY_TITLES",
     "Comparison",
+    "Measure",
     "MeasuredRun",
     "Place",
     "TableChoice",

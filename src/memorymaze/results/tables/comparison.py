@@ -13,7 +13,7 @@ from memorymaze.evaluation.settings import differences
 from memorymaze.metrics.aggregate import Estimate, participant_bootstrap
 from memorymaze.metrics.paired import sign_flip_test
 from memorymaze.results.tables.measures import (
-    MEASURES,
+    COMPARED_MEASURES,
     Measure,
     estimate_fields,
     values_of,
@@ -151,7 +151,9 @@ def comparison_table(found: Comparison) -> Table:
             ),
             Column("p", "p", show=lambda row: p_cell(row["p"])),
         ),
-        tuple(_fields(row, measure) for row in found.rows for measure in MEASURES),
+        tuple(
+            _fields(row, measure) for row in found.rows for measure in COMPARED_MEASURES
+        ),
         tuple(_notes(found)),
         "comparison",
     )
@@ -182,15 +184,15 @@ def _row(
     ]
     cells = [place_of(one) for one, _ in chosen]
     participants = [one.participant for one, _ in chosen]
-    before = np.array([values_of(one, MEASURES) for one, _ in chosen])
-    after = np.array([values_of(two, MEASURES) for _, two in chosen])
+    before = np.array([values_of(one, COMPARED_MEASURES) for one, _ in chosen])
+    after = np.array([values_of(two, COMPARED_MEASURES) for _, two in chosen])
     rng = np.random.default_rng(seed)
     estimates = participant_bootstrap(after - before, participants, rng, cells=cells)
-    p_values: Sequence[float | None] = [None] * len(MEASURES)
+    p_values: Sequence[float | None] = [None] * len(COMPARED_MEASURES)
     if len(set(participants)) > 1:
         p_values = sign_flip_test(after - before, participants, rng, cells=cells)
     counts = Counter((one.success, two.success) for one, two in chosen)
-    names = [each.name for each in MEASURES]
+    names = [each.name for each in COMPARED_MEASURES]
     return ComparisonRow(
         study=study,
         places=tuple(places),

@@ -14,7 +14,7 @@ from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.metrics.aggregate import Estimate, participant_bootstrap
 from memorymaze.tables import Column, Table
 
-Better = Literal["higher", "lower"]
+Shown = Literal["paper", "compared", "spread"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,16 +28,22 @@ class Measure:
     short: str
     """As papers write it."""
     meaning: str
-    better: Better
+    better: Literal["higher", "lower"] | None = None
     unit: str = ""
     digits: int = 2
-    in_paper: bool = True
-    """Whether the paper's tables have it; the others are only compared."""
+    shown: tuple[Shown, ...] = ("paper", "compared")
+    """In the paper's tables and leaderboards; in comparisons of runs, which test it; by
+    reports, as its spread over episodes."""
 
     @property
     def heading(self) -> str:
         """What stands above its column."""
         return f"{self.short} ({self.unit})" if self.unit else self.short
+
+    @property
+    def title(self) -> str:
+        """What stands above a part of a page about it."""
+        return f"{self.short}: {self.meaning}"
 
     def column(self) -> Column:
         """Return a column of means with intervals."""
@@ -50,21 +56,47 @@ class Measure:
         )
 
 
+EVERYWHERE: tuple[Shown, ...] = ("paper", "compared", "spread")
 MEASURES = (
     Measure("sr", "success", "SR", "success rate", "higher"),
     Measure("osr", "oracle_success", "OSR", "oracle success rate", "higher"),
-    Measure("spd", "spd", "SPD", "shortest walk left to the goal", "lower", unit="m"),
-    Measure("cls", "cls", "CLS", "coverage weighted by length", "higher"),
     Measure(
-        "ndtw",
-        "ndtw",
-        "nDTW",
-        "normalised dynamic time warping",
-        "higher",
-        in_paper=False,
+        "spd",
+        "spd",
+        "SPD",
+        "shortest walk left to the goal",
+        "lower",
+        unit="m",
+        shown=EVERYWHERE,
+    ),
+    Measure(
+        "cls", "cls", "CLS", "coverage weighted by length", "higher", shown=EVERYWHERE
+    ),
+    Measure(
+        "ndtw", "ndtw", "nDTW", "dynamic time warping", "higher", shown=("compared",)
+    ),
+    Measure(
+        "path_length",
+        "path_length",
+        "Path length",
+        "the way driven",
+        unit="m",
+        digits=1,
+        shown=("spread",),
+    ),
+    Measure(
+        "duration",
+        "duration_s",
+        "Duration",
+        "simulated time",
+        unit="s",
+        digits=0,
+        shown=("spread",),
     ),
 )
-PAPER_MEASURES = tuple(each for each in MEASURES if each.in_paper)
+PAPER_MEASURES = tuple(each for each in MEASURES if "paper" in each.shown)
+COMPARED_MEASURES = tuple(each for each in MEASURES if "compared" in each.shown)
+SPREAD_MEASURES = tuple(each for each in MEASURES if "spread" in each.shown)
 
 KEY = (
     ", ".join(f"{each.short} {each.meaning}" for each in PAPER_MEASURES)
