@@ -91,6 +91,9 @@ def test_what_belongs_to_the_agent_raises_no_alarm(write: Write, result: Make) -
     folders = [write("a", [result("x-1")]), write("b", [result("x-1")])]
     change_settings(folders[1], looks="own", needs=["camera"])
     assert compare_runs(*load_runs(folders)).settings == ()
+    stamp = {"name": "answers.jsonl", "sha256": "12"}
+    change_settings(folders[0], answers=stamp)
+    assert compare_runs(*load_runs(folders)).settings == ()
 
 
 def test_two_versions_of_one_agent_are_told_apart(write: Write, result: Make) -> None:
@@ -98,7 +101,11 @@ def test_two_versions_of_one_agent_are_told_apart(write: Write, result: Make) ->
     for folder, sha in zip(folders, ("12", "34"), strict=True):
         change_settings(folder, agent_files=[{"name": "guide.py", "sha256": sha}])
     told = "agent.file guide.py: '12' there, '34' here"
-    assert compare_runs(*load_runs(folders)).settings == (told,)
+    comparison = compare_runs(*load_runs(folders))
+    assert comparison.settings == (told,)
+    text = comparison_table(comparison).text()
+    assert "\n  agent files guide.py 12\n" in text
+    assert "\n  agent files guide.py 34\n" in text
 
 
 def test_pictures_of_other_looks_are_an_unfair_comparison(

@@ -9,7 +9,7 @@ import numpy as np
 
 from memorymaze.errors import RunFolderError
 from memorymaze.evaluation.results import EpisodeResult
-from memorymaze.evaluation.settings import differences
+from memorymaze.evaluation.settings import agent_version, differences
 from memorymaze.metrics.aggregate import Estimate, participant_bootstrap
 from memorymaze.metrics.paired import sign_flip_test
 from memorymaze.results.tables.measures import (
@@ -39,7 +39,7 @@ KEY = (
     "routes is unweighted. Arrived: both / only A / only B / neither."
 )
 
-NOT_TOLD = ("agent.", "needs:", "programs", "limit:", "episodes:")
+NOT_TOLD = ("agent.", "needs:", "answers", "limit:", "episodes:")
 """Beginnings of differences that are the agent's own, or said by what is left out."""
 
 VERSIONS = ("agent.file ", "agent.options.")
@@ -242,8 +242,11 @@ def _fields(row: ComparisonRow, measure: Measure) -> dict[str, Any]:
 
 def _notes(comparison: Comparison) -> list[str]:
     """Say what was compared, and what is unfair about it."""
-    notes = [f"A: {run_notes(comparison.first)[0]}"]
-    notes.append(f"B: {run_notes(comparison.second)[0]}")
+    notes: list[str] = []
+    for letter, run in (("A", comparison.first), ("B", comparison.second)):
+        version = agent_version(run.record.settings)
+        lines = [run_notes(run)[0], *([version] if version else [])]
+        notes.append(f"{letter}: " + "\n".join(lines))
     left_out = [
         f"{count} only in {name}"
         for name, count in (
