@@ -87,9 +87,7 @@ def main() -> None:
     examples = [each for each in _examples() if args.only in each.category]
     if args.furniture:
         examples = [each for each in examples if _is_furniture(each)]
-        pairs = zip(
-            _pictures(examples), _pictures(examples, "sweethome3d"), strict=True
-        )
+        pairs = zip(_pictures(examples), _pictures(examples, "models"), strict=True)
         pictures = [picture for pair in pairs for picture in pair]
         _save(_sheet(pictures, PAIRED), args.out / "furniture_sheet.png")
         return

@@ -38,7 +38,7 @@ TINY_SITES = Path(__file__).parent / "tiny_sites"
 TINY_INSTRUCTIONS = Path(__file__).parent / "tiny_instructions.jsonl"
 
 # Furniture models that this user converted must not change what cameras see in tests.
-os.environ["MEMORYMAZE_LOOKS"] = "own"
+os.environ["MEMORYMAZE_CACHE"] = str(TINY_SITES / "no-cache")
 
 
 @pytest.fixture(scope="session")

@@ -123,6 +123,12 @@ def add_episode_options(parser: argparse.ArgumentParser) -> None:
         help="how read_signs reads: truth (the default) or ocr (from the camera's "
         "picture)",
     )
+    parser.add_argument(
+        "--looks",
+        choices=("own", "models"),
+        help="how things look to cameras: own, or models (furniture models; see "
+        "memorymaze sites models, and the default where it was called)",
+    )
 
 
 CHOICES = (
@@ -135,6 +141,7 @@ CHOICES = (
     "obstacles",
     "detector",
     "signs",
+    "looks",
 )
 
 

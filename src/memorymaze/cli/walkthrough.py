@@ -43,6 +43,12 @@ def add_parser(verbs: Verbs) -> None:
         metavar="WxH",
         help="pixels (960x540; with --panorama 1280x640)",
     )
+    parser.add_argument(
+        "--looks",
+        choices=("own", "models"),
+        help="how things look: own, or models (furniture models; see memorymaze sites "
+        "models, and the default where it was called)",
+    )
     parser.set_defaults(run=_run)
 
 
@@ -59,6 +65,7 @@ def _run(options: argparse.Namespace) -> int:
         panorama=options.panorama,
         fps=options.fps,
         speed=options.speed,
+        looks=options.looks,
     )
     site = load_site(options.site)
     route = site.find_route(options.route)

@@ -33,7 +33,8 @@ def open_requests(plan: RunPlan) -> Iterator[CompletionRequest]:
     settings = plan.settings
     eyes = Eyes(settings.detector, settings.signs)
     arenas = {
-        name: Arena(site, settings.obstacles, eyes) for name, site in plan.sites.items()
+        name: Arena(site, settings.obstacles, eyes, settings.looks)
+        for name, site in plan.sites.items()
     }
     for episode in plan.episodes:
         agent = _Inquirer(agent_for(episode))

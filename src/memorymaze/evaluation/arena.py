@@ -1,7 +1,7 @@
 """A site made ready for episodes: its scene, its grid, and what scoring needs."""
 
 from collections.abc import Callable
-from functools import cached_property
+from functools import cached_property, partial
 
 import numpy as np
 
@@ -12,6 +12,7 @@ from memorymaze.instructions.records import Episode
 from memorymaze.metrics.score import MetricValues, score_walk
 from memorymaze.perception.eyes import Eyes
 from memorymaze.pictures import robot_cameras
+from memorymaze.pictures.furniture.models import Looks
 from memorymaze.simulation import (
     Scene,
     SimulatedRobot,
@@ -34,6 +35,7 @@ class Arena:
         site: Site,
         obstacles: ObstacleSettings | None = None,
         eyes: Eyes | None = None,
+        looks: Looks | None = None,
     ) -> None:
         """Stand for a site; nothing is built yet.
 
@@ -42,10 +44,13 @@ class Arena:
             obstacles: Things in the way and people that every episode is to have.
             eyes: Makes the detector and reader of signs of every episode; None for
                 those that know the truth.
+            looks: How things look to the cameras; None for models where they were
+                converted.
         """
         self.site = site
         self.obstacles = obstacles
         self.eyes = eyes or Eyes()
+        self.looks: Looks | None = looks
 
     @cached_property
     def scene(self) -> Scene:
@@ -89,7 +94,7 @@ class Arena:
             sign_reader=self.eyes.sign_reader(),
             obstacles_rng=placing,
             keep_free=episode.reference_path,
-            cameras=robot_cameras,
+            cameras=partial(robot_cameras, looks=self.looks),
         )
 
     def score(

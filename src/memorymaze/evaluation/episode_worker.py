@@ -82,11 +82,12 @@ class EpisodeWorker:
         """Make the agent; return the function."""
         given = None if self.agent is None else pickle.loads(self.agent)
         agent_for = build_agent(self.settings.agent, given)
-        obstacles = self.settings.obstacles
+        obstacles, looks = self.settings.obstacles, self.settings.looks
         # On another machine than the plan's they may be missing.
         eyes = checked_eyes(self.settings.detector, self.settings.signs)
         arenas = {
-            name: Arena(site, obstacles, eyes) for name, site in self.sites.items()
+            name: Arena(site, obstacles, eyes, looks)
+            for name, site in self.sites.items()
         }
 
         def run(task: EpisodeTask) -> EpisodeOutcome:

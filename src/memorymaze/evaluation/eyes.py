@@ -4,7 +4,7 @@ from memorymaze.agents.agent import Need
 from memorymaze.errors import SettingsError
 from memorymaze.evaluation.settings import RunSettings
 from memorymaze.perception.eyes import TRUTH, DetectorSettings, Eyes, SignSource
-from memorymaze.pictures.furniture.models import Looks, looks_in_use
+from memorymaze.pictures.furniture.models import Looks, check_looks
 
 
 def checked_eyes(detector: DetectorSettings, signs: SignSource) -> Eyes:
@@ -46,4 +46,4 @@ def looks_of_run(needs: frozenset[Need], settings: RunSettings) -> Looks | None:
     drawn = "camera" in needs or Eyes(settings.detector, settings.signs).need_pictures
     if not drawn:
         return None
-    return settings.looks or looks_in_use()
+    return check_looks(settings.looks)

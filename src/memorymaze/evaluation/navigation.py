@@ -85,7 +85,7 @@ def navigate(
         split="test",
     )
     [episode] = episodes([told], {site.name: site})
-    arena = Arena(site, settings.obstacles, eyes)
+    arena = Arena(site, settings.obstacles, eyes, definition.looks)
     return run_episode(follower(episode), episode, arena, definition, watcher)
 
 

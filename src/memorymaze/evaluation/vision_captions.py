@@ -315,9 +315,9 @@ def _camera(scene: Scene) -> Any:
     from memorymaze.pictures.rendering import RenderedCamera
     from memorymaze.pictures.rendering.robot_eyes import visual_scene_of
 
-    return RenderedCamera(
-        visual_scene_of(scene), PICTURE_WIDTH, PICTURE_HEIGHT, PICTURE_FOV
-    )
+    # Captions are kept by the building and the viewpoint, whatever looks a run has.
+    looks = visual_scene_of(scene, "own")
+    return RenderedCamera(looks, PICTURE_WIDTH, PICTURE_HEIGHT, PICTURE_FOV)
 
 
 @lru_cache(maxsize=8)

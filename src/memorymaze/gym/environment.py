@@ -23,6 +23,7 @@ from memorymaze.instructions.corpus import episodes
 from memorymaze.instructions.files import load_instructions
 from memorymaze.instructions.records import Episode, is_of_split
 from memorymaze.options import check_number
+from memorymaze.pictures.furniture.models import Looks
 from memorymaze.simulation import SimulatedRobot
 from memorymaze.simulation.obstacles import ObstacleSettings
 from memorymaze.sites import Site, load_site
@@ -38,18 +39,23 @@ ENVIRONMENTS: dict[str, str | None] = {
 """Site of each environment; None where the user gives it as `site=`."""
 
 
-def _arena(site: str | Path, obstacles: ObstacleSettings | None) -> Arena:
+def _arena(
+    site: str | Path, obstacles: ObstacleSettings | None, looks: Looks | None
+) -> Arena:
     """Return a site made ready; environments of one process share it."""
     with suppress(OSError, TypeError):
-        return _arena_as_of(site, Path(site).stat().st_mtime_ns, obstacles)
-    return _arena_as_of(site, 0, obstacles)
+        return _arena_as_of(site, Path(site).stat().st_mtime_ns, obstacles, looks)
+    return _arena_as_of(site, 0, obstacles, looks)
 
 
 @lru_cache(maxsize=4)
 def _arena_as_of(
-    site: str | Path, changed: int, obstacles: ObstacleSettings | None
+    site: str | Path,
+    changed: int,
+    obstacles: ObstacleSettings | None,
+    looks: Looks | None,
 ) -> Arena:
-    return Arena(load_site(site), obstacles)
+    return Arena(load_site(site), obstacles, looks=looks)
 
 
 class NavigationEnvironment(gymnasium.Env[Observation, Any]):
@@ -92,7 +98,8 @@ class NavigationEnvironment(gymnasium.Env[Observation, Any]):
             max_steps: Steps after which an episode is truncated; None for three times
                 what a perfect follower of the site's longest route needs.
             settings: As of a run, or some of them by name: `split`,
-                `success_distance`, `time_budget`, `obstacles` and what the robot can do.
+                `success_distance`, `time_budget`, `obstacles`, `looks` and what the robot
+                can do.
             privileged: Whether `info` tells pose, goal and distance to it all along.
             render_mode: None or `rgb_array`.
 
@@ -107,7 +114,7 @@ class NavigationEnvironment(gymnasium.Env[Observation, Any]):
         self.render_mode = render_mode
         self.privileged = privileged
         self.settings = _settings_of_an_environment(settings)
-        self._arena = _arena(site, self.settings.obstacles)
+        self._arena = _arena(site, self.settings.obstacles, self.settings.looks)
         plan = self._arena.site
         self._episodes = choose_episodes(
             plan, instructions, route=route, study=study, split=self.settings.split
@@ -291,7 +298,7 @@ def _settings_of_an_environment(
         settings = with_choices(plain, settings or {})
     without_use = [
         name
-        for name in ("seed", "limit", "detector", "signs", "looks")
+        for name in ("seed", "limit", "detector", "signs")
         if getattr(settings, name) != getattr(plain, name)
     ]
     if without_use:

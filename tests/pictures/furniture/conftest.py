@@ -76,5 +76,5 @@ def library_folder(tmp_path: Path) -> Path:
 def own_cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """An empty cache of the user's."""
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
-    monkeypatch.delenv("MEMORYMAZE_LOOKS", raising=False)
+    monkeypatch.delenv("MEMORYMAZE_CACHE")
     return tmp_path / "cache" / "memorymaze"

@@ -13,8 +13,8 @@ from memorymaze.pictures.furniture.conversion import (
 )
 from memorymaze.pictures.furniture.models import (
     cache_folder,
+    check_looks,
     furniture_for,
-    looks_in_use,
 )
 from memorymaze.pictures.looks.assembly import Order
 
@@ -83,20 +83,29 @@ def test_the_colour_of_the_plan_goes_over_the_picture(library_folder: Path) -> N
 
 @pytest.mark.usefixtures("own_cache")
 def test_models_are_used_once_converted_unless_the_user_says_otherwise(
+    library_folder: Path,
+) -> None:
+    assert check_looks(None) == "own"
+    with pytest.raises(SettingsError, match="memorymaze sites models"):
+        check_looks("models")
+    build_cache(library_folder)
+    assert check_looks(None) == "models"
+    assert check_looks("models") == "models"
+    assert check_looks("own") == "own"
+
+
+def test_looks_of_another_name_are_refused() -> None:
+    with pytest.raises(SettingsError, match=r"own, models; got 'blender'"):
+        check_looks("blender")  # pyright: ignore[reportArgumentType]
+
+
+@pytest.mark.usefixtures("own_cache")
+def test_no_environment_variable_changes_the_looks(
     library_folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    assert looks_in_use() == "own"
-    monkeypatch.setenv("MEMORYMAZE_LOOKS", "sweethome3d")
-    with pytest.raises(SettingsError, match="memorymaze sites models"):
-        looks_in_use()
-    monkeypatch.delenv("MEMORYMAZE_LOOKS")
     build_cache(library_folder)
-    assert looks_in_use() == "sweethome3d"
     monkeypatch.setenv("MEMORYMAZE_LOOKS", "own")
-    assert looks_in_use() == "own"
-    monkeypatch.setenv("MEMORYMAZE_LOOKS", "blender")
-    with pytest.raises(SettingsError, match=r"own, sweethome3d.*'blender'"):
-        looks_in_use()
+    assert check_looks(None) == "models"
 
 
 @pytest.mark.usefixtures("own_cache")

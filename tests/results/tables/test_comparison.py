@@ -112,10 +112,10 @@ def test_pictures_of_other_looks_are_an_unfair_comparison(
     write: Write, result: Make
 ) -> None:
     folders = [write("a", [result("x-1")]), write("b", [result("x-1")])]
-    change_settings(folders[0], looks="sweethome3d")
+    change_settings(folders[0], looks="models")
     change_settings(folders[1], looks="own")
     comparison = compare_runs(*load_runs(folders))
-    assert comparison.settings == ("looks: 'sweethome3d' there, 'own' here",)
+    assert comparison.settings == ("looks: 'models' there, 'own' here",)
 
 
 def test_one_person_allows_no_test_and_equal_values_no_interval(

@@ -15,6 +15,7 @@ from memorymaze.errors import MemoryMazeError, SettingsError
 from memorymaze.geometry.pose import Pose, wrap_angle
 from memorymaze.geometry.trajectory import Trajectory
 from memorymaze.pictures.films.video_file import VideoFile, check_video_path
+from memorymaze.pictures.furniture.models import Looks
 from memorymaze.pictures.rendering.camera import RenderedCamera
 from memorymaze.pictures.rendering.panorama import PanoramaCamera
 from memorymaze.pictures.rendering.robot_eyes import visual_scene_of
@@ -60,6 +61,8 @@ class WalkthroughSettings:
     """Radians; of no meaning in a panorama."""
     multisamples: int = 4
     """Samples per pixel that smooth edges."""
+    looks: Looks | None = None
+    """How things look: `own` or `models`; None for models where they were converted."""
 
     @property
     def width(self) -> int:
@@ -163,7 +166,7 @@ def film_walkthrough(
 def _camera(
     scene: Scene, settings: WalkthroughSettings
 ) -> Generator[RenderedCamera | PanoramaCamera]:
-    looks = visual_scene_of(scene)
+    looks = visual_scene_of(scene, settings.looks)
     if settings.panorama:
         camera = PanoramaCamera(looks, settings.width, settings.multisamples)
     else:

@@ -17,9 +17,8 @@ from memorymaze.pictures.looks.assembly import MeshPart, ObjectModel, Order
 from memorymaze.pictures.looks.materials import Material, Rgb, colours_of
 from memorymaze.pictures.tables import read_table
 
-Looks = Literal["own", "sweethome3d"]
+Looks = Literal["own", "models"]
 """How things look: as made by this project's code alone, or by furniture models too."""
-LOOKS_VARIABLE = "MEMORYMAZE_LOOKS"
 FORMAT = 1
 """Of the cache; another format has another folder."""
 INDEX, CREDITS = "index.json", "CREDITS.md"
@@ -71,36 +70,34 @@ def choice() -> Choice:
 
 
 def cache_folder() -> Path:
-    """Return where converted models are kept for this user."""
-    home = os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache"
-    return Path(home) / "memorymaze" / f"sweethome3d-{FORMAT}"
+    """Return where converted models are kept for this user.
+
+    `MEMORYMAZE_CACHE` names another folder than the one in the user's cache.
+    """
+    home = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")
+    folder = Path(os.environ.get("MEMORYMAZE_CACHE") or home / "memorymaze")
+    return folder / f"sweethome3d-{FORMAT}"
 
 
-def looks_in_use() -> Looks:
-    """Return how things look in this process.
-
-    `sweethome3d` where models were converted, else `own`; the environment variable
-    `MEMORYMAZE_LOOKS` decides otherwise.
+def check_looks(looks: Looks | None) -> Looks:
+    """Return how things are to look; None is `models` where a user has converted them.
 
     Raises:
-        SettingsError: The variable asks for something else, or for models that were
-            not converted.
+        SettingsError: There are no such looks, or no converted models.
     """
-    wanted = os.environ.get(LOOKS_VARIABLE)
     there = (cache_folder() / INDEX).is_file()
-    if not wanted:
-        return "sweethome3d" if there else "own"
-    if wanted not in get_args(Looks):
+    if looks is None:
+        return "models" if there else "own"
+    if looks not in get_args(Looks):
         raise SettingsError(
-            f"{LOOKS_VARIABLE}: expected one of {', '.join(get_args(Looks))}, got "
-            f"{wanted!r}"
+            f"looks: expected one of {', '.join(get_args(Looks))}; got {looks!r}"
         )
-    if wanted == "sweethome3d" and not there:
+    if looks == "models" and not there:
         raise SettingsError(
-            f"{LOOKS_VARIABLE}: expected converted models in {cache_folder()}, got "
-            "none; type: memorymaze sites models"
+            f"looks: expected converted models in {cache_folder()}, got none; type: "
+            "memorymaze sites models"
         )
-    return "own" if wanted == "own" else "sweethome3d"
+    return looks
 
 
 @cache

@@ -121,7 +121,7 @@ def model_of(
         mount,
         variant,
     )
-    if looks == "sweethome3d":
+    if looks == "models":
         archetype = archetype_of(category)
         piece = None if archetype is None else furniture_for(archetype, order)
         if piece is not None:

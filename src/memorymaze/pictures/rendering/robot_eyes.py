@@ -8,6 +8,7 @@ from functools import lru_cache
 import mujoco
 
 from memorymaze.geometry.pose import Pose
+from memorymaze.pictures.furniture.models import Looks, check_looks
 from memorymaze.pictures.rendering.camera import CameraFrame, RenderedCamera
 from memorymaze.pictures.rendering.panorama import PanoramaCamera, PanoramaFrame
 from memorymaze.pictures.rendering.visual_scene import (
@@ -17,35 +18,35 @@ from memorymaze.pictures.rendering.visual_scene import (
 from memorymaze.simulation.scene import Scene
 
 
+def visual_scene_of(scene: Scene, looks: Looks | None = None) -> VisualScene:
+    """Return what a physics scene looks like; built once for each scene and looks."""
+    return _visual_scene(scene, check_looks(looks))
+
+
 @lru_cache(maxsize=4)
-def visual_scene_of(scene: Scene) -> VisualScene:
-    """Return what a physics scene looks like; built once for each scene."""
-    return build_visual_scene(scene.site, scene.movables)
+def _visual_scene(scene: Scene, looks: Looks) -> VisualScene:
+    return build_visual_scene(scene.site, scene.movables, looks)
 
 
 @lru_cache(maxsize=4)
 def _camera_of(
-    scene: Scene,
+    scene: VisualScene,
     size: tuple[int, int],
     horizontal_fov: float,
     owner: tuple[int, int],
 ) -> RenderedCamera:
     """Return a camera that all robots of a scene share: opening one takes a second.
 
-    Args:
-        scene: The building.
-        size: Width and height, pixels.
-        horizontal_fov: Radians.
-        owner: Process and thread, which alone may use it.
+    Its owner is a process and a thread, which alone may use it.
     """
-    return RenderedCamera(visual_scene_of(scene), *size, horizontal_fov)
+    return RenderedCamera(scene, *size, horizontal_fov)
 
 
 @lru_cache(maxsize=2)
 def _panorama_camera_of(
-    scene: Scene, width: int, owner: tuple[int, int]
+    scene: VisualScene, width: int, owner: tuple[int, int]
 ) -> PanoramaCamera:
-    return PanoramaCamera(visual_scene_of(scene), width)
+    return PanoramaCamera(scene, width)
 
 
 def _owner() -> tuple[int, int]:
@@ -55,23 +56,26 @@ def _owner() -> tuple[int, int]:
 class RobotEyes:
     """Cameras on a robot, with the things and people that the physics knows of."""
 
-    def __init__(self, scene: Scene, data: mujoco.MjData) -> None:
-        """Look at a scene."""
+    def __init__(
+        self, scene: Scene, data: mujoco.MjData, looks: Looks | None = None
+    ) -> None:
+        """Look at a scene; builds its looks where nobody did before."""
         self._scene = scene
         self._data = data
+        self._visual = visual_scene_of(scene, looks)
 
     def frame(
         self, pose: Pose, width: int, height: int, horizontal_fov: float
     ) -> CameraFrame:
         """Take a picture; see `RenderedCamera`."""
         size = (width, height)
-        camera = _camera_of(self._scene, size, horizontal_fov, _owner())
+        camera = _camera_of(self._visual, size, horizontal_fov, _owner())
         self._place_movables()
         return camera.frame(pose)
 
     def panorama(self, pose: Pose, width: int) -> PanoramaFrame:
         """Look all round; see `PanoramaCamera`."""
-        camera = _panorama_camera_of(self._scene, width, _owner())
+        camera = _panorama_camera_of(self._visual, width, _owner())
         self._place_movables()
         return camera.frame(pose)
 
@@ -82,4 +86,4 @@ class RobotEyes:
             if z > 0:  # the others are parked under the floor
                 w, _, _, rise = self._data.mocap_quat[row].tolist()
                 places[name] = Pose(x, y, 2 * math.atan2(rise, w))
-        visual_scene_of(self._scene).place(places)
+        self._visual.place(places)

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from shapely import Point, prepare
 
 from memorymaze.geometry.pose import Pose
-from memorymaze.pictures.furniture.models import Looks, looks_in_use
+from memorymaze.pictures.furniture.models import Looks, check_looks
 from memorymaze.pictures.looks import surfaces
 from memorymaze.pictures.looks.assembly import MeshPart
 from memorymaze.pictures.looks.catalogue import model_for_landmark, model_of
@@ -115,9 +115,9 @@ def build_visual_scene(
     Args:
         site: A building that passed the checks of `memorymaze.sites`.
         movables: Things and people that `VisualScene.place` will place.
-        looks: How things look; None for `looks_in_use`.
+        looks: How things look; None for models where they were converted.
     """
-    looks = looks or looks_in_use()
+    looks = check_looks(looks)
     spec = mujoco.MjSpec()
     spec.modelname = f"{site.name}_looks"
     _add_light(spec)

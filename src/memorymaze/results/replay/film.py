@@ -151,7 +151,13 @@ def frames_of(
         if layout.camera is not None:
             scene = build_scene(site, episode.record.settings.obstacles)
             size = (layout.camera.width, layout.camera.height)
-            eyes = Eyes(scene, moments, size, smooth=settings.smooth)
+            eyes = Eyes(
+                scene,
+                moments,
+                size,
+                episode.record.settings.looks,
+                smooth=settings.smooth,
+            )
             stack.enter_context(closing(eyes))
         ending: NDArray[np.uint8] | None = None
         words: Page | None = None

@@ -104,7 +104,13 @@ def record_replay(
         stream = stack.enter_context(_stream_to(target, episode))
         eyes = None
         if settings.camera:
-            eyes = Eyes(scene, moments, PICTURE_SIZE, smooth=False)
+            eyes = Eyes(
+                scene,
+                moments,
+                PICTURE_SIZE,
+                episode.record.settings.looks,
+                smooth=False,
+            )
             stack.enter_context(closing(eyes))
         bar = stack.enter_context(
             tqdm(

@@ -9,6 +9,7 @@ from PIL import Image, ImageDraw
 
 from memorymaze.errors import RunFolderError
 from memorymaze.geometry.pose import turn_between
+from memorymaze.pictures.furniture.models import Looks
 from memorymaze.pictures.rendering.camera import CameraFrame, RenderedCamera
 from memorymaze.pictures.rendering.robot_eyes import visual_scene_of
 from memorymaze.results.replay.page import font_for
@@ -32,7 +33,13 @@ class Eyes:
     """The robot's camera, until it is closed."""
 
     def __init__(
-        self, scene: Scene, moments: Moments, size: tuple[int, int], *, smooth: bool
+        self,
+        scene: Scene,
+        moments: Moments,
+        size: tuple[int, int],
+        looks: Looks | None,
+        *,
+        smooth: bool,
     ) -> None:
         """Open the camera, with smooth edges where there is time for them.
 
@@ -40,7 +47,7 @@ class Eyes:
             RenderingError: This machine cannot draw; says what to install.
             RunFolderError: The trace tells of things that the scene does not have.
         """
-        self._looks = visual_scene_of(scene)
+        self._looks = visual_scene_of(scene, looks)
         unknown = moments.movables - self._looks.movable_geoms.keys()
         if unknown:
             raise RunFolderError(

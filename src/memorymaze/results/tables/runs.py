@@ -27,7 +27,7 @@ STUDY_TITLES = {
 
 LOOKS = {
     "own": "things as memorymaze makes them itself",
-    "sweethome3d": "furniture models of Sweet Home 3D (docs/assets.md)",
+    "models": "furniture models of Sweet Home 3D (docs/assets.md)",
 }
 
 
