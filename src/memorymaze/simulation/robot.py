@@ -46,8 +46,8 @@ from memorymaze.simulation.motion.pilot import Pilot
 from memorymaze.simulation.obstacles.surroundings import NearMiss, Surroundings
 from memorymaze.simulation.scene import Scene
 from memorymaze.simulation.senses.lidar import Lidar, LidarSettings
-from memorymaze.simulation.senses.lidar_turning_points import LidarTurningPoints
 from memorymaze.simulation.senses.odometry import Odometry, OdometrySettings
+from memorymaze.simulation.senses.turning_points import LidarTurningPoints
 from memorymaze.simulation.senses.visibility import RayCamera, camera_elsewhere
 from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.simulation.trace import Call, CallLog, Collision, Moment, TraceEvent

@@ -29,7 +29,7 @@ from memorymaze.simulation.obstacles.settings import (
     people,
     things,
 )
-from memorymaze.simulation.obstacles.walks import Walks
+from memorymaze.simulation.obstacles.walking import Walks
 from memorymaze.simulation.solids import Solid, door_solid, landmark_solid, walls_around
 from memorymaze.sites.records import Door, Landmark, Site
 

@@ -12,8 +12,9 @@ from scipy import ndimage
 from memorymaze.geometry.pose import turn_between, wrap_angle
 from memorymaze.perception.turning_points.local_map import CELL
 
-FloatArray = NDArray[np.float64]
 BoolArray = NDArray[np.bool_]
+FloatArray = NDArray[np.float64]
+
 HALF_BODY = 0.35
 """Metres a robot's middle keeps from everything; ways are twice as wide at least."""
 RING_GAP = 0.4

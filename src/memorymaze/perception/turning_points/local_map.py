@@ -9,8 +9,9 @@ from scipy import ndimage
 
 from memorymaze.geometry.pose import Pose
 
-FloatArray = NDArray[np.float64]
 BoolArray = NDArray[np.bool_]
+FloatArray = NDArray[np.float64]
+
 CELL = 0.15
 """Side of a cell, metres."""
 SIDE = 128

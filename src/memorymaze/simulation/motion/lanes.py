@@ -16,10 +16,11 @@ from numpy.typing import NDArray
 
 from memorymaze.geometry import polyline
 from memorymaze.geometry.pose import Pose, turn_between
-from memorymaze.simulation.motion.clearance import Clearance
-from memorymaze.simulation.motion.detours import SPACING, make_detours
+from memorymaze.simulation.motion.clearance import SPACING, Clearance, make_detours
 from memorymaze.simulation.motion.straight_ways import StraightWay
 from memorymaze.simulation.motion.wheeled_base import ROBOT_RADIUS
+
+FloatArray = NDArray[np.float64]
 
 LaneEnd = Literal["wall", "obstacle", "done"]
 """What is behind the last station of a lane."""
@@ -37,7 +38,6 @@ END_OBSTACLE_DEPTH = 1.2
 """An obstacle whose front is this near to the end wall is part of it, metres."""
 SIDEWAYS_ACCELERATION = 0.8
 """Greatest acceleration in bends, metres per second squared."""
-FloatArray = NDArray[np.float64]
 GAIN_P = 2.0
 """Curvature per metre of offset, 1/m^2."""
 GAIN_I = 0.15

@@ -11,15 +11,19 @@ from memorymaze.simulation.motion.clearance import Clearance
 from memorymaze.simulation.motion.commands import direction_of, exit_meant
 from memorymaze.simulation.motion.driving import DriveEnd, Driver
 from memorymaze.simulation.motion.lanes import Lane, LaneFollower, plan_lane
+from memorymaze.simulation.motion.line_following import follow_line
 from memorymaze.simulation.motion.primitive_motions import (
     drive_on,
     go_straight,
     spin_by,
 )
-from memorymaze.simulation.motion.route_following import follow_line
 from memorymaze.simulation.motion.straight_ways import WayOut
 from memorymaze.simulation.motion.wheeled_base import ROBOT_RADIUS
-from memorymaze.simulation.obstacles.surroundings import Surroundings
+from memorymaze.simulation.obstacles.surroundings import (
+    GETS_PAST,
+    LOOK_AROUND,
+    Surroundings,
+)
 from memorymaze.simulation.scene import Scene
 from memorymaze.simulation.senses.turning_points import Stay
 from memorymaze.simulation.settings import SimulationSettings
@@ -32,10 +36,6 @@ SPIN_FIRST = math.radians(8)
 """Angle to a new lane's beginning from which on the robot first turns on the spot."""
 BACK_SECTOR = math.radians(35)
 """`around` faces an exit that lies within this angle of a half turn."""
-LOOK_AROUND = 1.5
-"""Seconds of waiting from one look for a way round people who stand to the next."""
-GETS_PAST = 1.5
-"""Metres that a way round people must lead on for the robot to take it."""
 
 
 class Pilot:

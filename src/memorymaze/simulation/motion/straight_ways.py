@@ -19,6 +19,8 @@ from memorymaze.geometry.pose import turn_between
 from memorymaze.simulation.motion.clearance import Clearance
 from memorymaze.sites.records import Corridor, Exit, Site, TurningPoint
 
+XY = tuple[float, float]
+
 ENTRY_TOLERANCE = math.radians(30)
 """Greatest angle between the robot's course and the corridor it begins to follow."""
 BEND_TOLERANCE = math.radians(15)
@@ -48,7 +50,6 @@ BLIND_END = 6.0
 """Floor behind a turning point that has no exit this way, up to this many metres, is a
 bend's outer side and not a way."""
 LONGEST_WAY = 500.0
-XY = tuple[float, float]
 ON_FLOOR = 0.01
 """Metres outside the corridor's edge that still count as on its floor."""
 

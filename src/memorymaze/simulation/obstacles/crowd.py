@@ -10,12 +10,10 @@ from numpy.typing import NDArray
 from shapely import Polygon
 
 from memorymaze.geometry.pose import turn_between
-from memorymaze.simulation.motion.clearance import Clearance
-from memorymaze.simulation.motion.detours import make_detours
+from memorymaze.simulation.motion.clearance import Clearance, make_detours
 from memorymaze.simulation.motion.wheeled_base import ROBOT_RADIUS
-from memorymaze.simulation.obstacles.avoidance import Avoidance, Disc
 from memorymaze.simulation.obstacles.settings import Movable
-from memorymaze.simulation.obstacles.walks import Walks
+from memorymaze.simulation.obstacles.walking import Avoidance, Disc, Walks
 
 LOOK_AHEAD = 3
 """Points of the way ahead of the nearest one at which a person aims."""

@@ -19,6 +19,10 @@ from memorymaze.simulation.scene import Scene
 
 PEOPLE_MET = 6.0
 """Metres within which people who stand matter to a way round them."""
+LOOK_AROUND = 1.5
+"""Seconds of waiting from one look for a way round people who stand to the next."""
+GETS_PAST = 1.5
+"""Metres that a way round people must lead on for the robot to take it."""
 NOTED_EVERY = 1.0
 """Seconds after which it is kept again where people are."""
 PERSON_ROOM = 0.2

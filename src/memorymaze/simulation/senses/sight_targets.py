@@ -22,6 +22,7 @@ from memorymaze.simulation.scene import Scene
 from memorymaze.sites.records import Door, Landmark, Site
 
 FloatArray = NDArray[np.float64]
+
 SPACING = 0.18
 """Metres between the points that cover a surface, at most."""
 FEWEST, MOST = 4, 14

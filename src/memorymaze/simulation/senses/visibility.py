@@ -26,6 +26,7 @@ from memorymaze.simulation.senses.sight_targets import (
 )
 
 FloatArray = NDArray[np.float64]
+
 WIDTH, HEIGHT = 640, 480
 FOCAL_LENGTH = WIDTH / 2 / math.tan(math.pi / 4)
 """Pixels."""

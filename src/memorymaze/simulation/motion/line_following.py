@@ -17,7 +17,13 @@ from memorymaze.simulation.motion.lanes import (
     lane_along,
     lane_round_things,
 )
-from memorymaze.simulation.obstacles.surroundings import Surroundings
+from memorymaze.simulation.obstacles.surroundings import (
+    GETS_PAST,
+    LOOK_AROUND,
+    Surroundings,
+)
+
+FloatArray = NDArray[np.float64]
 
 SHARP_VERTEX = math.radians(25)
 """Bend from which on the robot stops at a vertex and turns on the spot."""
@@ -25,16 +31,11 @@ ALIGNED = math.radians(2)
 NEAR = 0.05
 """Metres within which two places are the same here."""
 
-LOOK_AROUND = 1.5
-"""Seconds of waiting from one look for a way round people who stand to the next."""
 LONGEST_WAIT = 60.0
 """Seconds without getting on after which it gives up."""
-GETS_PAST = 1.5
-"""Metres that a way round people must lead on for the robot to take it."""
 GOT_ON = 0.3
 """Metres that count as getting on."""
 
-FloatArray = NDArray[np.float64]
 FollowEnd = Literal["arrived", "blocked", "obstacle"]
 
 
