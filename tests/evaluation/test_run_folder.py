@@ -231,7 +231,7 @@ def test_a_folder_that_cannot_be_made_is_named(
 def test_a_run_keeps_the_plans_and_instructions_it_was_made_with(
     tmp_path: Path, record: RunRecord, tiny_sites: dict[str, Site]
 ) -> None:
-    told = load_instructions()[:3]
+    told = sorted(load_instructions()[:3], key=lambda each: each.id)
     for resume in (False, True):
         with open_run_folder(
             tmp_path,

@@ -63,6 +63,12 @@ def add_parser(verbs: Verbs) -> None:
         help="only N episodes, alike many of every route of every study",
     )
     parser.add_argument(
+        "--shard",
+        metavar="I/N",
+        help="only the I-th of N parts of the run, alike in size; `memorymaze runs merge` "
+        "makes one run of all (docs/scaling.md)",
+    )
+    parser.add_argument(
         "--workers",
         metavar="N",
         type=int,
@@ -193,7 +199,7 @@ def _what_to_follow(
     else:
         corpus = load_corpus(options.instructions, sites=options.sites)
     base = settings_for(corpus)
-    return agent, corpus, episode_settings(options, base, "limit", "split")
+    return agent, corpus, episode_settings(options, base, "limit", "split", "shard")
 
 
 def _resuming(arguments: list[str], out: Path) -> str:

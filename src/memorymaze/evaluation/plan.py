@@ -26,6 +26,7 @@ from memorymaze.evaluation.settings import (
     stamp_file,
     with_choices,
 )
+from memorymaze.evaluation.shards import episodes_of_shard
 from memorymaze.instructions import Corpus, load_corpus
 from memorymaze.instructions.records import Episode
 from memorymaze.sites import Site
@@ -84,7 +85,8 @@ def plan_run(
         agent_files=agent_fingerprint(chosen_agent.name, given),
         option_values=option_values(chosen_agent, given),
     )
-    return RunPlan(definition, tuple(chosen), sites, given)
+    part = episodes_of_shard(chosen, settings.shard)
+    return RunPlan(replace(definition, episodes=len(part)), tuple(part), sites, given)
 
 
 def define_run(

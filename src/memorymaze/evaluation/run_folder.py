@@ -189,7 +189,7 @@ def read_plans(path: str | Path) -> dict[str, Site]:
 
 
 def read_instructions(path: str | Path) -> list[Instruction]:
-    """Read what a run follows, each instruction once, in the order of the run.
+    """Read what a run follows, each instruction once, in the order of their ids.
 
     Raises:
         RunFolderError: It keeps none, as runs of older versions, or they are damaged.
@@ -210,7 +210,8 @@ def _keep_inputs(
     path: Path, sites: Iterable[Site], instructions: Iterable[Instruction]
 ) -> None:
     """Write plans and instructions where they are not there; check them where they are."""
-    lines = [_INSTRUCTION.dump_json(each, exclude={"origin"}) for each in instructions]
+    ordered = sorted(instructions, key=lambda each: each.id)
+    lines = [_INSTRUCTION.dump_json(each, exclude={"origin"}) for each in ordered]
     files = {
         path / "plans" / f"{quote(site.name, safe='')}.geojson.gz": site.plan
         for site in sites

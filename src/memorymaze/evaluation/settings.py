@@ -92,6 +92,44 @@ class AgentSettings:
         return ":" in self.name
 
 
+@dataclass(frozen=True, slots=True)
+class Shard:
+    """One of several parts of a run, such as the second of eight.
+
+    Raises:
+        SettingsError: There is no such part.
+    """
+
+    number: int
+    """From 1 on."""
+    of: int
+
+    def __post_init__(self) -> None:
+        """Refuse parts that are none."""
+        check_whole("shard", self.number, least=1)
+        check_whole("shards", self.of, least=1)
+        if self.number > self.of:
+            raise SettingsError(
+                f"shard: expected one from 1/{self.of} to {self.of}/{self.of}, got {self}"
+            )
+
+    def __str__(self) -> str:
+        """Return what is given for it: `2/8`."""
+        return f"{self.number}/{self.of}"
+
+
+def parse_shard(text: str) -> Shard:
+    """Read `2/8`.
+
+    Raises:
+        SettingsError: It says something else.
+    """
+    number, slash, of = text.partition("/")
+    if not (slash and number.isdecimal() and of.isdecimal()):
+        raise SettingsError(f"shard: expected one such as 2/8, got {text!r}")
+    return Shard(int(number), int(of))
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RunSettings:
     """How episodes are run, whoever follows which instructions; every part has a default.
@@ -109,6 +147,8 @@ class RunSettings:
     """Episodes to run, alike many of every route of every study; none for all."""
     split: str | None = None
     """Only instructions of this split; none for all."""
+    shard: Shard | None = None
+    """One part of the run, for schedulers of jobs; none for all of it."""
     success_distance: float = SUCCESS_DISTANCE
     """Metres; stopping nearer than this to the goal is success."""
     time_budget: float | None = None
@@ -172,6 +212,7 @@ def with_choices(settings: RunSettings, choices: Mapping[str, Any]) -> RunSettin
 _READERS: dict[str, Callable[[str], Any]] = {
     "detector": parse_detector,
     "obstacles": parse_obstacles,
+    "shard": parse_shard,
     "signs": parse_signs,
 }
 

@@ -120,6 +120,7 @@ def _settings_problems(settings: RunDefinition, corpus: Corpus) -> Iterator[str]
         sites=tuple(stamp_file(sites[name].source, name) for name in names),
         limit=None,
         split=None,
+        shard=None,
         episodes=len(corpus.episodes),
         success_distance=SUCCESS_DISTANCE,
         simulation=replace(abilities, time_budget=budget),

@@ -39,7 +39,7 @@ KEY = (
     "routes is unweighted. Arrived: both / only A / only B / neither."
 )
 
-NOT_TOLD = ("agent.", "needs:", "answers", "limit:", "episodes:")
+NOT_TOLD = ("agent.", "needs:", "answers", "limit:", "shard", "episodes:")
 """Beginnings of differences that are the agent's own, or said by what is left out."""
 
 VERSIONS = ("agent.file ", "agent.options.")

@@ -187,6 +187,10 @@ def run_notes(run: MeasuredRun) -> list[str]:
         notes.append(f"only instructions of the split {settings.split}.")
     if settings.limit is not None:
         notes.append(f"A SAMPLE of {counted(settings.episodes, 'episode')} (--limit).")
+    if settings.shard is not None:
+        notes.append(
+            f"ONLY SHARD {settings.shard} of a run; `memorymaze runs merge` makes the whole."
+        )
     if run.missing:
         notes.append(
             f"INCOMPLETE: {run.missing} of {counted(settings.episodes, 'episode')} "
