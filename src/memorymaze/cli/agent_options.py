@@ -118,6 +118,13 @@ def add_episode_options(parser: argparse.ArgumentParser) -> None:
         "the camera's picture), remote:URL (a server). See docs/perception.md",
     )
     parser.add_argument(
+        "--isolate",
+        action="store_true",
+        default=None,
+        help="run an agent of your own in a process of its own, which has no buildings "
+        "and cannot read plans",
+    )
+    parser.add_argument(
         "--signs",
         metavar="SOURCE",
         help="how read_signs reads: truth (the default) or ocr (from the camera's "
@@ -142,6 +149,7 @@ CHOICES = (
     "detector",
     "signs",
     "looks",
+    "isolate",
 )
 
 

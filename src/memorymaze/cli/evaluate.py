@@ -102,7 +102,7 @@ def add_parser(verbs: Verbs) -> None:
 
 def _run(options: argparse.Namespace) -> int:
     from memorymaze.errors import SettingsError
-    from memorymaze.evaluation.agent_failures import crash_lines
+    from memorymaze.evaluation.crashes import crash_lines
     from memorymaze.evaluation.driver import WALL_LIMIT
     from memorymaze.evaluation.summary import summarise, summary_lines
     from memorymaze.library.runs import default_folder, evaluate

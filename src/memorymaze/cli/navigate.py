@@ -62,7 +62,7 @@ def add_parser(verbs: Verbs) -> None:
 
 def _run(options: argparse.Namespace) -> int:
     import memorymaze as mm
-    from memorymaze.evaluation.agent_failures import kept_traceback
+    from memorymaze.agents.failures import kept_traceback
     from memorymaze.evaluation.navigation import check_folder
     from memorymaze.evaluation.outcomes import outcome_line
 

@@ -4,23 +4,25 @@ To add one: an entry in `_KNOWN`, with how it is made, its dataclass of options 
 `memorymaze.options`), and what it needs.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, is_dataclass
+from pathlib import Path
 from typing import Any
 
 from memorymaze.agents import AGENTS
 from memorymaze.agents.agent import Agent, Need
-from memorymaze.agents.rules import RulesAgent, RulesOptions
-from memorymaze.errors import SettingsError, did_you_mean
-from memorymaze.evaluation.language_models import build_language_model, parses_first
-from memorymaze.evaluation.oracle import OracleAgent
-from memorymaze.evaluation.own_agents import (
+from memorymaze.agents.isolated import isolated
+from memorymaze.agents.own_agents import (
     checked_agent,
     checked_needs,
     make_own_agent,
     own_needs,
     own_options,
 )
+from memorymaze.agents.rules import RulesAgent, RulesOptions
+from memorymaze.errors import SettingsError, did_you_mean
+from memorymaze.evaluation.language_models import build_language_model, parses_first
+from memorymaze.evaluation.oracle import OracleAgent
 from memorymaze.evaluation.settings import AgentSettings
 from memorymaze.instructions.records import Episode
 from memorymaze.language.answers import AboutInstruction
@@ -225,6 +227,37 @@ def settings_of(agent: Agent) -> AgentSettings:
     if is_dataclass(options) and not isinstance(options, type):
         given = tuple((each.name, each.default) for each in options_of(options))
     return AgentSettings(name, options=given)
+
+
+def isolated_agent(
+    settings: AgentSettings, given: Agent | None, kept_from: Iterable[str | Path]
+) -> AgentFor:
+    """Make an agent that lives in a process of its own, without buildings.
+
+    Args:
+        settings: Which agent.
+        given: The agent, where it was handed over as an object.
+        kept_from: Files it may not read, besides those of the package.
+
+    Raises:
+        SettingsError: The agent cannot be made, or needs what only this process has.
+    """
+    for need in ("answers", "graph"):
+        if need in agent_needs(settings.name, given):
+            raise SettingsError(
+                f"--isolate: the agent {settings.name!r} needs the {need}, which an agent "
+                "in a process of its own does not get; leave the option out"
+            )
+    if given is None and not settings.is_own:
+        raise SettingsError(
+            f"--isolate: is for agents of your own; {settings.name!r} comes with "
+            "memorymaze and sees no answers; leave the option out"
+        )
+    agent = make_own_agent(settings.name, settings.options) if given is None else given
+    alone = isolated(
+        settings.name, settings.options, agent, kept_from, by_name=given is None
+    )
+    return lambda _: alone
 
 
 def build_agent(settings: AgentSettings, given: Agent | None = None) -> AgentFor:

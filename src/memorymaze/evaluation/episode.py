@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple, Protocol, cast
 
 from memorymaze.agents.agent import Agent, Journal
+from memorymaze.agents.failures import failure_line, failure_traceback
 from memorymaze.errors import (
     DetectorError,
     EpisodeOver,
@@ -17,7 +18,6 @@ from memorymaze.errors import (
     ProgramError,
     SpendingLimitReached,
 )
-from memorymaze.evaluation.agent_failures import failure_line, failure_traceback
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.guarded_robot import GuardedRobot
 from memorymaze.evaluation.results import EpisodeResult, StoppedBy

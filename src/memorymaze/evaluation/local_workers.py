@@ -5,9 +5,8 @@ import math
 import multiprocessing
 import os
 import signal
-import sys
 import threading
-from collections.abc import Callable, Generator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from multiprocessing.connection import Connection, wait
 from pathlib import Path
@@ -22,6 +21,7 @@ from memorymaze.evaluation.episode_worker import (
 from memorymaze.evaluation.plan import RunPlan
 from memorymaze.evaluation.settings import RunDefinition
 from memorymaze.evaluation.worker_pool import LEAVING_TIME, WorkerDied
+from memorymaze.processes import main_left_out
 from memorymaze.wording import counted
 
 # Children that begin afresh hold no locks or threads of the parent's libraries.
@@ -84,23 +84,6 @@ class LocalSource:
         return [w for w in workers if w.connection in there or not w.is_alive()]
 
 
-@contextlib.contextmanager
-def _main_left_out() -> Generator[None]:
-    """Keep new processes from running the user's script once more.
-
-    They need nothing of it: agents that are defined there come pickled, with their code.
-    """
-    main = sys.modules["__main__"]
-    hidden = {name: vars(main).pop(name, None) for name in ("__file__", "__spec__")}
-    main.__spec__ = None
-    try:
-        yield
-    finally:
-        vars(main).update({
-            name: value for name, value in hidden.items() if value is not None
-        })
-
-
 class LocalWorker:
     """A process of this machine, and the connection to it."""
 
@@ -113,7 +96,7 @@ class LocalWorker:
         # means. A blocked signal stays blocked in the child, from its first moment.
         before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
         try:
-            with _main_left_out():
+            with main_left_out():
                 self._process.start()
         finally:
             signal.pthread_sigmask(signal.SIG_SETMASK, before)

@@ -16,6 +16,7 @@ from memorymaze.errors import RunFolderError, SettingsError
 from memorymaze.evaluation.agent_catalogue import (
     agent_needs,
     build_agent,
+    isolated_agent,
     settings_of,
 )
 from memorymaze.evaluation.arena import Arena
@@ -67,7 +68,10 @@ def navigate(
     eyes = checked_eyes(settings.detector, settings.signs)
     given = None if isinstance(agent, AgentSettings) else agent
     chosen = agent if isinstance(agent, AgentSettings) else settings_of(agent)
-    follower = build_agent(chosen, given)
+    if settings.isolate:
+        follower = isolated_agent(chosen, given, [site.source])
+    else:
+        follower = build_agent(chosen, given)
     needs = agent_needs(chosen.name, given)
     definition = define_run(chosen, settings, needs, [site], episodes=1)
     told = Instruction(

@@ -4,15 +4,16 @@ from collections.abc import Iterable
 from dataclasses import dataclass, fields, replace
 
 from memorymaze.agents.agent import Agent, Need
+from memorymaze.agents.files import agent_fingerprint
 from memorymaze.evaluation.agent_catalogue import (
     agent_needs,
     agent_options,
     build_agent,
     has_parser,
+    isolated_agent,
     option_values,
     settings_of,
 )
-from memorymaze.evaluation.agent_files import agent_fingerprint
 from memorymaze.evaluation.budgets import time_budget_for
 from memorymaze.evaluation.eyes import checked_eyes, looks_of_run
 from memorymaze.evaluation.language_models import answers_taken, parses_first
@@ -70,6 +71,8 @@ def plan_run(
     if given is None:
         chosen_agent = _told_heading(chosen_agent, corpus)
     agent_for = build_agent(chosen_agent, given)
+    if settings.isolate:
+        isolated_agent(chosen_agent, given, ())
     chosen = sample(corpus.of_split(settings.split), settings.limit)
     names = dict.fromkeys(episode.instruction.site for episode in chosen)
     sites = {name: corpus.sites[name] for name in names}

@@ -18,8 +18,8 @@ from typing import Any, Literal
 import ray
 from ray.exceptions import RayError
 
+from memorymaze.agents.files import agent_files
 from memorymaze.errors import SettingsError
-from memorymaze.evaluation.agent_files import agent_files
 from memorymaze.evaluation.episode_worker import (
     EpisodeOutcome,
     EpisodeTask,

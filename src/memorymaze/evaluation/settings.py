@@ -160,6 +160,8 @@ class RunSettings:
     """What looks for objects."""
     signs: SignSource = "truth"
     """How `read_signs` reads: the truth, or OCR from the camera's picture."""
+    isolate: bool = False
+    """Whether the agent runs in a process of its own that has no buildings."""
     looks: Looks | None = None
     """How things look to the cameras; none for runs without."""
     simulation: SimulationSettings = field(default_factory=SimulationSettings)

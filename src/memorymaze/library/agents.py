@@ -3,8 +3,8 @@
 import inspect
 
 from memorymaze.agents.agent import Agent
+from memorymaze.agents.own_agents import checked_agent
 from memorymaze.errors import SettingsError
-from memorymaze.evaluation.own_agents import checked_agent
 from memorymaze.evaluation.settings import AgentSettings
 
 AgentChoice = str | AgentSettings | Agent | type[Agent]

@@ -6,15 +6,15 @@ from typing import Any, cast
 import numpy as np
 
 from memorymaze.agents import Agent, Journal
+from memorymaze.agents.failures import failure_line
+from memorymaze.agents.own_agents import checked_agent
 from memorymaze.errors import (
     EpisodeOver,
     LanguageModelError,
     ProgramError,
     SettingsError,
 )
-from memorymaze.evaluation.agent_failures import failure_line
 from memorymaze.evaluation.guarded_robot import GuardedRobot
-from memorymaze.evaluation.own_agents import checked_agent
 from memorymaze.pictures import robot_cameras
 from memorymaze.robot.specification import API_NAMES
 from memorymaze.robot.steps import SteppingRobot

@@ -8,9 +8,6 @@ from pathlib import Path
 from typing import Any
 
 from memorymaze.errors import LanguageModelError, ProgramError
-from memorymaze.evaluation.results import EpisodeResult
-from memorymaze.evaluation.trace import read_trace, trace_path
-from memorymaze.wording import counted
 
 LINE_LENGTH = 500
 """Characters of a failure's line, at most."""
@@ -18,13 +15,10 @@ LINE_LENGTH = 500
 TRACEBACK_LINES = 60
 """Lines of a traceback that are kept: the last ones."""
 
-CRASHES = 3
-"""Kinds of crash that are told of at the end of a run."""
-
 NOBODYS_PLACES = (
     "<",
     str(Path(importlib.__file__).parent),
-    str(Path(__file__).parent),
+    str(Path(__file__).parents[1] / "evaluation"),
 )
 """Beginnings of the files in which no agent's fault lies: what imports and calls it."""
 
@@ -65,37 +59,6 @@ def kept_traceback(trace: Iterable[Mapping[str, Any]]) -> list[str]:
         if entry["kind"] == "note" and entry["about"] == "traceback":
             return list(entry["lines"])
     return []
-
-
-def crash_lines(
-    folder: Path, results: Iterable[EpisodeResult], *, whole: bool = False
-) -> list[str]:
-    """Say of what an agent crashed, where, in how many episodes, most frequent first.
-
-    Args:
-        folder: Of the run; its traces hold the tracebacks.
-        results: Of the run.
-        whole: Whether to show the tracebacks, one of each kind, and not only their file.
-    """
-    crashes: dict[str, list[str]] = {}
-    for result in results:
-        if result.stopped_by == "crash" and result.error is not None:
-            crashes.setdefault(result.error, []).append(result.episode_id)
-    lines: list[str] = []
-    ordered = sorted(crashes.items(), key=lambda each: -len(each[1]))
-    for error, episodes in ordered[:CRASHES]:
-        lines.append(f"crash in {counted(len(episodes), 'episode')}: {error}")
-        where = kept_traceback(read_trace(folder, episodes[0]))
-        if where and whole:
-            lines += [f"  {line}" for line in where]
-        elif where:
-            lines.append(
-                f"  traceback in {trace_path(folder, episodes[0])}; shown with "
-                "memorymaze --debug"
-            )
-    if ordered[CRASHES:]:
-        lines.append(f"and {counted(len(ordered) - CRASHES, 'further kind')} of crash")
-    return lines
 
 
 def _message(problem: BaseException) -> str:

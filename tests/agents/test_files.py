@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
+from memorymaze.agents.files import agent_files, agent_fingerprint
 from memorymaze.errors import RunFolderError
-from memorymaze.evaluation.agent_files import agent_files, agent_fingerprint
 from memorymaze.evaluation.plan import RunPlan
 from memorymaze.evaluation.run_folder import RunRecord, open_run_folder
 from memorymaze.evaluation.settings import FileStamp, RunDefinition, differences

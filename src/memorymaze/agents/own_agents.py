@@ -11,8 +11,8 @@ from types import ModuleType
 from typing import Any
 
 from memorymaze.agents.agent import Agent, Need, needs_of
+from memorymaze.agents.failures import failure_line
 from memorymaze.errors import SettingsError
-from memorymaze.evaluation.agent_failures import failure_line
 from memorymaze.options import read_options
 
 

@@ -1,19 +1,12 @@
-from collections.abc import Callable
-from pathlib import Path
-
 import pytest
 
 from memorymaze.agents import StopAgent
-from memorymaze.errors import LanguageModelError, ProgramError
-from memorymaze.evaluation.agent_failures import (
+from memorymaze.agents.failures import (
     WorkerLost,
-    crash_lines,
     failure_line,
     failure_traceback,
 )
-from memorymaze.evaluation.results import EpisodeResult
-from memorymaze.evaluation.run_folder import RunRecord, open_run_folder, read_run
-from memorymaze.evaluation.trace import trace_content
+from memorymaze.errors import LanguageModelError, ProgramError
 
 
 class Mute(Exception):
@@ -88,29 +81,3 @@ def test_an_endless_recursion_leaves_a_short_traceback() -> None:
     with pytest.raises(RecursionError) as caught:
         deeper()
     assert len(failure_traceback(caught.value)) < 61
-
-
-def test_a_run_says_of_what_its_agent_crashed_and_where_it_is_written(
-    tmp_path: Path,
-    record: RunRecord,
-    result: Callable[..., EpisodeResult],
-) -> None:
-    where = ["Traceback (most recent call last):", '  File "own.py", line 7, in follow']
-    trace = trace_content([{"kind": "note", "about": "traceback", "lines": where}])
-    error = "ValueError: no way (own.py, line 7)"
-    with open_run_folder(tmp_path, record, resume=False) as run:
-        for name in ("a-1", "b-1"):
-            run.add(result(name, stopped_by="crash", error=error), trace)
-        run.add(
-            result("c-1", stopped_by="crash", error="WorkerLost: killed"),
-            trace_content([{"kind": "end"}]),
-        )
-        run.add(result("d-1"), trace_content([{"kind": "end"}]))
-    results = read_run(tmp_path)[1]
-    first, file, last = crash_lines(tmp_path, results)
-    assert first == f"crash in 2 episodes: {error}"
-    assert str(tmp_path / "traces/a-1.jsonl.gz") in file
-    assert last == "crash in 1 episode: WorkerLost: killed"
-    assert [f"  {line}" for line in where] == crash_lines(
-        tmp_path, results, whole=True
-    )[1:3]

@@ -1,0 +1,273 @@
+"""An agent in a process of its own, which has no building and cannot fetch one.
+
+The process has the text and a robot whose calls go to the process that has the
+simulation, one at a time. There it is refused to load the rooms that know answers, and
+to read plans, corpora and the run's folder. That keeps an agent from seeing answers by
+mistake; it is no prison for one that wants out.
+"""
+
+import contextlib
+import multiprocessing
+import os
+import pickle
+import signal
+import sys
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from multiprocessing.connection import Connection
+from pathlib import Path
+from typing import Any, cast
+
+import cloudpickle
+import numpy as np
+
+from memorymaze.agents.agent import Agent, Journal
+from memorymaze.agents.failures import failure_line, failure_traceback
+from memorymaze.agents.own_agents import make_own_agent
+from memorymaze.errors import EpisodeOver, MemoryMazeError, SettingsError
+from memorymaze.language.model import Completion
+from memorymaze.processes import die_with_parent, main_left_out
+from memorymaze.robot.api import Robot
+
+ROOMS_WITH_ANSWERS = (
+    "cli",
+    "collection",
+    "drawing",
+    "evaluation",
+    "gym",
+    "instructions",
+    "library",
+    "metrics",
+    "pictures",
+    "results",
+    "simulation",
+    "sites",
+    "writing",
+)
+"""What the process may not load."""
+
+_PACKAGE = Path(__file__).parents[1]
+_PROCESSES = multiprocessing.get_context("spawn")
+
+
+class IsolatedAgentError(MemoryMazeError):
+    """Stands for what an agent raised in its own process; the message is its line."""
+
+
+@dataclass
+class IsolatedAgent:
+    """Stands for an agent in a process of its own, which starts with the first episode.
+
+    It needs what the agent itself needs, but for what no isolated agent gets.
+    """
+
+    name: str
+    """As tables show it."""
+    made_from: tuple[str, tuple[tuple[str, str], ...]] | bytes
+    """`file.py:Class` with options, or the agent itself, pickled."""
+    kept_from: tuple[str, ...] = ()
+    """Files and folders that it may not read, besides those of the package."""
+    _process: Any = field(default=None, init=False, repr=False)
+    _connection: Connection | None = field(default=None, init=False, repr=False)
+
+    def follow(
+        self, instruction: str, robot: Robot, journal: Journal, rng: np.random.Generator
+    ) -> None:
+        """Let the agent follow; its calls and notes come here."""
+        connection = self._started()
+        names = frozenset(name for name in dir(robot) if not name.startswith("_"))
+        connection.send((instruction, names, rng))
+        while True:
+            try:
+                kind, content = connection.recv()
+            except (EOFError, OSError):
+                self._connection = None
+                raise IsolatedAgentError("the agent's process ended") from None
+            match kind:
+                case "call":
+                    connection.send(_answer(robot, *content))
+                case "note":
+                    journal.note(content.pop("kind"), **content)
+                case "completion":
+                    stand = journal.on_completion
+                    connection.send(0.0 if stand is None else stand(content))
+                case _:
+                    break
+        for name, value in content.spent.items():
+            setattr(journal, name, value)
+        if content.over is not None:
+            raise EpisodeOver(content.over)
+        if content.traceback:
+            journal.note("traceback", lines=content.traceback)
+        if content.error is not None:
+            raise content.error
+
+    def _started(self) -> Connection:
+        if self._connection is None:
+            self._connection, theirs = _PROCESSES.Pipe()
+            self._process = _PROCESSES.Process(
+                target=_live, args=(theirs,), daemon=True
+            )
+            with main_left_out():
+                self._process.start()
+            theirs.close()
+            self._connection.send((self.made_from, self.kept_from))
+        return self._connection
+
+
+def isolated(
+    name: str,
+    options: tuple[tuple[str, str], ...],
+    agent: Agent,
+    kept_from: Sequence[str | Path] = (),
+    *,
+    by_name: bool,
+) -> IsolatedAgent:
+    """Return an agent that will live in a process of its own.
+
+    Args:
+        name: As the user calls it.
+        options: Names and values, where it is made by its name.
+        agent: The agent, made here.
+        kept_from: Files and folders it may not read.
+        by_name: Whether it is made there by its name; else it is sent as it is.
+
+    Raises:
+        SettingsError: It cannot be sent to another process.
+    """
+    made_from: tuple[str, tuple[tuple[str, str], ...]] | bytes = (name, options)
+    if not by_name:
+        try:
+            made_from = cloudpickle.dumps(agent)
+        except Exception as error:
+            raise SettingsError(
+                f"--isolate: the agent {name!r} cannot be sent to a process of its own "
+                f"({failure_line(error)})"
+            ) from error
+    places = tuple(str(Path(place).absolute()) for place in kept_from)
+    return IsolatedAgent(agent.name, made_from, places)
+
+
+def _answer(robot: Robot, name: str, arguments: tuple[Any, ...]) -> tuple[str, Any]:
+    try:
+        return "value", getattr(robot, name)(*arguments)
+    except EpisodeOver as over:
+        return "over", over.stopped_by
+    except MemoryMazeError as error:
+        return "error", error
+    except (AttributeError, TypeError) as error:
+        return "error", error
+
+
+@dataclass(frozen=True, slots=True)
+class _End:
+    """How the agent ended an episode, and what it spent."""
+
+    spent: dict[str, float]
+    over: str | None = None
+    error: Exception | None = None
+    traceback: tuple[str, ...] = ()
+
+
+# In the agent's process.
+
+
+class _FarRobot:
+    """Passes every call on, and waits for the answer."""
+
+    __slots__ = ("__connection", "__names")
+
+    def __init__(self, connection: Connection, names: frozenset[str]) -> None:
+        self.__connection = connection
+        self.__names = names
+
+    def __getattr__(self, name: str) -> Callable[..., Any]:
+        if name not in self.__names:
+            raise AttributeError(
+                f"a robot that follows an instruction has no {name!r}: agents get "
+                f"{', '.join(sorted(self.__names))}"
+            )
+
+        def call(*arguments: Any, **named: Any) -> Any:
+            self.__connection.send(("call", (name, (*arguments, *named.values()))))
+            how, content = self.__connection.recv()
+            if how == "over":
+                raise EpisodeOver(content)
+            if how == "error":
+                raise content
+            return content
+
+        return call
+
+
+def _live(connection: Connection) -> None:
+    """Make the agent and let it follow, episode after episode."""
+    die_with_parent()
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    made_from, kept_from = connection.recv()
+    own = isinstance(made_from, tuple)
+    sys.addaudithook(_keeper(kept_from))
+    agent: Agent | None = None
+    while True:
+        try:
+            instruction, names, rng = connection.recv()
+        except (EOFError, OSError):
+            return
+        journal = Journal(
+            listener=lambda entry: connection.send(("note", dict(entry))),
+            on_completion=lambda reply: _stood(connection, reply),
+        )
+        over, error, lines = None, None, ()
+        try:
+            if agent is None:
+                agent = make_own_agent(*made_from) if own else pickle.loads(made_from)
+            cast(Agent, agent).follow(
+                instruction, cast(Robot, _FarRobot(connection, names)), journal, rng
+            )
+        except EpisodeOver as end:
+            over = end.stopped_by
+        except Exception as problem:
+            lines = tuple(failure_traceback(problem))
+            error = _sendable(problem, agent)
+        spent = {
+            name: getattr(journal, name)
+            for name in ("model_calls", "tokens", "cost_usd", "inference_s")
+        }
+        connection.send(("end", _End(spent, over, error, lines)))
+
+
+def _stood(connection: Connection, reply: Completion) -> float:
+    connection.send(("completion", reply))
+    return connection.recv()
+
+
+def _sendable(problem: Exception, agent: object) -> Exception:
+    """Return an error of ours as it is; what else was raised as its line."""
+    if isinstance(problem, MemoryMazeError):
+        with contextlib.suppress(Exception):
+            if type(pickle.loads(pickle.dumps(problem))) is type(problem):
+                return problem
+    return IsolatedAgentError(failure_line(problem, agent))
+
+
+def _keeper(kept_from: Sequence[str]) -> Callable[[str, tuple[Any, ...]], None]:
+    """Return what refuses to load rooms with answers and to read files with them."""
+    data = [str(_PACKAGE / room) for room in ("sites/data", "instructions/data")]
+    places = tuple(map(os.path.realpath, (*data, *kept_from)))
+    rooms = tuple(f"memorymaze.{room}" for room in ROOMS_WITH_ANSWERS)
+
+    def keep(event: str, arguments: tuple[Any, ...]) -> None:
+        if event == "import":
+            name = str(arguments[0])
+            if name.startswith(rooms) and name.split(".")[1] in ROOMS_WITH_ANSWERS:
+                raise ImportError(
+                    f"{name}: an isolated agent cannot load the rooms that know answers"
+                )
+        elif event == "open" and isinstance(arguments[0], str | bytes | os.PathLike):
+            path = os.path.realpath(os.fsdecode(arguments[0]))
+            if any(path == each or path.startswith(each + os.sep) for each in places):
+                raise PermissionError(
+                    f"{path}: an isolated agent cannot read plans, corpora and runs"
+                )
+
+    return keep
