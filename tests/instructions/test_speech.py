@@ -1,8 +1,11 @@
+import re
+from typing import Any
+
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from memorymaze.instructions.speech import spoken_marks
+from memorymaze.instructions.speech import PHRASES, spoken_marks, words_like
 
 
 @pytest.mark.parametrize(
@@ -39,3 +42,21 @@ def test_no_stretch_of_a_text_counts_twice(words: list[str]) -> None:
         assert mark.start >= ends
         assert text[mark.start :].startswith(mark.words)
         ends = mark.start + len(mark.words)
+
+
+@pytest.mark.parametrize(
+    ("kind", "row"),
+    [(kind, row) for kind, rows in PHRASES.items() for row in rows],
+    ids=lambda value: value if isinstance(value, str) else value["examples"][0],
+)
+def test_a_row_finds_what_its_examples_show_and_nothing_else(
+    kind: str, row: dict[str, Any]
+) -> None:
+    own = row["pattern"]
+    pattern = re.compile(own) if kind == "restart" else words_like([row])
+    for example in row["examples"]:
+        text = example.replace("[", "").replace("]", "")
+        found = pattern.sub(lambda match: f"[{match.group()}]", text)
+        assert found == example
+    for counter_example in row["counter_examples"]:
+        assert pattern.search(counter_example) is None, counter_example

@@ -1,75 +1,36 @@
 """Marks of speaking from memory in a text: hedges, fillers, corrections.
 
-Plain lists of English phrases. They count what is said, not what is meant: "sorry" is
-a correction here even where someone apologises.
+The phrases are in `data/speech.toml`. They count what is said, not what is meant: "sorry"
+is a correction here even where someone apologises.
 """
 
 import re
+import tomllib
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Literal
+from importlib.resources import files
+from typing import Any, Literal
 
 Kind = Literal["hedge", "filler", "correction"]
+Row = dict[str, Any]
 
-HEDGES = (
-    r"i (?:think|guess|believe|suppose|reckon|assume|imagine|feel like)",
-    r"(?:i'm|i am|am) (?:not|never) (?:\w+ ){0,2}(?:sure|certain)",
-    r"not (?:\w+ )?(?:100 ?%|hundred percent) (?:sure|certain)",
-    r"(?:if|as far as) i (?:remember|recall|know)(?: (?:right|rightly|correctly|well))?",
-    r"i (?:don't|do not|can't|cannot) (?:quite |really |exactly )?(?:remember|recall|know)",
-    r"i(?:'d| would) say",
-    r"i(?:'m| am) (?:pretty|fairly|quite|almost) (?:sure|certain)",
-    r"(?:maybe|perhaps|probably|possibly|presumably|apparently|supposedly)",
-    r"(?:might|may|could|should) be",
-    r"(?:kind|sort) of",
-    r"more or less|give or take|or thereabouts",
-    r"(?:or so|or something(?: like that)?|or somewhere|or whatever)",
-    r"(?:something|somewhere) like",
-    r"(?:roughly|approximately|around|about)(?= (?:\d|a |an |half|one|two|three|four|five|"
-    r"six|seven|eight|nine|ten|eleven|twelve|thirteen|fourteen|fifteen|twenty|thirty|"
-    r"forty|fifty|sixty))",
-    r"it (?:seems|looks like)|seems to",
+PHRASES: dict[str, list[Row]] = tomllib.loads(
+    (files("memorymaze.instructions") / "data/speech.toml").read_text(encoding="utf-8")
 )
-"""Signs of doubt, as regular expressions over small letters."""
+"""Rows of a pattern with examples and counter-examples, by kind."""
 
-FILLERS = (
-    r"u+m+|u+h+|e+r+m*|h+m+|m+hm+|mm+|ah|oh|eh|huh|ehm|uhm",
-    r"(?:ok|okay|alright|all right|yeah|yep|well|now|so|anyway|like)(?=,)",
-    r"(?:you know|you see)(?=[,.?!])",
-    r"let me (?:see|think)|let's see|how (?:do|can|shall) i (?:say|put)(?: (?:it|this))?",
-    r"what's it called|what do you call (?:it|that)",
-    r"does that make sense",
-)
-"""Words that fill time, as regular expressions over small letters."""
 
-CORRECTIONS = (
-    r"(?:no,? ){0,2}wait(?:,? (?:no|wait|sorry))*(?=[,.! -]|$)(?! (?:for|at|until|there|here|in)\b)",
-    r"(?:no,? )?(?:i'm |so |very )*sorry",
-    r"i mean(?:t)?",
-    r"(?:or|well) rather|scratch that|strike that|make that|correction",
-    r"hang on|hold on(?= ?[,.])",
-    r"my mistake|what am i saying|i tell a lie|let me (?:correct|start (?:again|over))",
-    r"no,? (?=actually)|actually(?=,? (?:no|it|the|that|you|left|right))",
-    r"no,? no(?:,? no)*",
-)
-"""Signs that something is taken back, as regular expressions over small letters."""
+def words_like(rows: Sequence[Row]) -> re.Pattern[str]:
+    """Return a pattern of what any of some rows finds, as whole words."""
+    either = "|".join(row["pattern"] for row in rows)
+    return re.compile(rf"(?<![\w'-])(?:{either})(?![\w'])")
 
-_RESTARTS = (
-    re.compile(r"\b(?!(?:very|left|right|straight|long|click)\b)([a-z']+) \1\b(?! \1)"),
-    re.compile(
-        r"\b(the|a|an|to|at|and|i|we|then|until|with|of|there|that's|go|take), \1\b"
-    ),
-    re.compile(r"\b[a-z]{1,6}(?:-(?= )| ?\.\.\.?(?= [a-z])|\u2026(?= [a-z]))"),
-)
-"""A word said twice over ("the, the door"), or broken off ("le- right")."""
 
-_LISTS: tuple[tuple[Kind, tuple[str, ...]], ...] = (
-    ("correction", CORRECTIONS),
-    ("hedge", HEDGES),
-    ("filler", FILLERS),
-)
-_PATTERNS: tuple[tuple[Kind, re.Pattern[str]], ...] = tuple(
-    (kind, re.compile(rf"(?<![\w'-])(?:{'|'.join(phrases)})(?![\w'])"))
-    for kind, phrases in _LISTS
+_PATTERNS: tuple[tuple[Kind, re.Pattern[str]], ...] = (
+    ("correction", words_like(PHRASES["correction"])),
+    ("hedge", words_like(PHRASES["hedge"])),
+    ("filler", words_like(PHRASES["filler"])),
+    *(("correction", re.compile(row["pattern"])) for row in PHRASES["restart"]),
 )
 
 
@@ -97,10 +58,7 @@ def spoken_marks(text: str) -> list[SpokenMark]:
     plain = text.lower().replace("\u2019", "'")
     taken = [False] * len(plain)
     marks: list[SpokenMark] = []
-    restarts: list[tuple[Kind, re.Pattern[str]]] = [
-        ("correction", pattern) for pattern in _RESTARTS
-    ]
-    for kind, pattern in (*_PATTERNS, *restarts):
+    for kind, pattern in _PATTERNS:
         for match in pattern.finditer(plain):
             start, end = match.span()
             if end > start and not any(taken[start:end]):
