@@ -1,3 +1,4 @@
+import gzip
 from pathlib import Path
 
 import pytest
@@ -30,6 +31,21 @@ def test_an_endless_device_is_not_read_to_its_end(
         CaseFileError, match="/dev/zero: expected a file of at most 1 MiB"
     ):
         read_file("/dev/zero", CaseFileError)
+
+
+def test_a_packed_file_is_unpacked_but_not_without_end(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "text.gz"
+    path.write_bytes(gzip.compress(b"left"))
+    assert read_file(path, CaseFileError) == b"left"
+    path.write_bytes(gzip.compress(bytes(2**21)))
+    monkeypatch.setattr(input_files, "LARGEST_FILE", 2**20)
+    with pytest.raises(CaseFileError, match="at most 1 MiB"):
+        read_file(path, CaseFileError)
+    path.write_bytes(b"not packed")
+    with pytest.raises(CaseFileError, match="cannot be read"):
+        read_file(path, CaseFileError)
 
 
 def test_text_is_utf_8_with_or_without_a_byte_order_mark(tmp_path: Path) -> None:

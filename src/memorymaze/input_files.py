@@ -3,7 +3,9 @@
 One refusal for all rooms; writing is in `durable_files.py`.
 """
 
+import gzip
 import json
+import zlib
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
@@ -21,7 +23,7 @@ LONGEST_SHOWN = 60
 
 
 def read_file(path: str | Path, error: type[MemoryMazeError]) -> bytes:
-    """Return the content of a file, a pipe or a device.
+    """Return the content of a file, a pipe or a device; unpacked where it ends in `.gz`.
 
     Args:
         path: What a user named.
@@ -31,9 +33,10 @@ def read_file(path: str | Path, error: type[MemoryMazeError]) -> bytes:
         MemoryMazeError: Of the kind given: it cannot be read, or is too long.
     """
     try:
-        with Path(path).open("rb") as file:
+        opened = gzip.open if Path(path).suffix == ".gz" else open
+        with opened(path, "rb") as file:
             content = file.read(LARGEST_FILE + 1)
-    except (OSError, ValueError) as problem:
+    except (OSError, EOFError, ValueError, zlib.error) as problem:
         reason = getattr(problem, "strerror", None) or problem
         raise error(f"{path}: cannot be read ({reason})") from None
     if len(content) > LARGEST_FILE:

@@ -67,11 +67,17 @@ def published_tables() -> PublishedTables:
     source = files("memorymaze.instructions") / "data/published_tables.json"
     tables = json.loads(source.read_text(encoding="utf-8"))
     return PublishedTables(
-        descriptions=tuple(_descriptions(r) for r in tables["table_1_instructions"]),
-        models=tuple(_result(r) for r in tables["table_2_models"]),
+        descriptions=tuple(
+            PublishedDescriptions(**_placed(row))
+            for row in tables["table_1_instructions"]
+        ),
+        models=tuple(
+            PublishedResult(iteration=None, **_placed(row))
+            for row in tables["table_2_models"]
+        ),
         iterations=tuple(
-            _result({"method": "proposed", "parser": True, **r})
-            for r in tables["table_3_iterations"]
+            PublishedResult(method="proposed", parser=True, **_placed(row))
+            for row in tables["table_3_iterations"]
         ),
         distinct_words={
             (building, study): count
@@ -81,39 +87,7 @@ def published_tables() -> PublishedTables:
     )
 
 
-def _place(route: str) -> tuple[str, str]:
+def _placed(row: dict[str, Any]) -> dict[str, Any]:
     """Split `Museum 5F R1` into the site's name and the route: `museum_5f`, `R1`."""
-    site, _, name = route.rpartition(" ")
-    return site.lower().replace(" ", "_"), name
-
-
-def _descriptions(row: dict[str, Any]) -> PublishedDescriptions:
-    site, route = _place(row["route"])
-    return PublishedDescriptions(
-        study=row["study"],
-        site=site,
-        route=route,
-        iteration=row["iteration"],
-        route_length=row["route_length_m"],
-        words_mean=row["words_mean"],
-        words_median=row["words_median"],
-        words_sd=row["words_sd"],
-        failure_rate=row["failure_rate"],
-        alternative_rate=row["alternative_rate"],
-    )
-
-
-def _result(row: dict[str, Any]) -> PublishedResult:
-    site, route = _place(row["route"])
-    return PublishedResult(
-        study=row["study"],
-        site=site,
-        route=route,
-        method=row["method"],
-        parser=row["parser"],
-        iteration=row.get("iteration"),
-        sr=row["sr"],
-        osr=row["osr"],
-        spd=row["spd"],
-        cls=row["cls"],
-    )
+    site, _, name = row["route"].rpartition(" ")
+    return {**row, "site": site.lower().replace(" ", "_"), "route": name}

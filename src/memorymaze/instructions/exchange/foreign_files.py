@@ -2,7 +2,6 @@
 
 import gzip
 import json
-import zlib
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Literal, NamedTuple
@@ -146,13 +145,8 @@ def read_json(path: str | Path) -> Any:
     Raises:
         InstructionFileError: It cannot be read, or is not JSON.
     """
-    content = read_file(path, InstructionFileError)
     try:
-        return parse_json(
-            gzip.decompress(content) if Path(path).suffix == ".gz" else content
-        )
-    except (OSError, EOFError, zlib.error) as error:
-        raise InstructionFileError(f"{path}: cannot be read ({error})") from None
+        return parse_json(read_file(path, InstructionFileError))
     except ValueError as error:
         raise InstructionFileError(f"{path}: {error}") from None
 
