@@ -1,10 +1,17 @@
 from collections.abc import Callable
+from dataclasses import replace
 
+import numpy as np
 import pytest
 
+from memorymaze.evaluation.guarded_robot import GuardedRobot
 from memorymaze.geometry.pose import Pose
-from memorymaze.robot.api import Detection, Direction, MoveResult, TurnResult
-from memorymaze.simulation import SimulatedRobot, build_scene
+from memorymaze.perception.eyes import Eyes, parse_detector
+from memorymaze.pictures import robot_cameras
+from memorymaze.robot.api import Detection, Direction, MoveResult, Robot, TurnResult
+from memorymaze.robot.steps import LidarScan
+from memorymaze.simulation import SimulatedRobot, SimulationSettings, build_scene
+from memorymaze.simulation.obstacles import parse_obstacles
 from memorymaze.sites import Site
 from memorymaze.testing import check_robot
 
@@ -42,10 +49,47 @@ def put(corridor_site: Site) -> Callable[[type[SimulatedRobot]], SimulatedRobot]
     return lambda kind: kind(scene, Pose(2, 0, 0))
 
 
-def test_the_simulated_robot_keeps_the_contract(
-    put: Callable[[type[SimulatedRobot]], SimulatedRobot],
+class Leaping(SimulatedRobot):
+    def step_forward(self, distance: float) -> float:
+        return 3 * super().step_forward(distance)
+
+
+class Dazzled(SimulatedRobot):
+    def lidar_scan(self) -> LidarScan:
+        scan = super().lidar_scan()
+        return replace(scan, ranges=np.full_like(scan.ranges, np.nan))
+
+
+LIDAR = SimulationSettings(turning_points="lidar")
+MISTAKEN = Eyes(parse_detector("truth:errors"))
+
+
+@pytest.mark.parametrize(
+    "make",
+    [
+        pytest.param(SimulatedRobot, id="as it is"),
+        pytest.param(lambda *at: GuardedRobot(SimulatedRobot(*at)), id="guarded"),
+        pytest.param(lambda *at: SimulatedRobot(*at, LIDAR), id="by LiDAR"),
+        pytest.param(
+            lambda *at: SimulatedRobot(
+                *at, detector=MISTAKEN.detector_for(np.random.default_rng(0))
+            ),
+            id="with mistakes",
+        ),
+        pytest.param(
+            lambda *at: SimulatedRobot(*at, cameras=robot_cameras), id="with cameras"
+        ),
+    ],
+)
+def test_every_robot_keeps_the_contract(
+    corridor_site: Site, make: Callable[..., Robot]
 ) -> None:
-    check_robot(put(SimulatedRobot))
+    check_robot(make(build_scene(corridor_site), Pose(2, 0, 0)))
+
+
+def test_a_robot_among_obstacles_keeps_the_contract(corridor_site: Site) -> None:
+    crowded = build_scene(corridor_site, parse_obstacles("heavy"))
+    check_robot(SimulatedRobot(crowded, Pose(2, 0, 0)))
 
 
 @pytest.mark.parametrize(
@@ -55,6 +99,8 @@ def test_the_simulated_robot_keeps_the_contract(
         (Boasting, "at most 0.5 m"),
         (Forgetful, "within 4 m"),
         (Inventive, "nothing outside turning points"),
+        (Leaping, "at most 0.1 m"),
+        (Dazzled, "never nan"),
         (Endless, r"stop\(\) to raise EpisodeOver"),
     ],
 )

@@ -1,8 +1,11 @@
 """What every robot must do that agents drive."""
 
 from collections.abc import Callable, Sequence
+from typing import cast
 
-from memorymaze.errors import EpisodeOver
+import numpy as np
+
+from memorymaze.errors import EpisodeOver, RenderingError
 from memorymaze.robot.api import (
     DETECTION_RANGE,
     DIRECTIONS,
@@ -13,6 +16,7 @@ from memorymaze.robot.api import (
     SignText,
     TurnResult,
 )
+from memorymaze.robot.steps import SteppingRobot
 from memorymaze.testing.expectation import expect
 
 SLACK = 0.05
@@ -23,7 +27,8 @@ def check_robot(robot: Robot) -> None:
     """Check that a robot keeps the contract of the control API.
 
     It drives half a metre ahead, turns around, and stops, so the episode is over
-    afterwards.
+    afterwards. One that goes by steps, as all robots of runs do, also takes a step of
+    10 cm, turns a little, scans and takes a picture where it can.
 
     Args:
         robot: At the beginning of an episode, with at least a metre of room ahead.
@@ -35,6 +40,8 @@ def check_robot(robot: Robot) -> None:
     _check_looks(robot)
     _check_move(robot)
     _check_turn(robot)
+    if _is_a(SteppingRobot, robot):
+        _check_steps(cast(SteppingRobot, robot))
     _check_end(robot)
 
 
@@ -168,9 +175,45 @@ def _check_turn(robot: Robot) -> None:
     )
 
 
+def _check_steps(robot: SteppingRobot) -> None:
+    for nonsense in (0, -1.0, float("nan"), True, "1", None):
+        _expect_value_error(
+            lambda distance=nonsense: robot.step_forward(distance),  # type: ignore[arg-type]
+            f"step_forward({nonsense!r})",
+        )
+    for nonsense in (0, 7.0, float("inf"), True, "1", None):
+        _expect_value_error(
+            lambda angle=nonsense: robot.rotate(angle),  # type: ignore[arg-type]
+            f"rotate({nonsense!r})",
+        )
+    moved = robot.step_forward(0.1)
+    expect(abs(moved) <= 0.1 + SLACK, "step_forward(0.1): at most 0.1 m", moved)
+    turned = robot.rotate(0.3) + robot.rotate(-0.3)
+    expect(
+        abs(turned) <= SLACK, "rotate: to the left, and as much to the right", turned
+    )
+    scan = robot.lidar_scan()
+    expect(
+        scan.ranges.shape[-1:] == scan.angles.shape
+        and not bool(np.isnan(scan.ranges).any())
+        and bool((np.diff(scan.angles) > 0).all()),
+        "lidar_scan: a range for each of ascending angles, never nan",
+        scan,
+    )
+    try:
+        picture = robot.camera_picture(64, 48)
+    except RenderingError:
+        return
+    expect(
+        picture.rgb.shape == (48, 64, 3) and picture.depth.shape == (48, 64),
+        "camera_picture(64, 48): colours (48, 64, 3) and depth (48, 64)",
+        (picture.rgb.shape, picture.depth.shape),
+    )
+
+
 def _check_end(robot: Robot) -> None:
     _expect_over(robot.stop, "stop()")
-    for name, call in (
+    calls: list[tuple[str, Callable[[], object]]] = [
         ("move_forward(0.5)", lambda: robot.move_forward(0.5)),
         ("detect_turning_point()", robot.detect_turning_point),
         ("turning_point_id()", robot.turning_point_id),
@@ -180,7 +223,15 @@ def _check_end(robot: Robot) -> None:
         ("say('Bye.')", lambda: robot.say("Bye.")),
         ("distance_travelled()", robot.distance_travelled),
         ("stop()", robot.stop),
-    ):
+    ]
+    if _is_a(SteppingRobot, robot):
+        stepping = cast(SteppingRobot, robot)
+        calls += [
+            ("step_forward(0.1)", lambda: stepping.step_forward(0.1)),
+            ("rotate(0.3)", lambda: stepping.rotate(0.3)),
+            ("camera_picture()", stepping.camera_picture),
+        ]
+    for name, call in calls:
         _expect_over(call, f"{name} after stop()")
 
 

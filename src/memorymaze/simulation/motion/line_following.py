@@ -62,11 +62,7 @@ def follow_line(
             if how != "arrived":
                 return how
             continue
-        follower = LaneFollower(lane_along(leg, max_speed))
-        heading = follower.station.heading
-        if abs(turn_between(driver.pose.heading, heading)) > ALIGNED:
-            driver.come_to_rest()
-            driver.spin_to(heading)
+        follower = _joined(driver, lane_along(leg, max_speed))
         if driver.follow(follower, math.inf, 0.0) == "blocked":
             return "blocked"
     driver.come_to_rest()
