@@ -38,12 +38,15 @@ def add_parser(verbs: Verbs) -> None:
 def _run(options: argparse.Namespace) -> int:
     from tqdm import tqdm
 
+    from memorymaze.durable_files import check_new_folder
     from memorymaze.instructions import load_corpus
     from memorymaze.results.report.leaderboard import (
         read_leaderboard,
         write_leaderboard,
     )
 
+    # Before the work rather than after it.
+    check_new_folder(options.out)
     with tqdm(unit="trace", disable=not sys.stderr.isatty()) as bar:
 
         def show(name: str, done: int, total: int) -> None:
