@@ -17,17 +17,18 @@ from memorymaze.instructions.records import WRITTEN_BY, Failure, Instruction
 from memorymaze.metrics.aggregate import Estimate
 from memorymaze.results.report.sources import ReportRun, Sources
 from memorymaze.results.tables import (
-    Comparison,
     Measure,
     MeasuredRun,
     Place,
     TableName,
     TableRow,
     compare_runs,
+    comparison_table,
     estimate_means,
     group_title,
     table_rows,
 )
+from memorymaze.tables import Table
 from memorymaze.wording import counted
 
 BARS = 20
@@ -52,7 +53,7 @@ class Pair:
 
     first: ReportRun
     second: ReportRun
-    comparison: Comparison | None
+    table: Table | None
     """None where no episode is in both."""
 
 
@@ -81,10 +82,12 @@ def table_groups(runs: Sequence[MeasuredRun], table: TableName) -> list[TableGro
 def compare_pair(first: ReportRun, second: ReportRun) -> Pair:
     """Compare two runs on the episodes that both have."""
     try:
-        comparison = compare_runs(first.measured, second.measured)
+        found = compare_runs(first.measured, second.measured)
     except RunFolderError:
-        comparison = None
-    return Pair(first, second, comparison)
+        return Pair(first, second, None)
+    title = f"{first.title} and {second.title}"
+    letters = (first.letter, second.letter)
+    return Pair(first, second, comparison_table(found, title=title, letters=letters))
 
 
 def count_endings(run: ReportRun) -> list[Ending]:

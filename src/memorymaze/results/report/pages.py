@@ -14,13 +14,11 @@ from memorymaze.drawing.svg import svg_number
 from memorymaze.evaluation.outcomes import OUTCOMES, ending_words, outcome_of
 from memorymaze.metrics.aggregate import Estimate
 from memorymaze.results.tables import (
-    COMPARED_MEASURES,
     PAPER_MEASURES,
     STUDY_TITLES,
     Place,
     place_title,
 )
-from memorymaze.results.tables.comparison import p_cell
 from memorymaze.results.tables.measures import estimate_cell
 from memorymaze.wording import counted, single_spaced
 
@@ -60,7 +58,6 @@ class Pages:
             lstrip_blocks=True,
         )
         words: dict[str, Any] = {
-            "COMPARED_MEASURES": COMPARED_MEASURES,
             "PAPER_MEASURES": PAPER_MEASURES,
             "OUTCOMES": OUTCOMES,
             "ending_words": ending_words,
@@ -72,11 +69,9 @@ class Pages:
         self._templates.globals.update(words)
         filters: dict[str, Callable[..., Any]] = {
             "counted": counted,
-            "difference": _difference,
             "file": safe_name,
             "kind": error_title,
             "number": svg_number,
-            "p": p_cell,
             "spaced": single_spaced,
             "study": study_title,
             "value": _estimate,
@@ -154,16 +149,7 @@ def _place_name(place: tuple[str, str]) -> str:
 
 def _estimate(estimate: Estimate) -> Markup:
     """Write a mean with its interval."""
-    return _with_interval(estimate_cell(estimate))
-
-
-def _difference(estimate: Estimate) -> Markup:
-    """Write a difference of means with its interval; always with a sign."""
-    return _with_interval(estimate_cell(estimate, signed=True))
-
-
-def _with_interval(cell: str) -> Markup:
-    mean, _, interval = cell.partition(" ")
+    mean, _, interval = estimate_cell(estimate).partition(" ")
     if not interval:
         return Markup("{}").format(mean)
     return Markup('{} <span class="interval">{}</span>').format(mean, interval)

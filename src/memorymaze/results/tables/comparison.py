@@ -33,10 +33,10 @@ from memorymaze.results.tables.runs import (
 from memorymaze.tables import Column, Table
 
 KEY = (
-    "B - A: difference of the means over the same instructions, with the 95 % interval "
+    "{second} - {first}: difference of the means over the same instructions, with the 95 % interval "
     "of a paired bootstrap over participants; p from flipping the signs of whole "
     "participants, two-sided, not corrected for the number of rows. The mean over "
-    "routes is unweighted. Arrived: both / only A / only B / neither."
+    "routes is unweighted. Arrived: both / only {first} / only {second} / neither."
 )
 
 NOT_TOLD = ("agent.", "needs:", "answers", "limit:", "shard", "episodes:")
@@ -130,10 +130,22 @@ def compare_runs(first: MeasuredRun, second: MeasuredRun, seed: int = 0) -> Comp
     )
 
 
-def comparison_table(found: Comparison) -> Table:
-    """Return a comparison as a table, with what is unfair about it in the notes."""
+def comparison_table(
+    found: Comparison,
+    *,
+    title: str = "Comparison of two runs",
+    letters: tuple[str, str] = ("A", "B"),
+) -> Table:
+    """Return a comparison as a table, with what is unfair about it in the notes.
+
+    Args:
+        found: The comparison.
+        title: Of the table.
+        letters: What the runs are called in it.
+    """
+    first, second = letters
     table = Table(
-        "Comparison of two runs",
+        title,
         (
             Column("study", "Study", "group", show=lambda r: STUDY_TITLES[r["study"]]),
             Column("place", "Route", "group", is_data=False),
@@ -144,17 +156,21 @@ def comparison_table(found: Comparison) -> Table:
             *(Column(name) for name in ("both", "only_a", "only_b", "neither")),
             Column("arrived", "arrived:", "group", is_data=False),
             Column("measure", "Measure", "label", show=lambda row: row["heading"]),
-            Column("a", "A", digits=2),
-            Column("b", "B", digits=2),
+            Column("a", first, digits=2),
+            Column("b", second, digits=2),
             Column(
-                "difference", "B - A", digits=2, signed=True, interval=("low", "high")
+                "difference",
+                f"{second} - {first}",
+                digits=2,
+                signed=True,
+                interval=("low", "high"),
             ),
             Column("p", "p", show=lambda row: p_cell(row["p"])),
         ),
         tuple(
             _fields(row, measure) for row in found.rows for measure in COMPARED_MEASURES
         ),
-        tuple(_notes(found)),
+        tuple(_notes(found, letters)),
         "comparison",
     )
     return with_interval_notes(table)
@@ -240,18 +256,19 @@ def _fields(row: ComparisonRow, measure: Measure) -> dict[str, Any]:
     }
 
 
-def _notes(comparison: Comparison) -> list[str]:
+def _notes(comparison: Comparison, letters: tuple[str, str]) -> list[str]:
     """Say what was compared, and what is unfair about it."""
     notes: list[str] = []
-    for letter, run in (("A", comparison.first), ("B", comparison.second)):
+    first, second = letters
+    for letter, run in ((first, comparison.first), (second, comparison.second)):
         version = agent_version(run.record.settings)
         lines = [run_notes(run)[0], *([version] if version else [])]
         notes.append(f"{letter}: " + "\n".join(lines))
     left_out = [
         f"{count} only in {name}"
         for name, count in (
-            ("A", comparison.only_in_first),
-            ("B", comparison.only_in_second),
+            (first, comparison.only_in_first),
+            (second, comparison.only_in_second),
         )
         if count
     ]
@@ -259,8 +276,8 @@ def _notes(comparison: Comparison) -> list[str]:
         notes.append(f"LEFT OUT, as only one run has them: {', '.join(left_out)}.")
     if comparison.settings:
         notes.append(
-            "NOT ONLY THE AGENT DIFFERS (A there, B here): "
+            f"NOT ONLY THE AGENT DIFFERS ({first} there, {second} here): "
             + "; ".join(comparison.settings)
             + "."
         )
-    return [*notes, KEY]
+    return [*notes, KEY.format(first=first, second=second)]

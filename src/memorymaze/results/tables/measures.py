@@ -158,13 +158,13 @@ def values_of(result: EpisodeResult, measures: Sequence[Measure]) -> list[float]
     return [float(getattr(result, each.field)) for each in measures]
 
 
-def estimate_cell(estimate: Estimate, *, signed: bool = False) -> str:
+def estimate_cell(estimate: Estimate) -> str:
     """Write a mean with its interval where there is one.
 
     >>> estimate_cell(Estimate(0.5, 0.25, 0.75))
     '0.50 [0.25, 0.75]'
     """
-    column = Column("mean", digits=2, signed=signed, interval=("low", "high"))
+    column = Column("mean", digits=2, interval=("low", "high"))
     known = {name: end for name, end in asdict(estimate).items() if end is not None}
     return column.cell(known)
 
