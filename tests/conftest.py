@@ -18,11 +18,11 @@ from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import RunRecord, open_run_folder
 from memorymaze.evaluation.settings import (
     AgentSettings,
-    FileStamp,
     RunDefinition,
     RunSettings,
     with_choices,
 )
+from memorymaze.input_files import FileStamp
 from memorymaze.instructions import load_corpus
 from memorymaze.robot.api import Detection, Direction, MoveResult, SignText, TurnResult
 from memorymaze.simulation import Scene, SimulationSettings, build_scene

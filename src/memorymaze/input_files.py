@@ -4,9 +4,11 @@ One refusal for all rooms; writing is in `durable_files.py`.
 """
 
 import gzip
+import hashlib
 import json
 import zlib
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
@@ -20,6 +22,20 @@ LARGEST_FILE = 2**28
 PROBLEMS_SHOWN = 20
 LONGEST_SHOWN = 60
 """Characters of a wrong value that a message shows."""
+
+
+@dataclass(frozen=True, slots=True)
+class FileStamp:
+    """A file as it was when it was read."""
+
+    name: str
+    sha256: str
+
+
+def stamp_file(path: str | Path, name: str | None = None) -> FileStamp:
+    """Return a file's name and fingerprint."""
+    path = Path(path)
+    return FileStamp(name or path.name, hashlib.sha256(path.read_bytes()).hexdigest())
 
 
 def read_file(path: str | Path, error: type[MemoryMazeError]) -> bytes:

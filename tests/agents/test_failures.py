@@ -57,7 +57,7 @@ def test_the_place_in_the_agents_own_file_is_said() -> None:
     inside = failure_line(caught.value, StopAgent())
     assert " (stop.py, line " in inside
     outside = failure_line(raised(KeyError("x")), StopAgent())
-    assert " (test_agent_failures.py, line " in outside
+    assert " (test_failures.py, line " in outside
 
 
 def test_the_place_is_kept_when_the_message_is_cut() -> None:

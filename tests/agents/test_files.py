@@ -10,7 +10,8 @@ from memorymaze.agents.files import agent_files, agent_fingerprint
 from memorymaze.errors import RunFolderError
 from memorymaze.evaluation.plan import RunPlan
 from memorymaze.evaluation.run_folder import RunRecord, open_run_folder
-from memorymaze.evaluation.settings import FileStamp, RunDefinition, differences
+from memorymaze.evaluation.settings import RunDefinition, differences
+from memorymaze.input_files import FileStamp
 
 
 def write(folder: Path, files: dict[str, str]) -> str:

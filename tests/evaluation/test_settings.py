@@ -5,12 +5,8 @@ from typing import Any
 import pytest
 
 from memorymaze.errors import SettingsError
-from memorymaze.evaluation.settings import (
-    FileStamp,
-    RunDefinition,
-    differences,
-    stamp_file,
-)
+from memorymaze.evaluation.settings import RunDefinition, differences
+from memorymaze.input_files import FileStamp, stamp_file
 
 
 @pytest.mark.parametrize(

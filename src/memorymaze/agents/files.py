@@ -8,7 +8,7 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
-from memorymaze.evaluation.settings import FileStamp, stamp_file
+from memorymaze.input_files import FileStamp, stamp_file
 
 INSTALLED = {"site-packages", "dist-packages"}
 OURS = Path(__file__).parents[1]

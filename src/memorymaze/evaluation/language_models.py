@@ -5,7 +5,8 @@ from pathlib import Path
 
 from memorymaze.agents.agent import Agent
 from memorymaze.errors import AnswerFileError, SettingsError
-from memorymaze.evaluation.settings import AgentSettings, AnswersTaken, stamp_file
+from memorymaze.evaluation.settings import AgentSettings, AnswersTaken
+from memorymaze.input_files import stamp_file
 from memorymaze.instructions.records import Episode
 from memorymaze.language.answer_files import AnswerFile
 from memorymaze.language.answers import RecordingModel, ReplayingModel

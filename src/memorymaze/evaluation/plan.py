@@ -21,13 +21,12 @@ from memorymaze.evaluation.sampling import sample
 from memorymaze.evaluation.settings import (
     AgentSettings,
     AnswersTaken,
-    FileStamp,
     RunDefinition,
     RunSettings,
-    stamp_file,
     with_choices,
 )
 from memorymaze.evaluation.shards import episodes_of_shard
+from memorymaze.input_files import FileStamp, stamp_file
 from memorymaze.instructions import Corpus, load_corpus
 from memorymaze.instructions.records import Episode
 from memorymaze.sites import Site

@@ -1,16 +1,15 @@
 """What determines the results of a run, checked, compared and kept in `run.json`."""
 
-import hashlib
 import math
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import asdict, dataclass, field, fields, replace
-from pathlib import Path
 from typing import Any
 
 from memorymaze.agents.agent import Need
 from memorymaze.errors import SettingsError, did_you_mean
 from memorymaze.evaluation.asking import PATIENT, AskingSettings
 from memorymaze.evaluation.inference_time import MEASURED, InferenceTime
+from memorymaze.input_files import FileStamp
 from memorymaze.metrics.success import SUCCESS_DISTANCE
 from memorymaze.options import check_whole
 from memorymaze.perception.eyes import (
@@ -24,14 +23,6 @@ from memorymaze.pictures.furniture.models import Looks
 from memorymaze.simulation.obstacles import ObstacleSettings, parse_obstacles
 from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.wording import counted
-
-
-@dataclass(frozen=True, slots=True)
-class FileStamp:
-    """A file as it was when the run began."""
-
-    name: str
-    sha256: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -245,12 +236,6 @@ class RunDefinition(RunSettings):
                 "time budget: expected a finite number of seconds, got "
                 f"{self.simulation.time_budget!r}"
             )
-
-
-def stamp_file(path: str | Path, name: str | None = None) -> FileStamp:
-    """Return a file's name and fingerprint."""
-    path = Path(path)
-    return FileStamp(name or path.name, hashlib.sha256(path.read_bytes()).hexdigest())
 
 
 NOT_COMPARED = {

@@ -10,14 +10,10 @@ from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.budgets import time_budget_for
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import RunRecord, read_run
-from memorymaze.evaluation.settings import (
-    RunDefinition,
-    agent_version,
-    differences,
-    stamp_file,
-)
+from memorymaze.evaluation.settings import RunDefinition, agent_version, differences
 from memorymaze.evaluation.trace import read_trace, trace_path
 from memorymaze.geometry.trajectory import TimedPose, Trajectory
+from memorymaze.input_files import stamp_file
 from memorymaze.instructions.corpus import Corpus, load_corpus
 from memorymaze.instructions.records import Episode
 from memorymaze.metrics.success import SUCCESS_DISTANCE
