@@ -1,3 +1,4 @@
+import json
 import math
 from collections.abc import Callable
 from pathlib import Path
@@ -80,6 +81,14 @@ def test_members_the_format_does_not_know_are_accepted(
     content["features"][0]["bbox"] = [0, 0, 1, 1]
     content["features"][0]["properties"]["stroke"] = "#ff0000"
     assert load_site(write_plan(content)) == l_site
+
+
+def test_a_member_nobody_reads_may_hold_anything_and_is_kept_in_the_plan(
+    plan: ReadPlan, write_plan: WritePlan, tmp_path: Path
+):
+    content = plan("l_shape") | {"remark": "half a character: \ud800"}
+    site = load_site(write_plan(content))
+    assert json.loads(site.plan) == content
 
 
 def test_heights_in_positions_are_passed_over(

@@ -209,7 +209,10 @@ def site_from_content(
         landmarks=all_of(records.Landmark),
         routes=all_of(records.Route),
         source=source,
-        plan=json.dumps(content.document, ensure_ascii=False).encode(),
+        # Halves of characters in members that nothing reads stay what they are in JSON.
+        plan=json.dumps(content.document, ensure_ascii=False).encode(
+            "utf-8", "backslashreplace"
+        ),
     )
     return site, broken, findings
 

@@ -104,7 +104,7 @@ def test_spreadsheets_keep_everything(
 def test_any_text_survives_a_spreadsheet(
     tmp_path_factory: pytest.TempPathFactory, text: str
 ) -> None:
-    [one] = load_instructions()[:1]
+    one = Instruction(id="a", participant="a", site="loop", route="R1", text="x")
     path = tmp_path_factory.mktemp("sheet") / "one.csv"
     write_spreadsheet(path, [replace(one, text=text)], "csv")
     [read] = read_spreadsheet(path, "csv")
