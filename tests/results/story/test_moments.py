@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from memorymaze.errors import RunFolderError
 from memorymaze.results.story import RecordedEpisode
 from memorymaze.results.story.events import Event, news
 from memorymaze.results.story.moments import Moments
@@ -69,6 +70,19 @@ def test_every_sighting_lies_where_distance_and_bearing_say() -> None:
     }
     [sighting] = moments_of(look).sightings
     assert (sighting.x, sighting.y) == pytest.approx((1, 2))
+
+
+def test_a_detection_that_no_episode_leaves_is_refused() -> None:
+    look = {
+        "kind": "call",
+        "time": 1,
+        "pose": [1, 0, 0],
+        "call": "detect_from_RGB_image",
+        "arguments": {"object": "bench"},
+        "result": [{"label": "bench", "distance": 2.0, "bearing_deg": 90}],
+    }
+    with pytest.raises(RunFolderError, match="expected detections"):
+        moments_of(look)
 
 
 def test_answers_that_stay_the_same_are_told_once() -> None:

@@ -84,6 +84,19 @@ def test_long_texts_are_cut_and_say_so() -> None:
         pytest.param([walk((0, 0, 0))], id="short pose"),  # type: ignore[arg-type]
         pytest.param([{"kind": "call"}, walk((0, 0, 0, 0))], id="call without a name"),
         pytest.param([walk((0, float("nan"), 0, 0))], id="not a number"),
+        pytest.param([walk((0, 1e308, 0, 0))], id="beyond any drawing"),
+        pytest.param([walk((0, 10**400, 0, 0))], id="beyond any number"),
+        pytest.param(
+            [{"kind": "people", "walks": {"p": [[]]}}, walk((0, 0, 0, 0))],
+            id="person nowhere",
+        ),
+        pytest.param(
+            [
+                call(0.0, "detect_from_RGB_image", {}, [DOOR | {"distance": 1e300}]),
+                walk((0, 0, 0, 0)),
+            ],
+            id="door at no distance",
+        ),
     ],
 )
 def test_entries_that_no_episode_leaves_are_refused(entries: list[Any]) -> None:

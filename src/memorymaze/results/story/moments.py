@@ -9,9 +9,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from memorymaze.errors import RunFolderError
 from memorymaze.geometry.pose import Pose, wrap_angle
 from memorymaze.results.story.events import Event, news
-from memorymaze.results.story.story import Story
+from memorymaze.results.story.story import NOT_OURS, Story
 from memorymaze.results.story.understanding import CurrentStep, step_of
 
 FACING_SPAN = 0.6
@@ -53,7 +54,11 @@ class Moment:
 
 
 class Moments:
-    """An episode as a function of simulated time."""
+    """An episode as a function of simulated time.
+
+    Raises:
+        RunFolderError: The trace has detections that no episode leaves.
+    """
 
     def __init__(self, story: Story) -> None:
         """Read what changes in the course of an episode."""
@@ -76,7 +81,13 @@ class Moments:
             for name, thing in story.things.items()
         }
         """Where each thing stood that no plan has, by its id."""
-        self.sightings = tuple(_sightings(story))
+        try:
+            self.sightings = tuple(_sightings(story))
+        except NOT_OURS as error:
+            raise RunFolderError(
+                "expected detections as memorymaze writes them in the trace, got others "
+                f"({type(error).__name__}: {error})"
+            ) from None
         """Everything detected, in the order of time."""
 
     @property

@@ -16,6 +16,19 @@ from memorymaze.geometry.trajectory import TimedPose, Trajectory
 from memorymaze.results.story.events import Event, events_of
 from memorymaze.results.story.understanding import Understanding, understood
 
+LARGEST = 1e6
+"""Metres, seconds and radians of a story; larger numbers cannot be drawn."""
+NOT_OURS = (
+    KeyError,
+    IndexError,
+    TypeError,
+    ValueError,
+    OverflowError,
+    AttributeError,
+    RecursionError,
+)
+"""Errors in reading entries that no episode leaves."""
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Story:
@@ -51,22 +64,22 @@ def story_of(entries: Iterable[Mapping[str, Any]], place: str) -> Story:
         opening = listed[0].get("instruction")
         return Story(
             entries=listed,
-            walk=Trajectory([TimedPose(*map(float, pose)) for pose in poses]),
-            events=tuple(events_of(listed)),
+            walk=Trajectory([TimedPose(*map(_number, pose)) for pose in poses]),
+            events=tuple(map(_checked, events_of(listed))),
             understanding=understood(listed),
             instruction=opening if isinstance(opening, str) else None,
             things={
                 thing["object_id"]: ThingInTheWay(
                     str(thing["category"]),
-                    *map(float, thing["pose"]),
-                    *map(float, thing["size"][:2]),
+                    *map(_number, thing["pose"]),
+                    *map(_number, thing["size"][:2]),
                 )
                 for entry in listed
                 if entry["kind"] == "things"
                 for thing in entry["things"]
             },
             people={
-                name: np.array(walk, dtype=np.float64).T
+                name: _places(walk)
                 for entry in listed
                 if entry["kind"] == "people"
                 for name, walk in entry["walks"].items()
@@ -74,8 +87,28 @@ def story_of(entries: Iterable[Mapping[str, Any]], place: str) -> Story:
         )
     except StopIteration:
         raise RunFolderError(f"{place}: expected a trajectory, got none") from None
-    except (KeyError, TypeError, ValueError, AttributeError) as error:
+    except NOT_OURS as error:
         raise RunFolderError(
             f"{place}: expected entries as memorymaze writes them, got others "
             f"({type(error).__name__}: {error})"
         ) from None
+
+
+def _number(value: Any) -> float:
+    """Return a number that can be drawn."""
+    if not abs(float(value)) <= LARGEST:
+        raise ValueError(f"expected a number up to {LARGEST:.0e}, got {value!r}")
+    return float(value)
+
+
+def _places(walk: Any) -> NDArray[np.float64]:
+    places = np.array([[_number(number) for number in place] for place in walk])
+    if places.ndim != 2 or places.shape[1] != 3:
+        raise ValueError(f"expected times and places of a person, got {places.shape}")
+    return places.T
+
+
+def _checked(event: Event) -> Event:
+    for number in (event.time, *(number for each in event.seen for number in each[:2])):
+        _number(number)
+    return event
