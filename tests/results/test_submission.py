@@ -188,6 +188,27 @@ def test_an_agent_that_is_given_the_answers_is_refused(
     assert "agent: oracle is given the answers" in problems
 
 
+OWN = """
+class Stander:
+    name = "stander"
+
+    def follow(self, instruction, robot, journal, rng):
+        robot.wait(1.0)
+"""
+
+
+@pytest.mark.parametrize("isolate", [False, True])
+def test_an_agent_of_ones_own_must_have_been_run_without_buildings(
+    tmp_path: Path, isolate: bool
+) -> None:
+    (tmp_path / "mine.py").write_text(OWN, encoding="utf-8")
+    agent = AgentSettings(f"{tmp_path / 'mine.py'}:Stander")
+    settings = with_choices(RunSettings(), {"isolate": isolate})
+    run_plan(plan_run(agent, CORPUS, settings), tmp_path / "run", workers=1)
+    asked = [each for each in check(tmp_path / "run").problems if "--isolate" in each]
+    assert len(asked) == (0 if isolate else 1)
+
+
 def test_another_corpus_than_the_leaderboards_is_refused(
     rules: Path, tmp_path: Path
 ) -> None:

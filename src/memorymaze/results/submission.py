@@ -128,6 +128,11 @@ def _settings_problems(settings: RunDefinition, corpus: Corpus) -> Iterator[str]
         yield "setting " + difference.replace(
             " there, ", " expected, got "
         ).removesuffix(" here")
+    if settings.agent.is_own and not settings.isolate:
+        yield (
+            f"agent: expected {settings.agent.name} to be run in a process without "
+            "buildings, got a run without --isolate"
+        )
     if "answers" in settings.needs:
         yield f"agent: {settings.agent.name} is given the answers"
 

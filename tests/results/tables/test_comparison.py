@@ -89,7 +89,7 @@ def test_only_episodes_of_both_runs_count_and_the_rest_is_told(
 
 def test_what_belongs_to_the_agent_raises_no_alarm(write: Write, result: Make) -> None:
     folders = [write("a", [result("x-1")]), write("b", [result("x-1")])]
-    change_settings(folders[1], looks="own", needs=["camera"])
+    change_settings(folders[1], looks="own", needs=["camera"], isolate=True)
     assert compare_runs(*load_runs(folders)).settings == ()
     stamp = {"name": "answers.jsonl", "sha256": "12"}
     change_settings(folders[0], answers=stamp)

@@ -39,7 +39,10 @@ KEY = (
     "routes is unweighted. Arrived: both / only {first} / only {second} / neither."
 )
 
-NOT_TOLD = ("agent.", "needs:", "answers", "limit:", "shard", "episodes:")
+NOT_TOLD = (
+    *("agent.", "needs:", "isolate:", "answers"),
+    *("limit:", "shard", "episodes:"),
+)
 """Beginnings of differences that are the agent's own, or said by what is left out."""
 
 VERSIONS = ("agent.file ", "agent.options.")
