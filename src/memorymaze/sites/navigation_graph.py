@@ -9,7 +9,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import combinations, pairwise
+from itertools import combinations, pairwise, product
 from typing import NamedTuple
 
 import numpy as np
@@ -239,7 +239,7 @@ def _place_viewpoints(site: Site, standing: Polygon, spacing: float) -> FloatArr
     Returns:
         Metres, shape (N, 2), in an order that only depends on the site.
     """
-    places = _Places(standing)
+    places = _Places(standing, max(APART, spacing / 2))
     for point in site.turning_points:
         places.add(point.polygon.centroid)
     ways = [corridor.centre_line for corridor in site.corridors]
@@ -259,20 +259,31 @@ def _place_viewpoints(site: Site, standing: Polygon, spacing: float) -> FloatArr
 class _Places:
     """Viewpoints set so far."""
 
-    def __init__(self, standing: Polygon) -> None:
+    def __init__(self, standing: Polygon, cell: float) -> None:
         self.standing = standing
         self.points: list[tuple[float, float]] = []
+        self._cell = cell
+        # By square cells, so that a large hall takes seconds.
+        self._near: dict[tuple[int, int], list[tuple[float, float]]] = {}
         shapely.prepare(standing)
 
     def add(self, wanted: Point, apart: float = APART) -> None:
-        """Set a viewpoint at or near a point, unless one is there or none can be."""
+        """Set a viewpoint at or near a point, unless one is there or none can be.
+
+        Those are there that are less than `apart`, at most a cell, from it; metres.
+        """
         spot = wanted
         if not self.standing.covers(spot):
             spot = nearest_points(self.standing, wanted)[0]
             if spot.distance(wanted) > SHIFT:
                 return
-        if all(math.dist((spot.x, spot.y), other) >= apart for other in self.points):
-            self.points.append((spot.x, spot.y))
+        place = (spot.x, spot.y)
+        column, row = (math.floor(part / self._cell) for part in place)
+        around = product((column - 1, column, column + 1), (row - 1, row, row + 1))
+        near = (other for cell in around for other in self._near.get(cell, ()))
+        if all(math.dist(place, other) >= apart for other in near):
+            self.points.append(place)
+            self._near.setdefault((column, row), []).append(place)
 
 
 def _along(way: LineString, places: _Places, spacing: float) -> None:
