@@ -21,11 +21,13 @@ version=$("$python" -c 'import sys; print("%d.%d" % sys.version_info[:2])') || {
 install() {
     "$venv/bin/python" -m pip install --quiet --disable-pip-version-check "$@"
 }
-install --upgrade "pip>=25.1"
 if [ "$purpose" = run ]; then
-    install --constraint constraints.txt --editable .
+    # Python compiles what a run imports; compiling all that is installed takes longer.
+    install --no-compile --constraint constraints.txt --editable .
     exit 0
 fi
+# Groups of dependencies need a newer pip than some Pythons bring along.
+install --upgrade "pip>=25.1"
 # The tests try every extra but the local language models, which have to be compiled.
 install --constraint constraints.txt --editable . --group dev
 # Only cameras need OpenGL; whatever keeps it out must not keep the rest from working.
