@@ -8,9 +8,10 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Literal
+from typing import Any, Literal
 
 import mujoco
+import numpy as np
 from shapely import Polygon
 from shapely.geometry.polygon import orient
 
@@ -60,6 +61,10 @@ class Scene:
     site: Site
     model: mujoco.MjModel
     """Compiled; never changed after."""
+    tangible: mujoco.MjModel
+    """The model without what nothing touches: it moves the robot alike, but faster."""
+    tangible_geoms: tuple[int, ...]
+    """Geom ids in `model` of the geoms of `tangible`."""
     objects: tuple[SceneObject, ...]
     """What each geom is, by geom id."""
     obstacles: ObstacleSettings | None = None
@@ -186,7 +191,24 @@ def build_scene(site: Site, obstacles: ObstacleSettings | None = None) -> Scene:
         for i, each in enumerate(objects)
     ):
         raise RuntimeError("the physics engine reordered the scene's geoms")
-    return Scene(site, model, tuple(objects), obstacles)
+    tangible, ids = model, tuple(range(model.ngeom))
+    if not movables:
+        tangible, ids = _tangible(spec, model)
+    return Scene(site, model, tangible, ids, tuple(objects), obstacles)
+
+
+def _tangible(
+    # Any: the stubs do not know its lists, nor that one can delete.
+    spec: Any,
+    model: mujoco.MjModel,
+) -> tuple[mujoco.MjModel, tuple[int, ...]]:
+    """Leave out of a compiled spec what nothing touches; say which geoms stay."""
+    touched = (model.geom_contype != 0) | (model.geom_conaffinity != 0)
+    stays = touched | (model.geom_bodyid != 0)
+    for number, geom in enumerate(list(spec.worldbody.geoms)):
+        if not stays[number]:
+            spec.delete(geom)
+    return spec.compile(), tuple(np.flatnonzero(stays).tolist())
 
 
 def _movables(site: Site, obstacles: ObstacleSettings) -> list[Movable]:

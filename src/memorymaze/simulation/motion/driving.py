@@ -62,7 +62,8 @@ class Driver:
         rng: np.random.Generator,
     ) -> None:
         """Put the robot at rest on its start pose, with nobody around."""
-        self.base = WheeledBase(scene.model, start, settings, rng)
+        tangible = scene.tangible, scene.tangible_geoms
+        self.base = WheeledBase(scene.model, start, settings, rng, tangible)
         self.pose = self.base.pose
         """Where the robot is now."""
         self.turning_points: TurningPointSource = AnnotatedTurningPoints(scene)

@@ -5,6 +5,7 @@ its upright shell, a cylinder of 0.25 m radius, is what bumps into walls and obs
 """
 
 import math
+from collections.abc import Sequence
 
 import mujoco
 import numpy as np
@@ -115,29 +116,39 @@ class WheeledBase:
         start: Pose,
         settings: SimulationSettings,
         rng: np.random.Generator,
+        tangible: tuple[mujoco.MjModel, Sequence[int]] | None = None,
     ) -> None:
-        """Put the robot at rest on its start pose."""
+        """Put the robot at rest on its start pose.
+
+        `tangible` is the model without what nothing touches, and which geoms are left;
+        it moves the robot in the place of the whole one.
+        """
         self.data = mujoco.MjData(model)
         """State of the physics; read only."""
+        moving, geoms = tangible or (model, range(model.ngeom))
+        self._moving_model = moving
+        self._moving = self.data if moving is model else mujoco.MjData(moving)
+        self._geoms = geoms
         self.speed = 0.0
         """Commanded speed ahead, metres per second."""
         self.turn_rate = 0.0
         """Commanded turn rate, radians per second, left positive."""
         self._model = model
-        self._groups = model.geom_group.tolist()
+        self._groups = moving.geom_group.tolist()
         self._acceleration = settings.max_acceleration
         self._turn_acceleration = settings.max_turn_acceleration
         self._noise = settings.wheel_noise
         self._rng = rng
         self._errors: list[float] = []
-        self._qpos = self.data.qpos
-        self._ctrl = self.data.ctrl
+        self._qpos = self._moving.qpos
+        self._ctrl = self._moving.ctrl
         address = int(model.jnt_qposadr[model.body("robot").jntadr[0]])
         if address != 0:
             raise RuntimeError("the robot's free joint is expected to come first")
         half = start.heading / 2
         self._qpos[:7] = (start.x, start.y, 0, math.cos(half), 0, 0, math.sin(half))
         self._steps = 0
+        self._show()
         self.update_view()
 
     @property
@@ -173,8 +184,9 @@ class WheeledBase:
             right *= self._errors.pop()
         self._ctrl[0] = left / WHEEL_RADIUS
         self._ctrl[1] = right / WHEEL_RADIUS
-        mujoco.mj_step(self._model, self.data, nstep=steps)
+        mujoco.mj_step(self._moving_model, self._moving, nstep=steps)
         self._steps += steps
+        self._show()
 
     def rest(self, steps: int) -> None:
         """Let time pass for a robot at rest in a building where nothing moves."""
@@ -182,21 +194,28 @@ class WheeledBase:
 
     def touched_geoms(self) -> list[int]:
         """Return the geoms, other than the floor, that the robot touches now."""
-        pairs = self.data.contact.geom.tolist()
+        pairs = self._moving.contact.geom.tolist()
         return [
-            first if self._groups[second] == ROBOT_GROUP else second
+            self._geoms[first if self._groups[second] == ROBOT_GROUP else second]
             for first, second in pairs
             if first != 0 and second != 0
         ]
 
     def touched_places(self) -> list[tuple[float, float]]:
         """Return where the robot touches something other than the floor, metres."""
-        pairs, places = self.data.contact.geom.tolist(), self.data.contact.pos.tolist()
+        contact = self._moving.contact
+        pairs, places = contact.geom.tolist(), contact.pos.tolist()
         return [
             (place[0], place[1])
             for (first, second), place in zip(pairs, places, strict=True)
             if first != 0 and second != 0
         ]
+
+    def _show(self) -> None:
+        """Have `data` say where the robot is, and how fast."""
+        if self._moving is not self.data:
+            self.data.qpos[:] = self._moving.qpos
+            self.data.qvel[:] = self._moving.qvel
 
     def update_view(self) -> None:
         """Bring the camera and geom poses in `data` to the present pose."""
