@@ -10,6 +10,7 @@ from hypothesis.extra.numpy import arrays
 from memorymaze.collection.agreement import (
     Agreement,
     agreement,
+    agreement_table,
     cohens_kappa,
     file_labels,
     fleiss_kappa,
@@ -52,6 +53,19 @@ def test_the_corpus_and_its_second_reader_agree_as_published(
     assert failing.low is not None
     assert 0.97 < failing.low < failing.kappa.value <= (failing.high or 0) <= 1.0
     assert found["alternative way"].kappa.value == 1.0
+
+
+def test_a_kappa_without_meaning_is_a_dash_that_the_table_explains(
+    told: Told, label: MakeLabel, tiny_sites: dict[str, Site]
+) -> None:
+    instructions = [told(name) for name in "abcd"]
+    labels = [label(who, name) for who in ("ada", "bob") for name in "abcd"]
+    found = _found(labels, instructions, tiny_sites)
+    text = agreement_table(list(found.values()), ["ada", "bob"]).text()
+    assert text.startswith("2 annotators: ada, bob\n")
+    [row] = [line for line in text.splitlines() if line.startswith("has a failure")]
+    assert row.split()[-5:] == ["1", "100.0", "%", "Cohen", "-"]
+    assert "everyone always gave the same answer, so kappa is not defined" in text
 
 
 def test_only_texts_that_all_labelled_count(

@@ -190,8 +190,16 @@ def _fleiss(codes: NDArray[np.int64], answers: int) -> Kappa:
 
 def agreement_table(found: Sequence[Agreement], annotators: Sequence[str]) -> Table:
     """Return agreement as a table, one row per question."""
-    undefined = any(each.kappa.value is None for each in found)
-    said = "kappa -: everyone always gave the same answer, so it is not defined"
+    kappas = [(each.kappa.value, each.low, each.high) for each in found]
+    notes = {
+        "-: everyone always gave the same answer, so kappa is not defined": any(
+            kappa is None for kappa, _, _ in kappas
+        ),
+        "too few: drawn again, the texts often have one answer alone, so no interval can "
+        "be told": any(kappa is not None and low is None for kappa, low, _ in kappas),
+        "all equal: every draw of texts gives the same kappa; that does not make it "
+        "certain": any(low is not None and low == high for _, low, high in kappas),
+    }
     return Table(
         f"{len(annotators)} annotators: {', '.join(annotators)}",
         (
@@ -215,7 +223,7 @@ def agreement_table(found: Sequence[Agreement], annotators: Sequence[str]) -> Ta
             }
             for each in found
         ),
-        (said,) if undefined else (),
+        tuple(note for note, is_said in notes.items() if is_said),
         "agreement",
     )
 

@@ -70,6 +70,18 @@ def test_a_table_says_how_its_figures_came_about(
         assert part in table
 
 
+def test_a_mean_over_one_route_is_said_of_one_route(
+    write: Callable[..., Path], result: Make
+) -> None:
+    folders = [
+        write("both", [result("a-1"), result("b-1", route="R2")]),
+        write("one", [result("b-1", route="R2", agent="other")]),
+    ]
+    text = shown(load_runs(folders), "text")
+    assert "Mean over 2 routes" in text
+    assert "Mean over 1 route\n" in text
+
+
 def test_text_stands_in_columns_of_at_most_118_characters(
     runs: list[MeasuredRun],
 ) -> None:

@@ -28,6 +28,7 @@ from memorymaze.results.tables.runs import (
     run_notes,
 )
 from memorymaze.tables import Column, Row, Table
+from memorymaze.wording import counted
 
 TableName = Literal["II", "III"]
 
@@ -117,8 +118,9 @@ def table_rows(runs: Sequence[MeasuredRun], table: TableName) -> list[TableRow]:
 
 def group_title(row: TableRow) -> str:
     """Return the heading of the rows that belong together with this one."""
-    title = f"Mean over {len(row.places)} routes" if row.is_mean else None
-    title = title or place_title(row.places)
+    title = place_title(row.places)
+    if row.is_mean:
+        title = f"Mean over {counted(len(row.places), 'route')}"
     return title if row.iteration is None else f"{title}, iteration {row.iteration}"
 
 
