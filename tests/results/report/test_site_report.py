@@ -1,4 +1,5 @@
 import gzip
+import json
 import re
 import shutil
 from collections.abc import Callable
@@ -165,6 +166,17 @@ def test_a_folder_with_something_in_it_is_left_alone(
     with pytest.raises(SettingsError, match="exists already"):
         reported(tmp_path, runs["stop"])
     assert [file.name for file in tmp_path.iterdir()] == ["mine.txt"]
+
+
+def test_the_version_of_an_agent_of_ones_own_is_shown(
+    runs: dict[str, Path], report: Path
+) -> None:
+    record = json.loads((runs["programmer"] / "run.json").read_text(encoding="utf-8"))
+    [file] = record["settings"]["agent_files"]
+    overview = (report / "index.html").read_text(encoding="utf-8")
+    assert f"{file['name']} {file['sha256'][:12]}" in overview
+    settings = (report / "settings.html").read_text(encoding="utf-8")
+    assert file["sha256"] in settings
 
 
 def test_what_cannot_be_reported_on_is_named(
