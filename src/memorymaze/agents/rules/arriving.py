@@ -61,7 +61,7 @@ class Arrivals:
         names = plan.arrival.destinations
         if names and names[0].split()[-1] in _ROOMS and is_common(names[0]):
             names = ("door", *names)
-        self._first = frozenset(_variants(names[0])) if names else frozenset[str]()
+        self._first = tuple(_variants(names[0])) if names else ()
         self._names = tuple(
             name for name in dict.fromkeys([*self._first, *names]) if not is_floor(name)
         )
