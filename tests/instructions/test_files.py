@@ -5,9 +5,12 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from memorymaze.errors import InstructionFileError
 from memorymaze.instructions import Failure, Instruction, load_instructions
+from memorymaze.instructions.files import FIELDS, instruction_record, parse_line
 
 Line = Callable[..., dict[str, Any]]
 Write = Callable[..., Path]
@@ -211,3 +214,43 @@ def test_a_missing_file_and_a_folder_are_named(tmp_path: Path) -> None:
         load_instructions([tmp_path / "none.jsonl"])
     with pytest.raises(InstructionFileError, match="Is a directory"):
         load_instructions([tmp_path])
+
+
+VALUES = st.recursive(
+    st.sampled_from([
+        None,
+        True,
+        0,
+        1,
+        2,
+        -1,
+        1.5,
+        "",
+        " ",
+        "R1",
+        "a\nb",
+        "\ud800",
+        "dev",
+    ]),
+    lambda inner: (
+        st.lists(inner, max_size=3)
+        | st.dictionaries(
+            st.sampled_from(["kind", "start", "end", "x"]), inner, max_size=3
+        )
+    ),
+    max_leaves=6,
+)
+
+
+@given(st.dictionaries(st.sampled_from([*FIELDS, "mood"]), VALUES, max_size=9))
+def test_any_record_is_read_or_refused_in_a_line_for_each_field(
+    changes: dict[str, Any],
+) -> None:
+    sound = {"site": "loop", "route": "R1", "text": "Turn left."}
+    read, unknown, problems = parse_line(json.dumps(sound | changes), "mine.jsonl:7")
+    assert (read is None) == bool(problems)
+    assert all("\n" not in problem for problem in problems)
+    assert set(unknown) <= {"mood"}
+    if read is not None:
+        line = json.dumps(instruction_record(read))
+        assert parse_line(line, "mine.jsonl:7") == (read, [], [])

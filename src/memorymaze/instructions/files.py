@@ -210,6 +210,9 @@ def instruction_record(instruction: Instruction) -> dict[str, Any]:
     for optional in OPTIONAL:
         if not record[optional] and record[optional] != "":
             del record[optional]
+    for filled_in in ("id", "participant", "reference_route"):
+        if not record[filled_in]:
+            del record[filled_in]
     return record
 
 
