@@ -85,6 +85,19 @@ def test_what_is_behind_a_wall_decides_what_one_sees(corridor_site: Site) -> Non
     assert surroundings.behind(east - 2, north, math.pi / 2)[0] == "outdoors"
 
 
+def test_a_hole_in_the_floor_is_indoors_unless_it_is_beside_the_open_air(
+    two_rooms: Site,
+) -> None:
+    hall = two_rooms.areas[0]
+    x, y = hall.polygon.centroid.coords[0]
+    hole = box(x - 1, y - 1, x + 1, y + 1)
+    ring = replace(hall, polygon=hall.polygon.difference(hole))
+    inside = replace(two_rooms, areas=(ring, *two_rooms.areas[1:]))
+    terrace = replace(inside, areas=(replace(ring, open_air=True), *inside.areas[1:]))
+    assert Surroundings(inside).behind(x - 1, y, 0.0)[0] == "room"
+    assert Surroundings(terrace).behind(x - 1, y, 0.0)[0] == "outdoors"
+
+
 def test_walls_hide_but_glass_to_the_open_air_does_not(corridor_site: Site) -> None:
     plain = structure_of(replace(corridor_site, rooms=(), doors=(), landmarks=()))
     x = corridor_site.walkable_floor.centroid.x

@@ -164,8 +164,14 @@ def reveals_and_rooms(
     for low, high, depth in rooms:
         # A room is wider and higher than the hole through which one looks into it.
         along = (max(low - WIDER, 0.0), min(high + WIDER, face.length))
+        covered = 0.0
         for outline in surroundings.hollow(face, along, depth, room=True):
             _room(made, face, outline, height)
+            covered += sum(
+                abs(b - a) for (a, p), (b, q) in pairwise(outline) if p == q == 0.0
+            )
+        if covered < along[1] - along[0] - BAR:
+            made.shows_sky = True
 
 
 def _joined(holes: list[Hole]) -> list[Hole]:

@@ -381,8 +381,12 @@ class Surroundings:
         """Look at a site's rooms and floor."""
         self._floor: BaseGeometry = site.walkable_floor
         self._rooms = [room.polygon for room in site.rooms]
-        self._holes = self._floor.convex_hull.difference(self._floor)
-        self._site = site
+        outdoors = [area.polygon for area in site.areas if area.open_air]
+        self._voids = [
+            void
+            for void in map(Polygon, site.walkable_floor.interiors)
+            if all(void.distance(each) > DOUBLE_WALL for each in outdoors)
+        ]
         prepare(self._floor)
 
     def behind(self, x: float, y: float, heading: float) -> tuple[Behind, float]:
@@ -397,7 +401,8 @@ class Surroundings:
         way = 12.0
         if not crossed.is_empty:
             way = crossed.distance(Point(x, y))
-        if any(room.contains(near) for room in self._rooms):
+        # A hole in the floor of a building is some part of it that the plan leaves out.
+        if any(each.contains(near) for each in (*self._rooms, *self._voids)):
             return "room", max(SHALLOWEST, min(DEEPEST, way - 0.12))
         if way < DOUBLE_WALL:
             return "room", max(SHALLOWEST, min(DEEPEST, way - 0.12))
@@ -426,7 +431,8 @@ class Surroundings:
         hollow = box(low, 0.0, high, depth).difference(
             transform(taken, face.local).buffer(CLEAR, join_style="mitre")
         )
-        near = [each for each in self._rooms if each.distance(strip) < ROOM_WALL]
+        indoors = (*self._rooms, *self._voids)
+        near = [each for each in indoors if each.distance(strip) < ROOM_WALL]
         if room and near:
             rooms = transform(unary_union(near), face.local)
             hollow = hollow.intersection(rooms.buffer(ROOM_WALL, join_style="mitre"))
