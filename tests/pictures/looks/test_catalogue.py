@@ -240,6 +240,47 @@ def test_a_sign_hangs_stands_or_lies_on_the_wall_as_it_is_mounted():
     assert len(set(looks.values())) == 3
 
 
+def back_of(model: ObjectModel) -> set[tuple[int, ...]]:
+    """Colours that a thing shows to who stands behind it."""
+    colours: set[tuple[int, ...]] = set()
+    for part in model.parts:
+        a, b, c = corners_of(part).transpose(1, 0, 2)
+        behind = np.cross(b - a, c - a)[:, 0] < 0
+        texture, uv = part.material.texture, part.uv
+        if texture is not None and uv is not None and behind.any():
+            shown = uv[part.faces[behind]].reshape(-1, 2)
+            (left, top), (right, bottom) = shown.min(axis=0), shown.max(axis=0)
+            high, wide = texture.shape[:2]
+            rows = slice(int(top * (high - 1)), int(bottom * (high - 1)) + 1)
+            columns = slice(int(left * (wide - 1)), int(right * (wide - 1)) + 1)
+            colours |= set(map(tuple, texture[rows, columns].reshape(-1, 3).tolist()))
+    return colours
+
+
+@pytest.mark.parametrize("text", ["Cafe", "← Lifts   Reception →"])
+def test_a_hanging_sign_has_something_on_its_back(text: str):
+    sign = model_of("hanging sign", (1.6, 0.08, 0.5), text=text, mount="ceiling")
+    assert len(back_of(sign)) > 1
+
+
+def test_words_that_point_somewhere_are_not_on_the_back():
+    size = (1.6, 0.08, 0.5)
+    backs = [
+        back_of(model_of("hanging sign", size, text=text, mount="ceiling"))
+        for text in ("← Lifts   Reception →", "Exhibition →")
+    ]
+    assert backs[0] == backs[1]
+
+
+def test_every_poster_and_screen_shows_another_picture():
+    for category in ("poster", "information panel", "digital sign"):
+        shown = [
+            pixels_of(model_for_landmark(replace(thing(category), id=f"{n}")))
+            for n in range(30)
+        ]
+        assert len({frozenset(each) for each in shown}) == len(shown), category
+
+
 @pytest.mark.parametrize("archetype", sorted(archetypes()))
 def test_archetypes_can_be_of_any_size(archetype: str):
     for size in SIZES.values():

@@ -62,48 +62,132 @@ def landscape(image: Image.Image, field: Field, colour: Rgb, variant: int) -> No
 
 
 def scene_into(image: Image.Image, field: Field, colour: Rgb, variant: int) -> None:
-    """Draw a picture of the kind exhibitions show: a sky, hills, curves or cells."""
-    kind = variant % 4
-    if kind == 0:
-        landscape(image, field, colour, variant)
-        return
-    rng = np.random.default_rng(variant + 13)
+    """Draw a picture of the kind exhibitions show; every variant is another one."""
+    rng = np.random.default_rng(variant)
+    scene = SCENES[int(rng.integers(len(SCENES)))]
+    accent = ACCENTS[int(rng.integers(len(ACCENTS)))]
+    # Drawn apart, so that nothing stands out of the field.
+    part = Image.new("RGB", (max(8, int(field.width)), max(8, int(field.height))))
+    scene(part, mixed(colour, accent, 0.4), rng)
+    image.paste(part, (int(field.left), int(field.top)))
+
+
+def _hills(image: Image.Image, colour: Rgb, rng: np.random.Generator) -> None:
+    landscape(image, whole(image), colour, int(rng.integers(1 << 30)))
+
+
+def _planet(image: Image.Image, colour: Rgb, rng: np.random.Generator) -> None:
+    """Draw a planet with spots or a ring among stars."""
     draw = ImageDraw.Draw(image)
-    left, top, right, bottom = field
-    ground = NIGHT if kind == 1 else shade(colour, 0.45 if kind == 2 else 1.7)
-    draw.rectangle([left, top, right - 1, bottom - 1], rgb255(ground))
-    short = min(field.width, field.height)
+    w, h = image.size
+    draw.rectangle([0, 0, w, h], rgb255(NIGHT))
+    for x, y in rng.random((60, 2)):
+        _disc(draw, x * w, y * h, 1, PURE_WHITE)
+    x, y = w * rng.uniform(0.25, 0.75), h * rng.uniform(0.35, 0.65)
+    r = min(w, h) * rng.uniform(0.18, 0.4)
+    _disc(draw, x, y, r, shade(colour, 1.25))
+    for a, b, size in rng.uniform((-0.5, -0.5, 0.1), (0.5, 0.5, 0.3), (4, 3)):
+        _disc(draw, x + a * r, y + b * r, size * r, shade(colour, 0.8 + size))
+    if rng.random() < 0.5:
+        tilt = r * rng.uniform(0.1, 0.5)
+        ends = [x - 1.7 * r, y + tilt, x + 1.7 * r, y - tilt]
+        draw.line(ends, rgb255(shade(colour, 1.7)), max(2, int(0.08 * r)))
 
-    def spot(x: float, y: float, r: float, fill: Rgb) -> None:
-        # Spots stay inside the field, as a crop would have it.
-        x = min(max(x, left + r), right - r)
-        y = min(max(y, top + r), bottom - r)
-        draw.ellipse([x - r, y - r, x + r, y + r], rgb255(fill))
 
-    if kind == 1:
-        for x, y in rng.random((60, 2)):
-            spot(left + x * field.width, top + y * field.height, 1, PURE_WHITE)
-        x, y, r = left + 0.6 * field.width, top + 0.5 * field.height, 0.3 * short
-        spot(x, y, r, shade(colour, 1.25))
-        spot(x - 0.3 * r, y - 0.3 * r, 0.35 * r, shade(colour, 1.5))
-        spot(x + 0.3 * r, y + 0.4 * r, 0.22 * r, shade(colour, 0.9))
-    elif kind == 2:
-        for row in range(3):
-            t = np.linspace(0, 1, 40)
-            wave = 0.5 + (0.1 + 0.07 * row) * np.sin(t * (6 + 4 * row) + row)
-            line = [
-                (left + a * field.width, top + b * field.height)
-                for a, b in zip(t, wave, strict=True)
-            ]
-            draw.line(line, rgb255(shade(colour, 1.3 + 0.2 * row)), 4)
-    else:
-        for x, y, r in rng.random((14, 3)):
-            spot(
-                left + x * field.width,
-                top + y * field.height,
-                short * (0.04 + 0.1 * r),
-                shade(colour, 0.6 + 0.8 * r),
-            )
+def _waves(image: Image.Image, colour: Rgb, rng: np.random.Generator) -> None:
+    draw = ImageDraw.Draw(image)
+    w, h = image.size
+    draw.rectangle([0, 0, w, h], rgb255(shade(colour, 0.45)))
+    across = np.linspace(0, 1, 60)
+    for row in range(int(rng.integers(2, 6))):
+        swing, pace, phase, middle = rng.uniform((0.08, 4, 0, 0.3), (0.3, 22, 6, 0.7))
+        wave = middle + swing * np.sin(pace * across + phase)
+        line = list(zip((across * w).tolist(), (wave * h).tolist(), strict=True))
+        draw.line(line, rgb255(shade(colour, 1.2 + 0.15 * row)), max(2, h // 40))
+
+
+def _cells(image: Image.Image, colour: Rgb, rng: np.random.Generator) -> None:
+    draw = ImageDraw.Draw(image)
+    w, h = image.size
+    draw.rectangle([0, 0, w, h], rgb255(shade(colour, 1.7)))
+    for x, y, r in rng.random((int(rng.integers(6, 26)), 3)):
+        size = min(w, h) * (0.04 + 0.14 * r)
+        _disc(draw, x * w, y * h, size, shade(colour, 0.6 + 0.8 * r))
+        _disc(draw, x * w, y * h, 0.3 * size, shade(colour, 0.4))
+
+
+def _town(image: Image.Image, colour: Rgb, rng: np.random.Generator) -> None:
+    """Draw rows of houses with lit windows."""
+    draw = ImageDraw.Draw(image)
+    w, h = image.size
+    draw.rectangle([0, 0, w, h], rgb255(shade(colour, 1.6)))
+    for row in range(3):
+        x = 0.0
+        while x < w:
+            wide = w * rng.uniform(0.06, 0.16)
+            top = h * (0.15 + 0.22 * row + 0.3 * rng.random())
+            draw.rectangle([x, top, x + wide, h], rgb255(shade(colour, 1 - 0.28 * row)))
+            for a, b in rng.random((4, 2)):
+                u, v = x + 0.15 * wide + 0.6 * a * wide, top + 0.1 * h + 0.5 * b * h
+                draw.rectangle([u, v, u + 0.1 * wide, v + 3], rgb255((1.0, 0.93, 0.7)))
+            x += wide * 1.08
+
+
+def _layers(image: Image.Image, colour: Rgb, rng: np.random.Generator) -> None:
+    """Draw layers of rock."""
+    draw = ImageDraw.Draw(image)
+    w, h = image.size
+    across = np.linspace(0, 1, 40)
+    phase, swing = rng.uniform(0, 6), rng.uniform(0.02, 0.09)
+    top = 0.0
+    while top < 1.2:
+        edge = (top + swing * np.sin(5 * across + phase + 2 * top)) * h
+        line = zip((across * w).tolist(), edge.tolist(), strict=True)
+        tone = shade(colour, float(rng.uniform(0.45, 1.7)))
+        draw.polygon([(0, h), *line, (w, h)], rgb255(tone))
+        top += rng.uniform(0.06, 0.22)
+
+
+def _orbits(image: Image.Image, colour: Rgb, rng: np.random.Generator) -> None:
+    draw = ImageDraw.Draw(image)
+    w, h = image.size
+    draw.rectangle([0, 0, w, h], rgb255(shade(colour, 0.3)))
+    x, y = w * rng.uniform(0.3, 0.7), h * rng.uniform(0.3, 0.7)
+    count = int(rng.integers(3, 8))
+    for ring in range(1, count + 1):
+        r = 0.75 * max(w, h) * ring / count
+        draw.ellipse([x - r, y - r, x + r, y + r], None, rgb255(shade(colour, 1.2)), 2)
+        turn = rng.uniform(0, 2 * np.pi)
+        size = min(w, h) * rng.uniform(0.02, 0.06)
+        spot = (x + r * np.cos(turn), y + r * np.sin(turn))
+        _disc(draw, *spot, size, shade(colour, 1.6))
+    _disc(draw, x, y, 0.08 * min(w, h), (1.0, 0.93, 0.7))
+
+
+def _mosaic(image: Image.Image, colour: Rgb, rng: np.random.Generator) -> None:
+    """Draw triangles in tones of a colour."""
+    draw = ImageDraw.Draw(image)
+    w, h = image.size
+    columns = int(rng.integers(3, 8))
+    edge = w / columns
+    for column in range(columns):
+        for row in range(int(h / edge) + 1):
+            x, y = column * edge, row * edge
+            corners = [(x, y), (x + edge, y), (x + edge, y + edge), (x, y + edge)]
+            for first in (0, 2):
+                three = [corners[(first + place) % 4] for place in range(3)]
+                draw.polygon(three, rgb255(shade(colour, float(rng.uniform(0.4, 1.7)))))
+
+
+def _disc(draw: ImageDraw.ImageDraw, x: float, y: float, r: float, colour: Rgb) -> None:
+    draw.ellipse([x - r, y - r, x + r, y + r], rgb255(colour))
+
+
+SCENES = (_hills, _planet, _waves, _cells, _town, _layers, _orbits, _mosaic)
+ACCENTS: tuple[Rgb, ...] = (
+    (0.85, 0.3, 0.2), (0.2, 0.45, 0.8), (0.9, 0.7, 0.2), (0.25, 0.6, 0.35),
+    (0.5, 0.3, 0.65), (0.2, 0.6, 0.62), (0.5, 0.5, 0.52),
+)  # fmt: skip
 
 
 @cache
@@ -248,7 +332,7 @@ def film(
     if text and not tall:
         words = Field(0, everything.bottom - edge, everything.right, everything.bottom)
         shown = Field(0, 0, everything.right, everything.bottom - edge)
-    scene_into(image, shown.inset(0.03), colours[variant % 4], variant // 4 + variant)
+    scene_into(image, shown.inset(0.03), colours[variant % 4], variant)
     write(image, words.inset(0.08), text, PURE_WHITE)
     draw = ImageDraw.Draw(image)
     for place in range(1, tiles):

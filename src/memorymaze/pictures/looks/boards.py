@@ -93,6 +93,23 @@ def sign_board(
 
 
 @cache
+def blank_board(width: float, height: float, ground: Rgb) -> Pixels:
+    """Return the back of a sign: bands of colour, no words, nothing that reads like one."""
+    image = blank(width, height, ground)
+    draw = ImageDraw.Draw(image)
+    ink = ink_on(ground)
+    w, h = image.size
+    for top, bottom, share in (
+        (0.06, 0.14, 0.35),
+        (0.32, 0.68, 0.14),
+        (0.86, 0.94, 0.35),
+    ):
+        tone = rgb255(mixed(ground, ink, share))
+        draw.rectangle([0, top * h, w, bottom * h], tone)
+    return pixels_of(image)
+
+
+@cache
 def exit_board(
     width: float, height: float, text: str, ground: Rgb = SAFETY_GREEN
 ) -> Pixels:

@@ -23,6 +23,11 @@ Builder = Callable[[Assembly, Order], None]
 """Puts a thing of a size, colour and text together."""
 VARIANTS = 6
 """Things of one kind, size, colour and text come in at most so many looks."""
+WITH_PICTURES = frozenset({
+    "computer terminal", "digital sign", "exhibit panel", "information panel", "kiosk",
+    "mural", "painting", "poster", "touch screen", "video wall",
+})  # fmt: skip
+"""Archetypes that show a picture, each thing another one."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,6 +78,8 @@ def model_for_landmark(landmark: Landmark, looks: Looks = "own") -> ObjectModel:
     """
     if is_window(landmark):
         return window_model(landmark)
+    number = zlib.crc32(landmark.id.encode())
+    pictured = archetype_of(landmark.category) in WITH_PICTURES
     return model_of(
         landmark.category,
         landmark.size,
@@ -80,7 +87,7 @@ def model_for_landmark(landmark: Landmark, looks: Looks = "own") -> ObjectModel:
         text=landmark.text,
         name=landmark.name,
         mount=landmark.mount,
-        variant=zlib.crc32(landmark.id.encode()) % VARIANTS,
+        variant=number if pictured else number % VARIANTS,
         looks=looks,
     )
 

@@ -163,7 +163,7 @@ def mural(made: Assembly, order: Order) -> None:
     """Build a picture straight on the wall, with its words under it."""
     colour = order.colour((0.3, 0.45, 0.6))
     pixels = artwork.poster(
-        order.length, order.height, order.text or "", colour, 4 * order.variant
+        order.length, order.height, order.text or "", colour, order.variant
     )
     sheet(made, order, picture(pixels))
 

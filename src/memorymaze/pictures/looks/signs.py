@@ -3,6 +3,7 @@
 from memorymaze.pictures.looks.assembly import Assembly, Order
 from memorymaze.pictures.looks.boards import (
     Pictogram,
+    blank_board,
     exit_board,
     pictogram_board,
     sign_board,
@@ -71,17 +72,16 @@ def exit_sign(made: Assembly, order: Order) -> None:
 
 
 def hanging_sign(made: Assembly, order: Order) -> None:
-    """Build a board on two rods; its back is blank where its words point somewhere."""
-    text = order.text or order.category
-    points = any(post.arrow for post in signposts(text))
-    made.words(
-        text,
-        order.colour((0.08, 0.13, 0.34)),
-        order.x,
-        order.y,
-        (0, order.height * 0.88),
-        both_sides=not points,
-    )
+    """Build a board on two rods; no words are on its back where they point somewhere."""
+    text, ground = order.text or order.category, order.colour((0.08, 0.13, 0.34))
+    z = (0.0, order.height * 0.88)
+    if any(post.arrow for post in signposts(text)):
+        half = (0.0, order.depth / 2)
+        made.words(text, ground, half, order.y, z)
+        back = picture(blank_board(order.length, z[1], ground))
+        made.add(back, plate(half, order.y, z).turned("z", 180))
+    else:
+        made.words(text, ground, order.x, order.y, z, both_sides=True)
     for side in (-1, 1):
         y = side * order.length * 0.36
         made.box(
