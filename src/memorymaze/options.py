@@ -101,6 +101,22 @@ def read_options(
     return cls(**_values(cls, given, "--set"))
 
 
+def read_flags(cls: type[Options], given: Mapping[str, str]) -> Options:
+    """Turn the command line's own options into settings, by their fields' names.
+
+    Besides what `read_options` understands, a type may have a class method `parse`, and a
+    text `form` that says what it takes.
+
+    Raises:
+        SettingsError: A value has no meaning; names the option, as `--max-cost`.
+    """
+    values: dict[str, Any] = {}
+    for name, text in given.items():
+        flag = f"--{name.replace('_', '-')}"
+        values[name] = _values(cls, {flag: text}, "", {flag: name})[name]
+    return cls(**values)
+
+
 def parse_options(
     cls: type[Options],
     text: str,
@@ -191,7 +207,8 @@ def _values(
             values[field] = _value(kinds[field], text)
         except ValueError:
             raise SettingsError(
-                f"{subject} {name}: expected {_allowed(kinds[field])}, got {text!r}"
+                f"{subject} {name}".lstrip()
+                + f": expected {_allowed(kinds[field])}, got {text!r}"
             ) from None
     return values
 
@@ -226,6 +243,8 @@ def _value(kind: Any, text: str) -> Any:
                 return part
     elif get_origin(kind) is tuple:
         return tuple(_value(parts[0], part.strip()) for part in re.split("[,+]", text))
+    elif hasattr(kind, "parse"):
+        return kind.parse(text)
     elif kind is NoneType and text == "none":
         return None
     elif kind is bool and text in {"true", "false"}:
@@ -255,6 +274,8 @@ def _allowed(kind: Any) -> str:
         return f"{', '.join(others)} or {last}" if others else last
     if get_origin(kind) is tuple and len(parts) == 2 and parts[1] is Ellipsis:
         return f"a list such as 1,2,3, each {_allowed(parts[0])}"
+    if hasattr(kind, "form"):
+        return kind.form
     if kind in _WORDS:
         return _WORDS[kind]
     raise TypeError(f"an option cannot be of the type {kind}")

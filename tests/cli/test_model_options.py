@@ -61,7 +61,7 @@ def test_a_paid_run_is_estimated_ends_at_its_limit_and_goes_on(
     assert "12 calls, 12000 tokens, 12.0000 USD" in said.out
     assert "the user stands waiting 1.5 s per episode" in said.out
     record, results = read_run(out)
-    assert record.settings.agent.asking.shared_folder is None
+    assert record.settings.agent.language_model.shared_folder is None
     assert {one.standing_s for one in results} == {1.5}
     table = memorymaze("table", out).out
     assert "standing time per reply is 1.5 s, not the latency measured" in table
@@ -93,7 +93,11 @@ def test_navigate_says_what_the_model_took(
         ),
         ("code_generation", ["--price", "cheap"], "expected PROMPT,COMPLETION"),
         ("code_generation", ["--inference-time", "long"], "expected measured, none"),
-        ("code_generation", ["--retries", "-1"], "--retries: expected at least 0"),
+        (
+            "code_generation",
+            ["--retries", "-1"],
+            "--retries: expected a whole number of at least 0",
+        ),
         ("code_generation", ["--model", "gguf:no.gguf"], "no.gguf cannot be read"),
     ],
     ids=lambda value: " ".join(value) if isinstance(value, list) else "",

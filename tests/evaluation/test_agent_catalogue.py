@@ -5,9 +5,11 @@ from pathlib import Path
 import pytest
 
 from memorymaze.agents import AGENTS
+from memorymaze.agents.agent import needs_of
 from memorymaze.errors import SettingsError
 from memorymaze.evaluation.agent_catalogue import (
     agent_names,
+    agent_needs,
     agent_options,
     build_agent,
     known_agent,
@@ -16,6 +18,7 @@ from memorymaze.evaluation.agent_listing import agent_listing
 from memorymaze.evaluation.oracle import OracleAgent
 from memorymaze.evaluation.plan import RunPlan
 from memorymaze.evaluation.settings import AgentSettings
+from memorymaze.language.model_settings import ModelSettings
 from memorymaze.options import list_options
 
 OWN_AGENT = """
@@ -191,8 +194,9 @@ def test_a_module_is_found_in_the_current_folder(
 
 @pytest.mark.parametrize("option", ["model", "base_url", "record", "replay"])
 def test_a_language_model_for_an_agent_without_one_is_refused(option: str) -> None:
+    model = ModelSettings(**{option: "x"})
     with pytest.raises(SettingsError, match="asks no language model"):
-        build_agent(AgentSettings("stop", **{option: "x"}))
+        build_agent(AgentSettings("stop", language_model=model))
 
 
 def test_a_parser_for_an_agent_without_one_is_refused() -> None:
@@ -227,3 +231,13 @@ def test_an_agent_of_ones_own_is_made_from_its_options(
     longer = AgentSettings(name, options=(("stride", "2"),))
     assert build_agent(longer)(episode).name == "strides of 2.0"
     assert "--set stride=0.5\n        Metres per step." in agent_listing([name])
+
+
+@pytest.mark.parametrize("name", ["code_generation", "navgpt", "navid"])
+def test_what_the_catalogue_says_an_agent_needs_is_what_it_declares(
+    name: str, tiny_plan: Callable[..., RunPlan]
+) -> None:
+    asked = ModelSettings(model="m", base_url="http://127.0.0.1:9/v1")
+    agent_for = build_agent(AgentSettings(name, language_model=asked))
+    agent = agent_for(tiny_plan("stop").episodes[0])
+    assert needs_of(agent) == agent_needs(name)

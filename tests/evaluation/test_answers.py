@@ -11,7 +11,6 @@ import pytest
 from memorymaze.agents.code_generation import CodeGenerationRequests
 from memorymaze.errors import AnswerFileError, SettingsError
 from memorymaze.evaluation.answers import open_requests, remarks_on
-from memorymaze.evaluation.asking import AskingSettings
 from memorymaze.evaluation.driver import run_plan
 from memorymaze.evaluation.plan import RunPlan, plan_run
 from memorymaze.evaluation.settings import AgentSettings, differences
@@ -19,6 +18,7 @@ from memorymaze.instructions import load_corpus
 from memorymaze.instructions.files import load_instructions
 from memorymaze.language.answer_store import AnswerStore
 from memorymaze.language.answers import AboutInstruction, RecordingModel
+from memorymaze.language.model_settings import ModelSettings
 from memorymaze.language.scripted_model import ScriptedLanguageModel
 from memorymaze.language.spending import TokenPrice
 
@@ -52,9 +52,15 @@ def file(tmp_path: Path) -> Callable[..., Path]:
 def plan(tiny_sites_folder: Path) -> Callable[..., RunPlan]:
     """Plan a run on the tiny instructions that takes answers."""
 
-    def make(answers: Path, name: str = "code_generation", **changes: Any) -> RunPlan:
+    def make(
+        answers: Path,
+        name: str = "code_generation",
+        parser: bool | None = None,
+        **changes: Any,
+    ) -> RunPlan:
+        model = ModelSettings(replay=str(answers), **changes)
         return plan_run(
-            replace(AgentSettings(name, replay=str(answers)), **changes),
+            AgentSettings(name, parser=parser, language_model=model),
             load_corpus([TINY_INSTRUCTIONS], sites=tiny_sites_folder),
         )
 
@@ -78,8 +84,7 @@ def test_replies_are_counted_at_the_prices_given(
 ) -> None:
     text = f"```\n{BY_HAND['program']}\n```"
     reply = {"stage": "program", "text": text, "prompt_tokens": 100, "latency_s": 2.0}
-    asking = AskingSettings(price=TokenPrice(1.0, 2.0))
-    planned = plan(file(replies=[reply]), asking=asking)
+    planned = plan(file(replies=[reply]), price=TokenPrice(1.0, 2.0))
     [one, *_] = run_plan(planned, tmp_path / "run", workers=1)
     assert (one.model_calls, one.tokens, one.inference_s) == (1, 100, 2.0)
     assert one.cost_usd == pytest.approx(100 / 1e6)

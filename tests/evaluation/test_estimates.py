@@ -3,24 +3,26 @@
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
-from types import SimpleNamespace
 
 import pytest
 
-from memorymaze.evaluation.asking import AskingSettings
 from memorymaze.evaluation.estimates import answers_estimate, cost_estimate
 from memorymaze.evaluation.plan import RunPlan, plan_run
 from memorymaze.evaluation.settings import AgentSettings, RunSettings
 from memorymaze.instructions import load_corpus
+from memorymaze.language.model_settings import ModelSettings
 from memorymaze.language.spending import TokenPrice
 
 TINY_INSTRUCTIONS = Path(__file__).parents[1] / "tiny_instructions.jsonl"
 ASKING = AgentSettings(
     "code_generation",
-    model="m",
-    base_url="http://localhost:9/v1",
-    asking=AskingSettings(price=TokenPrice(1.0, 10.0)),
+    language_model=ModelSettings(
+        model="m", base_url="http://localhost:9/v1", price=TokenPrice(1.0, 10.0)
+    ),
 )
+
+
+UNPRICED = replace(ASKING.language_model, price=None)
 
 
 @pytest.fixture
@@ -52,8 +54,8 @@ def test_code_generation_is_estimated_by_its_own_requests(
 def test_a_limit_is_said_and_for_agents_that_go_step_by_step_asked_for(
     plan: Callable[[AgentSettings], RunPlan],
 ) -> None:
-    limited = replace(ASKING.asking, max_cost=0.5)
-    said = str(cost_estimate(plan(replace(ASKING, asking=limited))))
+    limited = replace(ASKING.language_model, max_cost=0.5)
+    said = str(cost_estimate(plan(replace(ASKING, language_model=limited))))
     assert said.endswith("the run ends when 0.5 USD are spent")
     said = str(cost_estimate(plan(replace(ASKING, name="navgpt"))))
     assert "cannot be told beforehand" in said
@@ -63,24 +65,20 @@ def test_a_limit_is_said_and_for_agents_that_go_step_by_step_asked_for(
 def test_nothing_is_said_without_prices(
     plan: Callable[[AgentSettings], RunPlan],
 ) -> None:
-    assert cost_estimate(plan(replace(ASKING, asking=AskingSettings()))) is None
+    assert cost_estimate(plan(replace(ASKING, language_model=UNPRICED))) is None
     assert cost_estimate(plan(AgentSettings("stop"))) is None
 
 
 def test_a_run_tells_how_often_it_will_ask() -> None:
-    plan = plan_run(AgentSettings("stop"), settings=RunSettings(limit=12))
+    twelve = RunSettings(limit=12)
+    plan = plan_run(AgentSettings("stop"), settings=twelve)
     assert answers_estimate(plan) is None
-    replayed = SimpleNamespace(agent=AgentSettings("navid", replay="replies.sqlite"))
-    assert answers_estimate(SimpleNamespace(settings=replayed)) is None  # type: ignore[arg-type]
 
     def asked(**options: str) -> tuple[int, int]:
-        agent = AgentSettings("navid", options=tuple(options.items()))
-        settings = SimpleNamespace(agent=agent)
-        line = answers_estimate(
-            SimpleNamespace(  # type: ignore[arg-type]
-                settings=settings, episodes=plan.episodes, sites=plan.sites
-            )
+        agent = AgentSettings(
+            "navid", options=tuple(options.items()), language_model=UNPRICED
         )
+        line = answers_estimate(plan_run(agent, settings=twelve))
         assert line is not None
         numbers = [int(word) for word in line.split() if word.isdigit()]
         return numbers[0], numbers[1]

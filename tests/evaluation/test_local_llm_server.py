@@ -18,7 +18,6 @@ from pathlib import Path
 import pytest
 
 from memorymaze.agents.code_generation.replies import read_steps, steps_grammar
-from memorymaze.evaluation.asking import AskingSettings
 from memorymaze.evaluation.driver import run_plan
 from memorymaze.evaluation.plan import plan_run
 from memorymaze.evaluation.run_folder import read_run
@@ -27,6 +26,7 @@ from memorymaze.evaluation.trace import read_trace
 from memorymaze.instructions import load_corpus
 from memorymaze.language.local_models import SMOLLM2_FILE, local_model
 from memorymaze.language.model import CompletionRequest, Message
+from memorymaze.language.model_settings import ModelSettings
 from memorymaze.results.tables import load_runs, run_tables
 
 pytestmark = pytest.mark.local_llm
@@ -79,11 +79,15 @@ def test_from_a_server_over_programs_and_walks_to_a_table_and_a_replay(
     replies = str(tmp_path / "replies.sqlite")
     asking = AgentSettings(
         "code_generation",
-        model="small",
-        base_url=server,
-        record=replies,
         options=(("stages", "single"),),
-        asking=AskingSettings(timeout=1800.0, retries=0, grammar="llama.cpp"),
+        language_model=ModelSettings(
+            model="small",
+            base_url=server,
+            record=replies,
+            request_timeout=1800.0,
+            retries=0,
+            grammar="llama.cpp",
+        ),
     )
 
     def run(agent: AgentSettings, name: str):
@@ -109,7 +113,8 @@ def test_from_a_server_over_programs_and_walks_to_a_table_and_a_replay(
         }
         assert {"steps", "program"} <= notes
     replayed = run(
-        replace(asking, base_url=None, record=None, replay=replies), "replayed"
+        replace(asking, language_model=ModelSettings(model="small", replay=replies)),
+        "replayed",
     )
     assert [replace(one, wall_s=0) for one in replayed] == [
         replace(one, wall_s=0) for one in asked

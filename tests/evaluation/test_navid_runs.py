@@ -20,13 +20,13 @@ from memorymaze.agents.navid import NavidAgent, NavidOptions
 from memorymaze.agents.navid.policy import Answer, Command, Frame, Task
 from memorymaze.errors import EpisodeOver, SettingsError
 from memorymaze.evaluation.agent_catalogue import build_agent
-from memorymaze.evaluation.asking import AskingSettings
 from memorymaze.evaluation.budgets import stepping_time_budget
-from memorymaze.evaluation.navid_runs import NavidOnSite
+from memorymaze.evaluation.language_agents import NavidOnSite
 from memorymaze.evaluation.navigation import navigate
 from memorymaze.evaluation.settings import AgentSettings
 from memorymaze.geometry.pose import turn_between
 from memorymaze.language.model import Completion, Usage
+from memorymaze.language.model_settings import ModelSettings
 from memorymaze.simulation import SimulatedRobot, SimulationSettings, build_scene
 from memorymaze.sites import Site
 from memorymaze.sites.records import Route
@@ -153,7 +153,9 @@ def test_a_policy_server_drives_the_robot_to_the_goal(
     script = [*ahead(10), "turn left 90 degrees.", *ahead(6), "stop"]
     store = str(tmp_path / "replies.sqlite")
     agent = AgentSettings(
-        "navid", options=(("server", scripted_server(*script)),), record=store
+        "navid",
+        options=(("server", scripted_server(*script)),),
+        language_model=ModelSettings(record=store),
     )
     route = l_site.routes[0]
 
@@ -171,7 +173,9 @@ def test_a_policy_server_drives_the_robot_to_the_goal(
 
     # Nobody is there any more; the trace has every decision, and all pictures' digests.
     nowhere = AgentSettings(
-        "navid", options=(("server", "http://127.0.0.1:9"),), replay=store
+        "navid",
+        options=(("server", "http://127.0.0.1:9"),),
+        language_model=ModelSettings(replay=store),
     )
     again = navigate(l_site, route, "To the corner and left.", nowhere)
     assert again.trace == run.trace
@@ -225,7 +229,10 @@ def test_a_vision_model_on_a_server_drives_the_robot_and_replays(
 ) -> None:
     address, requests = vision_server
     store = str(tmp_path / "replies.sqlite")
-    asking = AgentSettings("navid", model="small-vlm", base_url=address, record=store)
+    asking = AgentSettings(
+        "navid",
+        language_model=ModelSettings(model="small-vlm", base_url=address, record=store),
+    )
     route = corridor_site.routes[0]
 
     run = navigate(corridor_site, route, "To the fourth door.", asking)
@@ -240,7 +247,9 @@ def test_a_vision_model_on_a_server_drives_the_robot_and_replays(
         assert picture["image_url"]["url"].startswith("data:image/jpeg;base64,/9j/")
 
     asked = len(requests)
-    replaying = AgentSettings("navid", model="small-vlm", replay=store)
+    replaying = AgentSettings(
+        "navid", language_model=ModelSettings(model="small-vlm", replay=store)
+    )
     again = navigate(corridor_site, route, "To the fourth door.", replaying)
     assert (again.trace, again.trajectory) == (run.trace, run.trajectory)
     assert len(requests) == asked
@@ -281,7 +290,7 @@ for step in range(3):
     ("settings", "said"),
     [
         ({}, "name a vision model with --model, or a policy server"),
-        ({"model": "smollm2"}, "see no pictures"),
+        ({"language_model": ModelSettings(model="smollm2")}, "see no pictures"),
         (
             {"options": (("server", "http://127.0.0.1:9"), ("pictures", "none"))},
             "always shown pictures",
@@ -290,30 +299,38 @@ for step in range(3):
         (
             {
                 "options": (("server", "http://127.0.0.1:9"),),
-                "asking": AskingSettings(retries=0),
+                "language_model": ModelSettings(retries=0),
             },
             "cannot be reached",
         ),
         (
             {
                 "options": (("server", "http://127.0.0.1:9"),),
-                "asking": AskingSettings(max_tokens_total=5),
+                "language_model": ModelSettings(max_tokens_total=5),
             },
             "--max-tokens-total: is for language models",
         ),
         (
-            {"options": (("server", "http://127.0.0.1:9"),), "model": "x"},
+            {
+                "options": (("server", "http://127.0.0.1:9"),),
+                "language_model": ModelSettings(model="x"),
+            },
             "either a vision model or a policy server",
         ),
         (
             {
                 "options": (("server", "http://127.0.0.1:9"),),
-                "record": "a",
-                "replay": "b",
+                "language_model": ModelSettings(record="a", replay="b"),
             },
             "not both",
         ),
-        ({"options": (("server", "http://x"),), "replay": "none"}, "no recorded"),
+        (
+            {
+                "options": (("server", "http://x"),),
+                "language_model": ModelSettings(replay="none"),
+            },
+            "no recorded",
+        ),
     ],
 )
 def test_what_cannot_be_made_is_explained(settings: Any, said: str) -> None:

@@ -17,9 +17,8 @@ from typing import Any, NamedTuple
 import pytest
 
 from memorymaze.errors import SettingsError
-from memorymaze.evaluation.asking import AskingSettings
 from memorymaze.evaluation.driver import run_plan
-from memorymaze.evaluation.episode_worker import EpisodeDone, EpisodeTask
+from memorymaze.evaluation.episode_worker import EpisodeDone, EpisodeTask, EpisodeWorker
 from memorymaze.evaluation.plan import RunPlan
 from memorymaze.evaluation.ray_workers import (
     RayWorkforce,
@@ -31,6 +30,7 @@ from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import read_run
 from memorymaze.evaluation.settings import AgentSettings, RunSettings
 from memorymaze.evaluation.trace import trace_path
+from memorymaze.language.model_settings import ModelSettings
 from memorymaze.language.spending import TokenPrice
 
 Plan = Callable[..., RunPlan]
@@ -241,28 +241,30 @@ def test_more_workers_than_the_cluster_has_cores_are_refused(
     ("agent", "message"),
     [
         pytest.param(
-            {"asking": AskingSettings(TokenPrice(1, 2), max_cost=5)},
+            {"language_model": ModelSettings(price=TokenPrice(1, 2), max_cost=5)},
             "--max-cost and --ray: .* what all have spent; leave --ray out",
             id="cost",
         ),
         pytest.param(
-            {"asking": AskingSettings(max_tokens_total=5)},
+            {"language_model": ModelSettings(max_tokens_total=5)},
             "--max-tokens-total and --ray",
             id="tokens",
         ),
         pytest.param(
-            {"asking": AskingSettings(max_requests=5)},
+            {"language_model": ModelSettings(max_requests=5)},
             "give --workers 5",
             id="requests",
         ),
         pytest.param(
-            {"record": "replies.sqlite"}, "--record and --ray: one file", id="record"
+            {"language_model": ModelSettings(record="replies.sqlite")},
+            "--record and --ray: one file",
+            id="record",
         ),
         pytest.param(
             {"options": (("captions", "vision"),)}, "captions and --ray", id="captions"
         ),
         pytest.param(
-            {"base_url": "http://localhost:8000/v1"},
+            {"language_model": ModelSettings(base_url="http://localhost:8000/v1")},
             "on a cluster of 2 nodes this is every node itself",
             id="own address",
         ),
@@ -279,7 +281,9 @@ def test_what_several_machines_cannot_keep_together_is_refused(
 def test_an_address_of_ones_own_serves_a_cluster_of_one_node(
     settings: RunSettings,
 ) -> None:
-    agent = AgentSettings("navgpt", base_url="http://localhost:8000/v1")
+    agent = AgentSettings(
+        "navgpt", language_model=ModelSettings(base_url="http://localhost:8000/v1")
+    )
     RayWorkforce(2, cores=4, nodes=1).check(replace(settings, agent=agent))
 
 
@@ -300,7 +304,8 @@ def test_an_agents_files_are_needed_no_more_once_they_are_packed(
     file.write_text(AGENT, encoding="utf-8")
     beside.write_text("NAME = 'traveller'", encoding="utf-8")
     plan = tiny_plan(f"{file}:Traveller")
-    prepare = TravellingWorker(plan.settings, plan.sites, pack_files(plan.settings))
+    worker = EpisodeWorker.of(plan, plan.settings)
+    prepare = TravellingWorker(worker, pack_files(plan.settings))
     file.unlink()
     beside.unlink()
     monkeypatch.delitem(sys.modules, "names_of_travellers")
@@ -311,7 +316,10 @@ def test_an_agents_files_are_needed_no_more_once_they_are_packed(
 
 def test_a_file_of_answers_travels(tmp_path: Path, settings: RunSettings) -> None:
     (tmp_path / "answers.sqlite").write_bytes(b"answers")
-    agent = AgentSettings("code_generation", replay=str(tmp_path / "answers.sqlite"))
+    agent = AgentSettings(
+        "code_generation",
+        language_model=ModelSettings(replay=str(tmp_path / "answers.sqlite")),
+    )
     assert pack_files(replace(settings, agent=agent)) == {
         "replay/answers.sqlite": b"answers",
     }

@@ -16,6 +16,7 @@ from memorymaze.evaluation.run_folder import (
     read_run,
 )
 from memorymaze.instructions.corpus import load_instructions
+from memorymaze.language.model_settings import ModelSettings
 from memorymaze.sites import Site
 
 Make = Callable[..., EpisodeResult]
@@ -156,7 +157,8 @@ def test_where_replies_are_kept_makes_no_other_run(
     tmp_path: Path, record: RunRecord
 ) -> None:
     write(tmp_path, record)
-    agent = replace(record.settings.agent, replay="b", record="c", base_url="d")
+    asked = ModelSettings(replay="b", record="c", base_url="d")
+    agent = replace(record.settings.agent, language_model=asked)
     write(tmp_path, replace(record, settings=replace(record.settings, agent=agent)))
 
 

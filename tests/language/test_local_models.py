@@ -6,8 +6,6 @@ from pathlib import Path
 import pytest
 
 from memorymaze.errors import SettingsError
-from memorymaze.evaluation.language_models import build_language_model
-from memorymaze.evaluation.settings import AgentSettings
 from memorymaze.language.local_models import (
     GgufModel,
     is_local,
@@ -15,6 +13,7 @@ from memorymaze.language.local_models import (
     model_name,
 )
 from memorymaze.language.model import takes_grammar
+from memorymaze.language.model_settings import ModelSettings, build_language_model
 from memorymaze.language.scripted_model import ScriptedLanguageModel
 
 
@@ -54,7 +53,7 @@ def test_a_file_is_named_without_its_folder_and_loaded_only_when_asked(
     gguf: Path, installed: set[str]
 ) -> None:
     installed.add("llama_cpp")
-    model = build_language_model(AgentSettings("navgpt", model=f"gguf:{gguf}"))
+    model = build_language_model(ModelSettings(model=f"gguf:{gguf}"))
     assert model.name == "gguf:some-model.gguf"
     assert takes_grammar(model)
     assert not takes_grammar(ScriptedLanguageModel([]))
@@ -84,15 +83,11 @@ def test_what_is_no_model_is_said(tmp_path: Path, content: bytes | None) -> None
 
 
 def test_a_file_is_not_asked_for_at_a_server(gguf: Path) -> None:
-    agent = AgentSettings(
-        "code_generation", model=f"gguf:{gguf}", base_url="http://localhost:9/v1"
-    )
+    agent = ModelSettings(model=f"gguf:{gguf}", base_url="http://localhost:9/v1")
     with pytest.raises(SettingsError, match="is run here and not on a server"):
         build_language_model(agent)
 
 
 def test_a_server_may_have_a_model_called_smollm2(installed: set[str]) -> None:
-    agent = AgentSettings(
-        "code_generation", model="smollm2", base_url="http://localhost:9/v1"
-    )
+    agent = ModelSettings(model="smollm2", base_url="http://localhost:9/v1")
     assert build_language_model(agent).name == "smollm2"

@@ -13,7 +13,7 @@ from memorymaze.agents.navid import NavidAgent
 from memorymaze.agents.navid.model_policies import VisionPolicy
 from memorymaze.errors import EpisodeOver
 from memorymaze.evaluation.graph_agents import NavGPTOnGraph
-from memorymaze.evaluation.navid_runs import NavidOnSite
+from memorymaze.evaluation.language_agents import NavidOnSite
 from memorymaze.evaluation.oracle import OracleAgent
 from memorymaze.geometry.pose import Pose
 from memorymaze.language.model import CompletionRequest

@@ -4,11 +4,7 @@ import argparse
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from memorymaze.cli.model_options import (
-    add_model_options,
-    asking_settings,
-    inference_time,
-)
+from memorymaze.cli.model_options import add_model_options, model_settings
 
 if TYPE_CHECKING:
     from memorymaze.evaluation.settings import AgentSettings, RunSettings
@@ -32,33 +28,12 @@ def add_agent_options(parser: argparse.ArgumentParser, default: str | None) -> N
         help="an option of the agent; may be given several times. `memorymaze agents "
         "NAME` lists the options of each agent, with what they mean",
     )
-    model = parser.add_argument_group("language model")
-    model.add_argument(
-        "--model",
-        metavar="NAME",
-        help="a server's name for a model, such as gpt-4o-mini; or one that runs here: "
-        "gguf:PATH, or smollm2, which comes with the extra [local-llm]",
-    )
-    model.add_argument(
-        "--base-url",
-        metavar="URL",
-        help="an OpenAI-compatible server (default: OpenAI's, or OPENAI_BASE_URL)",
-    )
+    model = add_model_options(parser)
     model.add_argument(
         "--no-parser",
         action="store_true",
         help="write the program from the instruction itself, without parsing it first",
     )
-    model.add_argument(
-        "--record", metavar="FILE", help="keep the model's replies in a file"
-    )
-    model.add_argument(
-        "--replay",
-        "--programs",
-        metavar="FILE",
-        help="take answers from a file; ask no model (docs/language_models.md)",
-    )
-    add_model_options(parser)
 
 
 def add_episode_options(parser: argparse.ArgumentParser) -> None:
@@ -167,22 +142,16 @@ def episode_settings(
 
 def agent_settings(options: argparse.Namespace) -> "AgentSettings":
     """Return the agent that the options ask for."""
-    from memorymaze.evaluation.agent_catalogue import has_language_model, has_parser
+    from memorymaze.evaluation.agent_catalogue import has_parser
     from memorymaze.evaluation.settings import AgentSettings
 
     parser: bool | None = None
     if options.no_parser or (has_parser(options.agent) and options.replay is None):
         parser = not options.no_parser
-    asks = has_language_model(options.agent)
     return AgentSettings(
         name=options.agent,
-        model=options.model,
         parser=parser,
-        base_url=options.base_url,
-        record=options.record,
-        replay=options.replay,
-        asking=asking_settings(options, asks=asks),
-        inference_time=inference_time(options, asks=asks),
+        language_model=model_settings(options),
         options=given_options(options.set),
     )
 

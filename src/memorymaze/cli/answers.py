@@ -122,13 +122,13 @@ def _plan(options: argparse.Namespace, answers: str, parser: bool | None) -> "Ru
     from memorymaze.evaluation.plan import plan_run
     from memorymaze.evaluation.settings import AgentSettings
     from memorymaze.instructions import load_corpus
+    from memorymaze.language.model_settings import ModelSettings
 
     return plan_run(
         AgentSettings(
             name=options.agent,
-            model=options.model,
             parser=parser,
-            replay=answers,
+            language_model=ModelSettings(model=options.model, replay=answers),
             options=given_options(options.set),
         ),
         load_corpus(options.instructions, sites=options.sites),

@@ -5,7 +5,7 @@ To add one: an entry in `_KNOWN`, with how it is made, its dataclass of options 
 """
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, is_dataclass
+from dataclasses import dataclass, fields, is_dataclass
 from pathlib import Path
 from typing import Any
 
@@ -21,11 +21,10 @@ from memorymaze.agents.own_agents import (
 )
 from memorymaze.agents.rules import RulesAgent, RulesOptions
 from memorymaze.errors import SettingsError, did_you_mean
-from memorymaze.evaluation.language_models import build_language_model, parses_first
 from memorymaze.evaluation.oracle import OracleAgent
 from memorymaze.evaluation.settings import AgentSettings
 from memorymaze.instructions.records import Episode
-from memorymaze.language.answers import AboutInstruction
+from memorymaze.language.model_settings import ModelSettings
 from memorymaze.options import options_of, read_options
 
 AgentFor = Callable[[Episode], Agent]
@@ -48,16 +47,9 @@ class KnownAgent:
 
 
 def _code_generation(settings: AgentSettings, options: Any) -> AgentFor:
-    from memorymaze.agents.code_generation import CodeGenerationAgent
+    from memorymaze.evaluation.language_agents import code_generation_for_runs
 
-    model = build_language_model(settings)
-    parser = parses_first(settings)
-
-    def agent_for(episode: Episode) -> Agent:
-        asked = AboutInstruction(model, episode.instruction.id)
-        return CodeGenerationAgent(asked, parser=parser, options=options)
-
-    return agent_for
+    return code_generation_for_runs(settings, options)
 
 
 def _code_generation_options() -> type:
@@ -67,7 +59,7 @@ def _code_generation_options() -> type:
 
 
 def _navgpt(settings: AgentSettings, options: Any) -> AgentFor:
-    from memorymaze.evaluation.navgpt_runs import navgpt_for_runs
+    from memorymaze.evaluation.language_agents import navgpt_for_runs
 
     return navgpt_for_runs(settings, options)
 
@@ -100,7 +92,7 @@ def _rules_options() -> type:
 
 
 def _navid(settings: AgentSettings, options: Any) -> AgentFor:
-    from memorymaze.evaluation.navid_runs import navid_for_runs
+    from memorymaze.evaluation.language_agents import navid_for_runs
 
     return navid_for_runs(settings, options)
 
@@ -298,10 +290,12 @@ def build_agent(settings: AgentSettings, given: Agent | None = None) -> AgentFor
 
 def _refuse_model(settings: AgentSettings) -> None:
     askers = [name for name in agent_names() if has_language_model(name)]
-    for option in ("model", "base_url", "record", "replay"):
-        if getattr(settings, option) is not None:
+    for field in (each for each in fields(ModelSettings) if each.metadata):
+        # Users' own agents may ask a model that only they know of.
+        given = getattr(settings.language_model, field.name) != field.default
+        if given and not (settings.is_own and field.name == "inference_time"):
             raise SettingsError(
-                f"--{option.replace('_', '-')}: the agent {settings.name!r} asks no "
+                f"--{field.name.replace('_', '-')}: the agent {settings.name!r} asks no "
                 "language model; leave the option out, or choose --agent "
                 f"{' or '.join(askers)}"
             )

@@ -1,30 +1,84 @@
-"""What an agent would still ask, and what comes of the answers it has; no model is asked."""
+"""Answers that were given before a run: which it takes, what they lack, how they end.
 
-from collections.abc import Iterator
+No model is asked here; the agent asks, and is answered from a store or a file.
+"""
+
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any, Literal, cast
+from typing import TYPE_CHECKING, Any, Literal, cast
 
 import numpy as np
 
 from memorymaze.agents.agent import Agent, Journal
-from memorymaze.errors import EpisodeOver, LanguageModelError, ProgramError
+from memorymaze.errors import (
+    AnswerFileError,
+    EpisodeOver,
+    LanguageModelError,
+    ProgramError,
+)
 from memorymaze.evaluation.agent_catalogue import build_agent
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.episode import run_episode
-from memorymaze.evaluation.language_models import replaying_model
-from memorymaze.evaluation.plan import RunPlan
+from memorymaze.evaluation.settings import AgentSettings, AnswersTaken
+from memorymaze.input_files import stamp_file
 from memorymaze.instructions.records import Episode
 from memorymaze.language.answer_files import AnswerFile
-from memorymaze.language.answers import UnansweredError
+from memorymaze.language.answers import UnansweredError, replaying_model
 from memorymaze.language.model import CompletionRequest
 from memorymaze.perception.eyes import Eyes
 from memorymaze.robot.steps import SteppingRobot
+
+if TYPE_CHECKING:
+    from memorymaze.evaluation.plan import RunPlan
 
 Kind = Literal["unsafe", "crash", "model_error", "note"]
 """How an episode will end, or `note`: worth knowing."""
 
 
-def open_requests(plan: RunPlan) -> Iterator[CompletionRequest]:
+def answers_taken(
+    settings: AgentSettings,
+    agent_for: Callable[[Episode], Agent],
+    episodes: Sequence[Episode],
+) -> AnswersTaken | None:
+    """Say which answers a run takes; None where it asks a model.
+
+    Raises:
+        AnswerFileError: A file has no answer for some episodes; names the first. A
+            store may have none: a failure of the model is not kept.
+    """
+    model = replaying_model(settings.language_model)
+    file = settings.language_model.replay
+    if model is None or file is None:
+        return None
+    versions = model.versions()
+    wanted = list(dict.fromkeys(each.instruction.id for each in episodes))
+    known = {instruction for instruction, _ in versions}
+    missing = [each for each in wanted if versions and each not in known]
+    if missing and isinstance(model.answers, AnswerFile):
+        raise AnswerFileError(
+            f"{file}: expected an answer for each of {len(wanted)} "
+            f"instructions, got none for {len(missing)}: "
+            f"{', '.join(missing[:10])}{', …' if len(missing) > 10 else ''}; for one "
+            "that the model failed on write a record with `error`"
+        )
+    prompts: dict[str, str] = getattr(agent_for(episodes[0]), "prompts", {})
+    other = unknown = 0
+    for each in wanted:
+        answered = [
+            (versions.get((each, stage)) or versions.get((each, plain), set()), prompt)
+            for stage, prompt in prompts.items()
+            for plain in [stage.partition("+")[0]]
+        ]
+        differing = [
+            found for found, prompt in answered if found and prompt not in found
+        ]
+        unknown += any(None in found for found in differing)
+        other += bool(differing) and not any(None in found for found in differing)
+    stamp = stamp_file(file)
+    return AnswersTaken(stamp.name, stamp.sha256, len(missing), other, unknown)
+
+
+def open_requests(plan: "RunPlan") -> Iterator[CompletionRequest]:
     """Yield the next request of each episode that its answers leave open.
 
     Agents that ask all they ask before the robot moves are not put into a simulation.
@@ -55,7 +109,7 @@ class Remark:
     """With `file:line` where there is one."""
 
 
-def remarks_on(plan: RunPlan) -> Iterator[Remark]:
+def remarks_on(plan: "RunPlan") -> Iterator[Remark]:
     """Say how episodes will end before their robot moves, by the answers they have.
 
     Only agents that ask beforehand tell; programs are checked, not run.
@@ -63,7 +117,7 @@ def remarks_on(plan: RunPlan) -> Iterator[Remark]:
     agent_for = build_agent(plan.settings.agent)
     known = {episode.instruction.id for episode in plan.episodes}
     places: dict[str, str] = {}
-    model = replaying_model(plan.settings.agent)
+    model = replaying_model(plan.settings.agent.language_model)
     if model is not None and isinstance(model.answers, AnswerFile):
         places = {each.instruction: each.place for each in model.answers.answers}
         for name in places.keys() - known:
@@ -80,7 +134,8 @@ def remarks_on(plan: RunPlan) -> Iterator[Remark]:
         journal = Journal()
         ending = _follow_nowhere(agent, episode, journal)
         name = episode.instruction.id
-        place = f"{places.get(name, plan.settings.agent.replay)}: {name}"
+        file = plan.settings.agent.language_model.replay
+        place = f"{places.get(name, file)}: {name}"
         if isinstance(ending, ProgramError):
             yield Remark("unsafe" if ending.unsafe else "crash", f"{place}: {ending}")
         elif isinstance(ending, LanguageModelError):

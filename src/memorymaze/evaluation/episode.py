@@ -118,7 +118,7 @@ def _attempt(
     journal = Journal(
         listener=lambda entry: tell(note_entry(robot.time, entry)),
         on_completion=lambda reply: robot.wait(
-            settings.agent.inference_time.seconds(reply)
+            settings.agent.language_model.inference_time.seconds(reply)
         ),
     )
     if watcher is not None:

@@ -2,11 +2,9 @@
 
 from collections.abc import Iterator
 
-from memorymaze.agents.navid.agent import NavidOptions
-from memorymaze.evaluation.budgets import fair_steps, fewest_answers
+from memorymaze.evaluation.agent_catalogue import build_agent
 from memorymaze.evaluation.plan import RunPlan
 from memorymaze.language.model import CompletionRequest
-from memorymaze.options import read_options
 
 SECONDS_PER_ANSWER = 2.0
 """Assumed where the time of a whole run is told."""
@@ -31,18 +29,24 @@ def cost_estimate(plan: RunPlan) -> str | None:
     Returns:
         None where no prices were given, or nothing is asked.
     """
-    agent = plan.settings.agent
-    price = agent.asking.price
-    if price is None or agent.replay is not None:
+    settings = plan.settings.agent.language_model
+    price = settings.price
+    if price is None or settings.replay is not None:
         return None
-    limit = agent.asking.max_cost
+    limit = settings.max_cost
     end = "" if limit is None else f"; the run ends when {limit:g} USD are spent"
-    if agent.name != "code_generation":
-        return (
-            f"cost: cannot be told beforehand, because {agent.name} asks again and "
-            f"again until it arrives or gives up{end or '; set --max-cost'}"
-        )
-    requests = _requests(plan)
+    agent_for = build_agent(plan.settings.agent, plan.agent)
+    requests: list[CompletionRequest] = []
+    for episode in plan.episodes:
+        # Agents that ask before the robot moves can tell what.
+        expected = getattr(agent_for(episode), "requests_expected", None)
+        if expected is None:
+            return (
+                f"cost: cannot be told beforehand, because {plan.settings.agent.name} "
+                "asks again and again until it arrives or gives up"
+                f"{end or '; set --max-cost'}"
+            )
+        requests += expected(episode.instruction.text)
     read = sum(map(_characters, requests)) / CHARACTERS_PER_TOKEN
     written = sum(min(REPLY_TOKENS, each.max_tokens) for each in requests)
     most = sum(each.max_tokens for each in requests)
@@ -55,33 +59,12 @@ def cost_estimate(plan: RunPlan) -> str | None:
     )
 
 
-def _requests(plan: RunPlan) -> list[CompletionRequest]:
-    """Return what code generation will ask, with instructions in the place of steps."""
-    from memorymaze.agents.code_generation import (
-        CodeGenerationOptions,
-        CodeGenerationRequests,
-    )
-
-    agent = plan.settings.agent
-    options = read_options(CodeGenerationOptions, agent.options, agent=agent.name)
-    maker = CodeGenerationRequests(options, parser=agent.parser is not False)
-    requests: list[CompletionRequest] = []
-    for episode in plan.episodes:
-        text = episode.instruction.text
-        if maker.parser:
-            requests.append(maker.parse(text))
-        requests.append(maker.program(text))
-        if options.repair:
-            requests.append(maker.program(text))
-    return requests
-
-
 def _characters(request: CompletionRequest) -> int:
     return sum(len(message.content) for message in request.messages)
 
 
 def answers_estimate(plan: RunPlan) -> str | None:
-    """Return a line on how many answers a run of the NaVid protocol asks for.
+    """Return a line on how many answers agents ask for that go step by step.
 
     From what walks without a mistake need to what the budget of steps allows.
 
@@ -89,21 +72,17 @@ def answers_estimate(plan: RunPlan) -> str | None:
         None for runs of other agents, and for those that replay answers.
     """
     agent = plan.settings.agent
-    if agent.name != "navid" or agent.replay is not None:
+    if "steps" not in plan.settings.needs or agent.language_model.replay is not None:
         return None
-    options = read_options(NavidOptions, agent.options, agent=agent.name)
-    motions = options.motions
+    agent_for = build_agent(agent, plan.agent)
     fewest = most = 0
     for episode in plan.episodes:
-        told = episode.instruction
-        site = plan.sites[told.site]
-        fair = fair_steps(site.routes, motions.forward_m, motions.turn_deg)
-        limit = options.step_limit(fair) or 0
-        perfect = fewest_answers(
-            site.route(told.reference_route), motions.most, motions.turn_deg
-        )
-        # Where the budget does not suffice for the route, it ends the walk.
-        fewest += min(perfect, limit)
+        expected = getattr(agent_for(episode), "answers_expected", None)
+        if expected is None:
+            return None
+        site = plan.sites[episode.instruction.site]
+        perfect, limit = expected(site, site.route(episode.instruction.reference_route))
+        fewest += perfect
         most += limit
     hours = [answers * SECONDS_PER_ANSWER / 3600 for answers in (fewest, most)]
     return (

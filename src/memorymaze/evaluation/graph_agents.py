@@ -3,10 +3,11 @@
 import math
 from collections.abc import Callable
 from functools import lru_cache
+from typing import ClassVar
 
 import numpy as np
 
-from memorymaze.agents.agent import Journal
+from memorymaze.agents.agent import Journal, Need
 from memorymaze.agents.navgpt import NavGPTAgent
 from memorymaze.agents.navgpt.agent import loop_limits
 from memorymaze.errors import SettingsError
@@ -38,6 +39,8 @@ class NavGPTOnGraph:
     The graph goes round the robot here, for this agent alone; no other agent's robot has
     one. The goal and the route of the episode are not known here.
     """
+
+    needs: ClassVar[frozenset[Need]] = NavGPTAgent.needs
 
     def __init__(self, agent: NavGPTAgent, describe: Describe | None = None) -> None:
         """Stand for an agent.

@@ -53,13 +53,13 @@ class LocalWorkforce:
         # Threads of a model wait for each other: one without a core holds up all.
         threads = max(1, available_cores() // max(1, count) - 1)
         agent = plan.settings.agent
-        asking = replace(
-            agent.asking,
+        model = replace(
+            agent.language_model,
             # Absolute, because an agent may change its process's folder.
             shared_folder=str(folder.absolute()),
             threads=threads,
         )
-        settings = replace(plan.settings, agent=replace(agent, asking=asking))
+        settings = replace(plan.settings, agent=replace(agent, language_model=model))
         return LocalSource(EpisodeWorker.of(plan, settings), count)
 
 

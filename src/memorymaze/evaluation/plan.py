@@ -14,9 +14,10 @@ from memorymaze.evaluation.agent_catalogue import (
     option_values,
     settings_of,
 )
+from memorymaze.evaluation.answers import answers_taken
 from memorymaze.evaluation.budgets import time_budget_for
 from memorymaze.evaluation.eyes import checked_eyes, looks_of_run
-from memorymaze.evaluation.language_models import answers_taken, parses_first
+from memorymaze.evaluation.language_agents import parses_first
 from memorymaze.evaluation.sampling import sample
 from memorymaze.evaluation.settings import (
     AgentSettings,

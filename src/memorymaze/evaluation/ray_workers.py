@@ -120,26 +120,26 @@ class RayWorkforce:
 
     def check(self, settings: RunDefinition) -> None:
         """Refuse settings that only processes of one machine can keep together."""
-        agent, asking = settings.agent, settings.agent.asking
+        agent, model = settings.agent, settings.agent.language_model
         options = {name.replace("-", "_"): value for name, value in agent.options}
         captions = options.get("captions", "templates")
         here = "leave --ray out: workers on this machine (--workers N) keep it together"
         limit = f"workers on several machines do not know what all have spent; {here}"
         one_file = f"one file cannot be written from several machines; {here}"
         requests = (
-            f"every worker has one under way; give --workers {asking.max_requests}"
+            f"every worker has one under way; give --workers {model.max_requests}"
         )
         for option, given, reason in (
-            ("--max-cost", asking.max_cost is not None, limit),
-            ("--max-tokens-total", asking.max_tokens_total is not None, limit),
-            ("--max-requests", asking.max_requests is not None, requests),
-            ("--record", agent.record is not None, one_file),
+            ("--max-cost", model.max_cost is not None, limit),
+            ("--max-tokens-total", model.max_tokens_total is not None, limit),
+            ("--max-requests", model.max_requests is not None, requests),
+            ("--record", model.record is not None, one_file),
             ("--set captions", captions != "templates", one_file),
         ):
             if given:
                 raise SettingsError(f"{option} and --ray: {reason}")
         for option, url in (
-            ("--base-url", agent.base_url),
+            ("--base-url", model.base_url),
             ("--detector", settings.detector.url),
             ("--set server", options.get("server")),
         ):
@@ -280,9 +280,12 @@ class TravellingWorker:
         agent = replace(
             agent,
             name=own if file.endswith(".py") else agent.name,
-            replay=_placed(agent.replay, folder / "replay"),
-            # The one core that a worker is given.
-            asking=replace(agent.asking, threads=1),
+            language_model=replace(
+                agent.language_model,
+                replay=_placed(agent.language_model.replay, folder / "replay"),
+                # The one core that a worker is given.
+                threads=1,
+            ),
         )
         return replace(self.worker, settings=replace(settings, agent=agent))()
 
@@ -299,6 +302,7 @@ def pack_files(settings: RunDefinition) -> dict[str, bytes]:
         paths = {
             f"agent/{name}": path for name, path in agent_files(agent.name).items()
         }
-    if agent.replay is not None:
-        paths[f"replay/{Path(agent.replay).name}"] = Path(agent.replay)
+    replay = agent.language_model.replay
+    if replay is not None:
+        paths[f"replay/{Path(replay).name}"] = Path(replay)
     return {name: path.read_bytes() for name, path in paths.items()}

@@ -7,9 +7,9 @@ from typing import Any
 
 from memorymaze.agents.agent import Need
 from memorymaze.errors import SettingsError, did_you_mean
-from memorymaze.evaluation.asking import PATIENT, AskingSettings
-from memorymaze.evaluation.inference_time import MEASURED, InferenceTime
 from memorymaze.input_files import FileStamp
+from memorymaze.language.model_settings import NOT_COMPARED as MODEL_NOT_COMPARED
+from memorymaze.language.model_settings import ModelSettings
 from memorymaze.metrics.success import SUCCESS_DISTANCE
 from memorymaze.options import check_whole
 from memorymaze.perception.eyes import (
@@ -60,22 +60,12 @@ class AgentSettings:
 
     name: str
     """A name from `AGENTS`, `oracle`, or `module:Class` or `file.py:Class`."""
-    model: str | None = None
-    """Language model; None for the agent's default, or where it needs none."""
     parser: bool | None = None
     """Whether instructions are parsed first; None for agents without that choice."""
-    base_url: str | None = None
-    """Server of the language model."""
-    record: str | None = None
-    """File that the model's replies are written to."""
-    replay: str | None = None
-    """Store or file that answers are read from instead of asking a model."""
     options: tuple[tuple[str, str], ...] = ()
     """Names and values of the agent's own options, as they were given."""
-    asking: AskingSettings = PATIENT
-    """How the language model is asked, and what may be spent on it."""
-    inference_time: InferenceTime = MEASURED
-    """How long the robot stands while the model thinks."""
+    language_model: ModelSettings = field(default_factory=ModelSettings)
+    """Which language model it asks, how, and what that may cost."""
 
     @property
     def is_own(self) -> bool:
@@ -240,20 +230,10 @@ class RunDefinition(RunSettings):
 
 NOT_COMPARED = {
     "time_budget",
-    "agent.base_url",
-    "agent.record",
-    "agent.replay",
-    "agent.asking.timeout",
-    "agent.asking.retries",
-    "agent.asking.max_requests",
-    "agent.asking.max_cost",
-    "agent.asking.max_tokens_total",
-    "agent.asking.shared_folder",
-    "agent.asking.threads",
+    *(f"agent.language_model.{name}" for name in MODEL_NOT_COMPARED),
 }
-"""Where replies come from and go to, and how patiently and how long they are asked for,
-which does not change what they say; and the time budget as it was asked for, since what
-came of it is in `simulation`."""
+"""The time budget as it was asked for, since what came of it is in `simulation`; and how
+answers are come by."""
 
 
 def differences(old: RunDefinition, new: RunDefinition) -> list[str]:

@@ -9,7 +9,7 @@ from collections.abc import Generator
 from contextlib import contextmanager
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
-from typing import NamedTuple
+from typing import ClassVar, NamedTuple
 
 from memorymaze.errors import SettingsError, SpendingLimitReached
 from memorymaze.language.model import (
@@ -32,8 +32,27 @@ class TokenPrice:
         SettingsError: A price is below 0, or no number.
     """
 
+    form: ClassVar[str] = (
+        "PROMPT,COMPLETION in US dollars per million tokens, such as 0.15,0.60"
+    )
+
     prompt: float
     completion: float
+
+    @classmethod
+    def parse(cls, text: str) -> "TokenPrice":
+        """Read `PROMPT,COMPLETION`.
+
+        Raises:
+            ValueError: It is no pair of prices.
+            SettingsError: A price is below 0, or no number.
+        """
+        prompt, completion = map(float, text.split(","))
+        return cls(prompt, completion)
+
+    def __str__(self) -> str:
+        """Write it as it is given."""
+        return f"{self.prompt:g},{self.completion:g}"
 
     def __post_init__(self) -> None:
         """Refuse what is no price."""
@@ -49,24 +68,6 @@ class TokenPrice:
         return (
             prompt_tokens * self.prompt + completion_tokens * self.completion
         ) / 1_000_000
-
-
-def parse_price(text: str) -> TokenPrice:
-    """Read `PROMPT,COMPLETION`, such as `0.15,0.60`.
-
-    Raises:
-        SettingsError: It is no pair of prices.
-    """
-    prompt, comma, completion = text.partition(",")
-    try:
-        if comma:
-            return TokenPrice(float(prompt), float(completion))
-    except ValueError:
-        pass
-    raise SettingsError(
-        "--price: expected PROMPT,COMPLETION in US dollars per million tokens, such as "
-        f"0.15,0.60; got {text!r}"
-    )
 
 
 class PricedModel(WrappedModel):

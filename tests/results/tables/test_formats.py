@@ -10,11 +10,10 @@ from typing import Literal
 import pandas
 import pytest
 
-from memorymaze.evaluation.asking import AskingSettings
-from memorymaze.evaluation.inference_time import InferenceTime
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import RunRecord, open_run_folder
 from memorymaze.evaluation.settings import AgentSettings
+from memorymaze.language.model_settings import InferenceTime, ModelSettings
 from memorymaze.language.spending import TokenPrice
 from memorymaze.results.tables import (
     MeasuredRun,
@@ -139,9 +138,11 @@ def asking(tmp_path: Path, record: RunRecord, result: Make) -> MeasuredRun:
     """A run that asked a language model: three times on R1, and seven on R2."""
     agent = AgentSettings(
         "code_generation",
-        model="small",
-        asking=AskingSettings(price=TokenPrice(1.0, 2.0)),
-        inference_time=InferenceTime(measured=False, start_s=2.0),
+        language_model=ModelSettings(
+            model="small",
+            inference_time=InferenceTime(measured=False, start_s=2.0),
+            price=TokenPrice(1.0, 2.0),
+        ),
     )
     settings = replace(record.settings, agent=agent, episodes=3)
     spent = {"tokens": 1000, "inference_s": 0.75}

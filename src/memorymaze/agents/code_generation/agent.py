@@ -5,11 +5,11 @@ All requests come before the robot moves, unless a program that fails may be men
 
 from collections.abc import Callable
 from dataclasses import fields, is_dataclass
-from typing import Any, cast
+from typing import Any, ClassVar, cast
 
 import numpy as np
 
-from memorymaze.agents.agent import Journal
+from memorymaze.agents.agent import Journal, Need
 from memorymaze.agents.code_generation.replies import read_program, read_steps
 from memorymaze.agents.code_generation.requests import (
     CodeGenerationOptions,
@@ -32,6 +32,8 @@ class CodeGenerationAgent:
     Each request uses the paper's two-stage prompting, in one reply: a thought, a first
     output, a second thought on it, and the refined output, which is what counts.
     """
+
+    needs: ClassVar[frozenset[Need]] = frozenset({"language_model"})
 
     def __init__(
         self,
@@ -62,6 +64,12 @@ class CodeGenerationAgent:
     def asks_beforehand(self) -> bool:
         """Whether all is asked before the robot moves."""
         return not self._requests.options.repair
+
+    def requests_expected(self, instruction: str) -> list[CompletionRequest]:
+        """Return what it will ask, with the instruction in the place of steps."""
+        requests = self._requests
+        asked = [requests.parse(instruction)] if requests.parser else []
+        return asked + [requests.program(instruction)] * (1 + requests.options.repair)
 
     @property
     def prompts(self) -> dict[str, str]:

@@ -8,9 +8,9 @@ Large Language Models" (AAAI). What is as in its released code and what is not:
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, field
-from typing import Literal
+from typing import ClassVar, Literal
 
-from memorymaze.agents.agent import Journal
+from memorymaze.agents.agent import Journal, Need
 from memorymaze.agents.navgpt.observation import (
     Place,
     Scratchpad,
@@ -143,6 +143,8 @@ class NavGPTAgent:
 
     It drives a `ViewpointRobot`; in a run, one is put round the simulated robot for it.
     """
+
+    needs: ClassVar[frozenset[Need]] = frozenset({"language_model", "graph"})
 
     def __init__(
         self, model: LanguageModel, options: NavGPTOptions | None = None

@@ -5,11 +5,11 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import repeat
-from typing import Literal
+from typing import ClassVar, Literal
 
 import numpy as np
 
-from memorymaze.agents.agent import Journal
+from memorymaze.agents.agent import Journal, Need
 from memorymaze.agents.navid.policy import (
     FIELD_OF_VIEW_DEG,
     HEIGHT,
@@ -136,6 +136,8 @@ class NavidAgent:
     The policy sees a picture after every primitive motion. It is asked when what it
     asked for last is done, and answers with up to three primitives of a kind, or stop.
     """
+
+    needs: ClassVar[frozenset[Need]] = frozenset({"language_model", "camera", "steps"})
 
     def __init__(self, policy: Policy, options: NavidOptions | None = None) -> None:
         """Prepare the agent.

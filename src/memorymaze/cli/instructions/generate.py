@@ -4,6 +4,7 @@ import argparse
 import sys
 from typing import TYPE_CHECKING
 
+from memorymaze.cli.model_options import add_model_options
 from memorymaze.cli.verbs import Verbs, add_sites_option
 from memorymaze.wording import counted
 
@@ -64,9 +65,7 @@ def add_parser(actions: Verbs) -> None:
         default="grammar",
         help="grammar (default), or a language model as --model of `evaluate` names it",
     )
-    parser.add_argument("--base-url", metavar="URL", help="server of the model")
-    parser.add_argument("--record", metavar="FILE", help="keep the model's replies")
-    parser.add_argument("--replay", metavar="FILE", help="take replies from a file")
+    add_model_options(parser, only=("base_url", "record", "replay"))
     parser.add_argument(
         "--out", metavar="FILE", required=True, help="instruction file to write (JSONL)"
     )
@@ -105,8 +104,7 @@ def _run(options: argparse.Namespace) -> int:
 
 def _model(options: argparse.Namespace) -> "LanguageModel | None":
     from memorymaze.errors import SettingsError
-    from memorymaze.evaluation.language_models import build_language_model
-    from memorymaze.evaluation.settings import AgentSettings
+    from memorymaze.language.model_settings import ModelSettings, build_language_model
     from memorymaze.writing import GRAMMAR
 
     if options.engine == GRAMMAR:
@@ -118,8 +116,7 @@ def _model(options: argparse.Namespace) -> "LanguageModel | None":
                 )
         return None
     return build_language_model(
-        AgentSettings(
-            "instructions generate",
+        ModelSettings(
             model=options.engine,
             base_url=options.base_url,
             record=options.record,

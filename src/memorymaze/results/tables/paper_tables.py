@@ -280,7 +280,7 @@ def _cost_fields(row: TableRow, run: MeasuredRun) -> dict[str, float | None]:
         for name, _, _ in COSTS
     }
     is_free = not run.asked_a_model
-    has_price = run.record.settings.agent.asking.price is not None
+    has_price = run.record.settings.agent.language_model.price is not None
     if not (is_free or has_price or any(result.cost_usd for result in run.results)):
         means["cost_usd_per_episode"] = None
     return means

@@ -9,7 +9,6 @@ from typing import NamedTuple
 from memorymaze.errors import RunFolderError
 from memorymaze.evaluation.collision_rates import collision_rates
 from memorymaze.evaluation.eyes import eyes_notes
-from memorymaze.evaluation.inference_time import describe_inference_time
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import RunRecord, read_run
 from memorymaze.evaluation.settings import agent_version
@@ -158,15 +157,15 @@ def run_notes(run: MeasuredRun) -> list[str]:
     version = agent_version(settings)
     if version is not None:
         notes.append(version)
-    if settings.agent.model is not None:
-        notes.append(f"language model {settings.agent.model}")
+    if settings.agent.language_model.model is not None:
+        notes.append(f"language model {settings.agent.language_model.model}")
     if settings.answers is not None:
         known = any(result.inference_s for result in run.results)
         unknown = "; how long their model took is not known and counted as 0 s"
         notes.append(f"{settings.answers}{'' if known else unknown}")
     if run.asked_a_model:
-        notes.append(describe_inference_time(settings.agent.inference_time))
-        price = settings.agent.asking.price
+        notes.append(settings.agent.language_model.inference_time.described)
+        price = settings.agent.language_model.price
         if price is not None:
             notes.append(
                 f"prices as given: {price.prompt:g} US$ per million tokens read, "

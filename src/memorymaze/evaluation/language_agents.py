@@ -1,28 +1,95 @@
-"""The NaVid protocol's agent for runs: its policy, and the fair budget of a site."""
+"""Agents that ask a language model, made for runs: each episode by its instruction's id."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
+from typing import ClassVar
 
 import numpy as np
 
-from memorymaze.agents.agent import Agent, Journal
+from memorymaze.agents.agent import Agent, Journal, Need
+from memorymaze.agents.code_generation import CodeGenerationAgent, CodeGenerationOptions
+from memorymaze.agents.navgpt import NavGPTAgent, NavGPTOptions
 from memorymaze.agents.navid import NavidAgent, NavidOptions
 from memorymaze.agents.navid.model_policies import BlindPolicy, VisionPolicy
 from memorymaze.agents.navid.policy import Policy
 from memorymaze.errors import LanguageModelError, SettingsError
-from memorymaze.evaluation.budgets import fair_steps
+from memorymaze.evaluation.budgets import fair_steps, fewest_answers
+from memorymaze.evaluation.graph_agents import NavGPTOnGraph
 from memorymaze.evaluation.guarded_robot import simulated_behind
-from memorymaze.evaluation.language_models import build_language_model
 from memorymaze.evaluation.settings import AgentSettings
 from memorymaze.instructions.records import Episode
-from memorymaze.language.answers import AboutInstruction
+from memorymaze.language.answers import (
+    AboutInstruction,
+    RecordingModel,
+    replaying_model,
+)
 from memorymaze.language.local_models import is_local
 from memorymaze.language.model import LanguageModel
+from memorymaze.language.model_settings import ModelSettings, build_language_model
 from memorymaze.robot.api import Robot
+from memorymaze.sites import Route, Site
+
+
+def code_generation_for_runs(
+    settings: AgentSettings, options: CodeGenerationOptions
+) -> Callable[[Episode], CodeGenerationAgent]:
+    """Return what makes the agent of an episode.
+
+    Raises:
+        SettingsError: No model is named, or a file cannot be used.
+    """
+    model = build_language_model(settings.language_model)
+    parser = parses_first(settings)
+
+    def agent_for(episode: Episode) -> CodeGenerationAgent:
+        asked = AboutInstruction(model, episode.instruction.id)
+        return CodeGenerationAgent(asked, parser=parser, options=options)
+
+    return agent_for
+
+
+def parses_first(settings: AgentSettings) -> bool:
+    """Tell whether an agent with a parser uses it; by its answers, if nobody says."""
+    if settings.parser is not None:
+        return settings.parser
+    model = replaying_model(settings.language_model)
+    stages = set() if model is None else {stage for _, stage in model.versions()}
+    return not stages or any(stage.partition("+")[0] == "parse" for stage in stages)
+
+
+def navgpt_for_runs(
+    settings: AgentSettings, options: NavGPTOptions
+) -> Callable[[Episode], NavGPTOnGraph]:
+    """Return what makes the agent of an episode, and what describes what it sees.
+
+    Raises:
+        SettingsError: No model is named, or a file cannot be used.
+    """
+    model = build_language_model(settings.language_model)
+    describe = None
+    if options.captions == "vision":
+        from memorymaze.evaluation.vision_captions import CaptionStore, VisionCaptions
+
+        looking = model
+        if options.caption_model is not None:
+            looking = build_language_model(
+                replace(settings.language_model, model=options.caption_model)
+            )
+        store = CaptionStore(options.caption_file)
+        describe = VisionCaptions(looking, store).in_episode
+
+    def agent_for(episode: Episode) -> NavGPTOnGraph:
+        asked = AboutInstruction(model, episode.instruction.id)
+        return NavGPTOnGraph(NavGPTAgent(asked, options), describe)
+
+    return agent_for
 
 
 class NavidOnSite:
     """The agent with the budget `fair` of the site that it is on."""
+
+    needs: ClassVar[frozenset[Need]] = NavidAgent.needs
 
     def __init__(self, agent: NavidAgent) -> None:
         """Stand for an agent."""
@@ -34,6 +101,19 @@ class NavidOnSite:
     def name(self) -> str:
         """That of the agent."""
         return self._agent.name
+
+    def answers_expected(self, site: Site, route: Route) -> tuple[int, int]:
+        """Return how often it will ask on a route.
+
+        Without a mistake, and at most, as the budget of steps allows.
+        """
+        options = self._agent.options
+        motions = options.motions
+        fair = fair_steps(site.routes, motions.forward_m, motions.turn_deg)
+        limit = options.step_limit(fair) or 0
+        perfect = fewest_answers(route, motions.most, motions.turn_deg)
+        # Where the budget does not suffice for the route, it ends the walk.
+        return min(perfect, limit), limit
 
     def follow(
         self,
@@ -58,9 +138,9 @@ def navid_for_runs(
         SettingsError: The server cannot be used, no model is named, or both are.
     """
     if options.server is not None:
-        policy = _remote_policy(settings, options, options.server)
+        policy = _remote_policy(settings.language_model, options, options.server)
         return lambda _: NavidOnSite(NavidAgent(policy, options))
-    model = _checked_model(settings, options)
+    model = _checked_model(settings.language_model, options)
 
     def agent_for(episode: Episode) -> Agent:
         asked = AboutInstruction(model, episode.instruction.id)
@@ -69,7 +149,7 @@ def navid_for_runs(
     return agent_for
 
 
-def _checked_model(settings: AgentSettings, options: NavidOptions) -> LanguageModel:
+def _checked_model(settings: ModelSettings, options: NavidOptions) -> LanguageModel:
     if settings.model is None and settings.replay is None:
         raise SettingsError(
             "--agent navid: name a vision model with --model, or a policy server with "
@@ -100,14 +180,13 @@ def _policy(model: LanguageModel, options: NavidOptions) -> Policy:
 
 
 def _remote_policy(
-    settings: AgentSettings, options: NavidOptions, address: str
+    settings: ModelSettings, options: NavidOptions, address: str
 ) -> Policy:
     from memorymaze.agents.navid.remote_policy import (
         PolicyServer,
         RemotePolicy,
         ReplayedPolicy,
     )
-    from memorymaze.language.answers import RecordingModel, ReplayingModel
 
     if options.pictures == "none":
         raise SettingsError(
@@ -119,23 +198,20 @@ def _remote_policy(
                 f"--{option.replace('_', '-')} and --set server: either a vision model "
                 "or a policy server decides; leave one out"
             )
-    asking = settings.asking
     for option in ("price", "max_cost", "max_tokens_total", "max_requests", "grammar"):
-        if getattr(asking, option) is not None:
+        if getattr(settings, option) is not None:
             raise SettingsError(
                 f"--{option.replace('_', '-')}: is for language models; a policy server "
                 "tells its costs itself and answers as fast as it can; leave it out"
             )
-    record, replay = settings.record, settings.replay
-    if replay is not None:
-        if record is not None:
-            raise SettingsError(
-                "--replay and --record: replies are replayed or asked for, not both; "
-                "leave one out"
-            )
-        return ReplayedPolicy(ReplayingModel(replay))
-    server = PolicyServer(address, timeout=asking.timeout, retries=asking.retries)
-    recorder = None if record is None else partial(RecordingModel, path=record)
+    replayed = replaying_model(settings)
+    if replayed is not None:
+        return ReplayedPolicy(replayed)
+    server = PolicyServer(
+        address, timeout=settings.request_timeout, retries=settings.retries
+    )
+    store = settings.record
+    recorder = None if store is None else partial(RecordingModel, path=store)
     try:
         return RemotePolicy(server, recorder)
     except LanguageModelError as error:

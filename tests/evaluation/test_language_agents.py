@@ -1,4 +1,4 @@
-"""`code_generation` against a server of our own, and against what it said."""
+"""Agents that ask a language model: on a server of our own, and on what it said."""
 
 import json
 import sqlite3
@@ -12,19 +12,28 @@ from typing import Any
 import pytest
 
 from memorymaze.errors import SettingsError, SpendingLimitReached
-from memorymaze.evaluation.agent_catalogue import build_agent
+from memorymaze.evaluation.agent_catalogue import (
+    agent_names,
+    agent_needs,
+    build_agent,
+)
 from memorymaze.evaluation.arena import Arena
-from memorymaze.evaluation.asking import AskingSettings
 from memorymaze.evaluation.driver import run_plan
 from memorymaze.evaluation.episode import run_episode
-from memorymaze.evaluation.inference_time import InferenceTime
-from memorymaze.evaluation.language_models import build_language_model
+from memorymaze.evaluation.episode_worker import EpisodeDone, EpisodeTask, EpisodeWorker
 from memorymaze.evaluation.plan import RunPlan, plan_run
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import read_run
 from memorymaze.evaluation.settings import AgentSettings, RunSettings
 from memorymaze.evaluation.trace import read_trace
 from memorymaze.instructions import load_corpus
+from memorymaze.language.answers import RecordingModel
+from memorymaze.language.model import CompletionRequest
+from memorymaze.language.model_settings import (
+    InferenceTime,
+    ModelSettings,
+)
+from memorymaze.language.scripted_model import ScriptedLanguageModel
 from memorymaze.language.spending import TokenPrice
 
 TINY_INSTRUCTIONS = Path(__file__).parents[1] / "tiny_instructions.jsonl"
@@ -87,7 +96,9 @@ def test_a_recorded_run_is_replayed_without_a_server(
 ) -> None:
     replies = str(tmp_path / "replies.sqlite")
     asking = AgentSettings(
-        "code_generation", model="fake", parser=False, base_url=server, record=replies
+        "code_generation",
+        parser=False,
+        language_model=ModelSettings(model="fake", base_url=server, record=replies),
     )
     asked = run_plan(plan(asking, 3), tmp_path / "asked", workers=1)
     assert [(one.model_calls, one.tokens) for one in asked] == [(1, 120)] * 3
@@ -99,7 +110,8 @@ def test_a_recorded_run_is_replayed_without_a_server(
         if entry["kind"] == "note"
     ]
     assert {"model_reply", "program"} <= set(notes)
-    replaying = replace(asking, base_url=None, record=None, replay=replies)
+    model = ModelSettings(model="fake", replay=replies)
+    replaying = replace(asking, language_model=model)
     replayed = run_plan(plan(replaying, 3), tmp_path / "replayed", workers=1)
     assert [replace(one, wall_s=0) for one in replayed] == [
         replace(one, wall_s=0) for one in asked
@@ -110,42 +122,9 @@ def test_a_recorded_run_is_replayed_without_a_server(
     assert all("no reply of fake is recorded" in str(one.error) for one in other)
 
 
-@pytest.mark.parametrize(
-    ("options", "said"),
-    [
-        pytest.param({}, "name a language model with --model", id="no model"),
-        pytest.param(
-            {"replay": "x", "record": "y"}, "--replay and --record", id="both"
-        ),
-        pytest.param({"replay": "none"}, "no recorded replies", id="no file"),
-        pytest.param({"model": "m", "base_url": "x"}, "expected an address", id="url"),
-    ],
-)
-def test_settings_that_make_no_model_are_explained(
-    options: dict[str, str], said: str
-) -> None:
-    with pytest.raises(SettingsError, match=said):
-        build_language_model(AgentSettings("code_generation", **options))
-
-
-def test_a_key_is_asked_for_only_by_openais_own_server(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    for prefix in ("MEMORYMAZE", "OPENAI"):
-        for name in ("API_KEY", "BASE_URL"):
-            monkeypatch.delenv(f"{prefix}_{name}", raising=False)
-    with pytest.raises(SettingsError, match="no key for the language model"):
-        build_language_model(AgentSettings("code_generation", model="m"))
-    address = "http://localhost:1/v1"
-    model = build_language_model(
-        AgentSettings("code_generation", model="m", base_url=address)
-    )
-    assert model.name == "m"
-
-
-def _asking(server: str, **changes: Any) -> AgentSettings:
-    agent = AgentSettings("code_generation", model="fake", parser=False)
-    return replace(agent, base_url=server, **changes)
+def _asking(server: str | None, **changes: Any) -> AgentSettings:
+    model = ModelSettings(model="fake", base_url=server, **changes)
+    return AgentSettings("code_generation", parser=False, language_model=model)
 
 
 def _first(plan: RunPlan) -> EpisodeResult:
@@ -169,8 +148,7 @@ def test_the_user_stands_as_long_as_the_recorded_model_thought(
             "UPDATE replies SET completion = json_set(completion, '$.latency', 3.21)"
         )
     database.close()
-    replaying = _asking(server, replay=str(replies))
-    replaying = replace(replaying, base_url=None)
+    replaying = _asking(None, replay=str(replies))
     replays = [
         run_plan(plan(replaying), tmp_path / name, workers=1) for name in ("1", "2")
     ]
@@ -221,26 +199,26 @@ def test_a_run_ends_when_its_money_is_spent_and_goes_on_with_more(
 ) -> None:
     run = tmp_path / "run"
     # 100 tokens read and 20 written are 0.14 dollars.
-    asking = AskingSettings(price=TokenPrice(1000, 2000), max_cost=0.3)
+    limits: dict[str, Any] = {"price": TokenPrice(1000, 2000), "max_cost": 0.3}
     with pytest.raises(
         SpendingLimitReached,
         match=r"0\.4200 USD are spent, of 0\.3 .* 3 of 12 episodes",
     ):
-        run_plan(plan(_asking(server, asking=asking), 12), run, workers=1)
+        run_plan(plan(_asking(server, **limits), 12), run, workers=1)
     _, finished = read_run(run)
     assert [one.cost_usd for one in finished] == pytest.approx([0.14] * 3)
     with pytest.raises(SpendingLimitReached, match=r"\b3 of 12 episodes"):
-        run_plan(plan(_asking(server, asking=asking), 12), run, workers=1, resume=True)
-    more = replace(asking, max_cost=0.8)
+        run_plan(plan(_asking(server, **limits), 12), run, workers=1, resume=True)
+    limits["max_cost"] = 0.8
     with pytest.raises(SpendingLimitReached, match="episodes are finished and kept"):
-        run_plan(plan(_asking(server, asking=more), 12), run, workers=2, resume=True)
+        run_plan(plan(_asking(server, **limits), 12), run, workers=2, resume=True)
     _, later = read_run(run)
     assert {one.episode_id for one in finished} < {one.episode_id for one in later}
     # Two workers pass the limit by one reply each at most.
     assert 6 <= len(later) <= 7
-    enough = replace(asking, max_cost=None, max_tokens_total=10_000, max_requests=1)
+    limits |= {"max_cost": None, "max_tokens_total": 10_000, "max_requests": 1}
     everything = run_plan(
-        plan(_asking(server, asking=enough), 12), run, workers=2, resume=True
+        plan(_asking(server, **limits), 12), run, workers=2, resume=True
     )
     assert len(everything) == 12
     assert {one.stopped_by for one in everything} <= {"agent", "budget", "stuck"}
@@ -249,26 +227,9 @@ def test_a_run_ends_when_its_money_is_spent_and_goes_on_with_more(
 def test_tokens_are_limited_without_a_price(
     server: str, plan: Callable[..., RunPlan], tmp_path: Path
 ) -> None:
-    agent = _asking(server, asking=AskingSettings(max_tokens_total=200))
+    agent = _asking(server, max_tokens_total=200)
     with pytest.raises(SpendingLimitReached, match="240 tokens are used, of 200"):
         run_plan(plan(agent, 4), tmp_path / "run", workers=1)
-
-
-@pytest.mark.parametrize(
-    ("options", "said"),
-    [
-        ({"max_cost": 1.0}, "--max-cost: what replies cost is not known"),
-        ({"timeout": 0.0}, "--request-timeout: expected at least"),
-        ({"retries": -1}, "--retries: expected at least 0"),
-        ({"max_requests": 0}, "--max-requests: expected at least 1"),
-        ({"max_tokens_total": 0}, "--max-tokens-total: expected at least 1"),
-    ],
-)
-def test_limits_without_meaning_are_explained(
-    options: dict[str, Any], said: str
-) -> None:
-    with pytest.raises(SettingsError, match=said):
-        AskingSettings(**options)
 
 
 def test_a_replay_is_paid_for_at_another_price(
@@ -276,6 +237,90 @@ def test_a_replay_is_paid_for_at_another_price(
 ) -> None:
     replies = str(tmp_path / "replies.sqlite")
     assert _first(plan(_asking(server, record=replies))).cost_usd == 0
-    asking = AskingSettings(price=TokenPrice(10_000, 0))
-    agent = replace(_asking(server, replay=replies, asking=asking), base_url=None)
+    agent = _asking(None, replay=replies, price=TokenPrice(10_000, 0))
     assert _first(plan(agent)).cost_usd == 1.0
+
+
+def first_listed(request: CompletionRequest) -> str:
+    """Always goes to the first viewpoint that is listed; arrives on the fourth place."""
+    told = request.messages[-1].content
+    if told.count("Action Input") >= 3:
+        return "Final Answer: arrived"
+    last = told[told.rindex("You are at viewpoint") :]
+    listed = last.partition("Viewpoints: ")[2].split("Viewpoints: ")
+    first = next(each for each in listed if not each.startswith("none"))
+    return f"Action: go_to_viewpoint\nAction Input: {first[:32]}"
+
+
+def test_navgpt_is_the_only_agent_with_a_graph() -> None:
+    assert [name for name in agent_names() if "graph" in agent_needs(name)] == [
+        "navgpt"
+    ]
+
+
+def test_a_recorded_run_gives_the_same_results_without_a_model(
+    tiny_plan: Callable[..., RunPlan], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    replies = tmp_path / "replies.sqlite"
+    model = RecordingModel(ScriptedLanguageModel(first_listed, name="m"), replies)
+    monkeypatch.setattr(
+        "memorymaze.evaluation.language_agents.build_language_model", lambda _: model
+    )
+    plan = tiny_plan("stop", limit=4)
+    settings = AgentSettings("navgpt", language_model=ModelSettings(model="m"))
+    asked = replace(plan, settings=replace(plan.settings, agent=settings))
+    agent = build_agent(settings)(plan.episodes[0])
+    assert agent.name == "navgpt[m]+fair"
+    recorded = _results(asked, tmp_path / "recorded")
+    monkeypatch.undo()
+    again = replace(settings, language_model=ModelSettings(replay=str(replies)))
+    replayed = _results(
+        replace(plan, settings=replace(plan.settings, agent=again)),
+        tmp_path / "replayed",
+    )
+    assert recorded == replayed
+    assert {result["stopped_by"] for result in recorded} == {"agent"}
+    assert {result["model_calls"] for result in recorded} == {4}
+
+
+def _results(plan: RunPlan, folder: Path) -> list[dict[str, Any]]:
+    """Results in this process, so that a model put in for a server's is asked."""
+    follow = EpisodeWorker(plan.settings, plan.sites)()
+    done = [follow(EpisodeTask(episode)) for episode in plan.episodes]
+    results = [each.result for each in done if isinstance(each, EpisodeDone)]
+    return [json.loads(json.dumps({**_fields(each), "wall_s": 0})) for each in results]
+
+
+def _fields(result: Any) -> dict[str, Any]:
+    return {name: getattr(result, name) for name in type(result).__slots__}
+
+
+@pytest.mark.parametrize(
+    ("settings", "message"),
+    [
+        (AgentSettings("navgpt"), "name a language model with --model"),
+        (
+            AgentSettings(
+                "navgpt",
+                options=(("captions", "blip"),),
+                language_model=ModelSettings(model="m"),
+            ),
+            "--set captions: expected templates or vision, got 'blip'",
+        ),
+        (
+            AgentSettings(
+                "navgpt",
+                options=(("captions", "vision"), ("caption_file", "/no/such/f")),
+                language_model=ModelSettings(
+                    model="m", base_url="http://127.0.0.1:9/v1"
+                ),
+            ),
+            "/no/such/f: expected a place for a file of captions",
+        ),
+    ],
+)
+def test_settings_that_cannot_be_used_are_refused_before_the_run(
+    settings: AgentSettings, message: str
+) -> None:
+    with pytest.raises(SettingsError, match=message):
+        build_agent(settings)

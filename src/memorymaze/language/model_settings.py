@@ -1,0 +1,282 @@
+"""Which language model answers, how it is asked, what that may cost, and how it is made."""
+
+import math
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import ClassVar, Literal
+
+from memorymaze.errors import LanguageModelError, SettingsError
+from memorymaze.language.model import Completion, LanguageModel
+from memorymaze.language.spending import (
+    Ledger,
+    LimitedModel,
+    PricedModel,
+    QueuedModel,
+    TokenPrice,
+)
+from memorymaze.options import check_number
+
+
+@dataclass(frozen=True, slots=True)
+class InferenceTime:
+    """How the simulated clock runs while a model thinks.
+
+    Either by the latency that was measured, or by a profile: the same for every model
+    and machine, so that agents can be compared on an equal footing.
+
+    Raises:
+        SettingsError: A value has no meaning.
+    """
+
+    form: ClassVar[str] = (
+        "measured, none, seconds per reply such as 2.5, or start=SECONDS,"
+        "prompt=TOKENS_PER_SECOND,reply=TOKENS_PER_SECOND"
+    )
+
+    measured: bool = True
+    """Whether the latency of each reply counts; recorded replies keep theirs."""
+    start_s: float = 0.0
+    """Of a profile: seconds of every reply."""
+    prompt_rate: float | None = None
+    """Of a profile: tokens of the request read per second; None takes no time."""
+    reply_rate: float | None = None
+    """Of a profile: tokens of the reply written per second; None takes no time."""
+
+    def __post_init__(self) -> None:
+        """Refuse values without meaning."""
+        rates = [
+            rate for rate in (self.prompt_rate, self.reply_rate) if rate is not None
+        ]
+        good = math.isfinite(self.start_s) and self.start_s >= 0
+        if not (good and all(math.isfinite(rate) and rate > 0 for rate in rates)):
+            raise SettingsError(
+                f"--inference-time: expected {self.form}; got start={self.start_s!r}, "
+                f"prompt={self.prompt_rate!r}, reply={self.reply_rate!r}"
+            )
+        if self.measured and (self.start_s or rates):
+            raise SettingsError(
+                f"--inference-time: expected {self.form}; got a latency that is both "
+                "measured and given"
+            )
+
+    @classmethod
+    def parse(cls, text: str) -> "InferenceTime":
+        """Read what `--inference-time` says.
+
+        Raises:
+            ValueError: It says nothing that is understood.
+            SettingsError: A number has no meaning.
+        """
+        if text in {"measured", "none"}:
+            return cls(measured=text == "measured")
+        if "=" not in text:
+            return cls(measured=False, start_s=float(text))
+        given = [part.split("=", 1) for part in text.split(",")]
+        values = {name.strip(): float(value) for name, value in given}
+        if len(values) < len(given) or not values.keys() <= {
+            "start",
+            "prompt",
+            "reply",
+        }:
+            raise ValueError(text)
+        return cls(
+            measured=False,
+            start_s=values.get("start", 0.0),
+            prompt_rate=values.get("prompt"),
+            reply_rate=values.get("reply"),
+        )
+
+    def __str__(self) -> str:
+        """Write it as it is given."""
+        if self.measured:
+            return "measured"
+        rates = (("prompt", self.prompt_rate), ("reply", self.reply_rate))
+        parts = [f"{name}={rate:g}" for name, rate in rates if rate is not None]
+        if not parts:
+            return f"{self.start_s:g}" if self.start_s else "none"
+        return ",".join([f"start={self.start_s:g}", *parts])
+
+    @property
+    def described(self) -> str:
+        """What passes for each reply, in words, for tables."""
+        if self.measured:
+            return "standing time is the latency that was measured"
+        parts = [f"{self.start_s:g} s"] if self.start_s else []
+        if self.prompt_rate is not None:
+            parts.append(f"1 s per {self.prompt_rate:g} tokens read")
+        if self.reply_rate is not None:
+            parts.append(f"1 s per {self.reply_rate:g} tokens written")
+        if not parts:
+            return "standing time is left out: replies take no simulated time"
+        return (
+            f"standing time per reply is {' + '.join(parts)}, not the latency measured"
+        )
+
+    def seconds(self, completion: Completion) -> float:
+        """Return how long the robot stands for a reply, simulated seconds.
+
+        Raises:
+            LanguageModelError: The profile counts tokens, and the server told none.
+        """
+        if self.measured:
+            return completion.latency
+        usage = completion.usage
+        pairs = (
+            (usage.prompt_tokens, self.prompt_rate),
+            (usage.completion_tokens, self.reply_rate),
+        )
+        passed = self.start_s
+        for tokens, rate in pairs:
+            if rate is None:
+                continue
+            if tokens == 0:
+                raise LanguageModelError(
+                    "--inference-time: the profile counts tokens, and the server of "
+                    f"{completion.model} told none; give seconds per reply instead"
+                )
+            passed += tokens / rate
+        return passed
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ModelSettings:
+    """Which language model answers, how it is asked, and what that may cost.
+
+    The command line has an option for each field with a `metavar`.
+
+    Raises:
+        SettingsError: A value has no meaning, or a cost is limited that is not known.
+    """
+
+    model: str | None = field(default=None, metadata={"metavar": "NAME"})
+    """a server's name for a model, such as gpt-4o-mini; or one that runs here: gguf:PATH,
+    or smollm2, which comes with the extra [local-llm]"""
+    base_url: str | None = field(default=None, metadata={"metavar": "URL"})
+    """an OpenAI-compatible server; none for OpenAI's, or OPENAI_BASE_URL"""
+    record: str | None = field(default=None, metadata={"metavar": "FILE"})
+    """keep the model's answers in a store"""
+    replay: str | None = field(default=None, metadata={"metavar": "FILE"})
+    """take answers from a store or a JSONL file; ask no model (docs/language_models.md)"""
+    inference_time: InferenceTime = field(
+        default=InferenceTime(), metadata={"metavar": "TIME"}
+    )
+    """how long the robot stands for each reply, in simulated time: measured, none,
+    SECONDS, or a profile in tokens per second such as start=0.5,prompt=2000,reply=60"""
+    price: TokenPrice | None = field(
+        default=None, metadata={"metavar": "PROMPT,COMPLETION"}
+    )
+    """what the server charges, US dollars per million tokens, such as 0.15,0.60"""
+    max_cost: float | None = field(default=None, metadata={"metavar": "USD"})
+    """end the run when this is spent; what is finished is kept, and --resume goes on"""
+    max_tokens_total: int | None = field(default=None, metadata={"metavar": "N"})
+    """end the run when requests and replies have had so many tokens together"""
+    max_requests: int | None = field(default=None, metadata={"metavar": "N"})
+    """requests under way at once, over all workers; none for one per worker"""
+    request_timeout: float = field(default=120.0, metadata={"metavar": "SECONDS"})
+    """longest wait for the end of a reply"""
+    retries: int = field(default=4, metadata={"metavar": "N"})
+    """further attempts where a server is busy, fails or is silent"""
+    grammar: Literal["llama.cpp", "vllm"] | None = field(
+        default=None, metadata={"metavar": "SERVER"}
+    )
+    """have the server hold replies to well-formed steps and programs; says which kind of
+    server it is: llama.cpp or vllm"""
+    shared_folder: str | None = None
+    """Where the processes of a run keep what they share: the run's own folder."""
+    threads: int | None = None
+    """Processor cores that a local model uses; none for half of them."""
+
+    def __post_init__(self) -> None:
+        """Refuse values without meaning."""
+        check_number("--request-timeout", self.request_timeout, least=0.001)
+        check_number("--retries", self.retries, least=0, whole=True)
+        if self.max_requests is not None:
+            check_number("--max-requests", self.max_requests, least=1, whole=True)
+        if self.max_tokens_total is not None:
+            check_number(
+                "--max-tokens-total", self.max_tokens_total, least=1, whole=True
+            )
+        if self.max_cost is not None:
+            check_number("--max-cost", self.max_cost, least=0)
+        if self.max_cost is not None and self.price is None:
+            raise SettingsError(
+                "--max-cost: what replies cost is not known; give the server's prices "
+                "with --price PROMPT,COMPLETION (US dollars per million tokens)"
+            )
+
+
+NOT_COMPARED = frozenset({
+    "base_url",
+    "record",
+    "replay",
+    "request_timeout",
+    "retries",
+    "max_requests",
+    "max_cost",
+    "max_tokens_total",
+    "shared_folder",
+    "threads",
+})
+"""Where answers come from and go to, and how patiently and how long they are asked for,
+which does not change what they say."""
+
+
+def build_language_model(settings: ModelSettings) -> LanguageModel:
+    """Make a language model: a server's, a local one, or recorded answers.
+
+    Raises:
+        SettingsError: No model is named, or the settings contradict each other, or the
+            server's address, its key, or the file of the model or of answers cannot be
+            used.
+        AnswerFileError: Something in a file of answers is wrong.
+    """
+    from memorymaze.language.answers import RecordingModel, replaying_model
+    from memorymaze.language.local_models import is_local, local_model
+
+    replayed = replaying_model(settings)
+    if replayed is not None:
+        return _priced(settings, replayed)
+    if settings.model is None:
+        raise SettingsError(
+            "name a language model with --model, or take recorded replies with --replay"
+        )
+    if is_local(settings.model) and settings.base_url is None:
+        model = local_model(settings.model, threads=settings.threads)
+    else:
+        model = _server(settings, settings.model)
+    model = _limited(settings, _priced(settings, model))
+    return model if settings.record is None else RecordingModel(model, settings.record)
+
+
+def _server(settings: ModelSettings, name: str) -> LanguageModel:
+    from memorymaze.language.openai_model import OpenAIModel
+
+    if name.startswith("gguf:"):
+        raise SettingsError(
+            f"--model {name} and --base-url: a file is run here and not on a server; "
+            "leave --base-url out, or give the server's name for the model"
+        )
+    return OpenAIModel(
+        name,
+        base_url=settings.base_url,
+        timeout=settings.request_timeout,
+        retries=settings.retries,
+        grammar_server=settings.grammar,
+    )
+
+
+def _priced(settings: ModelSettings, model: LanguageModel) -> LanguageModel:
+    return model if settings.price is None else PricedModel(model, settings.price)
+
+
+def _limited(settings: ModelSettings, model: LanguageModel) -> LanguageModel:
+    """Put the limits that the processes of a run keep together on a model."""
+    folder = settings.shared_folder
+    shared = None if folder is None else Path(folder)
+    if settings.max_requests is not None and shared is not None:
+        model = QueuedModel(model, shared / "requests.lock", settings.max_requests)
+    if settings.max_cost is not None or settings.max_tokens_total is not None:
+        ledger = Ledger(None if shared is None else shared / "spending.jsonl")
+        most = settings.max_tokens_total
+        model = LimitedModel(model, ledger, settings.max_cost, most)
+    return model
