@@ -1,5 +1,10 @@
 """How numbers are said, and texts shown."""
 
+_STEERING: dict[int, str] = {
+    **dict.fromkeys([*range(0x20), *range(0x7F, 0xA0)], "\N{REPLACEMENT CHARACTER}"),
+    **{ord("\t"): "\t", ord("\n"): "\n", ord("\r"): "\n"},
+}
+
 
 def counted(number: int, what: str) -> str:
     """Return a number with its noun.
@@ -16,4 +21,13 @@ def single_spaced(text: str) -> str:
     >>> single_spaced(" Go  on,\n then\tstop.")
     'Go on, then stop.'
     """
-    return " ".join(text.split())
+    return " ".join(printable(text).split())
+
+
+def printable(text: str) -> str:
+    r"""Return a text without characters that steer terminals and that no page can have.
+
+    >>> printable("\x1b[31mred\x00\n")
+    '�[31mred�\n'
+    """
+    return text.translate(_STEERING)

@@ -70,6 +70,21 @@ def test_calls_are_told_with_what_they_returned() -> None:
     ]
 
 
+def test_what_an_agent_writes_cannot_steer_a_terminal() -> None:
+    steering = "\x1b[2J\x07hello\x00"
+    story = story_of(
+        [
+            note("plan", steps=[steering]),
+            note("said", text=steering),
+            walk((0, 0, 0, 0)),
+        ],
+        "trace",
+    )
+    shown = story.events[0].text + story.understanding.steps[0]
+    assert "hello" in shown
+    assert all(letter.isprintable() for letter in shown)
+
+
 def test_long_texts_are_cut_and_say_so() -> None:
     story = story_of([note("said", text="x" * 5000), walk((0, 0, 0, 0))], "trace")
     assert len(story.events[0].text) < 700

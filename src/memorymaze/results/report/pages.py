@@ -20,7 +20,7 @@ from memorymaze.results.tables import (
     place_title,
 )
 from memorymaze.results.tables.measures import estimate_cell
-from memorymaze.wording import counted, single_spaced
+from memorymaze.wording import counted, printable, single_spaced
 
 ROOM = "memorymaze.results.report"
 
@@ -31,9 +31,6 @@ POLICY = (
 """Content security policy of every page: what it shows cannot bring a script along."""
 LONGEST_NAME = 80
 """Characters of an id that a name keeps."""
-
-UNPRINTABLE = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f]")
-"""Characters that HTML does not allow."""
 
 RESERVED = frozenset(
     {"con", "prn", "aux", "nul"}
@@ -96,10 +93,10 @@ class Pages:
         self.write_text(path, text)
 
     def write_text(self, path: str, text: str) -> None:
-        """Write a file; characters that no page can have become `?`."""
+        """Write a file; characters that no page can have are replaced."""
         file = self.folder / path
         file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_bytes(UNPRINTABLE.sub("?", text).encode("utf-8", "replace"))
+        file.write_bytes(printable(text).encode("utf-8", "replace"))
 
     def copy_static(self, *names: str) -> None:
         """Copy style and scripts from the package."""

@@ -6,6 +6,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from memorymaze.wording import printable
+
 KINDS = (
     "move",
     "turn",
@@ -199,6 +201,7 @@ def _value(value: object) -> str:
 
 
 def _cut(text: str) -> str:
+    text = printable(text)
     if len(text) <= LONGEST:
         return text
     return f"{text[:LONGEST]}… ({len(text)} characters; the trace has them all)"

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from memorymaze.results.story.events import Event
+from memorymaze.wording import printable
 
 LONGEST_PROGRAM = 20_000
 """Characters that are shown of a program."""
@@ -56,11 +57,11 @@ def understood(entries: Sequence[Mapping[str, Any]]) -> Understanding:
         about = entry.get("about") if entry["kind"] == "note" else None
         if about in {"plan", "steps"} and isinstance(entry.get("steps"), list):
             steps = tuple(
-                str(step)[:LONGEST_STEP].removeprefix(f"{place}. ")
+                printable(str(step))[:LONGEST_STEP].removeprefix(f"{place}. ")
                 for place, step in enumerate(entry["steps"], start=1)
             )
         elif about == "program":
-            shown = str(entry.get("program"))[:LONGEST_PROGRAM]
+            shown = printable(str(entry.get("program")))[:LONGEST_PROGRAM]
             calls = _calls_in(shown, sum(map(len, programs)))
             programs.append(tuple(shown.rstrip().splitlines()))
         elif entry["kind"] == "call" and programs:
