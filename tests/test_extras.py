@@ -1,4 +1,5 @@
 import re
+import shlex
 import sys
 import tomllib
 from pathlib import Path
@@ -6,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from memorymaze.errors import SettingsError
-from memorymaze.extras import require_extra
+from memorymaze.extras import how_to_install, require_extra
 
 NAMED = re.compile(
     r"""(?:memorymaze\[|require_extra\(\s*"|how_to_install\(')([a-z-]+)"""
@@ -15,19 +16,25 @@ PROJECT = Path(__file__).parents[1]
 
 
 def test_what_is_installed_is_not_asked_for() -> None:
-    require_extra("video", "json", "numpy", purpose="videos")
+    require_extra("ray", "json", "numpy", purpose="--ray")
 
 
 def test_what_is_missing_is_named_with_what_to_type(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setitem(sys.modules, "av", None)
+    monkeypatch.setitem(sys.modules, "ray", None)
     with pytest.raises(SettingsError) as caught:
-        require_extra("video", "json", "av", purpose="videos", otherwise="do without")
-    assert str(caught.value) == (
-        "videos: the package av is not installed; type: "
-        "pip install 'memorymaze[video]', or do without"
-    )
+        require_extra("ray", "json", "ray", purpose="--ray", otherwise="do without")
+    said = str(caught.value)
+    assert said.startswith("--ray: the package ray is not installed; type: ")
+    assert said.endswith(", or do without")
+
+
+def test_what_to_type_installs_into_this_environment_from_this_checkout() -> None:
+    typed = shlex.split(how_to_install("ray"))
+    assert typed[:4] == [sys.executable, "-m", "pip", "install"]
+    assert typed[-1] == f"{PROJECT}[ray]"
+    assert Path(typed[typed.index("--constraint") + 1]).is_file()
 
 
 def test_every_extra_that_the_code_names_is_one_of_the_project() -> None:

@@ -1,19 +1,38 @@
 """Packages that only some uses need: the extras of the installation."""
 
+import shlex
+import sys
 from importlib.util import find_spec
+from pathlib import Path
 
 from memorymaze.errors import SettingsError
 
+_CHECKOUT = Path(__file__).parents[2]
+
 
 def how_to_install(extra: str) -> str:
-    """Return what to type to get an extra: `pip install 'memorymaze[video]'`."""
-    return f"pip install 'memorymaze[{extra}]'"
+    """Return what to type to get an extra into the environment that runs this.
+
+    A checkout installs from itself, with the versions it was tested with.
+    """
+    pip = f"{shlex.quote(sys.executable)} -m pip install"
+    if not (_CHECKOUT / "pyproject.toml").is_file():
+        return f"{pip} 'memorymaze[{extra}]'"
+    tested = shlex.quote(str(_CHECKOUT / "constraints.txt"))
+    return (
+        f"{pip} --constraint {tested} --editable {shlex.quote(f'{_CHECKOUT}[{extra}]')}"
+    )
+
+
+def is_installed(*packages: str) -> bool:
+    """Tell whether packages are there, by their top-level names, without importing."""
+    return all(find_spec(package) is not None for package in packages)
 
 
 def require_extra(
     extra: str, *packages: str, purpose: str, otherwise: str | None = None
 ) -> None:
-    """Find out whether packages of an extra are there, without importing them.
+    """Refuse to go on without the packages of an extra.
 
     Args:
         extra: Name of the extra in `pyproject.toml`.
@@ -25,7 +44,7 @@ def require_extra(
         SettingsError: One is missing; says how to get it.
     """
     for package in packages:
-        if find_spec(package) is None:
+        if not is_installed(package):
             instead = "" if otherwise is None else f", or {otherwise}"
             raise SettingsError(
                 f"{purpose}: the package {package} is not installed; type: "

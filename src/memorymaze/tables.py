@@ -14,8 +14,6 @@ from html import escape
 from itertools import groupby
 from typing import TYPE_CHECKING, Any, Literal
 
-from memorymaze.extras import require_extra
-
 if TYPE_CHECKING:
     import pandas
 
@@ -127,12 +125,7 @@ class Table:
         return [{field: row.get(field) for field in self.fields} for row in self.rows]
 
     def frame(self) -> "pandas.DataFrame":
-        """Return the fields as a data frame.
-
-        Raises:
-            SettingsError: pandas is not installed.
-        """
-        require_extra("tables", "pandas", purpose="a data frame")
+        """Return the fields as a data frame."""
         import pandas
 
         return pandas.DataFrame(self.records(), columns=list(self.fields))
@@ -146,12 +139,7 @@ class Table:
         return out.getvalue()
 
     def parquet(self) -> bytes:
-        """Write the fields as a Parquet file.
-
-        Raises:
-            SettingsError: pyarrow is not installed.
-        """
-        require_extra("tables", "pyarrow", purpose="Parquet")
+        """Write the fields as a Parquet file."""
         import pyarrow
         import pyarrow.parquet
 

@@ -383,12 +383,3 @@ def test_registering_twice_changes_nothing() -> None:
     before = {name: gymnasium.registry[name] for name in ENVIRONMENTS}
     register_environments()
     assert all(gymnasium.registry[name] is spec for name, spec in before.items())
-
-
-def test_without_gymnasium_it_says_what_to_install() -> None:
-    said = run(
-        "import sys\nsys.modules['gymnasium'] = None\n"
-        "try:\n    import memorymaze.gym\nexcept ImportError as error:\n"
-        "    print(error)"
-    )
-    assert "pip install 'memorymaze[gym]'" in said

@@ -17,6 +17,7 @@ from memorymaze.cli import (
     agents,
     answers,
     compare,
+    doctor,
     evaluate,
     instructions,
     leaderboard,
@@ -104,6 +105,7 @@ def _parser() -> argparse.ArgumentParser:
         answers,
         replay,
         walkthrough,
+        doctor,
     ):
         verb.add_parser(verbs)
     return parser

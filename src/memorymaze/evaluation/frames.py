@@ -1,11 +1,9 @@
 """Runs as pandas data frames, for analyses of one's own.
 
-    from memorymaze.evaluation.frames import episode_frame
+from memorymaze.evaluation.frames import episode_frame
 
-    frame = episode_frame(["runs/rules", "runs/mine"])
-    frame.groupby(["run", "study", "route"]).success.mean()
-
-Needs the extra `tables`.
+frame = episode_frame(["runs/rules", "runs/mine"])
+frame.groupby(["run", "study", "route"]).success.mean()
 """
 
 from collections.abc import Sequence
@@ -15,7 +13,6 @@ from typing import TYPE_CHECKING
 
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import read_run
-from memorymaze.extras import require_extra
 
 if TYPE_CHECKING:
     import pandas
@@ -30,9 +27,7 @@ def episode_frame(folders: Sequence[str | Path]) -> "pandas.DataFrame":
 
     Raises:
         RunFolderError: A folder is no run, or is damaged.
-        SettingsError: pandas is not installed.
     """
-    require_extra("tables", "pandas", purpose="data frames")
     import pandas
 
     rows = [

@@ -1,19 +1,9 @@
 """Gymnasium environments: follow an instruction, step by step, in one of the buildings.
 
 Importing this registers `MemoryMaze/University-v0`, `MemoryMaze/Museum5F-v0`,
-`MemoryMaze/Museum7F-v0` and `MemoryMaze/Site-v0`. It needs the extra `gym`. Observations,
+`MemoryMaze/Museum7F-v0` and `MemoryMaze/Site-v0`. Observations,
 actions and rewards are in here; episodes, robot and scores are those of `evaluation`.
 """
-
-from memorymaze.extras import how_to_install
-
-try:
-    import gymnasium as _gymnasium
-except ImportError as error:
-    raise ImportError(
-        "memorymaze.gym needs the package gymnasium; install it by "
-        f"`{how_to_install('gym')}`"
-    ) from error
 
 from memorymaze.gym.actions import ContinuousActions, DiscreteActions
 from memorymaze.gym.environment import (
@@ -34,5 +24,4 @@ __all__ = [
     "register_environments",
 ]
 
-del _gymnasium
 register_environments()

@@ -115,11 +115,3 @@ def test_a_folder_without_leave_to_write_is_refused(
     monkeypatch.setattr(os, "access", lambda *_: False)
     with pytest.raises(SettingsError, match="leave to write"):
         check_video_path(tmp_path / "film.mp4")
-
-
-def test_without_the_library_it_says_what_to_install(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setitem(__import__("sys").modules, "av", None)
-    with pytest.raises(SettingsError, match=r"pip install 'memorymaze\[video\]'"):
-        check_video_path(tmp_path / "film.mp4")

@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 import shapely
 
-from memorymaze.errors import SettingsError
 from memorymaze.geometry.pose import Pose
 from memorymaze.simulation import SimulatedRobot, build_scene
 from memorymaze.simulation.obstacles import ObstacleSettings
@@ -107,15 +106,6 @@ def test_nobody_begins_beside_the_robot(two_rooms):
         crowd = robot.surroundings.crowd
         assert crowd.near(3, 3, 3.0 - 1e-9) == []
         assert len(crowd.people) >= 2
-
-
-def test_people_without_their_package_are_refused_with_advice(
-    wide, crowded, monkeypatch
-):
-    monkeypatch.setitem(sys.modules, "navground", None)
-
-    with pytest.raises(SettingsError, match=r"memorymaze\[people\]"):
-        crowded(wide)
 
 
 def test_things_alone_need_no_package(wide, monkeypatch):

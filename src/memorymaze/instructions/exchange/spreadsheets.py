@@ -1,7 +1,4 @@
-"""Instructions as a table, CSV or Parquet: one row each, a column per field.
-
-Parquet needs pyarrow: the extra `tables`.
-"""
+"""Instructions as a table, CSV or Parquet: one row each, a column per field."""
 
 import csv
 import io
@@ -11,7 +8,6 @@ from pathlib import Path
 from typing import Any, Literal
 
 from memorymaze.errors import InstructionFileError
-from memorymaze.extras import require_extra
 from memorymaze.input_files import parse_json, read_file, read_text, refusal
 from memorymaze.instructions.files import (
     FIELDS,
@@ -154,7 +150,6 @@ def _from_parquet(path: str | Path) -> tuple[Sequence[str], list[dict[str, Any]]
 
 
 def _parquet() -> Any:
-    require_extra("tables", "pyarrow", purpose="Parquet")
     import pyarrow.parquet
 
     return pyarrow.parquet

@@ -13,7 +13,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from memorymaze.errors import SettingsError
-from memorymaze.extras import require_extra
 
 QUALITY = {"crf": "20", "preset": "fast", "threads": "1"}
 """Of x264; a single thread, because threads have a part in what comes out."""
@@ -145,7 +144,6 @@ class VideoFile:
 
 
 def _library() -> Any:
-    require_extra("video", "av", purpose="videos")
     import av
 
     return av

@@ -16,7 +16,6 @@ from scipy.sparse import csr_array
 from scipy.sparse.csgraph import dijkstra
 from shapely import LineString, Polygon, STRtree, box
 
-from memorymaze.extras import require_extra
 from memorymaze.geometry import polyline
 from memorymaze.geometry.floor import Floor
 from memorymaze.sites.navigation_graph import navigation_graph
@@ -157,17 +156,7 @@ class Avoidance:
     """Chooses velocities for the people of one episode."""
 
     def __init__(self, floor: Polygon, solids: Sequence[Polygon]) -> None:
-        """Index what people cannot walk through.
-
-        Raises:
-            SettingsError: The library is not installed.
-        """
-        require_extra(
-            "people",
-            "navground",
-            purpose="obstacles, people who walk about",
-            otherwise="run with people=0",
-        )
+        """Index what people cannot walk through."""
         from navground import core
         from navground.core import behaviors, kinematics
 
