@@ -149,6 +149,7 @@ def test_settings_left_out_of_a_text_stay_as_they_were() -> None:
         ("strid=1", "walker setting 'strid=1': .* stride, .* did you mean 'stride'"),
         ("stride", "expected NAME=VALUE"),
         ("stride=long", "walker setting stride: expected a number, got 'long'"),
+        ("angles=15+x", r"angles: expected a list such as 1\+2\+3, each a whole"),
         ("stride=1,stride=2", "stride: given twice"),
         ("greeting=hi", "where NAME is one of stride, steps"),
     ],
@@ -156,7 +157,10 @@ def test_settings_left_out_of_a_text_stay_as_they_were() -> None:
 def test_texts_that_are_no_settings_are_refused(text: str, said: str) -> None:
     with pytest.raises(SettingsError, match=said):
         parse_options(
-            WalkerOptions, text, subject="walker setting", only=("stride", "steps")
+            WalkerOptions,
+            text,
+            subject="walker setting",
+            only=("stride", "steps", "angles"),
         )
 
 

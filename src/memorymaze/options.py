@@ -200,6 +200,7 @@ def _values(
 ) -> dict[str, Any]:
     """Return values by field; `known` has the fields of the names that are given."""
     kinds = get_type_hints(cls)
+    between = "," if known is None else "+"
     values: dict[str, Any] = {}
     for name, text in given.items():
         field = name if known is None else known[name]
@@ -208,7 +209,7 @@ def _values(
         except ValueError:
             raise SettingsError(
                 f"{subject} {name}".lstrip()
-                + f": expected {_allowed(kinds[field])}, got {text!r}"
+                + f": expected {_allowed(kinds[field], between)}, got {text!r}"
             ) from None
     return values
 
@@ -258,7 +259,7 @@ def _value(kind: Any, text: str) -> Any:
     raise ValueError(text)
 
 
-def _allowed(kind: Any) -> str:
+def _allowed(kind: Any, between: str = ",") -> str:
     """Say in words what `_value` takes for a type.
 
     Raises:
@@ -268,12 +269,12 @@ def _allowed(kind: Any) -> str:
     if get_origin(kind) in {Union, UnionType}:
         # `none` last, as one says it.
         ordered = sorted(parts, key=lambda part: part is NoneType)
-        return " or ".join(_allowed(part) for part in ordered)
+        return " or ".join(_allowed(part, between) for part in ordered)
     if get_origin(kind) is Literal:
         *others, last = [str(part) for part in parts]
         return f"{', '.join(others)} or {last}" if others else last
     if get_origin(kind) is tuple and len(parts) == 2 and parts[1] is Ellipsis:
-        return f"a list such as 1,2,3, each {_allowed(parts[0])}"
+        return f"a list such as {between.join('123')}, each {_allowed(parts[0])}"
     if hasattr(kind, "form"):
         return kind.form
     if kind in _WORDS:
