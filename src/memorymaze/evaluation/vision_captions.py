@@ -80,11 +80,7 @@ class CaptionStore:
     """Replies by what determines them."""
 
     def __init__(self, path: Path | str) -> None:
-        """Open or make the file.
-
-        Raises:
-            SettingsError: The file cannot be written, or is something else.
-        """
+        """Open or make the file."""
         self._path = Path(path).absolute()
         try:
             with self._open(make=True) as database:
@@ -96,11 +92,7 @@ class CaptionStore:
             ) from error
 
     def find(self, key: CaptionKey) -> tuple[Completion, ...]:
-        """Return the replies kept under a key, the last one usable; empty for none.
-
-        Raises:
-            LanguageModelError: The file cannot be read.
-        """
+        """Return the replies kept under a key, the last one usable; empty for none."""
         try:
             with self._open() as database:
                 row = database.execute(
@@ -117,11 +109,7 @@ class CaptionStore:
     def keep(
         self, key: CaptionKey, replies: Sequence[Completion]
     ) -> tuple[Completion, ...]:
-        """Keep replies; return those that are kept, which another process may have.
-
-        Raises:
-            LanguageModelError: The file cannot be written.
-        """
+        """Keep replies; return those that are kept, which another process may have."""
         text = json.dumps([asdict(each) for each in replies])
         try:
             with self._open() as database:
@@ -168,13 +156,7 @@ class VisionCaptions:
         store: CaptionStore,
         shoot: Shoot | None = None,
     ) -> None:
-        """Prepare.
-
-        Args:
-            model: Is shown eight pictures for each viewpoint.
-            store: Where its replies are kept and looked up.
-            shoot: Takes the pictures; None for the rendered camera.
-        """
+        """Prepare."""
         self._model = model
         self._store = store
         self._shoot = shoot or take_pictures
@@ -191,10 +173,6 @@ class VisionCaptions:
         It raises `LanguageModelError` where the model does not answer as it was asked
         to, `RenderingError` where this machine cannot draw, and `SettingsError` where
         the site was not read from a file.
-
-        Args:
-            robot: Whose surroundings give the things within reach.
-            journal: What the captions cost is counted here, once for each viewpoint.
         """
         told: dict[str, Captions] = {}
 
@@ -267,11 +245,7 @@ def _count(replies: Iterable[Completion], journal: Journal) -> None:
 
 
 def read_captions(reply: str) -> Captions:
-    """Read the JSON object of captions in a reply, whatever stands around it.
-
-    Raises:
-        ValueError: There is none, or it is another one; says what was expected.
-    """
+    """Read the JSON object of captions in a reply, whatever stands around it."""
     expected = (
         f'expected one JSON object with "views", {EIGHT_DIRECTIONS} sentences, and '
         '"summary", a sentence'
@@ -293,11 +267,7 @@ def read_captions(reply: str) -> Captions:
 
 
 def take_pictures(scene: Scene, viewpoint: Viewpoint) -> tuple[Picture, ...]:
-    """Return eight pictures from a viewpoint: north, then clockwise.
-
-    Raises:
-        RenderingError: This machine cannot draw; says what to install.
-    """
+    """Return eight pictures from a viewpoint: north, then clockwise."""
     camera = _camera(scene)
     pictures: list[Picture] = []
     for number, heading in enumerate(sector_headings()):

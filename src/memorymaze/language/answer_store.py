@@ -83,11 +83,7 @@ class AnswerStore:
     """
 
     def __init__(self, path: Path | str, *, make: bool = False) -> None:
-        """Open the file, or make it.
-
-        Raises:
-            SettingsError: It is not there, cannot be written, or is something else.
-        """
+        """Open the file, or make it."""
         self.path = Path(path)
         if not make and not self.path.is_file():
             raise SettingsError(f"{self.path}: there are no recorded replies here")
@@ -152,11 +148,7 @@ class AnswerStore:
     def keep(
         self, model: str, request: CompletionRequest, completion: Completion
     ) -> Completion:
-        """Keep an answer; return the one that is kept, which another process may have.
-
-        Raises:
-            LanguageModelError: The file failed.
-        """
+        """Keep an answer; return the one that is kept, which another process may have."""
         key = request_key(model, request)
         names = _names_key(model, request)
         record = json.dumps(_record(request))
@@ -173,11 +165,7 @@ class AnswerStore:
         return self._completion(key) or completion
 
     def expect(self, model: str) -> None:
-        """Take note that a model is to answer.
-
-        Raises:
-            LanguageModelError: The file failed.
-        """
+        """Take note that a model is to answer."""
         with self._writing() as database:
             database.execute("INSERT OR IGNORE INTO models VALUES (?)", (model,))
 
@@ -185,9 +173,6 @@ class AnswerStore:
         """Keep a request that somebody else is to answer; return its id.
 
         Questions that are asked in the same words are one request.
-
-        Raises:
-            LanguageModelError: The file failed.
         """
         key = request_key(model, request)
         question = request.question

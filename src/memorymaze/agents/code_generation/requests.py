@@ -67,12 +67,7 @@ class CodeGenerationRequests:
     def __init__(
         self, options: CodeGenerationOptions | None = None, *, parser: bool = True
     ) -> None:
-        """Prepare the prompts.
-
-        Args:
-            options: How the model is asked; None for the defaults.
-            parser: Whether instructions are parsed into steps first.
-        """
+        """Prepare the prompts."""
         self.parser = parser
         self.options = options or CodeGenerationOptions()
         self._parsing = self._prompt("parse_instruction", "steps")
@@ -99,25 +94,14 @@ class CodeGenerationRequests:
         return self._request("parse", self._parsing, [task], steps_grammar())
 
     def program(self, way: str) -> CompletionRequest:
-        """Return the request for a program.
-
-        Args:
-            way: The instruction, or its steps as `numbered` writes them.
-        """
+        """Return the request for a program."""
         turns = [_way(way)]
         return self._request("program", self._writing, turns, program_grammar())
 
     def repair(
         self, way: str, reply: str, error: str, done: Sequence[str]
     ) -> CompletionRequest:
-        """Return the request for a program in the place of one that failed.
-
-        Args:
-            way: As in the request for the first program.
-            reply: The model's reply with that program.
-            error: What the sandbox said.
-            done: The calls that the robot has carried out, with their results.
-        """
+        """Return the request for a program in the place of one that failed."""
         if done:
             where = load_prompt("repair_on_the_way", calls="\n".join(done))
         else:

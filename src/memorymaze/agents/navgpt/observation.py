@@ -68,15 +68,7 @@ def sector_of(degrees: float, *, faithful: bool = False) -> int | None:
 
 
 def sector_bounds(sector: int, heading: float) -> tuple[float, float]:
-    """Return where a sector begins and ends, seen by a robot.
-
-    Args:
-        sector: 0 to 7.
-        heading: The robot's, degrees clockwise from north.
-
-    Returns:
-        Degrees clockwise from the robot's heading, in (-180, 180].
-    """
+    """Return where a sector begins and ends, seen by a robot."""
     middle = sector * SECTOR_WIDTH - heading
     return (
         _wrapped(middle - SECTOR_WIDTH / 2),
@@ -85,12 +77,7 @@ def sector_bounds(sector: int, heading: float) -> tuple[float, float]:
 
 
 def relative_words(degrees: float, heading: float) -> str:
-    """Return where a compass heading lies from another: `left 12.00`, `right 3.50`.
-
-    Args:
-        degrees: Clockwise from north.
-        heading: The robot's, degrees clockwise from north.
-    """
+    """Return where a compass heading lies from another: `left 12.00`, `right 3.50`."""
     return turn_words(_wrapped(degrees - heading))
 
 
@@ -125,10 +112,6 @@ def observation_text(place: Place, *, faithful: bool = False) -> str:
     For each: its range relative to the robot, what is seen there, things within 3 m, and
     viewpoints one can go to. The eight are fixed to the compass, so the front is centred
     on the robot's heading only to within 22.5 degrees.
-
-    Args:
-        place: Where.
-        faithful: Whether the released code's faults are kept; see `NavGPTOptions`.
     """
     front = sector_of(place.heading) or 0
     order = [(front + turn) % SECTORS for turn in range(SECTORS)]
@@ -232,13 +215,7 @@ class Scratchpad:
     """
 
     def __init__(self, limit: int, *, whole_steps: bool = True) -> None:
-        """Begin without steps.
-
-        Args:
-            limit: Characters that are shown, the last ones.
-            whole_steps: Whether steps that do not fit are left out as a whole, the
-                oldest first, but the full observation last. Otherwise one is cut.
-        """
+        """Begin without steps."""
         self._limit = limit
         self._whole_steps = whole_steps
         self._steps: list[_Step] = []

@@ -69,15 +69,7 @@ class _ModelPolicy:
         number: int,
         problem: str | None,
     ) -> Answer:
-        """Ask for the next motion.
-
-        Args:
-            task: The episode.
-            told: Lines on the way so far.
-            pictures: That they speak of.
-            number: How often it was asked in the episode, this time included.
-            problem: Why the last answer could not be used, where it is asked again.
-        """
+        """Ask for the next motion."""
         lines = [
             "The way as it was described:",
             f'"""\n{task.instruction.strip()}\n"""',
@@ -118,15 +110,7 @@ class VisionPolicy(_ModelPolicy):
         temperature: float = 0.0,
         max_tokens: int = 300,
     ) -> None:
-        """Prepare.
-
-        Args:
-            model: Understands pictures.
-            history: Past pictures in a request, at most.
-            history_width: Their width, pixels.
-            temperature: Of each request.
-            max_tokens: Longest reply.
-        """
+        """Prepare."""
         super().__init__(model, temperature=temperature, max_tokens=max_tokens)
         self.history = history
         self.history_width = history_width

@@ -211,19 +211,7 @@ class PolicyServer:
         retries: int = 4,
         first_delay: float = 1.0,
     ) -> None:
-        """Prepare a client; nothing is sent yet.
-
-        Args:
-            address: Such as `http://localhost:8765`.
-            timeout: Seconds that an answer may take, from first byte sent to last
-                received.
-            retries: Attempts after the first.
-            first_delay: Seconds before the second attempt; twice as many before each
-                further one.
-
-        Raises:
-            SettingsError: The address is none.
-        """
+        """Prepare a client; nothing is sent yet."""
         example = "http://localhost:8765"
         self.address = checked_address("--set server", address, example).rstrip("/")
         self._timeout = timeout
@@ -231,11 +219,7 @@ class PolicyServer:
         self._first_delay = first_delay
 
     def info(self) -> ServerInfo:
-        """Ask who is there.
-
-        Raises:
-            LanguageModelError: Nobody who speaks this version of the protocol.
-        """
+        """Ask who is there."""
         info = self._exchange("GET", "/info", None, ServerInfo)
         if info.protocol_version != VERSION:
             raise self._error(
@@ -246,19 +230,11 @@ class PolicyServer:
         return info
 
     def tell(self, path: str, request: BaseModel) -> None:
-        """Send a message to which nothing is to be answered but that it came.
-
-        Raises:
-            LanguageModelError: No usable answer came.
-        """
+        """Send a message to which nothing is to be answered but that it came."""
         self._exchange("POST", path, request, Acknowledgement)
 
     def act(self, request: ActRequest) -> ActReply:
-        """Show a picture and ask for the next motion.
-
-        Raises:
-            LanguageModelError: No usable answer came.
-        """
+        """Show a picture and ask for the next motion."""
         reply = self._exchange("POST", "/act", request, ActReply)
         if not (reply.text.strip() or reply.actions):
             raise self._error("/act", "sent an answer with neither text nor actions")
@@ -354,15 +330,7 @@ class RemotePolicy:
     """
 
     def __init__(self, server: PolicyServer, recorder: Recorder | None = None) -> None:
-        """Ask the server who it is.
-
-        Args:
-            server: Where it is.
-            recorder: Makes a `RecordingModel` of what asks the server; None for none.
-
-        Raises:
-            LanguageModelError: Nobody is there who speaks the protocol.
-        """
+        """Ask the server who it is."""
         self._server = server
         self._recorder = recorder
         info = server.info()
@@ -374,11 +342,7 @@ class RemotePolicy:
         return self._name
 
     def begin(self, task: Task) -> "RemoteSession":
-        """Begin an episode on the server.
-
-        Raises:
-            LanguageModelError: The server cannot be used.
-        """
+        """Begin an episode on the server."""
         line = _Line(self._server, self._name, task)
         model: LanguageModel = line if self._recorder is None else self._recorder(line)
         return RemoteSession(model, task, line)
@@ -405,13 +369,7 @@ class RemoteSession:
     """One episode with a server, or with what is recorded of one."""
 
     def __init__(self, model: LanguageModel, task: Task, line: "_Line | None") -> None:
-        """Prepare; used by the policies.
-
-        Args:
-            model: What answers: the line, or recorded replies of it.
-            task: The episode.
-            line: Where pictures are sent; None for nowhere.
-        """
+        """Prepare; used by the policies."""
         self._model = model
         self._task = task
         self._line = line

@@ -199,11 +199,7 @@ def _shown(value: object) -> str:
 
 @functools.cache
 def reply_grammar(motions: Motions) -> str:
-    """Return the grammar of the JSON object that the prompt asks for.
-
-    Args:
-        motions: The primitives; only whole multiples can be answered.
-    """
+    """Return the grammar of the JSON object that the prompt asks for."""
     rules = [
         r'root ::= "{\"reason\": \"" reason "\", \"action\": \"" action "}"',
         "reason ::= [A-Z] [a-zA-Z0-9 ,.'-]{4,140}",
