@@ -6,8 +6,8 @@ import pytest
 import memorymaze
 
 PUBLIC = """
-Agent AgentSettings Comparison Corpus Episode Instruction Journal ObstacleSettings Robot
-Run RunSettings SimulationSettings Site SteppingRobot Table Walk __version__ compare
+Agent AgentSettings Comparison Corpus Episode Instruction Journal ModelSettings
+ObstacleSettings Robot Run RunSettings SimulationSettings Site SteppingRobot Table Walk __version__ compare
 evaluate follow load_corpus load_run load_site make_robot
 """
 """The front door. Whoever takes a name from here breaks users' programs."""

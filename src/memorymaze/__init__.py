@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from memorymaze.evaluation.settings import AgentSettings, RunSettings
     from memorymaze.instructions.corpus import load_corpus
     from memorymaze.instructions.records import Corpus, Episode, Instruction
+    from memorymaze.language.model_settings import ModelSettings
     from memorymaze.library.runs import (
         Comparison,
         Run,
@@ -44,6 +45,7 @@ __all__ = [
     "Episode",
     "Instruction",
     "Journal",
+    "ModelSettings",
     "ObstacleSettings",
     "Robot",
     "Run",
@@ -68,6 +70,7 @@ _ROOMS = {
     "evaluation.settings": ("AgentSettings", "RunSettings"),
     "instructions.corpus": ("load_corpus",),
     "instructions.records": ("Corpus", "Episode", "Instruction"),
+    "language.model_settings": ("ModelSettings",),
     "library.runs": ("Comparison", "Run", "compare", "evaluate", "load_run"),
     "library.walks": ("Walk", "follow", "make_robot"),
     "robot.api": ("Robot",),
