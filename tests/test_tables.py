@@ -116,6 +116,14 @@ def test_hostile_texts_stay_texts() -> None:
     assert r"\textless{}b\textgreater{}\&|" in hostile.latex()
 
 
+def test_brackets_in_words_are_no_intervals() -> None:
+    columns = (Column("note", "Note"), Column("walk", "Walk", "label"))
+    rows = ({"note": "on texts (dev)", "walk": "a [b]"},)
+    made = Table("Notes", columns, rows)
+    assert "interval" not in made.html()
+    assert "scriptsize" not in made.latex()
+
+
 def test_pages_sort_by_values_and_keep_published_rows_apart() -> None:
     text = table(walk(), walk("old")).html("results sortable")
     assert 'data-value="2.25"' in text

@@ -340,10 +340,11 @@ class _Cells:
         self.heading = str(column.heading)
         self.cells = [column.cell(row) for row in table.rows]
         self._table = table
-        self._parts = [_ADDITION.split(cell, 1) for cell in self.cells]
-        numbers = [number for number, *_ in self._parts if number]
+        parts = [_ADDITION.split(cell, 1) for cell in self.cells]
+        numbers = [number for number, *_ in parts if number]
         is_value = column.role == "value"
         self.is_numeric = is_value and all(map(_NUMBER.fullmatch, numbers))
+        self._parts = parts if self.is_numeric else [[cell] for cell in self.cells]
         self._number = max(map(len, numbers), default=0) if self.is_numeric else 0
         is_bare = all(len(parts) == 1 for parts in self._parts)
         self._mark = ">" if self.is_numeric and is_bare else "<"
