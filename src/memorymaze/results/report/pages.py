@@ -144,9 +144,10 @@ def _place_name(place: tuple[str, str]) -> str:
     return place_title([Place(*place)])
 
 
-def _estimate(estimate: Estimate) -> Markup:
+def _estimate(estimate: Estimate, is_measured: bool = True) -> Markup:
     """Write a mean with its interval."""
-    mean, _, interval = estimate_cell(estimate).partition(" ")
+    cell = estimate_cell(estimate, is_measured=is_measured)
+    mean, _, interval = cell.partition(" ")
     if not interval:
         return Markup("{}").format(mean)
     return Markup('{} <span class="interval">{}</span>').format(mean, interval)

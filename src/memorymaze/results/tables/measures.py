@@ -158,15 +158,14 @@ def values_of(result: EpisodeResult, measures: Sequence[Measure]) -> list[float]
     return [float(getattr(result, each.field)) for each in measures]
 
 
-def estimate_cell(estimate: Estimate) -> str:
-    """Write a mean with its interval where there is one.
+def estimate_cell(estimate: Estimate, *, is_measured: bool = True) -> str:
+    """Write a mean with its interval; published ones have none.
 
-    >>> estimate_cell(Estimate(0.5, 0.25, 0.75))
-    '0.50 [0.25, 0.75]'
+    >>> estimate_cell(Estimate(0.5, 0.25, 0.75)), estimate_cell(Estimate(0.5))
+    ('0.50 [0.25, 0.75]', '0.50 (too few)')
     """
     column = Column("mean", digits=2, interval=("low", "high"))
-    known = {name: end for name, end in asdict(estimate).items() if end is not None}
-    return column.cell(known)
+    return column.cell(asdict(estimate) if is_measured else {"mean": estimate.mean})
 
 
 def ends(name: str) -> tuple[str, str]:
