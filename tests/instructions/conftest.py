@@ -1,11 +1,14 @@
-"""Instruction lines for the tests of this room."""
+"""Instructions and lines of files for the tests of this room."""
 
 import json
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import pytest
+
+from memorymaze.instructions import Failure, Followers, Instruction
 
 
 @pytest.fixture
@@ -43,3 +46,36 @@ def instruction_file(tmp_path: Path) -> Callable[..., Path]:
         return path
 
     return write
+
+
+@pytest.fixture
+def told() -> list[Instruction]:
+    """Four texts on two tiny sites, in two splits, with all that a record can hold."""
+    plain = Instruction(
+        id="a-1",
+        site="loop",
+        route="R1",
+        study="online",
+        iteration=1,
+        participant="a",
+        text="Turn left, then stop.",
+        reference_route="route_r1_reference",
+        failures=(),
+        source="human",
+        language="en",
+        split="test",
+    )
+    return [
+        plain,
+        replace(
+            plain,
+            id="b-2",
+            study="onsite",
+            iteration=2,
+            text='Um, "left"…\nthen, well, NA',
+            failures=(Failure("missing_turn", "tp_1", "says one turn"),),
+            original_text="Links,\tdann",
+        ),
+        replace(plain, id="c", split="dev", reference_route="route_r1_alternative"),
+        replace(plain, id="d", site="t_junction", followers=Followers(True, 6, None)),
+    ]

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from memorymaze.errors import InstructionFileError
 from memorymaze.instructions import Failure, Instruction, load_instructions
-from memorymaze.instructions.files import FIELDS, instruction_record, parse_line
+from memorymaze.instructions.record_format import FIELDS, instruction_record, parse_line
 
 Line = Callable[..., dict[str, Any]]
 Write = Callable[..., Path]

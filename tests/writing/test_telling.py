@@ -8,7 +8,8 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from memorymaze.instructions.error_kinds import SURFACE_KINDS
-from memorymaze.instructions.files import instruction_record, lines, parse_line
+from memorymaze.instructions.files import lines
+from memorymaze.instructions.record_format import instruction_record, parse_line
 from memorymaze.instructions.records import Instruction
 from memorymaze.sites import Site
 from memorymaze.writing import Draft, cells_of, drafts, parse_rates, write_draft

@@ -109,7 +109,7 @@ def _add_what(parser: argparse.ArgumentParser, agent: str | None) -> None:
         "--instructions",
         metavar="FILE",
         nargs="+",
-        help="JSONL files (default: the shipped texts, written by a language model)",
+        help="JSONL or CSV files (default: the shipped texts, written by a language model)",
     )
     parser.add_argument(
         "--sites",

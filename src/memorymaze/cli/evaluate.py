@@ -40,7 +40,7 @@ def add_parser(verbs: Verbs) -> None:
         "--instructions",
         metavar="FILE",
         nargs="+",
-        help="JSONL files (default: the shipped texts, written by a language model)",
+        help="JSONL or CSV files (default: the shipped texts, written by a language model)",
     )
     add_sites_option(parser)
     parser.add_argument(

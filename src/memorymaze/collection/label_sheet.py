@@ -15,7 +15,7 @@ from memorymaze.collection.questions import (
 )
 from memorymaze.errors import LabelFileError
 from memorymaze.input_files import read_text, refusal
-from memorymaze.instructions.files import write_file
+from memorymaze.instructions.record_format import write_file
 from memorymaze.instructions.records import WRITTEN_BY, Failure
 
 GIVEN = (

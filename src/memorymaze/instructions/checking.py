@@ -9,12 +9,8 @@ from pathlib import Path
 from memorymaze.errors import InstructionFileError, did_you_mean
 from memorymaze.instructions.corpus import site_problems
 from memorymaze.instructions.error_kinds import ERROR_KINDS
-from memorymaze.instructions.files import (
-    InstructionProblem,
-    place_of,
-    read_instruction_file,
-    repeated_ids,
-)
+from memorymaze.instructions.files import place_of, read_instruction_file, repeated_ids
+from memorymaze.instructions.record_format import InstructionProblem
 from memorymaze.instructions.records import Failure, Instruction
 from memorymaze.instructions.text_damage import invisible_characters, text_damage
 from memorymaze.sites.records import Route, Site

@@ -8,12 +8,11 @@ from memorymaze.errors import InstructionFileError, SettingsError, did_you_mean
 from memorymaze.input_files import refusal
 from memorymaze.instructions.files import (
     BUILTIN_CORPUS,
-    InstructionProblem,
     load_instructions,
     place_of,
     repeated_ids,
-    tidied,
 )
+from memorymaze.instructions.record_format import InstructionProblem, tidied
 from memorymaze.instructions.records import Corpus, Episode, Instruction
 from memorymaze.instructions.sail import is_sail_folder, sail_corpus
 from memorymaze.sites import Route, Site, load_sites

@@ -7,7 +7,8 @@ from pathlib import Path
 from memorymaze.durable_files import write_whole
 from memorymaze.errors import LanguageModelError, RunFolderError, SettingsError
 from memorymaze.instructions.corpus import episodes
-from memorymaze.instructions.files import instruction_record, lines, load_instructions
+from memorymaze.instructions.files import lines, load_instructions
+from memorymaze.instructions.record_format import instruction_record
 from memorymaze.instructions.records import Instruction
 from memorymaze.language.model import LanguageModel
 from memorymaze.sites import Site, load_sites

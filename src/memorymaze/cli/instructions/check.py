@@ -18,7 +18,7 @@ def add_parser(actions: Verbs) -> None:
         "no place of the plan, may be meant and change no exit code.",
         epilog="example: memorymaze instructions check mine.jsonl --sites plans",
     )
-    parser.add_argument("files", metavar="FILE", nargs="+", help="JSONL files")
+    parser.add_argument("files", metavar="FILE", nargs="+", help="JSONL or CSV files")
     add_sites_option(parser)
     parser.set_defaults(run=_run)
 

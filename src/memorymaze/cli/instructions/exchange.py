@@ -27,7 +27,7 @@ def add_parser(actions: Verbs) -> None:
         "files",
         metavar="FILE",
         nargs="*",
-        help="JSONL files (default: the shipped texts, written by a language model)",
+        help="JSONL or CSV files (default: the shipped texts, written by a language model)",
     )
     outward.add_argument(
         "--out",
@@ -66,11 +66,8 @@ def add_parser(actions: Verbs) -> None:
 
 def _export(options: argparse.Namespace) -> int:
     from memorymaze.instructions import load_corpus
-    from memorymaze.instructions.exchange import (
-        write_r2r,
-        write_spreadsheet,
-        write_vln_ce,
-    )
+    from memorymaze.instructions.exchange import write_r2r, write_vln_ce
+    from memorymaze.instructions.spreadsheets import write_spreadsheet
 
     corpus = load_corpus(options.files or None, sites=options.sites)
     read, sites = corpus.instructions, corpus.sites
@@ -88,12 +85,8 @@ def _export(options: argparse.Namespace) -> int:
 def _import(options: argparse.Namespace) -> int:
     from memorymaze.errors import SettingsError
     from memorymaze.instructions import episodes, write_instructions
-    from memorymaze.instructions.exchange import (
-        Unlabelled,
-        read_r2r,
-        read_spreadsheet,
-        read_vln_ce,
-    )
+    from memorymaze.instructions.exchange import Unlabelled, read_r2r, read_vln_ce
+    from memorymaze.instructions.spreadsheets import read_spreadsheet
     from memorymaze.sites import load_sites
 
     sites = load_sites(options.sites)

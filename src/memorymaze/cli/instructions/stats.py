@@ -20,7 +20,7 @@ def add_parser(actions: Verbs) -> None:
         "files",
         metavar="FILE",
         nargs="*",
-        help="JSONL files (default: the shipped texts, written by a language model)",
+        help="JSONL or CSV files (default: the shipped texts, written by a language model)",
     )
     parser.add_argument(
         "--format",
@@ -43,7 +43,7 @@ def add_parser(actions: Verbs) -> None:
 def _run(options: argparse.Namespace) -> int:
     from memorymaze.errors import SettingsError
     from memorymaze.instructions import load_corpus
-    from memorymaze.instructions.files import write_file
+    from memorymaze.instructions.record_format import write_file
     from memorymaze.results.instruction_study import write_study
 
     if options.seed < 0:

@@ -10,7 +10,11 @@ from pydantic import ValidationError
 
 from memorymaze.errors import InstructionFileError
 from memorymaze.input_files import mistakes, parse_json, read_file, refusal
-from memorymaze.instructions.files import InstructionProblem, parse_line, write_file
+from memorymaze.instructions.record_format import (
+    InstructionProblem,
+    parse_line,
+    write_file,
+)
 from memorymaze.instructions.records import Instruction
 from memorymaze.sites.records import Route, Site
 

@@ -30,7 +30,7 @@ from memorymaze.instructions.exchange.foreign_files import (
     split_of,
     write_json,
 )
-from memorymaze.instructions.files import instruction_record
+from memorymaze.instructions.record_format import instruction_record
 from memorymaze.instructions.records import Instruction
 from memorymaze.sites.records import Route, Site
 

@@ -9,7 +9,7 @@ from typing import Any, Literal
 
 from memorymaze.errors import InstructionFileError
 from memorymaze.input_files import parse_json, read_file, read_text, refusal
-from memorymaze.instructions.files import (
+from memorymaze.instructions.record_format import (
     FIELDS,
     InstructionProblem,
     instruction_record,
@@ -53,6 +53,27 @@ def read_spreadsheet(path: str | Path, kind: Kind) -> list[Instruction]:
         InstructionFileError: The file cannot be read, or rows are wrong; lists them.
         SettingsError: A package is missing.
     """
+    instructions, problems = read_rows(path, kind)
+    if problems:
+        raise refusal(problems, InstructionFileError)
+    return instructions
+
+
+def spreadsheet_kind(path: str | Path) -> Kind | None:
+    """Return what a file is by its name; None for JSONL."""
+    kinds: dict[str, Kind] = {".csv": "csv", ".parquet": "parquet"}
+    return kinds.get(Path(path).suffix.lower())
+
+
+def read_rows(
+    path: str | Path, kind: Kind
+) -> tuple[list[Instruction], list[InstructionProblem]]:
+    """Read a table; return the good instructions and what is wrong with other rows.
+
+    Raises:
+        InstructionFileError: The file cannot be read, or is no table of instructions.
+        SettingsError: A package is missing.
+    """
     columns, rows = _from_csv(path) if kind == "csv" else _from_parquet(path)
     missing = [name for name in ("site", "route", "text") if name not in columns]
     if missing:
@@ -67,18 +88,15 @@ def read_spreadsheet(path: str | Path, kind: Kind) -> list[Instruction]:
         raise InstructionFileError(
             f"{path}: expected a row per instruction, got the names of columns alone"
         )
-    read: list[Instruction] = []
+    instructions: list[Instruction] = []
     problems: list[InstructionProblem] = []
     # The first row of a CSV file is on line 2, below the names of the columns.
     for number, row in enumerate(rows, start=2):
-        instruction, wrong = _instruction(row, f"{path}: row {number}")
-        problems += [
-            InstructionProblem(f"{path}: row {number}", each) for each in wrong
-        ]
-        read += [] if instruction is None else [instruction]
-    if problems:
-        raise refusal(problems, InstructionFileError)
-    return read
+        place = f"{path}: row {number}"
+        instruction, wrong = _instruction(row, place)
+        problems += [InstructionProblem(place, each) for each in wrong]
+        instructions += [] if instruction is None else [instruction]
+    return instructions, problems
 
 
 def _instruction(
@@ -131,25 +149,21 @@ def _from_csv(path: str | Path) -> tuple[Sequence[str], list[dict[str, Any]]]:
 
 
 def _as_parquet(rows: list[dict[str, Any]]) -> bytes:
-    parquet = _parquet()
+    # Imported here: it takes longer than all else of a command.
     import pyarrow
+    import pyarrow.parquet
 
     content = io.BytesIO()
-    parquet.write_table(pyarrow.Table.from_pylist(rows), content)
+    pyarrow.parquet.write_table(pyarrow.Table.from_pylist(rows), content)
     return content.getvalue()
 
 
 def _from_parquet(path: str | Path) -> tuple[Sequence[str], list[dict[str, Any]]]:
-    parquet = _parquet()
+    import pyarrow.parquet
+
     content = io.BytesIO(read_file(path, InstructionFileError))
     try:
-        table = parquet.read_table(content)
+        table = pyarrow.parquet.read_table(content)
         return table.column_names, table.to_pylist()
     except (OSError, ValueError) as error:
         raise InstructionFileError(f"{path}: cannot be read ({error})") from None
-
-
-def _parquet() -> Any:
-    import pyarrow.parquet
-
-    return pyarrow.parquet
