@@ -16,6 +16,7 @@ from memorymaze.cli.agent_options import (
     episode_settings,
 )
 from memorymaze.cli.verbs import Verbs
+from memorymaze.wording import counted
 
 if TYPE_CHECKING:
     from memorymaze.results.watching import Onlooker
@@ -100,11 +101,11 @@ def _run(options: argparse.Namespace) -> int:
         f"SPD {result.spd:.2f} m, oracle success {'yes' if result.oracle_success else 'no'}, "
         f"CLS {result.cls:.3f}, SPL {result.spl:.3f}, nDTW {result.ndtw:.3f}\n"
         f"{result.path_length:.2f} m in {result.duration_s:.1f} s simulated, "
-        f"{result.collisions} collisions, turns in order {result.turns_in_order:.2f}"
+        f"{counted(result.collisions, 'collision')}, turns in order {result.turns_in_order:.2f}"
     )
     if result.model_calls:
         print(
-            f"language model: {result.model_calls} calls, {result.tokens} tokens, "
+            f"language model: {counted(result.model_calls, 'call')}, {counted(result.tokens, 'token')}, "
             f"{result.cost_usd:.4f} USD, {result.inference_s:.1f} s of inference; the "
             f"user stands waiting {result.standing_s:.1f} s"
         )

@@ -47,7 +47,7 @@ def add_parser(verbs: Verbs) -> None:
     )
     parser.add_argument(
         "--size",
-        type=_size,
+        type=picture_size,
         default=(1280, 720),
         metavar="WxH",
         help="pixels (1280x720)",
@@ -99,7 +99,8 @@ def _run(options: argparse.Namespace) -> int:
     return 0
 
 
-def _size(text: str) -> tuple[int, int]:
+def picture_size(text: str) -> tuple[int, int]:
+    """Read an option such as `1280x720`."""
     found = re.fullmatch(r"(\d{1,5})x(\d{1,5})", text)
     if found is None:
         raise argparse.ArgumentTypeError(f"expected WIDTHxHEIGHT, got {text!r}")

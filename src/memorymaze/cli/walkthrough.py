@@ -1,9 +1,9 @@
 """`memorymaze walkthrough`: the first-person video of a route."""
 
 import argparse
-import re
 from urllib.parse import quote
 
+from memorymaze.cli.replay import picture_size
 from memorymaze.cli.verbs import Verbs
 
 
@@ -39,7 +39,7 @@ def add_parser(verbs: Verbs) -> None:
     )
     parser.add_argument(
         "--size",
-        type=_size,
+        type=picture_size,
         metavar="WxH",
         help="pixels (960x540; with --panorama 1280x640)",
     )
@@ -76,10 +76,3 @@ def _run(options: argparse.Namespace) -> int:
     seconds = count / settings.fps
     print(f"{path}: {seconds:.0f} s, {count} frames")
     return 0
-
-
-def _size(text: str) -> tuple[int, int]:
-    found = re.fullmatch(r"(\d{1,5})x(\d{1,5})", text)
-    if found is None:
-        raise argparse.ArgumentTypeError(f"expected WIDTHxHEIGHT, got {text!r}")
-    return int(found[1]), int(found[2])

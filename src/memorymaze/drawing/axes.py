@@ -66,6 +66,8 @@ OTHER_SCRIPTS = (
     "Noto Sans",
 )
 """Fonts looked for when Latin ones lack a character."""
+WIDE_FROM = 0x2E80
+"""Characters from here on are as wide as high, and in none but such fonts."""
 
 
 @contextmanager

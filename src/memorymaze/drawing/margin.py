@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch, Rectangle
 
-from memorymaze.drawing.axes import TURNING_POINT_ALPHA, axes_in, route_lines
+from memorymaze.drawing.axes import TURNING_POINT_ALPHA, WIDE_FROM, axes_in, route_lines
 from memorymaze.drawing.shapes import (
     INKS,
     PEOPLE_COLOR,
@@ -23,8 +23,6 @@ from memorymaze.sites.records import Route, Site
 
 HEAD_GAP, FOOT = 0.38, 1.25
 """Inches round what is written above the plan, and for the legend below."""
-WIDE_FROM = 0x2E80
-"""Characters from here on are as wide as high."""
 BAR_LENGTHS = (1, 2, 5, 10, 20, 50, 100, 200, 500)
 """Metres that a scale bar may stand for."""
 LONGEST_BAR = 3.0

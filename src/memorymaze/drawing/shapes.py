@@ -81,8 +81,8 @@ VARIETIES: dict[str, dict[str, str]] = {
 """Colours on paper by use, style and mount, where they are not those of their kind."""
 EXIT_COLOR = "#2f6fb0"
 WALK_COLOR = "#111111"
-THING_COLOR, PEOPLE_COLOR = "#e0218a", "#0b8f8f"
-"""Of what no plan has."""
+THING_COLOR, PEOPLE_COLOR, FOUND_COLOR = "#c2185b", "#0b7285", "#7a4fb5"
+"""Of what no plan has, and of what a robot detects."""
 ROUTE_COLORS = ("#d7301f", "#1f5fbf", "#2a8a3e", "#8a3ea8", "#c77700")
 
 FLAT = 0.05

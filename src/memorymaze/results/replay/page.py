@@ -11,6 +11,7 @@ from matplotlib.font_manager import fontManager
 from numpy.typing import NDArray
 from PIL import Image, ImageDraw, ImageFont
 
+from memorymaze.drawing.axes import OTHER_SCRIPTS, WIDE_FROM
 from memorymaze.results.story.events import Event
 from memorymaze.results.story.understanding import CurrentStep
 
@@ -39,17 +40,6 @@ LINE = 1.32
 
 
 Font = ImageFont.FreeTypeFont
-
-WIDE_FROM = 0x2E80
-"""Characters from here on are not in the font that comes with matplotlib."""
-WIDE_FONTS = (
-    "Noto Sans CJK JP",
-    "Noto Sans JP",
-    "IPAexGothic",
-    "IPAGothic",
-    "TakaoPGothic",
-    "WenQuanYi Zen Hei",
-)
 
 
 class Box(NamedTuple):
@@ -300,4 +290,4 @@ def _font(path: str, size: int) -> Font:
 @lru_cache(maxsize=1)
 def _wide_font() -> str | None:
     installed = {font.name: font.fname for font in fontManager.ttflist}
-    return next((installed[name] for name in WIDE_FONTS if name in installed), None)
+    return next((installed[name] for name in OTHER_SCRIPTS if name in installed), None)

@@ -7,7 +7,13 @@ from numpy.typing import NDArray
 from PIL import Image, ImageDraw
 
 from memorymaze.drawing.plan_picture import PlanSheet
-from memorymaze.drawing.shapes import route_color
+from memorymaze.drawing.shapes import (
+    FOUND_COLOR,
+    PEOPLE_COLOR,
+    THING_COLOR,
+    WALK_COLOR,
+    route_color,
+)
 from memorymaze.geometry.pose import Pose
 from memorymaze.results.replay.page import font_for
 from memorymaze.results.story.moments import Moment, Moments
@@ -16,8 +22,6 @@ from memorymaze.sites import Route
 
 SMOOTHING = 2
 """Pixels drawn per pixel shown, each way, so that slanted edges are smooth."""
-WALK, ROBOT = "#111111", "#111111"
-PEOPLE, THINGS, FOUND = "#0b7285", "#c2185b", "#7a4fb5"
 VIEW = (255, 213, 79, 90)
 """Of what the camera can see."""
 HALF_VIEW = math.pi / 4
@@ -29,13 +33,16 @@ FOUND_SHOWN = 4.0
 
 def legend_of(route: Route, moments: Moments) -> list[tuple[str, str, str]]:
     """Return sign, colour and meaning of the marks that an episode can have."""
-    marks = [("━", route_color(route.route), "way described"), ("━", WALK, "driven")]
+    marks = [
+        ("━", route_color(route.route), "way described"),
+        ("━", WALK_COLOR, "driven"),
+    ]
     if moments.sightings:
-        marks.append(("◆", FOUND, "detected"))
+        marks.append(("◆", FOUND_COLOR, "detected"))
     if moments.story.people:
-        marks.append(("●", PEOPLE, "person"))
+        marks.append(("●", PEOPLE_COLOR, "person"))
     if moments.things:
-        marks.append(("☒", THINGS, "left in the way"))
+        marks.append(("☒", THING_COLOR, "left in the way"))
     return marks
 
 
@@ -55,9 +62,9 @@ class PlanView:
             x, y = sheet.pixel(pose.x, pose.y)
             side = max(0.3 * sheet.scale, 3.0 * self._line)
             box = (x - side, y - side, x + side, y + side)
-            pen.rectangle(box, fill="white", outline=THINGS, width=self._line)
-            pen.line((box[0], box[1], box[2], box[3]), THINGS, self._line)
-            pen.line((box[0], box[3], box[2], box[1]), THINGS, self._line)
+            pen.rectangle(box, fill="white", outline=THING_COLOR, width=self._line)
+            pen.line((box[0], box[1], box[2], box[3]), THING_COLOR, self._line)
+            pen.line((box[0], box[3], box[2], box[1]), THING_COLOR, self._line)
 
     def picture(self, moment: Moment) -> NDArray[np.uint8]:
         """Return the plan at a moment, none earlier than those before it."""
@@ -76,7 +83,9 @@ class PlanView:
         places = [self._sheet.pixel(*point) for point in points.tolist()]
         places.append(self._sheet.pixel(moment.pose.x, moment.pose.y))
         if len(places) > 1:
-            ImageDraw.Draw(self._walk).line(places, WALK, self._line, joint="curve")
+            ImageDraw.Draw(self._walk).line(
+                places, WALK_COLOR, self._line, joint="curve"
+            )
         # The last pose drawn is where the next piece begins.
         self._drawn = max(0, moment.walked - 1)
 
@@ -97,9 +106,9 @@ class PlanView:
             x, y = self._sheet.pixel(each.x, each.y)
             half = 3.5 * self._line
             diamond = [(x, y - half), (x + half, y), (x, y + half), (x - half, y)]
-            pen.polygon(diamond, fill=FOUND, outline="white")
+            pen.polygon(diamond, fill=FOUND_COLOR, outline="white")
             at = (x + 2 * half, y)
-            for width, colour in ((self._line, "white"), (0, FOUND)):
+            for width, colour in ((self._line, "white"), (0, FOUND_COLOR)):
                 pen.text(
                     at,
                     each.label,
@@ -114,12 +123,12 @@ class PlanView:
         x, y = self._sheet.pixel(pose.x, pose.y)
         radius = max(0.25 * self._sheet.scale, 3.2 * self._line)
         box = (x - radius, y - radius, x + radius, y + radius)
-        pen.ellipse(box, fill=PEOPLE, outline="white", width=self._line // 2 + 1)
+        pen.ellipse(box, fill=PEOPLE_COLOR, outline="white", width=self._line // 2 + 1)
         tip = (
             x + 2 * radius * math.cos(pose.heading),
             y - 2 * radius * math.sin(pose.heading),
         )
-        pen.line([(x, y), tip], PEOPLE, self._line)
+        pen.line([(x, y), tip], PEOPLE_COLOR, self._line)
 
     def _draw_robot(self, pen: ImageDraw.ImageDraw, pose: Pose) -> None:
         x, y = self._sheet.pixel(pose.x, pose.y)
@@ -131,4 +140,6 @@ class PlanView:
             (x + size * (a * cosine - b * sine), y - size * (a * sine + b * cosine))
             for a, b in shape
         ]
-        pen.polygon(corners, fill=ROBOT, outline="white", width=self._line // 2 + 1)
+        pen.polygon(
+            corners, fill=WALK_COLOR, outline="white", width=self._line // 2 + 1
+        )

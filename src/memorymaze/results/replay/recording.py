@@ -11,10 +11,19 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from PIL import Image
+from PIL import Image, ImageColor
 from tqdm import tqdm
 
-from memorymaze.drawing.shapes import plan_shapes
+from memorymaze.drawing.shapes import (
+    FOUND_COLOR,
+    INKS,
+    PEOPLE_COLOR,
+    THING_COLOR,
+    VARIETIES,
+    WALK_COLOR,
+    plan_shapes,
+    route_color,
+)
 from memorymaze.errors import SettingsError
 from memorymaze.evaluation.outcomes import outcome_line, source_line
 from memorymaze.extras import require_extra
@@ -28,14 +37,20 @@ from memorymaze.sites import Site
 
 TIMELINE = "simulated_time"
 CAMERA = "world/robot/camera"
-WALL, ROUTE, WALK = (47, 47, 47), (215, 48, 31), (17, 17, 17)
+WALL = ImageColor.getrgb(INKS["wall"].paper)
+WALK, PEOPLE, THINGS, SCAN = map(
+    ImageColor.getrgb, (WALK_COLOR, PEOPLE_COLOR, THING_COLOR, FOUND_COLOR)
+)
 PLAN = {
     "walls": ({"wall"}, WALL, 0.06),
-    "doors": ({"door"}, (156, 90, 30), 0.05),
-    "landmarks": ({"covering", "thing", "overhead"}, (76, 140, 74), 0.03),
+    "doors": ({"door"}, ImageColor.getrgb(VARIETIES["door"]["wood"]), 0.05),
+    "landmarks": (
+        {"covering", "thing", "overhead"},
+        ImageColor.getrgb(INKS["thing"].paper),
+        0.03,
+    ),
 }
 """Entities of a plan: kinds of shapes, colour, radius of lines in metres."""
-PEOPLE, THINGS, SCAN = (11, 114, 133), (194, 24, 91), (122, 79, 181)
 ON_FLOOR = 0.02
 """Metres over the floor at which lines lie."""
 LEVELS = {"say": "INFO", "touch": "ERROR", "note": "DEBUG", "model": "DEBUG"}
@@ -225,11 +240,12 @@ def _log_building(stream: Any, episode: RecordedEpisode, moments: Moments) -> No
         _lines(stream, f"world/plan/{entity}", lines, colour, radius)
     _names(stream, site)
     way = np.array(route.line.coords)[:, :2]
-    _lines(stream, "world/way_described", [way], ROUTE, 0.08)
+    color = ImageColor.getrgb(route_color(route.route))
+    _lines(stream, "world/way_described", [way], color, 0.08)
     goal = [*way[-1].tolist(), ON_FLOOR]
     stream.log(
         "world/goal",
-        rr.Points3D([goal], radii=0.4, colors=[ROUTE], labels=[f"goal: {route.goal}"]),
+        rr.Points3D([goal], radii=0.4, colors=[color], labels=[f"goal: {route.goal}"]),
         static=True,
     )
     _lines(stream, "world/whole_walk", [moments.points], (150, 150, 150), 0.02)
@@ -350,7 +366,7 @@ def _lines(
     stream: Any,
     entity: str,
     lines: list[NDArray[np.float64]],
-    colour: tuple[int, int, int],
+    colour: tuple[int, ...],
     radius: float,
 ) -> None:
     import rerun as rr
