@@ -1,0 +1,41 @@
+from collections.abc import Callable
+from typing import get_args
+
+import pytest
+
+from memorymaze.evaluation.outcomes import (
+    OUTCOMES,
+    ending_words,
+    outcome_line,
+    outcome_of,
+)
+from memorymaze.evaluation.results import EpisodeResult, StoppedBy
+
+Make = Callable[..., EpisodeResult]
+
+
+def test_who_arrives_has_arrived_whatever_else_happened(result: Make) -> None:
+    arrived = result(success=True, oracle_success=True, stopped_by="agent")
+    assert outcome_of(arrived) is OUTCOMES["arrived"]
+    assert outcome_line(arrived).startswith("✔ ARRIVED: the agent said")
+    assert "was near the goal" not in outcome_line(arrived)
+
+
+def test_who_stops_elsewhere_near_the_goal_once_is_told_so(result: Make) -> None:
+    elsewhere = result(success=False, oracle_success=True, stopped_by="agent")
+    assert outcome_of(elsewhere) is OUTCOMES["elsewhere"]
+    assert ending_words(elsewhere) == "stopped elsewhere"
+    assert outcome_line(elsewhere).startswith("✘ DID NOT ARRIVE")
+    assert "was near the goal on its way" in outcome_line(elsewhere)
+
+
+@pytest.mark.parametrize("end", sorted({*get_args(StoppedBy)} - {"agent"}))
+def test_every_other_end_has_words_of_its_own(result: Make, end: str) -> None:
+    broken = result(success=False, stopped_by=end)
+    assert outcome_of(broken) is OUTCOMES["broken"]
+    others = [
+        ending_words(result(success=False, stopped_by=each))
+        for each in get_args(StoppedBy)
+        if each != end
+    ]
+    assert ending_words(broken) not in others
