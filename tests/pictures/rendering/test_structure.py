@@ -6,14 +6,16 @@ import pytest
 import shapely
 from shapely import LineString, box
 
+from memorymaze.pictures.looks import surfaces
 from memorymaze.pictures.rendering.floor_plan import (
     Opening,
     Surroundings,
     floor_parts,
+    openings_of,
     sliced,
     wall_faces,
 )
-from memorymaze.pictures.rendering.structure import structure_of
+from memorymaze.pictures.rendering.structure import empty_stretches, structure_of
 from memorymaze.sites import Site
 from memorymaze.sites.records import Door, Room
 
@@ -96,6 +98,42 @@ def test_a_hole_in_the_floor_is_indoors_unless_it_is_beside_the_open_air(
     terrace = replace(inside, areas=(replace(ring, open_air=True), *inside.areas[1:]))
     assert Surroundings(inside).behind(x - 1, y, 0.0)[0] == "room"
     assert Surroundings(terrace).behind(x - 1, y, 0.0)[0] == "outdoors"
+
+
+def empty_metres(site: Site) -> float:
+    faces = wall_faces(site.walkable_floor, floor_parts(site), openings_of(site))
+    stretches = empty_stretches(list(faces), site)
+    return sum(high - low for _, low, high, _ in stretches)
+
+
+def test_long_walls_with_nothing_on_them_are_dressed_up_to_what_is_there(
+    corridor_site: Site,
+) -> None:
+    west, _, east, north = corridor_site.walkable_floor.bounds
+    plain = replace(corridor_site, doors=(), landmarks=())
+    x = (west + east) / 2
+    door = Door(
+        "d", LineString([(x - 0.5, north), (x + 0.5, north)]), None, "wood", None, None,
+        "closed",
+    )  # fmt: skip
+    beside = replace(plain, doors=(door,))
+    whole = 2 * (east - west)
+    assert whole - 8 < empty_metres(plain) <= whole
+    # The door itself, and what is kept clear beside it.
+    assert empty_metres(plain) - empty_metres(beside) == pytest.approx(1.7, abs=0.01)
+    assert empty_metres(corridor_site) < empty_metres(beside)
+
+
+def test_what_dresses_a_wall_has_neither_depth_nor_a_name(corridor_site: Site) -> None:
+    bare = replace(corridor_site, doors=(), landmarks=())
+    panels = surfaces.panelling(bare.ceiling_height)
+    kinds = {
+        kind
+        for each in structure_of(bare).slices
+        for kind, part in each.meshes()
+        if part.material is panels
+    }
+    assert kinds == {"decal"}
 
 
 def test_walls_hide_but_glass_to_the_open_air_does_not(corridor_site: Site) -> None:

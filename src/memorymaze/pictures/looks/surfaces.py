@@ -17,6 +17,8 @@ from memorymaze.pictures.looks.materials import Material
 Floats = NDArray[np.float64]
 PIXELS = 512
 """Edge of every picture."""
+DADO = 1.05
+"""Metres up to which long empty walls have panels."""
 FLOOR_MATERIALS = ("carpet", "linoleum", "wood", "concrete", "tile")
 WALL_MATERIALS = ("plaster", "glass", "wood_panel", "brick", "concrete")
 
@@ -101,6 +103,31 @@ def foot_shade() -> Material:
     alpha = 0.34 * (1 - np.linspace(0, 1, 64)) ** 2
     pixels = np.zeros((64, 8, 4))
     pixels[:, :, 3] = alpha[:, None]
+    return Material((1, 1, 1, 0.99), _bytes(pixels), 0.0, 0.0)
+
+
+@cache
+def panelling(height: float) -> Material:
+    """Return what dresses a bay of a long empty wall: panels, a rail, light from above.
+
+    It is laid over the wall, with nothing in it that one would call a thing.
+    """
+    rows = (np.arange(PIXELS)[::-1, None] + 0.5) / PIXELS * height
+    columns = (np.arange(PIXELS // 2)[None, :] + 0.5) / (PIXELS // 2)
+    dark = np.where((rows > 0.09) & (rows < DADO), 0.15, 0.0) + 0 * columns
+    joints = np.abs((2 * columns) % 1.0 - 0.5) > 0.495
+    dark = np.maximum(dark, np.where(joints & (rows < DADO), 0.34, 0.0))
+    dark = np.maximum(dark, np.where(np.abs(rows - DADO) < 0.035, 0.42, 0.0))
+    seams = np.abs(columns - 0.5) > 0.497
+    for seam in np.arange(DADO + 1.3, height - 0.3, 1.3):
+        seams = seams | (np.abs(rows - seam) < 0.008)
+    dark = np.maximum(dark, np.where(seams & (rows > DADO), 0.16, 0.0))
+    spread = 0.12 + 0.22 * np.maximum(height - rows, 0.0)
+    light = np.exp(-(((columns - 0.5) / spread) ** 2)) * np.exp(-(height - rows) / 0.7)
+    light = np.where(rows > DADO + 0.1, 0.4 * light, 0.0)
+    pixels = np.zeros((PIXELS, PIXELS // 2, 4))
+    pixels[:, :, :3] = np.where((light > dark)[:, :, None], 1.0, (0.22, 0.16, 0.11))
+    pixels[:, :, 3] = np.maximum(light, dark)
     return Material((1, 1, 1, 0.99), _bytes(pixels), 0.0, 0.0)
 
 

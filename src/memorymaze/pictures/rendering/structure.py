@@ -1,6 +1,7 @@
 """Floor, walls and ceiling as meshes in slices small enough to be left out unseen."""
 
 import math
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -20,6 +21,7 @@ from memorymaze.pictures.rendering.behind_walls import (
 )
 from memorymaze.pictures.rendering.floor_plan import (
     BAY,
+    NEAR_WALL,
     FloorPart,
     Surroundings,
     WallFace,
@@ -44,6 +46,10 @@ from memorymaze.simulation.scene import rings_with_things_above
 from memorymaze.sites.records import Site
 
 SKIRTING_DEPTH = 0.01
+LONG_WALL = 5.0
+"""Metres of wall without anything on it that are dressed."""
+ASIDE = 0.35
+"""Metres that panels keep from what is beside them."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,6 +75,7 @@ def structure_of(site: Site) -> Structure:
     open_rings = rings_with_things_above(site)
     surroundings = Surroundings(site)
     faces = list(wall_faces(site.walkable_floor, parts, openings_of(site)))
+    slice_of: dict[WallFace, Slice] = {}
     for face in faces:
         made = slices[int(tree.nearest(Point(face.at(face.length / 2, 0.05))))]
         made.points = np.concatenate([
@@ -81,10 +88,84 @@ def structure_of(site: Site) -> Structure:
             wind_screen(made, face, height)
         else:
             _wall(made, face, height, surroundings)
+            slice_of[face] = made
+    for face, low, high, start in empty_stretches(list(slice_of), site):
+        _dress(slice_of[face], face, (low, high), start, height)
     holes = orient(site.walkable_floor).interiors
     for ring in sorted(open_rings):
         slices.append(shaft(Polygon(holes[ring - 1]), height))
     return Structure(slices, hiding_segments(faces, open_rings, surroundings))
+
+
+def empty_stretches(
+    faces: Sequence[WallFace], site: Site
+) -> Iterator[tuple[WallFace, float, float, float]]:
+    """Yield the pieces of long plaster walls on which there is nothing.
+
+    Args:
+        faces: Of the walls, in their order along the floor.
+        site: For the doors and the things on the walls.
+
+    Yields:
+        A face, from where to where on it, and where on it the empty wall begins, metres.
+    """
+    used = [
+        (door.line.interpolate(0.5, normalized=True), door.line.length / 2)
+        for door in site.doors
+    ]
+    used += [
+        (thing.position, max(thing.size[:2]) / 2)
+        for thing in site.landmarks
+        if thing.mount == "wall"
+    ]
+    walls: list[list[WallFace]] = []
+    for face in faces:
+        if face.part.wall_material != "plaster":
+            continue
+        before = walls[-1][-1] if walls else None
+        if (
+            before is None
+            or math.dist(before.at(before.length), face.at(0.0)) > 0.01
+            or face.starts_at_corner
+        ):
+            walls.append([])
+        walls[-1].append(face)
+    for wall in walls:
+        first, ends = wall[0], np.cumsum([0.0, *(face.length for face in wall)])
+        taken = [(0.0, 0.0), (float(ends[-1]), float(ends[-1]))]
+        for face, start in zip(wall, ends.tolist(), strict=False):
+            taken += [(start + a, start + b) for a, b, _, _ in face.holes]
+        for place, half in used:
+            along, behind = first.local(np.array([[place.x, place.y]]))[0].tolist()
+            if abs(behind) < NEAR_WALL + 0.1 and -half < along < ends[-1] + half:
+                taken.append((along - half, along + half))
+        at = 0.0
+        for low, high in sorted(taken):
+            if low - at >= LONG_WALL:
+                for face, start in zip(wall, ends.tolist(), strict=False):
+                    a = max(at + ASIDE, start) - start
+                    b = min(low - ASIDE, start + face.length) - start
+                    if b - a > 0.05:
+                        yield face, a, b, at - start
+            at = max(at, high)
+
+
+def _dress(
+    made: Slice,
+    face: WallFace,
+    along: tuple[float, float],
+    start: float,
+    height: float,
+) -> None:
+    """Lay panels over a piece of wall: seen only, for decals have no depth and no id."""
+    upright(
+        made.builders["decal", surfaces.panelling(height)],
+        face,
+        along,
+        (0.0, height),
+        0.003,
+        lambda s, z: ((s - start) / BAY, 1 - z / height),
+    )
 
 
 def _pattern(part: FloorPart) -> NDArray[np.float64]:
