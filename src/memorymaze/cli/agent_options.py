@@ -28,7 +28,8 @@ def add_agent_options(parser: argparse.ArgumentParser, default: str | None) -> N
         help="an option of the agent; may be given several times. `memorymaze agents "
         "NAME` lists the options of each agent, with what they mean",
     )
-    model = add_model_options(parser)
+    model = parser.add_argument_group("language model")
+    add_model_options(model.add_argument)
     model.add_argument(
         "--no-parser",
         action="store_true",

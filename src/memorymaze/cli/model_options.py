@@ -1,8 +1,9 @@
 """Options that say which language model is asked, how, and what that may cost."""
 
 import argparse
-from collections.abc import Collection
+from collections.abc import Callable, Collection
 from dataclasses import fields
+from typing import Any
 
 from memorymaze.language.model_settings import ModelSettings
 from memorymaze.options import list_options, read_flags
@@ -12,23 +13,26 @@ OTHER_NAMES = {"replay": ["--programs"]}
 
 
 def add_model_options(
-    parser: argparse.ArgumentParser, only: Collection[str] | None = None
-) -> "argparse._ArgumentGroup":
-    """Add an option for each field of `ModelSettings`, as a group; all, or `only` some."""
-    group = parser.add_argument_group("language model")
+    add: Callable[..., Any], only: Collection[str] | None = None
+) -> None:
+    """Add an option for each field of `ModelSettings`, or `only` for some.
+
+    Args:
+        add: `add_argument` of a parser, or of a group of it.
+        only: Names of fields.
+    """
     kinds = {each.name: each for each in fields(ModelSettings)}
     for option in list_options(ModelSettings):
         metavar = kinds[option.name].metadata.get("metavar")
         if metavar is None or (only is not None and option.name not in only):
             continue
         default = "" if option.default == "none" else f" (default: {option.default})"
-        group.add_argument(
+        add(
             f"--{option.name.replace('_', '-')}",
             *OTHER_NAMES.get(option.name, []),
             metavar=metavar,
             help=(option.meaning + default).replace("%", "%%"),
         )
-    return group
 
 
 def model_settings(options: argparse.Namespace) -> ModelSettings:

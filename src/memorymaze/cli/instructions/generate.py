@@ -65,7 +65,7 @@ def add_parser(actions: Verbs) -> None:
         default="grammar",
         help="grammar (default), or a language model as --model of `evaluate` names it",
     )
-    add_model_options(parser, only=("base_url", "record", "replay"))
+    add_model_options(parser.add_argument, only=("base_url", "record", "replay"))
     parser.add_argument(
         "--out", metavar="FILE", required=True, help="instruction file to write (JSONL)"
     )
