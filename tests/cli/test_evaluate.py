@@ -151,3 +151,57 @@ def test_obstacles_are_settings_of_a_run(
     said = memorymaze(*command, "many", "--out", tmp_path / "none")
     assert "light, medium, heavy" in said.err
     assert said.code != 0
+
+
+def test_the_help_begins_with_what_most_runs_need(memorymaze: Memorymaze) -> None:
+    text = memorymaze("evaluate", "--help").out
+    flags = [line.split()[0] for line in text.splitlines() if line.startswith("  --")]
+    assert flags[:5] == ["--agent", "--limit", "--out", "--resume", "--workers"]
+    for group in ("what is followed:", "the agent:", "how episodes are run:"):
+        assert f"\n{group}\n" in text
+
+
+def test_turns_that_are_refused_show_in_the_summary(
+    memorymaze: Memorymaze, tmp_path: Path
+) -> None:
+    own = tmp_path / "own.py"
+    own.write_text(
+        "class Mine:\n"
+        "    name = 'mine'\n\n"
+        "    def follow(self, instruction, robot, journal, rng):\n"
+        "        robot.turn('leftish')\n",
+        encoding="utf-8",
+    )
+    out = tmp_path / "out"
+    done = memorymaze(
+        "evaluate",
+        "--agent",
+        f"{own}:Mine",
+        "--limit",
+        "1",
+        "--workers",
+        "1",
+        "--out",
+        out,
+    )
+    assert "1 turn refused" in done.out
+
+
+def test_an_option_without_a_meaning_is_the_agents_fault(
+    memorymaze: Memorymaze, tmp_path: Path
+) -> None:
+    own = tmp_path / "own.py"
+    own.write_text(
+        "from dataclasses import dataclass\n\n"
+        "@dataclass(frozen=True)\n"
+        "class Options:\n"
+        "    stride: float = 0.5\n\n"
+        "class Mine:\n"
+        "    name = 'mine'\n"
+        "    Options = Options\n",
+        encoding="utf-8",
+    )
+    done = memorymaze("agents", f"{own}:Mine")
+    assert done.code == 2
+    assert "Options.stride: expected a default and a string beneath" in done.err
+    assert "fault of memorymaze" not in done.err

@@ -1,4 +1,9 @@
-"""Agents that follow route instructions; one line in `AGENTS` makes one known."""
+"""Agents that follow route instructions: a text and a robot in, motion out.
+
+Holds the role (`agent`), the agents that come with the package, how agents of users' own
+are found, made and told apart, and the process of its own that one may live in
+(`isolated`). Does not hold sites or answers: agents see what their robot tells them.
+"""
 
 from collections.abc import Callable
 

@@ -10,8 +10,8 @@ if TYPE_CHECKING:
     from memorymaze.evaluation.settings import AgentSettings, RunSettings
 
 
-def add_agent_options(parser: argparse.ArgumentParser, default: str | None) -> None:
-    """Add `--agent` and the options of its language model."""
+def add_agent_name(parser: argparse.ArgumentParser, default: str | None) -> None:
+    """Add `--agent`, among the options that come first."""
     parser.add_argument(
         "--agent",
         metavar="NAME",
@@ -20,7 +20,12 @@ def add_agent_options(parser: argparse.ArgumentParser, default: str | None) -> N
         help="rules, code_generation, …: see `memorymaze agents`; or your own as "
         "module:Class or file.py:Class" + (f" (default: {default})" if default else ""),
     )
-    parser.add_argument(
+
+
+def add_agent_options(parser: argparse.ArgumentParser) -> None:
+    """Add the options of the agent and of its language model, as groups."""
+    group = parser.add_argument_group("the agent")
+    group.add_argument(
         "--set",
         metavar="NAME=VALUE",
         action="append",
@@ -38,40 +43,41 @@ def add_agent_options(parser: argparse.ArgumentParser, default: str | None) -> N
 
 
 def add_episode_options(parser: argparse.ArgumentParser) -> None:
-    """Add the options that every episode obeys."""
-    parser.add_argument(
+    """Add the options that every episode obeys, as a group."""
+    group = parser.add_argument_group("how episodes are run")
+    group.add_argument(
         "--seed",
         metavar="N",
         type=int,
         help="of all randomness (default: 0)",
     )
-    parser.add_argument(
+    group.add_argument(
         "--success-distance",
         metavar="METRES",
         type=float,
         help="stopping nearer than this to the goal is success (default: 3.0)",
     )
-    parser.add_argument(
+    group.add_argument(
         "--time-budget",
         metavar="SECONDS",
         type=float,
         help="simulated time of an episode (default: three times what a perfect "
         "follower needs for the longest route)",
     )
-    parser.add_argument(
+    group.add_argument(
         "--call-budget",
         metavar="N",
         type=int,
         help="calls of the control API in an episode (default: 10000)",
     )
-    parser.add_argument(
+    group.add_argument(
         "--detection-range",
         metavar="METRES",
         type=float,
         help="how far things are detected (default: 4; with --sail 40, to the end of "
         "every hall)",
     )
-    parser.add_argument(
+    group.add_argument(
         "--obstacles",
         metavar="SETTINGS",
         nargs="?",
@@ -80,33 +86,33 @@ def add_episode_options(parser: argparse.ArgumentParser) -> None:
         "heavy, or settings such as things=4,density=1,seed=1 (alone: medium; "
         "default: none). Results are a track of their own",
     )
-    parser.add_argument(
+    group.add_argument(
         "--turning-points",
         metavar="SOURCE",
         help="where the robot knows turning points from: annotated (the site plan, "
         "the default) or lidar (its scans and odometry)",
     )
-    parser.add_argument(
+    group.add_argument(
         "--detector",
         metavar="NAME[:SETTINGS]",
         help="what looks for objects: truth (the default), truth:errors or truth:miss=0.2 "
         "(with mistakes), grounding-dino:CHECKPOINT,box_threshold=0.35 (a model, from "
         "the camera's picture), remote:URL (a server). See docs/perception.md",
     )
-    parser.add_argument(
+    group.add_argument(
         "--isolate",
         action="store_true",
         default=None,
         help="run an agent of your own in a process of its own, which has no buildings "
         "and cannot read plans",
     )
-    parser.add_argument(
+    group.add_argument(
         "--signs",
         metavar="SOURCE",
         help="how read_signs reads: truth (the default) or ocr (from the camera's "
         "picture)",
     )
-    parser.add_argument(
+    group.add_argument(
         "--looks",
         choices=("own", "models"),
         help="how things look to cameras: own, or models (furniture models; see "

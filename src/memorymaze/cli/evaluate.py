@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from memorymaze.cli.agent_options import (
+    add_agent_name,
     add_agent_options,
     add_episode_options,
     agent_settings,
@@ -35,51 +36,12 @@ def add_parser(verbs: Verbs) -> None:
         "A run that was broken off, however that came, goes on with --resume.",
         epilog="example: memorymaze evaluate --agent rules --limit 24 --out runs/look",
     )
-    add_agent_options(parser, default=None)
-    parser.add_argument(
-        "--instructions",
-        metavar="FILE",
-        nargs="+",
-        help="JSONL or CSV files (default: the shipped texts, written by a language model)",
-    )
-    add_sites_option(parser)
-    parser.add_argument(
-        "--sail",
-        metavar="DIR",
-        help="follow the SAIL corpus in this folder instead: mazes and paragraphs of "
-        "people, each from four start headings (docs/sail.md)",
-    )
-    parser.add_argument(
-        "--split",
-        metavar="NAME",
-        help="only instructions of this split: dev or test (whether prompts may be built "
-        "from them); or developed or held_out, the halves of the participants whose texts "
-        "were and were not read while the rules agent was developed",
-    )
+    add_agent_name(parser, default=None)
     parser.add_argument(
         "--limit",
         metavar="N",
         type=int,
         help="only N episodes, alike many of every route of every study",
-    )
-    parser.add_argument(
-        "--shard",
-        metavar="I/N",
-        help="only the I-th of N parts of the run, alike in size; `memorymaze runs merge` "
-        "makes one run of all (docs/scaling.md)",
-    )
-    parser.add_argument(
-        "--workers",
-        metavar="N",
-        type=int,
-        default=0,
-        help="processes (default: 0, one per core)",
-    )
-    parser.add_argument(
-        "--ray",
-        metavar="ADDRESS",
-        help="workers on a Ray cluster: HOST:PORT, ray://HOST:PORT, auto, or local for "
-        "one on this machine (docs/scaling.md)",
     )
     parser.add_argument(
         "--out", metavar="DIR", help="run folder (default: runs/AGENT-TIME)"
@@ -90,13 +52,55 @@ def add_parser(verbs: Verbs) -> None:
         help="finish the run that is in --out; begins one where there is none",
     )
     parser.add_argument(
+        "--workers",
+        metavar="N",
+        type=int,
+        default=0,
+        help="processes (default: 0, one per core)",
+    )
+    followed = parser.add_argument_group("what is followed")
+    followed.add_argument(
+        "--instructions",
+        metavar="FILE",
+        nargs="+",
+        help="JSONL or CSV files (default: the shipped texts, written by a language model)",
+    )
+    add_sites_option(followed)
+    followed.add_argument(
+        "--sail",
+        metavar="DIR",
+        help="follow the SAIL corpus in this folder instead: mazes and paragraphs of "
+        "people, each from four start headings (docs/sail.md)",
+    )
+    followed.add_argument(
+        "--split",
+        metavar="NAME",
+        help="only instructions of this split: dev or test (whether prompts may be built "
+        "from them); or developed or held_out, the halves of the participants whose texts "
+        "were and were not read while the rules agent was developed",
+    )
+    followed.add_argument(
+        "--shard",
+        metavar="I/N",
+        help="only the I-th of N parts of the run, alike in size; `memorymaze runs merge` "
+        "makes one run of all (docs/scaling.md)",
+    )
+    add_agent_options(parser)
+    add_episode_options(parser)
+    add_error_options(parser)
+    elsewhere = parser.add_argument_group("workers")
+    elsewhere.add_argument(
+        "--ray",
+        metavar="ADDRESS",
+        help="workers on a Ray cluster: HOST:PORT, ray://HOST:PORT, auto, or local for "
+        "one on this machine (docs/scaling.md)",
+    )
+    elsewhere.add_argument(
         "--wall-limit",
         metavar="SECONDS",
         type=float,
         help="real time after which an episode is given up as a crash (default: 3600)",
     )
-    add_episode_options(parser)
-    add_error_options(parser)
     parser.set_defaults(run=_run)
 
 

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from urllib.parse import quote
 
 from memorymaze.cli.agent_options import (
+    add_agent_name,
     add_agent_options,
     add_episode_options,
     agent_settings,
@@ -38,10 +39,11 @@ def add_parser(verbs: Verbs) -> None:
         "route", metavar="ROUTE", help="R1, R2, … or the id of a route in the plan"
     )
     parser.add_argument("text", metavar="TEXT", help="the instruction")
-    add_agent_options(parser, default="rules")
+    add_agent_name(parser, default="rules")
     parser.add_argument(
         "--out", metavar="DIR", help="folder (default: runs/navigate-SITE-ROUTE-TIME)"
     )
+    add_agent_options(parser)
     add_episode_options(parser)
     parser.add_argument(
         "--watch",
@@ -103,6 +105,11 @@ def _run(options: argparse.Namespace) -> int:
         f"{result.path_length:.2f} m in {result.duration_s:.1f} s simulated, "
         f"{counted(result.collisions, 'collision')}, turns in order {result.turns_in_order:.2f}"
     )
+    if result.refused_turns:
+        print(
+            f"{counted(result.refused_turns, 'turn')} refused: the trace says why "
+            "(calls of turn with turned false)"
+        )
     if result.model_calls:
         print(
             f"language model: {counted(result.model_calls, 'call')}, {counted(result.tokens, 'token')}, "

@@ -1,7 +1,10 @@
 """What verbs share: the place where they add their parser, and `--sites`."""
 
 from argparse import ArgumentParser
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
+
+if TYPE_CHECKING:
+    from argparse import _ActionsContainer
 
 
 class Verbs(Protocol):
@@ -19,7 +22,7 @@ class Verbs(Protocol):
         ...
 
 
-def add_sites_option(parser: ArgumentParser) -> None:
+def add_sites_option(parser: "_ActionsContainer") -> None:
     """Add `--sites`, of verbs that look at buildings."""
     parser.add_argument(
         "--sites",

@@ -1,5 +1,7 @@
-"""Runs of agents on instructions: episodes, workers, run folders, and tables.
+"""Running agents over corpora: settings, episodes, workers, run folders.
 
-The way through: `plan_run` (plan.py) -> `run_plan` (driver.py) -> `load_runs` (tables.py)
--> `format_tables` (table_formats.py). One episode alone: `run_episode` (episode.py).
+The way through: `plan_run` (plan) -> `run_plan` (driver) -> `run_episode` (episode) ->
+`EpisodeResult` (results) -> a run folder (run_folder). Which agents there are is in
+`agent_catalogue`; every agent gets a robot through `guarded_robot`. Does not hold what is
+made of finished runs (`results`), nor any way of drawing.
 """

@@ -3,6 +3,7 @@
 import textwrap
 from collections.abc import Iterator, Sequence
 
+from memorymaze.errors import SettingsError
 from memorymaze.evaluation.agent_catalogue import (
     Need,
     agent_names,
@@ -48,7 +49,11 @@ def _paragraph(name: str) -> Iterator[str]:
     if kind is None:
         yield "  no options"
         return
-    for option in list_options(kind):
+    try:
+        options = list_options(kind)
+    except TypeError as error:
+        raise SettingsError(f"agent {name!r}: its options: {error}") from None
+    for option in options:
         yield f"  --set {option.name}={option.default}"
         said = f"{option.meaning} Takes {option.allowed}."
         yield textwrap.fill(

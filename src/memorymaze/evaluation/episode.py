@@ -176,6 +176,7 @@ def _attempt(
         person_collisions=sum(each.kind == "person" for each in robot.collisions),
         near_misses=len(robot.near_misses),
         waiting_s=robot.waiting_time,
+        refused_turns=robot.refused_turns,
         inference_s=journal.inference_s,
         standing_s=robot.standing_time,
         usable=None if people is None else people.usable,

@@ -66,6 +66,8 @@ class EpisodeResult:
     """Times a person and the robot were closer than 0.3 m."""
     waiting_s: FiniteFloat = 0.0
     """Simulated seconds the robot stood because people were in the way."""
+    refused_turns: int = 0
+    """Calls of `turn` that found no way in that direction, or were no direction."""
     inference_s: FiniteFloat = 0.0
     """Real seconds that the language model took for its replies."""
     standing_s: FiniteFloat = 0.0

@@ -10,6 +10,7 @@ from memorymaze.evaluation.collision_rates import collision_rates
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.settings import RunDefinition
 from memorymaze.instructions.records import WRITTEN_BY
+from memorymaze.wording import counted
 
 MEANS = (
     "success",
@@ -34,6 +35,7 @@ MEANS = (
     "standing_s",
 )
 SUMS = (
+    "refused_turns",
     "collisions",
     "person_collisions",
     "near_misses",
@@ -104,6 +106,11 @@ def summary_lines(summary: dict[str, Any]) -> list[str]:
         f"SPD {mean['spd']:.2f} m, CLS {mean['cls']:.3f} (means over episodes)",
         f"stopped by: {ends}; collisions: {total['collisions']}",
     ]
+    if total["refused_turns"]:
+        lines.append(
+            f"{counted(total['refused_turns'], 'turn')} refused: no way lay in that "
+            "direction, or it was none (calls of turn with turned false, in the traces)"
+        )
     if summary["errors"]:
         error, count = next(iter(summary["errors"].items()))
         failed = sum(summary["errors"].values())
