@@ -1,5 +1,6 @@
 """Which things a description names, and whether the building has them."""
 
+from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
@@ -23,16 +24,6 @@ SORTS: dict[Sort, str] = {
     "floor": "floor materials",
     "unknown": "not found in the plan",
 }
-
-
-@dataclass(frozen=True, slots=True)
-class NamedThing:
-    """A thing that a description names."""
-
-    phrase: str
-    """The words for it."""
-    sort: Sort
-    """What of the building it fits best."""
 
 
 @dataclass(frozen=True)
@@ -90,10 +81,10 @@ class SiteNames:
         return "way" if named else best
 
 
-def named_things(plan: RoutePlan, names: SiteNames) -> list[NamedThing]:
-    """Return the things that a parsed description names, each phrase once."""
-    phrases = dict.fromkeys(phrase for phrase in _phrases(plan) if phrase.strip())
-    return [NamedThing(phrase, names.sort_of(phrase)) for phrase in phrases]
+def named_things(plan: RoutePlan, names: SiteNames) -> Counter[Sort]:
+    """Count what a parsed description names, each phrase once, by what it fits best."""
+    phrases = {phrase for phrase in _phrases(plan) if phrase.strip()}
+    return Counter(names.sort_of(phrase) for phrase in phrases)
 
 
 def _phrases(plan: RoutePlan) -> Iterator[str]:

@@ -25,7 +25,11 @@ from memorymaze.instructions.statistics import (
     type_token_curve,
     word_count,
 )
-from memorymaze.results.instruction_study.named_things import SiteNames, named_things
+from memorymaze.results.instruction_study.named_things import (
+    SiteNames,
+    Sort,
+    named_things,
+)
 from memorymaze.results.instruction_study.stated_distances import (
     VAGUE,
     StatedDistance,
@@ -37,7 +41,7 @@ from memorymaze.tables import Row
 from memorymaze.understanding import parse_route_description
 from memorymaze.wording import counted
 
-IN_PLAN = ("landmark", "door", "room", "way")
+IN_PLAN: tuple[Sort, ...] = ("landmark", "door", "room", "way")
 ALL_SITES, BOTH_ITERATIONS = "all", "both"
 
 
@@ -163,7 +167,7 @@ def measure_text(instruction: Instruction, names: SiteNames) -> TextMeasures:
     """Count in one text."""
     plan = parse_route_description(instruction.text)
     marks = Counter(mark.kind for mark in spoken_marks(instruction.text))
-    named = Counter(thing.sort for thing in named_things(plan, names))
+    named = named_things(plan, names)
     lengths = [each.length for each in (*plan.legs, plan.arrival)]
     stated = sum(each is not None and each.unit != VAGUE for each in lengths)
     return TextMeasures(
