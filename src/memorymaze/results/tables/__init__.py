@@ -7,6 +7,9 @@ statistics of instructions in `results.instruction_study`.
     runs = load_runs(["runs/rules", "runs/mine"])
     run_tables(runs, "II")[0].frame()
     comparison_table(compare_runs(*runs)).text()
+    success_figure(runs).savefig("success.png")  # from `figures`: it loads matplotlib
+
+Episodes as a frame, a row each, are `evaluation.frames.episode_frame`.
 """
 
 from collections.abc import Sequence
