@@ -198,9 +198,9 @@ def build_scene(site: Site, obstacles: ObstacleSettings | None = None) -> Scene:
 
 
 def _tangible(
-    # Any: the stubs do not know its lists, nor that one can delete.
+    # Any: the stubs know neither the lists of the one nor all arrays of the other.
     spec: Any,
-    model: mujoco.MjModel,
+    model: Any,
 ) -> tuple[mujoco.MjModel, tuple[int, ...]]:
     """Leave out of a compiled spec what nothing touches; say which geoms stay."""
     touched = (model.geom_contype != 0) | (model.geom_conaffinity != 0)
