@@ -23,7 +23,7 @@ from memorymaze.evaluation.settings import (
     with_choices,
 )
 from memorymaze.input_files import FileStamp
-from memorymaze.instructions import load_corpus
+from memorymaze.instructions import Corpus, load_corpus
 from memorymaze.robot.api import Detection, Direction, MoveResult, SignText, TurnResult
 from memorymaze.simulation import Scene, SimulationSettings, build_scene
 from memorymaze.sites import Site, load_site, load_sites
@@ -54,7 +54,13 @@ def tiny_instructions() -> Path:
 
 
 @pytest.fixture(scope="session")
-def tiny_options() -> list[str]:
+def tiny_corpus() -> Corpus:
+    """Those instructions on those sites."""
+    return load_corpus([TINY_INSTRUCTIONS], sites=TINY_SITES)
+
+
+@pytest.fixture(scope="session")
+def tiny_files() -> list[str]:
     """What the command line is given to follow them."""
     return ["--instructions", str(TINY_INSTRUCTIONS), "--sites", str(TINY_SITES)]
 
@@ -336,15 +342,13 @@ def record(settings: RunDefinition) -> RunRecord:
 
 
 @pytest.fixture
-def tiny_plan(
-    tiny_instructions: Path, tiny_sites_folder: Path
-) -> Callable[..., RunPlan]:
+def tiny_plan(tiny_corpus: Corpus) -> Callable[..., RunPlan]:
     """Plan a run of twelve instructions on three tiny sites."""
 
     def plan(agent: str, **options: Any) -> RunPlan:
         return plan_run(
             AgentSettings(agent),
-            load_corpus([tiny_instructions], sites=tiny_sites_folder),
+            tiny_corpus,
             with_choices(RunSettings(), options),
         )
 

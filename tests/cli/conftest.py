@@ -8,8 +8,6 @@ import pytest
 
 from memorymaze.cli.main import main
 
-TESTS = Path(__file__).parents[1]
-
 
 class Said(NamedTuple):
     """What a command left."""
@@ -31,10 +29,3 @@ def memorymaze(capsys: pytest.CaptureFixture[str]) -> Callable[..., Said]:
         return Said(code, *capsys.readouterr())
 
     return run
-
-
-@pytest.fixture
-def tiny_files() -> list[str]:
-    """Options for twelve instructions on three tiny sites."""
-    instructions, sites = TESTS / "tiny_instructions.jsonl", TESTS / "tiny_sites"
-    return ["--instructions", str(instructions), "--sites", str(sites)]

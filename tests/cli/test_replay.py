@@ -10,14 +10,12 @@ SMALL = ("--size", "320x240", "--fps", "1", "--speed", "20", "--no-camera")
 
 
 @pytest.fixture(scope="session")
-def run_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def run_folder(tmp_path_factory: pytest.TempPathFactory, tiny_files: list[str]) -> Path:
     """A run of one episode, made by the command line."""
     from memorymaze.cli.main import main
 
-    tests = Path(__file__).parents[1]
     folder = tmp_path_factory.mktemp("runs") / "one"
-    options = ["--instructions", str(tests / "tiny_instructions.jsonl")]
-    options += ["--sites", str(tests / "tiny_sites"), "--limit", "1", "--workers", "1"]
+    options = [*tiny_files, "--limit", "1", "--workers", "1"]
     assert main(["evaluate", "--agent", "rules", *options, "--out", str(folder)]) == 0
     return folder
 

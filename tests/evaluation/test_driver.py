@@ -76,13 +76,13 @@ def evaluate(
 
 
 def test_a_run_killed_again_and_again_ends_as_an_unbroken_one(
-    tmp_path: Path, troubled: str, tiny_plan: Plan, tiny_options: list[str]
+    tmp_path: Path, troubled: str, tiny_plan: Plan, tiny_files: list[str]
 ) -> None:
     whole = run_plan(tiny_plan(troubled), tmp_path / "whole", workers=2)
     out = tmp_path / "broken"
     for word in ("door", "think"):
         order(tmp_path, word, "parent SIGKILL")
-        done = evaluate(troubled, tiny_options, out, "--resume")
+        done = evaluate(troubled, tiny_files, out, "--resume")
         assert done.returncode == -signal.SIGKILL
         before = (out / "episodes.jsonl").read_bytes()
         (out / "episodes.jsonl").write_bytes(before[: -len(before) // 40])
@@ -100,11 +100,11 @@ def test_a_run_killed_again_and_again_ends_as_an_unbroken_one(
 
 
 def test_ctrl_c_ends_a_run_cleanly_and_says_how_to_go_on(
-    tmp_path: Path, troubled: str, tiny_options: list[str]
+    tmp_path: Path, troubled: str, tiny_files: list[str]
 ) -> None:
     order(tmp_path, "door", "parent SIGINT")
     out = tmp_path / "run"
-    done = evaluate(troubled, tiny_options, out)
+    done = evaluate(troubled, tiny_files, out)
     assert done.returncode == 1
     assert f"--out {out}" in done.stderr
     assert "--resume" in done.stderr

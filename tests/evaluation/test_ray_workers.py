@@ -165,11 +165,11 @@ def test_a_run_interrupted_and_then_robbed_of_a_worker_equals_the_local_one(
     tmp_path: Path,
     obedient: str,
     tiny_plan: Plan,
-    tiny_options: list[str],
+    tiny_files: list[str],
 ) -> None:
     whole = run_plan(tiny_plan(obedient), tmp_path / "local", workers=2)
     out = tmp_path / "cluster"
-    run = evaluating(cluster, obedient, tiny_options, out)
+    run = evaluating(cluster, obedient, tiny_files, out)
     (tmp_path / "orders/block").write_text(f"interrupt {run.pid}", encoding="utf-8")
     _, err = run.communicate()
     assert run.returncode == 1
@@ -178,7 +178,7 @@ def test_a_run_interrupted_and_then_robbed_of_a_worker_equals_the_local_one(
     assert len(read_run(out)[1]) < len(whole)
 
     (tmp_path / "orders/block").write_text("die", encoding="utf-8")
-    run = evaluating(cluster, obedient, tiny_options, out, "--resume")
+    run = evaluating(cluster, obedient, tiny_files, out, "--resume")
     _, err = run.communicate()
     assert run.returncode == 0, err
     assert "2 workers on a Ray cluster of 1 node with 2 cores" in err
@@ -194,12 +194,12 @@ def test_a_run_interrupted_and_then_robbed_of_a_worker_equals_the_local_one(
 
 @pytest.mark.proof
 def test_episodes_that_hang_or_kill_every_worker_are_recorded_as_crashes(
-    cluster: Cluster, tmp_path: Path, obedient: str, tiny_options: list[str]
+    cluster: Cluster, tmp_path: Path, obedient: str, tiny_files: list[str]
 ) -> None:
     (tmp_path / "orders/block").write_text("always die", encoding="utf-8")
     (tmp_path / "orders/once").write_text("always hang", encoding="utf-8")
     out = tmp_path / "run"
-    run = evaluating(cluster, obedient, tiny_options, out, "--wall-limit", "3")
+    run = evaluating(cluster, obedient, tiny_files, out, "--wall-limit", "3")
     assert run.communicate()[0].startswith(f"run {out}\n")
     results = {each.episode_id: each for each in read_run(out)[1]}
     assert len(results) == 12
@@ -215,9 +215,9 @@ def test_episodes_that_hang_or_kill_every_worker_are_recorded_as_crashes(
 
 @pytest.mark.proof
 def test_workers_with_other_code_are_refused(
-    cluster: Cluster, tmp_path: Path, tiny_options: list[str]
+    cluster: Cluster, tmp_path: Path, tiny_files: list[str]
 ) -> None:
-    run = evaluating(cluster, "stop", tiny_options, tmp_path / "run", code=FOREIGN_CODE)
+    run = evaluating(cluster, "stop", tiny_files, tmp_path / "run", code=FOREIGN_CODE)
     _, err = run.communicate()
     assert run.returncode == 2
     assert "has other code than this machine:\n  memorymaze's code: 0.1.0" in err
@@ -227,10 +227,10 @@ def test_workers_with_other_code_are_refused(
 
 @pytest.mark.proof
 def test_more_workers_than_the_cluster_has_cores_are_refused(
-    cluster: Cluster, tmp_path: Path, tiny_options: list[str]
+    cluster: Cluster, tmp_path: Path, tiny_files: list[str]
 ) -> None:
     out = tmp_path / "run"
-    run = evaluating(cluster, "stop", tiny_options, out, "--workers", "3")
+    run = evaluating(cluster, "stop", tiny_files, out, "--workers", "3")
     _, err = run.communicate()
     assert run.returncode == 2
     assert "at least 3 cores, one for each worker, got 2 on 1 node;" in err

@@ -9,24 +9,22 @@ import pytest
 
 import memorymaze.gym  # noqa: F401 - registers the environments
 
-TESTS = Path(__file__).parents[1]
-
-TINY: dict[str, Any] = {
-    "instructions": str(TESTS / "tiny_instructions.jsonl"),
-    "sensors": (),
-}
-"""Settings of an environment on a tiny site without pictures."""
-
 Settings = Callable[..., dict[str, Any]]
 MakeTiny = Callable[..., gymnasium.Env[Any, Any]]
 
 
 @pytest.fixture
-def tiny_settings() -> Settings:
-    """Give the settings of an environment by the name of a tiny site."""
+def tiny_settings(tiny_instructions: Path, tiny_sites_folder: Path) -> Settings:
+    """Give the settings of an environment without pictures on a tiny site."""
 
     def settings(name: str = "loop", **others: Any) -> dict[str, Any]:
-        return {**TINY, "site": str(TESTS / f"tiny_sites/{name}.geojson"), **others}
+        plan = tiny_sites_folder / f"{name}.geojson"
+        return {
+            "instructions": str(tiny_instructions),
+            "sensors": (),
+            "site": str(plan),
+            **others,
+        }
 
     return settings
 

@@ -16,13 +16,11 @@ from memorymaze.evaluation.provenance import CodeStamp
 from memorymaze.evaluation.run_folder import RunRecord, open_run_folder, read_run
 from memorymaze.evaluation.settings import AgentSettings, RunSettings, with_choices
 from memorymaze.evaluation.trace import write_trace
-from memorymaze.instructions import load_corpus
+from memorymaze.instructions import Corpus
 from memorymaze.results.story import RecordedEpisode, load_episode
 from memorymaze.simulation.obstacles import parse_obstacles
 
 BROWSERS = ("chromium", "chromium-browser", "google-chrome")
-TESTS = Path(__file__).parents[1]
-SITES = TESTS / "tiny_sites"
 
 
 @pytest.fixture(scope="session")
@@ -43,11 +41,11 @@ def browser() -> Generator[Browser]:
         chromium.close()
 
 
-def _run(folder: Path, **settings: Any) -> Path:
+def _run(folder: Path, corpus: Corpus, **settings: Any) -> Path:
     """Run two episodes in this process, which is quicker than starting workers."""
     plan = plan_run(
         AgentSettings("rules"),
-        load_corpus([TESTS / "tiny_instructions.jsonl"], sites=SITES),
+        corpus,
         with_choices(RunSettings(limit=2), settings),
     )
     code = CodeStamp(version="0", sha256="0", commit=None, python="3", packages={})
@@ -71,16 +69,17 @@ def _run(folder: Path, **settings: Any) -> Path:
 
 
 @pytest.fixture(scope="session")
-def tiny_run(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def tiny_run(tmp_path_factory: pytest.TempPathFactory, tiny_corpus: Corpus) -> Path:
     """A run of two episodes by `rules`."""
-    return _run(tmp_path_factory.mktemp("runs") / "tiny")
+    return _run(tmp_path_factory.mktemp("runs") / "tiny", tiny_corpus)
 
 
 @pytest.fixture(scope="session")
-def crowded_run(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def crowded_run(tmp_path_factory: pytest.TempPathFactory, tiny_corpus: Corpus) -> Path:
     """The same with things in the way and people."""
     return _run(
         tmp_path_factory.mktemp("runs") / "crowded",
+        tiny_corpus,
         obstacles=parse_obstacles("heavy"),
     )
 

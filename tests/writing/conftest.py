@@ -1,20 +1,18 @@
 """Routes of every site at hand, ready to be described."""
 
-from pathlib import Path
-
 import pytest
 
-from memorymaze.sites import load_sites
+from memorymaze.sites import Site
 from memorymaze.writing.route_facts import RouteFacts
 from memorymaze.writing.turning_point_graph import TurningPointGraph
 
-TINY_SITES = Path(__file__).parents[1] / "tiny_sites"
-
 
 @pytest.fixture(scope="session")
-def all_facts() -> list[RouteFacts]:
+def all_facts(
+    builtin_sites: dict[str, Site], tiny_sites: dict[str, Site]
+) -> list[RouteFacts]:
     """All routes of the shipped and the tiny sites."""
-    sites = [*load_sites().values(), *load_sites(TINY_SITES).values()]
+    sites = [*builtin_sites.values(), *tiny_sites.values()]
     return [
         RouteFacts(floor, route)
         for floor in map(TurningPointGraph, sites)

@@ -1,6 +1,5 @@
 import csv
 import io
-import json
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -8,74 +7,6 @@ from typing import Any
 import pytest
 
 Memorymaze = Callable[..., Any]
-
-
-def test_statistics_of_ones_own_files_need_ones_own_sites(
-    memorymaze: Memorymaze, tiny_files: list[str]
-) -> None:
-    _, file, *sites = tiny_files
-    said = memorymaze("instructions", "stats", file, *sites)
-    assert "12 texts written by people." in said.out
-    assert "Loop R1" in said.out
-    without = memorymaze("instructions", "stats", file)
-    assert without.code == 1
-    assert f"{file}:1: field 'site'" in without.err
-
-
-def test_statistics_are_written_to_a_file(
-    memorymaze: Memorymaze, tiny_files: list[str], tmp_path: Path
-) -> None:
-    _, file, *sites = tiny_files
-    out = tmp_path / "new" / "stats.csv"
-    said = memorymaze(
-        "instructions", "stats", file, *sites, "--format", "csv", "--out", out
-    )
-    assert (said.code, said.out) == (0, f"{out}\n")
-    assert "12 texts written by people" in out.read_text(encoding="utf-8")
-
-
-def test_a_page_needs_a_file_to_go_to(memorymaze: Memorymaze, tmp_path: Path) -> None:
-    page = ("instructions", "stats", "--format", "html")
-    said = memorymaze(*page)
-    assert said.code == 2
-    assert "expected --out FILE" in said.err
-    said = memorymaze(*page, "--out", tmp_path)
-    assert said.code == 2
-    assert "expected a file, got a folder" in said.err
-
-
-def test_a_good_file_is_called_good(
-    memorymaze: Memorymaze, tiny_files: list[str]
-) -> None:
-    _, file, *sites = tiny_files
-    said = memorymaze("instructions", "check", file, *sites)
-    assert said.code == 0
-    assert said.err == "12 good instructions, no problems, 5 notes\n"
-    notes = said.out.splitlines()
-    assert notes[0] == f"{file}:6: note: 'p1-2' has the same text as 'p1-1' ({file}:1)"
-    assert len(notes) == 5
-
-
-def test_every_problem_of_every_file_is_listed(
-    memorymaze: Memorymaze, tiny_files: list[str], tmp_path: Path
-) -> None:
-    _, file, *sites = tiny_files
-    good = json.loads(Path(file).read_text(encoding="utf-8").splitlines()[0])
-    bad = tmp_path / "bad.jsonl"
-    lines = [good | {"id": "x", "study": "lab"}, good | {"id": "y", "site": "nowhere"}]
-    lines += [good, good | {"id": "z", "text": "To the end.", "mood": "glad"}]
-    bad.write_text("\n".join(json.dumps(line) for line in lines), encoding="utf-8")
-    missing = tmp_path / "missing.jsonl"
-    assert memorymaze("instructions", "check", missing, *sites).err == (
-        "0 good instructions, 1 problem\n"
-    )
-    said = memorymaze("instructions", "check", file, bad, missing, *sites)
-    assert said.code == 1
-    errors = [line for line in said.out.splitlines() if " note: " not in line]
-    places = [line.partition(" ")[0] for line in errors]
-    assert places == [f"{bad}:1:", f"{missing}:", f"{bad}:3:", f"{bad}:2:"]
-    assert "13 good instructions, 4 problems, " in said.err
-    assert f"note: {bad}:4: field 'mood' is not part of the format" in said.err
 
 
 def test_two_annotators_label_and_agree(

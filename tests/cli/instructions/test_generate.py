@@ -1,0 +1,70 @@
+"""Made-up instructions from the command line."""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+Memorymaze = Callable[..., Any]
+
+
+def test_a_new_building_has_a_test_set_at_once(
+    memorymaze: Memorymaze, tiny_sites_folder: Path, tmp_path: Path
+) -> None:
+    out = tmp_path / "made.jsonl"
+    said = memorymaze(
+        *("instructions", "generate", "--sites", tiny_sites_folder, "--site", "loop"),
+        *("--per-cell", "3", "--errors", "failure=1", "--paired", "--out", out),
+    )
+    assert said.code == 0
+    assert "24 instructions, 12 with errors" in said.out
+    assert "not by people" in said.out
+    checked = memorymaze("instructions", "check", out, "--sites", tiny_sites_folder)
+    assert checked.code == 0, checked.out
+
+
+def test_the_same_seed_makes_the_same_file(
+    memorymaze: Memorymaze, tiny_sites_folder: Path, tmp_path: Path
+) -> None:
+    files = [tmp_path / name for name in ("one.jsonl", "two.jsonl", "other.jsonl")]
+    for file, seed in zip(files, ("1", "1", "2"), strict=True):
+        memorymaze(
+            *(
+                "instructions",
+                "generate",
+                "--sites",
+                tiny_sites_folder,
+                "--site",
+                "crossing",
+            ),
+            *("--seed", seed, "--out", file),
+        )
+    one, two, other = (file.read_bytes() for file in files)
+    assert one == two != other
+
+
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        (["--errors", "sometimes"], "--errors: expected"),
+        (["--site", "lop"], "--site: expected"),
+        (["--per-cell", "0"], "--per-cell: expected"),
+        (["--record", "x"], "--record: the grammar asks no model"),
+        (["--engine", "gguf:/no/such.gguf"], "gguf"),
+    ],
+)
+def test_wrong_usage_is_explained(
+    memorymaze: Memorymaze,
+    tiny_sites_folder: Path,
+    tmp_path: Path,
+    options: list[str],
+    said: str,
+) -> None:
+    out = tmp_path / "made.jsonl"
+    told = memorymaze(
+        "instructions", "generate", "--sites", tiny_sites_folder, *options, "--out", out
+    )
+    assert told.code == 2
+    assert said in told.err
+    assert not out.exists()
