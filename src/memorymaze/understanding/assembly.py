@@ -19,11 +19,10 @@ from memorymaze.routes import (
 )
 from memorymaze.understanding.clause import AT_THE_TURN, Event
 from memorymaze.understanding.drafts import Draft, place_of
-from memorymaze.understanding.lengths import SEGMENT_METRES
+from memorymaze.understanding.lengths import PLACE_METRES
 from memorymaze.understanding.repetitions import Restating
 from memorymaze.understanding.things import is_floor, kind_of
 
-_AT_ONCE = Length(4.0, "vague")
 _LONGEST_OPEN = 3
 """Clauses after which an opening that was named counts as left alone."""
 
@@ -71,7 +70,9 @@ class _Assembly:
                 self._add_place(event, at)
             case "pass_ways":
                 self._settle_way()
-                self._draft.passings.append(Passing(event.count, _flank(event)))
+                self._draft.passings.append(
+                    Passing(event.count, _flank(event), event.phrase or None)
+                )
             case "way" if event.back and self._done:
                 self._change_last_turn(ordinal=event.ordinal)
             case "way":
@@ -83,8 +84,9 @@ class _Assembly:
             case "refuse" if self._way is not None:
                 self._leave(self._way)
             case "too_far":
-                draft = self._done[-1] if self._done else self._draft
-                draft.too_far.append(event.phrase)
+                self._warned_draft().too_far.append(event.phrase)
+            case "wrong_way":
+                self._warned_draft().wrong_way.append(event.phrase)
             case "ahead":
                 self._add_ahead(event, at)
             case "wall" if event.side is not None:
@@ -102,6 +104,10 @@ class _Assembly:
                 self._draft.straight = True
             case _:
                 pass
+
+    def _warned_draft(self) -> Draft:
+        """A warning is about the last turn."""
+        return self._done[-1] if self._done else self._draft
 
     def _close_clause(self, event: Event) -> None:
         self._side = None
@@ -133,11 +139,12 @@ class _Assembly:
         ):
             ordinal = None
         at_once = (draft.at_once or event.at_once) and bool(self._done)
-        if at_once and not draft.lengths and not draft.mentions:
-            draft.lengths.append(_AT_ONCE)
+        before = [m.phrase for m in draft.mentions if m.place == "before_turn"]
         draft.turn = Turn(
             way or "either",
             ordinal=ordinal,
+            or_ordinal=event.or_ordinal,
+            counted_after=before[-1] if before and ordinal is not None else None,
             at_end=draft.at_end,
             junction=draft.junction,
             immediate=at_once,
@@ -197,7 +204,7 @@ class _Assembly:
             return
         if way.ordinal is not None and way.ordinal > 0:
             self._way = None
-            metres = way.ordinal * SEGMENT_METRES
+            metres = way.ordinal * PLACE_METRES
             length = Length(metres, "places", float(way.ordinal))
             self._draft.lengths.append(length)
 
@@ -224,7 +231,7 @@ class _Assembly:
 
     def _leave(self, way: Event) -> None:
         self._way = None
-        self._draft.passings.append(Passing(1, _flank(way)))
+        self._draft.passings.append(Passing(1, _flank(way), way.phrase or None))
 
     def _settle_way(self) -> None:
         way, self._way = self._way, None
@@ -258,6 +265,10 @@ class _Assembly:
             return
         back = bool(self._done) and (event.back or self._ends_the_turn(event, at))
         draft = self._done[-1] if back else self._draft
+        if back and event.relation == "into":
+            self._draft.entered = True
+        if back and event.relation == "after":
+            self._count_from(event.phrase)
         if event.subject:
             draft.subjects.add(len(draft.mentions))
         draft.mentions.append(
@@ -272,6 +283,12 @@ class _Assembly:
         )
         self._side = None
         self._last = draft.mentions
+
+    def _count_from(self, phrase: str) -> None:
+        """`The first left after the clock`: the clock is where counting starts."""
+        turn = self._done[-1].turn
+        if turn is not None and turn.ordinal is not None:
+            self._change_last_turn(counted_after=phrase)
 
     def _add_ahead(self, event: Event, at: int) -> None:
         """Add what lies along a way; the way may be a new one."""

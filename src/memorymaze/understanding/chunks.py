@@ -20,10 +20,12 @@ from memorymaze.routes import Length, Way
 from memorymaze.understanding.lengths import (
     LENGTH,
     NUMBER,
-    SEGMENTS,
+    PLACES,
+    VAGUE,
     read_length,
     read_number,
-    read_segments,
+    read_places,
+    read_vague,
 )
 from memorymaze.understanding.vocabulary import (
     CLOCK,
@@ -35,7 +37,8 @@ from memorymaze.understanding.vocabulary import (
 )
 
 _LENGTH = re.compile(LENGTH)
-_SEGMENTS = re.compile(SEGMENTS)
+_PLACES = re.compile(PLACES)
+_VAGUE = re.compile(VAGUE)
 _NUMBER = re.compile(NUMBER + r"\b")
 _WORD = re.compile(r"[^\W_][\w&+-]*(?:'(?!s\b)\w+)?")
 _COUNTED = re.compile(
@@ -84,6 +87,8 @@ class Chunk:
     """Second direction of `2`."""
     number: float | None = None
     """Value of `O` and `n`."""
+    or_number: int | None = None
+    """Of `O`: the other one of `second or third`."""
     length: Length | None = None
     """Value of `M`."""
 
@@ -131,7 +136,7 @@ def _drop_inline_counting(text: str) -> str:
 
 def cut(text: str) -> list[Chunk]:
     """Cut a normalised text into chunks; content words become names of things."""
-    return _with_pronouns(_join_names(pieces_of(text), text))
+    return _with_pronouns(_join_names(_join_ordinals(pieces_of(text)), text))
 
 
 def pieces_of(text: str) -> list[Chunk]:
@@ -149,6 +154,19 @@ def pieces_of(text: str) -> list[Chunk]:
         chunks.append(chunk)
         at += max(len(chunk.text), 1)
     return chunks
+
+
+def _join_ordinals(chunks: list[Chunk]) -> list[Chunk]:
+    """Make one chunk of `second or third`."""
+    joined: list[Chunk] = []
+    for chunk in chunks:
+        kinds = "".join(each.kind for each in joined[-2:])
+        if chunk.kind == "O" and kinds == "O&" and joined[-1].text == "or":
+            joined.pop()
+            joined[-1] = replace(joined[-1], or_number=int(chunk.number or 1))
+        else:
+            joined.append(chunk)
+    return joined
 
 
 def _with_pronouns(chunks: list[Chunk]) -> list[Chunk]:
@@ -170,9 +188,12 @@ def _chunk_at(text: str, at: int) -> Chunk | None:
     match = _LENGTH.match(text, at)
     if match:
         return Chunk("M", match[0], at, length=read_length(match))
-    match = _SEGMENTS.match(text, at)
+    match = _PLACES.match(text, at)
     if match:
-        return Chunk("M", match[0], at, length=read_segments(match))
+        return Chunk("M", match[0], at, length=read_places(match))
+    match = _VAGUE.match(text, at)
+    if match:
+        return Chunk("M", match[0], at, length=read_vague(match))
     found = claimed_at(text, at)
     if found is not None:
         pattern, words = found
@@ -180,7 +201,7 @@ def _chunk_at(text: str, at: int) -> Chunk | None:
     match = _NUMBER.match(text, at)
     if match:
         word = match[0]
-        if word in {"a", "an", "some", "half", "one"}:
+        if word in {"a", "an", "some", "half", "one"} or not read_number(word):
             return Chunk("f", word, at)
         return Chunk("n", word, at, number=read_number(word))
     match = _WORD.match(text, at)

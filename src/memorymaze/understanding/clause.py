@@ -21,6 +21,7 @@ EventKind = Literal[
     "take",
     "refuse",
     "too_far",
+    "wrong_way",
     "arrive",
     "at_once",
     "straight",
@@ -69,10 +70,13 @@ class Event:
     way: Way | None = None
     side: Side | None = None
     ordinal: int | None = None
+    or_ordinal: int | None = None
+    """Another one that is left open: `the second or third`."""
     count: int | None = None
     junction: Junction | None = None
     length: Length | None = None
     phrase: str = ""
+    """Of a thing, or what an opening is called."""
     relation: Relation = ""
     ignored: bool = False
     """For `thing`: to be left alone."""
@@ -110,6 +114,10 @@ class Event:
 
 
 _ADVERBS = "hiDar"
+_STRONG_DOUBT = re.compile(r"maybe|perhaps|possibly|might|not\b")
+_DOUBT = re.compile(r"i |i'm|i'd|probably|likely|presumably|apparently|remember")
+DOUBT, STRONG_DOUBT = 0.4, 0.7
+"""Of `I think`, and of `maybe`; `about 20 m` is no doubt."""
 _RECAP = re.compile(r"\b(?:both|like|i said)\b")
 
 
@@ -145,6 +153,14 @@ class Clause:
     def has_verb(self) -> bool:
         """Whether it commands: `turn`, `go`, `bends`."""
         return re.search("[TGK]", self.kinds) is not None
+
+    @property
+    def doubt(self) -> float:
+        """How much the speaker doubts, from 0 to 1."""
+        said = [chunk.text for chunk in self.said if chunk.kind == "h"]
+        if any(_STRONG_DOUBT.search(words) for words in said):
+            return STRONG_DOUBT
+        return DOUBT if any(_DOUBT.search(words) for words in said) else 0.0
 
     def kind_before(self, at: int) -> str:
         """Return the kind of the chunk before an index, "" at the beginning."""

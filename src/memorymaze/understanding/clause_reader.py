@@ -94,7 +94,7 @@ class ClauseReader:
                 self._add(Event("thing", phrase=phrase, relation="past", ignored=True))
             elif kind == "L" and not re.search("[TGOJ]", clause.kinds[start:]):
                 found = True  # "not left": says only what the turn is not
-            elif kind in "OJL" or (kind == "S" and self._is_of_a_way(at)):
+            elif kind in "OJL" or self._is_of_ways(at):
                 event, at = read_left_alone(clause, at)
                 found = True
                 self._add(event)
@@ -109,7 +109,11 @@ class ClauseReader:
         if not found:
             self._add(Event("refuse"))
 
-    def _is_of_a_way(self, at: int) -> bool:
+    def _is_of_ways(self, at: int) -> bool:
+        """`Two openings`, or `on the left` next to a word for a way."""
+        kinds = self._clause.kinds
+        if kinds[at] != "S":
+            return kinds[at : at + 2] == "nJ"
         near = self._clause.kinds[max(at - 2, 0) : at + 2]
         return re.search("[TGJO]", near) is not None
 
@@ -125,6 +129,7 @@ class ClauseReader:
         clause = self._clause
         chunk = clause.chunks[at]
         kind = chunk.kind
+        before = clause.kinds[:at]
         if kind == "s":
             self._add(Event("wall", side=side_of(chunk) or "behind"))
             return at + 1
@@ -160,8 +165,10 @@ class ClauseReader:
             self._add(Event("take"))
         elif kind == "R":
             self._add(Event("arrive"))
-        elif kind == "H" and clause.kind_before(at) == "N" and _AHEAD.match(chunk.text):
+        elif kind == "H" and _AHEAD.match(chunk.text) and re.search("NB?$", before):
             self._add(Event("side", side="ahead"))
+        elif kind == "H" and _AHEAD.match(chunk.text) and _is_of_the_goal(clause):
+            self._add(Event("side", side="ahead", of_goal=True))
         elif kind == "H":
             self._add(Event("straight"))
         elif (
@@ -185,7 +192,7 @@ class ClauseReader:
         self._add(
             replace(
                 event,
-                doubt=0.5 if clause.has("h") else 0.0,
+                doubt=clause.doubt,
                 forced=event.forced or clause.has("D"),
                 at_once=event.at_once or clause.has("i"),
                 emphatic=first and clause.kinds[:1] in {"L", "O", "Z", "S"},
@@ -229,7 +236,7 @@ class ClauseReader:
             self._take(Event("turn", way=chunk.turn, forced=bends))
         elif chunk.way is not None or chunk.kind == "S":
             first = comes_before_its_thing(clause, at)
-            goal = clause.kinds.startswith(("Z", "R")) and "N" not in clause.kinds
+            goal = _is_of_the_goal(clause)
             self._add(Event("side", side=side_of(chunk), likely=first, of_goal=goal))
 
     # -- things
@@ -261,7 +268,7 @@ class ClauseReader:
             self._add(Event("ahead", phrase=phrase, walks=True))
         counted = clause.kind_before(at) == "O"
         nth = int(clause.chunks[at - 1].number or 1) if counted else None
-        back = self._turned and relation in AT_THE_TURN
+        back = self._turned and (relation in AT_THE_TURN or relation == "into")
         self._add(
             Event(
                 "thing",
@@ -290,7 +297,8 @@ class ClauseReader:
         """What binds a thing to its clause: the nearest binding word before it."""
         chunks = self._clause.chunks
         junction = False
-        for index in range(at - 1, -1, -1):
+        first = at - 1 - (self._clause.kind_before(at) == "O")
+        for index in range(first, -1, -1):
             chunk = chunks[index]
             if junction and chunk.kind in "JS":
                 continue
@@ -336,3 +344,8 @@ class ClauseReader:
                 return onward
             case _:
                 return None
+
+
+def _is_of_the_goal(clause: Clause) -> bool:
+    """`It is on your left`: said of what is spoken of all the time."""
+    return clause.kinds.startswith(("Z", "R")) and "N" not in clause.kinds

@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from memorymaze.routes import Length
 from memorymaze.understanding.chunks import Chunk
+from memorymaze.understanding.lengths import MINUTE, PLACE_METRES, STEP
 
 _CLASSES = {
     "L": "way",
@@ -149,11 +150,13 @@ def _replaced(chunks: list[Chunk], old: int, new: int) -> list[Chunk]:
     value = chunks[new]
     if chunks[old].kind == "M" and value.kind == "n" and value.number is not None:
         before = chunks[old].length
-        assert_length = Length(
+        unit = before.unit if before else "metres"
+        length = Length(
             value.number * _unit_metres(chunks[old]),
-            before.unit if before else "metres",
+            unit,
+            value.number if unit == "places" else None,
         )
-        value = Chunk("M", value.text, value.start, length=assert_length)
+        value = Chunk("M", value.text, value.start, length=length)
     if chunks[old].kind == "S" and value.kind == "L":
         value = replace(value, kind="S", text=chunks[old].text)
     kept = [chunk for chunk in chunks[old + 1 : new] if chunk.kind == "N"]
@@ -183,5 +186,7 @@ def _unit_metres(chunk: Chunk) -> float:
     if chunk.length is None:
         return 1.0
     if chunk.length.unit == "steps":
-        return 0.7
-    return 60.0 if re.search(r"\bmin", chunk.text) else 1.0
+        return STEP
+    if chunk.length.unit == "places":
+        return PLACE_METRES
+    return MINUTE if re.search(r"\bmin", chunk.text) else 1.0

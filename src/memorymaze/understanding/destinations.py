@@ -1,6 +1,7 @@
 """Which of the things named is the destination."""
 
 import re
+from collections.abc import Sequence
 
 from memorymaze.routes import Mention, Side
 from memorymaze.understanding.chunks import Chunk
@@ -13,12 +14,16 @@ from memorymaze.understanding.things import (
     thing_phrase,
     wall_phrase,
 )
+from memorymaze.understanding.vocabulary import ORDINALS
 
 _ANNOUNCED = re.compile(
     r"(?:(?:way|route|directions?|looking|trying to (?:get|go)|want(?:s|ed)? to (?:get|go)"
     r"|guide you|take you|bring you|goal|trip)(?: is)? (?:to|for|into) (?:the |a |your )?"
     r"|arriv(?:e|ed|es|ing) (?:at|to|in)? ?(?:the )?"
     r"|(?:destination|goal)(?: is|:)? (?:the )?|finish(?:es)? (?:at|in) (?:the )?)$"
+)
+_DEFINED = re.compile(
+    rf"\b(?:destination|goal) (?:is|will be) (?:the |a )?(?:(?:{'|'.join(ORDINALS)}) )?$"
 )
 _ENTERED = re.compile(
     r"(?:that's|that is|this is|it's|there's|here is|here's|there is|then is|you're (?:at|in|on)"
@@ -47,7 +52,8 @@ def find_destinations(
     scores: dict[str, float] = {}
     sides: dict[str, Side | None] = {}
     named = _weights_in_text(chunks, text)
-    candidates = _candidates(last)
+    entered = [each for each in _candidates(drafts[-1:]) if each[0].place == "target"]
+    candidates = [*(entered if last.entered else ()), *_candidates([last])]
     counted = any(length.unit == "places" for length in last.lengths)
     if counted or any(is_floor(m.phrase) and m.place == "turn" for m in last.mentions):
         # "You see a clock. Go two blocks.": the end is told by the blocks.
@@ -55,7 +61,7 @@ def find_destinations(
     if not candidates and drafts and last.is_new:
         candidates = [
             each
-            for each in _candidates(drafts[-1])
+            for each in _candidates(drafts[-1:])
             if each[0].place in {"target", "along"}
         ]
     passed = {m.phrase for m in last.mentions if m.side == "behind"}
@@ -78,6 +84,9 @@ def find_destinations(
             scores[phrase] = max(scores.get(phrase, 0.0), weight)
     if not scores and not counted:
         before = _named_on_the_way(drafts)
+        for draft in (*drafts, last):
+            for phrase in (*draft.too_far, *draft.wrong_way, draft.origin):
+                named.pop(phrase, None)
         is_at_a_place = last.at_end or last.junction is not None
         scores = {
             p: w + text.rfind(p) / len(text)
@@ -91,7 +100,8 @@ def find_destinations(
     ranked = sorted(scores, key=lambda phrase: -scores[phrase])
     best = scores[ranked[0]]
     kept = tuple(p for p in ranked if scores[p] >= best - 1.6)[:_MAX]
-    nth = next((m.nth for m in last.mentions if m.nth is not None), None)
+    nth = next((m.nth for m in last.mentions if m.nth and m.phrase in kept), None)
+    nth = nth or next((m.nth for m in last.mentions if m.nth), None)
     side: Side | None = sides.get(kept[0]) or last.side
     if side is None:
         side = next(
@@ -112,9 +122,13 @@ def _named_on_the_way(drafts: list[Draft]) -> set[str]:
     }
 
 
-def _candidates(draft: Draft) -> list[tuple[Mention, bool]]:
-    """Return the things of a draft, and whether a clause says where each is."""
-    return [(each, n in draft.subjects) for n, each in enumerate(draft.mentions)]
+def _candidates(drafts: Sequence[Draft]) -> list[tuple[Mention, bool]]:
+    """Return the things of drafts, and whether a clause says where each is."""
+    return [
+        (mention, number in draft.subjects)
+        for draft in drafts
+        for number, mention in enumerate(draft.mentions)
+    ]
 
 
 def _score(mention: Mention, *, subject: bool) -> float:
@@ -149,7 +163,9 @@ def _weights_in_text(chunks: list[Chunk], text: str) -> dict[str, float]:
         if _ASIDE.match(after):
             weight -= 1.5
         share = chunk.start / max(len(text), 1)
-        if chunk.start < 25 and _ASKED.match(after) and _ALONE.fullmatch(before):
+        if _DEFINED.search(before):
+            weight += 4.0
+        elif chunk.start < 25 and _ASKED.match(after) and _ALONE.fullmatch(before):
             weight += 3.0
         elif _ANNOUNCED.search(before):
             weight += 3.0 if share < 0.25 or share > 0.8 else 1.0

@@ -5,7 +5,7 @@ or to be left alone.
 """
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from memorymaze.routes import Junction, Side
 from memorymaze.understanding.chunks import Chunk
@@ -198,12 +198,19 @@ class _Opening:
     """The words for one opening."""
 
     ordinal: int | None = None
+    or_ordinal: int | None = None
     nearest: bool = False
     count: int | None = None
     noun: str = ""
     side: Side | None = None
     stated: bool = False
     """Whether its side was said as a bare direction: `third turning is left`."""
+
+    @property
+    def name(self) -> str:
+        """What it is called; "" where only its number or side is told."""
+        words = [word for word in self.noun.split() if word not in {"one", "ones"}]
+        return "" if not words or words[0] in ORDINALS else " ".join(words)
 
 
 def read_opening(
@@ -218,18 +225,24 @@ def read_opening(
     """
     opening, at = _words_of(clause, start)
     before, after = clause.kinds[:start], clause.kinds[at:]
+    if opening.side is None and before.endswith("SB"):
+        opening.side = side_of(clause.chunks[start - 2])
     if not opening.noun and opening.side is None and after.startswith("N"):
         return [], at  # the ordinal of a thing: "the second door"
     way = Event(
         "way",
         side=opening.side,
         ordinal=opening.ordinal,
+        or_ordinal=opening.or_ordinal,
         nearest=opening.nearest,
+        phrase=opening.name,
     )
     if "P" in before and not re.search("P.*T", before):
         plural = opening.noun.endswith("s")
         count = opening.count or (None if plural else 1)
-        return [Event("pass_ways", count=count, side=opening.side)], at
+        return [
+            Event("pass_ways", count=count, side=opening.side, phrase=opening.name)
+        ], at
     if opening.side is None and opening.ordinal is None:
         return _bare(opening, before, after, turned=turned), at
     if opening.side == "left" or opening.side == "right":
@@ -238,6 +251,7 @@ def read_opening(
                 "turn",
                 way=opening.side,
                 ordinal=opening.ordinal,
+                or_ordinal=opening.or_ordinal,
                 nearest=opening.nearest,
                 forced="K" in before,
             )
@@ -264,6 +278,7 @@ def _words_of(clause: Clause, start: int) -> tuple[_Opening, int]:
         sided = chunk.way not in {None, "forward"} and opening.side is None
         if chunk.kind == "O" and opening.ordinal is None and not opening.noun:
             opening.ordinal = int(chunk.number or 1)
+            opening.or_ordinal = chunk.or_number
             opening.nearest = chunk.text.endswith(("next", "nearest"))
             if chunk.text.split()[-1] not in ORDINALS:
                 opening.noun = chunk.text
@@ -293,15 +308,7 @@ def _words_of(clause: Clause, start: int) -> tuple[_Opening, int]:
 
 
 def _likely(way: Event, *, taken: bool = False, back: bool = False) -> Event:
-    return Event(
-        "way",
-        side=way.side,
-        ordinal=way.ordinal,
-        nearest=way.nearest,
-        likely=True,
-        taken=taken,
-        back=back,
-    )
+    return replace(way, likely=True, taken=taken, back=back)
 
 
 def _is_taken(clause: Clause, opening: _Opening, start: int, after: str) -> bool:
@@ -322,7 +329,7 @@ def _bare(opening: _Opening, before: str, after: str, *, turned: bool) -> list[E
     if opening.count is not None:
         if opening.count >= 3 and re.search("[AV]", before + after):
             return [Event("junction", junction="crossing")]
-        return [Event("pass_ways", count=opening.count)]
+        return [Event("pass_ways", count=opening.count, phrase=opening.name)]
     if before.endswith("T") and not turned and _TAKEN.search(opening.noun):
         return [] if after.startswith("L") else [Event("turn")]
     if re.search("[tG]$", before):
@@ -348,6 +355,7 @@ def read_left_alone(clause: Clause, at: int) -> tuple[Event, int]:
     """
     count: int | None = None
     side: Side | None = None
+    name = ""
     last = at
     while at < len(clause.kinds) and clause.kinds[at] in "OJLSn":
         chunk = clause.chunks[at]
@@ -359,6 +367,8 @@ def read_left_alone(clause: Clause, at: int) -> tuple[Event, int]:
             count = None if chunk.text.endswith("s") else 1
         elif chunk.way is not None:
             side = side_of(chunk)
+        if chunk.kind == "J":
+            name = chunk.text
         last = at
         at += 1
-    return Event("pass_ways", count=count, side=side), last
+    return Event("pass_ways", count=count, side=side, phrase=name), last

@@ -46,6 +46,7 @@ class Draft:
     mentions: list[Mention] = field(default_factory=list[Mention])
     passings: list[Passing] = field(default_factory=list[Passing])
     too_far: list[str] = field(default_factory=list[str])
+    wrong_way: list[str] = field(default_factory=list[str])
     ahead: list[str] = field(default_factory=list[str])
     """What was said to lie along it."""
     behind: list[str] = field(default_factory=list[str])
@@ -56,6 +57,8 @@ class Draft:
     junction: Junction | None = None
     at_once: bool = False
     straight: bool = False
+    entered: bool = False
+    """Whether it was said what the turn before leads to."""
     side: Side | None = None
     """Side of what is not named: `it is on your left`."""
     turn: Turn | None = None
@@ -71,10 +74,11 @@ class Draft:
         """Whether nothing was said about it yet."""
         return not (
             self.lengths
-            or self.mentions
+            or any(each.place != "target" for each in self.mentions)
             or self.passings
             or self.at_end
             or self.straight
+            or self.entered
             or self.junction
         )
 
@@ -96,6 +100,8 @@ class Draft:
 
 def place_of(event: Event, back: bool) -> Place:
     """Return where on its leg a thing is, from how it was bound to its clause."""
+    if event.relation == "into" and not back:
+        return "along"
     return _PLACES.get(event.relation, "turn" if back else "along")
 
 
@@ -117,9 +123,14 @@ def plan_of(
             nth=nth,
             at_end=last.at_end,
             length=combine_lengths(last.lengths),
-            mentions=_mentions_of(last, first=not legs),
+            mentions=tuple(
+                each
+                for each in _mentions_of(last, first=not legs)
+                if each.phrase not in destinations or each.place == "passed"
+            ),
             passings=tuple(last.passings),
             too_far=tuple(last.too_far),
+            wrong_way=tuple(last.wrong_way),
             on_the_spot=last.is_new and not destinations,
         ),
     )
@@ -132,7 +143,7 @@ def _leg_of(number: int, draft: Draft, drafts: Sequence[Draft]) -> Leg:
     turned = before is None or before.way == "around" or drafts[number].ahead
     return Leg(
         turn=turn,
-        on_the_spot=draft.is_new and bool(turned),
+        on_the_spot=draft.is_new and bool(turned) and _may_be_here(turn),
         length=combine_lengths(draft.lengths),
         mentions=(
             *_mentions_of(draft, first=not number),
@@ -140,7 +151,13 @@ def _leg_of(number: int, draft: Draft, drafts: Sequence[Draft]) -> Leg:
         ),
         passings=tuple(draft.passings),
         too_far=tuple(draft.too_far),
+        wrong_way=tuple(draft.wrong_way),
     )
+
+
+def _may_be_here(turn: Turn) -> bool:
+    """Tell whether a turn of which nothing else is said can be where one stands."""
+    return turn.ordinal is None and turn.junction is None and not turn.forced
 
 
 def _start_of(draft: Draft) -> Start:

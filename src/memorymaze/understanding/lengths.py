@@ -3,23 +3,23 @@
 import math
 import re
 
-from memorymaze.routes import Length, Unit
+from memorymaze.routes import Length, Totals, Unit
 from memorymaze.understanding.vocabulary import ONES, QUANTITIES, TENS
 
 _LOOSE_UNITS: tuple[Unit, ...] = ("vague", "time")
 """Units that do not count beside others."""
+A_FEW_STEPS = 4.0
+"""Metres, as people say it."""
 STEP = 0.7
 """Metres of one step."""
-WALKING_SPEED = 1.0
-"""Metres per second of someone who says how long a way takes."""
+SECOND, MINUTE = 1.1, 60.0
+"""Metres that one walks in it, as people say it."""
 
 _ones = "|".join(sorted(ONES, key=len, reverse=True))
 _tens = "|".join(TENS)
 _other = "|".join(sorted((re.escape(w) for w in QUANTITIES), key=len, reverse=True))
-NUMBER = (
-    rf"(?:\d+(?:[.,]\d+)?|(?:{_tens})(?:[- ]?(?:{_ones}))?|(?:{_ones})|(?:{_other}))"
-)
-"""Pattern of a number in digits or words, lower case."""
+NUMBER = rf"(?:(?<!\d)\d{{1,6}}(?!\d)(?:[.,]\d{{1,6}}(?!\d))?|(?:{_tens})(?:[- ]?(?:{_ones}))?|(?:{_ones})|(?:{_other}))"
+"""Pattern of a number in digits or words, lower case; longer ones count nothing."""
 
 _UNIT = (
     r"(?:m|met(?:re|er)s?|mtrs?|steps?|strides?|paces?|feet|foot|ft|yards?|yds?"
@@ -33,6 +33,9 @@ LENGTH = (
 )
 """Pattern of a distance: groups `low`, `high`, `unit` and `extra`."""
 
+_IN_ALL = r",? (?:in (?:all|total)|all in all|altogether|overall)\b"
+_TURNS_IN_ALL = re.compile(rf"\b(?P<count>{NUMBER}) turn(?:ing)?s?{_IN_ALL}")
+_LENGTH_IN_ALL = re.compile(rf"\b{LENGTH}{_IN_ALL}")
 _IN_METRES: dict[str, float] = {
     "m": 1.0,
     "s": STEP,
@@ -62,11 +65,13 @@ def read_length(match: re.Match[str]) -> Length:
         count += {"half": 0.5, "bit": 0.2, "quarter": 0.25}[match["extra"]]
     unit = match["unit"]
     vague = match["low"].strip() in {"a few", "few", "some", "several", "a couple of"}
+    if vague and unit.startswith(("st", "p")):
+        return Length(A_FEW_STEPS, "vague")
     kind: Unit = "metres"
     if unit.startswith("min"):
-        metres, kind = count * 60.0 * WALKING_SPEED, "time"
+        metres, kind = count * MINUTE, "time"
     elif unit.startswith("sec"):
-        metres, kind = count * WALKING_SPEED, "time"
+        metres, kind = count * SECOND, "time"
     elif unit.startswith("st"):
         metres, kind = count * STEP, "steps"
     elif unit.startswith("p"):
@@ -80,16 +85,16 @@ def read_length(match: re.Match[str]) -> Length:
     return Length(metres, "vague" if vague else kind)
 
 
-SEGMENT_METRES = 10.0
-"""Metres of a segment, where metres are needed: those of a hall between two corners."""
-_FEW = r"\d{1,2}|one|two|three|four|five|six|seven|eight|nine|ten|a couple(?: of)?"
+PLACE_METRES = 8.0
+"""Metres from one place where one can turn to the next, where metres are needed."""
+_FEW = r"[1-9]\d?|one|two|three|four|five|six|seven|eight|nine|ten|a couple(?: of)?"
 _GOING = (
     r"(?:(?<=\bgo )|(?<=\bwalk )|(?<=\bmove )|(?<=forward )|(?<=\bdown )|(?<=\bahead )"
     r"|(?<=straight )|(?<=\bcontinue )|(?<=\bup )|(?<=\balong ))"
 )
 _TIMES = {"once": 1.0, "twice": 2.0, "thrice": 3.0}
 _ENDS = r"(?= *(?:[.,;]|$|and\b|then\b|more\b|to\b|or\b|into\b|past\b|turn\b|so\b))"
-SEGMENTS = (
+PLACES = (
     rf"(?:(?P<count>{_FEW}) (?:(?:more |full |whole |hall(?:way)? )?segments?\b"
     r"|(?:intersections?|junctions?|blocks?|alleys?) (?=(?:past|beyond|after)\b))"
     rf"|{_GOING}(?:(?P<places>{_FEW}) (?:more )?(?:blocks?|squares?|spaces?|units?"
@@ -100,8 +105,8 @@ SEGMENTS = (
 """Pattern of a length counted in places where one can turn."""
 
 
-def read_segments(match: re.Match[str]) -> Length:
-    """Return the length of a match of `SEGMENTS`."""
+def read_places(match: re.Match[str]) -> Length:
+    """Return the length of a match of `PLACES`."""
     if match["times"]:
         count = _TIMES[match["times"]]
     else:
@@ -109,7 +114,43 @@ def read_segments(match: re.Match[str]) -> Length:
             match[name] for name in ("count", "places", "bare", "often") if match[name]
         )
         count = read_number(words)
-    return Length(count * SEGMENT_METRES, "places", count)
+    return Length(count * PLACE_METRES, "places", count)
+
+
+def read_totals(text: str) -> tuple[str, Totals]:
+    """Take what is said of the whole way out of a text in lower case.
+
+    >>> read_totals("it is 80 metres in all. turn left.")
+    ('it is . turn left.', Totals(turns=None, metres=80.0))
+    """
+    turns = _TURNS_IN_ALL.search(text)
+    if turns is not None:
+        text = text[: turns.start()] + text[turns.end() :]
+    length = _LENGTH_IN_ALL.search(text)
+    if length is not None:
+        text = text[: length.start()] + text[length.end() :]
+    return text, Totals(
+        round(read_number(turns["count"])) if turns is not None else None,
+        read_length(length).metres if length is not None else None,
+    )
+
+
+_VAGUE_METRES = (("little", 4.0), ("short", 6.0), ("quite", 25.0), ("long", 25.0))
+_A_WHILE = 12.0
+VAGUE = (
+    rf"(?:{_GOING}|(?<=\bon )|(?<=\bgoing ))(?P<vague>for (?:quite )?a (?:long |short |little )?"
+    r"(?:way|while|distance|stretch|bit|time)|(?:for )?a little(?: bit| way)?"
+    r"|(?:quite )?a (?:short |long |little )?(?:bit|way|while|distance|stretch))"
+    r"(?= *(?:[.,;]|$|and\b|then\b|until\b|till\b|further\b|past\b|to the (?!left|right)))"
+)
+"""Pattern of a length without a number, after a word for going."""
+
+
+def read_vague(match: re.Match[str]) -> Length:
+    """Return the length of a match of `VAGUE`."""
+    words = match["vague"]
+    found = (metres for word, metres in _VAGUE_METRES if word in words)
+    return Length(next(found, _A_WHILE), "vague")
 
 
 def combine_lengths(lengths: list[Length]) -> Length | None:
@@ -129,5 +170,8 @@ def combine_lengths(lengths: list[Length]) -> Length | None:
     if "places" in sums:
         count = sum(each.count or 0.0 for each in lengths)
         return Length(sums["places"], "places", count)
+    if len(sums) == 1:
+        ((unit, metres),) = sums.items()
+        return Length(metres, unit)
     metres = math.exp(sum(math.log(max(v, 0.3)) for v in sums.values()) / len(sums))
     return Length(metres, next(iter(sums)))

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Sequence
+from dataclasses import replace
 
 from memorymaze.routes import RoutePlan
 from memorymaze.understanding.assembly import assemble
@@ -11,6 +12,7 @@ from memorymaze.understanding.clause_reader import ClauseReader
 from memorymaze.understanding.corrections import apply_corrections
 from memorymaze.understanding.destinations import find_destinations
 from memorymaze.understanding.drafts import plan_of
+from memorymaze.understanding.lengths import read_totals
 from memorymaze.understanding.repetitions import without_overviews
 from memorymaze.understanding.things import thing_phrase
 
@@ -20,12 +22,12 @@ _OPENERS = "TGIXPKOM2AwQEVYsu"
 
 def parse_route_description(text: str) -> RoutePlan:
     """Return the plan that an English route description gives."""
-    words = normalise(text)
+    words, totals = read_totals(normalise(text))
     chunks = apply_corrections(cut(words))
     events = without_overviews(_sentences(split_clauses(chunks), words))
     drafts = assemble(events)
     destinations, side, nth = find_destinations(drafts[-1], drafts[:-1], chunks, words)
-    return plan_of(drafts, destinations, side, nth)
+    return replace(plan_of(drafts, destinations, side, nth), totals=totals)
 
 
 def _sentences(clauses: list[list[Chunk]], text: str) -> list[tuple[str, list[Event]]]:
@@ -104,8 +106,9 @@ def read_clauses(
         body = clause[:-1] if joint is not None else clause
         missing = missing or _speaks_of_missing(body, clauses[number:])
         if missing:
+            kind = "wrong_way" if _turned_wrong(body, clauses[number:]) else "too_far"
             said = [
-                Event("too_far", phrase=phrase)
+                Event(kind, phrase=phrase)
                 for chunk in body
                 if chunk.kind == "N" and (phrase := thing_phrase(chunk.text))
             ]
@@ -121,6 +124,15 @@ def _mark(joint: Chunk | None) -> Event:
     if joint is not None and joint.kind == ".":
         return Event("sentence", counted=";" in joint.text)
     return Event("then" if joint is not None and joint.kind == ">" else "clause")
+
+
+def _turned_wrong(body: list[Chunk], rest: Sequence[list[Chunk]]) -> bool:
+    """Tell `the wrong way` and `if you go right` from `too far`."""
+    later = [chunk for clause in rest for chunk in clause]
+    missed = [chunk.text for chunk in later if chunk.kind == "o"]
+    if missed:
+        return any("wrong" in words for words in missed)
+    return any(chunk.kind in "LS" for chunk in body)
 
 
 def _speaks_of_missing(body: list[Chunk], rest: Sequence[list[Chunk]]) -> bool:

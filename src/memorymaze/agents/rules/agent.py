@@ -14,8 +14,9 @@ from memorymaze.agents.rules.floor_map import Sighting
 from memorymaze.agents.rules.outlooks import (
     faces,
     first_heading_cost,
+    length_of,
     outlook_of,
-    things_of,
+    things_on,
 )
 from memorymaze.agents.rules.walker import Walker
 from memorymaze.geometry.pose import wrap_angle
@@ -142,9 +143,7 @@ class _Search:
 
     def _first_things(self) -> list[str]:
         """Things that the way to face at the start may be told by."""
-        legs = self._plan.legs
-        first = legs[0] if legs else self._plan.arrival
-        named = [m.phrase for m in things_of(first)]
+        named = [m.phrase for m in things_on(self._plan, 0)]
         outlook = outlook_of(self._plan, 0)
         return [*outlook.ahead, *outlook.behind, *named, *self._arrivals.phrases]
 
@@ -277,11 +276,11 @@ class _Search:
         legs = self._plan.legs
         for rival in rivals:
             first = rival.standing.leg
-            for leg in legs[max(first - 1, 0) : first + 2]:
-                phrases.extend(m.phrase for m in things_of(leg))
+            for number, leg in list(enumerate(legs))[max(first - 1, 0) : first + 2]:
+                phrases.extend(m.phrase for m in things_on(self._plan, number))
                 phrases.extend((*leg.too_far, *leg.wrong_way))
             if first >= len(legs) - 1:
-                phrases.extend(m.phrase for m in things_of(self._plan.arrival))
+                phrases.extend(m.phrase for m in things_on(self._plan, len(legs)))
         return list(dict.fromkeys(phrases))
 
     def _finish(self, ending: Ending) -> None:
@@ -314,10 +313,11 @@ class _Search:
 
 def _looks_of(plan: RoutePlan) -> tuple[str, ...]:
     """Return what to look for along every way; nothing where no way is told by looks."""
-    parts = (*plan.legs, plan.arrival)
-    outlooks = [outlook_of(plan, number) for number in range(len(parts))]
+    parts = range(len(plan.legs) + 1)
+    outlooks = [outlook_of(plan, number) for number in parts]
     ahead = [phrase for outlook in outlooks for phrase in outlook.ahead]
-    named = [m.phrase for part in parts for m in things_of(part) if is_floor(m.phrase)]
+    things = [each for number in parts for each in things_on(plan, number)]
+    named = [each.phrase for each in things if is_floor(each.phrase)]
     floors = [phrase for phrase in (*ahead, *named) if is_floor(phrase)]
     turns = any(faces(plan, number) for number in range(len(plan.legs)))
     if not floors and not turns:
@@ -328,7 +328,8 @@ def _looks_of(plan: RoutePlan) -> tuple[str, ...]:
 def _walk_limit(plan: RoutePlan) -> float:
     """Metres after which to stop at the best place known."""
     expected = sum(
-        leg.length.metres if leg.length is not None else LEG_METRES for leg in plan.legs
+        length.metres if (length := length_of(leg)) is not None else LEG_METRES
+        for leg in plan.legs
     )
     expected += plan.arrival.length.metres if plan.arrival.length else LEG_METRES
     return min(max(FEWEST_METRES, 2.2 * expected), MOST_METRES)

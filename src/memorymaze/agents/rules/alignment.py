@@ -23,9 +23,10 @@ from memorymaze.agents.rules.evidence import (
 from memorymaze.agents.rules.floor_map import FloorMap, Point, Stretch
 from memorymaze.agents.rules.outlooks import (
     faces,
+    length_of,
     outlook_cost,
     outlook_of,
-    things_of,
+    things_on,
     walls_cost,
 )
 from memorymaze.geometry.pose import wrap_angle
@@ -138,13 +139,17 @@ class Aligner:
         if told is not None and _is_passed(told, standing):
             ahead += GONE_TOO_FAR * _walked_cost(told, standing, 0)
         if leg is not None:
-            length = _with_lead(leg.length, standing.lead)
+            length = _with_lead(length_of(leg), standing.lead)
             if length is not None and _is_passed(length, standing):
                 ahead += _walked_cost(length, standing, 0)
             if standing.walked > 6.0 and standing.asked:
                 ahead += UNSEEN_YET * max(
                     mentions_cost(
-                        [m for m in things_of(leg) if m.place in {"along", "passed"}],
+                        [
+                            m
+                            for m in things_on(self.plan, standing.leg)
+                            if m.place in {"along", "passed"}
+                        ],
                         self._floor,
                         standing.line,
                         standing.line[-1],
@@ -196,7 +201,7 @@ class Aligner:
                 cost = UNTOLD_WAY_ON * junction + UNSAID_BEND * (abs(angle) > 0.3)
                 if leg is None:
                     cost += 0.3 * junction
-                elif self._plain_turn_fits(leg, choices):
+                elif self._plain_turn_fits(standing.leg, choices):
                     cost += 0.9
                 yield Branch(replace(passed, cost=standing.cost + cost), index)
                 continue
@@ -217,8 +222,9 @@ class Aligner:
                 index,
             )
 
-    def _plain_turn_fits(self, leg: Leg, choices: Choices) -> bool:
+    def _plain_turn_fits(self, number: int, choices: Choices) -> bool:
         """Tell whether a turn about which nothing else was said could be here."""
+        leg = self.plan.legs[number]
         turn = leg.turn
         if turn.ordinal is not None or turn.at_end or turn.junction or turn.forced:
             return False
@@ -227,7 +233,7 @@ class Aligner:
         if leg.passings or any(
             m.place in {"turn", "before_turn", "passed"}
             and not self._floor.seen(m.phrase)
-            for m in things_of(leg)
+            for m in things_on(self.plan, number)
         ):
             return False
         return turn.way in {"left", "right"} and bool(choices.on(turn.way))
@@ -247,7 +253,7 @@ class Aligner:
         story = standing.story
         for number in range(standing.leg, min(standing.leg + 3, len(self.plan.legs))):
             leg = self.plan.legs[number]
-            base = skipped + self._place_cost(standing, leg, lead, choices)
+            base = skipped + self._place_cost(standing, number, lead, choices)
             looks = faces(self.plan, number)
             anew = looks or leg.turn.way == "around"
             ways = self._all_ways(standing) if anew else choices.ways
@@ -270,7 +276,8 @@ class Aligner:
                     yield from self._turns(done, self._choices(done))
             skip = self._skip_cost(number)
             skipped += skip
-            lead += leg.length.metres if leg.length else 0.0
+            length = length_of(leg)
+            lead += length.metres if length else 0.0
             story = (*story, f"leave out leg {number + 1} (+{skip:.1f})")
 
     def _choices(self, standing: Standing) -> Choices:
@@ -307,19 +314,22 @@ class Aligner:
             return BEND_LEFT_OUT
         cost = LEFT_OUT - 1.2 * turn.doubt
         leg = self.plan.legs[number]
-        if number > 0 and not (leg.length or leg.mentions or leg.passings):
+        if number > 0 and not (
+            length_of(leg) or things_on(self.plan, number) or leg.passings
+        ):
             before = self.plan.legs[number - 1].turn.way
             cost -= 1.0 if before == turn.way else 0.3
         return cost
 
     def _place_cost(
-        self, standing: Standing, leg: Leg, lead: float, choices: Choices
+        self, standing: Standing, number: int, lead: float, choices: Choices
     ) -> float:
         """Compare a crossing with all that was said about the end of a leg."""
+        leg = self.plan.legs[number]
         crossing = self._floor.crossings[standing.at]
         turn = leg.turn
         junction = len(choices.ways) > 1
-        cost = _walked_cost(_with_lead(leg.length, lead), standing, junction)
+        cost = _walked_cost(_with_lead(length_of(leg), lead), standing, junction)
         if not leg.on_the_spot and not standing.walked:
             cost += NOT_GONE
         cost += junction_cost(turn, choices)
@@ -333,7 +343,7 @@ class Aligner:
             leg.passings, standing.left, standing.right, standing.crossings
         )
         cost += mentions_cost(
-            things_of(leg),
+            things_on(self.plan, number),
             self._floor,
             standing.line,
             crossing.place,

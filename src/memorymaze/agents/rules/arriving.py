@@ -13,7 +13,7 @@ from memorymaze.agents.rules.evidence import (
     passings_cost,
 )
 from memorymaze.agents.rules.floor_map import FloorMap, Point, Sighting, Stretch
-from memorymaze.agents.rules.outlooks import junction_at_the_end, things_of
+from memorymaze.agents.rules.outlooks import junction_at_the_end, things_on
 from memorymaze.agents.rules.walker import Walker
 from memorymaze.routes import RoutePlan, Turn
 from memorymaze.understanding import is_common, is_floor
@@ -231,7 +231,11 @@ class Arrivals:
             arrival.passings, standing.left, standing.right, standing.crossings
         )
         line = standing.line
-        others = [m for m in things_of(arrival) if m.phrase not in self.phrases]
+        others = [
+            m
+            for m in things_on(self._plan, len(self._plan.legs))
+            if m.phrase not in self.phrases
+        ]
         cost += 0.5 * mentions_cost(
             others,
             self._floor,

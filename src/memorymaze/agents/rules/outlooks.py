@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from memorymaze.agents.rules.floor_map import SEES_FAR, FloorMap
 from memorymaze.geometry.pose import wrap_angle
-from memorymaze.routes import Arrival, Junction, Leg, Mention, RoutePlan, Side
+from memorymaze.routes import Arrival, Junction, Leg, Length, Mention, RoutePlan, Side
 from memorymaze.understanding import is_floor
 
 OTHER_FLOOR = 2.8
@@ -28,6 +28,7 @@ INTO_WALL = 1.0
 """One is to go at first, and faces a wall."""
 FIRST_THING = 0.5
 """Share that counts of a thing where the first leg ends; it may lie round a corner."""
+AT_ONCE = Length(4.0, "vague")
 OPEN = math.radians(60)
 """A way that differs less from a direction lies there."""
 
@@ -100,13 +101,32 @@ def _is_outlook(mention: Mention) -> bool:
     )
 
 
-def things_of(part: Leg | Arrival) -> tuple[Mention, ...]:
-    """Return the things on a stretch and at its turn, without what is an outlook."""
-    return tuple(
-        each
-        for each in part.mentions
-        if not _is_outlook(each) and _junction_of(each) is None
+def things_on(plan: RoutePlan, leg: int) -> tuple[Mention, ...]:
+    """Return the things on a stretch and at its turn, without what is an outlook.
+
+    What the turn before leads to is on the stretch.
+    """
+    entered = plan.legs[leg - 1].mentions if leg else ()
+    part = plan.legs[leg] if leg < len(plan.legs) else plan.arrival
+    return (
+        *(each for each in entered if each.place == "target" and _is_thing(each)),
+        *(each for each in part.mentions if each.place != "target" and _is_thing(each)),
     )
+
+
+def _is_thing(mention: Mention) -> bool:
+    return not _is_outlook(mention) and _junction_of(mention) is None
+
+
+def length_of(leg: Leg) -> Length | None:
+    """Return the length of a leg; a turn made at once follows after a little way."""
+    if (
+        leg.length is None
+        and leg.turn.immediate
+        and all(each.place == "target" for each in leg.mentions)
+    ):
+        return AT_ONCE
+    return leg.length
 
 
 def junction_at_the_end(arrival: Arrival) -> Junction | None:
@@ -206,7 +226,7 @@ def first_heading_cost(
         return cost + INTO_WALL * (not first.on_the_spot)
     things = tuple(
         mention.phrase
-        for mention in things_of(first)
+        for mention in things_on(plan, 0)
         if mention.place in {"turn", "passed"} and not is_floor(mention.phrase)
     )
     seen = outlook_cost(Outlook(things[:1]), floor, at, exit)
