@@ -63,8 +63,8 @@ def test_a_walk_the_other_way_round_does_not_arrive(
 def test_a_destination_away_from_the_last_stretch_is_not_found(
     university_r1: RouteFacts,
 ) -> None:
-    arrival = replace(university_r1.plan.arrival, place=(90.0, 20.0))
-    plan = replace(university_r1.plan, arrival=arrival)
+    arrival = replace(university_r1.plan.ending, place=(90.0, 20.0))
+    plan = replace(university_r1.plan, ending=arrival)
     found = follow(university_r1.graph, university_r1.route, plan)
     assert not found.arrived
     assert "destination" in found.lost

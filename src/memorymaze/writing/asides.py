@@ -4,20 +4,21 @@ What they say of the way is true of it, apart from lengths from memory, which ar
 where they are far off.
 """
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
+from memorymaze.routes import Arrival, Leg
 from memorymaze.writing.clauses import (
     is_command,
+    metres_of,
     one_of,
     spoken_as,
 )
 from memorymaze.writing.marked_text import mark, without_marks
 from memorymaze.writing.phrases import phrases, words_for
-from memorymaze.writing.steps import Leg, Passing
-from memorymaze.writing.things import is_plural, with_article
+from memorymaze.writing.things import Thing, is_plural, thing_called, with_article
 from memorymaze.writing.voices import Voice
 
 STEP = 0.7
@@ -64,21 +65,23 @@ def stated_length(metres: float, voice: Voice, rng: np.random.Generator) -> str:
 
 
 def leg_asides(
-    leg: Leg,
+    part: Leg | Arrival,
     key: str,
     side: str | None,
     voice: Voice,
     rng: np.random.Generator,
+    things: Mapping[str, Thing],
     known: Collection[str] = (),
 ) -> Iterator[Aside]:
     """Yield all that could be said of a stretch, in no order of importance.
 
     Args:
-        leg: The stretch.
+        part: The stretch.
         key: Of the step at its end.
         side: Of the turn at its end; None for the destination.
         voice: Who speaks.
         rng: Source of chance.
+        things: Those of the site by their words.
         known: Words for things that are told anyway.
     """
 
@@ -86,60 +89,76 @@ def leg_asides(
         text = spoken_as(pattern.format(**words), voice)
         return Aside(key, order, text)
 
-    if leg.length > 3:
+    metres = metres_of(part)
+    if metres > 3:
         lengths = phrases(voice.manner, "lengths")
-        length = stated_length(leg.length, voice, rng)
+        length = stated_length(metres, voice, rng)
         yield aside(-90, one_of(lengths, rng), length=length)
-    floor = words_for("floor_words").get(leg.floor or "")
+    floor = words_for("floor_words").get(floor_of(part) or "")
     if floor is not None:
         yield aside(-80, one_of(phrases("besides", "floors"), rng), floor=floor)
-    yield from _passings(leg, key, voice, rng, known)
-    for number, opening in enumerate(dict.fromkeys(leg.openings)):
-        if opening != side:
+    yield from _passings(part, key, voice, rng, things, known)
+    for number, opening in enumerate(
+        dict.fromkeys(each.side for each in part.passings)
+    ):
+        if opening is not None and opening != side:
             yield aside(
                 -10 + number, one_of(phrases("besides", "openings"), rng), side=opening
             )
-    if leg.beyond is not None and leg.beyond.words not in known:
-        the = with_article(leg.beyond, definite=True)
+    beyond = next(iter(part.too_far), None)
+    if beyond is not None and beyond not in known:
+        the = with_article(thing_called(beyond, things), definite=True)
         yield aside(50, one_of(phrases("besides", "beyond"), rng), the=the)
-    if leg.length < 6 and side is not None:
+    if metres < 6 and side is not None:
         yield aside(40, one_of(phrases("besides", "quick"), rng))
-    elif leg.length > 25:
+    elif metres > 25:
         yield aside(-85, one_of(phrases("besides", "long"), rng))
 
 
+def floor_of(part: Leg | Arrival) -> str | None:
+    """Return what lies underfoot where most of a stretch is."""
+    floors = (each.phrase for each in part.mentions if each.kind == "floor")
+    return next((floor.removesuffix(" floor") for floor in floors), None)
+
+
 def _passings(
-    leg: Leg,
+    part: Leg | Arrival,
     key: str,
     voice: Voice,
     rng: np.random.Generator,
+    things: Mapping[str, Thing],
     known: Collection[str],
 ) -> Iterator[Aside]:
     patterns = phrases(voice.manner, "passings")
-    told: list[Passing] = [
-        each for each in leg.passing if each.thing.words not in known
+    told = [
+        each
+        for each in part.mentions
+        if each.place == "passed" and each.phrase not in known
     ]
     number, turn = 0, int(rng.integers(len(patterns)))
     while number < len(told):
         here = told[number]
+        thing = thing_called(here.phrase, things)
         words = {
-            "a": with_article(here.thing, definite=False),
-            "the": with_article(here.thing, definite=True),
-            "side": here.side,
-            "is": "are" if is_plural(here.thing) else "is",
-            "that": "they are" if is_plural(here.thing) else "that is",
+            "a": with_article(thing, definite=False),
+            "the": with_article(thing, definite=True),
+            "side": here.side or "",
+            "is": "are" if is_plural(thing) else "is",
+            "that": "they are" if is_plural(thing) else "that is",
         }
         turn += 1
         pattern = patterns[turn % len(patterns)]
         if number + 1 < len(told) and rng.random() < 0.3:
             following = told[number + 1]
-            words["b"] = with_article(following.thing, definite=False)
-            words["other"] = following.side
+            other = thing_called(following.phrase, things)
+            words["b"] = with_article(other, definite=False)
+            words["other"] = following.side or ""
             pattern = one_of(phrases("besides", "two_passings"), rng)
             if following.side == here.side:
                 pattern = "you pass {a} and then {b}, both on the {side}"
             number += 1
-        order = -70 + 55 * here.after / max(leg.length, 1.0)
+        after = here.after_metres or 0.0
+        order = -70 + 55 * after / max(metres_of(part), 1.0)
         yield Aside(key, order, spoken_as(pattern.format(**words), voice))
         number += 1
 

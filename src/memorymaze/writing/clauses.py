@@ -6,10 +6,10 @@ from typing import Literal
 
 import numpy as np
 
+from memorymaze.routes import Arrival, Leg, Mention
 from memorymaze.writing.marked_text import mark
 from memorymaze.writing.phrases import phrases
-from memorymaze.writing.steps import Arrival, Leg, Turn
-from memorymaze.writing.things import with_article
+from memorymaze.writing.things import Thing, thing_called, with_article
 from memorymaze.writing.voices import Voice
 
 Size = Literal["terse", "plain", "wordy"]
@@ -44,74 +44,100 @@ def spoken_as(text: str, voice: Voice) -> str:
 
 def place_words(leg: Leg, rng: np.random.Generator) -> str:
     """Return the words for the corridor of a stretch."""
-    if leg.name and rng.random() < 0.3:
-        if OWN_NAME.fullmatch(leg.name) or leg.name.lower().startswith("the "):
-            return leg.name
-        return f"the {leg.name}"
+    name = next((each.phrase for each in leg.mentions if _is_name(each)), None)
+    if name and rng.random() < 0.3:
+        if OWN_NAME.fullmatch(name) or name.lower().startswith("the "):
+            return name
+        return f"the {name}"
     return one_of(phrases("nameless_ways"), rng)
 
 
+def _is_name(mention: Mention) -> bool:
+    return mention.kind == "place" and mention.place == "along"
+
+
+def thing_at_the_turn(leg: Leg) -> str | None:
+    """Return the words for the thing that a turn is said to be at."""
+    at = (each.phrase for each in leg.mentions if each.place == "turn")
+    return next(at, None)
+
+
+def metres_of(part: Leg | Arrival) -> float:
+    """Return the length of a stretch; 0 where it has none."""
+    return part.length.metres if part.length is not None else 0.0
+
+
 def turn_clause(
-    turn: Turn,
+    leg: Leg,
     size: Size,
     voice: Voice,
     rng: np.random.Generator,
     focus: Focus,
     number: int,
+    things: Mapping[str, Thing],
 ) -> str:
     """Return a turn in words, without capital or full stop; labels are inside it.
 
     Args:
-        turn: What is told.
+        leg: What is told.
         size: How much is said.
         voice: Who speaks.
         rng: Source of chance.
         focus: Labels for parts of it.
         number: Which of the speaker's patterns is used; turns in a row have numbers
             in a row, so that no two of them sound the same.
+        things: Those of the site by their words.
     """
-    pattern = _pattern(turn, size, voice, number, focus)
-    side = _side(turn, pattern, voice, rng, focus)
+    pattern = _pattern(leg, size, voice, number, focus)
+    side = _side(leg, pattern, voice, rng, focus)
     words = {
         "side": side,
-        "ord": phrases("ordinals")[turn.cue.ordinal - 1],
-        "thing": turn.cue.words if turn.cue.proper else f"the {turn.cue.words}",
-        "place": place_words(turn.leg, rng),
+        "ord": phrases("ordinals")[(leg.turn.ordinal or 1) - 1],
+        "place": place_words(leg, rng),
     }
-    if turn.cue.kind == "thing" and "cue" in focus and rng.random() < 0.3:
-        words["thing"] = _indefinite(turn.cue.words)
+    thing = thing_at_the_turn(leg)
+    if thing is not None:
+        words["thing"] = with_article(thing_called(thing, things), definite=True)
+        if "cue" in focus and rng.random() < 0.3:
+            words["thing"] = _indefinite(thing)
     told = _bracketed(pattern, focus.get("cue")).format(**words)
     if voice.please and rng.random() < 0.4:
         told = f"please {told}" if is_command(told) else told
     return spoken_as(told, voice)
 
 
-def merged_clause(turn: Turn, rng: np.random.Generator, focus: Focus) -> str:
+def merged_clause(leg: Leg, rng: np.random.Generator, focus: Focus) -> str:
     """Return the words for a turn that follows right after the one before."""
-    side = turn.side.rpartition("_")[2]
+    side = leg.turn.way.rpartition("_")[2]
     side = mark(focus["side"], side) if "side" in focus else side
     told = one_of(phrases("merged"), rng).format(side=side)
     return mark("merged_turns", told)
 
 
-def skipped_clause(turn: Turn, rng: np.random.Generator) -> str:
+def skipped_clause(leg: Leg, rng: np.random.Generator) -> str:
     """Return what is said of a corner that is left to the listener, or nothing."""
     if rng.random() < 0.25:
         return mark("skipped_corner", "")
-    place = place_words(turn.leg, rng)
+    place = place_words(leg, rng)
     return mark("skipped_corner", one_of(phrases("skipped"), rng).format(place=place))
 
 
 def arrival_clause(
-    arrival: Arrival, size: Size, voice: Voice, rng: np.random.Generator
+    arrival: Arrival,
+    size: Size,
+    voice: Voice,
+    rng: np.random.Generator,
+    things: Mapping[str, Thing],
+    *,
+    by: bool,
 ) -> str:
-    """Return the end of the way in words."""
-    by = arrival.claimed is not None
+    """Return the end of the way in words; `by` the thing that it is said to be at."""
     patterns = phrases("arrivals_by" if by else "arrivals", size)
-    thing = (
-        "" if arrival.beside is None else with_article(arrival.beside, definite=True)
+    beside = [each.phrase for each in arrival.mentions if each.place == "beside"]
+    thing = "".join(
+        with_article(thing_called(words, things), definite=True) for words in beside
     )
-    goal = goal_words(arrival.goal)
+    goal = goal_words(arrival.destinations[0])
     if " in " in goal and rng.random() < 0.6:
         goal = goal.partition(" in ")[0]
     told = one_of(patterns, rng).format(
@@ -120,19 +146,22 @@ def arrival_clause(
     return spoken_as(told, voice)
 
 
-def _pattern(turn: Turn, size: Size, voice: Voice, number: int, focus: Focus) -> str:
-    cue = turn.cue
+def _pattern(leg: Leg, size: Size, voice: Voice, number: int, focus: Focus) -> str:
+    turn = leg.turn
+    at_a_thing = thing_at_the_turn(leg) is not None
     patterns: Sequence[str]
-    if turn.side.startswith("slight"):
-        patterns = phrases("slight", "thing" if cue.kind == "thing" else "place", size)
+    if turn.way.startswith("slight"):
+        patterns = phrases("slight", "thing" if at_a_thing else "place", size)
     else:
-        kind: str = cue.kind
-        if kind == "ordinal":
-            kind = "first" if cue.ordinal == 1 else "later"
+        kind = "first" if (turn.ordinal or 1) == 1 else "later"
+        if turn.forced or turn.at_end:
+            kind = "forced" if turn.forced else "end"
+        elif at_a_thing:
+            kind = "thing"
         patterns = phrases("turns", kind, size)
         if voice.spoken and size != "terse":
             patterns = (*phrases("spoken_turns", kind), *patterns)
-    if turn.leg.length < 6:
+    if metres_of(leg) < 6:
         patterns = [each for each in patterns if "{place}" not in each] or patterns
     if "cue" in focus:
         patterns = [each for each in patterns if "[" in each] or patterns
@@ -140,9 +169,9 @@ def _pattern(turn: Turn, size: Size, voice: Voice, number: int, focus: Focus) ->
 
 
 def _side(
-    turn: Turn, pattern: str, voice: Voice, rng: np.random.Generator, focus: Focus
+    leg: Leg, pattern: str, voice: Voice, rng: np.random.Generator, focus: Focus
 ) -> str:
-    side = turn.side.rpartition("_")[2]
+    side = leg.turn.way.rpartition("_")[2]
     told = mark(focus["side"], side) if "side" in focus else side
     corrected = rng.random() < voice.surface.restart
     correction = one_of(phrases("corrections"), rng)
@@ -181,8 +210,8 @@ def goal_words(goal: str) -> str:
 
 
 def _there(arrival: Arrival, rng: np.random.Generator) -> str:
-    told = {"left", "right"} & set(arrival.goal.split())
-    if arrival.side is None or told:
+    told = {"left", "right"} & set(arrival.destinations[0].split())
+    if arrival.side == "ahead" or told:
         return one_of(("straight ahead", "right in front of you", "ahead of you"), rng)
     side = arrival.side
     return one_of((f"on the {side}", f"on your {side}", f"on the {side} side"), rng)

@@ -22,7 +22,7 @@ from memorymaze.writing.request import (
     cell_rates,
 )
 from memorymaze.writing.route_facts import RouteFacts
-from memorymaze.writing.steps import Cue, Mistake, StepPlan, Turn
+from memorymaze.writing.steps import Cue, Mistake, Step, StepPlan
 from memorymaze.writing.turning_point_graph import TurningPointGraph
 from memorymaze.writing.voices import Voice, make_voice
 
@@ -91,7 +91,7 @@ FEW_THINGS = 2
 def chosen_plan(facts: RouteFacts, voice: Voice, rng: np.random.Generator) -> StepPlan:
     """Return a right plan as one speaker would tell it; it arrives when walked."""
     plan = facts.plan
-    turns: list[Turn] = []
+    turns: list[Step] = []
     for turn, cues in zip(plan.turns, facts.cues, strict=True):
         # One thing marks one turn.
         used = {each.cue.words for each in turns if each.cue.words}
@@ -111,7 +111,7 @@ def chosen_plan(facts: RouteFacts, voice: Voice, rng: np.random.Generator) -> St
     return plan
 
 
-def _cue(turn: Turn, cues: tuple[Cue, ...], rng: np.random.Generator) -> Cue:
+def _cue(turn: Step, cues: tuple[Cue, ...], rng: np.random.Generator) -> Cue:
     things = [cue for cue in cues if cue.kind == "thing"]
     if things:
         # Two of the same words can stand at one place.
@@ -124,9 +124,9 @@ def _cue(turn: Turn, cues: tuple[Cue, ...], rng: np.random.Generator) -> Cue:
     return pool[int(rng.choice(len(pool), p=weights / weights.sum()))]
 
 
-def _weight(cue: Cue, turn: Turn) -> float:
+def _weight(cue: Cue, turn: Step) -> float:
     if cue.kind == "thing":
-        return THING_WEIGHT if turn.leg.length > 2 else RARE
+        return THING_WEIGHT if turn.stretch.length > 2 else RARE
     if cue.kind == "ordinal":
         return ORDINAL_WEIGHTS[cue.ordinal - 1] if cue.ordinal <= 3 else RARE
     return END_WEIGHT

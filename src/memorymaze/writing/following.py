@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from memorymaze.sites.records import Route
-from memorymaze.writing.steps import Arrival, StepPlan, Turn
+from memorymaze.writing.steps import Ending, Step, StepPlan
 from memorymaze.writing.turning_point_graph import TurningPointGraph, Way
 
 ARRIVED = 3.0
@@ -63,7 +63,7 @@ def follow(
             return Followed(False, None, lost, tuple(turned))
         turned.append(point)
         way = onward
-    end = _destination(graph, way, plan.arrival)
+    end = _destination(graph, way, plan.ending)
     if end is None:
         lost = "the destination is not on the last stretch"
         return Followed(False, None, lost, tuple(turned))
@@ -114,7 +114,7 @@ def _both(
 
 
 def _place_of(
-    graph: TurningPointGraph, way: Way, turn: Turn, *, corners_counted: bool
+    graph: TurningPointGraph, way: Way, turn: Step, *, corners_counted: bool
 ) -> tuple[str, float] | str:
     """Return where a turn is to be made, or why that cannot be told."""
     cue, seen = turn.cue, 0
@@ -144,7 +144,7 @@ def _place_of(
 
 
 def _destination(
-    graph: TurningPointGraph, way: Way, arrival: Arrival
+    graph: TurningPointGraph, way: Way, ending: Ending
 ) -> tuple[float, float] | None:
     """Return the place on the last stretch that is nearest to the destination."""
     lines = [way.line]
@@ -153,9 +153,9 @@ def _destination(
         for point, heading, straight in _ahead(graph, way)
         if (onward := straight or graph.only_way(point, heading)) is not None
     ]
-    spots = [_nearest(line, arrival.place) for line in lines]
-    near = [spot for spot in spots if math.dist(spot, arrival.place) <= SEEN]
-    return min(near, key=lambda spot: math.dist(spot, arrival.place), default=None)
+    spots = [_nearest(line, ending.place) for line in lines]
+    near = [spot for spot in spots if math.dist(spot, ending.place) <= SEEN]
+    return min(near, key=lambda spot: math.dist(spot, ending.place), default=None)
 
 
 def _nearest(

@@ -13,23 +13,24 @@ from memorymaze.writing.following import follow, is_wrong
 from memorymaze.writing.phrases import phrases
 from memorymaze.writing.route_facts import RouteFacts
 from memorymaze.writing.steps import (
-    Arrival,
+    Beside,
     Cue,
-    Leg,
+    Ending,
     Mistake,
+    Step,
     StepPlan,
-    Turn,
+    Stretch,
 )
-from memorymaze.writing.things import Thing, with_article
-from memorymaze.writing.turning_point_graph import Side, side_of
+from memorymaze.writing.things import with_article
+from memorymaze.writing.turning_point_graph import Side
 
-OPPOSITE = {"left": "right", "right": "left"}
-
-
-def _opposite(side: Side) -> Side:
-    head, _, tail = side.rpartition("_")
-    other = OPPOSITE[tail]
-    return f"{head}_{other}" if head else other
+OPPOSITE: Mapping[Side, Side] = {
+    "left": "right",
+    "right": "left",
+    "slight_left": "slight_right",
+    "slight_right": "slight_left",
+}
+SIDES: tuple[Side, ...] = ("left", "right")
 
 
 def plain_side(side: Side) -> str:
@@ -37,7 +38,7 @@ def plain_side(side: Side) -> str:
     return side.replace("_", " ")
 
 
-def turns_with_choice(facts: RouteFacts, plan: StepPlan) -> list[Turn]:
+def turns_with_choice(facts: RouteFacts, plan: StepPlan) -> list[Step]:
     """Return the told turns where one could go wrong; all of them where none is such.
 
     Whoever comes to a corner without a choice turns there, whatever is said.
@@ -47,7 +48,7 @@ def turns_with_choice(facts: RouteFacts, plan: StepPlan) -> list[Turn]:
     return free or told
 
 
-def _has_choice(facts: RouteFacts, turn: Turn) -> bool:
+def _has_choice(facts: RouteFacts, turn: Step) -> bool:
     heading = facts.headings.get(turn.at)
     return heading is not None and facts.graph.only_way(turn.at, heading) is None
 
@@ -61,8 +62,8 @@ def wrong_sides(
         yield _flipped(plan, turn)
 
 
-def _flipped(plan: StepPlan, turn: Turn) -> Mistake:
-    said = _opposite(turn.side)
+def _flipped(plan: StepPlan, turn: Step) -> Mistake:
+    said = OPPOSITE[turn.side]
     return Mistake(
         "wrong_direction",
         turn.key,
@@ -88,7 +89,7 @@ def wrong_starts(
             replace(plan, around=True),
         )
     first = next((turn for turn in plan.turns if turn.told), None)
-    if first is not None and first.leg.length < 15 and not first.extra:
+    if first is not None and first.stretch.length < 15 and not first.extra:
         yield _flipped(plan, first)
 
 
@@ -141,13 +142,13 @@ def _extra_openings(facts: RouteFacts, plan: StepPlan) -> Iterator[Mistake]:
 
 
 def _extra_at(
-    facts: RouteFacts, plan: StepPlan, place: int, point: str, side: str
+    facts: RouteFacts, plan: StepPlan, place: int, point: str, side: Side
 ) -> Iterator[Mistake]:
     """Yield a turn that can be made there, with a cue that leads there."""
     key = f"extra_{point}_{side}"
     cues = [Cue("ordinal", n) for n in (1, 2, 3)]
     cues += [
-        Cue("thing", words=each.words, proper=each.proper)
+        Cue("thing", words=each.words)
         for each in facts.graph.things
         if each.words in facts.graph.marks[point]
         and math.dist(
@@ -156,7 +157,7 @@ def _extra_at(
         < 6
     ][:3]
     for cue in cues:
-        turn = Turn(key, side, cue, Leg(0.0), point, extra=True)
+        turn = Step(key, side, cue, Stretch(0.0), point, extra=True)
         turns = (*plan.turns[:place], turn, *plan.turns[place:])
         wrong = replace(plan, turns=turns)
         made = follow(facts.graph, facts.route, wrong).turned
@@ -177,9 +178,11 @@ def _extra_nowhere(
 ) -> Iterator[Mistake]:
     """Yield a turn where no way lies, for routes that pass no opening."""
     for place in range(len(plan.turns) + 1):
-        side = str(rng.choice(["left", "right"]))
+        side = SIDES[int(rng.choice(2))]
         at = "start" if place == 0 else f"after {plan.turns[place - 1].at}"
-        turn = Turn(f"extra_{place}", side, Cue("ordinal"), Leg(0.0), at, extra=True)
+        turn = Step(
+            f"extra_{place}", side, Cue("ordinal"), Stretch(0.0), at, extra=True
+        )
         yield Mistake(
             "extra_turn",
             turn.key,
@@ -227,11 +230,11 @@ def wrong_destinations(
     """Yield ends at other things, on the last stretch or one or two turns before."""
     del rng
     goal = facts.route.goal_landmark
-    last = plan.arrival
-    for passing in last.leg.passing:
-        off = math.dist(passing.thing.position, last.place)
-        if off > GOING_ON and passing.thing.id != goal:
-            yield _ends_at(plan, passing.thing, passing.side, last, last.leg)
+    last = plan.ending
+    for each in last.stretch.beside:
+        off = math.dist(each.thing.position, last.place)
+        if off > GOING_ON and each.thing.id != goal:
+            yield _ends_at(plan, each, last, last.stretch)
     turns = [turn for turn in plan.turns if turn.told]
     for cut in (1, 2):
         if len(turns) < cut:
@@ -240,23 +243,24 @@ def wrong_destinations(
         if any(turn.extra for turn in gone):
             return
         shorter = replace(plan, turns=plan.turns[: plan.turns.index(gone[0])])
-        for passing in gone[0].leg.passing[-4:]:
-            if passing.thing.id != goal:
-                yield _ends_at(shorter, passing.thing, passing.side, last, gone[0].leg)
+        for each in gone[0].stretch.beside[-4:]:
+            if each.thing.id != goal:
+                yield _ends_at(shorter, each, last, gone[0].stretch)
 
 
 def _ends_at(
-    plan: StepPlan, thing: Thing, side: str, right: Arrival, leg: Leg
+    plan: StepPlan, beside: Beside, right: Ending, stretch: Stretch
 ) -> Mistake:
+    thing = beside.thing
     claimed = with_article(thing, definite=True)
-    arrival = Arrival(right.goal, thing.position, leg, side, thing, claimed)
+    ending = Ending(right.goal, thing.position, stretch, beside.side, thing, claimed)
     return Mistake(
         "wrong_destination",
         "arrival",
         "step",
         thing.id,
         f"ends at {claimed} and takes it for {right.goal}",
-        replace(plan, arrival=arrival),
+        replace(plan, ending=ending),
     )
 
 
@@ -281,13 +285,13 @@ def things_not_there(
             plan.with_turn(turn.key, cue=Cue("thing", words=thing)),
         )
     if not plan.turns:
-        for passing in plan.arrival.leg.passing[:1]:
+        for each in plan.ending.stretch.beside[:1]:
             thing = str(rng.choice(words))
-            turn = Turn(
+            turn = Step(
                 "extra_thing",
-                side_of(1.0 if passing.side == "left" else -1.0),
+                each.side,
                 Cue("thing", words=thing),
-                Leg(0.0),
+                Stretch(0.0),
                 "the way",
                 extra=True,
             )

@@ -5,7 +5,7 @@ every word that tells to turn and every word of an error. The marks are checked.
 """
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from itertools import islice
 
@@ -16,13 +16,15 @@ from memorymaze.instructions.records import Instruction
 from memorymaze.instructions.statistics import word_count
 from memorymaze.language.model import CompletionRequest, LanguageModel, Message
 from memorymaze.language.prompt_texts import load_prompt
+from memorymaze.routes import Arrival, Leg
+from memorymaze.writing.clauses import thing_at_the_turn
 from memorymaze.writing.drafting import Draft
 from memorymaze.writing.grammar import told_instruction
 from memorymaze.writing.marked_text import Marked
 from memorymaze.writing.phrases import phrases
-from memorymaze.writing.steps import Cue, Leg, Mistake, StepPlan, Turn
+from memorymaze.writing.steps import Mistake, Step, StepPlan
 from memorymaze.writing.telling import Told, error_label
-from memorymaze.writing.things import with_article
+from memorymaze.writing.things import Thing, thing_called, with_article
 from memorymaze.writing.told_sides import commands
 
 THINGS = 4
@@ -35,11 +37,12 @@ def listed_steps(plan: StepPlan) -> str:
     if plan.around:
         lines.append("first turn around and go back the other way")
     for turn in plan.turns:
-        lines.append(_turn(turn))
-    arrival = plan.arrival
-    where = "straight ahead" if arrival.side is None else f"on the {arrival.side}"
-    at = "" if arrival.claimed is None else f", at {arrival.claimed}"
-    lines.append(f"{_leg(arrival.leg)}; {arrival.goal} is {where}{at}")
+        lines.append(_turn(turn, plan.things))
+    ending = plan.ending
+    where = "straight ahead" if ending.side is None else f"on the {ending.side}"
+    at = "" if ending.claimed is None else f", at {ending.claimed}"
+    way = _stretch(ending.arrival, plan.things)
+    lines.append(f"{way}; {ending.goal} is {where}{at}")
     return "\n".join(f"{number}. {line}" for number, line in enumerate(lines, 1))
 
 
@@ -53,34 +56,35 @@ def listed_errors(mistakes: Sequence[Mistake]) -> str:
     )
 
 
-def _turn(turn: Turn) -> str:
-    side = turn.side.replace("_", " ")
-    if not turn.told:
-        return (
-            f"{_leg(turn.leg)}; the way bends {side} by itself: do not tell this turn"
-        )
-    return f"{_leg(turn.leg)}; turn {side} {_cue(turn.cue)}"
+def _turn(step: Step, things: Mapping[str, Thing]) -> str:
+    side = step.side.replace("_", " ")
+    way = _stretch(step.leg, things)
+    if not step.told:
+        return f"{way}; the way bends {side} by itself: do not tell this turn"
+    return f"{way}; turn {side} {_where(step.leg, things)}"
 
 
-def _cue(cue: Cue) -> str:
-    if cue.kind == "ordinal":
-        return f"at the {phrases('ordinals')[cue.ordinal - 1]} way on that side"
-    if cue.kind == "thing":
-        return f"at {cue.words if cue.proper else 'the ' + cue.words}"
-    if cue.kind == "end":
+def _where(leg: Leg, things: Mapping[str, Thing]) -> str:
+    thing = thing_at_the_turn(leg)
+    if thing is not None:
+        return f"at {with_article(thing_called(thing, things), definite=True)}"
+    if leg.turn.ordinal is not None:
+        return f"at the {phrases('ordinals')[leg.turn.ordinal - 1]} way on that side"
+    if leg.turn.at_end:
         return "where the way ahead ends"
     return "at the corner, which leaves no other way"
 
 
-def _leg(leg: Leg) -> str:
-    if leg.length == 0:
+def _stretch(part: Leg | Arrival, things: Mapping[str, Thing]) -> str:
+    if part.length is None:
         return "go on"
-    things = [
-        f"{with_article(each.thing, definite=False)} ({each.side})"
-        for each in leg.passing[:THINGS]
+    passed = [each for each in part.mentions if each.place == "passed"]
+    told = [
+        f"{with_article(thing_called(each.phrase, things), definite=False)} ({each.side})"
+        for each in passed[:THINGS]
     ]
-    past = f", past {', '.join(things)}" if things else ""
-    return f"go {leg.length:.0f} m{past}"
+    past = f", past {', '.join(told)}" if told else ""
+    return f"go {part.length.metres:.0f} m{past}"
 
 
 ATTEMPTS = 3
@@ -188,9 +192,9 @@ def _told(marked: str, draft: Draft, plan: StepPlan) -> Told:
     words = word_count(text)
     if not LENGTHS[0] * draft.words <= words <= LENGTHS[1] * draft.words:
         raise ValueError(f"expected about {draft.words:.0f} words, got {words}")
-    goal = plan.arrival.goal.split(" in ")[0].split()[-1]
+    goal = plan.ending.goal.split(" in ")[0].split()[-1]
     if goal.lower() not in text.lower():
-        raise ValueError(f"expected a word of the destination ({plan.arrival.goal})")
+        raise ValueError(f"expected a word of the destination ({plan.ending.goal})")
     marks = [Marked(error_label(n - 1), start, end) for n, start, end in errors]
     return Told(text, tuple(sorted(marks, key=lambda each: each.start)))
 

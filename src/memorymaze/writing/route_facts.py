@@ -3,9 +3,10 @@
 import math
 from collections import Counter
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
+from typing import Literal
 
 from shapely import LineString, Point, Polygon
 from shapely.ops import substring
@@ -16,16 +17,21 @@ from memorymaze.geometry.pose import heading_to, turn_between
 from memorymaze.sites.records import Route, RouteTurn
 from memorymaze.writing.following import follow
 from memorymaze.writing.steps import (
-    Arrival,
+    Beside,
     Cue,
-    Leg,
-    Passing,
+    Ending,
+    Step,
     StepPlan,
-    Turn,
+    Stretch,
 )
 from memorymaze.writing.things import Thing
-from memorymaze.writing.turning_point_graph import TurningPointGraph, side_of
+from memorymaze.writing.turning_point_graph import (
+    TurningPointGraph,
+    side_of,
+    side_of_turn,
+)
 
+_SIDES: tuple[Literal["left", "right"], ...] = ("left", "right")
 BESIDE = 4.5
 """Metres from the way within which things are mentioned."""
 AHEAD = math.radians(40)
@@ -48,12 +54,18 @@ class RouteFacts:
     def plan(self) -> StepPlan:
         """The right description with the plainest cues; it arrives."""
         turns = tuple(
-            Turn(f"turn{n}", turn.direction, cues[0], leg, turn.at)
+            Step(f"turn{n}", side_of_turn(turn), cues[0], leg, turn.at)
             for n, (turn, cues, leg) in enumerate(
-                zip(self.route.turns, self.cues, self.legs[:-1], strict=True)
+                zip(self.route.turns, self.cues, self.stretches[:-1], strict=True)
             )
         )
-        plan = StepPlan(self.graph.site.name, self.route.id, turns, self._arrival)
+        plan = StepPlan(
+            self.graph.site.name,
+            self.route.id,
+            turns,
+            self._ending,
+            self.graph.things_by_words,
+        )
         found = follow(self.graph, self.route, plan)
         if not found.arrived:
             raise SitePlanError(
@@ -93,7 +105,7 @@ class RouteFacts:
         """The heading on coming to each turning point of the route, radians."""
         ways = self.graph.first_way(self.route)
         found: dict[str, float] = {}
-        turns = {turn.at: turn.direction for turn in self.route.turns}
+        turns = {turn.at: side_of_turn(turn) for turn in self.route.turns}
         for _ in range(len(self.graph.passed(self.route)) + 1):
             if ways is None or ways.end is None:
                 break
@@ -104,14 +116,14 @@ class RouteFacts:
         return found
 
     @cached_property
-    def legs(self) -> tuple[Leg, ...]:
+    def stretches(self) -> tuple[Stretch, ...]:
         """The stretches before each turn, and the last one."""
         edges = (0.0, *self.stops, self.route.line.length)
-        legs: list[Leg] = []
+        stretches: list[Stretch] = []
         for n, (low, high) in enumerate(pairwise(edges)):
             turn = self.route.turns[n] if n < len(self.route.turns) else None
-            legs.append(self._leg(low, high, self.between[n], turn))
-        return tuple(legs)
+            stretches.append(self._stretch(low, high, self.between[n], turn))
+        return tuple(stretches)
 
     @cached_property
     def cues(self) -> tuple[tuple[Cue, ...], ...]:
@@ -135,10 +147,16 @@ class RouteFacts:
     def _leads_to(self, n: int, cue: Cue, before: list[Cue]) -> bool:
         """Tell whether the n-th turn is made where it should be with this cue."""
         turns = [
-            Turn(str(k), each.direction, cue if k == n else before[k], Leg(0), each.at)
+            Step(
+                str(k),
+                side_of_turn(each),
+                cue if k == n else before[k],
+                Stretch(0),
+                each.at,
+            )
             for k, each in enumerate(self.route.turns[: n + 1])
         ]
-        plan = StepPlan("", "", tuple(turns), self._arrival)
+        plan = StepPlan("", "", tuple(turns), self._ending, {})
         wanted = tuple(turn.at for turn in turns)
         return follow(self.graph, self.route, plan).turned == wanted
 
@@ -157,7 +175,7 @@ class RouteFacts:
             key=lambda thing: thing.id,
         )
         for thing in marks:
-            yield Cue("thing", words=thing.words, proper=thing.proper)
+            yield Cue("thing", words=thing.words)
 
     def _things_at(self, point: str) -> list[Thing]:
         words = self.graph.marks[point]
@@ -170,16 +188,16 @@ class RouteFacts:
         line = self.route.line
         return [each for each in near if line.distance(Point(each.position)) < 7.0]
 
-    def _leg(
+    def _stretch(
         self, low: float, high: float, points: tuple[str, ...], turn: RouteTurn | None
-    ) -> Leg:
+    ) -> Stretch:
         line = substring(self.route.line, low, high)
         if not isinstance(line, LineString) or line.length < 0.01:
-            return Leg(0.0)
-        openings: list[str] = []
+            return Stretch(0.0)
+        openings: list[Literal["left", "right"]] = []
         for point in points:
             heading = self.headings.get(point)
-            for side in ("left", "right"):
+            for side in _SIDES:
                 if (
                     heading is not None
                     and self.graph.leaving(point, heading, side) is not None
@@ -187,16 +205,16 @@ class RouteFacts:
                     openings.append(side)
         parts = [*self.graph.site.corridors, *self.graph.site.areas]
         part = max(parts, key=lambda p: p.polygon.intersection(line).length)
-        return Leg(
+        return Stretch(
             length=line.length,
-            passing=tuple(self._passing(line)),
+            beside=tuple(self._beside(line)),
             openings=tuple(openings),
             floor=part.floor_material,
             name=part.name,
             beyond=None if turn is None else self._beyond(turn),
         )
 
-    def _passing(self, line: LineString) -> Iterator[Passing]:
+    def _beside(self, line: LineString) -> Iterator[Beside]:
         seen: set[str] = set()
         found: list[tuple[float, Thing, Point]] = []
         for thing in self.graph.things:
@@ -218,7 +236,7 @@ class RouteFacts:
                 heading_to((here.x, here.y), (further.x, further.y)),
                 heading_to((here.x, here.y), (spot.x, spot.y)),
             )
-            yield Passing(thing, side_of(bearing), at)
+            yield Beside(thing, side_of(bearing), at)
 
     @cached_property
     def _visible(self) -> "PreparedGeometry[Polygon]":
@@ -243,7 +261,7 @@ class RouteFacts:
         return min(ahead, key=lambda each: each[0], default=(0.0, None))[1]
 
     @cached_property
-    def _arrival(self) -> Arrival:
+    def _ending(self) -> Ending:
         line = self.route.line
         x, y = line.coords[-1][:2]
         site = self.graph.site
@@ -264,11 +282,11 @@ class RouteFacts:
                 side_of(bearing) if AHEAD < abs(bearing) < math.radians(140) else None
             )
         near = [
-            passing.thing
-            for passing in self.legs[-1].passing
-            if math.dist(passing.thing.position, (x, y)) < 5.0
-            and passing.thing.id != self.route.goal_landmark
+            each.thing
+            for each in self.stretches[-1].beside
+            if math.dist(each.thing.position, (x, y)) < 5.0
+            and each.thing.id != self.route.goal_landmark
         ]
-        beside = near[-1] if near else None
-        leg = replace(self.legs[-1])
-        return Arrival(self.route.goal, (float(x), float(y)), leg, side, beside)
+        by = near[-1] if near else None
+        last = self.stretches[-1]
+        return Ending(self.route.goal, (float(x), float(y)), last, side, by)

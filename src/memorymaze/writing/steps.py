@@ -1,36 +1,39 @@
-"""A description of a way as typed steps, before it is put into words.
+"""A description of a way as steps on a site, before it is put into words.
 
-A plan can be walked (`following.py`), made wrong (`mistakes.py`) and told
-(`telling.py`).
+A step says what a speaker says in the records of `memorymaze.routes` (`Step.leg`) and
+where on the site that is meant. Plans can be followed (`following.py`), made wrong
+(`mistakes.py`) and told (`telling.py`).
 """
 
-from dataclasses import dataclass, replace
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
 from typing import Literal
 
+from memorymaze.routes import Arrival, Leg, Length, Mention, Passing, RoutePlan, Turn
 from memorymaze.writing.things import Thing
 from memorymaze.writing.turning_point_graph import Side
 
 
 @dataclass(frozen=True, slots=True)
-class Passing:
+class Beside:
     """Something beside the way."""
 
     thing: Thing
-    side: str
-    """`left` or `right` of the walker."""
+    side: Literal["left", "right"]
+    """Of the walker."""
     after: float
-    """Metres since the leg began."""
+    """Metres since the stretch began."""
 
 
 @dataclass(frozen=True, slots=True)
-class Leg:
+class Stretch:
     """What is true of the stretch before a turn or the destination."""
 
     length: float
     """Metres."""
-    passing: tuple[Passing, ...] = ()
+    beside: tuple[Beside, ...] = ()
     """In the order they come."""
-    openings: tuple[str, ...] = ()
+    openings: tuple[Literal["left", "right"], ...] = ()
     """Sides of the ways that one passes and does not take."""
     floor: str | None = None
     """Material underfoot where most of the stretch lies."""
@@ -38,6 +41,33 @@ class Leg:
     """What people call it."""
     beyond: Thing | None = None
     """What one reaches who walks on at its end."""
+
+    @property
+    def said_length(self) -> Length | None:
+        """How far it is."""
+        return Length(self.length, "metres") if self.length else None
+
+    @property
+    def mentions(self) -> Iterator[Mention]:
+        """The floor, the name and the things on it."""
+        if self.floor is not None:
+            yield Mention(f"{self.floor} floor", "floor", "along")
+        if self.name is not None:
+            yield Mention(self.name, "place", "along")
+        for each in self.beside:
+            thing = each.thing
+            yield Mention(
+                thing.words,
+                thing.kind,
+                "passed",
+                side=each.side,
+                after_metres=each.after,
+            )
+
+    @property
+    def passings(self) -> tuple[Passing, ...]:
+        """The openings that one leaves alone."""
+        return tuple(Passing(1, side, "opening") for side in self.openings)
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,19 +81,17 @@ class Cue:
     """Counted from the last turn told, for `ordinal`."""
     words: str = ""
     """The thing without article, for `thing`."""
-    proper: bool = False
-    """Whether the thing takes no article."""
 
 
 @dataclass(frozen=True, slots=True)
-class Turn:
+class Step:
     """One turn that is told."""
 
     key: str
     """Names the step in the clean and the wrong plan."""
     side: Side
     cue: Cue
-    leg: Leg
+    stretch: Stretch
     at: str
     """Turning point where the route turns; for an extra turn, where it is told."""
     told: bool = True
@@ -71,22 +99,53 @@ class Turn:
     extra: bool = False
     """Whether the route does not turn there."""
 
+    @property
+    def leg(self) -> Leg:
+        """What there is to say of it."""
+        cue, stretch = self.cue, self.stretch
+        thing = [Mention(cue.words, "object", "turn")] if cue.kind == "thing" else []
+        return Leg(
+            Turn(
+                self.side,
+                ordinal=cue.ordinal if cue.kind == "ordinal" else None,
+                at_end=cue.kind == "end",
+                junction="corner" if cue.kind == "forced" else None,
+                forced=cue.kind == "forced",
+            ),
+            length=stretch.said_length,
+            mentions=(*stretch.mentions, *thing),
+            passings=stretch.passings,
+            too_far=(stretch.beyond.words,) if stretch.beyond else (),
+        )
+
 
 @dataclass(frozen=True, slots=True)
-class Arrival:
+class Ending:
     """How the way ends."""
 
     goal: str
     """The destination in everyday words."""
     place: tuple[float, float]
     """Where the speaker says it is, metres."""
-    leg: Leg
-    side: str | None
-    """`left` or `right` of who arrives; None for ahead."""
-    beside: Thing | None = None
+    stretch: Stretch
+    side: Literal["left", "right"] | None
+    """Of who arrives; None for ahead."""
+    by: Thing | None = None
     """What it is said to be at."""
     claimed: str | None = None
     """The door or thing that the speaker wrongly takes for it."""
+
+    @property
+    def arrival(self) -> Arrival:
+        """What there is to say of it."""
+        by = [Mention(self.by.words, self.by.kind, "beside")] if self.by else []
+        return Arrival(
+            destinations=(self.goal,),
+            side=self.side or "ahead",
+            length=self.stretch.said_length,
+            mentions=(*self.stretch.mentions, *by),
+            passings=self.stretch.passings,
+        )
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,10 +154,19 @@ class StepPlan:
 
     site: str
     route_id: str
-    turns: tuple[Turn, ...]
-    arrival: Arrival
+    turns: tuple[Step, ...]
+    ending: Ending
+    things: Mapping[str, Thing] = field(compare=False, repr=False)
+    """The things of the site by their words."""
     around: bool = False
     """Whether the speaker first sends the listener back the other way."""
+
+    @property
+    def said(self) -> RoutePlan:
+        """What there is to say of it, in the order of the walk."""
+        back = [Leg(Turn("around"), on_the_spot=True)] if self.around else []
+        legs = (step.leg for step in self.turns if step.told)
+        return RoutePlan(legs=(*back, *legs), arrival=self.ending.arrival)
 
     def with_turn(self, key: str, **changes: object) -> "StepPlan":
         """Return the plan with one turn changed."""

@@ -11,9 +11,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from memorymaze.instructions.statistics import word_count
+from memorymaze.routes import Arrival, Leg
 from memorymaze.writing.asides import (
     Aside,
     disturbed,
+    floor_of,
     leg_asides,
     opening_and_closing,
     small_talk,
@@ -38,7 +40,7 @@ from memorymaze.writing.marked_text import (
     without_marks,
 )
 from memorymaze.writing.phrases import phrases
-from memorymaze.writing.steps import Leg, Mistake, StepPlan, Turn
+from memorymaze.writing.steps import Mistake, Step, StepPlan
 from memorymaze.writing.voices import Voice
 
 MERGED_WITHIN = 8.0
@@ -100,7 +102,9 @@ def in_one_breath(
     labelled = {*focus.get(key, {}), *focus.get(before.key, {})}
     if labelled & {"cue", "step"}:
         return False
-    near = right.turns[place].leg.length < MERGED_WITHIN and turn.told and before.told
+    near = (
+        right.turns[place].stretch.length < MERGED_WITHIN and turn.told and before.told
+    )
     return near and turn.cue.kind != "thing" and turn.cue.ordinal == 1
 
 
@@ -181,9 +185,14 @@ class Teller:
         asides = [each for each in self.asides if each.key == key]
         if key == ARRIVAL:
             core = arrival_clause(
-                plan.arrival, self._core_size(key), self._voice, self._rng(key)
+                plan.ending.arrival,
+                self._core_size(key),
+                self._voice,
+                self._rng(key),
+                plan.things,
+                by=plan.ending.claimed is not None,
             )
-            if plan.arrival.claimed is not None:
+            if plan.ending.claimed is not None:
                 asides = []
         elif turn is None:
             return mark(part["step"], "") if "step" in part else ""
@@ -195,7 +204,7 @@ class Teller:
             for each in following:
                 if self._is_merged(plan, each.key, focus):
                     own = focus.get(each.key, {})
-                    core += f" {merged_clause(each, self._rng(each.key), own)}"
+                    core += f" {merged_clause(each.leg, self._rng(each.key), own)}"
         if not without_marks(core):
             return core
         told = [(0.0, self._linked(core, key))]
@@ -205,13 +214,15 @@ class Teller:
         said = run_together(texts, self._voice, self._rng(key, "joined"))
         return mark(part["step"], said) if "step" in part else said
 
-    def _turn_core(self, turn: Turn, part: Focus) -> str:
+    def _turn_core(self, turn: Step, part: Focus) -> str:
         if not turn.told:
-            return skipped_clause(turn, self._rng(turn.key))
+            return skipped_clause(turn.leg, self._rng(turn.key))
         size = self._core_size(turn.key)
         rng = self._rng(turn.key)
         number = self._offset + self._numbers.get(turn.key, len(self._numbers))
-        return turn_clause(turn, size, self._voice, rng, part, number)
+        return turn_clause(
+            turn.leg, size, self._voice, rng, part, number, self._plan.things
+        )
 
     def _linked(self, core: str, key: str) -> str:
         rng = self._rng(key, "link")
@@ -251,7 +262,7 @@ class Teller:
         room = words - word_count(self.tell(self._plan).text)
         rng, spoken = self._rng("choice"), self._voice.spoken
         chosen: list[Aside] = []
-        goal = goal_words(self._plan.arrival.goal)
+        goal = goal_words(self._plan.ending.goal)
         keys = [turn.key for turn in self._plan.turns if turn.told]
         chatter = opening_and_closing(self._voice, goal, START, END, rng)
         talk = small_talk(self._voice, [*keys, ARRIVAL, END], rng)
@@ -273,17 +284,20 @@ class Teller:
 
     def _leg_asides(self, rng: np.random.Generator) -> list[Aside]:
         found: list[Aside] = []
+        things = self._plan.things
         known = {turn.cue.words for turn in self._plan.turns}
-        before = None
+        before: Leg | None = None
         for turn in self._plan.turns:
             leg, before = _on_new_floor(turn.leg, before), turn.leg
             if turn.told and not self._is_merged(self._plan, turn.key, {}):
                 own = self._rng(turn.key, "asides")
                 side = turn.side.rpartition("_")[2]
-                found += leg_asides(leg, turn.key, side, self._voice, own, known)
+                found += leg_asides(
+                    leg, turn.key, side, self._voice, own, things, known
+                )
         own = self._rng(ARRIVAL, "asides")
-        last = _on_new_floor(self._plan.arrival.leg, before)
-        found += leg_asides(last, ARRIVAL, None, self._voice, own, known)
+        last = _on_new_floor(self._plan.ending.arrival, before)
+        found += leg_asides(last, ARRIVAL, None, self._voice, own, things, known)
         # Some of what could be said is left to chatter, more of it in speech.
         kept = rng.random(len(found)) < (0.8 if self._voice.spoken else 0.95)
         return [each for each, keep in zip(found, kept, strict=True) if keep]
@@ -299,10 +313,12 @@ class Teller:
         return np.random.default_rng([self._seed, key])
 
 
-def _on_new_floor(leg: Leg, before: Leg | None) -> Leg:
+def _on_new_floor(part: Leg | Arrival, before: Leg | None) -> Leg | Arrival:
     """Return a stretch whose floor is only known where it changes."""
-    same = before is not None and before.floor == leg.floor
-    return replace(leg, floor=None) if same else leg
+    if before is None or floor_of(before) != floor_of(part):
+        return part
+    others = tuple(each for each in part.mentions if each.kind != "floor")
+    return replace(part, mentions=others)
 
 
 # -- sentences, and how they stand on the page

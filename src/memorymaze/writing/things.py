@@ -1,8 +1,11 @@
 """The things of a site, in the words that people would use for them."""
 
+import math
 import re
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 
+from memorymaze.routes import Kind
 from memorymaze.sites.records import Door, Landmark, Site
 from memorymaze.writing.phrases import phrases, words_for
 
@@ -25,14 +28,21 @@ class Thing:
     """Whether it takes no article."""
     named: bool = False
     """Whether it is always told with `the`, being the only one of its name."""
+    kind: Kind = "object"
 
 
 def things_of(site: Site) -> tuple[Thing, ...]:
     """Return the things of a site that can be mentioned, in the plan's order."""
     rooms = {room.id: room.name for room in site.rooms}
     found = [_landmark(each) for each in site.landmarks]
-    found += [_door(each, rooms) for each in site.doors]
+    doors = [_door(each, rooms) for each in site.doors]
+    found += [replace(each, kind="door") for each in doors if each is not None]
     return tuple(each for each in found if each is not None)
+
+
+def thing_called(words: str, things: Mapping[str, Thing]) -> Thing:
+    """Return the thing of a site with these words, or one that no site has."""
+    return things.get(words) or Thing("", words, (math.nan, math.nan))
 
 
 def with_article(thing: Thing, *, definite: bool) -> str:
@@ -68,11 +78,11 @@ def _landmark(mark: Landmark) -> Thing | None:
         text = mark.text or ""
         if READABLE.fullmatch(text) and len(text.split()) <= 3:
             if text.lower().split()[0][:4] in category:
-                return Thing(mark.id, category, place)
-            return Thing(mark.id, f"{category} that says {text}", place)
+                return Thing(mark.id, category, place, kind="sign")
+            return Thing(mark.id, f"{category} that says {text}", place, kind="sign")
         if not mark.color:
             return None
-        return Thing(mark.id, f"{mark.color} {category}", place)
+        return Thing(mark.id, f"{mark.color} {category}", place, kind="sign")
     color = f"{mark.color} " if mark.color and mark.color != "clear" else ""
     return Thing(mark.id, f"{color}{category}", place)
 

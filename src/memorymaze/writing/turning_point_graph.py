@@ -8,14 +8,14 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
-from typing import NamedTuple
+from typing import Literal, NamedTuple, cast
 
 from shapely import LineString, Point, Polygon, get_parts
 from shapely.ops import substring
 
 from memorymaze.errors import SitePlanError
 from memorymaze.geometry.pose import heading_to, turn_between
-from memorymaze.sites.records import Exit, Route, Site, TurningPoint
+from memorymaze.sites.records import Exit, Route, RouteTurn, Site, TurningPoint
 from memorymaze.writing.things import Thing, things_of
 
 
@@ -83,8 +83,8 @@ def route_ways(
         yield name, Way(heading_to(*longest), line, following)
 
 
-Side = str
-"""`left`, `right`, `slight_left` or `slight_right`."""
+Side = Literal["left", "right", "slight_left", "slight_right"]
+"""Where a turn leads."""
 
 STRAIGHT = math.radians(28)
 """A way that differs less from the walker's heading goes straight on."""
@@ -97,7 +97,12 @@ NEAR = 5.0
 RAY = 200.0
 
 
-def side_of(angle: float) -> str:
+def side_of_turn(turn: RouteTurn) -> Side:
+    """Return where a route turns; the loader of sites admits no other direction."""
+    return cast(Side, turn.direction)
+
+
+def side_of(angle: float) -> Literal["left", "right"]:
     """Return which side a signed turn in radians goes: left or right."""
     return "left" if angle > 0 else "right"
 
@@ -126,6 +131,11 @@ class TurningPointGraph:
     def things(self) -> tuple[Thing, ...]:
         """All that people could mention."""
         return things_of(self.site)
+
+    @cached_property
+    def things_by_words(self) -> Mapping[str, Thing]:
+        """The first of the things that are called the same."""
+        return {thing.words: thing for thing in reversed(self.things)}
 
     @cached_property
     def ways(self) -> Mapping[str, tuple[Way, ...]]:
