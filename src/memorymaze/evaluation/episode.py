@@ -140,7 +140,6 @@ def _attempt(
     if ended != "agent":
         values = values.without_success()
     told = episode.instruction
-    people = told.followers
     result = EpisodeResult(
         episode_id=episode.id,
         instruction_id=told.id,
@@ -179,9 +178,7 @@ def _attempt(
         refused_turns=robot.refused_turns,
         inference_s=journal.inference_s,
         standing_s=robot.standing_time,
-        usable=None if people is None else people.usable,
-        human_trials=None if people is None else people.tried,
-        human_found=None if people is None else people.arrived,
+        followers=told.followers,
         error_kinds=tuple(failure.kind for failure in told.failures),
         pair=told.pair,
     )

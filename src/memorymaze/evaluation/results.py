@@ -7,6 +7,7 @@ from typing import Literal
 from pydantic import FiniteFloat, TypeAdapter, ValidationError
 
 from memorymaze.errors import RunFolderError
+from memorymaze.instructions.records import Followers
 
 StoppedBy = Literal["agent", "budget", "stuck", "crash", "unsafe", "model_error"]
 """Who or what ended an episode; only `agent` can be a success."""
@@ -25,7 +26,8 @@ class EpisodeResult:
     route: str
     reference_route: str
     """Route id of the way described, which the paths are compared with."""
-    study: Literal["online", "onsite", "sail"]
+    study: str
+    """Such as `online` or `onsite`; a corpus of another origin has its own."""
     iteration: Literal[1, 2]
     participant: str
     source: Literal["human", "llm", "synthetic"]
@@ -73,12 +75,8 @@ class EpisodeResult:
     standing_s: FiniteFloat = 0.0
     """Simulated seconds the user stood while the model thought; in `duration_s`, but
     not against the time budget."""
-    usable: bool | None = None
-    """Whether the corpus knows a legal path for the instruction; SAIL only."""
-    human_trials: int | None = None
-    """People who followed the instruction; None where nobody is known to have."""
-    human_found: int | None = None
-    """Of these those who reached the goal."""
+    followers: Followers | None = None
+    """How people fared who followed the instruction, where its corpus tells."""
     error_kinds: tuple[str, ...] | None = None
     """Kinds of the significant errors in the instruction; None in older runs."""
     pair: str | None = None

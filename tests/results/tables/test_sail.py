@@ -6,8 +6,10 @@ import pytest
 
 from memorymaze.errors import SettingsError
 from memorymaze.evaluation.results import EpisodeResult
+from memorymaze.instructions.records import Followers
 from memorymaze.results.tables import load_runs, run_tables
 
+NOBODY = Followers(usable=True, tried=None, arrived=None)
 Make = Callable[..., EpisodeResult]
 Write = Callable[..., Path]
 
@@ -21,7 +23,7 @@ def followed(result: Make) -> Callable[..., EpisodeResult]:
             f"{paragraph}@{heading}",
             instruction_id=paragraph,
             study="sail",
-            **({"site": "sail_grid", "source": "human", "usable": True} | changes),
+            **({"site": "sail_grid", "source": "human", "followers": NOBODY} | changes),
         )
 
     return make
@@ -30,12 +32,12 @@ def followed(result: Make) -> Callable[..., EpisodeResult]:
 def test_every_paragraph_counts_the_same_however_many_headings_were_run(
     write: Write, followed: Make
 ) -> None:
-    people = {"human_trials": 4, "human_found": 3}
+    people = {"followers": Followers(usable=True, tried=4, arrived=3)}
     results = [
         followed("one", 0, success=True, **people),
         followed("one", 90, success=True, **people),
         followed("one", 180, success=False, **people),
-        followed("two", 0, success=False, usable=False),
+        followed("two", 0, success=False, followers=Followers(False, None, None)),
     ]
     [table] = run_tables(load_runs([write("run", results)]))
     everything = next(row for row in table.rows if row["paragraphs"] == "all")
@@ -57,7 +59,7 @@ def test_maps_have_rows_of_their_own_and_one_together(
 
 
 def test_one_follower_is_one_trial(write: Write, followed: Make) -> None:
-    results = [followed("one", 0, human_trials=1, human_found=1)]
+    results = [followed("one", 0, followers=Followers(True, 1, 1))]
     [table] = run_tables(load_runs([write("run", results)]))
     assert "1.00 (1 trial)" in table.text()
 

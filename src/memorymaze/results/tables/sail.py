@@ -71,7 +71,7 @@ def _people(row: Row) -> str:
 def _rows(run: MeasuredRun) -> list[Row]:
     kinds = {
         "all": run.results,
-        "usable": [r for r in run.results if r.usable],
+        "usable": [r for r in run.results if r.followers and r.followers.usable],
         "development half": [r for r in run.results if r.split == DEVELOPMENT],
         "other half": [r for r in run.results if r.split != DEVELOPMENT],
     }
@@ -100,8 +100,9 @@ def _figures(results: Sequence[EpisodeResult]) -> dict[str, Any]:
         list(by_text),
         np.random.default_rng(0),
     )
-    tried = sum(r.human_trials or 0 for r in by_text.values())
-    arrived = sum(r.human_found or 0 for r in by_text.values())
+    people = [r.followers for r in by_text.values() if r.followers is not None]
+    tried = sum(each.tried or 0 for each in people)
+    arrived = sum(each.arrived or 0 for each in people)
     return {
         "texts": len(by_text),
         "episodes": len(results),
