@@ -284,7 +284,7 @@ def _read_record(path: Path) -> RunRecord:
                 f"{place}: expected format {FORMAT}, got {content.get('format')!r}; "
                 "the run was made by another version of memorymaze"
             )
-        return _RECORD.validate_python(content)
+        return _RECORD.validate_python(_renamed(content))
     except ValidationError as error:
         first = error.errors()[0]
         field = ".".join(str(part) for part in first["loc"]) or "the whole"
@@ -305,6 +305,14 @@ def _repaired_results(path: Path) -> dict[str, EpisodeResult]:
         if whole + end != content:
             write_whole(file, whole + end)
     return results
+
+
+def _renamed(content: Any) -> Any:
+    """Return what `run.json` says with the fields of older versions as they are now."""
+    settings = content.get("settings") if isinstance(content, dict) else None
+    if isinstance(settings, dict) and "answers" not in settings:
+        settings["answers"] = settings.pop("programs", None)
+    return content
 
 
 def _read_results(path: Path) -> tuple[dict[str, EpisodeResult], bytes]:
