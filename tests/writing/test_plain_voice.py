@@ -3,9 +3,11 @@
 from collections.abc import Callable
 from dataclasses import replace
 
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from memorymaze.errors import PlanFileError
 from memorymaze.routes import (
     Arrival,
     Kind,
@@ -109,7 +111,7 @@ def canonical_plans(draw: Callable[..., object]) -> RoutePlan:
 
     legs: list[Leg] = []
     for number in range(some(st.integers(0, 5))):  # type: ignore[call-overload]
-        if len(names) < 9:
+        if len(names) < 11:
             break
         spot = not number and chance(15)
         mentions = [] if spot else on_the_way()
@@ -146,8 +148,8 @@ def canonical_plans(draw: Callable[..., object]) -> RoutePlan:
                 length=None if spot else some(lengths),  # type: ignore[arg-type]
                 mentions=tuple(mentions),
                 passings=() if spot else some(passings),  # type: ignore[arg-type]
-                too_far=tuple(names.pop() for _ in range(chance(15))),
-                wrong_way=tuple(names.pop() for _ in range(chance(10))),
+                too_far=tuple(names.pop() for _ in range(int(chance(15)))),
+                wrong_way=tuple(names.pop() for _ in range(int(chance(10)))),
             )
         )
     far = lengths.filter(lambda each: each is None or each.unit != "places")
@@ -176,3 +178,26 @@ def canonical_plans(draw: Callable[..., object]) -> RoutePlan:
 def test_a_canonical_plan_told_plainly_is_read_back_whole(plan: RoutePlan) -> None:
     assert why_not_canonical(plan) is None
     assert parse_route_description(tell_plainly(plan)) == plan
+
+
+@pytest.mark.parametrize(
+    ("plan", "problem"),
+    [
+        pytest.param(RoutePlan(), "arrival: there is not one", id="no destination"),
+        pytest.param(
+            RoutePlan(legs=(Leg(Turn("around", ordinal=2)),)),
+            "legs.0: a turn is counted",
+            id="a second turning back",
+        ),
+        pytest.param(
+            RoutePlan(arrival=Arrival(("Room 12",), side="left")),
+            "'Room 12' is no plain name",
+            id="a name with a number",
+        ),
+    ],
+)
+def test_a_plan_that_is_not_canonical_is_not_told(
+    plan: RoutePlan, problem: str
+) -> None:
+    with pytest.raises(PlanFileError, match=problem):
+        tell_plainly(plan)
