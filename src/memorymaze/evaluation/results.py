@@ -102,7 +102,7 @@ def result_from_line(line: str, place: str) -> EpisodeResult:
         RunFolderError: The line is not an episode's result; names place and field.
     """
     try:
-        return _RESULT.validate_json(line, strict=True)
+        return _RESULT.validate_json(_renamed(line), strict=True)
     except ValidationError as error:
         first = error.errors()[0]
         field = ".".join(str(part) for part in first["loc"]) or "the line"
@@ -110,3 +110,20 @@ def result_from_line(line: str, place: str) -> EpisodeResult:
             f"{place}: expected an episode's result, got one where {field} is wrong "
             f"({first['msg']}); delete the line, and --resume runs the episode again"
         ) from None
+
+
+def _renamed(line: str) -> str:
+    """Return a line with the fields of older versions as they are now."""
+    if '"human_trials"' not in line:
+        return line
+    try:
+        content = json.loads(line)
+        told = [content.pop(name) for name in ("usable", "human_trials", "human_found")]
+    except (AttributeError, KeyError, TypeError, ValueError):
+        # What is wrong with it, checking says.
+        return line
+    if told[0] is not None:
+        content["followers"] = dict(
+            zip(("usable", "tried", "arrived"), told, strict=True)
+        )
+    return json.dumps(content)
