@@ -249,12 +249,12 @@ class FloorGrid:
 
 
 def _steps(
-    number: IntArray, centres: FloatArray, floor: Floor, cell: float
+    number: NDArray[np.int32], centres: FloatArray, floor: Floor, cell: float
 ) -> csr_array:
     """Join neighbouring cells; `number` is the node of each cell or -1."""
     beside_edge = floor.beside_edge(centres, HALF_DIAGONAL * cell)
 
-    def joined(tails: IntArray, heads: IntArray) -> BoolArray:
+    def joined(tails: NDArray[np.int32], heads: NDArray[np.int32]) -> BoolArray:
         is_open = (tails >= 0) & (heads >= 0)
         doubtful = is_open & (beside_edge[tails] | beside_edge[heads])
         is_open[doubtful] = floor.joins(
@@ -268,7 +268,7 @@ def _steps(
     corners = (number[:-1, :-1], number[1:, 1:], number[1:, :-1], number[:-1, 1:])
     rising = square & joined(corners[0], corners[1])
     falling = square & joined(corners[2], corners[3])
-    kinds: Sequence[tuple[IntArray, IntArray, BoolArray, float]] = (
+    kinds: Sequence[tuple[NDArray[np.int32], NDArray[np.int32], BoolArray, float]] = (
         (number[:-1], number[1:], east, cell),
         (number[:, :-1], number[:, 1:], north, cell),
         (corners[0], corners[1], rising, cell * np.sqrt(2)),
