@@ -8,9 +8,8 @@ from functools import cached_property
 from itertools import pairwise
 from typing import Literal
 
-from shapely import LineString, Point, Polygon
+from shapely import LineString, Point
 from shapely.ops import substring
-from shapely.prepared import PreparedGeometry, prep
 
 from memorymaze.errors import SitePlanError
 from memorymaze.geometry.pose import heading_to, turn_between
@@ -179,11 +178,13 @@ class RouteFacts:
 
     def _things_at(self, point: str) -> list[Thing]:
         words = self.graph.marks[point]
-        polygon = self.graph.points[point].polygon
+        here = self.graph.points[point]
         near = [
             thing
             for thing in self.graph.things
-            if thing.words in words and polygon.distance(Point(thing.position)) <= 4.0
+            if thing.words in words
+            and here.polygon.distance(Point(thing.position)) <= 4.0
+            and self.graph.is_seen_from(here, thing)
         ]
         line = self.route.line
         return [each for each in near if line.distance(Point(each.position)) < 7.0]
@@ -224,8 +225,7 @@ class RouteFacts:
             at = line.project(spot)
             if not 0.3 < at < line.length - 0.3:
                 continue
-            sight = LineString([line.interpolate(at), spot])
-            if self._visible.contains(sight):
+            if self.graph.sees(line.interpolate(at), spot):
                 found.append((at, thing, spot))
         for at, thing, spot in sorted(found, key=lambda each: each[0]):
             if thing.words in seen:
@@ -237,10 +237,6 @@ class RouteFacts:
                 heading_to((here.x, here.y), (spot.x, spot.y)),
             )
             yield Beside(thing, side_of(bearing), at)
-
-    @cached_property
-    def _visible(self) -> "PreparedGeometry[Polygon]":
-        return prep(self.graph.site.walkable_floor.buffer(0.6))
 
     def _beyond(self, turn: RouteTurn) -> Thing | None:
         """Return what one meets who does not turn."""
@@ -256,7 +252,8 @@ class RouteFacts:
             if counts[thing.words] == 1
             and line.distance(Point(thing.position)) < 3.0
             and self.route.line.distance(Point(thing.position)) > 5.0
-            and line.project(Point(thing.position)) > 3.0
+            and (at := line.project(Point(thing.position))) > 3.0
+            and self.graph.sees(line.interpolate(at), Point(thing.position))
         ]
         return min(ahead, key=lambda each: each[0], default=(0.0, None))[1]
 

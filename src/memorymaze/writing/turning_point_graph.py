@@ -11,7 +11,8 @@ from itertools import pairwise
 from typing import Literal, NamedTuple, cast
 
 from shapely import LineString, Point, Polygon, get_parts
-from shapely.ops import substring
+from shapely.ops import nearest_points, substring
+from shapely.prepared import PreparedGeometry, prep
 
 from memorymaze.errors import SitePlanError
 from memorymaze.geometry.pose import heading_to, turn_between
@@ -95,6 +96,8 @@ SLIGHT = math.radians(12)
 NEAR = 5.0
 """Metres from a turning point within which a thing marks it."""
 RAY = 200.0
+OFF_THE_FLOOR = 0.8
+"""Metres that a thing may stand behind the rim of the floor."""
 
 
 def side_of_turn(turn: RouteTurn) -> Side:
@@ -162,15 +165,35 @@ class TurningPointGraph:
 
     @cached_property
     def marks(self) -> Mapping[str, frozenset[str]]:
-        """The words for things that stand near each turning point."""
+        """The words for things that stand near each turning point, in sight of it."""
         return {
             point.id: frozenset(
-                thing.words
-                for thing in self.things
-                if point.polygon.distance(Point(thing.position)) <= NEAR
+                thing.words for thing in self.things if self.is_seen_from(point, thing)
             )
             for point in self.site.turning_points
         }
+
+    def is_seen_from(self, point: TurningPoint, thing: Thing) -> bool:
+        """Tell whether a thing is near a turning point and to be seen from in it."""
+        spot = Point(thing.position)
+        if point.polygon.distance(spot) > NEAR:
+            return False
+        edge, _ = nearest_points(point.polygon, spot)
+        return any(self.sees(eye, spot) for eye in (edge, point.polygon.centroid))
+
+    def sees(self, eye: Point, spot: Point) -> bool:
+        """Tell whether no wall lies between two places.
+
+        The last of the way may lead off the floor: things stand in niches and on walls.
+        """
+        sight = LineString([eye, spot])
+        if sight.length <= OFF_THE_FLOOR:
+            return True
+        return self._open.contains(substring(sight, 0.0, sight.length - OFF_THE_FLOOR))
+
+    @cached_property
+    def _open(self) -> "PreparedGeometry[Polygon]":
+        return prep(self.site.walkable_floor.buffer(0.05))
 
     def passed(self, route: Route) -> tuple[tuple[float, str], ...]:
         """Return the turning points on a route, each with metres along its line."""

@@ -1,0 +1,66 @@
+"""What is told of a route is in sight of who walks it."""
+
+import math
+
+import pytest
+from shapely import LineString, Point
+
+from memorymaze.writing.route_facts import RouteFacts
+
+FLOOR_ENDS = 0.8
+"""Metres before a thing where the floor may end: things stand in niches and on walls."""
+STEP = 0.2
+
+
+def _is_in_sight(facts: RouteFacts, eye: Point, spot: Point) -> bool:
+    """Look along the line step by step, another way than the code does."""
+    floor = facts.graph.site.walkable_floor.buffer(0.06)
+    sight = LineString([eye, spot])
+    steps = max(math.floor((sight.length - FLOOR_ENDS) / STEP), 0)
+    return all(floor.covers(sight.interpolate(n * STEP)) for n in range(steps + 1))
+
+
+def test_no_thing_behind_a_wall_is_passed(all_facts: list[RouteFacts]) -> None:
+    hidden: list[str] = []
+    for facts in all_facts:
+        starts = (0.0, *facts.stops)
+        for start, stretch in zip(starts, facts.stretches, strict=True):
+            for each in stretch.beside:
+                eye = facts.route.line.interpolate(start + each.after)
+                if not _is_in_sight(facts, eye, Point(each.thing.position)):
+                    hidden.append(f"{facts.route.id}: {each.thing.words}")
+    assert hidden == []
+
+
+def test_a_thing_that_marks_a_turn_is_seen_from_there(
+    all_facts: list[RouteFacts],
+) -> None:
+    for facts in all_facts:
+        for turn, cues in zip(facts.route.turns, facts.cues, strict=True):
+            here = facts.graph.points[turn.at]
+            for cue in cues:
+                if cue.kind == "thing":
+                    named = [t for t in facts.graph.things if t.words == cue.words]
+                    assert any(facts.graph.is_seen_from(here, t) for t in named)
+
+
+def test_a_corner_hides_what_is_round_it(university_r1: RouteFacts) -> None:
+    line = university_r1.route.line
+    before, after = university_r1.stops[0] - 5.0, university_r1.stops[0] + 5.0
+    around = line.interpolate(before), line.interpolate(after)
+    along = line.interpolate(before), line.interpolate(before + 3.0)
+    assert not university_r1.graph.sees(*around)
+    assert university_r1.graph.sees(*along)
+
+
+@pytest.mark.parametrize("part", ["legs", "arrival"])
+def test_what_is_said_of_a_route_is_in_the_plan_language(
+    university_r1: RouteFacts, part: str
+) -> None:
+    said = university_r1.plan.said
+    if part == "arrival":
+        assert said.arrival.destinations == (university_r1.route.goal,)
+        return
+    assert [leg.turn.way for leg in said.legs] == ["right", "left", "right", "left"]
+    lengths = [leg.length.metres if leg.length else 0.0 for leg in said.legs]
+    assert sum(lengths) == pytest.approx(university_r1.stops[-1])
