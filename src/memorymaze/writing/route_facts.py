@@ -25,6 +25,7 @@ from memorymaze.writing.steps import (
 )
 from memorymaze.writing.things import Thing
 from memorymaze.writing.turning_point_graph import (
+    Side,
     TurningPointGraph,
     side_of,
     side_of_turn,
@@ -104,7 +105,9 @@ class RouteFacts:
         """The heading on coming to each turning point of the route, radians."""
         ways = self.graph.first_way(self.route)
         found: dict[str, float] = {}
-        turns = {turn.at: side_of_turn(turn) for turn in self.route.turns}
+        turns: dict[str, Side] = {
+            turn.at: side_of_turn(turn) for turn in self.route.turns
+        }
         for _ in range(len(self.graph.passed(self.route)) + 1):
             if ways is None or ways.end is None:
                 break
