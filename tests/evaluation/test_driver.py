@@ -75,6 +75,7 @@ def evaluate(
     )
 
 
+@pytest.mark.proof
 def test_a_run_killed_again_and_again_ends_as_an_unbroken_one(
     tmp_path: Path, troubled: str, tiny_plan: Plan, tiny_files: list[str]
 ) -> None:
@@ -218,6 +219,7 @@ def test_an_agent_that_cannot_be_made_in_a_worker_ends_the_run_with_its_reason(
         run_plan(tiny_plan(f"{file}:StopAgent"), tmp_path / "run", workers=1)
 
 
+@pytest.mark.proof
 def test_workers_that_die_before_they_start_end_the_run(
     tmp_path: Path, tiny_plan: Plan
 ) -> None:
