@@ -139,6 +139,25 @@ def test_one_person_allows_no_test_and_equal_values_no_interval(
     assert "too few" not in text
 
 
+def test_studies_that_the_paper_lacks_are_compared_too(
+    write: Write, result: Make
+) -> None:
+    results = [result("x-1", study="field"), result("y-1", study="field")]
+    folders = [write("a", results), write("b", results)]
+    text = comparison_table(compare_runs(*load_runs(folders))).text()
+    assert "Study field\n" in text
+    assert "University R1  (n 2, arrived: 2 / 0 / 0 / 0)" in text
+
+
+def test_of_very_many_routes_the_mean_alone_is_shown(
+    write: Write, result: Make
+) -> None:
+    results = [result(f"x-{n}", study="field", route=f"R{n}") for n in range(25)]
+    folders = [write("a", results), write("b", results)]
+    [row] = compare_runs(*load_runs(folders)).rows
+    assert len(row.places) == 25
+
+
 def test_every_format_says_the_same(two_runs: list[Path]) -> None:
     table = comparison_table(compare_runs(*load_runs(two_runs)))
     text = table.text()

@@ -35,7 +35,7 @@ def test_every_study_has_a_panel_also_those_that_the_paper_lacks(
 ) -> None:
     folder = write("run", [result("a-1", study="sail", site="sail_grid")])
     [panel] = success_figure(load_runs([folder])).get_axes()
-    assert panel.get_title() == "sail"
+    assert panel.get_title() == "Study sail"
 
 
 def test_an_interval_is_drawn_from_its_lower_to_its_upper_end(

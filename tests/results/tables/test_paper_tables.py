@@ -5,7 +5,7 @@ import pytest
 
 from memorymaze.errors import RunFolderError
 from memorymaze.evaluation.results import EpisodeResult
-from memorymaze.results.tables import Place, TableRow, load_runs, table_rows
+from memorymaze.results.tables import Place, TableRow, load_runs, run_tables, table_rows
 
 Make = Callable[..., EpisodeResult]
 Write = Callable[..., Path]
@@ -84,6 +84,14 @@ def test_routes_come_in_the_papers_order_then_by_name(
     rows = table_rows(load_runs([write("run", results)]), "II")
     places = [row.places[0].site for row in rows if row.run and not row.is_mean]
     assert places == ["university", "museum_5f", "museum_7f", "annex"]
+
+
+def test_studies_that_the_paper_lacks_stand_after_its_own(
+    write: Write, result: Make
+) -> None:
+    results = [result("a-1", study="field"), result("b-1")]
+    [table] = run_tables(load_runs([write("run", results)]))
+    assert table.text().index("Online instructions") < table.text().index("Study field")
 
 
 def test_development_texts_can_be_left_out(write: Write, result: Make) -> None:

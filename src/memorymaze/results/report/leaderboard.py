@@ -12,7 +12,7 @@ from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.instructions import Corpus, load_corpus
 from memorymaze.instructions.records import WRITTEN_BY
 from memorymaze.results.report.overview import settings_rows, table_groups
-from memorymaze.results.report.pages import Pages, safe_name, study_title
+from memorymaze.results.report.pages import Pages, safe_name
 from memorymaze.results.submission import (
     Submission,
     Track,
@@ -28,7 +28,7 @@ from memorymaze.results.tables import (
     table_rows,
 )
 from memorymaze.results.tables.measures import means_fields
-from memorymaze.results.tables.runs import place_of
+from memorymaze.results.tables.runs import place_of, study_title
 from memorymaze.tables import Column, Table
 
 PUBLISHED = "published"

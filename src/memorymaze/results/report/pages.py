@@ -15,11 +15,11 @@ from memorymaze.evaluation.outcomes import OUTCOMES, ending_words, outcome_of
 from memorymaze.metrics.aggregate import Estimate
 from memorymaze.results.tables import (
     PAPER_MEASURES,
-    STUDY_TITLES,
     Place,
     place_title,
 )
 from memorymaze.results.tables.measures import estimate_cell
+from memorymaze.results.tables.runs import study_title
 from memorymaze.wording import counted, printable, single_spaced
 
 ROOM = "memorymaze.results.report"
@@ -128,11 +128,6 @@ def route_page(place: tuple[str, str]) -> str:
     """Return the page of a route, given site and route, from the root of a report."""
     site, route = place
     return f"routes/{safe_name(site)}/{safe_name(route)}.html"
-
-
-def study_title(study: str) -> str:
-    """Return how a study is headed; its name where it is none of the paper's."""
-    return STUDY_TITLES.get(study, f"Study {study}")
 
 
 def error_title(kind: str) -> str:

@@ -20,7 +20,6 @@ from memorymaze.results.tables.measures import (
     with_interval_notes,
 )
 from memorymaze.results.tables.runs import (
-    STUDY_TITLES,
     MeasuredRun,
     Place,
     groups_of_places,
@@ -29,6 +28,8 @@ from memorymaze.results.tables.runs import (
     place_title,
     places_of,
     run_notes,
+    studies_of,
+    study_title,
 )
 from memorymaze.tables import Column, Table
 
@@ -116,7 +117,7 @@ def compare_runs(first: MeasuredRun, second: MeasuredRun, seed: int = 0) -> Comp
         second=second,
         rows=tuple(
             _row(pairs, study, group, seed)
-            for study in STUDY_TITLES
+            for study in studies_of(one for one, _ in pairs)
             for group in groups_of_places(places_of((one for one, _ in pairs), study))
         ),
         only_in_first=len(there) - len(shared),
@@ -150,7 +151,7 @@ def comparison_table(
     table = Table(
         title,
         (
-            Column("study", "Study", "group", show=lambda r: STUDY_TITLES[r["study"]]),
+            Column("study", "Study", "group", show=lambda r: study_title(r["study"])),
             Column("place", "Route", "group", is_data=False),
             Column("site"),
             Column("route"),

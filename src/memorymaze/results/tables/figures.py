@@ -9,12 +9,13 @@ from matplotlib.figure import Figure
 from memorymaze.metrics.aggregate import Estimate
 from memorymaze.results.tables.measures import estimate_means
 from memorymaze.results.tables.runs import (
-    STUDY_TITLES,
     MeasuredRun,
     groups_of_places,
     place_of,
     place_title,
     places_of,
+    studies_of,
+    study_title,
 )
 
 
@@ -25,10 +26,7 @@ def success_figure(runs: Sequence[MeasuredRun]) -> Figure:
     a bar only where it has episodes.
     """
     results = [result for run in runs for result in run.results]
-    studies = [
-        study for study in STUDY_TITLES if any(r.study == study for r in results)
-    ]
-    studies += sorted({result.study for result in results} - STUDY_TITLES.keys())
+    studies = studies_of(results)
     figure = Figure(figsize=(8, 0.6 + 3.0 * len(studies)), layout="constrained")
     panels = figure.subplots(len(studies), squeeze=False)[:, 0]
     for panel, study in zip(panels, studies, strict=True):
@@ -59,7 +57,7 @@ def _draw(panel: Axes, runs: Sequence[MeasuredRun], study: str) -> None:
     panel.set_xticks(range(len(titles)), titles, rotation=15, ha="right")
     panel.set_ylim(0, 1)
     panel.set_ylabel("success rate")
-    panel.set_title(STUDY_TITLES.get(study, study))
+    panel.set_title(study_title(study))
 
 
 def _end(end: float | None, mean: float) -> float:

@@ -17,7 +17,6 @@ from memorymaze.results.tables.measures import (
     with_interval_notes,
 )
 from memorymaze.results.tables.runs import (
-    STUDY_TITLES,
     MeasuredRun,
     Place,
     groups_of_places,
@@ -26,6 +25,8 @@ from memorymaze.results.tables.runs import (
     place_title,
     places_of,
     run_notes,
+    studies_of,
+    study_title,
 )
 from memorymaze.tables import Column, Row, Table
 from memorymaze.wording import counted
@@ -106,8 +107,9 @@ def table_rows(runs: Sequence[MeasuredRun], table: TableName) -> list[TableRow]:
     """
     iterations = (None,) if table == "II" else (1, 2)
     rows: list[TableRow] = []
-    for study in STUDY_TITLES:
-        places = places_of((r for run in runs for r in run.results), study)
+    results = [result for run in runs for result in run.results]
+    for study in studies_of(results):
+        places = places_of(results, study)
         for group in groups_of_places(places):
             for iteration in iterations:
                 for run in runs:
@@ -196,7 +198,7 @@ def _columns(*, costs: bool) -> tuple[Column, ...]:
     settings += [f"{name}_per_100m" for name in PER_DISTANCE]
     return (
         Column("table"),
-        Column("study", "Study", "group", show=lambda row: STUDY_TITLES[row["study"]]),
+        Column("study", "Study", "group", show=lambda row: study_title(row["study"])),
         Column("place", "Route", "group", is_data=False),
         Column("site"),
         Column("route"),

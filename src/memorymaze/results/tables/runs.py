@@ -24,6 +24,9 @@ STUDY_TITLES = {
 }
 """The paper's studies, in the order of its tables."""
 
+MOST_ROUTES = 24
+"""Routes of a study that are shown one by one; of more, such as SAIL's, the mean alone."""
+
 LOOKS = {
     "own": "things as memorymaze makes them itself",
     "models": "furniture models of Sweet Home 3D (docs/assets.md)",
@@ -97,6 +100,18 @@ def load_runs(
     return runs
 
 
+def study_title(study: str) -> str:
+    """Return how a study is headed; its name where it is none of the paper's."""
+    return STUDY_TITLES.get(study, f"Study {study}")
+
+
+def studies_of(results: Iterable[EpisodeResult]) -> list[str]:
+    """Return the studies of results: the paper's in its order, then others by name."""
+    found = {result.study for result in results}
+    known = [study for study in STUDY_TITLES if study in found]
+    return known + sorted(found.difference(known))
+
+
 def places_of(results: Iterable[EpisodeResult], study: str) -> list[Place]:
     """Return the routes of a study: the paper's in its order, then others by name."""
     found = {Place(r.site, r.route) for r in results if r.study == study}
@@ -119,8 +134,9 @@ def place_title(places: Sequence[Place]) -> str:
 
 
 def groups_of_places(places: Sequence[Place]) -> list[list[Place]]:
-    """Return each route alone and, where there are several, all of them together."""
-    return [[place] for place in places] + ([list(places)] if len(places) > 1 else [])
+    """Return each route alone, unless they are too many to look at, and all together."""
+    alone = [[place] for place in places] if len(places) <= MOST_ROUTES else []
+    return alone + ([list(places)] if len(places) > 1 else [])
 
 
 def place_fields(places: Sequence[Place], *, is_mean: bool) -> dict[str, str]:
