@@ -11,12 +11,12 @@ Memorymaze = Callable[..., Any]
 
 
 @pytest.fixture
-def submitted(memorymaze: Memorymaze, tiny_options: list[str], tmp_path: Path) -> Path:
+def submitted(memorymaze: Memorymaze, tiny_files: list[str], tmp_path: Path) -> Path:
     """A folder with a run by committed code, and one by edited code."""
     folder = tmp_path / "submitted"
     for name, commit in (("stop", "0123456789"), ("edited", "0123456789+")):
         out = folder / name
-        command = ["evaluate", "--agent", "stop", *tiny_options, "--workers", "1"]
+        command = ["evaluate", "--agent", "stop", *tiny_files, "--workers", "1"]
         assert memorymaze(*command, "--out", out).code == 0
         record = json.loads((out / "run.json").read_text(encoding="utf-8"))
         record["code"]["commit"] = commit
@@ -25,20 +25,20 @@ def submitted(memorymaze: Memorymaze, tiny_options: list[str], tmp_path: Path) -
 
 
 def test_a_run_is_ready_or_its_problems_are_counted(
-    memorymaze: Memorymaze, tiny_options: list[str], submitted: Path
+    memorymaze: Memorymaze, tiny_files: list[str], submitted: Path
 ) -> None:
-    said = memorymaze("submit-check", submitted / "stop", *tiny_options)
+    said = memorymaze("submit-check", submitted / "stop", *tiny_files)
     assert (said.code, "ready, track default" in said.err) == (0, True)
-    said = memorymaze("submit-check", submitted / "edited", *tiny_options)
+    said = memorymaze("submit-check", submitted / "edited", *tiny_files)
     assert said.code == 1
     assert "expected a run by committed code" in said.out
     assert "1 problem; it cannot stand on a leaderboard" in said.err
 
 
 def test_a_leaderboard_names_what_it_refuses_and_ranks_the_rest(
-    memorymaze: Memorymaze, tiny_options: list[str], submitted: Path, tmp_path: Path
+    memorymaze: Memorymaze, tiny_files: list[str], submitted: Path, tmp_path: Path
 ) -> None:
-    command = ["leaderboard", submitted, *tiny_options, "--out", tmp_path / "board"]
+    command = ["leaderboard", submitted, *tiny_files, "--out", tmp_path / "board"]
     said = memorymaze(*command)
     assert (said.code, said.out) == (0, f"{tmp_path / 'board'}/index.html\n")
     assert "edited: refused: code: expected a run by committed code" in said.err

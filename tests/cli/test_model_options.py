@@ -76,7 +76,7 @@ def test_navigate_says_what_the_model_took(
         *("--base-url", server, "--price", "10,20", "--inference-time", "2"),
     )
     assert said.code == 0
-    assert "1 calls, 1000 tokens, 0.0110 USD" in said.out
+    assert "1 call, 1000 tokens, 0.0110 USD" in said.out
     assert "the user stands waiting 2.0 s" in said.out
 
 

@@ -94,14 +94,15 @@ def summary_lines(summary: dict[str, Any]) -> list[str]:
     """Say the main numbers of a summary in a few lines."""
     mean, total = summary["mean"], summary["sum"]
     written = ", ".join(
-        f"{count} {'' if index else 'instructions '}written by {WRITTEN_BY[source]}"
+        f"{count if index else counted(count, 'instruction')} written by "
+        f"{WRITTEN_BY[source]}"
         for index, (source, count) in enumerate(
             summary["instructions_written_by"].items()
         )
     )
     ends = ", ".join(f"{how} {n}" for how, n in summary["stopped_by"].items())
     lines = [
-        f"{summary['episodes']} episodes; {written}",
+        f"{counted(summary['episodes'], 'episode')}; {written}",
         f"success {mean['success']:.3f}, oracle success {mean['oracle_success']:.3f}, "
         f"SPD {mean['spd']:.2f} m, CLS {mean['cls']:.3f} (means over episodes)",
         f"stopped by: {ends}; collisions: {total['collisions']}",
@@ -133,7 +134,8 @@ def summary_lines(summary: dict[str, Any]) -> list[str]:
         )
     if total["model_calls"]:
         lines.append(
-            f"language model: {total['model_calls']} calls, {total['tokens']} tokens, "
+            f"language model: {counted(total['model_calls'], 'call')}, "
+            f"{counted(total['tokens'], 'token')}, "
             f"{total['cost_usd']:.4f} USD, {total['inference_s']:.1f} s of inference; the "
             f"user stands waiting {mean['standing_s']:.1f} s per episode"
         )

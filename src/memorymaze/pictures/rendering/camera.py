@@ -161,6 +161,8 @@ class RenderedCamera:
         # process forked from the one that opened it there never was any.
         if (
             getattr(self, "_is_open", False)
+            # At the very end even the names of this module are gone.
+            and sys is not None
             and not sys.is_finalizing()
             and self._process == os.getpid()
         ):
