@@ -34,5 +34,5 @@ def test_importing_the_package_loads_nothing_that_takes_time() -> None:
 
 
 def test_a_name_that_is_not_there_is_said_to_be_missing() -> None:
-    with pytest.raises(AttributeError, match="'folow'"):
-        memorymaze.folow  # noqa: B018
+    with pytest.raises(AttributeError, match="'follows'"):
+        memorymaze.follows  # noqa: B018

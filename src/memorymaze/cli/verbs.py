@@ -4,7 +4,7 @@ from argparse import ArgumentParser
 from typing import TYPE_CHECKING, Protocol
 
 if TYPE_CHECKING:
-    from argparse import _ActionsContainer
+    from argparse import _ArgumentGroup  # pyright: ignore[reportPrivateUsage]
 
 
 class Verbs(Protocol):
@@ -22,7 +22,7 @@ class Verbs(Protocol):
         ...
 
 
-def add_sites_option(parser: "_ActionsContainer") -> None:
+def add_sites_option(parser: "ArgumentParser | _ArgumentGroup") -> None:
     """Add `--sites`, of verbs that look at buildings."""
     parser.add_argument(
         "--sites",

@@ -4,7 +4,7 @@ To add one: an entry in `_KNOWN`, with how it is made, its dataclass of options 
 `memorymaze.options`), and what it needs.
 """
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, fields, is_dataclass
 from pathlib import Path
 from typing import Any
@@ -222,7 +222,7 @@ def settings_of(agent: Agent) -> AgentSettings:
 
 
 def isolated_agent(
-    settings: AgentSettings, given: Agent | None, kept_from: Iterable[str | Path]
+    settings: AgentSettings, given: Agent | None, kept_from: Sequence[str | Path]
 ) -> AgentFor:
     """Make an agent that lives in a process of its own, without buildings.
 

@@ -6,7 +6,7 @@ frame = episode_frame(["runs/rules", "runs/mine"])
 frame.groupby(["run", "study", "route"]).success.mean()
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import asdict, fields
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -28,12 +28,19 @@ def episode_frame(folders: Sequence[str | Path]) -> "pandas.DataFrame":
     Raises:
         RunFolderError: A folder is no run, or is damaged.
     """
+    return results_frame(
+        (Path(folder).resolve().name, read_run(folder)[1]) for folder in folders
+    )
+
+
+def results_frame(
+    runs: Iterable[tuple[str, Sequence[EpisodeResult]]],
+) -> "pandas.DataFrame":
+    """Return one row per result of some runs, which have these names."""
     import pandas
 
     rows = [
-        {"run": Path(folder).resolve().name, **asdict(result)}
-        for folder in folders
-        for result in read_run(folder)[1]
+        {"run": name, **asdict(result)} for name, results in runs for result in results
     ]
     columns = ["run", *(field.name for field in fields(EpisodeResult))]
     return pandas.DataFrame(rows, columns=columns)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from memorymaze.errors import SettingsError
 from memorymaze.evaluation.driver import WALL_LIMIT, run_plan
-from memorymaze.evaluation.frames import episode_frame
+from memorymaze.evaluation.frames import results_frame
 from memorymaze.evaluation.plan import RunPlan, plan_run, settings_for
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import RunRecord
@@ -59,13 +59,8 @@ class Run:
         return run_tables([self.measured], choice)[0]
 
     def frame(self) -> "pandas.DataFrame":
-        """Return the results, a row an episode.
-
-        Raises:
-            SettingsError: pandas is not installed.
-        """
-        frame = episode_frame([self.folder])
-        return frame[frame.episode_id.isin([each.episode_id for each in self.results])]
+        """Return the results, a row an episode."""
+        return results_frame([(self.measured.name, self.results)])
 
     def plot(self) -> "Figure":
         """Draw the success rate of every route, with intervals."""
@@ -102,7 +97,8 @@ class Comparison:
                 f"paired table: expected two runs, got {len(self.runs)}; compare two at "
                 "a time, or take paper_table()"
             )
-        return comparison_table(compare_runs(*(run.measured for run in self.runs)))
+        first, second = self.runs
+        return comparison_table(compare_runs(first.measured, second.measured))
 
     def paper_table(self, choice: TableChoice = "II") -> Table:
         """Return all runs in one of the paper's tables; see `Run.table`."""
