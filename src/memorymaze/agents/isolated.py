@@ -28,6 +28,7 @@ from memorymaze.errors import EpisodeOver, MemoryMazeError, SettingsError
 from memorymaze.language.model import Completion
 from memorymaze.processes import die_with_parent, main_left_out
 from memorymaze.robot.api import Robot
+from memorymaze.robot.steps import SteppingRobot
 
 ROOMS_WITH_ANSWERS = (
     "cli",
@@ -222,7 +223,10 @@ def _live(connection: Connection) -> None:
             if agent is None:
                 agent = make_own_agent(*made_from) if own else pickle.loads(made_from)
             cast(Agent, agent).follow(
-                instruction, cast(Robot, _FarRobot(connection, names)), journal, rng
+                instruction,
+                cast(SteppingRobot, _FarRobot(connection, names)),
+                journal,
+                rng,
             )
         except EpisodeOver as end:
             over = end.stopped_by
