@@ -6,7 +6,12 @@ import numpy as np
 import pytest
 
 from memorymaze.errors import RunFolderError
-from memorymaze.evaluation.trace import read_trace, trace_path, write_trace
+from memorymaze.evaluation.trace import (
+    keep_trace,
+    read_trace,
+    trace_content,
+    trace_path,
+)
 from memorymaze.geometry.pose import Pose
 from memorymaze.robot.api import Detection
 
@@ -29,7 +34,7 @@ def test_entries_come_back_as_json_knows_them(folder: Path) -> None:
         "odd": {3: b"x", "type": int},
         "text": "左\ud800",
     }
-    write_trace(folder, "a-1", [entry, {"kind": "end"}])
+    keep_trace(folder, "a-1", trace_content([entry, {"kind": "end"}]))
     first, second = read_trace(folder, "a-1")
     assert second == {"kind": "end"}
     assert first["pose"] == [1.0, 2.0, 0.5]
@@ -53,7 +58,11 @@ def test_circles_depths_and_things_without_words_are_written_as_far_as_they_go(
     deep: list[object] = []
     for _ in range(3000):
         deep = [deep]
-    write_trace(folder, "a", [{"circle": circle}, {"deep": deep}, {"x": Undescribed()}])
+    keep_trace(
+        folder,
+        "a",
+        trace_content([{"circle": circle}, {"deep": deep}, {"x": Undescribed()}]),
+    )
     first, second, third = read_trace(folder, "a")
     assert "dict nested too deep" in str(first)
     assert "list nested too deep" in str(second)
@@ -61,14 +70,14 @@ def test_circles_depths_and_things_without_words_are_written_as_far_as_they_go(
 
 
 def test_equal_entries_give_equal_bytes(folder: Path) -> None:
-    write_trace(folder, "a", [{"x": 1}])
-    write_trace(folder, "b", [{"x": 1}])
+    keep_trace(folder, "a", trace_content([{"x": 1}]))
+    keep_trace(folder, "b", trace_content([{"x": 1}]))
     assert trace_path(folder, "a").read_bytes() == trace_path(folder, "b").read_bytes()
 
 
 @pytest.mark.parametrize("name", ["../../etc/x", "a/b", ".", "é" * 300, "a" * 400])
 def test_any_episode_id_makes_a_file_inside_the_folder(folder: Path, name: str) -> None:
-    write_trace(folder, name, [{"id": name}])
+    keep_trace(folder, name, trace_content([{"id": name}]))
     assert [entry["id"] for entry in read_trace(folder, name)] == [name]
     assert trace_path(folder, name).parent == folder / "traces"
 
@@ -108,7 +117,9 @@ def test_a_damaged_trace_is_named_with_its_episode(
 
 @pytest.mark.parametrize("place", range(10, 40))
 def test_no_flipped_byte_ends_in_another_error(folder: Path, place: int) -> None:
-    write_trace(folder, "a", [{"x": [1, 2, 3], "text": "left at the door"}])
+    keep_trace(
+        folder, "a", trace_content([{"x": [1, 2, 3], "text": "left at the door"}])
+    )
     content = bytearray(trace_path(folder, "a").read_bytes())
     content[place] ^= 0xFF
     trace_path(folder, "a").write_bytes(bytes(content))

@@ -35,13 +35,6 @@ def trace_path(folder: Path, episode_id: str) -> Path:
     return folder / "traces" / f"{stem}.jsonl.gz"
 
 
-def write_trace(
-    folder: Path, episode_id: str, entries: Iterable[Mapping[str, object]]
-) -> None:
-    """Write an episode's trace; it is there in full or not at all."""
-    keep_trace(folder, episode_id, trace_content(entries))
-
-
 def trace_content(entries: Iterable[Mapping[str, object]]) -> bytes:
     """Return what the file of a trace holds; equal entries give equal bytes."""
     return gzip.compress(trace_lines(entries), mtime=0)

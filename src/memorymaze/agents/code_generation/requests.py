@@ -1,7 +1,7 @@
 """What code generation asks a language model, word for word, and its variants.
 
-The agent asks with these requests, and `memorymaze prompts` writes them to files, so
-that inference online and offline cannot differ.
+The agent asks with these requests, and `memorymaze answers requests` writes them to
+files, so that inference online and offline cannot differ.
 """
 
 import re
