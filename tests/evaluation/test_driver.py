@@ -71,7 +71,12 @@ def evaluate(
     options = [*files, "--out", str(out), "--workers", "1", *more]
     command = ["memorymaze", "evaluate", "--agent", agent, *options]
     return subprocess.run(
-        [sys.executable, "-m", *command], capture_output=True, text=True, check=False
+        [sys.executable, "-m", *command],
+        capture_output=True,
+        text=True,
+        check=False,
+        # Tests in the background of a shell inherit that Ctrl-C is ignored.
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
     )
 
 
