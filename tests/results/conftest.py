@@ -15,7 +15,7 @@ from memorymaze.evaluation.plan import plan_run
 from memorymaze.evaluation.provenance import CodeStamp
 from memorymaze.evaluation.run_folder import RunRecord, open_run_folder, read_run
 from memorymaze.evaluation.settings import AgentSettings, RunSettings, with_choices
-from memorymaze.evaluation.trace import write_trace
+from memorymaze.evaluation.trace import keep_trace, trace_content
 from memorymaze.instructions import Corpus
 from memorymaze.results.story import RecordedEpisode, load_episode
 from memorymaze.simulation.obstacles import parse_obstacles
@@ -63,7 +63,7 @@ def _run(folder: Path, corpus: Corpus, **settings: Any) -> Path:
             arena = Arena(site, plan.settings.obstacles)
             agent = build_agent(plan.settings.agent)(episode)
             done = run_episode(agent, episode, arena, plan.settings)
-            write_trace(folder, episode.id, done.trace)
+            keep_trace(folder, episode.id, trace_content(done.trace))
             run.add(done.result)
     return folder
 
