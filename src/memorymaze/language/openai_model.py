@@ -18,7 +18,7 @@ from memorymaze.language.model import (
     Usage,
     why_unusable,
 )
-from memorymaze.language.server_calls import checked_address, one_line, within
+from memorymaze.server_calls import checked_address, one_line, within
 
 LONGEST_ANSWER = 8 * 2**20
 """Bytes of an answer beyond which it is taken for garbage."""

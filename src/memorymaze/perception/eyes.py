@@ -46,7 +46,7 @@ class DetectorSettings:
     download: bool = False
     """Of `grounding-dino`: whether the checkpoint may be fetched."""
     timeout: float = 60.0
-    """Of `remote`: seconds to wait for each part of a reply."""
+    """Of `remote`: seconds for a whole reply to come."""
 
     def __post_init__(self) -> None:
         """Check every value."""

@@ -4,13 +4,9 @@
 """
 
 import base64
-import http.client
 import io
 import time
-import urllib.error
-import urllib.request
 from typing import Annotated
-from urllib.parse import urlsplit
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +15,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_valida
 
 from memorymaze.errors import DetectorError, SettingsError
 from memorymaze.perception.picture_detector import FoundBox
+from memorymaze.server_calls import checked_address, exchange
 
 LONGEST_REPLY = 4_000_000
 """Bytes."""
@@ -93,25 +90,16 @@ class RemoteFinder:
             url: Address that requests are posted to, http or https.
             box_threshold: Sent along; boxes below it are dropped here too.
             text_threshold: Sent along.
-            timeout: Seconds to wait for each part of a reply.
+            timeout: Seconds for a whole reply to come.
             retries: Attempts after the first.
             first_delay: Seconds before the second attempt.
 
         Raises:
             SettingsError: The address is none.
         """
-        try:
-            parts = urlsplit(url)
-            good = parts.scheme in {"http", "https"} and bool(parts.hostname)
-            _ = parts.port
-        except ValueError:
-            good = False
-        if not good:
-            raise SettingsError(
-                "detector remote: expected the address of a server such as "
-                f"http://localhost:8000/detect, got {url!r}"
-            )
-        self._url = url
+        self._url = checked_address(
+            "detector remote", url, "http://localhost:8000/detect", whole=True
+        )
         self._box_threshold = box_threshold
         self._text_threshold = text_threshold
         self._timeout = timeout
@@ -127,7 +115,7 @@ class RemoteFinder:
         try:
             self.find(np.full((48, 64, 3), 128, dtype=np.uint8), "door")
         except DetectorError as error:
-            raise SettingsError(f"{error}. Is the server running?") from error
+            raise SettingsError(str(error)) from error
 
     def find(self, rgb: NDArray[np.uint8], query: str) -> list[FoundBox]:
         """Return what the server finds; see `ObjectFinder.find`.
@@ -161,53 +149,44 @@ class RemoteFinder:
             if score >= self._box_threshold
         ]
 
-    def _ask(self, body: bytes) -> bytes:
+    def _ask(self, body: str) -> bytes:
         attempt = 0
         while True:
             try:
-                return self._post(body)
-            except urllib.error.HTTPError as error:
-                why = f"answered {error.code} {error.reason}{_said(error)}"
-                final = error.code not in WORTH_ANOTHER_TRY
-            except (OSError, http.client.HTTPException) as error:
-                reason = getattr(error, "reason", error)
-                late = isinstance(reason, TimeoutError)
-                why = (
-                    f"did not answer within {self._timeout:g} s"
-                    if late
-                    else f"could not be asked ({reason or type(error).__name__})"
+                status, answer = exchange(
+                    "POST",
+                    self._url,
+                    body,
+                    seconds=self._timeout,
+                    longest=LONGEST_REPLY,
                 )
-                final = False
+                if status == 200:
+                    return answer
+                why = f"answered {status}{_said(answer)}"
+                final = status not in WORTH_ANOTHER_TRY
+            except TimeoutError:
+                why, final = f"did not answer within {self._timeout:g} s", False
+            except ConnectionError as error:
+                why, final = str(error), False
+            except ValueError as error:
+                why, final = str(error), True
             attempt += 1
             if final or attempt > self._retries:
                 tries = "" if attempt == 1 else f", {attempt} times in a row"
                 raise self._failed(why + tries)
             time.sleep(self._first_delay * 2 ** (attempt - 1))
 
-    def _post(self, body: bytes) -> bytes:
-        request = urllib.request.Request(
-            self._url, body, {"Content-Type": "application/json"}, method="POST"
-        )
-        with urllib.request.urlopen(request, timeout=self._timeout) as reply:
-            answer = reply.read(LONGEST_REPLY + 1)
-        if len(answer) > LONGEST_REPLY:
-            raise self._failed(f"sent more than {LONGEST_REPLY:,} bytes")
-        return answer
-
     def _failed(self, why: str) -> DetectorError:
         return DetectorError(f"detector at {self._url} {why}")
 
 
-def _encoded(request: DetectionRequest) -> bytes:
+def _encoded(request: DetectionRequest) -> str:
     # Words may hold halves of characters, which are no UTF-8.
     text = request.query.encode("utf-8", "replace").decode("utf-8")
-    return request.model_copy(update={"query": text}).model_dump_json().encode()
+    return request.model_copy(update={"query": text}).model_dump_json()
 
 
-def _said(error: urllib.error.HTTPError) -> str:
+def _said(answer: bytes) -> str:
     """Return the beginning of what a server said with its error."""
-    try:
-        text = error.read(500).decode("utf-8", "replace").strip()
-    except OSError:
-        return ""
+    text = answer[:500].decode("utf-8", "replace").strip()
     return f": {text.splitlines()[0][:200]}" if text else ""

@@ -317,7 +317,7 @@ def test_a_server_sees_the_whole_video_where_first_answers_were_recorded_before(
             id="negative tokens",
         ),
         pytest.param(
-            b'{"text": "' + b"x" * LONGEST_ANSWER, "more than 1000000", id="too long"
+            b'{"text": "' + b"x" * LONGEST_ANSWER, "more than 1,000,000", id="too long"
         ),
         pytest.param(b'{"text": "\\ud800"}', "that is wrong", id="half a character"),
         pytest.param(b"[" * 100_000, "that is wrong", id="nested"),

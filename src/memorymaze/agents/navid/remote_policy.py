@@ -17,10 +17,8 @@ import contextlib
 import secrets
 import time
 from collections.abc import Callable
-from functools import partial
 from typing import Annotated, Any, Literal, TypeVar
 
-import httpx2
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from memorymaze.agents.navid.policy import (
@@ -43,7 +41,7 @@ from memorymaze.language.model import (
     Message,
     Usage,
 )
-from memorymaze.language.server_calls import checked_address, one_line, within
+from memorymaze.server_calls import checked_address, exchange
 
 Reply = TypeVar("Reply", bound=BaseModel)
 LONGEST_ANSWER = 1_000_000
@@ -247,49 +245,27 @@ class PolicyServer:
         attempt = 0
         while True:
             try:
-                status, answer = self._send(method, path, body)
+                status, answer = exchange(
+                    method,
+                    self.address + path,
+                    body,
+                    seconds=self._timeout,
+                    longest=LONGEST_ANSWER,
+                )
                 if status < 500:
                     return self._read(path, status, answer, expected)
                 cause = f"answered {status}: {_said(answer)}"
-            except httpx2.InvalidURL as error:
-                raise self._error(path, f"cannot be asked: {error}") from error
-            except (TimeoutError, httpx2.TimeoutException):
+            except ValueError as error:
+                raise self._error(path, str(error)) from error
+            except TimeoutError:
                 cause = f"did not answer within {self._timeout:g} s"
-            except httpx2.ConnectError as error:
-                cause = f"cannot be reached: {one_line(error)}; is it running?"
-            except httpx2.HTTPError as error:
-                cause = f"broke off: {one_line(error)}"
+            except ConnectionError as error:
+                cause = str(error)
             attempt += 1
             if attempt > self._retries:
                 tried = f" ({attempt} attempts)" if attempt > 1 else ""
                 raise self._error(path, cause + tried)
             time.sleep(self._first_delay * 2 ** (attempt - 1))
-
-    def _send(self, method: str, path: str, body: str | None) -> tuple[int, bytes]:
-        """Return status and body of the answer.
-
-        A connection of its own: one that stays open would outlive the episode.
-        """
-        with httpx2.Client(timeout=self._timeout, follow_redirects=False) as client:
-            return within(
-                self._timeout, partial(self._exchanged, client, method, path, body)
-            )
-
-    def _exchanged(
-        self, client: httpx2.Client, method: str, path: str, body: str | None
-    ) -> tuple[int, bytes]:
-        received = bytearray()
-        headers = {"content-type": "application/json", "accept-encoding": "identity"}
-        with client.stream(
-            method, self.address + path, content=body, headers=headers
-        ) as answer:
-            for piece in answer.iter_raw():
-                received += piece
-                if len(received) > LONGEST_ANSWER:
-                    raise self._error(
-                        path, f"sent an answer of more than {LONGEST_ANSWER} bytes"
-                    )
-            return answer.status_code, bytes(received)
 
     def _read(
         self, path: str, status: int, answer: bytes, expected: type[Reply]
