@@ -42,8 +42,12 @@ class Option:
     """The string beneath the field."""
 
 
-def list_options(cls: type) -> list[Option]:
+def list_options(cls: type, only: Collection[str] | None = None) -> list[Option]:
     """Return the options of an agent, in the order of its dataclass.
+
+    Args:
+        cls: The dataclass.
+        only: Names of fields; None for all.
 
     Raises:
         TypeError: The class is no dataclass, a field has no default or no string beneath
@@ -53,6 +57,8 @@ def list_options(cls: type) -> list[Option]:
     meanings = _strings_beneath(cls)
     found: list[Option] = []
     for field in fields(cls):
+        if only is not None and field.name not in only:
+            continue
         if field.default is MISSING or field.name not in meanings:
             raise TypeError(
                 f"{cls.__name__}.{field.name}: expected a default and a string beneath "
@@ -60,7 +66,10 @@ def list_options(cls: type) -> list[Option]:
             )
         default = _as_given(field.default)
         meaning = meanings[field.name]
-        found.append(Option(field.name, _allowed(kinds[field.name]), default, meaning))
+        # What a field reads itself is told by its meaning.
+        reads_itself = "reader" in field.metadata
+        allowed = "a text" if reads_itself else _allowed(kinds[field.name])
+        found.append(Option(field.name, allowed, default, meaning))
     return found
 
 
@@ -101,20 +110,39 @@ def read_options(
     return cls(**_values(cls, given, "--set"))
 
 
-def read_flags(cls: type[Options], given: Mapping[str, str]) -> Options:
-    """Turn the command line's own options into settings, by their fields' names.
+def read_values(
+    cls: type, given: Mapping[str, str], *, flags: bool = False
+) -> dict[str, Any]:
+    """Turn texts into values of settings, both by their fields' names.
 
     Besides what `read_options` understands, a type may have a class method `parse`, and a
-    text `form` that says what it takes.
+    text `form` that says what it takes; or a field has a `reader` in its metadata, which
+    says itself what it does not understand.
+
+    Args:
+        cls: Dataclass of the settings.
+        given: Texts by field.
+        flags: Whether messages name the options of the command line, as `--max-cost`.
 
     Raises:
-        SettingsError: A value has no meaning; names the option, as `--max-cost`.
+        SettingsError: A value has no meaning.
     """
+    readers = {each.name: each.metadata.get("reader") for each in fields(cls)}
     values: dict[str, Any] = {}
     for name, text in given.items():
-        flag = f"--{name.replace('_', '-')}"
-        values[name] = _values(cls, {flag: text}, "", {flag: name})[name]
-    return cls(**values)
+        reader = readers[name]
+        called = f"--{name.replace('_', '-')}" if flags else f"setting {name}"
+        values[name] = (
+            _values(cls, {called: text}, "", {called: name})[name]
+            if reader is None
+            else reader(text)
+        )
+    return values
+
+
+def read_flags(cls: type[Options], given: Mapping[str, str]) -> Options:
+    """Turn the command line's own options into settings; see `read_values`."""
+    return cls(**read_values(cls, given, flags=True))
 
 
 def parse_options(
@@ -358,6 +386,19 @@ def check_number(
     raise SettingsError(
         f"{name}: expected a {kind} {bounds}".rstrip() + f", got {value!r}"
     )
+
+
+def check_word(name: str, value: object, words: Any) -> None:
+    """Refuse what is none of the words of a `Literal`.
+
+    Raises:
+        SettingsError: It is none; says which there are.
+    """
+    if value not in get_args(words):
+        raise SettingsError(
+            f"{name}: expected one of {', '.join(map(str, get_args(words)))}; got "
+            f"{value!r}"
+        )
 
 
 def check_whole(name: str, value: int, *, least: int) -> None:

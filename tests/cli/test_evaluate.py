@@ -65,7 +65,7 @@ def test_a_limit_spreads_over_the_files_and_can_be_resumed_only_as_it_was(
         pytest.param(["--limit", "0"], "limit: expected", id="limit"),
         pytest.param(["--time-budget", "0"], "time_budget", id="time"),
         pytest.param(["--call-budget", "0"], "call_budget", id="calls"),
-        pytest.param(["--success-distance", "nan"], "success distance", id="distance"),
+        pytest.param(["--success-distance", "nan"], "success-distance", id="distance"),
         pytest.param(["--resume"], "--resume: name the run's folder", id="resume"),
         pytest.param(["--model", "gpt"], "asks no language model", id="model"),
         pytest.param(["--no-parser"], "no parser to leave out", id="parser"),
@@ -121,7 +121,7 @@ def test_the_source_of_turning_points_is_a_setting_of_a_run(
     command += ["--workers", "1", "--out", tmp_path / "run", "--turning-points"]
     wrong = memorymaze(*command, "radar")
     assert wrong.code == 2
-    assert "annotated, lidar" in wrong.err
+    assert "annotated or lidar" in wrong.err
     assert "'radar'" in wrong.err
     said = memorymaze(*command, "lidar")
     assert said.code == 0

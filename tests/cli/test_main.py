@@ -31,7 +31,7 @@ def test_the_help_of_a_verb_shows_an_example(memorymaze: Memorymaze, verb: str) 
         pytest.param([], id="no verb"),
         pytest.param(["walk"], id="unknown verb"),
         pytest.param(["evaluate"], id="no agent"),
-        pytest.param(["evaluate", "--agent", "stop", "--seed", "x"], id="no number"),
+        pytest.param(["evaluate", "--agent", "a", "--workers", "x"], id="no number"),
         pytest.param(["table"], id="no run"),
         pytest.param(["table", "x", "--table", "IV"], id="no such table"),
     ],

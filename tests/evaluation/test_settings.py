@@ -5,8 +5,16 @@ from typing import Any
 import pytest
 
 from memorymaze.errors import SettingsError
-from memorymaze.evaluation.settings import RunDefinition, differences
+from memorymaze.evaluation.settings import (
+    RunDefinition,
+    RunSettings,
+    Shard,
+    differences,
+    with_choices,
+)
 from memorymaze.input_files import FileStamp, stamp_file
+from memorymaze.perception.error_model import ErrorModel
+from memorymaze.perception.eyes import DetectorSettings
 
 
 @pytest.mark.parametrize(
@@ -17,6 +25,8 @@ from memorymaze.input_files import FileStamp, stamp_file
         pytest.param({"limit": 0}, "limit: expected", id="limit"),
         pytest.param({"success_distance": 0.0}, "more than 0 metres", id="distance"),
         pytest.param({"success_distance": float("nan")}, "got nan", id="nan"),
+        pytest.param({"signs": "OCR"}, "one of truth, ocr; got 'OCR'", id="signs"),
+        pytest.param({"looks": "new"}, "one of own, models; got 'new'", id="looks"),
     ],
 )
 def test_a_value_without_meaning_is_refused(
@@ -24,6 +34,36 @@ def test_a_value_without_meaning_is_refused(
 ) -> None:
     with pytest.raises(SettingsError, match=said):
         replace(settings, **changes)
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "meant"),
+    [
+        ("seed", "7", 7),
+        ("time_budget", "none", None),
+        ("shard", "2/8", Shard(2, 8)),
+        ("detector", "truth:errors", DetectorSettings(errors=ErrorModel())),
+        ("signs", "ocr", "ocr"),
+    ],
+)
+def test_settings_may_be_given_as_texts(name: str, text: str, meant: object) -> None:
+    assert getattr(with_choices(RunSettings(), {name: text}), name) == meant
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "said"),
+    [
+        ("seed", "x", "setting seed: expected a whole number, got 'x'"),
+        ("signs", "OCR", "setting signs: expected truth or ocr, got 'OCR'"),
+        ("turning_points", "map", "expected annotated or lidar, got 'map'"),
+        ("sede", "1", "did you mean 'seed'"),
+    ],
+)
+def test_a_text_that_is_no_such_setting_is_refused(
+    name: str, text: str, said: str
+) -> None:
+    with pytest.raises(SettingsError, match=said):
+        with_choices(RunSettings(), {name: text})
 
 
 def test_a_run_has_a_time_budget_that_its_file_can_hold(

@@ -14,7 +14,6 @@ from memorymaze.perception.eyes import (
     DetectorSettings,
     Eyes,
     parse_detector,
-    parse_signs,
 )
 from memorymaze.perception.picture_detector import PictureDetector
 
@@ -77,12 +76,6 @@ def test_a_detector_is_read_told_and_kept(text: str, meant: DetectorSettings):
 def test_what_is_no_detector_is_refused(text: str, said: str):
     with pytest.raises(SettingsError, match=said):
         parse_detector(text)
-
-
-def test_what_is_no_source_of_signs_is_refused():
-    assert parse_signs("ocr") == "ocr"
-    with pytest.raises(SettingsError, match="expected one of truth, ocr; got 'OCR'"):
-        parse_signs("OCR")
 
 
 def test_the_default_loads_and_draws_nothing():

@@ -4,7 +4,9 @@ import argparse
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from memorymaze.cli.model_options import add_model_options, model_settings
+from memorymaze.cli.flags import add_flags, flag_names, given_flags
+from memorymaze.language.model_settings import ModelSettings
+from memorymaze.options import read_flags, read_values
 
 if TYPE_CHECKING:
     from memorymaze.evaluation.settings import AgentSettings, RunSettings
@@ -34,7 +36,7 @@ def add_agent_options(parser: argparse.ArgumentParser) -> None:
         "NAME` lists the options of each agent, with what they mean",
     )
     model = parser.add_argument_group("language model")
-    add_model_options(model.add_argument)
+    add_flags(model.add_argument, ModelSettings)
     model.add_argument(
         "--no-parser",
         action="store_true",
@@ -42,108 +44,32 @@ def add_agent_options(parser: argparse.ArgumentParser) -> None:
     )
 
 
+WHICH_EPISODES = ("limit", "split", "shard")
+"""Settings that only runs of several episodes have."""
+
+
 def add_episode_options(parser: argparse.ArgumentParser) -> None:
     """Add the options that every episode obeys, as a group."""
+    from memorymaze.evaluation.settings import RunSettings
+    from memorymaze.simulation.settings import SimulationSettings
+
     group = parser.add_argument_group("how episodes are run")
-    group.add_argument(
-        "--seed",
-        metavar="N",
-        type=int,
-        help="of all randomness (default: 0)",
-    )
-    group.add_argument(
-        "--success-distance",
-        metavar="METRES",
-        type=float,
-        help="stopping nearer than this to the goal is success (default: 3.0)",
-    )
-    group.add_argument(
-        "--time-budget",
-        metavar="SECONDS",
-        type=float,
-        help="simulated time of an episode (default: three times what a perfect "
-        "follower needs for the longest route)",
-    )
-    group.add_argument(
-        "--call-budget",
-        metavar="N",
-        type=int,
-        help="calls of the control API in an episode (default: 10000)",
-    )
-    group.add_argument(
-        "--detection-range",
-        metavar="METRES",
-        type=float,
-        help="how far things are detected (default: 4; with --sail 40, to the end of "
-        "every hall)",
-    )
-    group.add_argument(
-        "--obstacles",
-        metavar="SETTINGS",
-        nargs="?",
-        const="medium",
-        help="leave things in the way and let people walk about: light, medium or "
-        "heavy, or settings such as things=4,density=1,seed=1 (alone: medium; "
-        "default: none). Results are a track of their own",
-    )
-    group.add_argument(
-        "--turning-points",
-        metavar="SOURCE",
-        help="where the robot knows turning points from: annotated (the site plan, "
-        "the default) or lidar (its scans and odometry)",
-    )
-    group.add_argument(
-        "--detector",
-        metavar="NAME[:SETTINGS]",
-        help="what looks for objects: truth (the default), truth:errors or truth:miss=0.2 "
-        "(with mistakes), grounding-dino:CHECKPOINT,box_threshold=0.35 (a model, from "
-        "the camera's picture), remote:URL (a server). See docs/perception.md",
-    )
-    group.add_argument(
-        "--isolate",
-        action="store_true",
-        default=None,
-        help="run an agent of your own in a process of its own, which has no buildings "
-        "and cannot read plans",
-    )
-    group.add_argument(
-        "--signs",
-        metavar="SOURCE",
-        help="how read_signs reads: truth (the default) or ocr (from the camera's "
-        "picture)",
-    )
-    group.add_argument(
-        "--looks",
-        choices=("own", "models"),
-        help="how things look to cameras: own, or models (furniture models; see "
-        "memorymaze sites models, and the default where it was called)",
-    )
+    every = [name for name in flag_names(RunSettings) if name not in WHICH_EPISODES]
+    add_flags(group.add_argument, RunSettings, every)
+    add_flags(group.add_argument, SimulationSettings)
 
 
-CHOICES = (
-    "seed",
-    "success_distance",
-    "time_budget",
-    "call_budget",
-    "detection_range",
-    "turning_points",
-    "obstacles",
-    "detector",
-    "signs",
-    "looks",
-    "isolate",
-)
+def episode_settings(options: argparse.Namespace, base: "RunSettings") -> "RunSettings":
+    """Return settings with what the options say."""
+    from memorymaze.evaluation.settings import RunSettings, with_choices
+    from memorymaze.simulation.settings import SimulationSettings
 
-
-def episode_settings(
-    options: argparse.Namespace, base: "RunSettings", *more: str
-) -> "RunSettings":
-    """Return settings with what the options say, `more` settings by name included."""
-    from memorymaze.evaluation.settings import with_choices
-
-    given = {name: getattr(options, name) for name in (*CHOICES, *more)}
+    given = given_flags(options, SimulationSettings)
+    of_robot = {name: text for name, text in given.items() if name != "time_budget"}
     return with_choices(
-        base, {name: value for name, value in given.items() if value is not None}
+        base,
+        read_values(RunSettings, given_flags(options, RunSettings), flags=True)
+        | read_values(SimulationSettings, of_robot, flags=True),
     )
 
 
@@ -158,7 +84,7 @@ def agent_settings(options: argparse.Namespace) -> "AgentSettings":
     return AgentSettings(
         name=options.agent,
         parser=parser,
-        language_model=model_settings(options),
+        language_model=read_flags(ModelSettings, given_flags(options, ModelSettings)),
         options=given_options(options.set),
     )
 

@@ -3,6 +3,8 @@
 import argparse
 from pathlib import Path
 
+from memorymaze.cli.agent_options import episode_settings
+
 PER_CELL = 5
 
 
@@ -50,6 +52,7 @@ def generated_instructions(
                     "--errors RATES, or leave it out"
                 )
         return options.instructions
+    from memorymaze.evaluation.settings import RunSettings
     from memorymaze.writing import GenerationRequest, parse_rates
     from memorymaze.writing.making import instructions_for_run
 
@@ -66,7 +69,7 @@ def generated_instructions(
         per_cell=PER_CELL if options.per_cell is None else options.per_cell,
         rates=parse_rates(options.errors),
         paired=options.paired,
-        seed=options.seed or 0,
+        seed=episode_settings(options, RunSettings()).seed,
         instruction_files=tuple(options.instructions or ()),
     )
     return [str(instructions_for_run(folder, request))]

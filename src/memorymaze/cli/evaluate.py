@@ -17,6 +17,7 @@ from memorymaze.cli.agent_options import (
     episode_settings,
 )
 from memorymaze.cli.error_options import add_error_options, generated_instructions
+from memorymaze.cli.flags import add_flags
 from memorymaze.cli.verbs import Verbs, add_sites_option
 from memorymaze.wording import counted
 
@@ -29,20 +30,21 @@ if TYPE_CHECKING:
 
 def add_parser(verbs: Verbs) -> None:
     """Add the verb to the command line."""
-    parser = verbs.add_parser(
+    verbs.add_parser(
         "evaluate",
         help="run an agent on many instructions",
         description="Run an agent on instructions and keep every result in a folder. "
         "A run that was broken off, however that came, goes on with --resume.",
         epilog="example: memorymaze evaluate --agent rules --limit 24 --out runs/look",
+        options=_add_options,
     )
+
+
+def _add_options(parser: argparse.ArgumentParser) -> None:
+    from memorymaze.evaluation.settings import RunSettings
+
     add_agent_name(parser, default=None)
-    parser.add_argument(
-        "--limit",
-        metavar="N",
-        type=int,
-        help="only N episodes, alike many of every route of every study",
-    )
+    add_flags(parser.add_argument, RunSettings, ["limit"])
     parser.add_argument(
         "--out", metavar="DIR", help="run folder (default: runs/AGENT-TIME)"
     )
@@ -72,19 +74,7 @@ def add_parser(verbs: Verbs) -> None:
         help="follow the SAIL corpus in this folder instead: mazes and paragraphs of "
         "people, each from four start headings (docs/sail.md)",
     )
-    followed.add_argument(
-        "--split",
-        metavar="NAME",
-        help="only instructions of this split: dev or test (whether prompts may be built "
-        "from them); or developed or held_out, the halves of the participants whose texts "
-        "were and were not read while the rules agent was developed",
-    )
-    followed.add_argument(
-        "--shard",
-        metavar="I/N",
-        help="only the I-th of N parts of the run, alike in size; `memorymaze runs merge` "
-        "makes one run of all (docs/scaling.md)",
-    )
+    add_flags(followed.add_argument, RunSettings, ["split", "shard"])
     add_agent_options(parser)
     add_episode_options(parser)
     add_error_options(parser)
@@ -203,7 +193,7 @@ def _what_to_follow(
     else:
         corpus = load_corpus(options.instructions, sites=options.sites)
     base = settings_for(corpus)
-    return agent, corpus, episode_settings(options, base, "limit", "split", "shard")
+    return agent, corpus, episode_settings(options, base)
 
 
 def _resuming(arguments: list[str], out: Path) -> str:

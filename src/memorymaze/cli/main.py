@@ -31,6 +31,7 @@ from memorymaze.cli import (
     table,
     walkthrough,
 )
+from memorymaze.cli.verbs import VerbParser
 from memorymaze.errors import (
     InstructionFileWarning,
     MemoryMazeError,
@@ -88,7 +89,9 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument(
         "--debug", action="store_true", help="show where in the code an error arose"
     )
-    verbs = parser.add_subparsers(title="verbs", metavar="VERB", required=True)
+    verbs = parser.add_subparsers(
+        title="verbs", metavar="VERB", required=True, parser_class=VerbParser
+    )
     for verb in (
         navigate,
         evaluate,

@@ -26,14 +26,18 @@ if TYPE_CHECKING:
 
 def add_parser(verbs: Verbs) -> None:
     """Add the verb to the command line."""
-    parser = verbs.add_parser(
+    verbs.add_parser(
         "navigate",
         help="run one instruction and draw the walk",
         description="Run one instruction from the start of a route; write trajectory, "
         "trace and a picture.",
         epilog="example: memorymaze navigate university R1 "
         "'Follow the corridor, turn left at its end.'",
+        options=_add_options,
     )
+
+
+def _add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("site", metavar="SITE", help="a shipped site, or a plan file")
     parser.add_argument(
         "route", metavar="ROUTE", help="R1, R2, … or the id of a route in the plan"

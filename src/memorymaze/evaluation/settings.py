@@ -1,7 +1,7 @@
 """What determines the results of a run, checked, compared and kept in `run.json`."""
 
 import math
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass, field, fields, replace
 from typing import Any
 
@@ -11,13 +11,12 @@ from memorymaze.input_files import FileStamp
 from memorymaze.language.model_settings import NOT_COMPARED as MODEL_NOT_COMPARED
 from memorymaze.language.model_settings import ModelSettings
 from memorymaze.metrics.success import SUCCESS_DISTANCE
-from memorymaze.options import check_whole
+from memorymaze.options import check_whole, check_word, read_values
 from memorymaze.perception.eyes import (
     TRUTH,
     DetectorSettings,
     SignSource,
     parse_detector,
-    parse_signs,
 )
 from memorymaze.pictures.furniture.models import Looks
 from memorymaze.simulation.obstacles import ObstacleSettings, parse_obstacles
@@ -116,35 +115,55 @@ class RunSettings:
     """How episodes are run, whoever follows which instructions; every part has a default.
 
     A new setting is a field here, and what it does where it acts: the command line, the
-    run folder and comparisons read it from this class.
+    run folder and comparisons read it from this class. The command line has an option for
+    each field with a `metavar`, and for each that is true or false.
 
     Raises:
         SettingsError: A value has no meaning.
     """
 
-    seed: int = 0
-    """Of all randomness."""
-    limit: int | None = None
-    """Episodes to run, alike many of every route of every study; none for all."""
-    split: str | None = None
-    """Only instructions of this split; none for all."""
-    shard: Shard | None = None
-    """One part of the run, for schedulers of jobs; none for all of it."""
-    success_distance: float = SUCCESS_DISTANCE
-    """Metres; stopping nearer than this to the goal is success."""
-    time_budget: float | None = None
-    """Simulated seconds of an episode; none for three times what a perfect follower needs
-    for the longest route."""
-    obstacles: ObstacleSettings | None = None
-    """Things in the way and people; none for buildings as in their plans."""
-    detector: DetectorSettings = TRUTH
-    """What looks for objects."""
-    signs: SignSource = "truth"
-    """How `read_signs` reads: the truth, or OCR from the camera's picture."""
+    seed: int = field(default=0, metadata={"metavar": "N"})
+    """of all randomness"""
+    limit: int | None = field(default=None, metadata={"metavar": "N"})
+    """only N episodes, alike many of every route of every study"""
+    split: str | None = field(default=None, metadata={"metavar": "NAME"})
+    """only instructions of this split: dev or test (whether prompts may be built from
+    them); or developed or held_out, the halves of the participants whose texts were and
+    were not read while the rules agent was developed"""
+    shard: Shard | None = field(
+        default=None, metadata={"metavar": "I/N", "reader": parse_shard}
+    )
+    """only the I-th of N parts of the run, alike in size; `memorymaze runs merge` makes
+    one run of all (docs/scaling.md)"""
+    success_distance: float = field(
+        default=SUCCESS_DISTANCE, metadata={"metavar": "METRES"}
+    )
+    """stopping nearer than this to the goal is success"""
+    time_budget: float | None = field(default=None, metadata={"metavar": "SECONDS"})
+    """simulated time of an episode; none for three times what a perfect follower needs
+    for the longest route"""
+    obstacles: ObstacleSettings | None = field(
+        default=None,
+        metadata={"metavar": "SETTINGS", "alone": "medium", "reader": parse_obstacles},
+    )
+    """leave things in the way and let people walk about: light, medium or heavy, or
+    settings such as things=4,density=1,seed=1 (alone: medium; default: none). Results are
+    a track of their own"""
+    detector: DetectorSettings = field(
+        default=TRUTH,
+        metadata={"metavar": "NAME[:SETTINGS]", "reader": parse_detector},
+    )
+    """what looks for objects: truth, truth:errors or truth:miss=0.2 (with mistakes),
+    grounding-dino:CHECKPOINT,box_threshold=0.35 (a model, from the camera's picture),
+    remote:URL (a server); see docs/perception.md"""
+    signs: SignSource = field(default="truth", metadata={"metavar": "SOURCE"})
+    """how read_signs reads: truth, or ocr (from the camera's picture)"""
     isolate: bool = False
-    """Whether the agent runs in a process of its own that has no buildings."""
-    looks: Looks | None = None
-    """How things look to the cameras; none for runs without."""
+    """run an agent of your own in a process of its own, which has no buildings and cannot
+    read plans"""
+    looks: Looks | None = field(default=None, metadata={"metavar": "LOOKS"})
+    """how things look to cameras: own, or models (furniture models; see memorymaze sites
+    models, and the default where it was called)"""
     simulation: SimulationSettings = field(default_factory=SimulationSettings)
     """The robot's abilities and the other limits of an episode."""
 
@@ -158,6 +177,9 @@ class RunSettings:
                 "success distance: expected more than 0 metres, got "
                 f"{self.success_distance!r}"
             )
+        check_word("signs", self.signs, SignSource)
+        if self.looks is not None:
+            check_word("looks", self.looks, Looks)
 
 
 def with_choices(settings: RunSettings, choices: Mapping[str, Any]) -> RunSettings:
@@ -169,35 +191,28 @@ def with_choices(settings: RunSettings, choices: Mapping[str, Any]) -> RunSettin
     Raises:
         SettingsError: There is no such setting, or a value has no meaning.
     """
-    names = [each.name for each in fields(RunSettings)]
-    abilities = [each.name for each in fields(SimulationSettings)]
+    kinds = {
+        each.name: cls
+        for cls in (SimulationSettings, RunSettings)
+        for each in fields(cls)
+    }
     run: dict[str, Any] = {}
     robot: dict[str, Any] = {}
     for name, value in choices.items():
-        if isinstance(value, str) and name in _READERS:
-            value = _READERS[name](value)
-        if name in names:
-            run[name] = value
-        elif name in abilities:
-            robot[name] = value
-        else:
-            known = [each for each in (*names, *abilities) if each != "simulation"]
+        if name not in kinds:
+            known = [each for each in kinds if each != "simulation"]
             raise SettingsError(
                 f"setting: expected one of {', '.join(known)}; got {name!r}"
                 f"{did_you_mean(name, known)}"
             )
+        cls = kinds[name]
+        if isinstance(value, str):
+            value = read_values(cls, {name: value})[name]
+        (run if cls is RunSettings else robot)[name] = value
     if robot:
         given = run.get("simulation", settings.simulation)
         run["simulation"] = replace(given, **robot)
     return replace(settings, **run)
-
-
-_READERS: dict[str, Callable[[str], Any]] = {
-    "detector": parse_detector,
-    "obstacles": parse_obstacles,
-    "shard": parse_shard,
-    "signs": parse_signs,
-}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -132,20 +132,6 @@ def parse_detector(text: str) -> DetectorSettings:
     )
 
 
-def parse_signs(text: str) -> SignSource:
-    """Read the source of signs as the command line gives it.
-
-    Raises:
-        SettingsError: It is none.
-    """
-    for known in get_args(SignSource):
-        if text == known:
-            return known
-    raise SettingsError(
-        f"signs: expected one of {', '.join(get_args(SignSource))}; got {text!r}"
-    )
-
-
 @dataclass
 class Eyes:
     """Makes the detector and the reader of signs of each episode.

@@ -1,6 +1,6 @@
 """The numbers of a simulation: the robot's abilities and the limits of an episode."""
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, field, fields
 from typing import Literal, get_args
 
 from memorymaze.errors import SettingsError
@@ -17,6 +17,8 @@ TurningPoints = Literal["annotated", "lidar"]
 @dataclass(frozen=True, slots=True)
 class SimulationSettings:
     """What the robot can do and when an episode is broken off.
+
+    The command line has an option for each field with a `metavar`.
 
     Raises:
         SettingsError: A value has no meaning; the message names it and the range.
@@ -41,14 +43,19 @@ class SimulationSettings:
     """Standard deviation of each wheel's relative speed error, drawn per decision."""
     time_budget: float = 1200.0
     """Simulated seconds after which the episode ends as `budget`."""
-    call_budget: int = 10_000
-    """Calls of the control API after which the episode ends as `budget`."""
+    call_budget: int = field(default=10_000, metadata={"metavar": "N"})
+    """calls of the control API in an episode"""
     stuck_limit: int = 40
     """Calls in a row with neither motion nor anything new that end it as `stuck`."""
-    turning_points: TurningPoints = "annotated"
-    """Where `detect_turning_point` and `turn` know turning points from."""
-    detection_range: float = DETECTION_RANGE
-    """Metres from the lens beyond which nothing is detected."""
+    turning_points: TurningPoints = field(
+        default="annotated", metadata={"metavar": "SOURCE"}
+    )
+    """where the robot knows turning points from: annotated (the site plan), or lidar (its
+    scans and odometry)"""
+    detection_range: float = field(
+        default=DETECTION_RANGE, metadata={"metavar": "METRES"}
+    )
+    """how far things are detected; 40 with --sail, to the end of every hall"""
 
     def __post_init__(self) -> None:
         """Check every value."""

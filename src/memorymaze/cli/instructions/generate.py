@@ -4,8 +4,9 @@ import argparse
 import sys
 from typing import TYPE_CHECKING
 
-from memorymaze.cli.model_options import add_model_options
+from memorymaze.cli.flags import add_flags
 from memorymaze.cli.verbs import Verbs, add_sites_option
+from memorymaze.language.model_settings import ModelSettings
 from memorymaze.wording import counted
 
 if TYPE_CHECKING:
@@ -65,7 +66,7 @@ def add_parser(actions: Verbs) -> None:
         default="grammar",
         help="grammar (default), or a language model as --model of `evaluate` names it",
     )
-    add_model_options(parser.add_argument, only=("base_url", "record", "replay"))
+    add_flags(parser.add_argument, ModelSettings, ("base_url", "record", "replay"))
     parser.add_argument(
         "--out", metavar="FILE", required=True, help="instruction file to write (JSONL)"
     )

@@ -1,15 +1,21 @@
-"""How users say what a language model may take and cost."""
+"""Settings as the command line takes them, and those of a language model."""
 
 import json
 import threading
+from argparse import ArgumentParser
 from collections.abc import Callable, Generator
+from dataclasses import dataclass, field, fields
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from memorymaze.cli.flags import add_flags, flag_names, given_flags
 from memorymaze.evaluation.run_folder import read_run
+from memorymaze.evaluation.settings import RunSettings
+from memorymaze.options import read_flags
+from memorymaze.simulation.obstacles import ObstacleSettings, parse_obstacles
 
 Memorymaze = Callable[..., Any]
 
@@ -18,6 +24,73 @@ STOPPING = {
     "choices": [{"message": {"role": "assistant", "content": "```\nstop()\n```"}}],
     "usage": {"prompt_tokens": 900, "completion_tokens": 100},
 }
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class IceSettings:
+    """Settings, as a run has them."""
+
+    obstacles: ObstacleSettings | None = field(
+        default=None,
+        metadata={"metavar": "KINDS", "alone": "medium", "reader": parse_obstacles},
+    )
+    """what lies on it"""
+    friction: float = field(default=0.5, metadata={"metavar": "SHARE"})
+    """how well wheels hold, 0 to 1"""
+    snow: bool = False
+    """let it snow"""
+    thaws: float = 0.0
+    """No option of the command line."""
+
+
+def test_a_new_setting_becomes_an_option_with_its_help() -> None:
+    parser = ArgumentParser()
+    add_flags(parser.add_argument, IceSettings)
+
+    said = " ".join(parser.format_help().split())
+    assert "--friction SHARE how well wheels hold, 0 to 1 (default: 0.5)" in said
+    assert "--snow let it snow" in said
+    assert "--obstacles [KINDS] what lies on it" in said
+    assert "--thaws" not in said
+    options = parser.parse_args(["--friction", "0.1", "--snow", "--obstacles"])
+    settings = read_flags(IceSettings, given_flags(options, IceSettings))
+    assert settings == IceSettings(
+        obstacles=ObstacleSettings(), friction=0.1, snow=True
+    )
+
+
+def test_every_setting_of_a_run_is_an_option_of_evaluate(
+    memorymaze: Memorymaze,
+) -> None:
+    said = memorymaze("evaluate", "--help").out
+    names = {each.name for each in fields(RunSettings)} - {"simulation"}
+    assert names <= set(flag_names(RunSettings))
+    assert [name for name in names if f"--{name.replace('_', '-')}" not in said] == []
+
+
+@pytest.mark.parametrize(
+    ("option", "value", "message"),
+    [
+        ("--seed", "x", "--seed: expected a whole number, got 'x'"),
+        ("--seed", "-1", "seed: expected a whole number of at least 0, got -1"),
+        ("--success-distance", "far", "--success-distance: expected a number"),
+        ("--signs", "OCR", "--signs: expected truth or ocr, got 'OCR'"),
+        ("--looks", "old", "--looks: expected own or models or none, got 'old'"),
+        ("--turning-points", "map", "--turning-points: expected annotated or lidar"),
+        ("--detector", "truht", "did you mean 'truth'"),
+        ("--obstacles", "few", "obstacles: expected a level (light, medium, heavy)"),
+        ("--shard", "9/8", "shard: expected one from 1/8 to 8/8, got 9/8"),
+    ],
+)
+def test_a_setting_without_meaning_is_wrong_usage(
+    memorymaze: Memorymaze, option: str, value: str, message: str, tmp_path: Path
+) -> None:
+    said = memorymaze(
+        "evaluate", "--agent", "stop", option, value, "--out", tmp_path / "x"
+    )
+    assert said.code == 2
+    assert message in said.err
+    assert not (tmp_path / "x").exists()
 
 
 @pytest.fixture
