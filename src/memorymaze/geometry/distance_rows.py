@@ -18,11 +18,9 @@ class DistanceRows:
     """
 
     def __init__(self, graph: csr_array) -> None:
-        """Take a graph.
+        """Take symmetric step lengths, metres, shape (N, N).
 
-        Args:
-            graph: Symmetric step lengths, metres, shape (N, N). A stored 0 is a step
-                of no length; what is not stored is no step.
+        A stored 0 is a step of no length; what is not stored is no step.
         """
         self._graph = graph
         self._count = len(graph.indptr) - 1

@@ -23,11 +23,7 @@ class Floor:
     """A polygon one can walk on, prepared for many points and straight lines."""
 
     def __init__(self, polygon: Polygon | MultiPolygon) -> None:
-        """Prepare a floor.
-
-        Raises:
-            ValueError: The polygon is empty or invalid.
-        """
+        """Prepare a floor, which may be neither empty nor invalid."""
         if polygon.is_empty or not polygon.is_valid:
             reason = "empty" if polygon.is_empty else shapely.is_valid_reason(polygon)
             raise ValueError(f"expected a valid floor polygon, got: {reason}")
@@ -52,13 +48,7 @@ class Floor:
     def onto(self, points: ArrayLike, tolerance: float) -> FloatArray:
         """Return the points, those off the floor moved to its edge, shape (K, 2).
 
-        Args:
-            points: Metres, shape (K, 2).
-            tolerance: Metres a point may lie off the floor.
-
-        Raises:
-            UndefinedMetricError: A point is not finite or farther off the floor.
-            ValueError: The points do not have the shape (K, 2).
+        One that is farther off than so many metres raises `UndefinedMetricError`.
         """
         places = np.array(points, dtype=np.float64)
         if places.ndim != 2 or places.shape[1] != 2:

@@ -66,15 +66,10 @@ class FloorGrid:
     def from_polygon(
         cls, floor: Polygon | MultiPolygon, cell: float = CELL, tolerance: float = 0.5
     ) -> Self:
-        """Lay a grid over a floor.
+        """Lay a grid of cells of some metres over a floor.
 
-        Args:
-            floor: Polygon with holes, metres.
-            cell: Side of a cell, metres, > 0.
-            tolerance: Metres a point may lie off the floor and still be mapped.
-
-        Raises:
-            ValueError: The floor is empty, invalid, too large, or has no cell centre on it.
+        Points may lie off the floor by as many metres as `tolerance`, and still be
+        mapped.
         """
         if not (np.isfinite(cell) and cell > 0):
             raise ValueError(f"expected a cell size > 0 m, got {cell}")
@@ -107,20 +102,12 @@ class FloorGrid:
         return len(self.centres)
 
     def map_points(self, points: ArrayLike) -> IntArray:
-        """Return the node of each point: the nearest that no wall hides.
+        """Return the node of each point (K, 2): the nearest that no wall hides.
 
-        Where walls hide the nine nearest nodes, the nearest of all is taken.
-
-        Args:
-            points: Metres, shape (K, 2).
-
-        Returns:
-            Node ids, shape (K,).
-
-        Raises:
-            UndefinedMetricError: A point is not finite, lies farther than `tolerance`
-                off the floor, or farther than `tolerance` plus one cell from its node
-                (as in a piece of floor that the grid does not reach).
+        Where walls hide the nine nearest nodes, the nearest of all is taken. A point
+        farther than `tolerance` off the floor, or than that and a cell from its node
+        (as in a piece of floor that the grid does not reach), raises
+        `UndefinedMetricError`.
         """
         places = self.floor.onto(points, self.tolerance)
         near = min(9, len(self))
@@ -147,17 +134,10 @@ class FloorGrid:
         return nodes[every, best]
 
     def map_path(self, points: ArrayLike) -> IntArray:
-        """Return the nodes a path passes, consecutive repeats removed.
+        """Return the nodes a path (N, 2) passes, consecutive repeats removed.
 
         The path is sampled at steps of one cell, so that consecutive nodes are
         neighbours and a straight walk beside a cell's edge makes few detours.
-
-        Args:
-            points: Vertices of the path, metres, shape (N, 2).
-
-        Raises:
-            UndefinedMetricError: The path is empty or leaves the floor; see
-                `map_points`.
         """
         if np.size(points) == 0:
             raise UndefinedMetricError(
@@ -170,33 +150,15 @@ class FloorGrid:
         """Return the shortest distances from some nodes to all, shape (k, N), metres.
 
         The latest answers are remembered, so asking for them again is fast.
-
-        Raises:
-            UndefinedMetricError: A node is not in the grid.
         """
         return self._rows.rows(self._checked(nodes))
 
     def between(self, starts: ArrayLike, ends: ArrayLike) -> FloatArray:
-        """Return the distances from each start node to each end node, metres.
-
-        Args:
-            starts: Node ids, shape (k,).
-            ends: Node ids, shape (m,).
-
-        Returns:
-            Shape (k, m).
-
-        Raises:
-            UndefinedMetricError: A node is not in the grid.
-        """
+        """Return the distances from k start nodes to m end nodes, (k, m) metres."""
         return self._rows.between(self._checked(starts), self._checked(ends))
 
     def along(self, nodes: ArrayLike) -> FloatArray:
-        """Return the distances between consecutive nodes, shape (k - 1,), metres.
-
-        Raises:
-            UndefinedMetricError: A node is not in the grid.
-        """
+        """Return the distances between consecutive nodes, shape (k - 1,), metres."""
         passed = self._checked(nodes)
         tails, heads = passed[:-1], passed[1:]
         if len(tails) == 0:
@@ -211,10 +173,6 @@ class FloorGrid:
         """Return the length of the shortest walk between two points, metres.
 
         Exact on the floor's polygon, not rounded to cells: see `ShortestWalks`.
-
-        Raises:
-            UndefinedMetricError: A point is off the floor by more than the tolerance,
-                or no walk joins the two.
         """
         return self.walks.distance(point_a, point_b)
 

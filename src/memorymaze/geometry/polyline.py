@@ -22,11 +22,7 @@ class Projection(NamedTuple):
 
 
 def arc_lengths(points: ArrayLike) -> FloatArray:
-    """Return the arc length at every vertex, shape (N,), beginning with 0.
-
-    Raises:
-        ValueError: The points are not a finite array of shape (N, 2) with N >= 1.
-    """
+    """Return the arc length at every vertex, shape (N,), beginning with 0."""
     steps = np.diff(_vertices(points), axis=0)
     return np.concatenate([[0.0], np.cumsum(np.hypot(steps[:, 0], steps[:, 1]))])
 
@@ -36,21 +32,15 @@ def length(points: ArrayLike) -> float:
 
     >>> length([(0, 0), (3, 4), (3, 6)])
     7.0
-
-    Raises:
-        ValueError: The points are not a finite array of shape (N, 2) with N >= 1.
     """
     return float(arc_lengths(points)[-1])
 
 
 def point_at(points: ArrayLike, s: float) -> FloatArray:
-    """Return the point at arc length `s`, shape (2,).
+    """Return the point at arc length `s`, shape (2,); `s` must lie on the line.
 
     >>> point_at([(0, 0), (3, 4), (3, 6)], 6.0).tolist()
     [3.0, 5.0]
-
-    Raises:
-        ValueError: `s` is not within [0, length], apart from rounding.
     """
     along = arc_lengths(points)
     slack = 1e-9 * (1.0 + along[-1])
@@ -69,13 +59,6 @@ def resample(points: ArrayLike, spacing: float) -> FloatArray:
 
     >>> resample([(0, 0), (1, 0), (1, 1)], 0.5).tolist()
     [[0.0, 0.0], [0.5, 0.0], [1.0, 0.0], [1.0, 0.5], [1.0, 1.0]]
-
-    Args:
-        points: Vertices, metres, shape (N, 2).
-        spacing: Greatest arc length between consecutive samples, metres, > 0.
-
-    Raises:
-        ValueError: The points or the spacing have no meaning.
     """
     if not (np.isfinite(spacing) and spacing > 0):
         raise ValueError(f"expected a spacing > 0 m, got {spacing}")
@@ -96,13 +79,6 @@ def project(points: ArrayLike, p: ArrayLike) -> Projection:
 
     >>> project([(0, 0), (4, 0), (4, 4)], (1, 2))
     Projection(s=1.0, distance=2.0)
-
-    Args:
-        points: Vertices, metres, shape (N, 2).
-        p: A point, metres, shape (2,).
-
-    Raises:
-        ValueError: The points or `p` are not finite or have the wrong shape.
     """
     vertices, along = _vertices(points), arc_lengths(points)
     target = np.asarray(p, dtype=np.float64)

@@ -38,11 +38,7 @@ def turn_between(heading: float, target_heading: float) -> float:
 def heading_to(
     start: tuple[float, float] | Pose, end: tuple[float, float] | Pose
 ) -> float:
-    """Return the heading of the straight line from one point to another.
-
-    Raises:
-        ValueError: The two points coincide, so no heading is defined.
-    """
+    """Return the heading of the line from one point to another, which must differ."""
     dx, dy = end[0] - start[0], end[1] - start[1]
     if dx == 0 and dy == 0:
         raise ValueError(f"no heading between coinciding points at {start[:2]}")

@@ -30,12 +30,8 @@ class ShortestWalks:
     ) -> None:
         """Join the floor's inner corners that see each other.
 
-        Args:
-            floor: Polygon with holes, metres.
-            tolerance: Metres a point may lie off the floor; it is moved to its edge.
-
-        Raises:
-            ValueError: The floor is empty or invalid.
+        Points may lie off the floor by as many metres as `tolerance`; they are moved to
+        its edge.
         """
         self.floor = floor if isinstance(floor, Floor) else Floor(floor)
         self.tolerance = tolerance
@@ -51,25 +47,13 @@ class ShortestWalks:
     def distance(self, start: ArrayLike, end: ArrayLike) -> float:
         """Return the length of the shortest walk between two points, metres.
 
-        Raises:
-            UndefinedMetricError: A point is off the floor by more than the tolerance,
-                or no walk joins the two.
+        Where no walk joins the two, or one is off the floor, it raises
+        `UndefinedMetricError`.
         """
         return float(self.distances_to(end, np.array([start]))[0])
 
     def distances_to(self, goal: ArrayLike, points: ArrayLike) -> FloatArray:
-        """Return the lengths of the shortest walks from points to a goal, metres.
-
-        Args:
-            goal: Metres, shape (2,).
-            points: Metres, shape (K, 2).
-
-        Returns:
-            Metres, shape (K,).
-
-        Raises:
-            UndefinedMetricError: See `distance`.
-        """
+        """Return the lengths (K,) of the shortest walks from points (K, 2) to a goal."""
         target = self.floor.onto(np.array([goal]), self.tolerance)
         places = self.floor.onto(points, self.tolerance)
         straight = np.hypot(*(places - target).T)

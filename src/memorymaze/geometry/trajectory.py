@@ -37,9 +37,6 @@ class Trajectory:
     >>> walk = Trajectory([TimedPose(0, 0, 0, 0), TimedPose(2, 1.5, 0, 0)])
     >>> walk.length, walk.duration
     (1.5, 2.0)
-
-    Raises:
-        ValueError: There is no pose, a number is not finite, or time runs backwards.
     """
 
     poses: tuple[TimedPose, ...]

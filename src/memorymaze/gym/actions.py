@@ -115,11 +115,7 @@ ActionSet = DiscreteActions | ContinuousActions
 
 
 def action_set(choice: Literal["discrete", "continuous"] | ActionSet) -> ActionSet:
-    """Return the actions that a setting means.
-
-    Raises:
-        SettingsError: It means none.
-    """
+    """Return the actions that a setting means."""
     if isinstance(choice, DiscreteActions | ContinuousActions):
         return choice
     kinds: dict[object, ActionSet] = {

@@ -287,11 +287,7 @@ class NavigationEnvironment(gymnasium.Env[Observation, Any]):
 def _settings_of_an_environment(
     given: RunSettings | Mapping[str, Any] | None,
 ) -> RunSettings:
-    """Return the settings that were given, or the defaults.
-
-    Raises:
-        SettingsError: One has no meaning, or none for an environment.
-    """
+    """Return the settings that were given, or the defaults; refuse those without a use."""
     plain = RunSettings()
     settings = given
     if not isinstance(settings, RunSettings):
@@ -317,18 +313,10 @@ def choose_episodes(
     study: str | None = None,
     split: str | None = None,
 ) -> tuple[Episode, ...]:
-    """Return the episodes on a site, in the order of the files.
+    """Return the episodes on a site, in the order of the files; there has to be one.
 
-    Args:
-        site: Where.
-        files: Of instructions; None for the shipped ones.
-        route: Only instructions for this route, such as `R1`.
-        study: Only those of this study, `online` or `onsite`.
-        split: Only those of this split, `dev` or `test`.
-
-    Raises:
-        SettingsError: There are none; says what there would be.
-        InstructionFileError: A file cannot be used.
+    Files are of instructions; None for the shipped ones. The rest leaves only a route
+    such as `R1`, a study (`online` or `onsite`), a split (`dev` or `test`).
     """
     if isinstance(files, str | Path):
         files = [files]
@@ -358,11 +346,7 @@ def choose_episodes(
 
 
 def find_episode(choice: Iterable[Episode], name: object) -> Episode:
-    """Return the episode of an id.
-
-    Raises:
-        SettingsError: There is none.
-    """
+    """Return the episode of an id."""
     known = {each.id: each for each in choice}
     if isinstance(name, str) and name in known:
         return known[name]

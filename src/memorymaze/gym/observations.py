@@ -137,11 +137,7 @@ SensorChoice = Sequence[Sensor] | Senses | Mapping[str, Any]
 
 
 def senses_of(choice: SensorChoice) -> Senses:
-    """Return the senses that a setting means: names of sensors, settings, or `Senses`.
-
-    Raises:
-        SettingsError: It means none.
-    """
+    """Return the senses that a setting means: names of sensors, settings, or `Senses`."""
     if isinstance(choice, Senses):
         return choice
     if not isinstance(choice, Mapping):

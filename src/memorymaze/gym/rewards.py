@@ -58,11 +58,7 @@ RewardChoice = Literal["progress", "sparse"] | RewardSettings | Mapping[str, Any
 
 
 def reward_settings(choice: RewardChoice) -> RewardSettings:
-    """Return the rewards that a setting means: a name, numbers by name, or settings.
-
-    Raises:
-        SettingsError: It means none.
-    """
+    """Return the rewards that a setting means: a name, numbers by name, or settings."""
     if isinstance(choice, RewardSettings):
         return choice
     if choice == "progress":

@@ -101,9 +101,7 @@ class CameraView(Protocol):
 def bearing_of(box: Box, width: int) -> float:
     """Return where the middle of a box is, radians from straight ahead, left positive.
 
-    Args:
-        box: Pixels (left, top, right, bottom).
-        width: Pixels of the picture, which is 90 degrees wide.
+    The picture is 90 degrees and so many pixels wide.
     """
     return math.atan2(width / 2 - (box[0] + box[2]) / 2, width / 2)
 

@@ -38,11 +38,7 @@ class Detector(Protocol):
 
 
 def check_query(query: str) -> None:
-    """Refuse what is longer than any name of a thing.
-
-    Raises:
-        CommandError: It is.
-    """
+    """Refuse what is longer than any name of a thing."""
     if len(query) > LONGEST_QUERY:
         raise CommandError(
             "detect_from_RGB_image: expected what to look for in a few words, at"

@@ -37,9 +37,6 @@ class ErrorModel:
     The reference thing is 2 m away, 64 by 64 pixels large, and nothing hides it. For
     others the log-odds change by `size` for each halving of the apparent size, by
     `distance` for each metre farther, and by `occlusion` times the hidden share.
-
-    Raises:
-        SettingsError: A value has no meaning; the message names it and the range.
     """
 
     miss: float = 0.1
@@ -98,12 +95,7 @@ class ErrorSource:
     """Draws the mistakes of one episode."""
 
     def __init__(self, model: ErrorModel, rng: np.random.Generator) -> None:
-        """Begin an episode.
-
-        Args:
-            model: How often.
-            rng: Gives the episode's seed; one number is drawn from it.
-        """
+        """Begin an episode; one number is drawn for its seed."""
         self.model = model
         """How often mistakes happen."""
         self._seed = int(rng.integers(2**63))

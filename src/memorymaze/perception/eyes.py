@@ -23,11 +23,7 @@ SignSource = Literal["truth", "ocr"]
 
 @dataclass(frozen=True, slots=True)
 class DetectorSettings:
-    """Which detector a run has, and how it is set.
-
-    Raises:
-        SettingsError: A value has no meaning; the message names it and the range.
-    """
+    """Which detector a run has, and how it is set."""
 
     name: DetectorName = "truth"
     """What it is."""
@@ -100,9 +96,6 @@ def parse_detector(text: str) -> DetectorSettings:
     `truth`, `truth:miss=0.2,phantoms=0`, `grounding-dino:path/to/checkpoint,device=cpu`,
     `remote:http://localhost:8000/,box_threshold=0.4`. Naming any setting of `truth`
     switches its error model on; `truth:` with the word `errors` takes its defaults.
-
-    Raises:
-        SettingsError: There is no such detector or setting, or a value has no meaning.
     """
     name, _, rest = (part.strip() for part in text.partition(":"))
     known = get_args(DetectorName)
@@ -151,11 +144,7 @@ class Eyes:
         return self.detector.name != "truth" or self.signs != "truth"
 
     def check(self) -> None:
-        """Find out early what is missing: packages, a checkpoint, a server.
-
-        Raises:
-            SettingsError: Something is.
-        """
+        """Find out early what is missing: packages, a checkpoint, a server."""
         if self.detector.name != "truth":
             self._finder.check()
         if self.signs == "ocr":
@@ -164,12 +153,7 @@ class Eyes:
     def detector_for(
         self, rng: np.random.Generator, range_limit: float = DETECTION_RANGE
     ) -> Detector:
-        """Make the detector of an episode.
-
-        Args:
-            rng: Source of its mistakes; used where it makes any.
-            range_limit: Metres.
-        """
+        """Make the detector of an episode; its mistakes, if any, come from `rng`."""
         if self.detector.name != "truth":
             return PictureDetector(self._finder, range_limit)
         model = self.detector.errors

@@ -35,17 +35,11 @@ class ZeroShotFinder:
         device: str = "auto",
         download: bool = False,
     ) -> None:
-        """Choose a model; nothing is loaded yet.
+        """Choose a model; nothing is loaded yet. See `DetectorSettings`.
 
-        Args:
-            checkpoint: Folder with the model's files, or its name in the Hugging Face
-                cache of this machine.
-            box_threshold: Least score of a box, 0 to 1.
-            text_threshold: Least score of a word to be part of the label, 0 to 1;
-                models that need none ignore it.
-            device: `cpu`, `cuda`, `cuda:1`, …; `auto` takes a GPU where there is one.
-            download: Whether a checkpoint that is not on this machine may be fetched
-                from the Hugging Face hub.
+        The checkpoint is a folder, or a name in the Hugging Face cache of this machine;
+        with `download` it may be fetched. Models that need no `text_threshold` ignore
+        it.
         """
         self._checkpoint = checkpoint
         self._box_threshold = box_threshold
@@ -54,11 +48,7 @@ class ZeroShotFinder:
         self._download = download
 
     def check(self) -> None:
-        """Load the model, to find out early what is wrong.
-
-        Raises:
-            SettingsError: Packages, checkpoint or device are not there.
-        """
+        """Load the model, to find out early what is wrong."""
         _ = self._loaded
 
     def with_thresholds(
@@ -71,12 +61,7 @@ class ZeroShotFinder:
         return other
 
     def find(self, rgb: NDArray[np.uint8], query: str) -> list[FoundBox]:
-        """Return what fits the words; see `ObjectFinder.find`.
-
-        Raises:
-            SettingsError: Packages, checkpoint or device are not there.
-            DetectorError: The model failed on this picture.
-        """
+        """Return what fits the words; see `ObjectFinder.find`."""
         words = _plain(query)
         if not words:
             return []

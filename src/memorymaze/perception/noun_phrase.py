@@ -154,9 +154,7 @@ def split_words(text: str) -> list[str]:
 def parse_words(words: list[str], *, count_first: bool) -> NounPhrase:
     """Find the head noun and what is said of it; where it stands is left out.
 
-    Args:
-        words: As `split_words` gives them.
-        count_first: Whether a small number in front counts things ("2 doors").
+    `count_first` says whether a small number in front counts things ("2 doors").
     """
     identifiers: set[str] = set()
     before: list[str] = []

@@ -38,15 +38,7 @@ class ObjectFinder(Protocol):
     """Finds things by name in a picture; one serves any number of episodes."""
 
     def find(self, rgb: NDArray[np.uint8], query: str) -> Sequence[FoundBox]:
-        """Return what fits the words, above the finder's thresholds.
-
-        Args:
-            rgb: Colours, (height, width, 3), first row at the top.
-            query: Any English words.
-
-        Raises:
-            DetectorError: The model failed.
-        """
+        """Return what fits the words in a picture, (height, width, 3)."""
         ...
 
 
@@ -63,12 +55,7 @@ class PictureDetector:
     def __init__(
         self, finder: ObjectFinder, range_limit: float = DETECTION_RANGE
     ) -> None:
-        """Begin an episode.
-
-        Args:
-            finder: The model.
-            range_limit: Metres; things farther away are dropped.
-        """
+        """Begin an episode; things farther than some metres are dropped."""
         self._finder = finder
         self._range_limit = range_limit
         self._tracker = Tracker()
@@ -98,14 +85,10 @@ class PictureDetector:
 
 
 def depth_distance(picture: CameraPicture, box: Box) -> float | None:
-    """Return the distance of what fills a box; None where nothing is.
+    """Return metres from the lens to what fills a box; None where nothing is.
 
-    Args:
-        picture: Of a camera 90 degrees wide with square pixels.
-        box: Pixels (left, top, right, bottom); what is outside the picture is left out.
-
-    Returns:
-        Metres from the lens: the median depth over the box, along the way to its middle.
+    That is the median depth over the box, along the way to its middle. The picture is
+    90 degrees wide; what of the box is outside it is left out.
     """
     height, width = picture.depth.shape
     left, top, right, bottom = box

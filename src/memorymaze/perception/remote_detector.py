@@ -86,16 +86,9 @@ class RemoteFinder:
     ) -> None:
         """Prepare a client; nothing is sent yet.
 
-        Args:
-            url: Address that requests are posted to, http or https.
-            box_threshold: Sent along; boxes below it are dropped here too.
-            text_threshold: Sent along.
-            timeout: Seconds for a whole reply to come.
-            retries: Attempts after the first.
-            first_delay: Seconds before the second attempt.
-
-        Raises:
-            SettingsError: The address is none.
+        Thresholds are sent along, and boxes below theirs are dropped here too. A whole
+        reply may take `timeout` seconds; after the first attempt come `retries` more,
+        the second after `first_delay` seconds.
         """
         self._url = checked_address(
             "detector remote", url, "http://localhost:8000/detect", whole=True
@@ -107,22 +100,14 @@ class RemoteFinder:
         self._first_delay = first_delay
 
     def check(self) -> None:
-        """Send a small grey picture, to find out early what is wrong.
-
-        Raises:
-            SettingsError: No server answers there as it should.
-        """
+        """Send a small grey picture, to find out early what is wrong."""
         try:
             self.find(np.full((48, 64, 3), 128, dtype=np.uint8), "door")
         except DetectorError as error:
             raise SettingsError(str(error)) from error
 
     def find(self, rgb: NDArray[np.uint8], query: str) -> list[FoundBox]:
-        """Return what the server finds; see `ObjectFinder.find`.
-
-        Raises:
-            DetectorError: No usable answer came, after all retries.
-        """
+        """Return what the server finds; see `ObjectFinder.find`."""
         file = io.BytesIO()
         Image.fromarray(rgb).save(file, "PNG", compress_level=1)
         request = DetectionRequest(

@@ -125,20 +125,11 @@ class TextRecognizer:
     """RapidOCR with the PP-OCR weights that its wheel holds; loaded when first used."""
 
     def check(self) -> None:
-        """Load it, to find out early what is missing.
-
-        Raises:
-            SettingsError: The packages are not installed.
-        """
+        """Load it, to find out early what is missing."""
         _ = self._engine
 
     def lines(self, rgb: NDArray[np.uint8]) -> list[FoundLine]:
-        """Return the lines of text in a picture; see `Recognizer.lines`.
-
-        Raises:
-            SettingsError: The packages are not installed.
-            DetectorError: The recogniser failed.
-        """
+        """Return the lines of text in a picture; see `Recognizer.lines`."""
         engine = self._engine
         try:
             # It takes colours in the order blue, green, red.
@@ -180,12 +171,7 @@ class PictureSignReader:
     def __init__(
         self, recognizer: Recognizer, range_limit: float = READING_RANGE
     ) -> None:
-        """Begin an episode.
-
-        Args:
-            recognizer: Reads lines.
-            range_limit: Metres; texts farther away are dropped.
-        """
+        """Begin an episode; texts farther than some metres are dropped."""
         self._recognizer = recognizer
         self._range_limit = range_limit
         self._tracker = Tracker()

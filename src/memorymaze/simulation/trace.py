@@ -113,11 +113,7 @@ class CallLog:
         return self._calls
 
     def begin(self) -> None:
-        """Take note that a call begins.
-
-        Raises:
-            EpisodeOver: The episode is over, or this call is one too many.
-        """
+        """Take note that a call begins, unless the episode is over or out of calls."""
         if self.stopped_by is None and self._calls >= self._settings.call_budget:
             self.stopped_by = "budget"
         if self.stopped_by is not None:
@@ -128,17 +124,9 @@ class CallLog:
     def call(
         self, name: str, arguments: dict[str, object], moment: Callable[[], Moment]
     ) -> Generator[Call]:
-        """Begin a call, and report it when it is over.
+        """Begin a call, and report it when it is over, where the robot is then.
 
         Arguments without meaning are told as they were written.
-
-        Args:
-            name: Of the call.
-            arguments: By parameter name.
-            moment: Says where the robot is at the end.
-
-        Raises:
-            EpisodeOver: The episode is over, or ends with this call.
         """
         self.begin()
         made = Call(arguments)
@@ -153,11 +141,7 @@ class CallLog:
     def end(
         self, call: str, arguments: Mapping[str, object], result: object, now: Moment
     ) -> None:
-        """Report a call.
-
-        Raises:
-            EpisodeOver: Too many calls in a row changed nothing.
-        """
+        """Report a call; too many in a row that changed nothing end the episode."""
         time, pose, distance = now
         if self._on_event is not None:
             self._on_event(TraceEvent(time, pose, call, arguments, result))

@@ -60,14 +60,8 @@ class ViewpointWalk:
     ) -> None:
         """Drive the robot to the viewpoint nearest to it that it can go straight to.
 
-        Args:
-            robot: At the start of an episode.
-            graph: Of its site.
-            look: Describes what is seen from a viewpoint; None for templates filled
-                with what the camera truly sees.
-
-        Raises:
-            EpisodeOver: A budget ran out on the way.
+        `look` describes what is seen from a viewpoint; None for templates filled with
+        what the camera truly sees.
         """
         self._robot = robot
         self._graph = graph
@@ -163,13 +157,8 @@ def sector_headings() -> tuple[float, ...]:
 def look_around(robot: SimulatedRobot, x: float, y: float) -> Panorama:
     """Return what is seen from a place, with people and things where they are now.
 
-    The camera looks in eight directions. A thing that several looks show is told once, in
-    the direction of its middle.
-
-    Args:
-        robot: Whose camera it is; it stays where it is.
-        x: Metres.
-        y: Metres.
+    The camera looks in eight directions, while its robot stays where it is. A thing
+    that several looks show is told once, in the direction of its middle.
     """
     headings = sector_headings()
     sightings = _sightings(robot, x, y, headings)

@@ -51,11 +51,7 @@ def load_site(site: str | Path) -> records.Site:
 
 
 def sound_site(plan: PlanContent, source: str) -> records.Site:
-    """Return the site of a plan.
-
-    Raises:
-        SitePlanError: It cannot be used.
-    """
+    """Return the site of a plan, or say why it cannot be used."""
     site, broken, shape_findings = site_from_content(plan, source)
     findings = [*plan.findings, *shape_findings]
     if site is not None:
@@ -102,11 +98,7 @@ def load_sites(folder: str | Path | None = None) -> dict[str, records.Site]:
 
 
 def plan_paths(folder: Path) -> list[Path]:
-    """Return the plans in a folder by file name.
-
-    Raises:
-        SitePlanError: The folder is missing or has no plan in it.
-    """
+    """Return the plans in a folder by file name; there has to be one at least."""
     if not folder.is_dir():
         raise SitePlanError(
             f"{folder}: expected a folder with site plans (*.geojson), got "
@@ -121,11 +113,7 @@ def plan_paths(folder: Path) -> list[Path]:
 
 
 def plan_file(site: str | Path) -> Path:
-    """Return the plan's file of one of the benchmark's sites, or the file of this name.
-
-    Raises:
-        SettingsError: There is neither; says which sites there are.
-    """
+    """Return the plan's file of one of the benchmark's sites, or the file of this name."""
     if site in BUILTIN_SITE_NAMES:
         return Path(__file__).parent / "data" / f"{site}.geojson"
     if not site or not Path(site).exists():
@@ -168,11 +156,10 @@ def new_plan(name: str) -> bytes:
 def site_from_content(
     content: PlanContent, source: str
 ) -> tuple[records.Site | None, dict[str, str], list[Finding]]:
-    """Make a Site of all features whose shapes are sound.
+    """Make a Site of all features whose shapes are sound; None without a usable header.
 
-    Returns:
-        The site, or None when the plan has no usable header; the kinds of the
-        features that are in the file but not in the site, by id; and what is wrong with shapes.
+    With it come the kinds of the features that are in the file but not in the site, by
+    id, and what is wrong with shapes.
     """
     header = content.header
     broken = dict(content.broken)

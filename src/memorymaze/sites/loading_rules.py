@@ -19,10 +19,8 @@ FLOOR_RULES = frozenset({"floor-size", "floor-connected", "floor-free"})
 def loading_findings(site: Site, broken: Mapping[str, str]) -> list[Finding]:
     """Return what keeps a site from being used, though each feature is sound.
 
-    Args:
-        site: Made of the sound features of a plan.
-        broken: Kinds of the plan's other features by id. Referring to one of them is
-            no further problem, and where floor is missing it is not judged.
+    `broken` has the kinds of the plan's other features by id: to refer to one of them
+    is no further problem, and where floor is missing it is not judged.
     """
     findings = [*_references(site, broken), *_routes(site, broken)]
     if floor_is_complete(broken):
@@ -34,8 +32,7 @@ def loading_findings(site: Site, broken: Mapping[str, str]) -> list[Finding]:
 def floor_is_complete(broken: Mapping[str, str]) -> bool:
     """Return whether none of a plan's broken features is, or may be, floor.
 
-    Args:
-        broken: Kinds of the broken features by id, empty where not known.
+    Their kinds by id are empty where not known.
     """
     return not {"", "corridor", "area", "turning_point"} & set(broken.values())
 

@@ -236,8 +236,7 @@ def _clockwise_from_north(start: Viewpoint, end: Viewpoint) -> float:
 def _place_viewpoints(site: Site, standing: Polygon, spacing: float) -> FloatArray:
     """Choose places in all turning points, on all centre lines, and in all areas.
 
-    Returns:
-        Metres, shape (N, 2), in an order that only depends on the site.
+    (N, 2) metres, in an order that only depends on the site.
     """
     places = _Places(standing, max(APART, spacing / 2))
     for point in site.turning_points:

@@ -323,11 +323,7 @@ def floor_pieces(parts: Sequence[Polygon]) -> list[Polygon]:
 
 
 def union_of_floor(parts: Sequence[Polygon]) -> Polygon:
-    """Unite floor polygons that are connected; see `floor_pieces`.
-
-    Raises:
-        SitePlanError: There is no floor, or it is in several pieces.
-    """
+    """Unite floor polygons that form one connected floor; see `floor_pieces`."""
     pieces = floor_pieces(parts)
     if len(pieces) != 1:
         raise SitePlanError(
@@ -339,20 +335,11 @@ def union_of_floor(parts: Sequence[Polygon]) -> Polygon:
 
 
 def corridor_centre_line(polygon: Polygon) -> LineString:
-    """Return the line between the middles of a corridor's two short ends.
+    """Return the line between the middles of a four-cornered corridor's two short ends.
 
     The ends are the pair of opposite sides that is shorter in sum, so the line follows
     the long direction; of a square it joins the second and the fourth side. It runs
     from the west end to the east end, or from south to north when it has no west.
-
-    Args:
-        polygon: Convex, with exactly four corners; metres.
-
-    Returns:
-        A line of two points, (2, 2) metres.
-
-    Raises:
-        ValueError: The polygon has not four corners.
     """
     corners = [(x, y) for x, y, *_ in polygon.exterior.coords[:-1]]
     if len(corners) != 4:

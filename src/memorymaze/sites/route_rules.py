@@ -26,12 +26,7 @@ STRAIGHT = math.radians(15)
 
 
 def route_findings(site: Site, floor: Polygon) -> Iterator[Finding]:
-    """Find what is wrong with routes.
-
-    Args:
-        site: With a floor that hangs together; ids it refers to may be unknown.
-        floor: Its exact floor, metres.
-    """
+    """Find what is wrong with routes on an exact floor; ids may be unknown."""
     blocked = [thing.footprint for thing in site.landmarks if thing.obstacle]
     goals = {
         **{thing.id: thing.position for thing in site.landmarks},

@@ -2,10 +2,6 @@
 
 
 def expect(kept: bool, expected: str, got: object) -> None:
-    """Do nothing where a contract is kept.
-
-    Raises:
-        AssertionError: It is not; says what was expected and what came.
-    """
+    """Do nothing where a contract is kept; else say what was expected and what came."""
     if not kept:
         raise AssertionError(f"expected {expected}; got {got!r}")

@@ -151,14 +151,10 @@ class Surroundings:
         return found
 
     def depths(self, mouth: Mouth, headings: FloatArray) -> FloatArray:
-        """Return how far a robot can drive straight into a way, metres.
+        """Return how far one can drive straight into a way by headings (N,), metres.
 
-        Args:
-            mouth: Where it begins; from there or up to a quarter of the width aside.
-            headings: Radians, shape (N,).
-
-        Returns:
-            Shape (N,), at most `FARTHEST_REACH`.
+        It begins at the mouth or up to a quarter of its width aside; at most
+        `FARTHEST_REACH`.
         """
         steps = np.arange(1, int(FARTHEST_REACH / CELL) + 1)
         aside = np.linspace(-0.25, 0.25, 5) * mouth.width / CELL
@@ -182,9 +178,7 @@ def crossing(
 ) -> tuple[float, float]:
     """Return the place nearest to the lines of all ways, metres.
 
-    Args:
-        ways: Lines; where they are parallel they do not tell how far along.
-        middle: Metres; what decides then.
+    Where they are parallel they do not tell how far along; the middle decides then.
     """
     normal = np.eye(2) * DOUBT
     right = normal @ np.array(middle)
@@ -200,12 +194,7 @@ def reach_along(way: SensedWay, ways: Sequence[SensedWay], radius: float) -> flo
     """Return how far a turning point reaches along one of its ways, metres.
 
     To where the farther edges of the ways that cross it are; at bends, where these are
-    far out, not beyond the free circle.
-
-    Args:
-        way: One of the ways.
-        ways: All ways.
-        radius: Of the free circle around the turning point's middle, metres.
+    far out, not beyond the free circle of that radius.
     """
     reach = LEAST_REACH
     for other in ways:
@@ -258,15 +247,7 @@ class Junction:
         ways: Sequence[SensedWay],
         weight: float,
     ) -> None:
-        """Take note of a sighting.
-
-        Args:
-            x: Of the place where its ways meet, metres.
-            y: Of that place, metres.
-            radius: Of the free circle there, metres.
-            ways: All that lead away.
-            weight: Of this sighting; 1 for a good one.
-        """
+        """Take note of a sighting, whose weight is 1 for a good one; see the fields."""
         kept = MEMORY**weight
         self.weight = self.weight * kept + weight
         share = weight / self.weight
@@ -315,12 +296,7 @@ def is_turning_point(ways: Sequence[SensedWay]) -> bool:
 
 
 def is_worth_telling(onward: Sequence[SensedWay], back: SensedWay | None) -> bool:
-    """Whether ways onward are more than none and more than straight on alone.
-
-    Args:
-        onward: Every way but the one the robot came by.
-        back: The way it came by; None when there is none.
-    """
+    """Whether ways onward are more than none and more than straight on alone."""
     if not onward:
         return False
     if len(onward) > 1 or back is None:

@@ -73,14 +73,9 @@ class LocalMap:
     def add(
         self, pose: Pose, angles: FloatArray, ranges: FloatArray, moved: float
     ) -> None:
-        """Take note of a scan.
+        """Take note of a scan, made so many metres after the last.
 
-        Args:
-            pose: Of the robot, in the odometry's frame.
-            angles: Of the rays, radians from straight ahead, evenly round the full
-                circle, ascending; shape (N,).
-            ranges: Metres, `inf` without a return; shape (N,).
-            moved: Metres driven since the scan before.
+        See `TurningPointFinder.update`.
         """
         self._move_along(pose)
         if moved > 0:
@@ -170,11 +165,9 @@ class WallDirections:
         )
 
     def along(self, x: float, y: float, radius: float, heading: float) -> FloatArray:
-        """Return the directions of the walls around a place that are near a heading.
+        """Return the directions of walls around a place near a heading, radians.
 
-        Returns:
-            Radians, the one with most wall first, shape (N,); N is 0 where no walls
-            run near the heading.
+        The one with most wall comes first; none where no walls run near the heading.
         """
         if self._all is None:
             self._all = np.concatenate(self._scans, axis=1)

@@ -65,14 +65,9 @@ _Look = tuple[tuple[float, float, float, float], bytes | None]
 def build_cache(
     folder: Path = DEBIAN_FOLDER, told: Callable[[str], None] = lambda _: None
 ) -> tuple[Credit, ...]:
-    """Convert all chosen models, and put them in the place of those that were there.
+    """Convert the chosen models of a folder's libraries, and replace earlier ones.
 
-    Args:
-        folder: With the furniture libraries (`.sh3f`).
-        told: Hears about each model, and why one is left out.
-
-    Raises:
-        SettingsError: There are no libraries, or a tool to convert them is missing.
+    `told` hears about each model, and why one is left out.
     """
     libraries = library_files(folder)
     check_tools()
@@ -129,11 +124,7 @@ class Piece:
 
 
 def library_files(folder: Path = DEBIAN_FOLDER) -> list[Path]:
-    """Return the libraries in a folder whose licence is known.
-
-    Raises:
-        SettingsError: There are none; says how to get them.
-    """
+    """Return the libraries in a folder whose licence is known."""
     files = [folder / f"{name}.sh3f" for name in LICENCES]
     found = [file for file in files if file.is_file()]
     if not found:
@@ -145,11 +136,7 @@ def library_files(folder: Path = DEBIAN_FOLDER) -> list[Path]:
 
 
 def pieces_of(library: Path) -> dict[str, Piece]:
-    """Return the pieces of a library by id.
-
-    Raises:
-        SettingsError: The file is no furniture library.
-    """
+    """Return the pieces of a library by id."""
     try:
         with ZipFile(library) as archive:
             text = archive.read(CATALOGUE).decode("latin-1")
@@ -197,22 +184,14 @@ def _piece(library: str, entry: dict[str, str]) -> Piece:
 
 
 def check_tools() -> None:
-    """Refuse to begin without the libraries that conversion needs.
-
-    Raises:
-        SettingsError: The extra `models` is not installed.
-    """
+    """Refuse to begin without the libraries that conversion needs."""
     require_extra(
         "models", "fast_simplification", "trimesh", purpose="furniture models"
     )
 
 
 def converted(piece: Piece, archive: ZipFile) -> ObjectModel:
-    """Convert a piece: cleaned, at most `MOST_TRIANGLES`, in its catalogue's size.
-
-    Raises:
-        SettingsError: Its file cannot be read as a model.
-    """
+    """Convert a piece: cleaned, at most `MOST_TRIANGLES`, in its catalogue's size."""
     surfaces, looks = _read(piece, archive)
     surfaces = [cleaned(each) for each in surfaces]
     total = sum(len(each.faces) for each in surfaces)

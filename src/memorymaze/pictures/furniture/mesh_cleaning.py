@@ -68,9 +68,7 @@ def cleaned(surface: Surface) -> Surface:
 def _split_the_other_way(spots: Floats, corners: Ints) -> NDArray[np.bool_]:
     """Find quads that lie twice, cut along both diagonals, and tell the second cuts.
 
-    Args:
-        spots: (N, 3), where places are.
-        corners: (M, 3), places of the faces' corners, ascending.
+    The faces' corners (M, 3) are numbers of spots (N, 3), ascending.
     """
     again = np.zeros(len(corners), dtype=bool)
     sides = np.concatenate([corners[:, [0, 1]], corners[:, [1, 2]], corners[:, [0, 2]]])
@@ -128,8 +126,7 @@ def thinned(surface: Surface, target: int, rng: np.random.Generator) -> Surface:
 def finished(surface: Surface) -> tuple[Floats, Ints, Floats, Floats | None]:
     """Turn faces outward, show open surfaces from both sides, and shade smoothly.
 
-    Returns:
-        Vertices (N, 3), faces (M, 3), unit normals (N, 3) and pictures' (N, 2).
+    Returns vertices (N, 3), faces (M, 3), unit normals (N, 3) and pictures' (N, 2).
     """
     places = same_places(surface.vertices)
     faces, closed = turned_outward(surface.vertices, surface.faces, places)

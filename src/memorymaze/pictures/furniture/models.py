@@ -80,11 +80,7 @@ def cache_folder() -> Path:
 
 
 def check_looks(looks: Looks | None) -> Looks:
-    """Return how things are to look; None is `models` where a user has converted them.
-
-    Raises:
-        SettingsError: There are no such looks, or no converted models.
-    """
+    """Return how things are to look; None is `models` where a user has converted them."""
     there = (cache_folder() / INDEX).is_file()
     if looks is None:
         return "models" if there else "own"
@@ -102,11 +98,7 @@ def check_looks(looks: Looks | None) -> Looks:
 
 @cache
 def credits_in(folder: Path) -> Mapping[str, tuple[Credit, ...]]:
-    """Return the converted models of a cache by archetype; read once.
-
-    Raises:
-        SettingsError: The folder is damaged.
-    """
+    """Return the converted models of a cache by archetype; read once."""
     try:
         content = json.loads((folder / INDEX).read_text(encoding="utf-8"))
         models = _CREDITS.validate_python(content["models"])
@@ -129,11 +121,7 @@ def forget_models() -> None:
 
 @cache
 def load_model(folder: Path, name: str) -> ObjectModel:
-    """Read a converted model; the same arrays every time.
-
-    Raises:
-        SettingsError: Its file is missing or damaged.
-    """
+    """Read a converted model; the same arrays every time."""
     path = file_of(folder, name)
     try:
         with np.load(path) as arrays:
@@ -180,14 +168,8 @@ def furniture_for(
 ) -> ObjectModel | None:
     """Return a converted model that fills the box of a thing exactly.
 
-    Args:
-        archetype: What the thing is, of `looks.catalogue`.
-        order: Its size, colour and variant.
-        folder: With converted models; None for the user's cache.
-
-    Returns:
-        The model; None where there is none, none has about the thing's proportions,
-        or words have to stand on it.
+    None where there is none in the folder (by default the user's cache), none has about
+    the thing's proportions, or words have to stand on it.
     """
     folder = folder or cache_folder()
     pieces = credits_in(folder).get(archetype, ())

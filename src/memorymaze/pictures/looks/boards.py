@@ -66,12 +66,7 @@ def sign_board(
 ) -> Pixels:
     """Return the picture of a sign with its words, and arrows where they point.
 
-    Args:
-        width: Metres.
-        height: Metres.
-        text: What is written on it.
-        ground: Colour behind the words, which are black or white.
-        framed: With a line round it.
+    Its words are black or white, whatever shows on the ground's colour.
     """
     image = blank(width, height, ground)
     ink = ink_on(ground)

@@ -57,11 +57,9 @@ def archetypes() -> dict[str, Archetype]:
 
 
 def archetype_of(category: str) -> str | None:
-    """Return the archetype of a category of a site plan.
+    """Return the archetype of a category of a site plan, a key of `archetypes`.
 
-    Returns:
-        Its name, a key of `archetypes`; None for a category that nothing is known of,
-        which is shown as a box with its name.
+    None for a category that nothing is known of, which is shown as a box with its name.
     """
     names = _names()
     for phrase in _phrases(category):
@@ -106,15 +104,9 @@ def model_of(
 ) -> ObjectModel:
     """Return how a thing looks that no plan has, such as a box left in the way.
 
-    Args:
-        category: Common English noun.
-        size: Length across the front, depth, height; metres.
-        colour_words: As in site plans; unknown words give its usual colour.
-        text: Words written on it.
-        name: Proper name, which may say what it shows.
-        mount: `floor`, `wall` or `ceiling`.
-        variant: Which of several looks.
-        looks: Whether converted furniture models may stand for it.
+    Size is length across the front, depth, height. Unknown words for colours give its
+    usual colour; a proper name may say what it shows; the variant is one of several
+    looks.
     """
     length, depth, height = size
     order = Order(

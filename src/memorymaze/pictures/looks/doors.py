@@ -65,11 +65,7 @@ def is_seen_through(door: Door) -> bool:
 
 
 def model_for_door(door: Door) -> ObjectModel:
-    """Return what a door looks like.
-
-    Raises:
-        SettingsError: Its style is none that the plan format knows.
-    """
+    """Return what a door looks like."""
     if door.style not in DOOR_STYLES:
         raise SettingsError(
             f"door {door.id}: expected a style of {', '.join(DOOR_STYLES)}, got "

@@ -110,10 +110,6 @@ def smoothed(vertices: Floats, faces: Ints) -> Shape:
     """Return a shape whose normals are the area-weighted means of the faces' normals.
 
     Triangles without area are dropped.
-
-    Args:
-        vertices: (N, 3) metres.
-        faces: (M, 3), counter-clockwise from outside.
     """
     a, b, c = (vertices[faces[:, corner]] for corner in range(3))
     across = crossed(b - a, c - a)
@@ -145,13 +141,9 @@ def within(span: Span, margin: float) -> Span:
 
 
 def box(x: Span, y: Span, z: Span, bevel: float = 0.0) -> Shape:
-    """Return an upright box.
+    """Return an upright box: from back to front, across, from bottom to top.
 
-    Args:
-        x: From the back to the front.
-        y: Across.
-        z: From the bottom to the top.
-        bevel: Metres taken off its edges, shaded round; at most half its smallest side.
+    Its edges lose `bevel` metres, shaded round; at most half its smallest side.
     """
     low, high = _corners(x, y, z)
     half = (high - low) / 2
@@ -187,12 +179,8 @@ def plate(
 ) -> Shape:
     """Return a box whose front shows a whole picture; its rim has a corner's colour.
 
-    Args:
-        x: From the back to the front, which shows the picture.
-        y: From the picture's left to its right.
-        z: From its bottom to its top.
-        both_sides: The back shows it too, readable from there.
-        roof: The top shows it and not the front, readable from the front.
+    With `both_sides` the back shows it too, readable from there; with `roof` the top
+    and not the front, readable from the front.
     """
     signs, normals, faces = _box_template()
     low, high = _corners(x, y, z)
@@ -231,18 +219,12 @@ def lathed(
     height: float = 1.0,
     z: float = 0.0,
 ) -> Shape:
-    """Return a solid turned about the z axis.
+    """Return a solid turned about the z axis, its circles with so many corners.
 
-    A picture is wrapped round it once, its middle at the front, its top at the end of
-    the profile.
-
-    Args:
-        profile: Radius and height, from the lowest to the highest point of the outside;
-            closed with flat ends where it does not start or end on the axis.
-        sides: Corners of its circles.
-        radius: Metres by which the profile's radii are multiplied.
-        height: Metres by which its heights are multiplied.
-        z: Metres from which its heights are counted.
+    The profile has radius and height, from the lowest to the highest point of the
+    outside, as multiples of `radius` and `height`; it is closed with flat ends where it
+    does not start or end on the axis. A picture is wrapped round it once, its middle at
+    the front, its top at the end of the profile.
     """
     points = ((float(radius * r), float(z + height * up)) for r, up in profile)
     return _lathed(tuple(points), sides)
@@ -329,11 +311,8 @@ def ellipsoid(
 def extruded(outline: Sequence[tuple[float, float]], span: Span, along: Axis) -> Shape:
     """Return a solid with the same outline all along an axis.
 
-    Args:
-        outline: Corners of a simple polygon in the other two axes in alphabetic order:
-            (y, z) along x, (x, z) along y, (x, y) along z.
-        span: Where it begins and ends on the axis.
-        along: That axis.
+    The corners of the simple polygon are in the other two axes in alphabetic order: (y,
+    z) along x, (x, z) along y, (x, y) along z.
     """
     flat = np.array(outline, dtype=float)
     following = np.roll(flat, -1, axis=0)
@@ -385,17 +364,7 @@ def extruded(outline: Sequence[tuple[float, float]], span: Span, along: Axis) ->
 
 
 def triangles_of(outline: Floats) -> Ints:
-    """Cut a simple polygon into triangles.
-
-    Args:
-        outline: (N, 2) corners.
-
-    Returns:
-        (M, 3) numbers of corners, counter-clockwise.
-
-    Raises:
-        ValueError: The outline crosses itself or has fewer than three corners.
-    """
+    """Cut a simple polygon (N, 2) into triangles (M, 3), counter-clockwise."""
     polygon = shapely.Polygon(outline) if len(outline) > 2 else shapely.Polygon()
     if polygon.is_empty or not polygon.is_valid:
         raise ValueError(

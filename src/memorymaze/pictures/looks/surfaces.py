@@ -33,11 +33,7 @@ def solid(
 
 @cache
 def floor(name: str) -> Material:
-    """Return a floor covering by its name in the plan.
-
-    Raises:
-        SettingsError: There is no such covering.
-    """
+    """Return a floor covering by its name in the plan."""
     rng = np.random.default_rng(11)
     makers = {
         "carpet": _carpet,
@@ -59,11 +55,7 @@ def floor(name: str) -> Material:
 
 @cache
 def wall(name: str) -> Material:
-    """Return a wall by its name in the plan; what is solid of it, where it is glass.
-
-    Raises:
-        SettingsError: There is no such wall.
-    """
+    """Return a wall by its name in the plan; what is solid of it, where it is glass."""
     rng = np.random.default_rng(12)
     makers = {
         "plaster": _plaster,

@@ -17,13 +17,9 @@ def tube(
     *,
     closed: bool = False,
 ) -> Shape:
-    """Return a tube round a line, with flat ends.
+    """Return a tube round a line, with flat ends, or closed to a ring.
 
-    Args:
-        path: Its middle, metres; neighbouring points must differ.
-        radius: Metres, one for all or one per point.
-        sides: Corners of its cross-section.
-        closed: The last point goes on to the first.
+    Neighbouring points must differ; the radius is one for all or one per point.
     """
     return _round_path(path, radius, sides, closed=closed, round_ends=False)
 
@@ -51,11 +47,9 @@ def lofted(
 ) -> Shape:
     """Return a smooth skin over cross-sections.
 
-    Args:
-        rings: Each (N, 3) metres, counter-clockwise as seen looking back from the
-            next one to it.
-        round_ends: The ends are shaded into the skin and not cut off flat.
-        closed: The last ring goes on to the first; there are no ends.
+    Each is (N, 3) metres, counter-clockwise as seen looking back from the next one to
+    it. Round ends are shaded into the skin and not cut off flat; a closed skin has
+    none.
     """
     grid = np.stack(rings)
     count, sides = grid.shape[:2]
@@ -97,11 +91,8 @@ def leaves(
 ) -> Shape:
     """Return thin closed leaves, four flat triangles each.
 
-    Args:
-        bases: (N, 3) where they grow, metres.
-        tips: (N, 3) where they end; not straight above or below their bases.
-        widths: (N,) metres across.
-        thickness: How far the rib is raised, as a share of the width.
+    They grow from bases (N, 3) to tips not straight above or below; widths (N,) are
+    metres across, and the rib is raised by a share of them.
     """
     along = tips - bases
     sideways = np.column_stack([-along[:, 1], along[:, 0], np.zeros(len(along))])

@@ -278,10 +278,7 @@ def wall_faces(
 ) -> Iterator[WallFace]:
     """Yield the faces along the floor's boundary, at most `SLICE` metres long.
 
-    Args:
-        floor: Walkable floor.
-        parts: Its parts, for the material of the wall beside each.
-        openings: What breaks the walls.
+    The floor's parts tell the material of the wall beside each.
     """
     tree = STRtree([part.polygon for part in parts])
     turned = orient(floor)
@@ -416,13 +413,10 @@ class Surroundings:
         *,
         room: bool = False,
     ) -> list[Outline]:
-        """Return what is hollow behind a piece of wall: no floor, and of a room only it.
+        """Return what is hollow behind a piece of wall: no floor, of a room only it.
 
-        Args:
-            face: The wall.
-            along: From where to where, metres along the wall.
-            depth: How far behind the wall at most, metres.
-            room: Whether only what rooms cover counts, where there are rooms.
+        It reaches `along` the wall from where to where, and so many metres deep at
+        most. For a `room` only what rooms cover counts, where there are rooms.
         """
         low, high = along
         corners = [face.at(low), face.at(high), face.at(high, -depth)]

@@ -44,14 +44,7 @@ class MeshBuilder:
     def add(
         self, vertices: ArrayLike, faces: ArrayLike, normal: Vector, uv: ArrayLike
     ) -> None:
-        """Add flat triangles.
-
-        Args:
-            vertices: (N, 3) metres.
-            faces: (M, 3) numbers of these vertices.
-            normal: Of all of them.
-            uv: (N, 2), v downwards.
-        """
+        """Add flat triangles (M, 3) of vertices (N, 3); v of (N, 2) goes downwards."""
         points = np.asarray(vertices, dtype=np.float64)
         self._vertices.append(points)
         self._normals.append(
@@ -80,13 +73,9 @@ class MeshBuilder:
     def polygon(
         self, polygon: Polygon, height: float, uv_of: NDArray[np.float64], *, up: bool
     ) -> None:
-        """Add a level polygon at a height.
+        """Add a level polygon at a height, seen from above (`up`) or from below.
 
-        Args:
-            polygon: Outline, metres.
-            height: Metres.
-            uv_of: Turns (x, y, 1) into (u, v), shape (3, 2).
-            up: Whether it is seen from above, else from below.
+        `uv_of` (3, 2) turns (x, y, 1) into (u, v).
         """
         triangles = shapely.constrained_delaunay_triangles(polygon)
         for triangle in triangles.geoms:
@@ -111,15 +100,9 @@ class MeshBuilder:
         depth: tuple[float, float],
         height: tuple[float, float],
     ) -> None:
-        """Add an upright box.
+        """Add an upright box from a place `along` a unit vector for a length in metres.
 
-        Args:
-            start: Where it begins, metres.
-            along: Unit vector of its length.
-            length: Metres.
-            out: Unit vector across it, to the right-hand rule's left of `along`.
-            depth: From and to along `out`, metres.
-            height: From and to, metres.
+        `depth` is from and to along `out`, the unit vector to the left of `along`.
         """
 
         def corner(a: float, d: float, z: float) -> Vector:

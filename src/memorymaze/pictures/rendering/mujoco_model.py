@@ -49,13 +49,9 @@ class SpecAssembler:
     def add(
         self, placed: PlacedMeshes, group: int, *, transparent: bool | None = None
     ) -> int:
-        """Add meshes and return how many geoms they became.
+        """Add meshes to a geom group and return how many geoms they became.
 
-        Args:
-            placed: Meshes and where.
-            group: Geom group.
-            transparent: Add only what is (True) or is not (False) seen through; None
-                adds all.
+        Only what is (True) or is not (False) seen through is added; None adds all.
         """
         plain: dict[tuple[float, float], list[MeshPart]] = {}
         rest: list[MeshPart] = []

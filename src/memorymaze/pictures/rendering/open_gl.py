@@ -42,9 +42,6 @@ def choose_backend() -> Backend:
 
     `MUJOCO_GL` decides where it says `egl` or `osmesa`. Otherwise it is EGL where it
     offers a device to draw with, else OSMesa.
-
-    Raises:
-        RenderingError: There is neither, or `MUJOCO_GL` forbids to draw.
     """
     wanted = os.environ.get("MUJOCO_GL", "").strip().lower()
     if wanted == "egl" or wanted == "osmesa":
@@ -64,15 +61,7 @@ def choose_backend() -> Backend:
 
 
 def open_context(width: int, height: int) -> DrawingContext:
-    """Open an OpenGL context without a window.
-
-    Args:
-        width: Largest width to draw at, pixels.
-        height: Largest height to draw at, pixels.
-
-    Raises:
-        RenderingError: No OpenGL works here; the message says what to install.
-    """
+    """Open an OpenGL context without a window, to draw at up to so many pixels."""
     if _drawing_processes - {os.getpid()}:
         # The threads and connections of OpenGL do not come along; it would hang.
         raise RenderingError(

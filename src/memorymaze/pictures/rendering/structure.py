@@ -102,12 +102,8 @@ def empty_stretches(
 ) -> Iterator[tuple[WallFace, float, float, float]]:
     """Yield the pieces of long plaster walls on which there is nothing.
 
-    Args:
-        faces: Of the walls, in their order along the floor.
-        site: For the doors and the things on the walls.
-
-    Yields:
-        A face, from where to where on it, and where on it the empty wall begins, metres.
+    The faces come in their order along the floor. Told are a face, from where to where
+    on it, and where on it the empty wall begins, metres.
     """
     used = [
         (door.line.interpolate(0.5, normalized=True), door.line.length / 2)

@@ -61,12 +61,7 @@ class Outlook:
     heading: float
 
     def sees(self, centres: FloatArray, radii: FloatArray) -> NDArray[np.bool_]:
-        """Tell which round things may be seen.
-
-        Args:
-            centres: (n, 2) metres.
-            radii: (n,) metres.
-        """
+        """Tell which round things may be seen: (n, 2) and (n,) metres."""
         dx, dy = centres[:, 0] - self.x, centres[:, 1] - self.y
         distance = np.hypot(dx, dy)
         around = distance <= radii + 0.1
@@ -98,11 +93,7 @@ class Sightlines:
     """The walls of a building that hide things."""
 
     def __init__(self, segments: FloatArray) -> None:
-        """Remember the walls.
-
-        Args:
-            segments: (n, 4), x, y to x, y, metres.
-        """
+        """Remember the walls: (n, 4), x, y to x, y, metres."""
         self._starts = segments[:, :2]
         self._along = segments[:, 2:] - segments[:, :2]
         self._middles = (segments[:, :2] + segments[:, 2:]) / 2

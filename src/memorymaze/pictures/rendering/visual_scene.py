@@ -87,11 +87,7 @@ class VisualScene:
     def place(self, places: Mapping[str, Pose]) -> None:
         """Put things and people where they are now, for the pictures that follow.
 
-        Args:
-            places: Where each is by its id; those not named are nowhere.
-
-        Raises:
-            KeyError: The scene was built without a thing of this id.
+        Those not named by their ids are nowhere.
         """
         for name, geoms in self.movable_geoms.items():
             if name not in places:

@@ -54,12 +54,9 @@ class Clearance:
         self._everything = STRtree([*walls, *obstacles])
 
     def to_walls(self, points: FloatArray) -> FloatArray:
-        """Return distances to the nearest wall, metres, shape (N,).
+        """Return distances of points (N, 2) to the nearest wall, metres, shape (N,).
 
         At most `CLEARANCE_RANGE`; 0 where there is no floor.
-
-        Args:
-            points: Metres, shape (N, 2).
         """
         return self._distances(points, self._walls)
 
@@ -120,17 +117,12 @@ def make_detours(
 ) -> tuple[FloatArray, int]:
     """Change offsets from a line so that it keeps clear of everything.
 
-    Args:
-        base: Stations of the line, metres, shape (N, 2), `SPACING` apart.
-        normals: Unit vectors to the left, shape (N, 2).
-        offsets: Wanted metres to the left, shape (N,); the first is kept.
-        needed: Clearance that every station should have, metres.
-        least: Clearance that each station must have, metres, shape (N,).
-        clearance: Distances on this floor.
+    The line's stations (N, 2) are `SPACING` apart, its normals point to the left, the
+    wanted offsets (N,) are metres to the left, and the first is kept. Every station
+    should have the clearance `needed`, and each must have its own `least` (N,).
 
-    Returns:
-        The new offsets (N,), and how many stations can be reached; offsets behind
-        those have no meaning.
+    Returns the new offsets and how many stations can be reached; offsets behind those
+    have no meaning.
     """
     result = offsets.copy()
     reachable = len(base)

@@ -65,11 +65,7 @@ def exit_meant(direction: Direction, angles: Sequence[float]) -> int | None:
 
 
 def parse_direction(direction: object) -> Direction:
-    """Return a direction that the control API knows.
-
-    Raises:
-        CommandError: It is none; the message names those there are.
-    """
+    """Return a direction that the control API knows."""
     for known in DIRECTIONS:
         if isinstance(direction, str) and direction == known:
             return known
@@ -80,11 +76,7 @@ def parse_direction(direction: object) -> Direction:
 
 
 def words_to_look_for(words: object) -> str:
-    """Return words that name a thing.
-
-    Raises:
-        CommandError: They are no text, or an empty one.
-    """
+    """Return words that name a thing, and refuse what is no text or an empty one."""
     if isinstance(words, str) and words.strip():
         return words
     raise CommandError(
@@ -94,11 +86,7 @@ def words_to_look_for(words: object) -> str:
 
 
 def metres_ahead(call: str, distance: object) -> float:
-    """Return a distance to drive, as the call of this name takes it.
-
-    Raises:
-        CommandError: It is none.
-    """
+    """Return a distance to drive, as the call of this name takes it."""
     metres = _finite(distance)
     if metres is not None and metres > 0:
         return metres
@@ -108,11 +96,7 @@ def metres_ahead(call: str, distance: object) -> float:
 
 
 def radians_to_turn(angle: object) -> float:
-    """Return an angle to turn by.
-
-    Raises:
-        CommandError: It is none.
-    """
+    """Return an angle to turn by."""
     radians = _finite(angle)
     # A full turn in whole steps may be a rounding error more.
     if radians is not None and 0 < abs(radians) <= 2 * math.pi + 1e-9:
@@ -124,11 +108,7 @@ def radians_to_turn(angle: object) -> float:
 
 
 def check_speeds(settings: SimulationSettings, asked: Mapping[str, object]) -> None:
-    """Refuse `speed`, `turn_rate` and `seconds` that the robot cannot drive by.
-
-    Raises:
-        CommandError: One has no meaning.
-    """
+    """Refuse `speed`, `turn_rate` and `seconds` that the robot cannot drive by."""
     bounds = {
         "speed": (-settings.max_speed, settings.max_speed),
         "turn_rate": (-settings.max_turn_rate, settings.max_turn_rate),

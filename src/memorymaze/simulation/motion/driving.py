@@ -119,16 +119,11 @@ class Driver:
         travel: float | None,
         steps: int | None = None,
     ) -> float:
-        """Let one control period pass.
+        """Let one control period pass, or so many physics steps; return metres moved.
 
-        Args:
-            speed: Wanted, metres per second.
-            turn_rate: Wanted, radians per second.
-            travel: The way the robot is going, radians; None while it only turns.
-            steps: Physics steps, when fewer than a period's.
-
-        Raises:
-            TimeIsUp: The time budget is used up.
+        Wanted are metres per second ahead and radians per second; `travel` is the way
+        the robot is going, radians, None while it only turns. Raises `TimeIsUp` when
+        the time budget is used up.
         """
         base = self.base
         if base.time - self.standing_time >= self._settings.time_budget:
@@ -157,17 +152,11 @@ class Driver:
         end_speed: float,
         patience: float = math.inf,
     ) -> DriveEnd:
-        """Drive along a lane.
+        """Drive along a lane, some metres at most, and return why it ended.
 
-        Args:
-            follower: On the lane to drive.
-            distance: Metres to drive at most.
-            end_speed: Greatest speed after that distance, metres per second.
-            patience: Seconds of waiting for people after which to return.
-
-        Returns:
-            Why it ended: the distance is driven, the lane is at its end, the robot
-            pushed against something and did not move, or it has been held by people.
+        The distance is driven, at up to `end_speed` at its end; the lane is at its end;
+        the robot pushed against something and did not move; or people have held it for
+        as long as `patience` lasts, seconds.
         """
         braking = BRAKING_SHARE * self._settings.max_acceleration
         driven, idle = 0.0, 0
@@ -228,16 +217,10 @@ class Driver:
         self.waiting_time += self.time - begin
 
     def stand(self, seconds: float) -> float:
-        """Come to rest and stand, while people go on walking.
+        """Come to rest and stand for simulated seconds, while people go on walking.
 
         Where there are none nothing changes, so that nothing has to be computed: the
         walk is the same however long the robot stands.
-
-        Args:
-            seconds: Simulated, at least 0.
-
-        Raises:
-            TimeIsUp: The time budget ended while it came to rest.
         """
         self.come_to_rest()
         left = steps = round(seconds / TIMESTEP)
@@ -268,10 +251,7 @@ class Driver:
     def drive_to(self, x: float, y: float, patience: float = math.inf) -> None:
         """Drive straight to a point, backing up to it when it is close behind.
 
-        Args:
-            x: Metres.
-            y: Metres.
-            patience: Seconds of waiting for people after which it gives up.
+        It gives up when people have held it for as long as `patience` lasts, seconds.
         """
         distance = math.hypot(x - self.pose.x, y - self.pose.y)
         if distance < 0.05:
@@ -305,8 +285,7 @@ class Driver:
     def yielding_speed_to(self, distance: float, course: float) -> float:
         """Return the greatest speed that lets people pass on a straight way.
 
-        Returns:
-            Metres per second; inf where nobody is in the way.
+        It is inf where nobody is in the way.
         """
         if self.surroundings is None:
             return math.inf

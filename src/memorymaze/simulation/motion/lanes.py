@@ -113,12 +113,7 @@ def plan_lane(
 
 
 def lane_along(points: FloatArray, max_speed: float) -> Lane:
-    """Return the lane along a given line, its corners rounded by some centimetres.
-
-    Args:
-        points: Vertices, metres, shape (N, 2), N >= 2.
-        max_speed: Metres per second.
-    """
+    """Return the lane along a given line (N, 2), its corners rounded a little."""
     base = _rounded(polyline.resample(points, SPACING), 2)
     speeds = np.full(len(base), max_speed)
     return _lane(base, base, _headings(base), speeds, "done")
@@ -130,15 +125,10 @@ def lane_round_things(
     max_speed: float,
     clearance: Clearance,
 ) -> Lane:
-    """Return the lane from a place back to a given line, and round what stands on it.
+    """Return the lane from a place to a line, along it and round what stands on it.
 
-    It ends as `obstacle` where the rest of the line cannot be reached.
-
-    Args:
-        points: Vertices of the line, metres, shape (N, 2), N >= 2.
-        place: Where the robot is, beside the line's beginning; metres.
-        max_speed: Metres per second.
-        clearance: Distances to everything that stands.
+    The place is beside the line's beginning. It ends as `obstacle` where the rest of
+    the line (N, 2) cannot be reached.
     """
     base = _rounded(polyline.resample(points, SPACING), 2)
     # Lines may lead along walls more closely than lanes do; there they are kept to.
@@ -157,9 +147,8 @@ def _round_things(
 ) -> tuple[FloatArray, FloatArray, int]:
     """Lead from a place onto a line and round what stands on it, as far as one gets.
 
-    Returns:
-        Where to drive (N, 2) and how fast (N,), with a gap before what cannot be
-        passed; and how many stations of the line can be reached.
+    Returns where to drive (N, 2) and how fast (N,), with a gap before what cannot be
+    passed; and how many stations of the line can be reached.
     """
     normals = _normals(base)
     aside = float((np.array(place) - base[0]) @ normals[0])

@@ -42,16 +42,10 @@ FollowEnd = Literal["arrived", "blocked", "obstacle"]
 def follow_line(
     driver: Driver, points: FloatArray, max_speed: float = 1.0
 ) -> FollowEnd:
-    """Drive to a line's first point, along it and to its end, and come to rest there.
+    """Drive to a line's first point, along it (N, 2), and come to rest at its end.
 
-    Args:
-        driver: Of the robot that drives.
-        points: Vertices, metres, shape (N, 2), N >= 1.
-        max_speed: Metres per second.
-
-    Returns:
-        `arrived`; `blocked` when it pushed against something and gave up, and where
-        things or people stand that it cannot get past `obstacle`.
+    It is `blocked` when it pushed against something and gave up; `obstacle` where
+    things or people stand that it cannot get past.
     """
     here = np.array([driver.pose[:2]])
     line = _without_repeats(np.concatenate([here, points]))

@@ -36,19 +36,10 @@ def go_straight(
     settings: SimulationSettings,
     patience: float = math.inf,
 ) -> float:
-    """Drive straight ahead and come to rest.
+    """Drive straight ahead from a stand and come to rest; return metres moved.
 
     It ends where the robot touches something ahead, or has waited for people for as
-    long as `patience` lasts.
-
-    Args:
-        driver: Of a robot that stands.
-        distance: Metres, greater than 0.
-        settings: How fast it may go.
-        patience: Seconds.
-
-    Raises:
-        TimeIsUp: The time budget ran out.
+    long as `patience` lasts, seconds.
     """
     start = driver.pose
     ahead_x, ahead_y = math.cos(start.heading), math.sin(start.heading)
@@ -84,15 +75,9 @@ def go_straight(
 
 
 def spin_by(driver: Driver, angle: float, settings: SimulationSettings) -> float:
-    """Turn on the spot by an angle and come to rest.
+    """Turn on the spot from a stand and come to rest; return radians turned.
 
-    Args:
-        driver: Of a robot that stands.
-        angle: Radians, left positive; a full turn is one.
-        settings: How fast it may turn.
-
-    Raises:
-        TimeIsUp: The time budget ran out.
+    The angle is left positive; a full turn is one.
     """
     braking = BRAKING_SHARE * settings.max_turn_acceleration
     turned, idle = 0.0, 0
@@ -116,17 +101,10 @@ def spin_by(driver: Driver, angle: float, settings: SimulationSettings) -> float
 def drive_on(
     driver: Driver, speed: float, turn_rate: float, seconds: float, period: float
 ) -> float:
-    """Go for speeds for some time; the robot rolls on afterwards.
+    """Go for speeds for some time and roll on afterwards; return metres driven.
 
-    Args:
-        driver: Of the robot.
-        speed: Ahead, metres per second; negative backs up.
-        turn_rate: Radians per second, left positive.
-        seconds: How long; a multiple of the physics step.
-        period: From one decision to the next, seconds.
-
-    Raises:
-        TimeIsUp: The time budget ran out.
+    The time is a multiple of the physics step; `period` is from one decision to the
+    next, seconds.
     """
     driver.hindrance = None
     left, whole = round(seconds / TIMESTEP), round(period / TIMESTEP)

@@ -119,11 +119,7 @@ class Axis:
         return True
 
     def floor_ahead(self, place: XY) -> float:
-        """Return how far it is along the axis from a place to the floor's end.
-
-        Args:
-            place: Metres; on the axis.
-        """
+        """Return how far it is along the axis from a place on it to the floor's end."""
         nearest = math.inf
         px, py = self.corners[-1]
         for qx, qy in self.corners:
@@ -183,14 +179,11 @@ class StraightWays:
         fresh: bool = True,
         towards: str | None = None,
     ) -> StraightWay:
-        """Return the straight way from a place on the floor.
+        """Return the straight way from a place on the floor, for a robot on a course.
 
-        Args:
-            position: Metres.
-            course: The way the robot means to go, radians.
-            fresh: Whether it has turned since it last followed a corridor; it then
-                joins a corridor at an angle up to `ENTRY_TOLERANCE`.
-            towards: Id of the corridor that a turn was made into.
+        A `fresh` robot has turned since it last followed a corridor: it joins one at an
+        angle up to `ENTRY_TOLERANCE`. `towards` is the id of the corridor that a turn
+        was made into.
         """
         tolerance = ENTRY_TOLERANCE if fresh else BEND_TOLERANCE
         place, course_now = position, course

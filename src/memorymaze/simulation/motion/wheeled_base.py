@@ -165,10 +165,7 @@ class WheeledBase:
     def drive(self, speed: float, turn_rate: float, steps: int) -> None:
         """Let the physics run for some steps, going for these speeds.
 
-        Args:
-            speed: Ahead, metres per second; negative backs up.
-            turn_rate: Radians per second, left positive.
-            steps: Physics steps, at least 1.
+        Metres per second, negative backs up; radians per second, left positive.
         """
         duration = steps * TIMESTEP
         self.speed = _approach(self.speed, speed, self._acceleration * duration)

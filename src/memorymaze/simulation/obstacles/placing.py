@@ -73,14 +73,11 @@ def place_things(
     keep_free: Sequence[tuple[float, float]],
     rng: np.random.Generator,
 ) -> list[Pose | None]:
-    """Find places for things so that no way is sealed.
+    """Find places for things so that no way is sealed; None for one without a place.
 
-    Beside each thing a way of `PASSAGE` metres stays open, on one side at least:
-    floor that hung together for a disc of that size still does. Nothing stands in or
-    close to turning points, before doors, or near the places to be kept free.
-
-    Returns:
-        A pose per thing; None where no place was found for it.
+    Beside each thing a way of `PASSAGE` metres stays open, on one side at least: floor
+    that hung together for a disc of that size still does. Nothing stands in or close to
+    turning points, before doors, or near the places to be kept free.
     """
     placer = _Placer(site, keep_free, rng)
     return [placer.place(thing) for thing in things]

@@ -92,14 +92,9 @@ class Surroundings:
         keep_free: Sequence[tuple[float, float]],
         rng: np.random.Generator,
     ) -> None:
-        """Place things and people.
+        """Place things and people of a scene that has some.
 
-        Args:
-            scene: A building with movables.
-            data: The state of physics, in which they are put in their places.
-            robot: Where the robot begins.
-            keep_free: Points where nothing may stand, besides that, metres.
-            rng: Where every choice comes from.
+        Nothing stands near the robot or near the points to keep free, metres.
         """
         self._scene = scene
         self._data = data
@@ -220,14 +215,9 @@ def find_hindrance(
 ) -> Hindrance | None:
     """Return the first person in the way, foretelling everyone's motion.
 
-    People are taken to keep their velocity for a while; those behind the robot are
-    left to keep away themselves.
-
-    Args:
-        crowd: Who there is.
-        places: Where the robot will be, `LANE_STEP` apart, from where it is now:
-            x, y in metres and heading in radians.
-        speed: Of the robot now, metres per second.
+    People are taken to keep their velocity for a while; those behind the robot are left
+    to keep away themselves. `places` are where the robot will be, `LANE_STEP` apart,
+    from where it is now: x, y in metres and heading in radians.
     """
     x, y, _ = places[0]
     first: Hindrance | None = None

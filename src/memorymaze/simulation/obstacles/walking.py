@@ -53,19 +53,10 @@ WALL_REACH = 1.8
 
 
 class Walks:
-    """Shortest ways between places of one site, over its navigation graph.
-
-    Attributes:
-        goals: Places people walk to: before doors, or viewpoints where a site has less
-            than two doors; metres.
-    """
+    """Shortest ways between places of one site, over its navigation graph."""
 
     def __init__(self, site: Site) -> None:
-        """Join the site's viewpoints.
-
-        Raises:
-            SitePlanError: Nobody can walk there.
-        """
+        """Join the site's viewpoints."""
         graph = navigation_graph(site)
         self._floor = Floor(site.free_floor)
         self._places = np.array([(each.x, each.y) for each in graph.viewpoints])
@@ -83,6 +74,7 @@ class Walks:
             if (place := self._before_door(door.line.coords)) is not None
         ]
         self.goals: list[XY] = doors
+        """Where people walk to: before doors, or viewpoints where there are too few."""
         if len(doors) < 2:
             self.goals = [(x, y) for x, y in self._places.tolist()]
 

@@ -67,13 +67,9 @@ class Lines:
 
 @cache
 def fitted(text: str, width: int, height: int, *, most_lines: int = 8) -> Lines:
-    """Break a text where its letters become largest.
+    """Break a text where its letters become largest in a field of so many pixels.
 
-    Args:
-        text: Words; line breaks in it are kept.
-        width: Of the field, pixels.
-        height: Of the field, pixels.
-        most_lines: At most so many lines for each line of the text.
+    Line breaks in it are kept; each of its lines becomes at most `most_lines`.
     """
     best: Lines | None = None
     fixed = [line.split() for line in text.splitlines() if line.strip()]
@@ -102,17 +98,11 @@ def write(
     bold: bool = True,
     tallest: float = 1.0,
 ) -> Field:
-    """Write a text into a field of a picture, as large as it fits.
+    """Write a text into a field of an RGB picture, as large as it fits; return where.
 
-    Args:
-        image: RGB; changed.
-        field: Where to.
-        text: Words; arrows are letters too.
-        ink: Colour.
-        align: 0 left, 0.5 in the middle, 1 right.
-        most_lines: At most so many lines for each line of the text.
-        bold: In heavy letters.
-        tallest: Most height of a line as a share of the field's.
+    Arrows are letters too. `align` is 0 left, 0.5 in the middle, 1 right; each line of
+    the text becomes at most `most_lines`; `tallest` is the most height of a line as a
+    share of the field's.
     """
     if not text.strip():
         return Field(field.left, field.top, field.left, field.top)

@@ -23,11 +23,7 @@ FloatArray = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True)
 class LidarSettings:
-    """What a LiDAR measures and how well.
-
-    Raises:
-        SettingsError: A value has no meaning; the message names it and the range.
-    """
+    """What a LiDAR measures and how well."""
 
     rays: int = 360
     """Per beam, evenly round the full circle."""
@@ -77,16 +73,9 @@ class Lidar:
         settings: LidarSettings | None = None,
         rng: np.random.Generator | None = None,
     ) -> None:
-        """Mount a LiDAR.
+        """Mount a LiDAR; noise and drop-outs need a random generator.
 
-        Args:
-            scene: The building.
-            data: Physics state whose geoms are seen; None for the empty building.
-            settings: The sensor's; the defaults when None.
-            rng: Source of noise and drop-outs; needed when there are any.
-
-        Raises:
-            SettingsError: There are noise or drop-outs and no source of them.
+        It sees the geoms of a physics state, of None those of the empty building.
         """
         self.settings = settings or LidarSettings()
         """What it measures and how well."""

@@ -12,11 +12,7 @@ from memorymaze.options import check_number
 
 @dataclass(frozen=True, slots=True)
 class OdometrySettings:
-    """How far odometry is off; the defaults are exact.
-
-    Raises:
-        SettingsError: A value has no meaning; the message names it and the range.
-    """
+    """How far odometry is off; the defaults are exact."""
 
     scale_error: float = 0.0
     """Relative error of every distance: 0.01 measures 1.01 m for each metre."""
@@ -49,16 +45,7 @@ class Odometry:
         settings: OdometrySettings | None = None,
         rng: np.random.Generator | None = None,
     ) -> None:
-        """Begin at the origin.
-
-        Args:
-            start: True pose at the start.
-            settings: How far it is off; exact when None.
-            rng: Source of noise; needed when there is any.
-
-        Raises:
-            SettingsError: There is noise and no source of it.
-        """
+        """Begin at the origin, at a true start pose; noise needs a random generator."""
         self.settings = settings or OdometrySettings()
         """How far it is off."""
         self._noisy = (

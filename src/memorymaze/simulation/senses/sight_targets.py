@@ -96,13 +96,9 @@ def sight_targets(scene: Scene) -> SightTargets:
 def movable_targets(
     scene: Scene, data: mujoco.MjData, eye: FloatArray, reach: float
 ) -> SightTargets:
-    """Return the things and people to be seen near a point, where they are now.
+    """Return the things and people whose middles are within reach of a point now.
 
-    Args:
-        scene: The building.
-        data: Physics state with up-to-date geom poses.
-        eye: Metres, (3,).
-        reach: Metres from there to their middles.
+    The geom poses of the physics state have to be up to date.
     """
     geoms = _movable_geoms(scene)
     distances = np.linalg.norm(data.geom_xpos[geoms].reshape(-1, 3) - eye, axis=1)

@@ -53,13 +53,7 @@ class Stay(ABC):
 
     @abstractmethod
     def meeting_point(self, way: WayOut, place: XY, course: float) -> XY:
-        """Return where to turn into a way, metres.
-
-        Args:
-            way: One of its ways.
-            place: A place on the line the robot comes along, metres.
-            course: The way that line goes, radians.
-        """
+        """Return where to turn into a way from a line through a place, on a course."""
 
     def onward(self) -> list[WayOut]:
         """Return every way but the one it came by."""
@@ -86,11 +80,8 @@ class TurningPointSource(Protocol):
     def update(self, pose: Pose, travel: float | None, time: float) -> None:
         """Take note of where the robot is.
 
-        Args:
-            pose: Of the robot.
-            travel: The way it moves, or faces when it has not moved yet, radians; None
-                while it only turns.
-            time: Simulated seconds.
+        `travel` is the way it moves, or faces when it has not moved yet, radians; None
+        while it only turns.
         """
         ...
 
@@ -102,11 +93,8 @@ class TurningPointSource(Protocol):
 def where_lines_meet(place: XY, course: float, through: XY, direction: XY) -> XY | None:
     """Return where a line meets a way; None where they are about one line.
 
-    Args:
-        place: On the line, metres.
-        course: Of the line, radians.
-        through: On the way, metres.
-        direction: Of the way, a unit vector.
+    The line goes through a place on a course; the way through another, along a unit
+    vector.
     """
     ux, uy = direction
     vx, vy = math.cos(course), math.sin(course)
@@ -254,16 +242,7 @@ class LidarTurningPoints:
     """
 
     def __init__(self, lidar: Lidar, odometry: Odometry, start: Pose) -> None:
-        """Look around from the start.
-
-        Args:
-            lidar: On the robot; with one beam.
-            odometry: At its beginning.
-            start: Pose of the robot.
-
-        Raises:
-            SettingsError: The LiDAR scans in more than one plane.
-        """
+        """Look around from the start; the LiDAR has to have one beam."""
         if lidar.settings.beams != 1:
             raise SettingsError(
                 "turning points by LiDAR: expected a LiDAR with 1 beam, got "

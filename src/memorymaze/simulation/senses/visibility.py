@@ -66,12 +66,9 @@ class RayCamera:
     def __init__(
         self, scene: Scene, data: mujoco.MjData, draw: Draw | None = None
     ) -> None:
-        """Look from where the lens is in `data`.
+        """Look from where the lens is in a physics state whose poses are up to date.
 
-        Args:
-            scene: The building.
-            data: Physics state with up-to-date camera and geom poses.
-            draw: For those who ask for a picture; None has none.
+        `draw` is for those who ask for a picture; None has none.
         """
         self._scene = scene
         self._data = data
@@ -282,13 +279,7 @@ def _is_cut(box: tuple[float, float, float, float]) -> bool:
 
 
 def camera_elsewhere(scene: Scene, now: mujoco.MjData, pose: Pose) -> RayCamera:
-    """Return what the camera would see from a pose, with people and things as now.
-
-    Args:
-        scene: The building.
-        now: Physics state of an episode; stays as it is.
-        pose: Of the robot whose camera it is.
-    """
+    """Return what the camera would see from a robot's pose, with people as now."""
     data = mujoco.MjData(scene.model)
     half = pose.heading / 2
     data.qpos[:7] = (pose.x, pose.y, 0, math.cos(half), 0, 0, math.sin(half))
