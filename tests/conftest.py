@@ -249,6 +249,10 @@ class PaperRobot:
             return TurnResult(True, 90.0, "turned left")
         return TurnResult(False, 0.0, f"no way {direction}")
 
+    def turn_by(self, degrees: float) -> TurnResult:
+        self._record("turn_by", degrees)
+        return TurnResult(True, degrees, "turned")
+
     def detect_from_RGB_image(self, object: str) -> list[Detection]:
         self._record("detect_from_RGB_image", object)
         return [

@@ -62,6 +62,7 @@ def test_nothing_can_be_put_on_the_robot(own_agent: Run) -> None:
         ("robot.detect_turning_point()", "detect_turning_point"),
         ("robot.turning_point_id()", "turning_point_id"),
         ("robot.turn('around')", "turn"),
+        ("robot.turn_by(-30)", "turn_by"),
         ("robot.detect_from_RGB_image('door')", "detect_from_RGB_image"),
         ("robot.read_signs()", "read_signs"),
         ("robot.say('hello')", "say"),

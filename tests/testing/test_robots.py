@@ -21,6 +21,11 @@ class Deaf(SimulatedRobot):
         return TurnResult(False, 0.0, "no")
 
 
+class Dizzy(SimulatedRobot):
+    def turn_by(self, degrees: float) -> TurnResult:
+        return super().turn_by(degrees / 2)
+
+
 class Boasting(SimulatedRobot):
     def move_forward(self, distance: float) -> MoveResult:
         return MoveResult(2 * super().move_forward(distance).distance, "done")
@@ -96,6 +101,7 @@ def test_a_robot_among_obstacles_keeps_the_contract(corridor_site: Site) -> None
     ("kind", "said"),
     [
         (Deaf, "not turned, and a message"),
+        (Dizzy, r"turn_by\(30\): turned by that"),
         (Boasting, "at most 0.5 m"),
         (Forgetful, "within 4 m"),
         (Inventive, "nothing outside turning points"),

@@ -53,6 +53,10 @@ class GuardedRobot:
         """See `Robot.turn`."""
         return self.__robot.turn(direction)
 
+    def turn_by(self, degrees: float) -> TurnResult:
+        """See `Robot.turn_by`."""
+        return self.__robot.turn_by(degrees)
+
     def detect_from_RGB_image(self, object: str) -> list[Detection]:
         """See `Robot.detect_from_RGB_image`."""
         return self.__robot.detect_from_RGB_image(object)

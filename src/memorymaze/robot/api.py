@@ -183,6 +183,22 @@ class Robot(Protocol):
         """
         ...
 
+    def turn_by(self, degrees: float) -> TurnResult:
+        """Turn on the spot by an angle, anywhere: to face a door, a thing or a sign.
+
+        Directions then count from there, and `move_forward` drives that way, up to
+        what is faced; but along a corridor if one runs within 30 degrees of it.
+
+        Args:
+            degrees: Left positive, from -360 to 360.
+
+        Example:
+            >>> for door in detect_from_RGB_image("yellow door"):
+            ...     turn_by(door.bearing_deg)
+            ...     break
+        """
+        ...
+
     def detect_from_RGB_image(self, object: str) -> list[Detection]:
         """Look for an object in the camera's picture; the nearest one first.
 

@@ -36,6 +36,7 @@ from memorymaze.simulation.cameras import (
 )
 from memorymaze.simulation.motion.commands import (
     check_speeds,
+    degrees_to_turn,
     metres_ahead,
     parse_direction,
     radians_to_turn,
@@ -166,14 +167,20 @@ class SimulatedRobot:
         """See `Robot.turn`; unknown words are refused with `turned` False."""
         with self._call("turn", direction=str(direction)) as call:
             try:
-                result = self._pilot.turn(parse_direction(direction))
+                way = parse_direction(direction)
+                result = self._in_time(lambda: self._pilot.turn(way), _turn_cut_short)
             except CommandError as error:
                 result = TurnResult(False, 0.0, str(error))
-            except TimeIsUp:
-                self._log.stopped_by = "budget"
-                result = TurnResult(False, 0.0, "the time budget ran out")
             self._refused_turns += not result.turned
             return call.returns(result)
+
+    def turn_by(self, degrees: float) -> TurnResult:
+        """See `Robot.turn_by`."""
+        with self._call("turn_by", degrees=degrees) as call:
+            radians = degrees_to_turn(degrees)
+            return call.returns(
+                self._in_time(lambda: self._pilot.turn_by(radians), _turn_cut_short)
+            )
 
     def detect_from_RGB_image(self, object: str) -> list[Detection]:
         """See `Robot.detect_from_RGB_image`."""
@@ -480,3 +487,7 @@ class SimulatedRobot:
 
 def _out_of_time() -> MoveEnd:
     return "budget"
+
+
+def _turn_cut_short() -> TurnResult:
+    return TurnResult(False, 0.0, "the time budget ran out")

@@ -26,7 +26,7 @@ SLACK = 0.05
 def check_robot(robot: Robot) -> None:
     """Check that a robot keeps the contract of the control API.
 
-    It drives half a metre ahead, turns around, and stops, so the episode is over
+    It drives half a metre ahead, turns around and to and fro, and stops, so the episode is over
     afterwards. One that goes by steps, as all robots of runs do, also takes a step of
     10 cm, turns a little, scans and takes a picture where it can.
 
@@ -173,6 +173,18 @@ def _check_turn(robot: Robot) -> None:
         "turn('around'): turned, from anywhere",
         around,
     )
+    for nonsense in (361.0, float("nan"), float("inf"), True, "90", None):
+        _expect_value_error(
+            lambda angle=nonsense: robot.turn_by(angle),  # type: ignore[arg-type]
+            f"turn_by({nonsense!r})",
+        )
+    for degrees in (0.0, 30.0, -30.0):
+        faced = robot.turn_by(degrees)
+        expect(
+            faced.turned and abs(faced.angle_deg - degrees) <= 1,
+            f"turn_by({degrees:g}): turned by that, from anywhere",
+            faced,
+        )
 
 
 def _check_steps(robot: SteppingRobot) -> None:
@@ -218,6 +230,7 @@ def _check_end(robot: Robot) -> None:
         ("detect_turning_point()", robot.detect_turning_point),
         ("turning_point_id()", robot.turning_point_id),
         ("turn('around')", lambda: robot.turn("around")),
+        ("turn_by(30)", lambda: robot.turn_by(30)),
         ("detect_from_RGB_image('door')", lambda: robot.detect_from_RGB_image("door")),
         ("read_signs()", robot.read_signs),
         ("say('Bye.')", lambda: robot.say("Bye.")),

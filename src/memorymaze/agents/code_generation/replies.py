@@ -30,6 +30,7 @@ BLOCK_STATEMENTS = 4
 reply is cut off in the middle."""
 TERMINALS = r"""
 number ::= [1-9] [0-9]? ("." [05])?
+angle ::= "-"? [1-9] [0-9]?
 count ::= [1-9] [0-9]?
 words ::= [a-zA-Z] [a-zA-Z0-9]{0,14} (" " [a-zA-Z0-9]{1,15}){0,4}
 """
@@ -206,7 +207,7 @@ def _call(name: str, signature: inspect.Signature, hints: dict[str, object]) -> 
     for parameter in list(signature.parameters.values())[1:]:
         kind = hints[parameter.name]
         if kind is float:
-            given.append("number")
+            given.append("angle" if parameter.name == "degrees" else "number")
         elif kind is str:
             rule = "direction" if parameter.name == "direction" else "words"
             given.append(f'"\\"" {rule} "\\""')

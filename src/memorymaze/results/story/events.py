@@ -126,7 +126,7 @@ def _call_event(entry: Mapping[str, Any], number: int) -> Event:
     kind = "other"
     if call in {"move_forward", "follow"} or call.startswith("step_"):
         kind = "move"
-    elif call == "turn":
+    elif call in {"turn", "turn_by"}:
         kind = "turn"
     elif call in {"say", "stop"}:
         kind = call

@@ -107,6 +107,21 @@ def radians_to_turn(angle: object) -> float:
     )
 
 
+def degrees_to_turn(degrees: object) -> float:
+    """Return the radians of an angle that `turn_by` is given, 0 among them.
+
+    Raises:
+        CommandError: It is none.
+    """
+    number = _finite(degrees)
+    if number is not None and abs(number) <= 360:
+        return math.radians(number)
+    raise CommandError(
+        "turn_by: expected an angle in degrees, left positive, from -360 to 360, "
+        f"got {degrees!r}"
+    )
+
+
 def check_speeds(settings: SimulationSettings, asked: Mapping[str, object]) -> None:
     """Refuse `speed`, `turn_rate` and `seconds` that the robot cannot drive by."""
     bounds = {

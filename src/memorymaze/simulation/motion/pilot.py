@@ -37,6 +37,9 @@ SPIN_FIRST = math.radians(8)
 BACK_SECTOR = math.radians(35)
 """`around` faces an exit that lies within this angle of a half turn."""
 
+NEARLY = math.radians(1)
+"""Angle by which a turn by degrees may be off and still is the one asked for."""
+
 
 class Pilot:
     """Steers one robot through one episode.
@@ -195,6 +198,15 @@ class Pilot:
                 f"no way lies {_in_words(direction)}; there are: {there_are}",
             )
         return self._turn_into(stay, exits[chosen], direction)
+
+    def turn_by(self, angle: float) -> TurnResult:
+        """Turn on the spot by some radians; what it then faces need be no way."""
+        turned = self.rotate(angle)
+        complete = abs(turned - angle) < NEARLY
+        message = f"turned {abs(math.degrees(turned)):.0f} degrees"
+        if not complete:
+            message = f"something is in the way: {message}"
+        return TurnResult(complete, math.degrees(turned), message)
 
     def _turn_into(self, stay: Stay, way: WayOut, direction: str) -> TurnResult:
         driver = self._driver
