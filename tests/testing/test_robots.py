@@ -23,7 +23,8 @@ class Deaf(SimulatedRobot):
 
 class Dizzy(SimulatedRobot):
     def turn_by(self, degrees: float) -> TurnResult:
-        return super().turn_by(degrees / 2)
+        result = super().turn_by(degrees)
+        return replace(result, angle_deg=result.angle_deg / 2)
 
 
 class Boasting(SimulatedRobot):
