@@ -1,12 +1,13 @@
 """Starting processes from whatever program is running; no word of what they do."""
 
 import contextlib
-import ctypes
-import signal
+import multiprocessing
+import os
 import sys
+import threading
 from collections.abc import Generator
-
-_PR_SET_PDEATHSIG = 1
+from multiprocessing.connection import wait
+from multiprocessing.process import BaseProcess
 
 
 @contextlib.contextmanager
@@ -27,6 +28,16 @@ def main_left_out() -> Generator[None]:
 
 
 def die_with_parent() -> None:
-    """Have this process killed when the one that started it ends, however it does."""
-    with contextlib.suppress(OSError, AttributeError):
-        ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)
+    """Have this process end when the one that started it is gone, however that came.
+
+    A thread waits for that, on every platform; code that never lets go of the
+    interpreter's lock holds it up.
+    """
+    parent = multiprocessing.parent_process()
+    if parent is not None:
+        threading.Thread(target=_end_after, args=(parent,), daemon=True).start()
+
+
+def _end_after(parent: BaseProcess) -> None:
+    wait([parent.sentinel])
+    os._exit(1)

@@ -5,7 +5,6 @@ import math
 import multiprocessing
 import os
 import signal
-import threading
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from multiprocessing.connection import Connection, wait
@@ -21,7 +20,7 @@ from memorymaze.evaluation.episode_worker import (
 from memorymaze.evaluation.plan import RunPlan
 from memorymaze.evaluation.settings import RunDefinition
 from memorymaze.evaluation.worker_pool import LEAVING_TIME, WorkerDied
-from memorymaze.processes import main_left_out
+from memorymaze.processes import die_with_parent, main_left_out
 from memorymaze.wording import counted
 
 # Children that begin afresh hold no locks or threads of the parent's libraries.
@@ -160,7 +159,7 @@ def _work(connection: Connection) -> None:
     # What is printed while working is no result of the parent's.
     with contextlib.suppress(OSError):
         os.dup2(2, 1)
-    threading.Thread(target=_die_with_parent, daemon=True).start()
+    die_with_parent()
     try:
         connection.send(("hello", None))
         prepare: Callable[[], Callable[[EpisodeTask], EpisodeOutcome]]
@@ -173,11 +172,3 @@ def _work(connection: Connection) -> None:
         connection.send(("failed", error))
     except (EOFError, BrokenPipeError):
         return
-
-
-def _die_with_parent() -> None:
-    """End this process when its parent is gone, however that came."""
-    parent = multiprocessing.parent_process()
-    if parent is not None:
-        wait([parent.sentinel])
-        os._exit(1)
