@@ -1,17 +1,24 @@
 """The stand-in for a language model answers what `memorymaze answers requests` asks."""
 
 import runpy
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
+
+import pytest
 
 from memorymaze.agents.code_generation import CodeGenerationRequests
 from memorymaze.agents.code_generation.replies import read_program, read_steps
+from memorymaze.errors import EpisodeOver
 from memorymaze.language.batch_files import read_replies, request_line
-from memorymaze.language.sandbox import screen_program
+from memorymaze.language.sandbox import run_program
 
 EXAMPLE = Path(__file__).parents[2] / "examples/answer_batch.py"
 
 
-def test_the_stand_in_writes_steps_and_programs(tmp_path: Path) -> None:
+def test_the_stand_in_writes_steps_and_programs(
+    tmp_path: Path, make_paper_robot: Callable[..., Any]
+) -> None:
     requests = CodeGenerationRequests()
     asked, got = tmp_path / "asked.jsonl", tmp_path / "got.jsonl"
     lines = [
@@ -28,4 +35,5 @@ def test_the_stand_in_writes_steps_and_programs(tmp_path: Path) -> None:
     assert replies["program"] is not None
     program = read_program(replies["program"].text)
     assert "['left', 'right']" in program
-    assert screen_program(program) == []
+    with pytest.raises(EpisodeOver, match="agent"):
+        run_program(program, make_paper_robot())

@@ -16,7 +16,7 @@ from memorymaze.errors import (
     ProgramError,
     SettingsError,
 )
-from memorymaze.language.sandbox import ProgramLimits, run_program, screen_program
+from memorymaze.language.sandbox import ProgramLimits, run_program
 
 
 def test_a_program_drives_the_robot(robot):
@@ -388,41 +388,30 @@ def test_limits_must_be_positive():
 
 
 @pytest.mark.parametrize(
-    "program",
-    [
-        "move_forward(1)\nstop()\n",
-        "",
-        "while True:\n    pass\n",
-        "print(1 / 0)",
-        "'''What it does.'''\nturn('left')",
-    ],
-)
-def test_what_only_a_run_would_show_is_not_found(program: str) -> None:
-    assert screen_program(program) == []
-
-
-@pytest.mark.parametrize(
     ("program", "line", "unsafe", "said"),
     [
-        ("x = 1\nmove_forward('2 m')", 2, False, "line 2: Argument to function"),
+        ("say('a')\nmove_forward('2 m')", 2, False, "line 2: Argument to function"),
         ("  x = 1", 1, False, "Unexpected indentation"),
         ("turn('left'", 1, False, "invalid-syntax"),
-        ("stop()\n\nimport numpy", 3, True, "line 3: Cannot resolve"),
+        ("say('a')\n\nimport numpy", 3, True, "line 3: Cannot resolve"),
         ("open('/etc/passwd')", 1, True, "`open`"),
         ("walk()", 1, False, "`walk` used when not defined"),
         ("a" * 11, None, False, "has 11 characters; at most 10"),
     ],
 )
-def test_what_the_sandbox_would_refuse_is_found(
-    program: str, line: int | None, unsafe: bool, said: str
+def test_what_is_wrong_to_begin_with_is_refused_before_the_robot_moves(
+    program: str, line: int | None, unsafe: bool, said: str, robot
 ) -> None:
     limits = ProgramLimits(program_characters=max(10, 0 if line is None else 100))
     with pytest.raises(ProgramError, match=said) as caught:
-        screen_program(program, limits)
+        run_program(program, robot, limits)
     assert (caught.value.line, caught.value.unsafe) == (line, unsafe)
+    assert robot.calls == []
 
 
-def test_doubts_are_told_with_their_line() -> None:
-    assert screen_program("stop()\nx: int = 'a'") == [
-        'line 2: Object of type `Literal["a"]` is not assignable to `int`'
+def test_doubts_are_told_with_their_line(robot) -> None:
+    told: list[dict[str, object]] = []
+    run_program("say('a')\nx: int = 'a'", robot, on_event=told.append)
+    assert [each["doubts"] for each in told] == [
+        ['line 2: Object of type `Literal["a"]` is not assignable to `int`']
     ]

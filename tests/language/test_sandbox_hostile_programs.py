@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from memorymaze.errors import EpisodeOver, ProgramError
-from memorymaze.language.sandbox import ProgramLimits, run_program, screen_program
+from memorymaze.language.sandbox import ProgramLimits, run_program
 
 LIMITS = ProgramLimits(memory=32 * 2**20)
 IMPATIENT = ProgramLimits(computing_time=0.25, memory=32 * 2**20)
@@ -301,19 +301,3 @@ def test_the_clock_stands_still_and_chance_is_the_same_each_time(make_robot):
         time.sleep(0.002)
 
     assert robots[0].calls == robots[1].calls
-
-
-@pytest.mark.parametrize(
-    "program", [each[0] for each in (*UNSAFE.values(), *CRASHES.values())]
-)
-def test_a_check_beforehand_refuses_nothing_that_would_end_otherwise(program, robot):
-    try:
-        screen_program(program, LIMITS)
-    except ProgramError as error:
-        refused = ("unsafe" if error.unsafe else "crash", error.line)
-        assert refused == ending(program, robot)
-
-
-@pytest.mark.parametrize("program", [each[0] for each in HARMLESS.values()])
-def test_a_check_beforehand_lets_odd_but_harmless_programs_pass(program):
-    screen_program(program, LIMITS)

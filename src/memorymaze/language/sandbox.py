@@ -8,8 +8,7 @@ continued, so nothing in it can catch the end.
 
 import re
 from collections.abc import Callable
-from dataclasses import replace
-from typing import Any, cast
+from typing import Any
 
 from pydantic_monty import (
     MontyCrashedError,
@@ -35,11 +34,6 @@ from memorymaze.language.program_execution import (
 from memorymaze.language.sandbox_workers import open_session
 from memorymaze.robot.api import Robot
 from memorymaze.robot.specification import api_stub
-
-_HALT = "stop()\n"
-"""Put before a program: it halts before its own first line."""
-_LINE = re.compile(r"^line (\d+)")
-
 
 _HIDDEN_ATTRIBUTE = re.compile(r"has no attribute '(__\w+__)'")
 _CALLED_BACK = re.compile(r"external function '(\w+)' cannot suspend")
@@ -157,49 +151,3 @@ def _outside(cause: BaseException, text: str) -> str | None:
             return called[1] if called and called[1] in FORBIDDEN_BUILTINS else None
         case _:
             return None
-
-
-def screen_program(program: str, limits: ProgramLimits = DEFAULT_LIMITS) -> list[str]:
-    """Parse a program and check its types against the control API.
-
-    Returns:
-        What the type checker doubts, without refusing the program for it.
-
-    Raises:
-        ProgramError: The sandbox would refuse the program before it runs; `unsafe` when
-            it reaches for something outside the API. What only shows while it runs is
-            not found.
-    """
-    if len(program) > limits.program_characters:
-        raise ProgramError(
-            f"the program has {len(program)} characters; "
-            f"at most {limits.program_characters} are allowed"
-        )
-    room = replace(limits, program_characters=limits.program_characters + len(_HALT))
-    doubts: list[str] = []
-
-    def keep(event: dict[str, Any]) -> None:
-        doubts.extend(map(_in_the_program, event.get("doubts", ())))
-
-    try:
-        run_program(_HALT + program, cast(Robot, _Standing()), room, keep)
-    except EpisodeOver as over:
-        if over.stopped_by != "agent":
-            raise ProgramError("the program takes too long to check") from None
-    except ProgramError as error:
-        line = None if error.line is None else error.line - 1
-        text = _in_the_program(str(error))
-        raise ProgramError(text, line=line, unsafe=error.unsafe) from None
-    return doubts
-
-
-class _Standing:
-    """A robot that only ever stops."""
-
-    def stop(self) -> None:
-        raise EpisodeOver("agent")
-
-
-def _in_the_program(text: str) -> str:
-    """Return a message with the line of the program in the place of the line checked."""
-    return _LINE.sub(lambda found: f"line {int(found[1]) - 1}", text)
