@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from memorymaze.errors import RunFolderError
+from memorymaze.evaluation import trace
 from memorymaze.evaluation.trace import (
     keep_trace,
     read_trace,
@@ -113,6 +114,19 @@ def test_a_damaged_trace_is_named_with_its_episode(
     with pytest.raises(RunFolderError, match="episode 'a' is damaged") as caught:
         list(read_trace(folder, "a"))
     assert str(trace_path(folder, "a")) in str(caught.value)
+
+
+def test_a_trace_that_unpacks_to_far_too_much_is_named_and_not_read(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(trace, "LARGEST_TRACE", 2**20)
+    keep_trace(folder, "a", trace_content([{"x": " " * (2**20 - 20)}]))
+    assert len(list(read_trace(folder, "a"))) == 1
+    keep_trace(folder, "a", trace_content([{"x": 1}, {"x": " " * 2**20}]))
+    with pytest.raises(
+        RunFolderError, match=r"damaged \(unpacked it has more than 1 M"
+    ):
+        next(read_trace(folder, "a"))
 
 
 @pytest.mark.parametrize("place", range(10, 40))

@@ -35,7 +35,7 @@ from memorymaze.evaluation.results import (
 )
 from memorymaze.evaluation.settings import RunDefinition, differences
 from memorymaze.evaluation.trace import keep_trace
-from memorymaze.input_files import parse_json
+from memorymaze.input_files import LARGEST_FILE, parse_json
 from memorymaze.instructions.records import Instruction
 from memorymaze.sites.loading import sound_site
 from memorymaze.sites.reading import understand_plan
@@ -232,12 +232,17 @@ def _keep_inputs(
 
 def _unpacked(file: Path) -> bytes:
     try:
-        packed = file.read_bytes()
-        if not packed:
-            raise EOFError("it is empty")
-        return gzip.decompress(packed)
+        with gzip.open(file, "rb") as packed:
+            content = packed.read(LARGEST_FILE + 1)
     except (OSError, EOFError, zlib.error) as error:
         raise _damaged_input(file, error) from None
+    if not content:
+        raise _damaged_input(file, "it is empty")
+    if len(content) > LARGEST_FILE:
+        raise _damaged_input(
+            file, f"unpacked it has more than {LARGEST_FILE // 2**20} MiB"
+        )
+    return content
 
 
 def _damaged_input(file: Path, what: object) -> RunFolderError:

@@ -19,6 +19,9 @@ from memorymaze.errors import RunFolderError
 NAME_LIMIT = 150
 """Longest file stem made of an episode id; longer ones are cut and numbered."""
 
+LARGEST_TRACE = 2**26
+"""Bytes, unpacked; a hundred times what an episode of usual length leaves."""
+
 DEEPEST = 50
 """Lists and objects inside one another that are written; circles end here."""
 
@@ -59,9 +62,12 @@ def read_trace(folder: Path, episode_id: str) -> Iterator[dict[str, Any]]:
     """
     path = trace_path(folder, episode_id)
     try:
-        with gzip.open(path, "rt", encoding="utf-8") as file:
-            for line in file:
-                yield json.loads(line)
+        with gzip.open(path, "rb") as file:
+            content = file.read(LARGEST_TRACE + 1)
+        if len(content) > LARGEST_TRACE:
+            raise ValueError(f"unpacked it has more than {LARGEST_TRACE // 2**20} MiB")
+        for line in content.splitlines():
+            yield json.loads(line)
     except FileNotFoundError:
         raise RunFolderError(
             f"{path}: expected the trace of episode {episode_id!r}, got no such file"
