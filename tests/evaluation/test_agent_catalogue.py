@@ -13,6 +13,7 @@ from memorymaze.evaluation.agent_catalogue import (
     agent_options,
     build_agent,
     known_agent,
+    settings_of,
 )
 from memorymaze.evaluation.agent_listing import agent_listing
 from memorymaze.evaluation.oracle import OracleAgent
@@ -241,3 +242,18 @@ def test_what_the_catalogue_says_an_agent_needs_is_what_it_declares(
     agent_for = build_agent(AgentSettings(name, language_model=asked))
     agent = agent_for(tiny_plan("stop").episodes[0])
     assert needs_of(agent) == agent_needs(name)
+
+
+class Picky:
+    name = "picky"
+
+    def __init__(self, model: object) -> None:
+        self.model = model
+
+
+def test_a_class_that_cannot_be_made_is_refused_with_what_to_do() -> None:
+    with pytest.raises(
+        SettingsError, match="'Picky': cannot be made without argum"
+    ) as e:
+        settings_of(Picky)  # pyright: ignore[reportArgumentType]
+    assert str(e.value).endswith("hand over an object instead")

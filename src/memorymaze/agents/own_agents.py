@@ -22,7 +22,11 @@ def own_options(name: str) -> type | None:
     Raises:
         SettingsError: The agent cannot be found, or `Options` is no dataclass.
     """
-    options = getattr(_find(name), "Options", None)
+    return _options_of(name, _find(name))
+
+
+def _options_of(name: str, factory: Any) -> type | None:
+    options = getattr(factory, "Options", None)
     if options is not None and not (
         isinstance(options, type) and is_dataclass(options)
     ):
@@ -53,12 +57,14 @@ def checked_needs(name: str, agent: object) -> frozenset[Need]:
         raise SettingsError(f"agent {name!r}: {error}") from None
 
 
-def make_own_agent(name: str, options: tuple[tuple[str, str], ...] = ()) -> Agent:
+def make_own_agent(
+    agent: str | type[Agent], options: tuple[tuple[str, str], ...] = ()
+) -> Agent:
     """Make an agent of a user's own.
 
     Args:
-        name: `package.module:Class` or `path/to/file.py:Class`. What lies beside the
-            file, or for a module in the current folder, can be imported too.
+        agent: Its class; or `package.module:Class` or `path/to/file.py:Class`. What lies
+            beside the file, or for a module in the current folder, can be imported too.
         options: Names and values. A class that has a dataclass `Options` is called
             with one of these; any other without arguments.
 
@@ -66,8 +72,9 @@ def make_own_agent(name: str, options: tuple[tuple[str, str], ...] = ()) -> Agen
         SettingsError: There is no such agent, it cannot be made, or it has no such
             options.
     """
-    factory = _find(name)
-    kind = own_options(name)
+    name = agent if isinstance(agent, str) else agent.__qualname__
+    factory: Any = _find(agent) if isinstance(agent, str) else agent
+    kind = _options_of(name, factory)
     if kind is None and options:
         raise SettingsError(
             f"--set {options[0][0]}: the agent {name!r} has no options to set; give its "
@@ -80,8 +87,9 @@ def make_own_agent(name: str, options: tuple[tuple[str, str], ...] = ()) -> Agen
         raise
     except (Exception, SystemExit) as error:
         how = "without arguments" if kind is None else "from its options"
+        instead = "" if isinstance(agent, str) else "; hand over an object instead"
         raise SettingsError(
-            f"agent {name!r}: cannot be made {how} ({failure_line(error)})"
+            f"agent {name!r}: cannot be made {how} ({failure_line(error)}){instead}"
         ) from error
 
 

@@ -27,6 +27,9 @@ from memorymaze.instructions.records import Episode
 from memorymaze.language.model_settings import ModelSettings
 from memorymaze.options import options_of, read_options
 
+AgentChoice = str | AgentSettings | Agent | type[Agent]
+"""An agent by its name, with settings, as an object or as a class."""
+
 AgentFor = Callable[[Episode], Agent]
 """Gives the agent that follows an episode; most look at no episode."""
 
@@ -205,35 +208,86 @@ def has_parser(name: str) -> bool:
     return name in _KNOWN and _KNOWN[name].parser
 
 
-def settings_of(agent: Agent) -> AgentSettings:
-    """Return what a run records of an agent that is handed over as an object.
+def settings_of(agent: AgentChoice) -> tuple[AgentSettings, Agent | None]:
+    """Return what a run records of an agent, and the agent where it is no matter of names.
+
+    A class is called without arguments, or with its dataclass `Options` as it stands.
 
     Raises:
-        SettingsError: It is no agent.
+        SettingsError: It is no agent, or cannot be made.
     """
-    cls = type(agent)
+    if isinstance(agent, AgentSettings):
+        return agent, None
+    if isinstance(agent, str):
+        return AgentSettings(agent), None
+    made = make_own_agent(agent) if isinstance(agent, type) else agent
+    cls = type(made)
     name = f"{cls.__module__}:{cls.__qualname__}"
-    checked_needs(name, checked_agent(name, agent))
-    options = getattr(agent, "options", None)
+    checked_needs(name, checked_agent(name, made))
+    options = getattr(made, "options", None)
     given: tuple[tuple[str, str], ...] = ()
     if is_dataclass(options) and not isinstance(options, type):
         given = tuple((each.name, each.default) for each in options_of(options))
-    return AgentSettings(name, options=given)
+    return AgentSettings(name, options=given), made
 
 
-def isolated_agent(
-    settings: AgentSettings, given: Agent | None, kept_from: Sequence[str | Path]
+def build_agent(
+    settings: AgentSettings,
+    given: Agent | None = None,
+    *,
+    isolate: bool = False,
+    kept_from: Sequence[str | Path] = (),
 ) -> AgentFor:
-    """Make an agent that lives in a process of its own, without buildings.
+    """Make an agent, or take the one that is given as an object.
+
+    Besides the names of `agent_names`, `package.module:Class` and `path/to/file.py:Class`
+    are understood: anything that can be called without arguments, or that has a dataclass
+    `Options` and can be called with one of these, and returns an `Agent`. One agent
+    follows all the episodes of a process, so it must not carry anything from one to the
+    next.
 
     Args:
         settings: Which agent.
         given: The agent, where it was handed over as an object.
-        kept_from: Files it may not read, besides those of the package.
+        isolate: Whether it lives in a process of its own, without buildings.
+        kept_from: Files that an isolated agent may not read, besides the package's.
 
     Raises:
-        SettingsError: The agent cannot be made, or needs what only this process has.
+        SettingsError: There is no such agent, it cannot be made, it has no such options,
+            the settings name a language model for an agent that has none, or an isolated
+            agent needs what only this process has.
     """
+    if isolate:
+        _refuse_isolation(settings, given)
+    if given is None and not settings.is_own:
+        return _build_known(settings)
+    if given is None:
+        _refuse_model(settings)
+        _refuse_parser(settings)
+    own = make_own_agent(settings.name, settings.options) if given is None else given
+    if isolate:
+        by_name = given is None
+        own = isolated(settings.name, settings.options, own, kept_from, by_name=by_name)
+    return lambda _: own
+
+
+def _build_known(settings: AgentSettings) -> AgentFor:
+    known = known_agent(settings.name)
+    if not has_language_model(settings.name):
+        _refuse_model(settings)
+    _refuse_parser(settings)
+    options = None
+    if known.options is not None:
+        options = read_options(known.options(), settings.options, agent=settings.name)
+    elif settings.options:
+        raise SettingsError(
+            f"--set {settings.options[0][0]}: the agent {settings.name!r} has no "
+            "options to set"
+        )
+    return known.make(settings, options)
+
+
+def _refuse_isolation(settings: AgentSettings, given: Agent | None) -> None:
     for need in ("answers", "graph"):
         if need in agent_needs(settings.name, given):
             raise SettingsError(
@@ -245,47 +299,13 @@ def isolated_agent(
             f"--isolate: is for agents of your own; {settings.name!r} comes with "
             "memorymaze and sees no answers; leave the option out"
         )
-    agent = make_own_agent(settings.name, settings.options) if given is None else given
-    alone = isolated(
-        settings.name, settings.options, agent, kept_from, by_name=given is None
-    )
-    return lambda _: alone
 
 
-def build_agent(settings: AgentSettings, given: Agent | None = None) -> AgentFor:
-    """Make an agent, or take the one that is given as an object.
-
-    Besides the names of `agent_names`, `package.module:Class` and `path/to/file.py:Class`
-    are understood: anything that can be called without arguments, or that has a dataclass
-    `Options` and can be called with one of these, and returns an `Agent`. One agent
-    follows all the episodes of a process, so it must not carry anything from one to the
-    next.
-
-    Raises:
-        SettingsError: There is no such agent, it cannot be made, it has no such options,
-            or the settings name a language model for an agent that has none.
-    """
-    if given is not None:
-        return lambda _: given
-    known = None if settings.is_own else known_agent(settings.name)
-    if not has_language_model(settings.name):
-        _refuse_model(settings)
+def _refuse_parser(settings: AgentSettings) -> None:
     if settings.parser is not None and not has_parser(settings.name):
         raise SettingsError(
             f"--no-parser: the agent {settings.name!r} has no parser to leave out"
         )
-    if known is None:
-        own = make_own_agent(settings.name, settings.options)
-        return lambda _: own
-    options = None
-    if known.options is not None:
-        options = read_options(known.options(), settings.options, agent=settings.name)
-    elif settings.options:
-        raise SettingsError(
-            f"--set {settings.options[0][0]}: the agent {settings.name!r} has no "
-            "options to set"
-        )
-    return known.make(settings, options)
 
 
 def _refuse_model(settings: AgentSettings) -> None:

@@ -10,7 +10,7 @@ import numpy as np
 from memorymaze.agents.agent import Journal
 from memorymaze.agents.failures import WorkerLost, failure_line
 from memorymaze.errors import SpendingLimitReached
-from memorymaze.evaluation.agent_catalogue import build_agent, isolated_agent
+from memorymaze.evaluation.agent_catalogue import build_agent
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.episode import run_episode
 from memorymaze.evaluation.eyes import checked_eyes
@@ -81,11 +81,12 @@ class EpisodeWorker:
     def __call__(self) -> Callable[[EpisodeTask], EpisodeOutcome]:
         """Make the agent; return the function."""
         given = None if self.agent is None else pickle.loads(self.agent)
-        if self.settings.isolate:
-            plans = [site.source for site in self.sites.values()]
-            agent_for = isolated_agent(self.settings.agent, given, plans)
-        else:
-            agent_for = build_agent(self.settings.agent, given)
+        agent_for = build_agent(
+            self.settings.agent,
+            given,
+            isolate=self.settings.isolate,
+            kept_from=[site.source for site in self.sites.values()],
+        )
         obstacles, looks = self.settings.obstacles, self.settings.looks
         # On another machine than the plan's they may be missing.
         eyes = checked_eyes(self.settings.detector, self.settings.signs)

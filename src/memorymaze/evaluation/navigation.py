@@ -9,14 +9,13 @@ from typing import Any
 
 import numpy as np
 
-from memorymaze.agents.agent import Agent
 from memorymaze.drawing.shapes import Met, ThingInTheWay
 from memorymaze.durable_files import write_whole
 from memorymaze.errors import RunFolderError, SettingsError
 from memorymaze.evaluation.agent_catalogue import (
+    AgentChoice,
     agent_needs,
     build_agent,
-    isolated_agent,
     settings_of,
 )
 from memorymaze.evaluation.arena import Arena
@@ -24,7 +23,7 @@ from memorymaze.evaluation.episode import EpisodeRun, Watcher, run_episode
 from memorymaze.evaluation.eyes import checked_eyes
 from memorymaze.evaluation.outcomes import outcome_line
 from memorymaze.evaluation.plan import define_run
-from memorymaze.evaluation.settings import AgentSettings, RunSettings
+from memorymaze.evaluation.settings import RunSettings
 from memorymaze.evaluation.trace import trace_lines
 from memorymaze.instructions.corpus import episodes
 from memorymaze.instructions.records import Instruction
@@ -52,7 +51,7 @@ def navigate(
     site: Site,
     route: Route,
     text: str,
-    agent: AgentSettings | Agent,
+    agent: AgentChoice,
     settings: RunSettings | None = None,
     *,
     watcher: Watcher | None = None,
@@ -66,27 +65,18 @@ def navigate(
         raise SettingsError("text: expected an instruction, got nothing")
     settings = settings or RunSettings()
     eyes = checked_eyes(settings.detector, settings.signs)
-    given = None if isinstance(agent, AgentSettings) else agent
-    chosen = agent if isinstance(agent, AgentSettings) else settings_of(agent)
-    if settings.isolate:
-        follower = isolated_agent(chosen, given, [site.source])
-    else:
-        follower = build_agent(chosen, given)
+    chosen, given = settings_of(agent)
+    follower = build_agent(
+        chosen, given, isolate=settings.isolate, kept_from=[site.source]
+    )
     needs = agent_needs(chosen.name, given)
     definition = define_run(chosen, settings, needs, [site], episodes=1)
     told = Instruction(
         id=f"{site.name}-{route.id}",
         site=site.name,
         route=route.route,
-        study="online",
-        iteration=1,
-        participant="command line",
         text=text,
         reference_route=route.id,
-        failures=(),
-        source="human",
-        language="en",
-        split="test",
     )
     [episode] = episodes([told], {site.name: site})
     arena = Arena(site, settings.obstacles, eyes, definition.looks)

@@ -6,11 +6,11 @@ from dataclasses import dataclass, fields, replace
 from memorymaze.agents.agent import Agent, Need
 from memorymaze.agents.files import agent_fingerprint
 from memorymaze.evaluation.agent_catalogue import (
+    AgentChoice,
     agent_needs,
     agent_options,
     build_agent,
     has_parser,
-    isolated_agent,
     option_values,
     settings_of,
 )
@@ -46,14 +46,14 @@ class RunPlan:
 
 
 def plan_run(
-    agent: AgentSettings | Agent,
+    agent: AgentChoice,
     corpus: Corpus | None = None,
     settings: RunSettings | None = None,
 ) -> RunPlan:
     """Check everything a run needs, before anything is written.
 
     Args:
-        agent: Which agent, and its language model; or the agent itself.
+        agent: By its name, with settings, as an object or as a class.
         corpus: What is followed, and where; None for the shipped texts and sites.
         settings: How; those that belong to the corpus when None.
 
@@ -64,15 +64,12 @@ def plan_run(
         corpus = load_corpus()
     settings = settings or settings_for(corpus)
     checked_eyes(settings.detector, settings.signs)
-    given = None if isinstance(agent, AgentSettings) else agent
-    chosen_agent = agent if isinstance(agent, AgentSettings) else settings_of(agent)
+    chosen_agent, given = settings_of(agent)
     if has_parser(chosen_agent.name):
         chosen_agent = replace(chosen_agent, parser=parses_first(chosen_agent))
     if given is None:
         chosen_agent = _told_heading(chosen_agent, corpus)
-    agent_for = build_agent(chosen_agent, given)
-    if settings.isolate:
-        isolated_agent(chosen_agent, given, ())
+    agent_for = build_agent(chosen_agent, given, isolate=settings.isolate)
     chosen = sample(corpus.of_split(settings.split), settings.limit)
     names = dict.fromkeys(episode.instruction.site for episode in chosen)
     sites = {name: corpus.sites[name] for name in names}

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from memorymaze.errors import SettingsError
+from memorymaze.evaluation.agent_catalogue import AgentChoice
 from memorymaze.evaluation.driver import WALL_LIMIT, run_plan
 from memorymaze.evaluation.frames import results_frame
 from memorymaze.evaluation.plan import RunPlan, plan_run, settings_for
@@ -15,7 +16,6 @@ from memorymaze.evaluation.run_folder import RunRecord
 from memorymaze.evaluation.settings import RunSettings, with_choices
 from memorymaze.evaluation.worker_pool import Workforce
 from memorymaze.instructions import Corpus, load_corpus
-from memorymaze.library.agents import AgentChoice, chosen_agent
 from memorymaze.results.tables import (
     MeasuredRun,
     TableChoice,
@@ -153,7 +153,7 @@ def evaluate(
     """
     followed = corpus if isinstance(corpus, Corpus) else load_corpus(corpus)
     base = settings_for(followed) if settings is None else settings
-    plan = plan_run(chosen_agent(agent), followed, with_choices(base, choices))
+    plan = plan_run(agent, followed, with_choices(base, choices))
     folder = Path(out) if out is not None else default_folder(plan.settings.agent.name)
     if on_plan is not None:
         on_plan(plan, folder)

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from memorymaze.evaluation.agent_catalogue import AgentChoice
 from memorymaze.evaluation.navigation import navigate, write_navigation
 from memorymaze.evaluation.settings import RunSettings, with_choices
-from memorymaze.library.agents import AgentChoice, chosen_agent
 from memorymaze.pictures import robot_cameras
 from memorymaze.simulation import SimulatedRobot, build_scene
 from memorymaze.sites import Route, Site, load_site
@@ -128,7 +128,7 @@ def follow(
         building,
         way,
         text,
-        chosen_agent(agent),
+        agent,
         with_choices(settings or RunSettings(), choices),
         watcher=watcher,
     )
