@@ -15,8 +15,8 @@ from memorymaze.sites import load_sites
 from memorymaze.writing import (
     ErrorRates,
     cells_of,
-    drafts,
-    instructions_of,
+    sample_outlines,
+    write_texts,
 )
 
 POINTS, MEAN, SD = 0.03, 0.05, 0.15
@@ -32,8 +32,8 @@ def main() -> int:
     begun, far_off, texts = time.perf_counter(), 0, 0
     print(TITLE)
     for cell in [each for site in sites.values() for each in cells_of(site)]:
-        wanted = drafts(cell, ErrorRates(), options.per_cell, options.seed)
-        made = list(instructions_of(wanted, paired=False))
+        wanted = sample_outlines(cell, ErrorRates(), options.per_cell, options.seed)
+        made = [text for one in wanted for text in write_texts(one, paired=False)]
         texts += len(made)
         (found,) = describe_corpus(made, sites)
         key = (cell.study, cell.site, cell.route, cell.iteration)

@@ -6,10 +6,10 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from memorymaze.instructions.error_kinds import ERROR_KINDS, kinds_of
-from memorymaze.writing.drafting import chosen_plan
 from memorymaze.writing.following import follow
 from memorymaze.writing.mistakes import made_wrong, possible_mistakes
 from memorymaze.writing.route_facts import RouteFacts
+from memorymaze.writing.sampling import chosen_plan
 from memorymaze.writing.voices import make_voice
 
 KINDS = [kind.name for kind in ERROR_KINDS]

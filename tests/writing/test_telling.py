@@ -12,7 +12,13 @@ from memorymaze.instructions.files import lines
 from memorymaze.instructions.record_format import instruction_record, parse_line
 from memorymaze.instructions.records import Instruction
 from memorymaze.sites import Site
-from memorymaze.writing import Draft, cells_of, drafts, parse_rates, write_draft
+from memorymaze.writing import (
+    Outline,
+    cells_of,
+    parse_rates,
+    sample_outlines,
+    write_texts,
+)
 
 QUIET = settings(
     max_examples=10,
@@ -22,12 +28,14 @@ QUIET = settings(
 SENTENCE = re.compile(r"[^.!?\n]+")
 
 
-def _drafts(
+def _outlines(
     site: Site, seed: int, rates: str = "failure=1", count: int = 2
-) -> list[Draft]:
+) -> list[Outline]:
     wanted = parse_rates(rates)
     return [
-        draft for cell in cells_of(site) for draft in drafts(cell, wanted, count, seed)
+        outline
+        for cell in cells_of(site)
+        for outline in sample_outlines(cell, wanted, count, seed)
     ]
 
 
@@ -53,9 +61,9 @@ def test_a_pair_is_the_same_outside_the_sentences_with_errors(
 ) -> None:
     cells = cells_of(builtin_sites[name])
     cell = cells[seed % len(cells)]
-    (draft,) = drafts(cell, parse_rates("failure=1"), 1, seed)
-    wrong, right = write_draft(draft, paired=True)
-    assert wrong.pair == right.pair == draft.id
+    (outline,) = sample_outlines(cell, parse_rates("failure=1"), 1, seed)
+    wrong, right = write_texts(outline, paired=True)
+    assert wrong.pair == right.pair == outline.id
     assert wrong.failures
     assert not right.failures
     assert wrong.text != right.text
@@ -71,8 +79,8 @@ def test_labels_begin_and_end_at_words_and_name_what_is_there(
 ) -> None:
     names = sorted(tiny_sites)
     site = tiny_sites[names[seed % len(names)]]
-    for draft in islice(_drafts(site, seed), 4):
-        for made in write_draft(draft, paired=True):
+    for outline in islice(_outlines(site, seed), 4):
+        for made in write_texts(outline, paired=True):
             for span in made.spans:
                 before = made.text[max(0, span.start - 1) : span.start]
                 after = made.text[span.end : span.end + 1]
@@ -82,8 +90,8 @@ def test_labels_begin_and_end_at_words_and_name_what_is_there(
 
 
 def test_a_wrong_side_is_labelled_in_both_texts(builtin_sites: dict[str, Site]) -> None:
-    for draft in _drafts(builtin_sites["university"], 3, "wrong_direction=1"):
-        wrong, right = write_draft(draft, paired=True)
+    for outline in _outlines(builtin_sites["university"], 3, "wrong_direction=1"):
+        wrong, right = write_texts(outline, paired=True)
         said, meant = (
             [
                 made.text[span.start : span.end].lower()
@@ -97,8 +105,8 @@ def test_a_wrong_side_is_labelled_in_both_texts(builtin_sites: dict[str, Site]) 
 
 
 def test_a_missing_turn_has_a_label_of_no_width(builtin_sites: dict[str, Site]) -> None:
-    for draft in _drafts(builtin_sites["museum_5f"], 1, "missing_turn=1", count=1):
-        wrong, right = write_draft(draft, paired=True)
+    for outline in _outlines(builtin_sites["museum_5f"], 1, "missing_turn=1", count=1):
+        wrong, right = write_texts(outline, paired=True)
         (gone,) = [span for span in wrong.spans if span.kind == "missing_turn"]
         (kept,) = [span for span in right.spans if span.kind == "missing_turn"]
         assert gone.start == gone.end
@@ -111,8 +119,8 @@ def test_the_same_seed_writes_the_same_and_another_seed_others(
     def texts(seed: int) -> list[str]:
         return [
             made.text
-            for draft in _drafts(t_site, seed)
-            for made in write_draft(draft, paired=True)
+            for outline in _outlines(t_site, seed)
+            for made in write_texts(outline, paired=True)
         ]
 
     assert texts(5) == texts(5)
@@ -121,8 +129,8 @@ def test_the_same_seed_writes_the_same_and_another_seed_others(
 
 def test_no_control_characters_or_slots_are_left(tiny_sites: dict[str, Site]) -> None:
     for site in tiny_sites.values():
-        for draft in _drafts(site, 2):
-            for made in write_draft(draft, paired=False):
+        for outline in _outlines(site, 2):
+            for made in write_texts(outline, paired=False):
                 assert not re.search(r"[\x00-\x09\x0b-\x1f{}\[\]]|  ", made.text)
                 assert made.source == "synthetic"
 
@@ -134,16 +142,16 @@ def test_fillers_come_only_where_they_are_wanted(
     for rates, some in (("failure=0,filler=0", False), ("failure=0,filler=1", True)):
         kinds = {
             span.kind
-            for draft in _drafts(site, 0, rates)
-            for made in write_draft(draft, paired=False)
+            for outline in _outlines(site, 0, rates)
+            for made in write_texts(outline, paired=False)
             for span in made.spans
         }
         assert ("filler" in kinds) == some
 
 
 def test_a_written_record_is_read_back_with_its_labels(t_site: Site) -> None:
-    for draft in _drafts(t_site, 0):
-        for made in write_draft(draft, paired=True):
+    for outline in _outlines(t_site, 0):
+        for made in write_texts(outline, paired=True):
             line = lines([instruction_record(made)]).decode()
             read, unknown, problems = parse_line(line, "file:1")
             assert (read, unknown, problems) == (made, [], [])
@@ -163,7 +171,7 @@ def test_a_written_record_is_read_back_with_its_labels(t_site: Site) -> None:
 def test_labels_outside_the_text_are_refused(
     t_site: Site, spans: str, said: str
 ) -> None:
-    (made,) = write_draft(_drafts(t_site, 0)[0], paired=False)
+    (made,) = write_texts(_outlines(t_site, 0)[0], paired=False)
     record = instruction_record(made)
     record["spans"] = []
     line = lines([record]).decode().replace('"spans": []', f'"spans": {spans}')

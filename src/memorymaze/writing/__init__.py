@@ -1,11 +1,10 @@
 """Made-up instructions: told from routes by a grammar or a language model, with errors.
 
-Holds voices, phrases, mistakes and drafts. Does not hold how texts are understood
+Holds voices, phrases, mistakes and outlines. Does not hold how texts are understood
 (`understanding`), nor what people really said (`instructions`).
 """
 
-from memorymaze.writing.drafting import Cell, Draft, cells_of, drafts
-from memorymaze.writing.grammar import instructions_of, write_draft
+from memorymaze.writing.grammar import write_texts
 from memorymaze.writing.making import Made, make_instructions
 from memorymaze.writing.request import (
     GRAMMAR,
@@ -13,18 +12,18 @@ from memorymaze.writing.request import (
     GenerationRequest,
     parse_rates,
 )
+from memorymaze.writing.sampling import Cell, Outline, cells_of, sample_outlines
 
 __all__ = [
     "GRAMMAR",
     "Cell",
-    "Draft",
     "ErrorRates",
     "GenerationRequest",
     "Made",
+    "Outline",
     "cells_of",
-    "drafts",
-    "instructions_of",
     "make_instructions",
     "parse_rates",
-    "write_draft",
+    "sample_outlines",
+    "write_texts",
 ]

@@ -19,12 +19,10 @@ from memorymaze.writing.clauses import (
 from memorymaze.writing.marked_text import mark, without_marks
 from memorymaze.writing.phrases import phrases, words_for
 from memorymaze.writing.things import Thing, is_plural, thing_called, with_article
-from memorymaze.writing.voices import Voice
+from memorymaze.writing.voices import Unit, Voice
 
-STEP = 0.7
-"""Metres."""
-PACE = 1.2
-"""Metres per second of a walker."""
+UNIT_METRES: Mapping[Unit, float] = {"metres": 1.0, "steps": 0.7, "seconds": 1.2}
+"""Metres that a walker makes in one."""
 FAR_OFF = 0.25
 """A length that is further off is labelled."""
 
@@ -47,16 +45,9 @@ def stated_length(metres: float, voice: Voice, rng: np.random.Generator) -> str:
     """Return a length as a speaker remembers it, labelled where it is far off."""
     factor = float(np.exp(rng.normal(0.0, voice.surface.distance)))
     said = metres * factor
-    if voice.unit == "steps":
-        count = _rounded(said / STEP)
-        words, meant = f"{count} steps", count * STEP
-    elif voice.unit == "seconds":
-        count = _rounded(said / PACE)
-        words, meant = f"{count} seconds", count * PACE
-    else:
-        count = _rounded(said)
-        words, meant = f"{count} metres", float(count)
-    words = words.removesuffix("s") if count == 1 else words
+    count = _rounded(said / UNIT_METRES[voice.unit])
+    meant = count * UNIT_METRES[voice.unit]
+    words = f"{count} {voice.unit.removesuffix('s') if count == 1 else voice.unit}"
     about = not voice.spoken and rng.random() < 0.35
     told = f"about {words}" if about else words
     if metres > 3 and abs(meant - metres) > FAR_OFF * metres:
@@ -75,14 +66,8 @@ def leg_asides(
 ) -> Iterator[Aside]:
     """Yield all that could be said of a stretch, in no order of importance.
 
-    Args:
-        part: The stretch.
-        key: Of the step at its end.
-        side: Of the turn at its end; None for the destination.
-        voice: Who speaks.
-        rng: Source of chance.
-        things: Those of the site by their words.
-        known: Words for things that are told anyway.
+    `key` and `side` are of the step at its end, None for the destination's side; the
+    `known` things are told anyway.
     """
 
     def aside(order: float, pattern: str, **words: str) -> Aside:
@@ -98,13 +83,11 @@ def leg_asides(
     if floor is not None:
         yield aside(-80, one_of(phrases("besides", "floors"), rng), floor=floor)
     yield from _passings(part, key, voice, rng, things, known)
-    for number, opening in enumerate(
-        dict.fromkeys(each.side for each in part.passings)
-    ):
+    openings = dict.fromkeys(each.side for each in part.passings)
+    for number, opening in enumerate(openings):
         if opening is not None and opening != side:
-            yield aside(
-                -10 + number, one_of(phrases("besides", "openings"), rng), side=opening
-            )
+            pattern = one_of(phrases("besides", "openings"), rng)
+            yield aside(-10 + number, pattern, side=opening)
     beyond = next(iter(part.too_far), None)
     if beyond is not None and beyond not in known:
         the = with_article(thing_called(beyond, things), definite=True)

@@ -6,7 +6,7 @@ from typing import Literal
 
 import numpy as np
 
-from memorymaze.routes import Arrival, Leg, Mention
+from memorymaze.routes import Arrival, Leg
 from memorymaze.writing.marked_text import mark
 from memorymaze.writing.phrases import phrases
 from memorymaze.writing.things import Thing, thing_called, with_article
@@ -44,16 +44,17 @@ def spoken_as(text: str, voice: Voice) -> str:
 
 def place_words(leg: Leg, rng: np.random.Generator) -> str:
     """Return the words for the corridor of a stretch."""
-    name = next((each.phrase for each in leg.mentions if _is_name(each)), None)
+    names = (
+        each.phrase
+        for each in leg.mentions
+        if each.kind == "place" and each.place == "along"
+    )
+    name = next(names, None)
     if name and rng.random() < 0.3:
         if OWN_NAME.fullmatch(name) or name.lower().startswith("the "):
             return name
         return f"the {name}"
     return one_of(phrases("nameless_ways"), rng)
-
-
-def _is_name(mention: Mention) -> bool:
-    return mention.kind == "place" and mention.place == "along"
 
 
 def thing_at_the_turn(leg: Leg) -> str | None:
@@ -78,20 +79,11 @@ def turn_clause(
 ) -> str:
     """Return a turn in words, without capital or full stop; labels are inside it.
 
-    Args:
-        leg: What is told.
-        size: How much is said.
-        voice: Who speaks.
-        rng: Source of chance.
-        focus: Labels for parts of it.
-        number: Which of the speaker's patterns is used; turns in a row have numbers
-            in a row, so that no two of them sound the same.
-        things: Those of the site by their words.
+    Turns in a row have numbers in a row, so that no two of them sound the same.
     """
     pattern = _pattern(leg, size, voice, number, focus)
-    side = _side(leg, pattern, voice, rng, focus)
     words = {
-        "side": side,
+        "side": _side(leg, pattern, voice, rng, focus),
         "ord": phrases("ordinals")[(leg.turn.ordinal or 1) - 1],
         "place": place_words(leg, rng),
     }
@@ -99,7 +91,7 @@ def turn_clause(
     if thing is not None:
         words["thing"] = with_article(thing_called(thing, things), definite=True)
         if "cue" in focus and rng.random() < 0.3:
-            words["thing"] = _indefinite(thing)
+            words["thing"] = f"{'an' if thing[0] in 'aeiou' else 'a'} {thing}"
     told = _bracketed(pattern, focus.get("cue")).format(**words)
     if voice.please and rng.random() < 0.4:
         told = f"please {told}" if is_command(told) else told
@@ -187,10 +179,6 @@ def _bracketed(pattern: str, label: str | None) -> str:
     before, _, rest = pattern.partition("[")
     cue, _, after = rest.partition("]")
     return before + mark(label, cue) + after
-
-
-def _indefinite(words: str) -> str:
-    return f"{'an' if words[0] in 'aeiou' else 'a'} {words}"
 
 
 def is_command(told: str) -> bool:

@@ -12,14 +12,14 @@ from memorymaze.instructions.error_kinds import kinds_of
 from memorymaze.instructions.records import Failure, Instruction, Span
 from memorymaze.instructions.statistics import word_count
 from memorymaze.sites.records import Site
-from memorymaze.writing.drafting import Cell, Draft, chosen_plan
-from memorymaze.writing.grammar import write_draft
+from memorymaze.writing.grammar import write_texts
 from memorymaze.writing.mistakes import (
     made_wrong,
     possible_mistakes,
 )
 from memorymaze.writing.request import ErrorRates
 from memorymaze.writing.route_facts import RouteFacts
+from memorymaze.writing.sampling import Cell, Outline, chosen_plan
 from memorymaze.writing.steps import Mistake
 from memorymaze.writing.told_sides import certain_sides
 from memorymaze.writing.turning_point_graph import TurningPointGraph
@@ -49,15 +49,7 @@ def with_errors(
 
     A text is edited where it is certain which word tells which turn of its route; else
     its route is told anew, as long as it, by a voice of its study. The field `method`
-    says which.
-
-    Args:
-        instructions: Those with failures, and studies other than the paper's, are
-            left out.
-        sites: By name.
-        rates: How often they go wrong.
-        seed: Of all chance.
-        paired: Whether the right text follows each wrong one.
+    says which. Texts with failures, and of studies other than the paper's, are left out.
 
     Raises:
         InstructionFileError: No instruction is left.
@@ -181,7 +173,7 @@ def _retold(
     if not mistakes or one.study == "sail":
         return None
     cell = Cell(one.study, one.iteration, one.site, one.route, facts, ())
-    draft = Draft(
+    outline = Outline(
         id=f"{one.id}-{kind}",
         participant=one.participant,
         cell=cell,
@@ -192,7 +184,7 @@ def _retold(
         plan=plan,
         mistakes=mistakes,
     )
-    made = write_draft(draft, paired=True)
+    made = write_texts(outline, paired=True)
     wrong, right = (
         replace(each, method="retold", split=one.split, original_text=one.text)
         for each in made

@@ -5,10 +5,10 @@ choice, turns where a cue comes true, and looks for the destination on the last 
 """
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
-from itertools import pairwise
 
+from memorymaze.geometry.polyline import point_at, project
 from memorymaze.sites.records import Route
 from memorymaze.writing.steps import Ending, Step, StepPlan
 from memorymaze.writing.turning_point_graph import TurningPointGraph, Way
@@ -42,30 +42,29 @@ def follow(
 ) -> Followed:
     """Follow a plan from the route's start; tell where it ends.
 
-    Args:
-        graph: Turning points of the site.
-        route: The way that is to be described.
-        plan: What is described.
-        corners_counted: Whether "the first left" may be a corner without a choice.
+    `corners_counted` says whether "the first left" may be a corner without a choice.
     """
     way = graph.first_way(route, around=plan.around)
     turned: list[str] = []
+    lost = ""
     for turn in plan.turns:
         if not turn.told:
             continue
         there = _place_of(graph, way, turn, corners_counted=corners_counted)
-        if isinstance(there, str):
-            return Followed(False, None, there, tuple(turned))
+        if there is None:
+            told = turn.cue.words or f"{turn.cue.kind} {turn.cue.ordinal}"
+            lost = f"nowhere to turn {turn.side} ({told}) before the way ends"
+            break
         point, heading = there
         onward = graph.leaving(point, heading, turn.side)
         if onward is None:
             lost = f"no way lies {turn.side} at {point}"
-            return Followed(False, None, lost, tuple(turned))
+            break
         turned.append(point)
         way = onward
-    end = _destination(graph, way, plan.ending)
+    end = None if lost else _destination(graph, way, plan.ending)
     if end is None:
-        lost = "the destination is not on the last stretch"
+        lost = lost or "the destination is not on the last stretch"
         return Followed(False, None, lost, tuple(turned))
     x, y = route.line.coords[-1][:2]
     return Followed(math.dist(end, (x, y)) <= ARRIVED, end, "", tuple(turned))
@@ -89,34 +88,10 @@ def _ahead(
         way = onward
 
 
-def is_right(graph: TurningPointGraph, route: Route, plan: StepPlan) -> bool:
-    """Tell whether a plan arrives, turning where it should, in either way of counting.
-
-    Some count a corner without a choice among the ways on its side and some do not.
-    """
-    told = tuple(turn.at for turn in plan.turns if turn.told)
-    outcomes = _both(graph, route, plan)
-    return all(found.arrived and found.turned == told for found in outcomes)
-
-
-def is_wrong(graph: TurningPointGraph, route: Route, plan: StepPlan) -> bool:
-    """Tell whether a plan does not arrive, in either way of counting."""
-    return not any(found.arrived for found in _both(graph, route, plan))
-
-
-def _both(
-    graph: TurningPointGraph, route: Route, plan: StepPlan
-) -> tuple[Followed, Followed]:
-    return (
-        follow(graph, route, plan),
-        follow(graph, route, plan, corners_counted=True),
-    )
-
-
 def _place_of(
     graph: TurningPointGraph, way: Way, turn: Step, *, corners_counted: bool
-) -> tuple[str, float] | str:
-    """Return where a turn is to be made, or why that cannot be told."""
+) -> tuple[str, float] | None:
+    """Return where a turn is to be made, if its cue comes true before the way ends."""
     cue, seen = turn.cue, 0
     for point, heading, onward in _ahead(graph, way):
         only = graph.only_way(point, heading)
@@ -139,8 +114,7 @@ def _place_of(
             seen += 1
             if seen == cue.ordinal:
                 return point, heading
-    told = cue.words or f"{cue.kind} {cue.ordinal}"
-    return f"nowhere to turn {turn.side} ({told}) before the way ends"
+    return None
 
 
 def _destination(
@@ -153,22 +127,6 @@ def _destination(
         for point, heading, straight in _ahead(graph, way)
         if (onward := straight or graph.only_way(point, heading)) is not None
     ]
-    spots = [_nearest(line, ending.place) for line in lines]
-    near = [spot for spot in spots if math.dist(spot, ending.place) <= SEEN]
+    spots = [point_at(line, project(line, ending.place).s) for line in lines]
+    near = [(x, y) for x, y in spots if math.dist((x, y), ending.place) <= SEEN]
     return min(near, key=lambda spot: math.dist(spot, ending.place), default=None)
-
-
-def _nearest(
-    line: Sequence[tuple[float, float]], place: tuple[float, float]
-) -> tuple[float, float]:
-    best = line[0]
-    for (ax, ay), (bx, by) in pairwise(line):
-        length = (bx - ax) ** 2 + (by - ay) ** 2
-        if length == 0:
-            continue
-        part = ((place[0] - ax) * (bx - ax) + (place[1] - ay) * (by - ay)) / length
-        part = min(1.0, max(0.0, part))
-        spot = (ax + part * (bx - ax), ay + part * (by - ay))
-        if math.dist(spot, place) < math.dist(best, place):
-            best = spot
-    return best

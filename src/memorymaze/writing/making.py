@@ -12,11 +12,11 @@ from memorymaze.instructions.record_format import instruction_record
 from memorymaze.instructions.records import Instruction
 from memorymaze.language.model import LanguageModel
 from memorymaze.sites import Site, load_sites
-from memorymaze.writing.drafting import Draft, cells_of, drafts
 from memorymaze.writing.editing import with_errors
-from memorymaze.writing.grammar import write_draft
+from memorymaze.writing.grammar import write_texts
 from memorymaze.writing.model_engine import written_by_model
 from memorymaze.writing.request import GenerationRequest
+from memorymaze.writing.sampling import Outline, cells_of, sample_outlines
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,18 +53,18 @@ def make_instructions(
         return _from_files(request, sites, model)
     made: list[Instruction] = []
     problems: list[str] = []
-    for draft in _drafts(request, sites):
+    for outline in _outlines(request, sites):
         if model is None:
-            made += write_draft(draft, paired=request.paired)
+            made += write_texts(outline, paired=request.paired)
             continue
         try:
-            made += written_by_model(draft, model, paired=request.paired)
+            made += written_by_model(outline, model, paired=request.paired)
         except LanguageModelError as error:
-            problems.append(f"{draft.id}: {error}")
+            problems.append(f"{outline.id}: {error}")
     return Made(tuple(made), tuple(problems))
 
 
-def _drafts(request: GenerationRequest, sites: dict[str, Site]) -> Iterator[Draft]:
+def _outlines(request: GenerationRequest, sites: dict[str, Site]) -> Iterator[Outline]:
     found = False
     for site in sites.values():
         cells = cells_of(
@@ -75,7 +75,9 @@ def _drafts(request: GenerationRequest, sites: dict[str, Site]) -> Iterator[Draf
         )
         for cell in cells:
             found = True
-            yield from drafts(cell, request.rates, request.per_cell, request.seed)
+            yield from sample_outlines(
+                cell, request.rates, request.per_cell, request.seed
+            )
     if not found:
         routes = {route.route for site in sites.values() for route in site.routes}
         known = ", ".join(sorted(routes)) or "none at all"

@@ -1,4 +1,4 @@
-"""Have a language model write a draft; check what it wrote as far as a program can.
+"""Have a language model write a outline; check what it wrote as far as a program can.
 
 The model gets the typed steps of the right and the wrong plan, and marks in its reply
 every word that tells to turn and every word of an error. The marks are checked.
@@ -18,10 +18,10 @@ from memorymaze.language.model import CompletionRequest, LanguageModel, Message
 from memorymaze.language.prompt_texts import load_prompt
 from memorymaze.routes import Arrival, Leg
 from memorymaze.writing.clauses import thing_at_the_turn
-from memorymaze.writing.drafting import Draft
 from memorymaze.writing.grammar import told_instruction
 from memorymaze.writing.marked_text import Marked
 from memorymaze.writing.phrases import phrases
+from memorymaze.writing.sampling import Outline
 from memorymaze.writing.steps import Mistake, Step, StepPlan
 from memorymaze.writing.telling import Told, error_label
 from memorymaze.writing.things import Thing, thing_called, with_article
@@ -96,34 +96,34 @@ LENGTHS = (0.4, 2.5)
 
 
 def written_by_model(
-    draft: Draft, model: LanguageModel, *, paired: bool
+    outline: Outline, model: LanguageModel, *, paired: bool
 ) -> list[Instruction]:
-    """Have a model write a draft; return its text, and with `paired` the right one too.
+    """Have a model write a outline; return its text, and with `paired` the right one too.
 
     Raises:
         LanguageModelError: No reply came, or none kept to the plan after three
             attempts; says what was wrong with the last one.
     """
-    system = load_prompt("tell_route", examples=_examples(draft))
+    system = load_prompt("tell_route", examples=_examples(outline))
     asked = load_prompt(
         "tell_route_task",
         study="typed by somebody who watches a video of the way"
-        if draft.cell.study == "online"
+        if outline.cell.study == "online"
         else "spoken from memory by a passer-by, written down word for word",
-        words=str(round(draft.words)),
-        right=listed_steps(draft.plan),
-        wrong=listed_steps(draft.told_plan),
-        errors=listed_errors(draft.mistakes),
+        words=str(round(outline.words)),
+        right=listed_steps(outline.plan),
+        wrong=listed_steps(outline.told_plan),
+        errors=listed_errors(outline.mistakes),
     )
     messages = [Message("system", system), Message("user", asked)]
     complaint = ""
     for attempt in range(ATTEMPTS):
-        seed = (draft.seed + attempt) % 2**31
+        seed = (outline.seed + attempt) % 2**31
         reply = model.complete(
             CompletionRequest(tuple(messages), temperature=0.8, seed=seed)
         ).text
         try:
-            return _read(reply, draft, paired=paired)
+            return _read(reply, outline, paired=paired)
         except ValueError as error:
             complaint = str(error)
             messages += [
@@ -136,18 +136,18 @@ def written_by_model(
     )
 
 
-def _examples(draft: Draft) -> str:
+def _examples(outline: Outline) -> str:
     """Return texts that prompts may be built from, as examples of the tone."""
     known = [each for each in load_instructions() if each.split == "dev"]
-    own = [each for each in known if each.study == draft.cell.study] or known
-    other = (each for each in own if each.route != draft.cell.route)
+    own = [each for each in known if each.study == outline.cell.study] or known
+    other = (each for each in own if each.route != outline.cell.route)
     return "\n\n".join(each.text for each in islice(other, EXAMPLES))
 
 
-def _read(reply: str, draft: Draft, *, paired: bool) -> list[Instruction]:
+def _read(reply: str, outline: Outline, *, paired: bool) -> list[Instruction]:
     """Return the records of a reply."""
     texts = {kind: text.strip() for kind, text in TEXT.findall(reply)}
-    if not draft.mistakes:
+    if not outline.mistakes:
         texts.setdefault("wrong", texts.get("right", ""))
         texts.setdefault("right", texts["wrong"])
     for kind in ("right", "wrong"):
@@ -155,26 +155,26 @@ def _read(reply: str, draft: Draft, *, paired: bool) -> list[Instruction]:
             raise ValueError(
                 f"expected a text between <{kind}> and </{kind}>, got none"
             )
-    right = _told(texts["right"], draft, draft.plan)
-    wrong = _told(texts["wrong"], draft, draft.told_plan)
-    if draft.mistakes and _apart_from_errors(right) != _apart_from_errors(wrong):
+    right = _told(texts["right"], outline, outline.plan)
+    wrong = _told(texts["wrong"], outline, outline.told_plan)
+    if outline.mistakes and _apart_from_errors(right) != _apart_from_errors(wrong):
         raise ValueError(
             "expected both texts to be the same, word for word, outside <error> marks"
         )
-    pair = draft.id if paired and draft.mistakes else None
-    written = [told_instruction(draft, wrong, pair=pair)]
+    pair = outline.id if paired and outline.mistakes else None
+    written = [told_instruction(outline, wrong, pair=pair)]
     if pair is not None:
-        written.append(told_instruction(draft, right, pair=pair, right=True))
+        written.append(told_instruction(outline, right, pair=pair, right=True))
     return [replace(each, source="llm") for each in written]
 
 
-def _told(marked: str, draft: Draft, plan: StepPlan) -> Told:
+def _told(marked: str, outline: Outline, plan: StepPlan) -> Told:
     """Take the marks out of a text and check them against a plan."""
     text, sides, errors = _without_tags(marked)
     numbers = [number for number, _, _ in errors]
-    if sorted(numbers) != list(range(1, len(draft.mistakes) + 1)):
+    if sorted(numbers) != list(range(1, len(outline.mistakes) + 1)):
         raise ValueError(
-            f"expected errors 1 to {len(draft.mistakes)} marked once each, got {numbers}"
+            f"expected errors 1 to {len(outline.mistakes)} marked once each, got {numbers}"
         )
     expected = [turn.side.rpartition("_")[2] for turn in plan.turns if turn.told]
     said = [text[start:end].lower() for start, end in sides]
@@ -190,8 +190,8 @@ def _told(marked: str, draft: Draft, plan: StepPlan) -> Told:
             f"expected no other turns, got {text[unmarked[0].start - 12 :][:24]!r}"
         )
     words = word_count(text)
-    if not LENGTHS[0] * draft.words <= words <= LENGTHS[1] * draft.words:
-        raise ValueError(f"expected about {draft.words:.0f} words, got {words}")
+    if not LENGTHS[0] * outline.words <= words <= LENGTHS[1] * outline.words:
+        raise ValueError(f"expected about {outline.words:.0f} words, got {words}")
     goal = plan.ending.goal.split(" in ")[0].split()[-1]
     if goal.lower() not in text.lower():
         raise ValueError(f"expected a word of the destination ({plan.ending.goal})")

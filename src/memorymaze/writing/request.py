@@ -42,8 +42,6 @@ class ErrorRates:
     any, `failure` does not count."""
     surface: Mapping[str, float] = field(default_factory=dict[str, float])
     """Shares by the names in `SURFACE_KINDS`."""
-    text: str = PUBLISHED
-    """As it was given."""
 
 
 def parse_rates(text: str) -> ErrorRates:
@@ -59,7 +57,7 @@ def parse_rates(text: str) -> ErrorRates:
     if text == PUBLISHED:
         return ErrorRates()
     if text == NONE:
-        return ErrorRates(failure=0.0, text=text)
+        return ErrorRates(failure=0.0)
     known = {FAILURE, *(kind.name for kind in ERROR_KINDS), *SURFACE_KINDS}
     shares: dict[str, float] = {}
     for part in text.split(","):
@@ -81,7 +79,7 @@ def parse_rates(text: str) -> ErrorRates:
             "--errors: expected failure (any kind) or shares of single kinds, got both"
         )
     surface = {name: share for name, share in shares.items() if name in SURFACE_KINDS}
-    return ErrorRates(failure, kinds, surface, text)
+    return ErrorRates(failure, kinds, surface)
 
 
 def _share(name: str, number: str) -> float:
@@ -103,13 +101,6 @@ def cell_rates(
 
     Routes that the paper does not have get the mean rates of the study and iteration,
     no alternative ways, and words in proportion to the number of turns.
-
-    Args:
-        study: `online` or `onsite`.
-        iteration: 1 or 2.
-        site: Name of the site.
-        route: `R1`, `R2`, ….
-        turns: Of the route; counts for routes that the paper does not have.
     """
     cells = [
         cell

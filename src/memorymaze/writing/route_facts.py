@@ -14,8 +14,9 @@ from shapely.ops import substring
 from memorymaze.errors import SitePlanError
 from memorymaze.geometry.pose import heading_to, turn_between
 from memorymaze.sites.records import Route, RouteTurn
-from memorymaze.writing.following import follow
+from memorymaze.writing.following import Followed, follow
 from memorymaze.writing.steps import (
+    SIDES,
     Beside,
     Cue,
     Ending,
@@ -31,7 +32,6 @@ from memorymaze.writing.turning_point_graph import (
     side_of_turn,
 )
 
-_SIDES: tuple[Literal["left", "right"], ...] = ("left", "right")
 BESIDE = 4.5
 """Metres from the way within which things are mentioned."""
 AHEAD = math.radians(40)
@@ -66,7 +66,7 @@ class RouteFacts:
             self._ending,
             self.graph.things_by_words,
         )
-        found = follow(self.graph, self.route, plan)
+        found = self.follow(plan)
         if not found.arrived:
             raise SitePlanError(
                 f"{self.graph.site.name}, {self.route.id}: expected turns that lead to "
@@ -75,11 +75,31 @@ class RouteFacts:
             )
         return plan
 
+    def follow(self, plan: StepPlan) -> Followed:
+        """Follow a plan for this route."""
+        return follow(self.graph, self.route, plan)
+
+    def is_right(self, plan: StepPlan) -> bool:
+        """Tell whether a plan arrives, turning where it should, in either way of counting.
+
+        Some count a corner without a choice among the ways on its side and some do not.
+        """
+        told = tuple(turn.at for turn in plan.turns if turn.told)
+        return all(each.arrived and each.turned == told for each in self._both(plan))
+
+    def is_wrong(self, plan: StepPlan) -> bool:
+        """Tell whether a plan does not arrive, in either way of counting."""
+        return not any(each.arrived for each in self._both(plan))
+
+    def _both(self, plan: StepPlan) -> tuple[Followed, Followed]:
+        counted = follow(self.graph, self.route, plan, corners_counted=True)
+        return self.follow(plan), counted
+
     @cached_property
     def stops(self) -> tuple[float, ...]:
         """Metres along the line where the turns are, in order."""
         stops: list[float] = []
-        passed = iter(self.graph.passed(self.route))
+        passed = iter(self.graph.passed[self.route.id])
         for turn in self.route.turns:
             found = next((at for at, point in passed if point == turn.at), None)
             if found is None:
@@ -94,7 +114,7 @@ class RouteFacts:
     def between(self) -> tuple[tuple[str, ...], ...]:
         """Turning points passed straight on before each turn, and after the last."""
         edges = (-1.0, *self.stops, math.inf)
-        passed = self.graph.passed(self.route)
+        passed = self.graph.passed[self.route.id]
         return tuple(
             tuple(point for at, point in passed if low < at < high)
             for low, high in pairwise(edges)
@@ -108,7 +128,7 @@ class RouteFacts:
         turns: dict[str, Side] = {
             turn.at: side_of_turn(turn) for turn in self.route.turns
         }
-        for _ in range(len(self.graph.passed(self.route)) + 1):
+        for _ in range(len(self.graph.passed[self.route.id]) + 1):
             if ways is None or ways.end is None:
                 break
             found.setdefault(ways.end, ways.heading)
@@ -160,7 +180,7 @@ class RouteFacts:
         ]
         plan = StepPlan("", "", tuple(turns), self._ending, {})
         wanted = tuple(turn.at for turn in turns)
-        return follow(self.graph, self.route, plan).turned == wanted
+        return self.follow(plan).turned == wanted
 
     def _proposals(self, n: int) -> Iterator[Cue]:
         turn = self.route.turns[n]
@@ -201,7 +221,7 @@ class RouteFacts:
         openings: list[Literal["left", "right"]] = []
         for point in points:
             heading = self.headings.get(point)
-            for side in _SIDES:
+            for side in SIDES:
                 if (
                     heading is not None
                     and self.graph.leaving(point, heading, side) is not None

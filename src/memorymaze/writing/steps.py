@@ -13,6 +13,8 @@ from memorymaze.routes import Arrival, Leg, Length, Mention, Passing, RoutePlan,
 from memorymaze.writing.things import Thing
 from memorymaze.writing.turning_point_graph import Side
 
+SIDES: tuple[Literal["left", "right"], ...] = ("left", "right")
+
 
 @dataclass(frozen=True, slots=True)
 class Beside:
@@ -175,6 +177,10 @@ class StepPlan:
             for turn in self.turns
         )
         return replace(self, turns=turns)
+
+    def with_another(self, turn: Step, place: int) -> "StepPlan":
+        """Return the plan with one turn more, before the one at a place."""
+        return replace(self, turns=(*self.turns[:place], turn, *self.turns[place:]))
 
     def without(self, key: str) -> "StepPlan":
         """Return the plan without one turn."""

@@ -64,13 +64,7 @@ def focus_of(mistakes: Sequence[Mistake]) -> dict[str, dict[str, str]]:
 def keys_in_order(
     plan: StepPlan, right: StepPlan, mistakes: Sequence[Mistake]
 ) -> list[str]:
-    """Return the turns of a plan, and those that only its counterpart has.
-
-    Args:
-        plan: What is told: the right plan, or the one with errors.
-        right: The right plan.
-        mistakes: The errors between the two.
-    """
+    """Return the turns of a plan, right or wrong, and those that only the other has."""
     keys = [turn.key for turn in plan.turns]
     whole = [turn.key for turn in right.turns]
     for mistake in mistakes:
@@ -83,32 +77,9 @@ def keys_in_order(
     return keys
 
 
-def in_one_breath(
-    plan: StepPlan, right: StepPlan, key: str, focus: Mapping[str, Focus]
-) -> bool:
-    """Tell whether a turn can be told together with the one before it.
-
-    They follow each other in both plans within a few metres, and none of the two needs
-    words of its own for where it is or for an error.
-    """
-    keys = [turn.key for turn in plan.turns]
-    whole = [turn.key for turn in right.turns]
-    if key not in keys or key not in whole or not keys.index(key):
-        return False
-    place, number = whole.index(key), keys.index(key)
-    before, turn = plan.turns[number - 1], plan.turns[number]
-    if not place or whole[place - 1] != before.key:
-        return False
-    labelled = {*focus.get(key, {}), *focus.get(before.key, {})}
-    if labelled & {"cue", "step"}:
-        return False
-    near = (
-        right.turns[place].stretch.length < MERGED_WITHIN and turn.told and before.told
-    )
-    return near and turn.cue.kind != "thing" and turn.cue.ordinal == 1
-
-
 START, ARRIVAL, END = "start", "arrival", "end"
+FITS_WITHIN: Mapping[Size, float] = {"wordy": 0.6, "plain": 0.9}
+"""Share of the wanted words that the turns alone may take."""
 SLACK = 2
 """Words that a text may be longer than wanted."""
 RUN_TOGETHER = {True: 0.4, False: 0.15}
@@ -126,31 +97,24 @@ class Told:
 
 
 class Teller:
-    """One description by one speaker: the right plan, and the same with errors.
-
-    Attributes:
-        size: How much is said at each turn.
-        asides: What is said besides, chosen for the right plan.
-    """
+    """One description by one speaker: the right plan, and the same with errors."""
 
     def __init__(self, plan: StepPlan, voice: Voice, seed: int, words: float) -> None:
-        """Choose what is said."""
+        """Choose how much is said at each turn of the right plan, and what besides."""
         self._plan = plan
         self._voice = voice
         self._seed = seed
         self._numbers = {turn.key: n for n, turn in enumerate(plan.turns)}
         self._offset = int(self._rng("offset").integers(60))
-        self.size: Size = self._fitting_size(words)
-        self.asides: tuple[Aside, ...] = ()
-        self.asides = tuple(self._fitting_asides(words))
+        self._asides: Sequence[Aside] = ()
+        self._size: Size = self._fitting_size(words)
+        self._asides = self._fitting_asides(words)
 
     def tell(self, plan: StepPlan, mistakes: Sequence[Mistake] = ()) -> Told:
-        """Put the right plan, or one with errors, into words.
+        """Put the right plan, or that of the last mistake, into words.
 
-        Args:
-            plan: The right plan, or `mistakes[-1].plan`.
-            mistakes: The errors, whose words are labelled in either; where words are
-                missing, the label has no width.
+        The words of the errors are labelled in either; where words are missing, the
+        label has no width.
         """
         focus = focus_of(mistakes)
         items: list[str] = []
@@ -182,7 +146,7 @@ class Teller:
         """Return all that is said at one step, or only labels."""
         part = focus.get(key, {})
         turn = next((each for each in plan.turns if each.key == key), None)
-        asides = [each for each in self.asides if each.key == key]
+        asides = [each for each in self._asides if each.key == key]
         if key == ARRIVAL:
             core = arrival_clause(
                 plan.ending.arrival,
@@ -228,33 +192,44 @@ class Teller:
         rng = self._rng(key, "link")
         plain = without_marks(core)
         first = key == next((turn.key for turn in self._plan.turns), ARRIVAL)
-        fits = not first and self.size != "terse" and self._voice.layout == "prose"
+        fits = not first and self._size != "terse" and self._voice.layout == "prose"
         if fits and is_command(plain) and rng.random() < 0.35:
             core = f"{one_of(phrases('links'), rng)} {core}"
         return disturbed(core, self._voice, rng, turn=True)
 
     def _is_merged(self, plan: StepPlan, key: str, focus: Mapping[str, Focus]) -> bool:
-        """Tell whether a turn is told in one breath with the one before it."""
-        if not in_one_breath(plan, self._plan, key, focus):
+        """Tell whether a turn is told in one breath with the one before it.
+
+        They follow each other in both plans within a few metres, and none of the two
+        needs words of its own for where it is or for an error.
+        """
+        right = self._plan.turns
+        keys, whole = ([each.key for each in turns] for turns in (plan.turns, right))
+        number, place = (all.index(key) if key in all else 0 for all in (keys, whole))
+        if not number or not place or keys[number - 1] != whole[place - 1]:
             return False
-        keys = [turn.key for turn in plan.turns]
+        before, turn = plan.turns[number - 1], plan.turns[number]
+        labelled = {*focus.get(key, {}), *focus.get(before.key, {})}
+        near = right[place].stretch.length < MERGED_WITHIN
+        plain = turn.cue.kind != "thing" and turn.cue.ordinal == 1
+        if labelled & {"cue", "step"} or not (near and plain):
+            return False
         # Of three turns in a row the third begins anew.
-        if self._is_merged(plan, keys[keys.index(key) - 1], focus):
+        told = turn.told and before.told
+        if not told or self._is_merged(plan, before.key, focus):
             return False
         chance = self._rng(key, "merged").random()
         return bool(chance < self._voice.surface.merged_turns)
 
     def _core_size(self, key: str) -> Size:
-        if self.size != "wordy":
-            return self.size
+        if self._size != "wordy":
+            return self._size
         return "wordy" if self._rng(key, "size").random() < 0.45 else "plain"
 
     def _fitting_size(self, words: float) -> Size:
-        self.asides = ()
-        for size in ("wordy", "plain", "terse"):
-            self.size = size
-            length = word_count(self.tell(self._plan).text)
-            if size == "terse" or length <= {"wordy": 0.6, "plain": 0.9}[size] * words:
+        for size, share in FITS_WITHIN.items():
+            self._size = size
+            if word_count(self.tell(self._plan).text) <= share * words:
                 return size
         return "terse"
 
@@ -303,9 +278,8 @@ class Teller:
         return [each for each, keep in zip(found, kept, strict=True) if keep]
 
     def _around(self, key: str) -> list[str]:
-        told = sorted(
-            (each for each in self.asides if each.key == key), key=lambda a: a.order
-        )
+        told = [each for each in self._asides if each.key == key]
+        told.sort(key=lambda each: each.order)
         return [as_sentence(self._as_told(each)) for each in told]
 
     def _rng(self, *purpose: str) -> np.random.Generator:

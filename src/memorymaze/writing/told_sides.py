@@ -61,11 +61,7 @@ def certain_sides(text: str, sides: Sequence[str]) -> list[ToldSide] | None:
 
     It is certain where every `left` and `right` that does not plainly say something else
     can only be a turn, and these are as many as the turns of the route and go the same
-    ways.
-
-    Args:
-        text: What someone said.
-        sides: `left` or `right` of every turn of the route described, in order.
+    ways as `sides`.
     """
     other: set[int] = set()
     for beside in BESIDE.finditer(text):

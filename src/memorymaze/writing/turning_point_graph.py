@@ -4,7 +4,7 @@ This is the floor as a walker knows it who is told where to turn: no grid, no ph
 """
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
@@ -14,7 +14,6 @@ from shapely import LineString, Point, Polygon, get_parts
 from shapely.ops import nearest_points, substring
 from shapely.prepared import PreparedGeometry, prep
 
-from memorymaze.errors import SitePlanError
 from memorymaze.geometry.pose import heading_to, turn_between
 from memorymaze.sites.records import Exit, Route, RouteTurn, Site, TurningPoint
 from memorymaze.writing.things import Thing, things_of
@@ -31,29 +30,21 @@ class Way(NamedTuple):
     """Turning point it leads to; None where it ends without one."""
 
 
-def carried_on(way: Way, guess: Way) -> Way:
+def _carried_on(way: Way, guess: Way) -> Way:
     """Return a route's last way with what lies beyond the goal."""
-    if way.end is not None:
-        return way
-    beyond = math.dist(way.line[0], guess.line[-1])
-    if beyond <= math.dist(way.line[0], way.line[-1]):
+    start = way.line[0]
+    goes_on = math.dist(start, guess.line[-1]) > math.dist(start, way.line[-1])
+    if way.end is not None or not goes_on:
         return way
     return Way(way.heading, (*way.line, guess.line[-1]), guess.end)
 
 
-def overlaps(line: LineString, polygon: Polygon) -> list[tuple[float, float]]:
+def _overlaps(line: LineString, polygon: Polygon) -> list[tuple[float, float]]:
     """Return the stretches of a line inside a polygon, metres along it."""
-    inside = line.intersection(polygon)
-    parts = [inside] if isinstance(inside, LineString) else getattr(inside, "geoms", [])
     spans = sorted(
-        tuple(
-            sorted((
-                line.project(Point(p.coords[0])),
-                line.project(Point(p.coords[-1])),
-            ))
-        )
-        for p in parts
-        if isinstance(p, LineString) and p.length > 0.05
+        sorted(line.project(Point(end)) for end in (part.coords[0], part.coords[-1]))
+        for part in get_parts(line.intersection(polygon))
+        if isinstance(part, LineString) and part.length > 0.05
     )
     joined: list[tuple[float, float]] = []
     for start, end in spans:
@@ -62,26 +53,6 @@ def overlaps(line: LineString, polygon: Polygon) -> list[tuple[float, float]]:
         else:
             joined.append((start, end))
     return joined
-
-
-def route_ways(
-    route: Route, passed: Sequence[tuple[float, str]]
-) -> Iterator[tuple[str | None, Way]]:
-    """Yield the ways along a route: from its start, then from each turning point."""
-    stops = [(0.0, None), *passed, (route.line.length, None)]
-    for (start, name), (end, following) in pairwise(stops):
-        if end - start < 0.05:
-            if name is None and following is not None:
-                x, y = route.line.coords[0][:2]
-                yield None, Way(route.start_heading, ((x, y), (x, y)), following)
-            continue
-        piece = substring(route.line, start, end)
-        if not isinstance(piece, LineString):
-            raise SitePlanError(f"route {route.id}: expected a line, got a point")
-        line = tuple((float(x), float(y)) for x, y, *_ in piece.coords)
-        # A turn's bend may lie beyond the middle of its polygon.
-        longest = max(pairwise(line), key=lambda leg: math.dist(*leg))
-        yield name, Way(heading_to(*longest), line, following)
 
 
 Side = Literal["left", "right", "slight_left", "slight_right"]
@@ -148,7 +119,7 @@ class TurningPointGraph:
             for point in self.site.turning_points
         }
         for route in self.site.routes:
-            for start, way in route_ways(route, self.passed(route)):
+            for start, way in self._route_ways(route):
                 if start is None:
                     continue
                 known = guessed[start]
@@ -158,7 +129,7 @@ class TurningPointGraph:
                     if abs(turn_between(each.heading, way.heading)) < STRAIGHT
                 ]
                 if same:
-                    known[same[0]] = carried_on(way, known[same[0]])
+                    known[same[0]] = _carried_on(way, known[same[0]])
                 else:
                     known.append(way)
         return {name: tuple(ways) for name, ways in guessed.items()}
@@ -195,41 +166,46 @@ class TurningPointGraph:
     def _open(self) -> "PreparedGeometry[Polygon]":
         return prep(self.site.walkable_floor.buffer(0.05))
 
-    def passed(self, route: Route) -> tuple[tuple[float, str], ...]:
-        """Return the turning points on a route, each with metres along its line."""
-        known = self._passed.get(route.id)
-        if known is None:
-            known = self._passed[route.id] = self._find_passed(route)
-        return known
-
-    def _find_passed(self, route: Route) -> tuple[tuple[float, str], ...]:
-        found: list[tuple[float, str]] = []
-        for point in self.site.turning_points:
-            for start, end in overlaps(route.line, point.polygon):
-                found.append(((start + end) / 2, point.id))
-        return tuple(sorted(found))
+    @cached_property
+    def passed(self) -> Mapping[str, tuple[tuple[float, str], ...]]:
+        """The turning points on each route, by its id: metres along its line, and id."""
+        return {
+            route.id: tuple(
+                sorted(
+                    ((start + end) / 2, point.id)
+                    for point in self.site.turning_points
+                    for start, end in _overlaps(route.line, point.polygon)
+                )
+            )
+            for route in self.site.routes
+        }
 
     def first_way(self, route: Route, *, around: bool = False) -> Way:
         """Return the way from a route's start, ahead or back."""
-        known = self._first_ways.get((route.id, around))
-        if known is None and around:
+        if around:
             start = (route.start.x, route.start.y)
-            known = self._ray(start, route.start.heading + math.pi, None)
-        elif known is None:
-            known = next(way for _, way in route_ways(route, self.passed(route)))
-        self._first_ways[route.id, around] = known
-        return known
+            return self._ray(start, route.start.heading + math.pi, None)
+        return next(way for _, way in self._route_ways(route))
+
+    def _route_ways(self, route: Route) -> Iterator[tuple[str | None, Way]]:
+        """Yield the ways along a route: from its start, then from each turning point."""
+        stops = [(0.0, None), *self.passed[route.id], (route.line.length, None)]
+        for (start, name), (end, following) in pairwise(stops):
+            if end - start < 0.05:
+                if name is None and following is not None:
+                    x, y = route.line.coords[0][:2]
+                    yield None, Way(route.start_heading, ((x, y), (x, y)), following)
+                continue
+            piece = substring(route.line, start, end)
+            line = tuple((float(x), float(y)) for x, y, *_ in piece.coords)
+            # A turn's bend may lie beyond the middle of its polygon.
+            longest = max(pairwise(line), key=lambda leg: math.dist(*leg))
+            yield name, Way(heading_to(*longest), line, following)
 
     def leaving(self, point: str, heading: float, side: Side | None) -> Way | None:
-        """Return the way that someone takes who comes with a heading.
+        """Return the way that someone takes who comes with a heading, if one lies there.
 
-        Args:
-            point: Turning point id.
-            heading: Radians, before the turn.
-            side: Where to turn; None to go straight on.
-
-        Returns:
-            None where no way lies there.
+        `side` is None for going straight on.
         """
         angles = [(turn_between(heading, w.heading), w) for w in self.ways[point]]
         if side is None:
@@ -254,16 +230,16 @@ class TurningPointGraph:
         return onward[0] if len(onward) == 1 else None
 
     def _way(self, point: TurningPoint, leaving: Exit) -> Way:
-        centre = (point.polygon.centroid.x, point.polygon.centroid.y)
-        graph = self._floors.get(leaving.to)
+        centre = self._middle(point.id)
         if leaving.to in self.points:
-            end = self.points[leaving.to].polygon.centroid
-            return Way(leaving.heading, (centre, (end.x, end.y)), leaving.to)
+            line = (centre, self._middle(leaving.to))
+            return Way(leaving.heading, line, leaving.to)
+        floor = self._floors.get(leaving.to)
         ahead: list[tuple[float, str]] = []
-        for other in self.site.turning_points if graph is not None else ():
-            if other.id == point.id or not other.polygon.intersects(graph):
+        for other in self.site.turning_points if floor is not None else ():
+            if other.id == point.id or not other.polygon.intersects(floor):
                 continue
-            middle = (other.polygon.centroid.x, other.polygon.centroid.y)
+            middle = self._middle(other.id)
             turn = turn_between(leaving.heading, heading_to(centre, middle))
             along = math.dist(centre, middle) * math.cos(turn)
             aside = abs(math.dist(centre, middle) * math.sin(turn))
@@ -271,45 +247,40 @@ class TurningPointGraph:
                 ahead.append((along, other.id))
         if not ahead:
             return self._ray(centre, leaving.heading, point.id)
-        end = self.points[min(ahead)[1]].polygon.centroid
-        return Way(leaving.heading, (centre, (end.x, end.y)), min(ahead)[1])
+        end = min(ahead)[1]
+        return Way(leaving.heading, (centre, self._middle(end)), end)
+
+    def _middle(self, point: str) -> tuple[float, float]:
+        centroid = self.points[point].polygon.centroid
+        return centroid.x, centroid.y
 
     def _ray(self, start: tuple[float, float], heading: float, own: str | None) -> Way:
         """Walk straight on until a turning point or a wall."""
-        far = (
-            start[0] + RAY * math.cos(heading),
-            start[1] + RAY * math.sin(heading),
-        )
+        x, y = start
+        far = x + RAY * math.cos(heading), y + RAY * math.sin(heading)
         free = LineString([start, far]).intersection(self.site.walkable_floor)
-        pieces = [p for p in get_parts(free) if isinstance(p, LineString)]
-        reach = [p for p in pieces if p.distance(Point(start)) < 0.1 and p.length > 0]
+        reach = [
+            piece
+            for piece in get_parts(free)
+            if isinstance(piece, LineString)
+            and piece.distance(Point(start)) < 0.1
+            and piece.length > 0
+        ]
         if not reach:
             return Way(heading, (start, start), None)
-        line = LineString([
-            start,
-            max(reach[0].coords, key=lambda c: math.dist(c, start)),
-        ])
+        wall = max(reach[0].coords, key=lambda corner: math.dist(corner, start))
+        line = LineString([start, wall])
         hits = [
             (span[0], other.id)
             for other in self.site.turning_points
             if other.id != own
-            for span in overlaps(line, other.polygon)
+            for span in _overlaps(line, other.polygon)
         ]
         if hits:
-            end = self.points[min(hits)[1]].polygon.centroid
-            return Way(heading, (start, (end.x, end.y)), min(hits)[1])
+            end = min(hits)[1]
+            return Way(heading, (start, self._middle(end)), end)
         x, y = line.coords[-1][:2]
         return Way(heading, (start, (x, y)), None)
-
-    @cached_property
-    def _passed(self) -> dict[str, tuple[tuple[float, str], ...]]:
-        """What was found before, by route id."""
-        return {}
-
-    @cached_property
-    def _first_ways(self) -> dict[tuple[str, bool], Way]:
-        """What was found before, by route id and whether it goes back."""
-        return {}
 
     @cached_property
     def _floors(self) -> Mapping[str, Polygon]:

@@ -30,11 +30,15 @@ class Surface:
 
 ONLINE = Surface(0.0, 0.0, 0.02, 0.15, 0.35, 0.15)
 ONSITE = Surface(0.22, 0.06, 0.1, 0.4, 0.45, 0.3)
-
-
-def default_surface(study: str) -> Surface:
-    """Return the shares of a study; not from the paper, which counts none of them."""
-    return ONLINE if study == "online" else ONSITE
+"""Of typed and spoken texts; not from the paper, which counts none of them."""
+FILLERS = (
+    ("um", "uh"),
+    ("uh", "um"),
+    ("er", "er"),
+    ("so", "you know"),
+    ("well", "like"),
+)
+"""Pairs at the beginning and in the middle of sentences; a speaker uses one pair."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,14 +72,9 @@ def make_voice(
     rng: np.random.Generator,
     changes: Mapping[str, float] | None = None,
 ) -> Voice:
-    """Make up a speaker.
+    """Make up a speaker; the same chance makes the same one for both iterations.
 
-    Args:
-        study: `online` (typed) or `onsite` (spoken).
-        iteration: 2 where the speaker was told what the robot can do.
-        rng: Source of chance; the same for both iterations of a participant.
-        changes: Shares by the names of `Surface`'s fields that differ from the
-            defaults.
+    `changes` are shares by the names of `Surface`'s fields that differ from the defaults.
     """
     spoken = study == "onsite"
     layouts: list[Layout] = ["prose", "numbered", "lines"]
@@ -88,19 +87,11 @@ def make_voice(
     unit = units[int(rng.choice(3, p=shares))]
     please = bool(rng.random() < 0.15)
     with_fillers = bool(rng.random() < 0.55)
-    choice = [
-        ("um", "uh"),
-        ("uh", "um"),
-        ("er", "er"),
-        ("so", "you know"),
-        ("well", "like"),
-    ]
-    fillers = choice[int(rng.choice(len(choice)))]
+    fillers = FILLERS[int(rng.choice(len(FILLERS)))]
     contracted = bool(rng.random() < (0.9 if spoken else 0.5))
-    surface = default_surface(study)
     known = {field.name for field in fields(Surface)}
     given = {name: share for name, share in (changes or {}).items() if name in known}
-    surface = replace(surface, **given)
+    surface = replace(ONSITE if spoken else ONLINE, **given)
     forced = "filler" in given and given["filler"] > 0
     return Voice(
         spoken=spoken,

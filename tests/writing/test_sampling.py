@@ -12,11 +12,11 @@ from memorymaze.sites import Site
 from memorymaze.writing import (
     ErrorRates,
     cells_of,
-    drafts,
-    instructions_of,
     parse_rates,
+    sample_outlines,
+    write_texts,
 )
-from memorymaze.writing.drafting import stratified, wanted_lengths
+from memorymaze.writing.sampling import stratified, wanted_lengths
 
 SAMPLE = 40
 
@@ -44,7 +44,11 @@ def test_a_sample_of_a_cell_has_the_rates_and_lengths_of_table_one(
         if (each.study, each.site, each.route, each.iteration)
         == (study, site, route, iteration)
     ]
-    made = instructions_of(drafts(cell, ErrorRates(), SAMPLE, 0), paired=False)
+    made = [
+        text
+        for outline in sample_outlines(cell, ErrorRates(), SAMPLE, 0)
+        for text in write_texts(outline, paired=False)
+    ]
     (found,) = describe_corpus(made, builtin_sites)
     assert found.failure_rate == pytest.approx(paper.failure_rate, abs=0.03)
     alternative = paper.alternative_rate or 0.0
@@ -71,15 +75,17 @@ def test_strata_keep_shares_to_one_part(count: int, seed: int) -> None:
 
 def test_a_route_that_the_paper_does_not_have_gets_mean_rates(t_site: Site) -> None:
     cells = cells_of(t_site, studies=["onsite"], iterations=[1])
-    made = [list(drafts(cell, ErrorRates(), 20, 0)) for cell in cells]
+    made = [list(sample_outlines(cell, ErrorRates(), 20, 0)) for cell in cells]
     for cell in made:
-        assert sum(bool(draft.mistakes) for draft in cell) == 10  # 48.9 % of 20
-        assert not any(draft.alternative for draft in cell)
+        assert sum(bool(outline.mistakes) for outline in cell) == 10  # 48.9 % of 20
+        assert not any(outline.alternative for outline in cell)
 
 
 def test_no_errors_means_none(t_site: Site) -> None:
     for cell in cells_of(t_site):
-        assert not any(d.mistakes for d in drafts(cell, parse_rates("none"), 5, 0))
+        assert not any(
+            d.mistakes for d in sample_outlines(cell, parse_rates("none"), 5, 0)
+        )
 
 
 @pytest.mark.parametrize(

@@ -1,6 +1,6 @@
-"""Draw what is to be written: who describes which way, how long, with which errors.
+"""Sample what is to be written: who describes which way, how long, with which errors.
 
-A draft is everything about a text but its words; engines make words of it.
+An outline is everything about a text but its words; engines make words of it.
 """
 
 import math
@@ -14,7 +14,6 @@ from numpy.typing import NDArray
 
 from memorymaze.instructions.error_kinds import kinds_of
 from memorymaze.sites.records import Site
-from memorymaze.writing.following import is_right
 from memorymaze.writing.mistakes import made_wrong
 from memorymaze.writing.request import (
     CellRates,
@@ -49,13 +48,6 @@ def wanted_lengths(
 
     Log-normal above `least`, as spoken lengths are: many short ones, a few very long.
     The tail is cut; parameters are moved so that the moments still hold.
-
-    Args:
-        mean: Words.
-        deviation: Words.
-        least: Words that no text goes below; less than the mean.
-        count: How many.
-        rng: Source of chance.
     """
     least = min(least, mean - deviation / STEEPEST)
     spread = np.log1p((deviation / (mean - least)) ** 2)
@@ -98,15 +90,13 @@ def chosen_plan(facts: RouteFacts, voice: Voice, rng: np.random.Generator) -> St
         fresh = tuple(cue for cue in cues if cue.words not in used)
         turns.append(replace(turn, cue=_cue(turn, fresh, rng)))
     plan = replace(plan, turns=tuple(turns))
-    if not is_right(facts.graph, facts.route, plan):
+    if not facts.is_right(plan):
         plan = facts.plan
     for turn in plan.turns:
         corner = turn.cue.kind == "forced" and len(plan.turns) > 1
         if rng.random() < voice.surface.skipped_corner and corner:
             shorter = plan.with_turn(turn.key, told=False)
-            if any(each.told for each in shorter.turns) and is_right(
-                facts.graph, facts.route, shorter
-            ):
+            if any(each.told for each in shorter.turns) and facts.is_right(shorter):
                 plan = shorter
     return plan
 
@@ -158,7 +148,7 @@ class Cell:
 
 
 @dataclass(frozen=True, slots=True)
-class Draft:
+class Outline:
     """A text before its words."""
 
     id: str
@@ -206,29 +196,32 @@ def cells_of(
         SitePlanError: A route cannot be described.
     """
     floor = TurningPointGraph(site)
-    all_facts = [RouteFacts(floor, each) for each in site.routes]
-    names = dict.fromkeys(each.route.route for each in all_facts)
-    cells: list[Cell] = []
-    for study in studies:
-        for name in names:
-            if route not in {None, name}:
-                continue
-            own = [each for each in all_facts if each.route.route == name]
-            references = [each for each in own if each.route.role == "reference"]
-            others = [each for each in own if each.route.role == "alternative"]
-            for iteration in iterations if references else ():
-                first = references[0]
-                cells.append(
-                    Cell(study, iteration, site.name, name, first, tuple(others))
-                )
-    return cells
+    ways: dict[str, dict[str, list[RouteFacts]]] = {}
+    for each in site.routes:
+        roles = ways.setdefault(each.route, {"reference": [], "alternative": []})
+        roles[each.role].append(RouteFacts(floor, each))
+    return [
+        Cell(
+            study,
+            iteration,
+            site.name,
+            name,
+            roles["reference"][0],
+            tuple(roles["alternative"]),
+        )
+        for study in studies
+        for name, roles in ways.items()
+        if roles["reference"] and route in {None, name}
+        for iteration in iterations
+    ]
 
 
-def drafts(cell: Cell, rates: ErrorRates, count: int, seed: int) -> Iterator[Draft]:
-    """Draw the texts of a cell.
+def sample_outlines(
+    cell: Cell, rates: ErrorRates, count: int, seed: int
+) -> Iterator[Outline]:
+    """Draw what is to be written for a cell.
 
-    Shares and lengths are drawn in strata, so that a cell keeps them whatever the
-    seed; see `lengths.stratified`.
+    Shares and lengths are drawn in strata, so that a cell keeps them whatever the seed.
 
     Args:
         cell: Which.
@@ -257,7 +250,7 @@ def drafts(cell: Cell, rates: ErrorRates, count: int, seed: int) -> Iterator[Dra
             mistakes = made_wrong(facts, plan, wanted, rng)
             if mistakes:
                 break
-        yield Draft(
+        yield Outline(
             id=f"{participant}-{cell.iteration}",
             participant=participant,
             cell=cell,
