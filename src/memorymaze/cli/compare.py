@@ -31,11 +31,11 @@ def add_parser(verbs: Verbs) -> None:
 
 
 def _run(options: argparse.Namespace) -> int:
-    from memorymaze.results.tables import compare_runs, comparison_table, load_runs
+    from memorymaze.results.tables import comparison_table, load_runs
     from memorymaze.tables import write_tables
 
     folders = [options.first, options.second]
     first, second = load_runs(folders, exclude_dev=options.exclude_dev)
-    table = comparison_table(compare_runs(first, second))
+    table = comparison_table(first, second)
     print(write_tables([table], options.format).decode(), end="")
     return 0

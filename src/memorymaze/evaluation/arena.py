@@ -5,11 +5,11 @@ from functools import cached_property, partial
 
 import numpy as np
 
+from memorymaze.evaluation.measures import FinishedWalk
 from memorymaze.evaluation.seeds import obstacle_generator
 from memorymaze.geometry.grid import FloorGrid
 from memorymaze.geometry.trajectory import Trajectory
 from memorymaze.instructions.records import Episode
-from memorymaze.metrics.score import MetricValues, score_walk
 from memorymaze.perception.eyes import Eyes
 from memorymaze.pictures import robot_cameras
 from memorymaze.pictures.furniture.models import Looks
@@ -97,14 +97,14 @@ class Arena:
             cameras=partial(robot_cameras, looks=self.looks),
         )
 
-    def score(
-        self, episode: Episode, walk: Trajectory, success_distance: float
-    ) -> MetricValues:
-        """Score a walk against the reference path of its episode.
-
-        Raises:
-            UndefinedMetricError: The walk or the reference path leaves the floor.
-        """
-        return score_walk(
-            self.grid, episode.reference_path, walk.points, success_distance
+    def finished(
+        self,
+        episode: Episode,
+        trajectory: Trajectory,
+        stopped_by: str,
+        success_distance: float,
+    ) -> FinishedWalk:
+        """Return the walk of an episode that is over, to be measured."""
+        return FinishedWalk(
+            self.site, self.grid, episode, trajectory, stopped_by, success_distance
         )

@@ -20,7 +20,7 @@ from memorymaze.errors import (
 )
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.guarded_robot import GuardedRobot
-from memorymaze.evaluation.results import EpisodeResult, StoppedBy
+from memorymaze.evaluation.results import EpisodeResult, StoppedBy, measure_walk
 from memorymaze.evaluation.seeds import detector_generator, episode_generators
 from memorymaze.evaluation.settings import RunDefinition
 from memorymaze.evaluation.trace_entries import (
@@ -30,7 +30,6 @@ from memorymaze.evaluation.trace_entries import (
     opening_entry,
     surroundings_entries,
 )
-from memorymaze.evaluation.turns import turns_in_order
 from memorymaze.geometry.trajectory import Trajectory
 from memorymaze.instructions.records import Episode
 from memorymaze.robot.steps import SteppingRobot
@@ -136,9 +135,7 @@ def _attempt(
     walk = robot.trajectory()
     trace += surroundings_entries(robot)
     trace += closing_entries(robot, walk, ended, error)
-    values = arena.score(episode, walk, settings.success_distance)
-    if ended != "agent":
-        values = values.without_success()
+    finished = arena.finished(episode, walk, ended, settings.success_distance)
     told = episode.instruction
     result = EpisodeResult(
         episode_id=episode.id,
@@ -153,18 +150,8 @@ def _attempt(
         split=told.split,
         agent=agent.name,
         stopped_by=ended,
-        success=values.success == 1.0,
-        oracle_success=values.oracle_success == 1.0,
-        spd=values.ne,
-        cls=values.cls,
-        spl=values.spl,
-        ndtw=values.ndtw,
-        sdtw=values.sdtw,
-        path_length=values.path_length,
+        **measure_walk(finished),
         collisions=len(robot.collisions),
-        turns_in_order=turns_in_order(
-            arena.site, arena.site.route(told.reference_route), walk
-        ),
         duration_s=robot.time,
         wall_s=wall_s,
         api_calls=robot.calls,

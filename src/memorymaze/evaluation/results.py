@@ -1,12 +1,14 @@
 """What came of one episode, as a flat record and as a line of JSON."""
 
 import json
-from dataclasses import asdict, dataclass
-from typing import Literal
+from dataclasses import asdict, dataclass, replace
+from typing import Annotated, Any, Literal, get_type_hints
 
 from pydantic import FiniteFloat, TypeAdapter, ValidationError
 
 from memorymaze.errors import RunFolderError
+from memorymaze.evaluation.measures import FinishedWalk, Measure
+from memorymaze.evaluation.turns import turns_in_order
 from memorymaze.instructions.records import Followers
 
 StoppedBy = Literal["agent", "budget", "stuck", "crash", "unsafe", "model_error"]
@@ -35,44 +37,132 @@ class EpisodeResult:
     split: str
     agent: str
     stopped_by: StoppedBy
-    success: bool
+    success: Annotated[
+        bool,
+        Measure(
+            "SR",
+            "success rate",
+            "higher",
+            name="sr",
+            shown=("paper", "compared"),
+            of_walk=lambda walk: walk.scores.success == 1.0,
+        ),
+    ]
     """Stopped by itself, nearer to the goal than the success distance."""
-    oracle_success: bool
+    oracle_success: Annotated[
+        bool,
+        Measure(
+            "OSR",
+            "oracle success rate",
+            "higher",
+            name="osr",
+            shown=("paper", "compared"),
+            of_walk=lambda walk: walk.scores.oracle_success == 1.0,
+        ),
+    ]
     """Was at any moment nearer to the goal than the success distance."""
-    spd: FiniteFloat
+    spd: Annotated[
+        FiniteFloat,
+        Measure(
+            "SPD",
+            "shortest walk left to the goal",
+            "lower",
+            unit="m",
+            shown=("paper", "compared", "spread"),
+            of_walk=lambda walk: walk.scores.ne,
+        ),
+    ]
     """Shortest walk from where the robot stands at the end to the goal, metres."""
-    cls: FiniteFloat
+    cls: Annotated[
+        FiniteFloat,
+        Measure(
+            "CLS",
+            "coverage weighted by length",
+            "higher",
+            shown=("paper", "compared", "spread"),
+            of_walk=lambda walk: walk.scores.cls,
+        ),
+    ]
     """Coverage weighted by length score, 0 to 1."""
-    spl: FiniteFloat
-    ndtw: FiniteFloat
-    sdtw: FiniteFloat
-    path_length: FiniteFloat
+    spl: Annotated[FiniteFloat, Measure(of_walk=lambda walk: walk.scores.spl)]
+    ndtw: Annotated[
+        FiniteFloat,
+        Measure(
+            "nDTW",
+            "dynamic time warping",
+            "higher",
+            shown=("compared",),
+            of_walk=lambda walk: walk.scores.ndtw,
+        ),
+    ]
+    sdtw: Annotated[FiniteFloat, Measure(of_walk=lambda walk: walk.scores.sdtw)]
+    path_length: Annotated[
+        FiniteFloat,
+        Measure(
+            "Path length",
+            "the way driven",
+            unit="m",
+            digits=1,
+            shown=("spread",),
+            of_walk=lambda walk: walk.scores.path_length,
+            is_rechecked=False,
+        ),
+    ]
     """Metres driven."""
-    collisions: int
-    turns_in_order: FiniteFloat
+    collisions: Annotated[int, Measure(is_amount=True)]
+    turns_in_order: Annotated[
+        FiniteFloat,
+        Measure(
+            of_walk=lambda walk: turns_in_order(
+                walk.site, walk.reference_route, walk.trajectory
+            ),
+            is_rechecked=False,
+        ),
+    ]
     """Share of the reference route's turns that were taken, in their order, 0 to 1."""
-    duration_s: FiniteFloat
+    duration_s: Annotated[
+        FiniteFloat,
+        Measure(
+            "Duration",
+            "simulated time",
+            unit="s",
+            digits=0,
+            name="duration",
+            shown=("spread",),
+            is_amount=True,
+        ),
+    ]
     """Simulated seconds."""
-    wall_s: FiniteFloat
+    wall_s: Annotated[FiniteFloat, Measure(is_amount=True)]
     """Real seconds; the only field that differs between equal runs."""
-    api_calls: int
+    api_calls: Annotated[int, Measure(is_amount=True)]
     """Calls of the robot's control API."""
-    model_calls: int
-    tokens: int
-    cost_usd: FiniteFloat
+    model_calls: Annotated[
+        int, Measure("calls", digits=1, shown=("costs",), is_amount=True)
+    ]
+    tokens: Annotated[
+        int, Measure("tokens", digits=0, shown=("costs",), is_amount=True)
+    ]
+    cost_usd: Annotated[
+        FiniteFloat, Measure("US$", digits=4, shown=("costs",), is_amount=True)
+    ]
     error: str | None
     """One line on what went wrong, for the endings that are errors."""
-    person_collisions: int = 0
+    person_collisions: Annotated[int, Measure(is_amount=True)] = 0
     """Of the collisions those with people."""
-    near_misses: int = 0
+    near_misses: Annotated[int, Measure(is_amount=True)] = 0
     """Times a person and the robot were closer than 0.3 m."""
-    waiting_s: FiniteFloat = 0.0
+    waiting_s: Annotated[FiniteFloat, Measure(is_amount=True)] = 0.0
     """Simulated seconds the robot stood because people were in the way."""
-    refused_turns: int = 0
+    refused_turns: Annotated[int, Measure(is_amount=True)] = 0
     """Calls of `turn` that found no way in that direction, or were no direction."""
-    inference_s: FiniteFloat = 0.0
+    inference_s: Annotated[
+        FiniteFloat, Measure("inference s", digits=1, shown=("costs",), is_amount=True)
+    ] = 0.0
     """Real seconds that the language model took for its replies."""
-    standing_s: FiniteFloat = 0.0
+    standing_s: Annotated[
+        FiniteFloat, Measure("standing s", digits=1, shown=("costs",), is_amount=True)
+    ] = 0.0
     """Simulated seconds the user stood while the model thought; in `duration_s`, but
     not against the time budget."""
     followers: Followers | None = None
@@ -84,6 +174,23 @@ class EpisodeResult:
 
 
 _RESULT = TypeAdapter(EpisodeResult)
+
+MEASURES = tuple(
+    replace(told, field=field, name=told.name or field)
+    for field, kind in get_type_hints(EpisodeResult, include_extras=True).items()
+    for told in getattr(kind, "__metadata__", ())
+    if isinstance(told, Measure)
+)
+"""Whatever summarises, compares or shows results reads this."""
+
+
+def measure_walk(walk: FinishedWalk) -> dict[str, Any]:
+    """Return the fields of a result that are worked out from the walk.
+
+    Raises:
+        UndefinedMetricError: The walk or the reference path leaves the floor.
+    """
+    return {each.field: each.of_walk(walk) for each in MEASURES if each.of_walk}
 
 
 def result_to_line(result: EpisodeResult) -> str:

@@ -7,47 +7,10 @@ from statistics import fmean
 from typing import Any
 
 from memorymaze.evaluation.collision_rates import collision_rates
-from memorymaze.evaluation.results import EpisodeResult
+from memorymaze.evaluation.results import MEASURES, EpisodeResult
 from memorymaze.evaluation.settings import RunDefinition
 from memorymaze.instructions.records import WRITTEN_BY
 from memorymaze.wording import counted
-
-MEANS = (
-    "success",
-    "oracle_success",
-    "spd",
-    "cls",
-    "spl",
-    "ndtw",
-    "sdtw",
-    "path_length",
-    "collisions",
-    "turns_in_order",
-    "duration_s",
-    "wall_s",
-    "person_collisions",
-    "near_misses",
-    "waiting_s",
-    "model_calls",
-    "tokens",
-    "cost_usd",
-    "inference_s",
-    "standing_s",
-)
-SUMS = (
-    "refused_turns",
-    "collisions",
-    "person_collisions",
-    "near_misses",
-    "waiting_s",
-    "model_calls",
-    "tokens",
-    "cost_usd",
-    "inference_s",
-    "standing_s",
-    "duration_s",
-    "wall_s",
-)
 
 
 def summarise(
@@ -76,7 +39,11 @@ def summarise(
         "errors": dict(Counter(r.error for r in results if r.error).most_common()),
         "mean": _means(results),
         "safety": asdict(collision_rates(results)),
-        "sum": {name: sum(getattr(r, name) for r in results) for name in SUMS},
+        "sum": {
+            each.field: sum(getattr(r, each.field) for r in results)
+            for each in MEASURES
+            if each.is_amount
+        },
         "by_study_and_route": [
             {
                 "study": study,
@@ -142,7 +109,12 @@ def summary_lines(summary: dict[str, Any]) -> list[str]:
     return lines
 
 
-def _means(results: Sequence[EpisodeResult]) -> dict[str, float]:
+def _means(results: Sequence[EpisodeResult]) -> dict[str, float | None]:
+    """Return the mean of every measure; None for one that not all results have."""
     if not results:
         raise ValueError("expected at least one result")
-    return {name: fmean(getattr(r, name) for r in results) for name in MEANS}
+    means: dict[str, float | None] = {}
+    for measure in MEASURES:
+        values = [getattr(result, measure.field) for result in results]
+        means[measure.field] = None if None in values else fmean(values)
+    return means

@@ -276,11 +276,10 @@ class NavigationEnvironment(gymnasium.Env[Observation, Any]):
 
     def _score(self, robot: SimulatedRobot) -> Information:
         ended = robot.stopped_by or "budget"
-        walk = robot.trajectory()
-        values = self._arena.score(self._episode, walk, self.settings.success_distance)
-        if ended != "agent":
-            values = values.without_success()
-        scores = values.as_dict()
+        walk = self._arena.finished(
+            self._episode, robot.trajectory(), ended, self.settings.success_distance
+        )
+        scores = walk.scores.as_dict()
         return {"stopped_by": ended, "spd": scores.pop("ne"), **scores}
 
 

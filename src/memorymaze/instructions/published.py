@@ -7,6 +7,8 @@ from importlib.resources import files
 from typing import Any, Literal
 
 Study = Literal["online", "onsite"]
+PUBLISHED_MEASURES = ("sr", "osr", "spd", "cls")
+"""What Tables II and III give."""
 
 
 @dataclass(frozen=True, slots=True)

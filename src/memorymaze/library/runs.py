@@ -19,7 +19,6 @@ from memorymaze.instructions import Corpus, load_corpus
 from memorymaze.results.tables import (
     MeasuredRun,
     TableChoice,
-    compare_runs,
     comparison_table,
     load_runs,
     run_tables,
@@ -98,7 +97,7 @@ class Comparison:
                 "a time, or take paper_table()"
             )
         first, second = self.runs
-        return comparison_table(compare_runs(first.measured, second.measured))
+        return comparison_table(first.measured, second.measured)
 
     def paper_table(self, choice: TableChoice = "II") -> Table:
         """Return all runs in one of the paper's tables; see `Run.table`."""

@@ -8,7 +8,7 @@ from typing import Any, Literal
 from memorymaze.errors import RunFolderError, UndefinedMetricError
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.budgets import time_budget_for
-from memorymaze.evaluation.results import EpisodeResult
+from memorymaze.evaluation.results import MEASURES, EpisodeResult, measure_walk
 from memorymaze.evaluation.run_folder import RunRecord, read_run
 from memorymaze.evaluation.settings import RunDefinition, agent_version, differences
 from memorymaze.evaluation.trace import read_trace, trace_path
@@ -206,24 +206,25 @@ def _trace_problems(
     for call in sorted(name for name in PRIVILEGED_CALLS if name in called):
         yield f"{place}: the trace has the call {call}, which needs answers"
     try:
-        walk = Trajectory([TimedPose(*pose) for pose in walked["poses"]])
-        values = arena.score(episode, walk, settings.success_distance)
+        walk = arena.finished(
+            episode,
+            Trajectory([TimedPose(*pose) for pose in walked["poses"]]),
+            result.stopped_by,
+            settings.success_distance,
+        )
+        values = measure_walk(walk)
     except (*_UNSCORABLE, UndefinedMetricError) as error:
         yield f"{place}: the trajectory in the trace cannot be scored ({error!r})"
         return
-    if result.stopped_by != "agent":
-        values = values.without_success()
-    for name, again in values.as_dict().items():
-        # The length of a path in whole millimetres is another one.
-        if name == "path_length":
+    for measure in MEASURES:
+        if measure.of_walk is None or not measure.is_rechecked:
             continue
-        field = "spd" if name == "ne" else name
-        said = float(getattr(result, field))
-        # What is no number is never near another.
-        if not abs(again - said) <= ROUNDING:
+        again, said = values[measure.field], getattr(result, measure.field)
+        # Runs by versions without a measure do not tell it; NaN is near nothing.
+        if said is not None and not abs(again - said) <= ROUNDING:
             yield (
-                f"{place}: expected {field} {again:.3f}, as its trajectory gives, got "
-                f"{said:.3f}"
+                f"{place}: expected {measure.field} {again:.3f}, as its trajectory "
+                f"gives, got {said:.3f}"
             )
 
 

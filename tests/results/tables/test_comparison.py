@@ -9,16 +9,20 @@ import pytest
 
 from memorymaze.errors import RunFolderError
 from memorymaze.evaluation.results import EpisodeResult
-from memorymaze.results.tables import (
-    Place,
-    compare_runs,
-    comparison_table,
-    load_runs,
-)
-from memorymaze.results.tables.comparison import Outcomes
+from memorymaze.results.tables import comparison_table, load_runs
+from memorymaze.tables import Table
 
 Make = Callable[..., EpisodeResult]
 Write = Callable[..., Path]
+
+
+def rows_of(table: Table, measure: str) -> dict[str, Any]:
+    """Return the rows of a measure by the titles of their places."""
+    return {row["place"]: row for row in table.rows if row["measure"] == measure}
+
+
+def warnings_of(table: Table) -> list[str]:
+    return [note for note in table.notes if note.startswith(("LEFT OUT", "NOT "))]
 
 
 def change_settings(folder: Path, **changes: Any) -> None:
@@ -49,27 +53,26 @@ def two_runs(write: Write, result: Make) -> list[Path]:
 def test_differences_are_those_of_the_second_run_to_the_first(
     two_runs: list[Path],
 ) -> None:
-    comparison = compare_runs(*load_runs(two_runs))
-    first, second, mean = comparison.rows
-    assert first.places == (Place("university", "R1"),)
-    assert first.outcomes == Outcomes(0, 0, 10, 0)
-    assert second.outcomes == Outcomes(0, 0, 0, 10)
-    assert mean.places == (*first.places, *second.places)
-    assert (first.difference["sr"].mean, second.difference["sr"].mean) == (1.0, 0.0)
-    assert mean.difference["sr"].mean == 0.5
-    assert mean.difference["spd"].mean == -8.0
-    assert (mean.first["spd"], mean.second["spd"]) == (9.0, 1.0)
-    assert first.p_value["sr"] < 0.01
-    assert second.p_value["sr"] == 1.0
+    table = comparison_table(*load_runs(two_runs))
+    rows = rows_of(table, "sr")
+    assert list(rows) == ["University R1", "University R2", "Mean over 2 routes"]
+    assert [row["arrived"] for row in rows.values()] == [
+        "0 / 0 / 10 / 0",
+        "0 / 0 / 0 / 10",
+        "0 / 0 / 10 / 10",
+    ]
+    assert [row["difference"] for row in rows.values()] == [1.0, 0.0, 0.5]
+    assert rows["University R1"]["p"] < 0.01
+    assert rows["University R2"]["p"] == 1.0
+    mean = rows_of(table, "spd")["Mean over 2 routes"]
+    assert (mean["a"], mean["b"], mean["difference"]) == (9.0, 1.0, -8.0)
 
 
 def test_a_run_compared_with_itself_shows_no_difference(two_runs: list[Path]) -> None:
     [run] = load_runs(two_runs[:1])
-    comparison = compare_runs(run, run)
-    assert comparison.settings == ()
-    for row in comparison.rows:
-        assert set(row.p_value.values()) == {1.0}
-        assert {each.mean for each in row.difference.values()} == {0.0}
+    table = comparison_table(run, run)
+    assert warnings_of(table) == []
+    assert {(row["p"], row["difference"]) for row in table.rows} == {(1.0, 0.0)}
 
 
 def test_only_episodes_of_both_runs_count_and_the_rest_is_told(
@@ -79,31 +82,27 @@ def test_only_episodes_of_both_runs_count_and_the_rest_is_told(
         write("a", [result("x-1"), result("y-1"), result("z-1")]),
         write("b", [result("x-1"), result("w-1")]),
     ]
-    comparison = compare_runs(*load_runs(folders))
-    assert (comparison.only_in_first, comparison.only_in_second) == (2, 1)
-    text = comparison_table(comparison).text()
+    text = comparison_table(*load_runs(folders)).text()
     assert "LEFT OUT, as only one run has them: 2 only in A, 1 only in B." in text
     with pytest.raises(RunFolderError, match="no episode that both have"):
-        compare_runs(*load_runs([folders[0], write("c", [result("v-1")])]))
+        comparison_table(*load_runs([folders[0], write("c", [result("v-1")])]))
 
 
 def test_what_belongs_to_the_agent_raises_no_alarm(write: Write, result: Make) -> None:
     folders = [write("a", [result("x-1")]), write("b", [result("x-1")])]
     change_settings(folders[1], looks="own", needs=["camera"], isolate=True)
-    assert compare_runs(*load_runs(folders)).settings == ()
+    assert warnings_of(comparison_table(*load_runs(folders))) == []
     stamp = {"name": "answers.jsonl", "sha256": "12"}
     change_settings(folders[0], answers=stamp)
-    assert compare_runs(*load_runs(folders)).settings == ()
+    assert warnings_of(comparison_table(*load_runs(folders))) == []
 
 
 def test_two_versions_of_one_agent_are_told_apart(write: Write, result: Make) -> None:
     folders = [write("a", [result("x-1")]), write("b", [result("x-1")])]
     for folder, sha in zip(folders, ("12", "34"), strict=True):
         change_settings(folder, agent_files=[{"name": "guide.py", "sha256": sha}])
-    told = "agent.file guide.py: '12' there, '34' here"
-    comparison = compare_runs(*load_runs(folders))
-    assert comparison.settings == (told,)
-    text = comparison_table(comparison).text()
+    text = comparison_table(*load_runs(folders)).text()
+    assert "agent.file guide.py: '12' there, '34' here." in text
     assert "\n  agent files guide.py 12\n" in text
     assert "\n  agent files guide.py 34\n" in text
 
@@ -114,15 +113,15 @@ def test_pictures_of_other_looks_are_an_unfair_comparison(
     folders = [write("a", [result("x-1")]), write("b", [result("x-1")])]
     change_settings(folders[0], looks="models")
     change_settings(folders[1], looks="own")
-    comparison = compare_runs(*load_runs(folders))
-    assert comparison.settings == ("looks: 'models' there, 'own' here",)
+    [warning] = warnings_of(comparison_table(*load_runs(folders)))
+    assert "looks: 'models' there, 'own' here." in warning
 
 
 def test_one_person_allows_no_test_and_equal_values_no_interval(
     write: Write, result: Make
 ) -> None:
     one = [write("a", [result("x-1")]), write("b", [result("x-1", spd=9.0)])]
-    table = comparison_table(compare_runs(*load_runs(one)))
+    table = comparison_table(*load_runs(one))
     spd = next(row for row in table.rows if row["measure"] == "spd")
     assert (spd["difference"], spd["low"], spd["p"]) == (8.0, None, None)
     text = table.text()
@@ -134,7 +133,7 @@ def test_one_person_allows_no_test_and_equal_values_no_interval(
         write("c", [result(name) for name in names]),
         write("d", [result(name, spd=9.0) for name in names]),
     ]
-    text = comparison_table(compare_runs(*load_runs(several))).text()
+    text = comparison_table(*load_runs(several)).text()
     assert "+8.00 (all equal)" in text
     assert "too few" not in text
 
@@ -144,7 +143,7 @@ def test_studies_that_the_paper_lacks_are_compared_too(
 ) -> None:
     results = [result("x-1", study="field"), result("y-1", study="field")]
     folders = [write("a", results), write("b", results)]
-    text = comparison_table(compare_runs(*load_runs(folders))).text()
+    text = comparison_table(*load_runs(folders)).text()
     assert "Study field\n" in text
     assert "University R1  (n 2, arrived: 2 / 0 / 0 / 0)" in text
 
@@ -154,12 +153,12 @@ def test_of_very_many_routes_the_mean_alone_is_shown(
 ) -> None:
     results = [result(f"x-{n}", study="field", route=f"R{n}") for n in range(25)]
     folders = [write("a", results), write("b", results)]
-    [row] = compare_runs(*load_runs(folders)).rows
-    assert len(row.places) == 25
+    table = comparison_table(*load_runs(folders))
+    assert list(rows_of(table, "sr")) == ["Mean over 25 routes"]
 
 
 def test_every_format_says_the_same(two_runs: list[Path]) -> None:
-    table = comparison_table(compare_runs(*load_runs(two_runs)))
+    table = comparison_table(*load_runs(two_runs))
     text = table.text()
     assert "University R1  (n 10, arrived: 0 / 0 / 10 / 0)\n  SR " in text
     assert max(map(len, text.splitlines())) <= 118

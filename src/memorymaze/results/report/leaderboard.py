@@ -27,7 +27,7 @@ from memorymaze.results.tables import (
     run_notes,
     table_rows,
 )
-from memorymaze.results.tables.measures import means_fields
+from memorymaze.results.tables.measures import mean_column, means_fields
 from memorymaze.results.tables.runs import place_of, study_title
 from memorymaze.tables import Column, Table
 
@@ -187,7 +187,7 @@ def _table(chosen: Sequence[Standing], track: Track, study: str) -> Table:
             Column("run", "Run", link=lambda row: row.get("page")),
             Column("begun", "Begun"),
             Column("episodes", "Episodes"),
-            *(each.column() for each in PAPER_MEASURES),
+            *map(mean_column, PAPER_MEASURES),
             Column("remarks", "Remarks"),
         ),
         (*rows, *_published(chosen[0], study)),

@@ -10,6 +10,7 @@ from statistics import fmean
 import numpy as np
 
 from memorymaze.errors import RunFolderError
+from memorymaze.evaluation.measures import Measure
 from memorymaze.evaluation.outcomes import ENDINGS
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import RunRecord
@@ -17,12 +18,10 @@ from memorymaze.instructions.records import WRITTEN_BY, Failure, Instruction
 from memorymaze.metrics.aggregate import Estimate
 from memorymaze.results.report.sources import ReportRun, Sources
 from memorymaze.results.tables import (
-    Measure,
     MeasuredRun,
     Place,
     TableName,
     TableRow,
-    compare_runs,
     comparison_table,
     estimate_means,
     group_title,
@@ -82,12 +81,15 @@ def table_groups(runs: Sequence[MeasuredRun], table: TableName) -> list[TableGro
 def compare_pair(first: ReportRun, second: ReportRun) -> Pair:
     """Compare two runs on the episodes that both have."""
     try:
-        found = compare_runs(first.measured, second.measured)
+        table = comparison_table(
+            first.measured,
+            second.measured,
+            title=f"{first.title} and {second.title}",
+            letters=(first.letter, second.letter),
+        )
     except RunFolderError:
-        return Pair(first, second, None)
-    title = f"{first.title} and {second.title}"
-    letters = (first.letter, second.letter)
-    return Pair(first, second, comparison_table(found, title=title, letters=letters))
+        table = None
+    return Pair(first, second, table)
 
 
 def count_endings(run: ReportRun) -> list[Ending]:
@@ -149,8 +151,12 @@ def spreads(runs: Sequence[ReportRun], measure: Measure) -> list[Spread]:
     cells: dict[tuple[str, int], list[float]] = {}
     for number, run in enumerate(runs):
         for result in run.measured.results:
-            value = float(getattr(result, measure.field))
-            cells.setdefault((result.study, number), []).append(value)
+            value = getattr(result, measure.field)
+            # Runs by versions without the measure do not tell it.
+            if value is not None:
+                cells.setdefault((result.study, number), []).append(float(value))
+    if not cells:
+        return []
     values = [value for cell in cells.values() for value in cell]
     edges = _edges(min(values), max(values))
     counted = {key: np.histogram(cell, edges)[0] for key, cell in cells.items()}

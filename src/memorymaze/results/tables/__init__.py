@@ -1,12 +1,12 @@
 """Runs as tables: the paper's Tables II and III, comparisons, SAIL, costs of errors.
 
-What tables show of a metric is said once, in `measures`. All of them are a
+What they show of a metric stands at its field of `EpisodeResult`. All of them are a
 `memorymaze.tables.Table`, which knows the formats. Pages are in `results.report`,
 statistics of instructions in `results.instruction_study`.
 
     runs = load_runs(["runs/rules", "runs/mine"])
     run_tables(runs, "II")[0].frame()
-    comparison_table(compare_runs(*runs)).text()
+    comparison_table(*runs).text()
     success_figure(runs).savefig("success.png")  # from `figures`: it loads matplotlib
 
 Episodes as a frame, a row each, are `evaluation.frames.episode_frame`.
@@ -15,17 +15,12 @@ Episodes as a frame, a row each, are `evaluation.frames.episode_frame`.
 from collections.abc import Sequence
 from typing import Literal
 
-from memorymaze.results.tables.comparison import (
-    Comparison,
-    compare_runs,
-    comparison_table,
-)
+from memorymaze.results.tables.comparison import comparison_table
 from memorymaze.results.tables.errors import error_table
 from memorymaze.results.tables.measures import (
     COMPARED_MEASURES,
     PAPER_MEASURES,
     SPREAD_MEASURES,
-    Measure,
     estimate_means,
 )
 from memorymaze.results.tables.paper_tables import (
@@ -51,14 +46,11 @@ __all__ = [
     "PAPER_MEASURES",
     "SPREAD_MEASURES",
     "STUDY_TITLES",
-    "Comparison",
-    "Measure",
     "MeasuredRun",
     "Place",
     "TableChoice",
     "TableName",
     "TableRow",
-    "compare_runs",
     "comparison_table",
     "estimate_means",
     "group_title",

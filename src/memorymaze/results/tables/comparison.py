@@ -1,21 +1,20 @@
 """Two runs side by side on the same instructions, with a paired test."""
 
 from collections import Counter
-from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import Any
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
 from memorymaze.errors import RunFolderError
+from memorymaze.evaluation.measures import Measure
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.settings import agent_version, differences
-from memorymaze.metrics.aggregate import Estimate, participant_bootstrap
+from memorymaze.metrics.aggregate import participant_bootstrap
 from memorymaze.metrics.paired import sign_flip_test
 from memorymaze.results.tables.measures import (
     COMPARED_MEASURES,
-    Measure,
     estimate_fields,
+    known_to,
     values_of,
     with_interval_notes,
 )
@@ -31,7 +30,7 @@ from memorymaze.results.tables.runs import (
     studies_of,
     study_title,
 )
-from memorymaze.tables import Column, Table
+from memorymaze.tables import Column, Row, Table
 
 KEY = (
     "{second} - {first}: difference of the means over the same instructions, with the 95 % interval "
@@ -40,6 +39,8 @@ KEY = (
     "routes is unweighted. Arrived: both / only {first} / only {second} / neither."
 )
 
+COUNTS = ("both", "only_a", "only_b", "neither")
+"""Who arrived."""
 NOT_TOLD = (
     *("agent.", "needs:", "isolate:", "answers"),
     *("limit:", "shard", "episodes:"),
@@ -50,51 +51,22 @@ VERSIONS = ("agent.file ", "agent.options.")
 """Of those the ones that tell two versions of one agent apart."""
 
 
-@dataclass(frozen=True, slots=True)
-class Outcomes:
-    """How often both, one or none of two agents arrived."""
+def comparison_table(
+    first: MeasuredRun,
+    second: MeasuredRun,
+    *,
+    title: str = "Comparison of two runs",
+    letters: tuple[str, str] = ("A", "B"),
+) -> Table:
+    """Compare two runs on the episodes that both have, route by route.
 
-    both: int
-    only_first: int
-    only_second: int
-    neither: int
+    What is unfair about the comparison stands in the notes.
 
-
-@dataclass(frozen=True, slots=True)
-class ComparisonRow:
-    """Two agents on a route, or on the mean over the routes of a study."""
-
-    study: str
-    places: tuple[Place, ...]
-    episodes: int
-    participants: int
-    outcomes: Outcomes
-    first: dict[str, float]
-    """Means of the first run, by the names of measures."""
-    second: dict[str, float]
-    """Means of the second run."""
-    difference: dict[str, Estimate]
-    """Second minus first, with 95 % intervals of a paired bootstrap."""
-    p_value: dict[str, float | None]
-    """Two-sided, by flipping the signs of whole participants; None for one alone."""
-
-
-@dataclass(frozen=True, slots=True)
-class Comparison:
-    """All there is to say of two runs."""
-
-    first: MeasuredRun
-    second: MeasuredRun
-    rows: tuple[ComparisonRow, ...]
-    only_in_first: int
-    """Episodes that the second run lacks; left out."""
-    only_in_second: int
-    settings: tuple[str, ...]
-    """In what the runs differ besides the agent; empty for a fair comparison."""
-
-
-def compare_runs(first: MeasuredRun, second: MeasuredRun, seed: int = 0) -> Comparison:
-    """Compare two runs on the episodes that both have.
+    Args:
+        first: The baseline.
+        second: What is compared with it.
+        title: Of the table.
+        letters: What the runs are called in it.
 
     Raises:
         RunFolderError: No episode is in both runs.
@@ -108,76 +80,63 @@ def compare_runs(first: MeasuredRun, second: MeasuredRun, seed: int = 0) -> Comp
             "got no episode that both have"
         )
     pairs = [(there[key], here[key]) for key in shared]
-    # Looks are None where an agent asks for no pictures.
-    looks = (first.record.settings.looks, second.record.settings.looks)
-    names = {each.record.settings.agent.name for each in (first, second)}
-    same_agent = len(names) == 1
-    return Comparison(
-        first=first,
-        second=second,
-        rows=tuple(
-            _row(pairs, study, group, seed)
-            for study in studies_of(one for one, _ in pairs)
-            for group in groups_of_places(places_of((one for one, _ in pairs), study))
-        ),
-        only_in_first=len(there) - len(shared),
-        only_in_second=len(here) - len(shared),
-        settings=tuple(
-            line
-            for line in differences(first.record.settings, second.record.settings)
-            if (same_agent and line.startswith(VERSIONS))
-            or not (
-                line.startswith(NOT_TOLD)
-                or (line.startswith("looks:") and None in looks)
-            )
-        ),
-    )
-
-
-def comparison_table(
-    found: Comparison,
-    *,
-    title: str = "Comparison of two runs",
-    letters: tuple[str, str] = ("A", "B"),
-) -> Table:
-    """Return a comparison as a table, with what is unfair about it in the notes.
-
-    Args:
-        found: The comparison.
-        title: Of the table.
-        letters: What the runs are called in it.
-    """
-    first, second = letters
+    before = [one for one, _ in pairs]
+    measures = known_to([each for pair in pairs for each in pair], COMPARED_MEASURES)
+    left_out = (len(there) - len(shared), len(here) - len(shared))
     table = Table(
         title,
-        (
-            Column("study", "Study", "group", show=lambda r: study_title(r["study"])),
-            Column("place", "Route", "group", is_data=False),
-            Column("site"),
-            Column("route"),
-            Column("episodes", "n", "group"),
-            Column("participants"),
-            *(Column(name) for name in ("both", "only_a", "only_b", "neither")),
-            Column("arrived", "arrived:", "group", is_data=False),
-            Column("measure", "Measure", "label", show=lambda row: row["heading"]),
-            Column("a", first, digits=2),
-            Column("b", second, digits=2),
-            Column(
-                "difference",
-                f"{second} - {first}",
-                digits=2,
-                signed=True,
-                interval=("low", "high"),
-            ),
-            Column("p", "p", show=lambda row: p_cell(row["p"])),
-        ),
+        _columns(*letters),
         tuple(
-            _fields(row, measure) for row in found.rows for measure in COMPARED_MEASURES
+            row
+            for study in studies_of(before)
+            for group in groups_of_places(places_of(before, study))
+            for row in _rows(
+                [
+                    (one, two)
+                    for one, two in pairs
+                    if one.study == study and place_of(one) in group
+                ],
+                group,
+                measures,
+            )
         ),
-        tuple(_notes(found, letters)),
+        (
+            *(_note(*each) for each in zip(letters, (first, second), strict=True)),
+            *_warnings(first, second, left_out, letters),
+            *(
+                f"NOT COMPARED, as an older version did not measure it: {each.short}."
+                for each in COMPARED_MEASURES
+                if each not in measures
+            ),
+            KEY.format(first=letters[0], second=letters[1]),
+        ),
         "comparison",
     )
     return with_interval_notes(table)
+
+
+def _columns(first: str, second: str) -> tuple[Column, ...]:
+    return (
+        Column("study", "Study", "group", show=lambda r: study_title(r["study"])),
+        Column("place", "Route", "group", is_data=False),
+        Column("site"),
+        Column("route"),
+        Column("episodes", "n", "group"),
+        Column("participants"),
+        *(Column(name) for name in COUNTS),
+        Column("arrived", "arrived:", "group", is_data=False),
+        Column("measure", "Measure", "label", show=lambda row: row["heading"]),
+        Column("a", first, digits=2),
+        Column("b", second, digits=2),
+        Column(
+            "difference",
+            f"{second} - {first}",
+            digits=2,
+            signed=True,
+            interval=("low", "high"),
+        ),
+        Column("p", "p", show=lambda row: p_cell(row["p"])),
+    )
 
 
 def p_cell(p: float | None) -> str:
@@ -191,44 +150,52 @@ def p_cell(p: float | None) -> str:
     return "< 0.001" if p < 0.001 else f"{p:.3f}"
 
 
-def _row(
+def _rows(
     pairs: Sequence[tuple[EpisodeResult, EpisodeResult]],
-    study: str,
     places: Sequence[Place],
-    seed: int,
-) -> ComparisonRow:
-    chosen = [
-        (one, two)
-        for one, two in pairs
-        if one.study == study and place_of(one) in places
-    ]
-    cells = [place_of(one) for one, _ in chosen]
-    participants = [one.participant for one, _ in chosen]
-    before = np.array([values_of(one, COMPARED_MEASURES) for one, _ in chosen])
-    after = np.array([values_of(two, COMPARED_MEASURES) for _, two in chosen])
-    rng = np.random.default_rng(seed)
+    measures: Sequence[Measure],
+) -> list[Row]:
+    """Return a row for every measure."""
+    cells = [place_of(one) for one, _ in pairs]
+    participants = [one.participant for one, _ in pairs]
+    before = np.array([values_of(one, measures) for one, _ in pairs])
+    after = np.array([values_of(two, measures) for _, two in pairs])
+    rng = np.random.default_rng(0)
     estimates = participant_bootstrap(after - before, participants, rng, cells=cells)
-    p_values: Sequence[float | None] = [None] * len(COMPARED_MEASURES)
+    p_values: Sequence[float | None] = [None] * len(measures)
     if len(set(participants)) > 1:
         p_values = sign_flip_test(after - before, participants, rng, cells=cells)
-    counts = Counter((one.success, two.success) for one, two in chosen)
-    names = [each.name for each in COMPARED_MEASURES]
-    return ComparisonRow(
-        study=study,
-        places=tuple(places),
-        episodes=len(chosen),
-        participants=len(set(participants)),
-        outcomes=Outcomes(
-            both=counts[True, True],
-            only_first=counts[True, False],
-            only_second=counts[False, True],
-            neither=counts[False, False],
-        ),
-        first=dict(zip(names, _means(before, cells), strict=True)),
-        second=dict(zip(names, _means(after, cells), strict=True)),
-        difference=dict(zip(names, estimates, strict=True)),
-        p_value=dict(zip(names, p_values, strict=True)),
+    outcomes = Counter((one.success, two.success) for one, two in pairs)
+    counts = [outcomes[one, two] for one in (True, False) for two in (True, False)]
+    about = {
+        "study": pairs[0][0].study,
+        "place": place_title(places),
+        **place_fields(places, is_mean=len(places) > 1),
+        "episodes": len(pairs),
+        "participants": len(set(participants)),
+        **dict(zip(COUNTS, counts, strict=True)),
+        "arrived": " / ".join(map(str, counts)),
+    }
+    figures = zip(
+        measures,
+        _means(before, cells),
+        _means(after, cells),
+        estimates,
+        p_values,
+        strict=True,
     )
+    return [
+        {
+            **about,
+            "measure": measure.name,
+            "heading": measure.heading,
+            "a": a,
+            "b": b,
+            **estimate_fields("difference", difference, ("low", "high")),
+            "p": p,
+        }
+        for measure, a, b, difference, p in figures
+    ]
 
 
 def _means(values: np.ndarray, cells: Sequence[Place]) -> list[float]:
@@ -240,48 +207,43 @@ def _means(values: np.ndarray, cells: Sequence[Place]) -> list[float]:
     return np.mean(by_cell, axis=0).tolist()
 
 
-def _fields(row: ComparisonRow, measure: Measure) -> dict[str, Any]:
-    found, difference = row.outcomes, row.difference[measure.name]
-    counts = (found.both, found.only_first, found.only_second, found.neither)
-    return {
-        "study": row.study,
-        "place": place_title(row.places),
-        **place_fields(row.places, is_mean=len(row.places) > 1),
-        "episodes": row.episodes,
-        "participants": row.participants,
-        **dict(zip(("both", "only_a", "only_b", "neither"), counts, strict=True)),
-        "arrived": " / ".join(map(str, counts)),
-        "measure": measure.name,
-        "heading": measure.heading,
-        "a": row.first[measure.name],
-        "b": row.second[measure.name],
-        **estimate_fields("difference", difference, ("low", "high")),
-        "p": row.p_value[measure.name],
-    }
+def _note(letter: str, run: MeasuredRun) -> str:
+    version = agent_version(run.record.settings)
+    return f"{letter}: " + "\n".join([
+        run_notes(run)[0],
+        *([version] if version else []),
+    ])
 
 
-def _notes(comparison: Comparison, letters: tuple[str, str]) -> list[str]:
-    """Say what was compared, and what is unfair about it."""
-    notes: list[str] = []
-    first, second = letters
-    for letter, run in ((first, comparison.first), (second, comparison.second)):
-        version = agent_version(run.record.settings)
-        lines = [run_notes(run)[0], *([version] if version else [])]
-        notes.append(f"{letter}: " + "\n".join(lines))
-    left_out = [
-        f"{count} only in {name}"
-        for name, count in (
-            (first, comparison.only_in_first),
-            (second, comparison.only_in_second),
-        )
+def _warnings(
+    first: MeasuredRun,
+    second: MeasuredRun,
+    left_out: tuple[int, int],
+    letters: tuple[str, str],
+) -> Iterator[str]:
+    """Say what is unfair about a comparison."""
+    told = [
+        f"{count} only in {letter}"
+        for letter, count in zip(letters, left_out, strict=True)
         if count
     ]
-    if left_out:
-        notes.append(f"LEFT OUT, as only one run has them: {', '.join(left_out)}.")
-    if comparison.settings:
-        notes.append(
-            f"NOT ONLY THE AGENT DIFFERS ({first} there, {second} here): "
-            + "; ".join(comparison.settings)
+    if told:
+        yield f"LEFT OUT, as only one run has them: {', '.join(told)}."
+    settings = (first.record.settings, second.record.settings)
+    same_agent = settings[0].agent.name == settings[1].agent.name
+    # Looks are None where an agent asks for no pictures.
+    no_pictures = None in (settings[0].looks, settings[1].looks)
+    unfair = [
+        line
+        for line in differences(*settings)
+        if (same_agent and line.startswith(VERSIONS))
+        or not (
+            line.startswith(NOT_TOLD) or (line.startswith("looks:") and no_pictures)
+        )
+    ]
+    if unfair:
+        yield (
+            f"NOT ONLY THE AGENT DIFFERS ({letters[0]} there, {letters[1]} here): "
+            + "; ".join(unfair)
             + "."
         )
-    return [*notes, KEY.format(first=first, second=second)]

@@ -1,102 +1,20 @@
-"""The measures of an episode that tables show, each named once, and their means.
-
-What a measure is worth for an episode is worked out in `metrics`; a field of
-`EpisodeResult` holds it. Everything that shows it reads this list.
-"""
+"""How tables show the measures of results, and their means with intervals."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass, replace
-from typing import Any, Literal
+from dataclasses import asdict, replace
+from typing import Any
 
 import numpy as np
 
-from memorymaze.evaluation.results import EpisodeResult
+from memorymaze.evaluation.measures import Measure
+from memorymaze.evaluation.results import MEASURES, EpisodeResult
 from memorymaze.metrics.aggregate import Estimate, participant_bootstrap
 from memorymaze.tables import Column, Table
 
-Shown = Literal["paper", "compared", "spread"]
-
-
-@dataclass(frozen=True, slots=True)
-class Measure:
-    """What is told of an episode in one number."""
-
-    name: str
-    """In CSV and records."""
-    field: str
-    """Of `EpisodeResult`."""
-    short: str
-    """As papers write it."""
-    meaning: str
-    better: Literal["higher", "lower"] | None = None
-    unit: str = ""
-    digits: int = 2
-    shown: tuple[Shown, ...] = ("paper", "compared")
-    """In the paper's tables and leaderboards; in comparisons of runs, which test it; by
-    reports, as its spread over episodes."""
-
-    @property
-    def heading(self) -> str:
-        """What stands above its column."""
-        return f"{self.short} ({self.unit})" if self.unit else self.short
-
-    @property
-    def title(self) -> str:
-        """What stands above a part of a page about it."""
-        return f"{self.short}: {self.meaning}"
-
-    def column(self) -> Column:
-        """Return a column of means with intervals."""
-        return Column(
-            self.name,
-            self.heading,
-            digits=self.digits,
-            interval=ends(self.name),
-            better=self.better,
-        )
-
-
-EVERYWHERE: tuple[Shown, ...] = ("paper", "compared", "spread")
-MEASURES = (
-    Measure("sr", "success", "SR", "success rate", "higher"),
-    Measure("osr", "oracle_success", "OSR", "oracle success rate", "higher"),
-    Measure(
-        "spd",
-        "spd",
-        "SPD",
-        "shortest walk left to the goal",
-        "lower",
-        unit="m",
-        shown=EVERYWHERE,
-    ),
-    Measure(
-        "cls", "cls", "CLS", "coverage weighted by length", "higher", shown=EVERYWHERE
-    ),
-    Measure(
-        "ndtw", "ndtw", "nDTW", "dynamic time warping", "higher", shown=("compared",)
-    ),
-    Measure(
-        "path_length",
-        "path_length",
-        "Path length",
-        "the way driven",
-        unit="m",
-        digits=1,
-        shown=("spread",),
-    ),
-    Measure(
-        "duration",
-        "duration_s",
-        "Duration",
-        "simulated time",
-        unit="s",
-        digits=0,
-        shown=("spread",),
-    ),
-)
 PAPER_MEASURES = tuple(each for each in MEASURES if "paper" in each.shown)
 COMPARED_MEASURES = tuple(each for each in MEASURES if "compared" in each.shown)
 SPREAD_MEASURES = tuple(each for each in MEASURES if "spread" in each.shown)
+COST_MEASURES = tuple(each for each in MEASURES if "costs" in each.shown)
 
 KEY = (
     ", ".join(f"{each.short} {each.meaning}" for each in PAPER_MEASURES)
@@ -128,7 +46,7 @@ def with_interval_notes(table: Table) -> Table:
 def estimate_means(
     cells: Sequence[Sequence[EpisodeResult]], seed: int = 0
 ) -> dict[str, Estimate]:
-    """Return the mean of every measure over cells, with participant-bootstrap intervals.
+    """Return the means of the paper's measures over cells, with participant-bootstrap intervals.
 
     The mean is the unweighted mean of the cells' means, as the paper averages over
     routes; for one cell it is the cell's mean. The intervals hold 95 % of 10,000 draws;
@@ -144,18 +62,41 @@ def estimate_means(
     if not cells or not all(cells):
         raise ValueError("expected at least one episode in every cell")
     rows = [(result, number) for number, cell in enumerate(cells) for result in cell]
+    told = known_to([result for result, _ in rows], PAPER_MEASURES)
     estimates = participant_bootstrap(
-        [values_of(result, PAPER_MEASURES) for result, _ in rows],
+        [values_of(result, told) for result, _ in rows],
         [result.participant for result, _ in rows],
         np.random.default_rng(seed),
         cells=[number for _, number in rows],
     )
-    return {m.name: each for m, each in zip(PAPER_MEASURES, estimates, strict=True)}
+    return {each.name: found for each, found in zip(told, estimates, strict=True)}
+
+
+def known_to(
+    results: Sequence[EpisodeResult], measures: Sequence[Measure]
+) -> list[Measure]:
+    """Return the measures that all results have; those of older versions lack some."""
+    return [
+        measure
+        for measure in measures
+        if all(getattr(result, measure.field) is not None for result in results)
+    ]
 
 
 def values_of(result: EpisodeResult, measures: Sequence[Measure]) -> list[float]:
     """Return what measures are worth for an episode."""
     return [float(getattr(result, each.field)) for each in measures]
+
+
+def mean_column(measure: Measure) -> Column:
+    """Return a column of means with intervals."""
+    return Column(
+        measure.name,
+        measure.heading,
+        digits=measure.digits,
+        interval=ends(measure.name),
+        better=measure.better,
+    )
 
 
 def estimate_cell(estimate: Estimate, *, is_measured: bool = True) -> str:
@@ -184,8 +125,8 @@ def estimate_fields(
 
 
 def means_fields(means: Mapping[str, Estimate]) -> dict[str, Any]:
-    """Return the fields of means by the names of their measures."""
+    """Return the fields of means by the names of their measures; None for the unknown."""
     fields: dict[str, Any] = {}
-    for name, estimate in means.items():
-        fields |= estimate_fields(name, estimate)
+    for measure in PAPER_MEASURES:
+        fields |= estimate_fields(measure.name, means.get(measure.name))
     return fields

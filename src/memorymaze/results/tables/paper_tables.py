@@ -7,12 +7,18 @@ from typing import Any, Literal
 
 from memorymaze.evaluation.collision_rates import PER_DISTANCE, collision_rates
 from memorymaze.evaluation.results import EpisodeResult
-from memorymaze.instructions.published import PublishedResult, published_tables
+from memorymaze.instructions.published import (
+    PUBLISHED_MEASURES,
+    PublishedResult,
+    published_tables,
+)
 from memorymaze.metrics.aggregate import Estimate
 from memorymaze.results.tables.measures import (
+    COST_MEASURES,
     KEY,
     PAPER_MEASURES,
     estimate_means,
+    mean_column,
     means_fields,
     with_interval_notes,
 )
@@ -43,14 +49,6 @@ PAPER_METHODS = {
     "navid": "paper: NaVid",
 }
 
-COSTS = (
-    ("model_calls", "calls", 1),
-    ("tokens", "tokens", 0),
-    ("cost_usd", "US$", 4),
-    ("inference_s", "inference s", 1),
-    ("standing_s", "standing s", 1),
-)
-"""What asking a language model costs: fields of results, headings, digits."""
 COST_KEY = (
     "Means per episode: calls of the language model, tokens of requests and replies, US$ "
     "at the prices given (- where none were), seconds of inference, and simulated "
@@ -180,8 +178,8 @@ def _published(
             episodes=None,
             participants=None,
             values={
-                each.name: Estimate(fmean(getattr(row, each.name) for row in rows))
-                for each in PAPER_MEASURES
+                name: Estimate(fmean(getattr(row, name) for row in rows))
+                for name in PUBLISHED_MEASURES
             },
         )
         for (method, parser), rows in methods.items()
@@ -209,12 +207,12 @@ def _columns(*, costs: bool) -> tuple[Column, ...]:
         Column("run"),
         Column("episodes", "n"),
         Column("participants"),
-        *(each.column() for each in PAPER_MEASURES),
+        *map(mean_column, PAPER_MEASURES),
         *(Column(name) for name in settings),
         Column("waiting_s_per_episode"),
         *(
-            Column(f"{name}_per_episode", heading, digits=digits)
-            for name, heading, digits in COSTS
+            Column(f"{each.name}_per_episode", each.short, digits=each.digits)
+            for each in COST_MEASURES
             if costs
         ),
     )
@@ -233,6 +231,7 @@ def _fields(row: TableRow, table: TableName, *, costs: bool) -> Row:
         "instructions_written_by": "human",
     }
     if row.run is None:
+        record |= {each.name: None for each in PAPER_MEASURES}
         record |= {name: each.mean for name, each in row.values.items()}
     else:
         record |= means_fields(row.values)
@@ -276,10 +275,11 @@ def _cost_fields(row: TableRow, run: MeasuredRun) -> dict[str, float | None]:
     for result in row.results:
         routes.setdefault(place_of(result), []).append(result)
     means: dict[str, float | None] = {
-        f"{name}_per_episode": fmean(
-            fmean(getattr(each, name) for each in cell) for cell in routes.values()
+        f"{cost.name}_per_episode": fmean(
+            fmean(getattr(each, cost.field) for each in cell)
+            for cell in routes.values()
         )
-        for name, _, _ in COSTS
+        for cost in COST_MEASURES
     }
     is_free = not run.asked_a_model
     has_price = run.record.settings.agent.language_model.price is not None
