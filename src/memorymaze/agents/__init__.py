@@ -8,12 +8,14 @@ are found, made and told apart, and the process of its own that one may live in
 from collections.abc import Callable
 
 from memorymaze.agents.agent import Agent, Journal
+from memorymaze.agents.explorer import ExplorerAgent
 from memorymaze.agents.rules import RulesAgent
 from memorymaze.agents.stop import StopAgent
 
-__all__ = ["AGENTS", "Agent", "Journal", "RulesAgent", "StopAgent"]
+__all__ = ["AGENTS", "Agent", "ExplorerAgent", "Journal", "RulesAgent", "StopAgent"]
 
 AGENTS: dict[str, Callable[[], Agent]] = {
+    "explorer": ExplorerAgent,
     "rules": RulesAgent,
     "stop": StopAgent,
 }

@@ -11,6 +11,7 @@ from typing import Any
 
 from memorymaze.agents import AGENTS
 from memorymaze.agents.agent import Agent, Need
+from memorymaze.agents.explorer import ExplorerAgent, ExplorerOptions
 from memorymaze.agents.isolated import isolated
 from memorymaze.agents.own_agents import (
     checked_agent,
@@ -85,6 +86,15 @@ def _plain(name: str) -> Callable[[AgentSettings, Any], AgentFor]:
     return make
 
 
+def _explorer(settings: AgentSettings, options: Any) -> AgentFor:
+    agent = ExplorerAgent(options)
+    return lambda _: agent
+
+
+def _explorer_options() -> type:
+    return ExplorerOptions
+
+
 def _rules(settings: AgentSettings, options: Any) -> AgentFor:
     agent = RulesAgent(options)
     return lambda _: agent
@@ -113,6 +123,11 @@ _KNOWN: dict[str, KnownAgent] = {
         needs=frozenset({"language_model"}),
         options=_code_generation_options,
         parser=True,
+    ),
+    "explorer": KnownAgent(
+        _explorer,
+        "searches everywhere for the destination named, whatever way was told",
+        options=_explorer_options,
     ),
     "navgpt": KnownAgent(
         _navgpt,

@@ -11,6 +11,7 @@ from memorymaze.understanding.things import (
     is_common,
     is_floor,
     kind_of,
+    place_on_sign,
 )
 
 __all__ = [
@@ -20,4 +21,5 @@ __all__ = [
     "is_floor",
     "kind_of",
     "parse_route_description",
+    "place_on_sign",
 ]

@@ -1,0 +1,159 @@
+"""The explorer: searches the floor for the destination, whatever way was told."""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from memorymaze.agents.agent import Journal
+from memorymaze.agents.rules.arriving import approach
+from memorymaze.agents.rules.floor_map import Sighting
+from memorymaze.agents.rules.walker import BACK, Walker
+from memorymaze.errors import SettingsError
+from memorymaze.geometry.pose import wrap_angle
+from memorymaze.perception.matching import points_elsewhere
+from memorymaze.robot.api import Robot
+from memorymaze.routes import Arrival
+from memorymaze.understanding import (
+    is_common,
+    is_floor,
+    parse_route_description,
+    place_on_sign,
+)
+
+SAME_SIGN_DEG, SAME_SIGN_M = 5.0, 0.5
+"""A text read no farther than this from something seen is what is written on it."""
+
+
+@dataclass(frozen=True, slots=True)
+class ExplorerOptions:
+    """What can be set of the explorer.
+
+    Raises:
+        SettingsError: A value has no meaning.
+    """
+
+    least_score: float = 0.65
+    """Score of a detection from which on it is taken for the destination, 0 to 1."""
+
+    def __post_init__(self) -> None:
+        """Refuse values without meaning."""
+        if not 0 <= self.least_score <= 1:
+            raise SettingsError(
+                f"--set least_score: expected 0 to 1, got {self.least_score}"
+            )
+
+
+class ExplorerAgent:
+    """Takes only the words for the destination from a text, and looks everywhere.
+
+    It walks to the nearest way that it has not tried and stops where it sees the name,
+    on a sign or as a thing. What it reaches needs no description of the way.
+    """
+
+    name = "explorer"
+
+    def __init__(self, options: ExplorerOptions | None = None) -> None:
+        """Make the agent with its options; the defaults when None."""
+        self.options = options or ExplorerOptions()
+
+    def follow(
+        self,
+        instruction: str,
+        robot: Robot,
+        journal: Journal,
+        rng: np.random.Generator,
+    ) -> None:
+        """Search for the destination that the instruction names, and stop.
+
+        Notes in the journal: `destination`, `decision` for each way tried, and at the
+        end `arrival` or `gave_up`.
+        """
+        names = destination_names(parse_route_description(instruction).arrival)
+        self.search(names, robot, journal, rng)
+
+    def search(
+        self,
+        names: tuple[str, ...],
+        robot: Robot,
+        journal: Journal,
+        rng: np.random.Generator,
+    ) -> None:
+        """Try one way after another until something of these names is seen, and stop."""
+        journal.note("destination", names=list(names))
+        walker = Walker(robot)
+        walker.map.crossings[walker.at].add_exit(math.pi)
+        found: list[Sighting] = []
+
+        def is_found(seen: list[Sighting]) -> bool:
+            found.extend(each for each in seen if self._is_there(each, robot))
+            return bool(found)
+
+        ways = untried_ways(walker, rng) if names else iter(())
+        for crossing, exit in ways:
+            journal.note("decision", at=crossing, exit=exit)
+            if walker.go_to(crossing):
+                walker.follow_exit(exit, names, is_found)
+            else:
+                walker.map.crossings[crossing].closed.add(exit)
+            if found:
+                reason = f"{found[0].phrase} seen as {found[0].label}"
+                journal.note("arrival", reason=reason, score=found[0].score)
+                approach(walker, found[0])
+                break
+        else:
+            why = "every way is tried" if names else "the text names no destination"
+            journal.note("gave_up", reason=why)
+        robot.stop()
+
+    def _is_there(self, seen: Sighting, robot: Robot) -> bool:
+        """Tell the destination from something like it and from a sign that points on."""
+        return seen.score >= self.options.least_score and not any(
+            points_elsewhere(sign.text)
+            and abs(sign.bearing_deg - math.degrees(seen.bearing)) <= SAME_SIGN_DEG
+            and abs(sign.distance - seen.distance) <= SAME_SIGN_M
+            for sign in robot.read_signs()
+        )
+
+
+def destination_names(arrival: Arrival) -> tuple[str, ...]:
+    """Return what to look for: the names of the destination, the best first.
+
+    Of a sign what it names; things that are everywhere only where nothing else is told.
+
+    >>> destination_names(Arrival(("glass door", "sign that says Terrace")))
+    ('Terrace',)
+    """
+    told = [place_on_sign(each) or each for each in arrival.destinations]
+    by_words = {each.casefold(): each for each in reversed(told) if not is_floor(each)}
+    names = tuple(reversed(by_words.values()))
+    return tuple(each for each in names if not is_common(each)) or names
+
+
+def untried_ways(walker: Walker, rng: np.random.Generator) -> Iterator[tuple[int, int]]:
+    """Yield the nearest way that was not tried, as crossing and exit, while there is one.
+
+    Of the ways at a crossing one is drawn by lot: on a handful of routes any fixed order
+    would be a lucky or an unlucky one. Only what lies behind the robot comes last.
+    """
+    while True:
+        away = walker.map.distances_from(walker.at)
+        ways = [
+            (
+                away[number],
+                abs(wrap_angle(heading - walker.heading)) >= BACK,
+                rng.random(),
+                number,
+                exit,
+            )
+            for number, crossing in walker.map.crossings.items()
+            for exit, heading in enumerate(crossing.exits)
+            if number in away
+            and exit not in crossing.closed
+            and (number, exit) not in walker.map.stretches
+        ]
+        if not ways:
+            return
+        *_, crossing, exit = min(ways)
+        yield crossing, exit
