@@ -275,34 +275,23 @@ class TravellingWorker:
             place.write_bytes(content)
         settings = self.worker.settings
         agent = settings.agent
-        file, _, kind = agent.name.rpartition(":")
-        own = f"{folder / 'agent' / Path(file).name}:{kind}"
-        agent = replace(
-            agent,
-            name=own if file.endswith(".py") else agent.name,
-            language_model=replace(
-                agent.language_model,
-                replay=_placed(agent.language_model.replay, folder / "replay"),
-                # The one core that a worker is given.
-                threads=1,
-            ),
-        )
+        # The one core that a worker is given.
+        model = replace(agent.language_model, threads=1)
+        if model.replay is not None:
+            model = replace(model, replay=f"{folder}/replay/{Path(model.replay).name}")
+        agent = replace(agent, language_model=model)
+        if ".py:" in agent.name:
+            agent = replace(agent, name=f"{folder}/agent/{Path(agent.name).name}")
         return replace(self.worker, settings=replace(settings, agent=agent))()
-
-
-def _placed(name: str | None, folder: Path) -> str | None:
-    return None if name is None else str(folder / Path(name).name)
 
 
 def pack_files(settings: RunDefinition) -> dict[str, bytes]:
     """Read the files that the settings of a run name, and those beside its agent's."""
-    agent = settings.agent
-    paths: dict[str, Path] = {}
-    if agent.name.rpartition(":")[0].endswith(".py"):
-        paths = {
-            f"agent/{name}": path for name, path in agent_files(agent.name).items()
-        }
-    replay = agent.language_model.replay
+    agent, replay = settings.agent, settings.agent.language_model.replay
+    files: dict[str, bytes] = {}
+    if ".py:" in agent.name:
+        for name, path in agent_files(agent.name).items():
+            files[f"agent/{name}"] = path.read_bytes()
     if replay is not None:
-        paths[f"replay/{Path(replay).name}"] = Path(replay)
-    return {name: path.read_bytes() for name, path in paths.items()}
+        files[f"replay/{Path(replay).name}"] = Path(replay).read_bytes()
+    return files
