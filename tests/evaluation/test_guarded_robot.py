@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 
+import memorymaze as mm
 from memorymaze.evaluation.agent_catalogue import build_agent
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.episode import EpisodeRun, run_episode
@@ -80,6 +81,37 @@ def test_all_that_the_control_api_has_reaches_the_robot(
     assert run.result.stopped_by == "agent"
     calls = (each["call"] for each in run.trace if each["kind"] == "call")
     assert next(calls) == call
+
+
+@pytest.mark.parametrize("isolate", [False, True])
+@pytest.mark.parametrize(
+    ("needs", "line", "said"),
+    [
+        ({"language_model"}, "robot.camera_picture(32, 24)", "declare 'camera'"),
+        ({"camera"}, "robot.rotate(0.5)", "needs = {'camera'}; add 'steps'"),
+        ({"camera"}, "robot.step_forward(1.0)", "robot.step_forward is for agents"),
+        (
+            {"camera", "steps"},
+            "robot.rotate(robot.camera_picture(9, 9).rgb.ndim)",
+            None,
+        ),
+        ({"language_model"}, "robot.lidar_scan()", None),
+        (set(), "robot.rotate(robot.camera_picture(9, 9).rgb.ndim)", None),
+    ],
+)
+def test_an_agent_gets_the_pictures_and_steps_that_it_declares(
+    tmp_path: Path,
+    corridor_site: mm.Site,
+    needs: set[str],
+    line: str,
+    said: str | None,
+    isolate: bool,
+) -> None:
+    path = tmp_path / "own.py"
+    path.write_text(AGENT.format(line=line) + f"    needs = {needs!r}\n")
+    walk = mm.follow("Go.", f"{path}:Mine", site=corridor_site, isolate=isolate)
+    assert walk.stopped_by == ("agent" if said is None else "crash")
+    assert said is None or said in str(walk.result.error)
 
 
 def test_an_own_agent_has_the_lidar(own_agent: Run) -> None:

@@ -106,7 +106,8 @@ class Agent(Protocol):
             agent.follow(text, robot, journal, rng)   # returns: the agent stopped
 
     An agent that needs more than text and robot says so in a class attribute, which
-    decides its budget, its robot and what a run records:
+    decides its budget, its robot and what a run records. One that declares some needs is
+    refused pictures and single steps that are not among them:
 
         needs: ClassVar[frozenset[Need]] = frozenset({"camera", "steps"})
 

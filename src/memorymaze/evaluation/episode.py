@@ -127,7 +127,7 @@ def _attempt(
         agent,
         episode.instruction.text,
         robot,
-        GuardedRobot(robot),
+        GuardedRobot(robot, settings.needs),
         journal,
         agent_rng,
     )

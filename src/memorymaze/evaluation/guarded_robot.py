@@ -1,7 +1,9 @@
 """The robot as agents get it: what it can do, and nothing behind it."""
 
 import math
+from collections.abc import Collection
 
+from memorymaze.agents.agent import Need
 from memorymaze.robot.api import (
     Detection,
     Direction,
@@ -20,13 +22,17 @@ class GuardedRobot:
     agent that reads these by mistake would be scored for what it cannot know, so here
     that is an error. One that wants to get at them still can: it is Python, in the same
     process.
+
+    Pictures and single steps are for agents that declare that they need them, or that
+    declare nothing: budgets and what runs record of cameras go by what is declared.
     """
 
-    __slots__ = ("__robot",)
+    __slots__ = ("__needs", "__robot")
 
-    def __init__(self, robot: SimulatedRobot) -> None:
-        """Stand before a robot."""
+    def __init__(self, robot: SimulatedRobot, needs: Collection[Need] = ()) -> None:
+        """Stand before a robot, for an agent that declares these needs."""
         self.__robot = robot
+        self.__needs = needs
 
     def __getattr__(self, name: str) -> object:
         """Refuse what agents do not get."""
@@ -79,21 +85,34 @@ class GuardedRobot:
 
     def step_forward(self, distance: float) -> float:
         """See `SteppingRobot.step_forward`."""
+        self.__expect("steps", "step_forward")
         return self.__robot.step_forward(distance)
 
     def rotate(self, angle: float) -> float:
         """See `SteppingRobot.rotate`."""
+        self.__expect("steps", "rotate")
         return self.__robot.rotate(angle)
 
     def camera_picture(
         self, width: int = 640, height: int = 480, horizontal_fov: float = math.pi / 2
     ) -> CameraPicture:
         """See `SteppingRobot.camera_picture`."""
+        self.__expect("camera", "camera_picture")
         return self.__robot.camera_picture(width, height, horizontal_fov)
 
     def lidar_scan(self) -> LidarScan:
         """See `SteppingRobot.lidar_scan`."""
         return self.__robot.lidar_scan()
+
+    def __expect(self, need: Need, call: str) -> None:
+        if self.__needs and need not in self.__needs:
+            declared = ", ".join(map(repr, sorted(self.__needs)))
+            raise AttributeError(
+                f"robot.{call} is for agents that declare {need!r}, and this one declares "
+                f"needs = {{{declared}}}; add {need!r} there",
+                name=call,
+                obj=self,
+            )
 
     def __repr__(self) -> str:
         """Say what it is, and nothing of where."""
