@@ -43,6 +43,23 @@ def test_a_leaderboard_names_what_it_refuses_and_ranks_the_rest(
     assert (said.code, said.out) == (0, f"{tmp_path / 'board'}/index.html\n")
     assert "edited: refused: code: expected a run by committed code" in said.err
     assert (tmp_path / "board" / "runs" / "stop.html").exists()
+    assert memorymaze(*command).code == 2
+    (submitted / "stop").rename(submitted / "renamed")
+    assert memorymaze(*command, "--overwrite").code == 0
+    pages = [page.name for page in (tmp_path / "board" / "runs").iterdir()]
+    assert pages == ["renamed.html"]
+    rows = (tmp_path / "board" / "leaderboard.csv").read_text(encoding="utf-8")
+    assert "default,online,1,stop,renamed," in rows
+
+
+def test_what_is_no_leaderboard_is_not_overwritten(
+    memorymaze: Memorymaze, tmp_path: Path
+) -> None:
+    notes = tmp_path / "notes" / "index.html"
+    notes.parent.mkdir()
+    notes.write_text("mine", encoding="utf-8")
+    said = memorymaze("leaderboard", tmp_path, "--out", notes.parent, "--overwrite")
+    assert (said.code, notes.read_text(encoding="utf-8")) == (2, "mine")
 
 
 def test_a_folder_that_is_taken_is_refused_before_the_traces_are_read(

@@ -22,6 +22,11 @@ def add_parser(verbs: Verbs) -> None:
         "--out", metavar="DIR", required=True, help="folder to make; not there yet"
     )
     parser.add_argument(
+        "--overwrite",
+        action="store_true",
+        help="replace the leaderboard that is there, once the new one is whole",
+    )
+    parser.add_argument(
         "--instructions",
         metavar="FILE",
         nargs="+",
@@ -41,12 +46,13 @@ def _run(options: argparse.Namespace) -> int:
     from memorymaze.durable_files import check_new_folder
     from memorymaze.instructions import load_corpus
     from memorymaze.results.report.leaderboard import (
+        MARK,
         read_leaderboard,
         write_leaderboard,
     )
 
     # Before the work rather than after it.
-    check_new_folder(options.out)
+    check_new_folder(options.out, replaces=MARK if options.overwrite else None)
     with tqdm(unit="trace", disable=not sys.stderr.isatty()) as bar:
 
         def show(name: str, done: int, total: int) -> None:
@@ -60,7 +66,7 @@ def _run(options: argparse.Namespace) -> int:
             load_corpus(options.instructions, sites=options.sites),
             progress=show,
         )
-    write_leaderboard(board, options.out)
+    write_leaderboard(board, options.out, overwrite=options.overwrite)
     for each in board.refused:
         more = len(each.reasons) - 1
         print(

@@ -32,6 +32,19 @@ from memorymaze.results.tables.runs import place_of, study_title
 from memorymaze.tables import Column, Table
 
 PUBLISHED = "published"
+MARK = "leaderboard.csv"
+"""All its rows; the file by which a folder is known to be a leaderboard."""
+COLUMNS = (
+    Column("track"),
+    Column("study"),
+    Column("place", "Place"),
+    Column("method", "Method", "label"),
+    Column("run", "Run", link=lambda row: row.get("page")),
+    Column("begun", "Begun"),
+    Column("episodes", "Episodes"),
+    *map(mean_column, PAPER_MEASURES),
+    Column("remarks", "Remarks"),
+)
 TRACK_TITLES: dict[Track, str] = {
     "default": "Default track",
     "obstacles": "Track with obstacles and people",
@@ -109,13 +122,16 @@ def read_leaderboard(
     return Leaderboard(tuple(standing), tuple(refused))
 
 
-def write_leaderboard(board: Leaderboard, folder: str | Path) -> None:
+def write_leaderboard(
+    board: Leaderboard, folder: str | Path, *, overwrite: bool = False
+) -> None:
     """Write a leaderboard as static pages; `index.html` is where it begins.
 
     Raises:
-        SettingsError: The folder is not empty, or cannot be made.
+        SettingsError: The folder holds something else than a leaderboard to overwrite,
+            or cannot be made.
     """
-    with new_folder(folder) as unfinished:
+    with new_folder(folder, replaces=MARK if overwrite else None) as unfinished:
         _write(board, Pages(unfinished))
 
 
@@ -128,6 +144,8 @@ def _write(board: Leaderboard, pages: Pages) -> None:
     ]
     shared = {"places": (), "written": written}
     tracks = [(TRACK_TITLES[t], _tables(board, t)) for t in get_args(Track)]
+    rows = [row for _, tables in tracks for table in tables for row in table.rows]
+    pages.write_text(MARK, Table("Leaderboard", COLUMNS, tuple(rows)).csv())
     view = {
         "tracks": [(title, tables) for title, tables in tracks if tables],
         "refused": board.refused,
@@ -181,16 +199,11 @@ def _table(chosen: Sequence[Standing], track: Track, study: str) -> Table:
         row["place"] = before["place"] if before and is_equal else number
     return Table(
         f"{TRACK_TITLES[track]}: {study_title(study)}, means over routes",
-        (
-            Column("place", "Place"),
-            Column("method", "Method", "label"),
-            Column("run", "Run", link=lambda row: row.get("page")),
-            Column("begun", "Begun"),
-            Column("episodes", "Episodes"),
-            *map(mean_column, PAPER_MEASURES),
-            Column("remarks", "Remarks"),
+        COLUMNS,
+        tuple(
+            {"track": track, "study": study, **row}
+            for row in (*rows, *_published(chosen[0], study))
         ),
-        (*rows, *_published(chosen[0], study)),
         name=f"leaderboard-{track}-{study}",
         aside=lambda row: row["run"] == PUBLISHED,
     )
