@@ -28,11 +28,7 @@ def write_whole(path: Path, content: bytes) -> None:
 
 
 def write_new(path: str | Path, content: bytes) -> None:
-    """Write a file that is not there yet.
-
-    Raises:
-        SettingsError: It is there, or cannot be written.
-    """
+    """Write a file that is not there yet."""
     path = Path(path)
     if path.exists():
         raise SettingsError(
@@ -50,13 +46,7 @@ def write_new(path: str | Path, content: bytes) -> None:
 def new_folder(path: str | Path, *, replaces: str | None = None) -> Generator[Path]:
     """Give a folder to fill; it takes its name when it is full, or is never there.
 
-    Args:
-        path: The folder to make.
-        replaces: A file inside by which a folder is known that may be replaced; None
-            where none may be.
-
-    Raises:
-        SettingsError: Something else is there, or it cannot be made.
+    A folder that has the file `replaces` inside may be replaced.
     """
     path = Path(path)
     check_new_folder(path, replaces=replaces)
@@ -77,11 +67,7 @@ def new_folder(path: str | Path, *, replaces: str | None = None) -> Generator[Pa
 
 
 def check_new_folder(path: str | Path, *, replaces: str | None = None) -> None:
-    """Refuse a place for a new folder before anything is done for it.
-
-    Raises:
-        SettingsError: Something else is there, see `new_folder`.
-    """
+    """Refuse a place for a new folder before anything is done for it."""
     path = Path(path)
     if not path.name:
         raise SettingsError(f"--out {path}: expected a folder to make, got {path}")
@@ -128,9 +114,6 @@ def locked(path: Path) -> Generator[None]:
     """Hold a lock file, so that no other process writes beside us.
 
     The system lets go of the lock when the process ends, however it ends.
-
-    Raises:
-        RunFolderError: Another process holds it.
     """
     with path.open("a+", encoding="utf-8") as file:
         try:

@@ -41,12 +41,7 @@ def stamp_file(path: str | Path, name: str | None = None) -> FileStamp:
 def read_file(path: str | Path, error: type[MemoryMazeError]) -> bytes:
     """Return the content of a file, a pipe or a device; unpacked where it ends in `.gz`.
 
-    Args:
-        path: What a user named.
-        error: What to raise.
-
-    Raises:
-        MemoryMazeError: Of the kind given: it cannot be read, or is too long.
+    What cannot be read, or is too long, raises an error of the kind given.
     """
     try:
         opened = gzip.open if Path(path).suffix == ".gz" else open
@@ -64,11 +59,7 @@ def read_file(path: str | Path, error: type[MemoryMazeError]) -> bytes:
 
 
 def read_text(path: str | Path, error: type[MemoryMazeError]) -> str:
-    """Return the text of a file in UTF-8, with or without a byte order mark.
-
-    Raises:
-        MemoryMazeError: Of the kind given: it cannot be read, or is not UTF-8.
-    """
+    """Return the text of a file in UTF-8, with or without a byte order mark."""
     try:
         return read_file(path, error).decode("utf-8-sig")
     except UnicodeDecodeError as problem:
@@ -79,11 +70,7 @@ def read_text(path: str | Path, error: type[MemoryMazeError]) -> str:
 
 
 def read_lines(path: str | Path, error: type[MemoryMazeError]) -> list[tuple[str, str]]:
-    """Return the lines of a file that are not blank, each with its place, `file:line`.
-
-    Raises:
-        MemoryMazeError: Of the kind given: it cannot be read, or has no line.
-    """
+    """Return the lines of a file that are not blank, each with its place, `file:line`."""
     lines = enumerate(read_text(path, error).split("\n"), start=1)
     found = [(f"{path}:{number}", line) for number, line in lines if line.strip()]
     if not found:
@@ -94,9 +81,8 @@ def read_lines(path: str | Path, error: type[MemoryMazeError]) -> list[tuple[str
 def parse_json(text: str | bytes) -> Any:
     """Return what JSON says.
 
-    Raises:
-        ValueError: It is no JSON, has a name twice in one object, or more brackets or
-            digits than can be read; says where.
+    What is no JSON, has a name twice in one object, or more brackets or digits than can be
+    read raises `ValueError`, which says where.
     """
     try:
         return json.loads(text, object_pairs_hook=_without_repeats)
@@ -114,11 +100,7 @@ def parse_json(text: str | bytes) -> Any:
 
 
 def parse_record(line: str | bytes) -> dict[str, Any]:
-    """Return the record that a line of JSON is.
-
-    Raises:
-        ValueError: It is none; says what is there.
-    """
+    """Return the record that a line of JSON is; `ValueError` says what else it is."""
     record = parse_json(line)
     if not isinstance(record, dict):
         raise ValueError(f"expected one JSON record {{…}}, got {shown(record)}")
@@ -128,8 +110,7 @@ def parse_record(line: str | bytes) -> dict[str, Any]:
 def unknown_fields(record: Mapping[str, Any], known: Iterable[str]) -> list[str]:
     """Return the names in a record that its format does not know.
 
-    Raises:
-        ValueError: One looks like a misspelt name that the record lacks.
+    One that looks like a misspelt name that the record lacks raises `ValueError`.
     """
     known = list(known)
     unknown = [name for name in record if name not in known]
@@ -177,11 +158,7 @@ _OPENINGS = {
 
 
 def writable(text: str) -> str:
-    """Return a text that can be written as UTF-8.
-
-    Raises:
-        ValueError: It has halves of characters.
-    """
+    """Return a text that can be written as UTF-8."""
     try:
         text.encode()
     except UnicodeEncodeError:

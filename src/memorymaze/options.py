@@ -43,16 +43,7 @@ class Option:
 
 
 def list_options(cls: type, only: Collection[str] | None = None) -> list[Option]:
-    """Return the options of an agent, in the order of its dataclass.
-
-    Args:
-        cls: The dataclass.
-        only: Names of fields; None for all.
-
-    Raises:
-        TypeError: The class is no dataclass, a field has no default or no string beneath
-            it, or its type cannot be given on the command line.
-    """
+    """Return the options of an agent, in the order of its dataclass."""
     kinds = get_type_hints(cls)
     meanings = _strings_beneath(cls)
     found: list[Option] = []
@@ -90,14 +81,7 @@ def read_options(
     lists (`tuple[int, ...]`: `15,30,45`) and `none` are understood, as the fields' types
     say. What the dataclass itself refuses in `__post_init__` is passed on.
 
-    Args:
-        cls: Dataclass of the agent's options; every field has a default.
-        pairs: Names and values, each name once.
-        agent: The agent's name, for messages.
-
-    Raises:
-        SettingsError: There is no such option, it is given twice, or its value has no
-            meaning; names the option, what is allowed, and what came.
+    The agent's name is for messages.
     """
     names = [field.name for field in fields(cls)]  # pyright: ignore[reportArgumentType]
     given: dict[str, str] = {}
@@ -119,13 +103,7 @@ def read_values(
     text `form` that says what it takes; or a field has a `reader` in its metadata, which
     says itself what it does not understand.
 
-    Args:
-        cls: Dataclass of the settings.
-        given: Texts by field.
-        flags: Whether messages name the options of the command line, as `--max-cost`.
-
-    Raises:
-        SettingsError: A value has no meaning.
+    With `flags`, messages name the options of the command line, as `--max-cost`.
     """
     readers = {each.name: each.metadata.get("reader") for each in fields(cls)}
     values: dict[str, Any] = {}
@@ -158,16 +136,8 @@ def parse_options(
     Values are understood as by `read_options`; lists are joined by `+`. A field whose
     metadata has `given_as` goes by that name.
 
-    Args:
-        cls: Dataclass of the settings.
-        text: `NAME=VALUE`, joined by commas.
-        subject: What a message begins with, such as `obstacle setting`.
-        start: Where what is left out comes from; the fields' defaults when None.
-        only: Fields that may be given; None for all.
-
-    Raises:
-        SettingsError: A part is no `NAME=VALUE`, there is no such setting, it is given
-            twice, or its value has no meaning.
+    The subject, such as `obstacle setting`, begins messages. What is left out comes from
+    `start`, or is as the fields' defaults; `only` names fields that may be given.
     """
     known = {
         field.metadata.get("given_as", field.name): field.name
@@ -195,10 +165,7 @@ def write_options(
 ) -> str:
     """Write settings as `parse_options` reads them.
 
-    Args:
-        settings: A dataclass instance.
-        only: Fields to tell; None for all.
-        changed_from: Fields that are the same in it are left out; None leaves out none.
+    `only` names fields to tell; those that are the same in `changed_from` are left out.
     """
     return ",".join(
         f"{field.metadata.get('given_as', field.name)}={_as_given(_plain(value), '+')}"
@@ -253,11 +220,7 @@ def _unknown(name: str, names: list[str], agent: str) -> str:
 
 
 def _value(kind: Any, text: str) -> Any:
-    """Return what a text says, as a type.
-
-    Raises:
-        ValueError: It says nothing of this type.
-    """
+    """Return what a text says, as a type."""
     parts = get_args(kind)
     if get_origin(kind) in {Union, UnionType}:
         # `none` first: a text could say it too.
@@ -288,11 +251,7 @@ def _value(kind: Any, text: str) -> Any:
 
 
 def _allowed(kind: Any, between: str = ",") -> str:
-    """Say in words what `_value` takes for a type.
-
-    Raises:
-        TypeError: It takes nothing for this type.
-    """
+    """Say in words what `_value` takes for a type."""
     parts = get_args(kind)
     if get_origin(kind) in {Union, UnionType}:
         # `none` last, as one says it.
@@ -353,19 +312,9 @@ def check_number(
     whole: bool = False,
     may_be_infinite: bool = False,
 ) -> None:
-    """Refuse what is no number, no finite one, or out of bounds.
+    """Refuse what is no number, no finite one, or out of bounds; messages begin with `name`.
 
-    Args:
-        name: What the message begins with.
-        value: What came.
-        least: The least that is allowed.
-        most: The most that is allowed.
-        above: What it must be greater than, besides.
-        whole: Whether it must be a whole number.
-        may_be_infinite: Whether infinity is allowed where there is no `most`.
-
-    Raises:
-        SettingsError: It is none; says what is expected.
+    It must be greater than `above`, besides; infinity may be where there is no `most`.
     """
     if (
         isinstance(value, int if whole else int | float)
@@ -389,11 +338,7 @@ def check_number(
 
 
 def check_word(name: str, value: object, words: Any) -> None:
-    """Refuse what is none of the words of a `Literal`.
-
-    Raises:
-        SettingsError: It is none; says which there are.
-    """
+    """Refuse what is none of the words of a `Literal`."""
     if value not in get_args(words):
         raise SettingsError(
             f"{name}: expected one of {', '.join(map(str, get_args(words)))}; got "

@@ -30,9 +30,7 @@ class WorkerLost(Exception):
 def failure_line(problem: BaseException, agent: object = None) -> str:
     """Return one printable line: what was raised, and where, in the agent's own file.
 
-    Args:
-        problem: What was raised.
-        agent: Tells which file is its own; None where there is no agent yet.
+    The agent tells which file is its own; None where there is no agent yet.
     """
     place = _place(problem, agent)
     line = "".join(

@@ -50,10 +50,8 @@ def agent_files(name: str) -> dict[str, Path]:
 def agent_fingerprint(name: str, given: object = None) -> tuple[FileStamp, ...]:
     """Return the fingerprints of an agent's files.
 
-    Args:
-        name: Of the agent.
-        given: The agent itself, where it was handed over; the source of its class
-            counts where that is in no file, as in a notebook.
+    Of an agent that was handed over as an object, the source of its class counts where that
+    is in no file, as in a notebook.
     """
     if given is not None:
         kind = type(given)

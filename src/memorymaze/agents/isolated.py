@@ -126,15 +126,7 @@ def isolated(
 ) -> IsolatedAgent:
     """Return an agent that will live in a process of its own.
 
-    Args:
-        name: As the user calls it.
-        options: Names and values, where it is made by its name.
-        agent: The agent, made here.
-        kept_from: Files and folders it may not read.
-        by_name: Whether it is made there by its name; else it is sent as it is.
-
-    Raises:
-        SettingsError: It cannot be sent to another process.
+    With `by_name` it is made there by its name and options; else it is sent as it is.
     """
     made_from: tuple[str, tuple[tuple[str, str], ...]] | bytes = (name, options)
     if not by_name:

@@ -17,11 +17,7 @@ from memorymaze.options import read_options
 
 
 def own_options(name: str) -> type | None:
-    """Return the dataclass of an agent's options: its attribute `Options`, if any.
-
-    Raises:
-        SettingsError: The agent cannot be found, or `Options` is no dataclass.
-    """
+    """Return the dataclass of an agent's options: its attribute `Options`, if any."""
     return _options_of(name, _find(name))
 
 
@@ -37,20 +33,12 @@ def _options_of(name: str, factory: Any) -> type | None:
 
 
 def own_needs(name: str) -> frozenset[Need]:
-    """Return what an agent of a user's own declares in its attribute `needs`.
-
-    Raises:
-        SettingsError: The agent cannot be found, or declares what there is not.
-    """
+    """Return what an agent of a user's own declares in its attribute `needs`."""
     return checked_needs(name, _find(name))
 
 
 def checked_needs(name: str, agent: object) -> frozenset[Need]:
-    """Return what an agent, or its class, declares that it needs.
-
-    Raises:
-        SettingsError: It declares what there is not.
-    """
+    """Return what an agent, or its class, declares that it needs."""
     try:
         return needs_of(agent)
     except TypeError as error:
@@ -62,15 +50,9 @@ def make_own_agent(
 ) -> Agent:
     """Make an agent of a user's own.
 
-    Args:
-        agent: Its class; or `package.module:Class` or `path/to/file.py:Class`. What lies
-            beside the file, or for a module in the current folder, can be imported too.
-        options: Names and values. A class that has a dataclass `Options` is called
-            with one of these; any other without arguments.
-
-    Raises:
-        SettingsError: There is no such agent, it cannot be made, or it has no such
-            options.
+    It is a class, `package.module:Class` or `path/to/file.py:Class`. What lies beside the
+    file, or for a module in the current folder, can be imported too. A class that has a
+    dataclass `Options` is called with one of these; any other without arguments.
     """
     name = agent if isinstance(agent, str) else agent.__qualname__
     factory: Any = _find(agent) if isinstance(agent, str) else agent
@@ -111,11 +93,7 @@ def _find(name: str) -> Any:
 
 
 def checked_agent(name: str, agent: Any) -> Agent:
-    """Return an agent that has what every episode needs of one.
-
-    Raises:
-        SettingsError: It has no `name` of one line, or no `follow` with four arguments.
-    """
+    """Return an agent that has what every episode needs of one."""
     follow = getattr(agent, "follow", None)
     if not (callable(follow) and hasattr(agent, "name")):
         raise SettingsError(

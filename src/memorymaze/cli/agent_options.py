@@ -90,11 +90,7 @@ def agent_settings(options: argparse.Namespace) -> "AgentSettings":
 
 
 def given_options(texts: Sequence[str]) -> tuple[tuple[str, str], ...]:
-    """Return the names and values that `--set` was given.
-
-    Raises:
-        SettingsError: A text is not `NAME=VALUE`.
-    """
+    """Return the names and values that `--set` was given."""
     return tuple(map(_pair, texts))
 
 

@@ -36,11 +36,7 @@ def generated_instructions(
 ) -> list[str] | None:
     """Make the instructions of a run where `--errors` asks for it.
 
-    Returns:
-        The instruction files of the run; None for the shipped texts.
-
-    Raises:
-        SettingsError: The options contradict each other.
+    None stands for the shipped texts.
     """
     from memorymaze.errors import SettingsError
 

@@ -28,10 +28,8 @@ def add_flags(
     A field's metadata may say what it was called `once`, and what it is when it is given
     `alone`, without a value.
 
-    Args:
-        add: `add_argument` of a parser, or of a group of it.
-        cls: Each field has a default, and beneath it a string: the help.
-        only: Names of fields; None for those of `flag_names`.
+    `add` is `add_argument` of a parser or of a group of it; `only` names fields, None
+    stands for those of `flag_names`.
     """
     known = {each.name: each for each in fields(cls)}
     for option in list_options(cls, flag_names(cls) if only is None else only):

@@ -114,9 +114,6 @@ def agreement(
     Only instructions that all of them labelled count. Intervals hold 95 % of 2,000
     draws of participants, with all their instructions, since the texts of one person
     resemble each other; there is none where more than 5 % of the draws have no kappa.
-
-    Raises:
-        LabelFileError: There are fewer than two annotators, or they share nothing.
     """
     annotators = list(dict.fromkeys(name for name, _ in labels))
     if len(annotators) < 2:
@@ -241,12 +238,8 @@ def cohens_kappa(table: ArrayLike) -> Kappa:
     >>> round(cohens_kappa([[20, 5], [10, 15]]).value, 6)
     0.4
 
-    Args:
-        table: How often the first gave answer i and the second answer j, (k, k), all
-            >= 0; need not be whole.
-
-    Raises:
-        ValueError: The table has another shape, negative numbers, or nothing in it.
+    The table says how often the first gave answer i and the second answer j, (k, k), all
+    >= 0; they need not be whole.
     """
     counts = _counts(table)
     if counts.shape[0] != counts.shape[1]:
@@ -265,12 +258,7 @@ def fleiss_kappa(answers: ArrayLike) -> Kappa:
     >>> fleiss_kappa([[2, 0], [0, 2], [2, 0], [1, 1]]).agreement
     0.75
 
-    Args:
-        answers: How many annotators gave item i the answer j, (n, k).
-
-    Raises:
-        ValueError: The table has another shape, negative numbers, nothing in it, or
-            items with different numbers of answers or fewer than two.
+    The answers say how many annotators gave item i the answer j, (n, k).
     """
     counts = _counts(answers)
     raters = counts.sum(axis=1)

@@ -51,17 +51,7 @@ def ask_for_labels(
     instruction at hand. `b` goes back to the one before, whose new label replaces the
     old one.
 
-    Args:
-        questions: What to ask about, in order.
-        annotator: Who answers.
-        out: File that labels are added to.
-        ask: Shows a prompt and returns what is typed.
-        say: Shows a line.
-        pictures: Folder for plans with the ways drawn in; None for words only.
-
-    Raises:
-        LabelFileError: The file cannot be written.
-        SettingsError: A picture cannot be written.
+    Plans with the ways drawn in go into the folder for pictures; None draws none.
     """
     added = 0
     at = 0

@@ -47,9 +47,6 @@ def write_label_sheet(path: str | Path, questions: Sequence[Question]) -> None:
     """Write a sheet with a row per instruction, whose last columns are to be filled in.
 
     UTF-8 with a byte order mark, as spreadsheets expect it.
-
-    Raises:
-        InstructionFileError: It cannot be written.
     """
     sheet = io.StringIO()
     columns: tuple[str, ...] = (*GIVEN, *ASKED)
@@ -77,11 +74,7 @@ def read_label_sheet(
 ) -> list[Label]:
     """Read the rows of a sheet that are filled in.
 
-    Returns:
-        A label per filled row; rows where nothing is filled in are left for later.
-
-    Raises:
-        LabelFileError: It cannot be read, or rows are wrong; lists them, and none is used.
+    Rows where nothing is filled in are left for later.
     """
     known = {question.instruction.id: question for question in questions}
     labels: list[Label] = []

@@ -49,11 +49,7 @@ def text_stamp(text: str) -> str:
 
 
 def check_annotator(name: str) -> str:
-    """Return an annotator's name.
-
-    Raises:
-        SettingsError: It is empty, or has spaces at an end or control characters.
-    """
+    """Return an annotator's name."""
     if not name or name != name.strip() or not name.isprintable():
         raise SettingsError(
             "--annotator: expected a name without spaces at its ends or control "
@@ -70,10 +66,6 @@ def read_labels(
     """Read files of labels about these instructions, in order.
 
     A last line that was broken off is passed over.
-
-    Raises:
-        LabelFileError: A file cannot be read, or has lines that are no labels, or about
-            other instructions or texts; lists them.
     """
     known = {each.id: each for each in instructions}
     labels: list[Label] = []
@@ -132,9 +124,6 @@ def append_labels(path: str | Path, labels: Iterable[Label]) -> None:
     """Add labels to a file; they are on the disk when this returns.
 
     A last line that was broken off is cut away first.
-
-    Raises:
-        LabelFileError: The file cannot be written.
     """
     path = Path(path)
     lines = "".join(

@@ -46,11 +46,7 @@ def questions(
 
 
 def read_yes_or_no(answer: str) -> bool:
-    """Return whether an answer is yes.
-
-    Raises:
-        ValueError: It is neither yes nor no.
-    """
+    """Return whether an answer is yes."""
     said = answer.strip().casefold()
     if said in YES:
         return True
@@ -60,20 +56,12 @@ def read_yes_or_no(answer: str) -> bool:
 
 
 def read_way(answer: str, ways: Sequence[str]) -> str:
-    """Return the way of an answer: its id, its number from 1, or 0 or `none`.
-
-    Raises:
-        ValueError: There is no such way.
-    """
+    """Return the way of an answer: its id, its number from 1, or 0 or `none`."""
     return _choice(answer, (NO_WAY, *ways), "a way")
 
 
 def read_kind(answer: str) -> str:
-    """Return the kind of failure of an answer: its name, or its number from 0.
-
-    Raises:
-        ValueError: There is no such kind.
-    """
+    """Return the kind of failure of an answer: its name, or its number from 0."""
     return _choice(answer.replace(" ", "_"), tuple(KINDS), "a kind of failure")
 
 
@@ -114,11 +102,7 @@ def _name_beyond(site: Site, way: Route, point: TurningPoint) -> str | None:
 
 
 def draw_ways(folder: str | Path, site: Site, route: str) -> Path:
-    """Draw the plan with the ways of a route, unless the picture is there already.
-
-    Raises:
-        SettingsError: The picture cannot be written.
-    """
+    """Draw the plan with the ways of a route, unless the picture is there already."""
     picture = Path(folder) / f"{site.name}_{route}.png"
     if not picture.exists():
         try:

@@ -162,11 +162,7 @@ def agent_names() -> list[str]:
 
 
 def known_agent(name: str) -> KnownAgent:
-    """Return an agent that comes with the package.
-
-    Raises:
-        SettingsError: There is none of this name; names the closest one.
-    """
+    """Return an agent that comes with the package."""
     if name in _KNOWN:
         return _KNOWN[name]
     raise SettingsError(
@@ -176,22 +172,14 @@ def known_agent(name: str) -> KnownAgent:
 
 
 def agent_needs(name: str, given: Agent | None = None) -> frozenset[Need]:
-    """Return what an agent needs, by its name or as it was given.
-
-    Raises:
-        SettingsError: There is no such agent.
-    """
+    """Return what an agent needs, by its name or as it was given."""
     if given is not None:
         return checked_needs(name, given)
     return own_needs(name) if ":" in name else known_agent(name).needs
 
 
 def agent_options(name: str) -> type | None:
-    """Return the dataclass of an agent's options; None where it has none.
-
-    Raises:
-        SettingsError: There is no such agent.
-    """
+    """Return the dataclass of an agent's options; None where it has none."""
     if ":" in name:
         return own_options(name)
     options = known_agent(name).options
@@ -227,9 +215,6 @@ def settings_of(agent: AgentChoice) -> tuple[AgentSettings, Agent | None]:
     """Return what a run records of an agent, and the agent where it is no matter of names.
 
     A class is called without arguments, or with its dataclass `Options` as it stands.
-
-    Raises:
-        SettingsError: It is no agent, or cannot be made.
     """
     if isinstance(agent, AgentSettings):
         return agent, None
@@ -261,16 +246,8 @@ def build_agent(
     follows all the episodes of a process, so it must not carry anything from one to the
     next.
 
-    Args:
-        settings: Which agent.
-        given: The agent, where it was handed over as an object.
-        isolate: Whether it lives in a process of its own, without buildings.
-        kept_from: Files that an isolated agent may not read, besides the package's.
-
-    Raises:
-        SettingsError: There is no such agent, it cannot be made, it has no such options,
-            the settings name a language model for an agent that has none, or an isolated
-            agent needs what only this process has.
+    An isolated one lives in a process of its own without buildings, which is also kept
+    from reading some files.
     """
     if isolate:
         _refuse_isolation(settings, given)

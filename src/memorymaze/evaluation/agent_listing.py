@@ -23,14 +23,7 @@ _WIDTH = 88
 
 
 def agent_listing(names: Sequence[str] = ()) -> str:
-    """Return a text on agents: one paragraph each.
-
-    Args:
-        names: Which; those that come with the package when empty.
-
-    Raises:
-        SettingsError: There is no such agent.
-    """
+    """Return a text on agents: one paragraph each."""
     paragraphs = ("\n".join(_paragraph(name)) for name in names or agent_names())
     return "\n\n".join(paragraphs) + "\n"
 

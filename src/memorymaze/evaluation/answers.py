@@ -40,12 +40,7 @@ def answers_taken(
     agent_for: Callable[[Episode], Agent],
     episodes: Sequence[Episode],
 ) -> AnswersTaken | None:
-    """Say which answers a run takes; None where it asks a model.
-
-    Raises:
-        AnswerFileError: A file has no answer for some episodes; names the first. A
-            store may have none: a failure of the model is not kept.
-    """
+    """Say which answers a run takes; None where it asks a model."""
     model = replaying_model(settings.language_model)
     file = settings.language_model.replay
     if model is None or file is None:

@@ -39,13 +39,8 @@ class Arena:
     ) -> None:
         """Stand for a site; nothing is built yet.
 
-        Args:
-            site: The building.
-            obstacles: Things in the way and people that every episode is to have.
-            eyes: Makes the detector and reader of signs of every episode; None for
-                those that know the truth.
-            looks: How things look to the cameras; None for models where they were
-                converted.
+        Without eyes, detector and reader of signs know the truth; without looks, things look
+        like models where they were converted.
         """
         self.site = site
         self.obstacles = obstacles
@@ -72,12 +67,7 @@ class Arena:
     ) -> SimulatedRobot:
         """Put a robot at the start of an episode.
 
-        Args:
-            episode: Where it starts.
-            settings: Its abilities.
-            rng: Of its wheels and sensors.
-            on_event: Called after each call of the control API.
-            detector_rng: Of the detector's mistakes; None seeds one with 0.
+        Without a generator of its own, the detector's mistakes are seeded with 0.
         """
         placing = None
         if self.obstacles is not None:

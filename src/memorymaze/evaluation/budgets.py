@@ -50,12 +50,7 @@ def perfect_time(route: Route, settings: SimulationSettings) -> float:
 def default_time_budget(routes: Iterable[Route], settings: SimulationSettings) -> float:
     """Return three times the perfect time of the slowest route, in whole seconds.
 
-    Args:
-        routes: The routes of all sites of a run, alternatives too.
-        settings: The robot's abilities.
-
-    Raises:
-        SettingsError: There are no routes.
+    The routes are those of all sites of a run, alternatives too.
     """
     times = [perfect_time(route, settings) for route in routes]
     if not times:
@@ -72,11 +67,6 @@ def perfect_steps(
     by whole primitives:
 
         sum over pieces of ceil(length / step) + sum over turns of ceil(angle / turn)
-
-    Args:
-        route: The way.
-        step_m: Metres of a step ahead.
-        turn_deg: Degrees of a turn on the spot.
     """
     pieces = np.diff(np.array(route.line.coords)[:, :2], axis=0)
     lengths = np.hypot(pieces[:, 0], pieces[:, 1])
@@ -94,14 +84,8 @@ def fair_steps(
 ) -> int:
     """Return three times the perfect steps of the longest route.
 
-    Args:
-        routes: All routes of a site, alternatives too: the number is the same in every
-            episode there, so it tells nothing of its route.
-        step_m: Metres of a step ahead.
-        turn_deg: Degrees of a turn on the spot.
-
-    Raises:
-        SettingsError: There are no routes.
+    All routes of a site count, alternatives too: the number is the same in every episode
+    there, so it tells nothing of its route.
     """
     steps = [perfect_steps(route, step_m, turn_deg) for route in routes]
     if not steps:
@@ -114,12 +98,7 @@ def stepping_time_budget(
 ) -> float:
     """Return the time for `fair_steps`, in whole seconds, and no less than for others.
 
-    Args:
-        routes: The routes of all sites of a run, alternatives too.
-        settings: The robot's abilities.
-
-    Raises:
-        SettingsError: There are no routes.
+    The routes are those of all sites of a run, alternatives too.
     """
     routes = list(routes)
     usual = default_time_budget(routes, settings)
@@ -130,11 +109,7 @@ def stepping_time_budget(
 def time_budget_for(
     needs: frozenset[Need], routes: Iterable[Route], settings: SimulationSettings
 ) -> float:
-    """Return the time budget of an agent that needs these when nobody says otherwise.
-
-    Raises:
-        SettingsError: There are no routes.
-    """
+    """Return the time budget of an agent that needs these when nobody says otherwise."""
     if "steps" in needs:
         return stepping_time_budget(routes, settings)
     return default_time_budget(routes, settings)

@@ -25,11 +25,7 @@ class CollisionRates:
 
 
 def collision_rates(results: Sequence[EpisodeResult]) -> CollisionRates:
-    """Return how safe episodes were; rates are sums over sums, and 0 without driving.
-
-    Raises:
-        ValueError: There are no results.
-    """
+    """Return how safe episodes were; rates are sums over sums, and 0 without driving."""
     if not results:
         raise ValueError("expected at least one result")
     driven = sum(each.path_length for each in results)

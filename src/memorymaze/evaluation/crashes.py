@@ -17,10 +17,7 @@ def crash_lines(
 ) -> list[str]:
     """Say of what an agent crashed, where, in how many episodes, most frequent first.
 
-    Args:
-        folder: Of the run; its traces hold the tracebacks.
-        results: Of the run.
-        whole: Whether to show the tracebacks, one of each kind, and not only their file.
+    Tracebacks are shown whole, one of each kind, or by their files.
     """
     crashes: dict[str, list[str]] = {}
     for result in results:

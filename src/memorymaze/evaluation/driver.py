@@ -35,24 +35,10 @@ def run_plan(
     order of episodes, nor on how often the run was broken off. An episode whose worker
     process dies is tried once more, and then recorded as `crash`.
 
-    Args:
-        plan: What to run.
-        folder: Where results go; each is on the disk before the next is counted.
-        workers: Processes on this machine, 0 for one per core; or who else does the
-            episodes, such as the workers of a cluster (`ray_workers.py`).
-        resume: Whether to finish a run that is in the folder already.
-        wall_limit: Real seconds after which an episode is given up as `crash`, so that
-            an agent that hangs does not hold up the run.
-
-    Returns:
-        All results of the run, in the order of episode ids.
-
-    Raises:
-        MemoryMazeError: The folder cannot be used, or no worker can be started.
-        SettingsError: The workers cannot do what the settings ask for.
-        SpendingLimitReached: The run has spent what it may on its language model;
-            episodes that were under way then have no result.
-        KeyboardInterrupt: Passed on, after all workers have ended.
+    Each result is on the disk before the next is counted. Workers are so many processes on
+    this machine, 0 for one per core, or others, such as those of a cluster. An episode that
+    takes more real seconds than `wall_limit` is given up as `crash`.
+    `SpendingLimitReached` and `KeyboardInterrupt` are passed on when all workers have ended.
     """
     if not wall_limit > 0:
         raise SettingsError(f"wall limit: expected more than 0 s, got {wall_limit!r}")

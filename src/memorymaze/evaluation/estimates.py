@@ -26,8 +26,7 @@ def said_beforehand(plan: RunPlan) -> Iterator[str]:
 def cost_estimate(plan: RunPlan) -> str | None:
     """Return a line on what a run's model will cost, at the prices that were given.
 
-    Returns:
-        None where no prices were given, or nothing is asked.
+    None where no prices were given, or nothing is asked.
     """
     settings = plan.settings.agent.language_model
     price = settings.price
@@ -68,8 +67,7 @@ def answers_estimate(plan: RunPlan) -> str | None:
 
     From what walks without a mistake need to what the budget of steps allows.
 
-    Returns:
-        None for runs of other agents, and for those that replay answers.
+    None for runs of other agents, and for those that replay answers.
     """
     agent = plan.settings.agent
     if "steps" not in plan.settings.needs or agent.language_model.replay is not None:

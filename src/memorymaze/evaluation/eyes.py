@@ -8,13 +8,7 @@ from memorymaze.pictures.furniture.models import Looks, check_looks
 
 
 def checked_eyes(detector: DetectorSettings, signs: SignSource) -> Eyes:
-    """Return eyes that can be used here.
-
-    Raises:
-        SettingsError: A package, a checkpoint or a server is missing, or signs come from
-            nowhere.
-        RenderingError: They need pictures, and this machine cannot draw.
-    """
+    """Return eyes that can be used here."""
     if signs not in ("truth", "ocr"):
         raise SettingsError(f"signs: expected one of truth, ocr; got {signs!r}")
     eyes = Eyes(detector, signs)
@@ -38,11 +32,7 @@ def eyes_notes(settings: RunSettings) -> list[str]:
 
 
 def looks_of_run(needs: frozenset[Need], settings: RunSettings) -> Looks | None:
-    """Return how things look to the cameras of a run; None where nothing is drawn.
-
-    Raises:
-        SettingsError: The looks that are asked for are not there.
-    """
+    """Return how things look to the cameras of a run; None where nothing is drawn."""
     drawn = "camera" in needs or Eyes(settings.detector, settings.signs).need_pictures
     if not drawn:
         return None

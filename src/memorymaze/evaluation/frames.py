@@ -24,9 +24,6 @@ def episode_frame(folders: Sequence[str | Path]) -> "pandas.DataFrame":
     Columns are `run` (name of the folder) and the fields of `EpisodeResult`, in that
     order; see `docs/data_formats.md`. Rows are in the order of the folders, and within
     a run in that of episode ids. A run that is still going on gives what it has.
-
-    Raises:
-        RunFolderError: A folder is no run, or is damaged.
     """
     return results_frame(
         (Path(folder).resolve().name, read_run(folder)[1]) for folder in folders

@@ -45,9 +45,7 @@ class NavGPTOnGraph:
     def __init__(self, agent: NavGPTAgent, describe: Describe | None = None) -> None:
         """Stand for an agent.
 
-        Args:
-            agent: Decides.
-            describe: What tells it what is seen; None for templates.
+        `describe` tells what is seen; None takes templates.
         """
         self._agent = agent
         self._describe = describe
@@ -93,9 +91,6 @@ def longest_route_viewpoints(site: Site) -> int:
 
     Every route of the site counts, alternatives too, and one viewpoint for each 2.25 m:
     the number is the same in every episode there, so it tells nothing of its route.
-
-    Raises:
-        SettingsError: The site has no routes.
     """
     if not site.routes:
         raise SettingsError(

@@ -120,11 +120,7 @@ class GuardedRobot:
 
 
 def simulated_behind(robot: object, agent: str) -> SimulatedRobot:
-    """Return the simulated robot behind a guarded one, for agents that are given more.
-
-    Raises:
-        TypeError: It is no simulated robot.
-    """
+    """Return the simulated robot behind a guarded one, for agents that are given more."""
     inner = getattr(robot, "_GuardedRobot__robot", robot)
     if not isinstance(inner, SimulatedRobot):
         raise TypeError(

@@ -34,11 +34,7 @@ from memorymaze.sites import Route, Site
 def code_generation_for_runs(
     settings: AgentSettings, options: CodeGenerationOptions
 ) -> Callable[[Episode], CodeGenerationAgent]:
-    """Return what makes the agent of an episode.
-
-    Raises:
-        SettingsError: No model is named, or a file cannot be used.
-    """
+    """Return what makes the agent of an episode."""
     model = build_language_model(settings.language_model)
     parser = parses_first(settings)
 
@@ -61,11 +57,7 @@ def parses_first(settings: AgentSettings) -> bool:
 def navgpt_for_runs(
     settings: AgentSettings, options: NavGPTOptions
 ) -> Callable[[Episode], NavGPTOnGraph]:
-    """Return what makes the agent of an episode, and what describes what it sees.
-
-    Raises:
-        SettingsError: No model is named, or a file cannot be used.
-    """
+    """Return what makes the agent of an episode, and what describes what it sees."""
     model = build_language_model(settings.language_model)
     describe = None
     if options.captions == "vision":
@@ -132,11 +124,7 @@ class NavidOnSite:
 def navid_for_runs(
     settings: AgentSettings, options: NavidOptions
 ) -> Callable[[Episode], Agent]:
-    """Return what makes the agent of an episode, on a policy server or a vision model.
-
-    Raises:
-        SettingsError: The server cannot be used, no model is named, or both are.
-    """
+    """Return what makes the agent of an episode, on a policy server or a vision model."""
     if options.server is not None:
         policy = _remote_policy(settings.language_model, options, options.server)
         return lambda _: NavidOnSite(NavidAgent(policy, options))

@@ -33,11 +33,7 @@ FILES = ("trajectory.json", "trace.jsonl", "picture.png")
 
 
 def check_folder(folder: Path) -> None:
-    """Refuse a folder that cannot be written, before an episode is run for it.
-
-    Raises:
-        RunFolderError: It is something else, or the folder above it is not ours.
-    """
+    """Refuse a folder that cannot be written, before an episode is run for it."""
     there = next(each for each in (folder, *folder.absolute().parents) if each.exists())
     if not there.is_dir() or not os.access(there, os.W_OK | os.X_OK):
         what = "a folder without leave to write" if there.is_dir() else "a file"
@@ -56,11 +52,7 @@ def navigate(
     *,
     watcher: Watcher | None = None,
 ) -> EpisodeRun:
-    """Let an agent follow one instruction from the start of a route.
-
-    Raises:
-        MemoryMazeError: Something that was given cannot be used.
-    """
+    """Let an agent follow one instruction from the start of a route."""
     if not text.strip():
         raise SettingsError("text: expected an instruction, got nothing")
     settings = settings or RunSettings()
@@ -104,11 +96,7 @@ def _met_in(trace: Sequence[dict[str, Any]]) -> Met | None:
 def write_navigation(
     run: EpisodeRun, site: Site, route: Route, folder: Path
 ) -> list[Path]:
-    """Write `trajectory.json`, `trace.jsonl` and `picture.png` into a folder.
-
-    Raises:
-        RunFolderError: The folder cannot be written.
-    """
+    """Write `trajectory.json`, `trace.jsonl` and `picture.png` into a folder."""
     from memorymaze.drawing.plan_picture import draw_walk
 
     content: dict[str, Any] = {

@@ -14,9 +14,6 @@ class OracleAgent:
     """Follows the reference path of its episode and stops at the goal.
 
     It shows what the robot's body can reach, whatever is understood of the text.
-
-    Args:
-        reference_path: Vertices, metres.
     """
 
     name = "oracle"

@@ -52,13 +52,8 @@ def plan_run(
 ) -> RunPlan:
     """Check everything a run needs, before anything is written.
 
-    Args:
-        agent: By its name, with settings, as an object or as a class.
-        corpus: What is followed, and where; None for the shipped texts and sites.
-        settings: How; those that belong to the corpus when None.
-
-    Raises:
-        MemoryMazeError: Something that was given cannot be used.
+    Without a corpus, the shipped texts are followed; without settings, those that belong to
+    the corpus hold.
     """
     if corpus is None:
         corpus = load_corpus()
@@ -102,11 +97,7 @@ def define_run(
     agent_files: tuple[FileStamp, ...] = (),
     option_values: tuple[tuple[str, str], ...] = (),
 ) -> RunDefinition:
-    """Settle what settings leave open: the time budget, and what cameras show.
-
-    Raises:
-        SettingsError: The sites have no routes to set a budget by.
-    """
+    """Settle what settings leave open: the time budget, and what cameras show."""
     budget = settings.time_budget
     if budget is None:
         routes = [route for site in sites for route in site.routes]

@@ -12,13 +12,7 @@ SECONDS_BETWEEN_LINES = 15.0
 
 
 class Progress:
-    """Shows how many episodes are done; use it in a `with`.
-
-    Args:
-        total: Episodes of the run.
-        done: Episodes done before.
-        stream: Where to write; stderr when None.
-    """
+    """Shows how many episodes are done; use it in a `with`."""
 
     def __init__(self, total: int, done: int, stream: TextIO | None = None) -> None:
         """Begin the clock."""

@@ -185,29 +185,17 @@ MEASURES = tuple(
 
 
 def measure_walk(walk: FinishedWalk) -> dict[str, Any]:
-    """Return the fields of a result that are worked out from the walk.
-
-    Raises:
-        UndefinedMetricError: The walk or the reference path leaves the floor.
-    """
+    """Return the fields of a result that are worked out from the walk."""
     return {each.field: each.of_walk(walk) for each in MEASURES if each.of_walk}
 
 
 def result_to_line(result: EpisodeResult) -> str:
-    """Write a result as one line of JSON, without the line end.
-
-    Raises:
-        ValueError: A number is not finite.
-    """
+    """Write a result as one line of JSON, without the line end."""
     return json.dumps(asdict(result), ensure_ascii=False, allow_nan=False)
 
 
 def result_from_line(line: str, place: str) -> EpisodeResult:
-    """Read a result from one line of JSON.
-
-    Raises:
-        RunFolderError: The line is not an episode's result; names place and field.
-    """
+    """Read a result from one line of JSON."""
     try:
         return _RESULT.validate_json(_renamed(line), strict=True)
     except ValidationError as error:

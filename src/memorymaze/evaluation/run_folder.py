@@ -63,12 +63,7 @@ INSTRUCTIONS = "instructions.jsonl.gz"
 
 
 class RunFolder:
-    """A run folder that this process alone writes.
-
-    Attributes:
-        path: The folder.
-        finished: Results by episode id.
-    """
+    """A run folder that this process alone writes."""
 
     def __init__(self, path: Path, finished: dict[str, EpisodeResult]) -> None:
         """Stand for a folder that is locked and repaired; use `open_run_folder`."""
@@ -76,11 +71,7 @@ class RunFolder:
         self.finished = finished
 
     def add(self, result: EpisodeResult, trace: bytes | None = None) -> None:
-        """Write the trace of an episode, then its result; both are then on the disk.
-
-        Raises:
-            RunFolderError: The episode has a result already, or the disk refuses.
-        """
+        """Write the trace of an episode, then its result; both are then on the disk."""
         if result.episode_id in self.finished:
             raise RunFolderError(
                 f"{self.path}: episode {result.episode_id!r} has a result already"
@@ -107,20 +98,7 @@ def open_run_folder(
     sites: Iterable[Site] = (),
     instructions: Iterable[Instruction] = (),
 ) -> Generator[RunFolder]:
-    """Begin a run, or take up one that was broken off.
-
-    Args:
-        path: The folder; made where there is none.
-        record: The run's settings and code.
-        resume: Whether a run that is there already is taken up.
-        sites: Where it takes place; their plans are kept.
-        instructions: What is followed; kept too.
-
-    Raises:
-        RunFolderError: Another process writes the folder; or it holds a run and
-            `resume` is False, or one with other settings or made by other code; or it
-            is damaged, or cannot be written.
-    """
+    """Begin a run, or take up one that was broken off."""
     with ExitStack() as stack:
         try:
             (path / "traces").mkdir(parents=True, exist_ok=True)
@@ -139,14 +117,7 @@ def open_run_folder(
 
 
 def read_run(path: str | Path) -> tuple[RunRecord, list[EpisodeResult]]:
-    """Read a run, also one that is still being written.
-
-    Returns:
-        What `run.json` says, and the results so far in the order of episode ids.
-
-    Raises:
-        RunFolderError: It is no run folder, or is damaged; names file and line.
-    """
+    """Read a run, also one that is still being written."""
     path = Path(path)
     if not (path / "run.json").is_file():
         there = "a file" if path.exists() else "no such folder"
@@ -162,12 +133,7 @@ def read_run(path: str | Path) -> tuple[RunRecord, list[EpisodeResult]]:
 
 
 def read_plans(path: str | Path) -> dict[str, Site]:
-    """Read the sites of a run from the plans that it keeps, by name.
-
-    Raises:
-        RunFolderError: It keeps none, as runs of older versions, or one is damaged.
-        SitePlanError: One cannot be used.
-    """
+    """Read the sites of a run from the plans that it keeps, by name."""
     files = sorted(Path(path, "plans").glob("*.geojson.gz"))
     if not files:
         raise RunFolderError(
@@ -189,11 +155,7 @@ def read_plans(path: str | Path) -> dict[str, Site]:
 
 
 def read_instructions(path: str | Path) -> list[Instruction]:
-    """Read what a run follows, each instruction once, in the order of their ids.
-
-    Raises:
-        RunFolderError: It keeps none, as runs of older versions, or they are damaged.
-    """
+    """Read what a run follows, each instruction once, in the order of their ids."""
     file = Path(path, INSTRUCTIONS)
     if not file.is_file():
         raise RunFolderError(

@@ -14,13 +14,6 @@ def sample(episodes: Sequence[Episode], limit: int | None) -> list[Episode]:
     `limit` does not divide evenly, some that lie evenly among the others have one more.
     Within a route they are spread evenly from first to last. The order stays. No chance
     is involved.
-
-    Args:
-        episodes: All there are.
-        limit: Whole number of at least 1; None for all.
-
-    Raises:
-        SettingsError: The limit has no meaning.
     """
     if limit is None:
         return list(episodes)

@@ -26,10 +26,8 @@ def detector_generator(seed: int, episode_id: str) -> np.random.Generator:
 def obstacle_generator(seed: int, episode_id: str) -> np.random.Generator:
     """Return the generator of an episode's things and people.
 
-    Args:
-        seed: Of the obstacle settings; the seed of the run has no part in it, so that
-            every agent and every repetition meets the same.
-        episode_id: Of the episode.
+    The seed of the run has no part in it, so that every agent and every repetition meets
+    the same.
     """
     return np.random.default_rng(_root(seed, episode_id))
 

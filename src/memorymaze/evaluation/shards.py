@@ -53,13 +53,6 @@ def merge_shards(folders: Sequence[str | Path], out: str | Path) -> list[Episode
 
     The folder equals that of the same run without shards, but for the order of lines and
     what was measured with a clock.
-
-    Returns:
-        All results, in the order of episode ids.
-
-    Raises:
-        RunFolderError: A folder is no shard, is not finished, was made with other
-            settings or by other code, or shards are missing or there twice.
     """
     parts = [_read_part(Path(folder)) for folder in folders]
     if not parts:

@@ -19,9 +19,6 @@ def summarise(
     """Return counts, means and sums over all results, and per study and route.
 
     The means are over episodes; the tables' means over routes are another thing.
-
-    Raises:
-        ValueError: There are no results.
     """
     cells: dict[tuple[str, str, str], list[EpisodeResult]] = {}
     for result in results:

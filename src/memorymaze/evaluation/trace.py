@@ -55,11 +55,7 @@ def trace_lines(entries: Iterable[Mapping[str, object]]) -> bytes:
 
 
 def read_trace(folder: Path, episode_id: str) -> Iterator[dict[str, Any]]:
-    """Read an episode's trace, entry by entry.
-
-    Raises:
-        RunFolderError: There is none, or it is damaged.
-    """
+    """Read an episode's trace, entry by entry."""
     path = trace_path(folder, episode_id)
     try:
         with gzip.open(path, "rb") as file:

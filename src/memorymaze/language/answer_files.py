@@ -87,20 +87,12 @@ _COMMON = ("model", "parser")
 class AnswerFile:
     """The answers in one file, sound or not.
 
-    Attributes:
-        path: The file.
-        model: Who answered; the name of the file where no record says.
-        answers: In the order of their lines.
-        problems: What is wrong, one line each, with its place.
-        unused: Names of fields that the format does not know.
+    `problems` says what is wrong, one line each with its place; `unused` names fields that
+    the format does not know.
     """
 
     def __init__(self, path: str | Path) -> None:
-        """Read the file, and find all that is wrong with it.
-
-        Raises:
-            AnswerFileError: It cannot be read, is not UTF-8, or is empty.
-        """
+        """Read the file, and find all that is wrong with it."""
         self.path = Path(path)
         self.answers: list[Answer] = []
         self.problems: list[str] = []

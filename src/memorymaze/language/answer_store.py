@@ -75,12 +75,7 @@ def request_key(model: str, request: CompletionRequest) -> str:
 
 
 class AnswerStore:
-    """The answers in one file.
-
-    Attributes:
-        path: The file.
-        models: Names of those that answered, or were to.
-    """
+    """The answers in one file."""
 
     def __init__(self, path: Path | str, *, make: bool = False) -> None:
         """Open the file, or make it."""
@@ -189,12 +184,7 @@ class AnswerStore:
         return identifier if known is None else str(known[0])
 
     def answer(self, identifier: str, completion: Completion) -> None:
-        """Keep the answer to a request that was kept before.
-
-        Raises:
-            ValueError: No such request was, or it has another answer already.
-            LanguageModelError: The file failed.
-        """
+        """Keep the answer to a request that was kept before."""
         rows = self._rows(
             "SELECT key, model, request FROM requests WHERE id = ?", identifier
         )

@@ -32,12 +32,7 @@ SQLITE = b"SQLite format 3\0"
 
 
 def open_answers(path: str | Path) -> AnswerStore | AnswerFile:
-    """Open a store, or read a file of answers.
-
-    Raises:
-        SettingsError: There is no such file, or it is no store.
-        AnswerFileError: It cannot be read, or something in it is wrong; lists what.
-    """
+    """Open a store, or read a file of answers."""
     path = Path(path)
     try:
         with path.open("rb") as file:
@@ -53,12 +48,7 @@ def open_answers(path: str | Path) -> AnswerStore | AnswerFile:
 
 
 def replaying_model(settings: ModelSettings) -> "ReplayingModel | None":
-    """Return what gives recorded answers; None where a model is asked.
-
-    Raises:
-        SettingsError: The file cannot be used, or the settings also say how to ask.
-        AnswerFileError: Something in the file is wrong.
-    """
+    """Return what gives recorded answers; None where a model is asked."""
     if settings.replay is None:
         return None
     for option in ("record", "base_url"):
@@ -89,11 +79,7 @@ class AboutInstruction(WrappedModel):
         self._instruction = instruction
 
     def complete(self, request: CompletionRequest) -> Completion:
-        """Ask the model.
-
-        Raises:
-            LanguageModelError: No usable answer came.
-        """
+        """Ask the model."""
         if request.question is not None:
             question = replace(request.question, instruction=self._instruction)
             request = replace(request, question=question)
@@ -104,11 +90,7 @@ class RecordingModel:
     """Asks a model and keeps its answers; what is kept already is not asked again."""
 
     def __init__(self, model: LanguageModel, path: Path | str) -> None:
-        """Open or make the store.
-
-        Raises:
-            SettingsError: The file cannot be written, or is something else.
-        """
+        """Open or make the store."""
         self._model = model
         self._store = AnswerStore(path, make=True)
 
@@ -121,9 +103,6 @@ class RecordingModel:
         """Return the answer kept for a request, else ask, keep and return it.
 
         Where two processes ask the same at once, both return the answer that was kept.
-
-        Raises:
-            LanguageModelError: The model did not answer, or the file failed.
         """
         if not takes_grammar(self._model):
             # It does not determine the reply, so it is not in the key.
@@ -138,17 +117,9 @@ class ReplayingModel:
     """Gives the answers in a store or a file, and never asks a model."""
 
     def __init__(self, path: Path | str, *, name: str | None = None) -> None:
-        """Look into the file.
+        """Look into a store or a JSONL file of answers.
 
-        Args:
-            path: A store, or a JSONL file of answers.
-            name: Of the model whose answers are wanted; None for the only one there
-                is. Answers of a file get this name.
-
-        Raises:
-            SettingsError: There is no such file, it is something else, or which
-                model is meant is not clear; the message names the models it has.
-            AnswerFileError: Something in the file is wrong.
+        Of a store with several models one must be named; answers of a file get the name.
         """
         self.answers = open_answers(path)
         self._path = Path(path)
@@ -174,9 +145,6 @@ class ReplayingModel:
 
         Where there is none for these pictures but one for pictures of their names,
         that is returned, and a warning says so once.
-
-        Raises:
-            LanguageModelError: There is none, or the model had failed.
         """
         found = self._by_request(request) or self._by_question(request)
         if found is not None:

@@ -96,11 +96,7 @@ def request_line(
 ) -> str:
     """Return a request as a line of a batch file, without the line end.
 
-    Args:
-        identifier: Comes back with the reply as `custom_id`.
-        model: The server's name for the model.
-        request: What to ask.
-        length_field: What the server calls the longest reply.
+    `length_field` is what the server calls the longest reply.
     """
     body: dict[str, Any] = {
         "model": model,
@@ -140,10 +136,6 @@ def read_replies(paths: Sequence[str | Path]) -> dict[str, BatchReply]:
 
     Where a request has failed replies and one that answers it, that one counts: failed
     requests may be run again, and the new file be read beside the old one.
-
-    Raises:
-        AnswerFileError: A file cannot be read, a line is no reply, or a request has two
-            answers; lists them.
     """
     replies: dict[str, BatchReply] = {}
     problems: list[str] = []

@@ -53,18 +53,7 @@ class GgufModel:
         threads: int | None = None,
         context: int = CONTEXT,
     ) -> None:
-        """Look at the file; nothing is loaded yet.
-
-        Args:
-            path: GGUF file of a chat model, with its chat template in it.
-            name: Name shown in tables.
-            threads: Processor cores to use; None for half of them.
-            context: Tokens of a request and its reply together, at most.
-
-        Raises:
-            SettingsError: There is no such file, it is something else, or
-                `llama-cpp-python` is not installed; says what to do.
-        """
+        """Look at the file; nothing is loaded yet."""
         self._path = Path(path)
         self._name = name
         self._threads = threads or max(1, (os.cpu_count() or 1) // 2)
@@ -95,12 +84,7 @@ class GgufModel:
         return self._name
 
     def complete(self, request: CompletionRequest) -> Completion:
-        """Write a reply.
-
-        Raises:
-            LanguageModelError: The model cannot be loaded or sees no pictures, the
-                request is too long for it, or the reply is empty.
-        """
+        """Write a reply."""
         if any(message.pictures for message in request.messages):
             raise self._failure("sees no pictures; ask a vision model on a server")
         llama = self._loaded()
@@ -277,15 +261,7 @@ def model_name(model: str) -> str:
 
 
 def local_model(model: str, *, threads: int | None = None) -> GgufModel:
-    """Make a model that runs on this machine.
-
-    Args:
-        model: `smollm2` or `gguf:PATH`.
-        threads: Processor cores to use; None for half of them.
-
-    Raises:
-        SettingsError: There is no such file, or what it needs is not installed.
-    """
+    """Make a model that runs on this machine."""
     if model == GGUF:
         raise SettingsError(
             f"--model {GGUF}: expected the path of a GGUF file after the colon, got none"

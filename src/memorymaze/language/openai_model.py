@@ -49,21 +49,9 @@ class OpenAIModel:
     ) -> None:
         """Prepare a client; nothing is sent yet.
 
-        Args:
-            model: The server's name for the model.
-            base_url: Address up to and including `/v1`; else MEMORYMAZE_BASE_URL,
-                OPENAI_BASE_URL or OpenAI's own.
-            api_key: Else MEMORYMAZE_API_KEY or OPENAI_API_KEY; a server of one's own
-                needs none.
-            timeout: Seconds to wait for the end of a reply.
-            retries: Attempts after the first.
-            first_delay: Seconds before the second attempt.
-            grammar_server: Kind of server, if it shall hold replies to the grammars
-                of requests; None asks for free replies.
-
-        Raises:
-            SettingsError: OpenAI's own server is meant and there is no key for it, the
-                address is none, or an argument has no meaning.
+        What is not given is taken from MEMORYMAZE_BASE_URL or OPENAI_BASE_URL, and from
+        MEMORYMAZE_API_KEY or OPENAI_API_KEY; a server of one's own needs no key. Only a
+        `grammar_server` is asked to hold replies to the grammars of requests.
         """
         if not model:
             raise SettingsError("model: expected the name of a language model, got ''")
@@ -114,11 +102,7 @@ class OpenAIModel:
         return self._grammar_server is not None
 
     def complete(self, request: CompletionRequest) -> Completion:
-        """Ask the server.
-
-        Raises:
-            LanguageModelError: No usable answer came, after all retries.
-        """
+        """Ask the server."""
         attempt = 0
         while True:
             began = time.monotonic()

@@ -82,18 +82,7 @@ DEFAULT_LIMITS = ProgramLimits()
 def read_arguments(
     call: str, args: tuple[Any, ...], kwargs: dict[str, Any], text_limit: int
 ) -> dict[str, Any]:
-    """Return a call's arguments by name, of the types the API asks for.
-
-    Args:
-        call: Name of the API function.
-        args: Positional arguments as they came out of the sandbox.
-        kwargs: Keyword arguments.
-        text_limit: The most characters a text may have.
-
-    Raises:
-        TypeError: Arguments are missing, too many, or of another type.
-        ValueError: A number is not finite, or a text too long.
-    """
+    """Return a call's arguments by name, of the types the API asks for."""
     signature = _signatures()[call]
     try:
         arguments = signature.bind(*args, **kwargs).arguments
@@ -109,9 +98,6 @@ def to_sandbox(value: Any) -> Any:
     """Turn a robot's result into what a program can hold.
 
     Records become named tuples: attributes by the same names, immutable, hashable.
-
-    Raises:
-        TypeError: The value is nothing the API returns: a mistake of the robot's.
     """
     match value:
         case None | bool() | str():
@@ -229,13 +215,7 @@ class ProgramExecution:
         self._printing_room = limits.printed_characters
 
     def run(self, session: MontySession) -> None:
-        """Check the program and run it until it ends.
-
-        Raises:
-            EpisodeOver: The robot, `stop()` or a limit ended the episode.
-            ProgramError: The program is refused, or reached outside the API.
-            MontyError: It failed in the interpreter.
-        """
+        """Check the program and run it until it ends."""
         try:
             snapshot: SyncSnapshot | None = self._start(session)
             while not (snapshot is None or isinstance(snapshot, MontyComplete)):

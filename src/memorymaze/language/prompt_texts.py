@@ -11,13 +11,7 @@ _SLOT = re.compile(r"\{([A-Z_]+)\}")
 def load_prompt(name: str, **slots: str) -> str:
     """Return a prompt with its slots filled.
 
-    Args:
-        name: File name in `prompts/` without `.txt`.
-        **slots: Text for each slot, by its name in lower case.
-
-    Raises:
-        FileNotFoundError: There is no such prompt.
-        KeyError: A slot is left unfilled.
+    A slot that is left unfilled raises `KeyError`.
     """
     text = (
         (files("memorymaze.language") / "prompts" / f"{name}.txt")

@@ -34,10 +34,6 @@ def open_session(limits: ResourceLimits, type_stub: str) -> MontySession:
     It has a worker process to itself. Its clock stands still, sleeping takes no
     time, and unseeded random numbers are the same each time, so that a program does
     the same whenever it is run.
-
-    Raises:
-        SettingsError: The interpreter is not installed, or this process was forked
-            from one that had already used it.
     """
     if _process_of_the_pool() != os.getpid():
         raise SettingsError(

@@ -23,12 +23,7 @@ class ScriptedLanguageModel:
         *,
         name: str = "scripted",
     ) -> None:
-        """Prepare the replies.
-
-        Args:
-            replies: What to answer in turn, or what makes an answer of a request.
-            name: Name shown in tables.
-        """
+        """Prepare the replies."""
         self._replies = replies
         self._name = name
         self.requests: list[CompletionRequest] = []
@@ -40,11 +35,7 @@ class ScriptedLanguageModel:
         return self._name
 
     def complete(self, request: CompletionRequest) -> Completion:
-        """Give the next reply; words are counted as its tokens.
-
-        Raises:
-            LanguageModelError: The list has no further reply.
-        """
+        """Give the next reply; words are counted as its tokens."""
         asked = len(self.requests)
         self.requests.append(request)
         if callable(self._replies):

@@ -26,11 +26,7 @@ LOOKING_PERIOD = 0.02
 
 @dataclass(frozen=True, slots=True)
 class TokenPrice:
-    """What a server charges, in US dollars per million tokens.
-
-    Raises:
-        SettingsError: A price is below 0, or no number.
-    """
+    """What a server charges, in US dollars per million tokens."""
 
     form: ClassVar[str] = (
         "PROMPT,COMPLETION in US dollars per million tokens, such as 0.15,0.60"
@@ -41,12 +37,7 @@ class TokenPrice:
 
     @classmethod
     def parse(cls, text: str) -> "TokenPrice":
-        """Read `PROMPT,COMPLETION`.
-
-        Raises:
-            ValueError: It is no pair of prices.
-            SettingsError: A price is below 0, or no number.
-        """
+        """Read `PROMPT,COMPLETION`."""
         prompt, completion = map(float, text.split(","))
         return cls(prompt, completion)
 
@@ -79,11 +70,7 @@ class PricedModel(WrappedModel):
         self._price = price
 
     def complete(self, request: CompletionRequest) -> Completion:
-        """Return the model's reply with its cost.
-
-        Raises:
-            LanguageModelError: No usable answer came.
-        """
+        """Return the model's reply with its cost."""
         completion = self._model.complete(request)
         usage = completion.usage
         cost = self._price.cost(usage.prompt_tokens, usage.completion_tokens)
@@ -166,13 +153,7 @@ class LimitedModel(WrappedModel):
         self.max_tokens = max_tokens
 
     def complete(self, request: CompletionRequest) -> Completion:
-        """Ask the model, if there is something left to spend.
-
-        Raises:
-            SpendingLimitReached: There is not, or the server does not tell what it
-                counts, so that no limit can be kept.
-            LanguageModelError: No usable answer came.
-        """
+        """Ask the model, if there is something left to spend."""
         spent = self.ledger.spent()
         if self.max_cost is not None and spent.cost_usd >= self.max_cost:
             raise SpendingLimitReached(
@@ -208,23 +189,13 @@ class QueuedModel(WrappedModel):
     """
 
     def __init__(self, model: LanguageModel, path: Path | str, places: int) -> None:
-        """Prepare to queue.
-
-        Args:
-            model: Asked when there is a place.
-            path: File whose bytes are the places, the same for all processes.
-            places: Requests under way at most.
-        """
+        """Prepare to queue."""
         super().__init__(model)
         self._path = Path(path)
         self._places = places
 
     def complete(self, request: CompletionRequest) -> Completion:
-        """Wait for a place and ask.
-
-        Raises:
-            LanguageModelError: No usable answer came.
-        """
+        """Wait for a place and ask."""
         with self._place():
             return self._model.complete(request)
 

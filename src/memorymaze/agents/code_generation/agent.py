@@ -43,14 +43,7 @@ class CodeGenerationAgent:
         options: CodeGenerationOptions | None = None,
         limits: ProgramLimits = DEFAULT_LIMITS,
     ) -> None:
-        """Prepare the agent.
-
-        Args:
-            model: Writes the steps and the program.
-            parser: Whether instructions are parsed into steps first.
-            options: How the model is asked; None for the defaults.
-            limits: How much a program may use.
-        """
+        """Prepare the agent."""
         self._model = model
         self._limits = limits
         self._requests = CodeGenerationRequests(options, parser=parser)
@@ -87,11 +80,6 @@ class CodeGenerationAgent:
 
         Notes in the journal: `model_reply` for each request, `steps`, `program`,
         `repair`, and what the sandbox tells of the program's run.
-
-        Raises:
-            LanguageModelError: The model did not answer, or not with what was asked.
-            ProgramError: The program is wrong, failed, or reached outside the API.
-            EpisodeOver: The program or a budget ended the episode.
         """
         way = instruction
         if self._requests.parser:

@@ -51,9 +51,6 @@ def read_steps(reply: str) -> list[str]:
     """Return the steps of the last numbered list, one line each.
 
     A step may run over several lines; an empty line ends it.
-
-    Raises:
-        LanguageModelError: The reply has no numbered list.
     """
     steps: list[str] = []
     in_step = False
@@ -82,9 +79,6 @@ def read_program(reply: str) -> str:
 
     A fence that is not closed ends with the reply. Without any fence, text after the
     heading of the refined program, or a reply that is nothing but a program, counts.
-
-    Raises:
-        LanguageModelError: The reply has no program.
     """
     text = _plain(reply)
     programs = [

@@ -21,11 +21,7 @@ _FIRST_STAGE = re.compile(r"^First (\w+):\n.*?^Refined \1:", re.MULTILINE | re.D
 
 @dataclass(frozen=True, slots=True)
 class CodeGenerationOptions:
-    """How the language model is asked.
-
-    Raises:
-        SettingsError: A value has no meaning.
-    """
+    """How the language model is asked."""
 
     stages: Literal["two", "single"] = "two"
     """Prompting in two stages as in the paper (thought, output, second thought, refined
@@ -57,12 +53,7 @@ class CodeGenerationOptions:
 
 
 class CodeGenerationRequests:
-    """Makes the requests of one variant of code generation.
-
-    Attributes:
-        parser: Whether instructions are parsed into steps first.
-        options: How the model is asked.
-    """
+    """Makes the requests of one variant of code generation."""
 
     def __init__(
         self, options: CodeGenerationOptions | None = None, *, parser: bool = True

@@ -48,11 +48,7 @@ FAIR_FAILURES = 10
 
 @dataclass(frozen=True, slots=True)
 class NavGPTOptions:
-    """What can be set of the NavGPT agent.
-
-    Raises:
-        SettingsError: A value has no meaning.
-    """
+    """What can be set of the NavGPT agent."""
 
     budget: Literal["fair", "released"] = "fair"
     """Limits of the loop: `released` as the released code has them (10 requests, a
@@ -121,10 +117,8 @@ def loop_limits(options: NavGPTOptions, longest_route: int) -> LoopLimits:
     Fair: two requests for each viewpoint of the site's longest route, and a scratchpad
     that grows with them as in the released code, 700 characters for each.
 
-    Args:
-        options: Which budget, and what is set besides.
-        longest_route: Viewpoints along the longest route of the site, whatever the route
-            of the episode, so that the limits tell nothing of it.
+    `longest_route` has the viewpoints of the longest route of the site, whatever the route
+    of the episode, so that the limits tell nothing of it.
     """
     iterations, scratchpad, failures = RELEASED_ITERATIONS, RELEASED_SCRATCHPAD, None
     if options.budget == "fair":
@@ -149,12 +143,7 @@ class NavGPTAgent:
     def __init__(
         self, model: LanguageModel, options: NavGPTOptions | None = None
     ) -> None:
-        """Prepare the agent.
-
-        Args:
-            model: Is asked once per step.
-            options: The defaults when None.
-        """
+        """Prepare the agent."""
         self.options = options or NavGPTOptions()
         """What was set."""
         self._model = model
@@ -192,11 +181,6 @@ class NavGPTAgent:
         Notes in the journal: `observation`, `model_reply`, `thought`, then `move`,
         `blocked_move`, `refused_move`, `parse_failure` or `final_answer`; at the end, in
         any case, `navgpt` with all counts.
-
-        Raises:
-            LanguageModelError: The model did not answer.
-            EpisodeOver: `budget` after the last iteration, `stuck` after too many
-                failures in a row, or what the robot says.
         """
 
         def ask(start: str, steps: str, listed: Sequence[str]) -> str:
@@ -282,8 +266,8 @@ class Walk:
     def run(self) -> None:
         """Ask and go until the model says that it has arrived.
 
-        Raises:
-            EpisodeOver: A limit is reached, or the robot says so.
+        The episode is over as `budget` after the last iteration, and as `stuck` after too
+        many failures in a row.
         """
         self._place = self._look(compass_degrees(self._robot.start_heading))
         start = self._place

@@ -34,16 +34,7 @@ ALMOST_NORTH = 1e-6
 
 
 def compass_degrees(heading: float) -> float:
-    """Return a heading in degrees clockwise from north, in [0, 360).
-
-    Args:
-        heading: Radians counter-clockwise from east.
-
-    >>> compass_degrees(0.0)
-    90.0
-    >>> compass_degrees(math.pi / 2 + 1e-9)
-    0.0
-    """
+    """Return a heading in degrees clockwise from north, in [0, 360)."""
     clockwise = (math.pi / 2 - heading) % (2 * math.pi)
     if 2 * math.pi - clockwise < ALMOST_NORTH:
         return 0.0

@@ -50,11 +50,7 @@ RANDOM_MOTIONS: tuple[Motion, ...] = ("forward", "left", "right")
 
 @dataclass(frozen=True, slots=True)
 class NavidOptions:
-    """What can be set of the NaVid protocol's agent.
-
-    Raises:
-        SettingsError: A value has no meaning.
-    """
+    """What can be set of the NaVid protocol's agent."""
 
     server: str | None = None
     """Address of a policy server, such as http://localhost:8765; none asks the vision
@@ -121,9 +117,7 @@ class NavidOptions:
     def step_limit(self, fair_steps: int | None) -> int | None:
         """Return the steps of an episode at most; None where only the run's budgets count.
 
-        Args:
-            fair_steps: What the budget `fair` allows where the robot is; None for no
-                limit.
+        `fair_steps` is what the budget `fair` allows where the robot is.
         """
         if self.max_steps is not None:
             return self.max_steps
@@ -140,12 +134,7 @@ class NavidAgent:
     needs: ClassVar[frozenset[Need]] = frozenset({"language_model", "camera", "steps"})
 
     def __init__(self, policy: Policy, options: NavidOptions | None = None) -> None:
-        """Prepare the agent.
-
-        Args:
-            policy: Decides.
-            options: Budgets, motions and how replies are read; the defaults when None.
-        """
+        """Prepare the agent."""
         self._policy = policy
         self._options = options or NavidOptions()
         self.prompts: dict[str, str] = getattr(policy, "prompts", {})
@@ -179,17 +168,8 @@ class NavidAgent:
         Notes in the journal: `model_reply` for each answer, and `decision` with what
         was read from it.
 
-        Args:
-            instruction: Goes to the policy as it is.
-            robot: A `SteppingRobot`.
-            journal: Counts answers.
-            rng: Seeds the policy, and draws motions where `faithful` asks for it.
-            fair_steps: What the budget `fair` allows here; None for no limit of steps.
-
-        Raises:
-            CommandError: The robot has no primitive motions and pictures.
-            LanguageModelError: The policy did not answer, or unreadably too often.
-            EpisodeOver: Stopped, out of budget, or stuck.
+        The generator seeds the policy, and draws motions where `faithful` asks for it.
+        `fair_steps` is what the budget `fair` allows here; None sets no limit of steps.
         """
         if not isinstance(robot, SteppingRobot):
             raise CommandError(

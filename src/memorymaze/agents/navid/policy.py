@@ -117,23 +117,14 @@ class PolicySession(Protocol):
     """One episode with a policy; frames come in the order of their steps, each once."""
 
     def observe(self, frame: Frame) -> None:
-        """Show a picture of the video without asking anything.
-
-        Raises:
-            LanguageModelError: The policy cannot be used any more.
-        """
+        """Show a picture of the video without asking anything."""
         ...
 
     def act(self, frame: Frame, problem: str | None = None) -> Answer:
         """Show a picture, the current one, and ask for the next motion.
 
-        Args:
-            frame: The current picture. It may be one shown before.
-            problem: What was wrong with the answer to this picture just before, where
-                it is asked again; None when it is asked for the first time.
-
-        Raises:
-            LanguageModelError: No answer came, or none that can be used.
+        A frame may be one shown before: `problem` then says what was wrong with the answer to
+        it.
         """
         ...
 
@@ -151,20 +142,13 @@ class Policy(Protocol):
         ...
 
     def begin(self, task: Task) -> PolicySession:
-        """Begin an episode.
-
-        Raises:
-            LanguageModelError: The policy cannot be used.
-        """
+        """Begin an episode."""
         ...
 
 
 def frame_name(episode: str, before: str, motion: str) -> str:
     """Return the name of the picture after a motion, from the name before it.
 
-    Args:
-        episode: What tells the episode from others.
-        before: Name of the picture before the motion; empty at the start.
-        motion: What was done.
+    `before` names the picture before the motion; it is empty at the start.
     """
     return hashlib.sha256(f"{episode}|{before}|{motion}".encode()).hexdigest()[:24]

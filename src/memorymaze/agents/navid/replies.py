@@ -68,9 +68,7 @@ def read_reply(text: str, motions: Motions) -> Command | Unreadable:
     `turn left 30 degrees` or `stop`. What contradicts itself, negates, names no amount
     or less than one primitive is unreadable.
 
-    Args:
-        text: Anything.
-        motions: The primitives; amounts beyond the largest are cut to it.
+    Amounts beyond the largest of the motions are cut to it.
     """
     if len(text) > LONGEST_REPLY:
         return Unreadable(f"the reply has more than {LONGEST_REPLY} characters")
@@ -88,9 +86,7 @@ def read_reply_as_released(text: str, motions: Motions) -> Command | Unreadable:
     becomes `sto`. Of `stop`, `forward`, `left` and `right` the first in this order
     that occurs anywhere counts, with the first whole number anywhere as its amount.
 
-    Args:
-        text: Anything.
-        motions: The primitives; amounts beyond the largest are cut to it.
+    Amounts beyond the largest of the motions are cut to it.
     """
     text = text[:-1]
     if "stop" in text:
