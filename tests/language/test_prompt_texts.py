@@ -6,12 +6,13 @@ from collections.abc import Callable
 import pytest
 
 from memorymaze.agents.code_generation.replies import read_program, read_steps
-from memorymaze.errors import EpisodeOver
+from memorymaze.errors import EpisodeOver, ProgramError
 from memorymaze.instructions.files import load_instructions
 from memorymaze.language.prompt_texts import load_prompt
 from memorymaze.language.sandbox import run_program
 from memorymaze.robot.specification import api_specification
 from memorymaze.sites import load_sites
+from memorymaze.understanding.lengths import MINUTE, SECOND, STEP
 
 PARSING = load_prompt("parse_instruction", answer=load_prompt("answer_steps"))
 WRITING = load_prompt(
@@ -57,6 +58,81 @@ def test_each_example_program_runs_and_stops_by_itself(
     assert over.value.stopped_by == "agent"
     assert robot.names[-1] == "stop"
     assert doubts == []
+
+
+RUNS = {
+    "global": "n = 0\ndef count():\n    global n\n    n += 1\ncount()\nanswer = n",
+    "lambda": "answer = (lambda x: x + 1)(0)",
+    "try": "try:\n    answer = 1 / 0\nexcept ZeroDivisionError:\n    answer = 1",
+    "len": "answer = len([7])",
+    "range": "answer = list(range(2))[1]",
+    "min": "answer = min([3, 1, 2], key=lambda x: x)",
+    "max": "answer = max(x for x in (0, 1))",
+    "sum": "answer = sum(x for x in (0, 1))",
+    "any": "answer = any(x > 1 for x in (1, 2)) + 0",
+    "all": "answer = all([True]) + 0",
+    "sorted": "answer = sorted([2, 1])[0]",
+    "abs": "answer = abs(-1)",
+    "round": "answer = round(1.2)",
+    "enumerate": "answer = [i for i, _ in enumerate('ab')][1]",
+    "zip": "answer = dict(zip('a', [1]))['a']",
+    "math": "import math\nanswer = round(math.cos(0))",
+    "re": "import re\nanswer = int(re.findall('[0-9]', 'a1')[0])",
+}
+FAILS = {
+    "next": "next(x for x in [1])",
+    "yield": "def each():\n    yield 1\neach()",
+    "del": "a = [1]\ndel a[0]",
+    "key=": "max([1, 2], key=lambda x: distance_travelled())",
+}
+FAILS_UNNAMED = [
+    pytest.param("class A:\n    pass\nclass B(A):\n    pass", id="class inheritance"),
+    pytest.param("open('map')", id="files"),
+    pytest.param("input()", id="user input"),
+]
+
+
+def test_the_prompt_names_the_python_that_there_is():
+    (line,) = re.findall(r"^- Use plain Python:.*$", WRITING, re.M)
+    assert set(re.findall(r"`(\S+)`", line)) == RUNS.keys() | FAILS.keys()
+    assert all(words in line for words in ("class inheritance", "Files", "user input"))
+
+
+@pytest.mark.parametrize("program", RUNS.values(), ids=RUNS)
+def test_python_that_the_prompt_names_runs(program: str, make_robot: Callable):
+    robot = make_robot()
+    run_program(f"{program}\nsay(str(answer))", robot)
+    assert robot.calls == [("say", "1")]
+
+
+@pytest.mark.parametrize(
+    "program", [*(pytest.param(FAILS[name], id=name) for name in FAILS), *FAILS_UNNAMED]
+)
+def test_python_that_the_prompt_says_is_missing_fails(
+    program: str, make_robot: Callable
+):
+    with pytest.raises(ProgramError):
+        run_program(program, make_robot())
+
+
+def test_times_and_paces_are_as_long_as_the_project_reads_them():
+    told = re.search(
+        r"a pace is ([\d.]+) m, a second about ([\d.]+) m, a minute about ([\d.]+) m",
+        PARSING,
+    )
+    assert told is not None
+    assert [float(each) for each in told.groups()] == pytest.approx(
+        [STEP, SECOND, MINUTE], rel=0.1
+    )
+
+
+@pytest.mark.parametrize("number", range(4))
+def test_no_example_drives_away_before_it_has_looked(number: int, make_robot: Callable):
+    robot = make_robot(call_budget=2000)
+    with pytest.raises(EpisodeOver):
+        run_program(programs()[number], robot)
+    moved = robot.names.index("move_forward")
+    assert "detect_turning_point" in robot.names[:moved]
 
 
 def test_no_words_of_the_benchmarks_buildings_are_in_the_prompts():

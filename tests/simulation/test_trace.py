@@ -3,10 +3,11 @@ from collections.abc import Callable
 import pytest
 
 from memorymaze.errors import EpisodeOver
-from memorymaze.simulation import Scene, SimulatedRobot
+from memorymaze.simulation import Scene, SimulatedRobot, SimulationSettings
 
 PutRobot = Callable[..., SimulatedRobot]
 Scenes = dict[str, Scene]
+ApiSays = Callable[[str], None]
 
 
 def repeat(call: Callable[[], object], times: int) -> None:
@@ -67,6 +68,14 @@ def test_calls_that_change_nothing_end_the_episode_as_stuck(
     with pytest.raises(EpisodeOver) as over:
         repeat(lambda: call(robot), 4)
     assert over.value.stopped_by == robot.stopped_by == "stuck"
+
+
+def test_the_control_api_names_the_limits_of_calls(api_says: ApiSays) -> None:
+    limits = SimulationSettings()
+    api_says(f"so are calls, to {limits.call_budget:,}.")
+    api_says(
+        f"After {limits.stuck_limit} calls in a row without motion or anything new"
+    )
 
 
 def test_asking_for_something_else_is_not_stuck(

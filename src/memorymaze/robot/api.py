@@ -71,7 +71,8 @@ class Detection:
     box: tuple[float, float, float, float]
     """Pixels (left, top, right, bottom) in the 640x480 picture."""
     score: float
-    """How well it fits the words asked for, 0 to 1."""
+    """How well it fits the words asked for, 0 to 1. What fits badly is left out
+    already: no threshold is needed."""
     distance: float
     """Metres from the camera to the nearest part seen of it."""
     bearing_deg: float
@@ -100,8 +101,14 @@ class Robot(Protocol):
 
     It is 0.5 m wide, drives at up to 1.0 m/s, and has a camera that looks ahead
     (640x480 pixels, 90 degrees wide, 1.25 m above the floor). It knows neither a map
-    nor where the goal is. The start heading is given: the robot already faces the
-    way the description begins with.
+    nor where the goal is.
+
+    At the start it faces the way the description begins with: what one comes from
+    ("from the lifts") is behind it, and every turn that is told is still to be made.
+    It may stand inside a turning point already, that of the first turn.
+
+    Time is limited, to a small multiple of what the way takes; so are calls, to
+    10,000. After 40 calls in a row without motion or anything new the walk is over.
     """
 
     def move_forward(self, distance: float) -> MoveResult:
@@ -109,10 +116,12 @@ class Robot(Protocol):
 
         The robot follows the straight corridor it faces; in an open area it goes
         straight on. It goes round obstacles where there is room. It does not stop at
-        turning points, and it does not follow the way round a corner: at a wall or
-        an obstacle it cannot pass it halts. Use small distances (0.5) in a loop to
-        look for something while walking; use one long distance only when the
-        description gives one.
+        turning points. It follows bends of up to 15 degrees; sharper ones are turning
+        points, in which it halts with `wall` until `turn` is called. `obstacle` is a
+        thing that blocks the way, or a person it has waited for, about 15 seconds: for
+        a person try again, which waits again; for a thing that never helps. Use small
+        distances (0.5) in a loop to look for something while walking; use one long
+        distance only when the description gives one.
 
         Args:
             distance: Metres, greater than 0.
@@ -131,14 +140,22 @@ class Robot(Protocol):
     def detect_turning_point(self) -> list[Direction]:
         """Return the directions one can go from the turning point the robot is in.
 
-        Inside a turning point (a corner, junction or crossing) these are relative to
-        the way the robot faces: `left`, `right`, `forward`, and the slanted ones
-        where a way is clearly neither: `slight_left`, `slight_right`, `sharp_left`,
-        `sharp_right`. The way it came from is never among them. Elsewhere the list
-        is empty. A corner where the way only bends right gives `["right"]`; one that
-        only leads straight on gives `["forward"]`. A turning point is several metres
-        long, so consecutive steps see the same one: use `turning_point_id()` to tell
-        one from the next.
+        Inside a turning point (a corner, junction, crossing, or where a hall begins)
+        these are relative to the way the robot faces: `forward` up to 15 degrees off
+        it, `slight_left` and `slight_right` up to 60, `left` and `right` up to 120,
+        `sharp_left` and `sharp_right` up to 160. Elsewhere, and at dead ends, the list
+        is empty. Ways are corridors and open floor, also where automatic doors stand
+        open to it; doors of rooms, lifts and stairs are none.
+
+        A corner where the way only bends right gives `["right"]`, a fork
+        `["slight_left", "slight_right"]` without `forward`, a place that only leads
+        straight on `["forward"]`. A way on the left and one on the right that do not
+        face each other are two turning points.
+
+        The way by which the robot came into the turning point is never in the list,
+        even when it has turned there and faces it; `turn` then takes it. A turning
+        point is several metres long, so consecutive steps see the same one: use
+        `turning_point_id()` to tell one from the next.
 
         Example:
             >>> while "left" not in detect_turning_point():
@@ -167,11 +184,13 @@ class Robot(Protocol):
         """Turn on the spot to face the way that lies in a direction.
 
         Works inside a turning point, where the robot moves to the middle of it if
-        need be and then faces along the way chosen. `left` also finds the slanted
-        way on that side when no way lies straight to the left (and the same for
-        `right`, and `forward` finds the way that bends least). `around` turns back
-        and works anywhere. Where no way lies in the direction, the robot does not
-        move and `turned` is False.
+        need be and then faces along the way chosen. Where no way carries the very
+        word, `left` finds one from 30 to 150 degrees, `slight_left` from 10 to 75,
+        `sharp_left` from 105 to 165 (the same to the right), and `forward` the one
+        that bends least, up to 60: between just a left and a right way it is refused.
+        `around` turns back and works anywhere. Where no way lies in the direction, the
+        robot does not move and `turned` is False. To face what is no way, use
+        `turn_by`.
 
         Args:
             direction: `left`, `right`, `forward`, `slight_left`, `slight_right`,
@@ -205,7 +224,10 @@ class Robot(Protocol):
         Any English words can be asked for: "door", "red chair", "vending machine",
         "sign that says Library". Only things within 4 m and in view (45 degrees to
         either side of straight ahead, not hidden by walls or other things) are
-        found. The same thing seen again keeps its `track_id`, so counting different
+        found. Rooms are found by their doors ("library", "room 12"); floors, walls,
+        corridors and halls are not. Numbers match whole: "sign that says 12" finds
+        neither 112 nor 13. A sign may bear the words and only point the way: read it.
+        The same thing seen again keeps its `track_id`, so counting different
         `track_id`s counts things.
 
         Args:
@@ -226,8 +248,11 @@ class Robot(Protocol):
 
         Signs, room numbers, labels on doors, posters and screens are read where they
         are within 6 m, in view, turned towards the robot, and their letters are large
-        enough. The text comes as it is written, so compare it in lower case and look
-        for single words.
+        enough. One flat on a side wall is read while walking past, for a few steps of
+        0.5 m before the robot is beside it: read at each of them, or face it with
+        `turn_by`. The text comes as it is written, so compare it in lower case and look
+        for single words. One with an arrow, a distance, "left", "right" or "straight"
+        points the way; one without is mostly at the place.
 
         Example:
             >>> for sign in read_signs():
@@ -258,7 +283,8 @@ class Robot(Protocol):
     def stop(self) -> None:
         """End the walk here, as at the destination. Nothing can follow it.
 
-        A program that reaches its last line stops too.
+        It counts as arrived less than 3 m from the destination, as one walks. A program
+        that reaches its last line stops too.
 
         Example:
             >>> stop()

@@ -11,6 +11,7 @@ from memorymaze.simulation import Scene, SimulatedRobot, build_scene
 
 PutRobot = Callable[..., SimulatedRobot]
 Scenes = dict[str, Scene]
+ApiSays = Callable[[str], None]
 
 
 def walk_until(robot: SimulatedRobot, direction: str) -> None:
@@ -207,7 +208,10 @@ def test_passes_an_obstacle_and_returns_to_the_middle(
     assert robot.collisions == ()
 
 
-def test_halts_before_a_gap_that_is_too_narrow(plans: Any, put_robot: PutRobot) -> None:
+def test_halts_before_a_gap_that_is_too_narrow(
+    plans: Any, put_robot: PutRobot, api_says: ApiSays
+) -> None:
+    api_says("for a person try again, which waits again; for a thing that never helps")
     site = plans.site(
         plans.corridor("way", 0, -1, 20, 1),
         plans.thing("north", 10, 0.65, size=(0.8, 0.5, 1.0)),
@@ -217,6 +221,8 @@ def test_halts_before_a_gap_that_is_too_narrow(plans: Any, put_robot: PutRobot) 
     result = robot.move_forward(16)
     assert result.reason == "obstacle"
     assert 9 < robot.pose.x < 9.6
+    again = robot.move_forward(1)
+    assert (again.reason, again.distance) == ("obstacle", pytest.approx(0, abs=0.02))
     assert robot.collisions == ()
 
 
@@ -295,22 +301,29 @@ def bend(plans: Any, degrees: float) -> Any:
     )
 
 
-def test_follows_a_slight_bend(plans: Any, put_robot: PutRobot) -> None:
-    robot = put_robot(build_scene(bend(plans, 10)), 1, 0)
+@pytest.mark.parametrize("degrees", [10, 14])
+def test_follows_a_slight_bend(
+    plans: Any, put_robot: PutRobot, api_says: ApiSays, degrees: float
+) -> None:
+    api_says("It follows bends of up to 15 degrees; sharper ones are turning points")
+    robot = put_robot(build_scene(bend(plans, degrees)), 1, 0)
     assert robot.move_forward(18).reason == "done"
-    assert robot.pose.heading == pytest.approx(math.radians(10), abs=0.03)
+    assert robot.pose.heading == pytest.approx(math.radians(degrees), abs=0.03)
     assert robot.collisions == ()
 
 
+@pytest.mark.parametrize("degrees", [17, 25])
 def test_halts_in_the_turning_point_of_a_real_bend(
-    plans: Any, put_robot: PutRobot
+    plans: Any, put_robot: PutRobot, api_says: ApiSays, degrees: float
 ) -> None:
-    robot = put_robot(build_scene(bend(plans, 25)), 1, 0)
+    api_says("in which it halts with `wall` until `turn` is called")
+    robot = put_robot(build_scene(bend(plans, degrees)), 1, 0)
     assert robot.move_forward(18).reason == "wall"
+    assert robot.move_forward(1).distance < 0.05
     assert robot.detect_turning_point() == ["slight_left"]
     assert robot.turn("slight_left").turned
     assert robot.move_forward(8).reason == "done"
-    assert robot.pose.heading == pytest.approx(math.radians(25), abs=0.03)
+    assert robot.pose.heading == pytest.approx(math.radians(degrees), abs=0.03)
     assert robot.collisions == ()
 
 

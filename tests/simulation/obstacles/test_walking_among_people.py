@@ -133,7 +133,9 @@ def test_a_person_who_blocks_the_way_for_good_is_reported(narrow, crowded, perso
     assert robot.collisions == ()
 
 
-def test_each_call_has_patience_anew(narrow, crowded, person_of):
+def test_each_call_has_patience_anew(narrow, crowded, person_of, api_says):
+    api_says("a person it has waited for, about 15 seconds")
+    assert ObstacleSettings().patience == 15
     robot = crowded(narrow, patience=2.0)
     person_of(robot, 6, 0, stands_until=math.inf)
     robot.move_forward(8)

@@ -1,4 +1,5 @@
 import math
+from collections.abc import Callable
 from itertools import pairwise
 from typing import Any, NamedTuple
 
@@ -167,6 +168,22 @@ def test_a_crossing_leaves_three_ways_and_ends_behind_it(
     all_three = frozenset({"left", "right", "forward"})
     assert {each.directions for each in seen} == {all_three}
     assert -2.2 < seen[0].x < 0 < seen[-1].x < 2.2
+
+
+@pytest.mark.parametrize(("set_off", "numbers"), [(0, {1}), (3, {1, 2})])
+def test_ways_that_do_not_face_each_other_are_two_turning_points(
+    plans: Any, api_says: Callable[[str], None], set_off: float, numbers: set[int]
+) -> None:
+    api_says("that do not face each other are two turning points")
+    scene = corridors(
+        plans,
+        (-14, -1.2, 14, 1.2),
+        (-1.2, 0, 1.2, 12),
+        (set_off - 1.2, -12, set_off + 1.2, 0),
+    )
+    seen = drive(scene, [(-10, 0), (12, 0)])
+    assert {each.number for each in seen} == numbers
+    assert any({"left", "right"} <= each.directions for each in seen) == (not set_off)
 
 
 def test_a_corner_leaves_one_way(plans: Any) -> None:

@@ -1,0 +1,65 @@
+"""What is asked belongs to a version of the prompt, and older answers still count."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+from memorymaze.agents.code_generation.requests import CodeGenerationRequests
+from memorymaze.language.answers import (
+    AboutInstruction,
+    RecordingModel,
+    ReplayingModel,
+)
+from memorymaze.language.model import CompletionRequest
+from memorymaze.language.scripted_model import ScriptedLanguageModel
+
+OLDER = {"parse+parser": "91495d0fcebb", "program+parser": "9452669bba95"}
+"""Versions of the prompts before the control API had `turn_by`."""
+
+
+def requests() -> list[CompletionRequest]:
+    asking = CodeGenerationRequests(parser=True)
+    return [asking.parse("Go left."), asking.program("1. Turn left.")]
+
+
+def test_the_prompts_have_another_version_than_before() -> None:
+    now = CodeGenerationRequests(parser=True).prompts
+    assert now.keys() == OLDER.keys()
+    assert not set(now.values()) & set(OLDER.values())
+
+
+@pytest.mark.parametrize("told", [True, False], ids=["told", "not told"])
+def test_answers_in_a_file_to_an_older_prompt_are_found(
+    tmp_path: Path, told: bool
+) -> None:
+    file = tmp_path / "answers.jsonl"
+    with file.open("w", encoding="utf-8") as lines:
+        for stage, version in OLDER.items():
+            answer = {"instruction_id": "a", "stage": stage, "reply": f"To {stage}."}
+            lines.write(json.dumps(answer | ({"prompt": version} if told else {})))
+            lines.write("\n")
+    model = AboutInstruction(ReplayingModel(file), "a")
+
+    for request, stage in zip(requests(), OLDER, strict=True):
+        assert model.complete(request).text == f"To {stage}."
+
+
+def test_answers_in_a_store_to_an_older_prompt_are_found(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    store = tmp_path / "answers.sqlite"
+    with monkeypatch.context() as before:
+        before.setattr(
+            "memorymaze.agents.code_generation.requests.api_specification",
+            lambda: "def move_forward(distance: float) -> MoveResult: ...",
+        )
+        (older,) = requests()[1:]
+    recording = RecordingModel(ScriptedLanguageModel(["Recorded."]), store)
+    AboutInstruction(recording, "a").complete(older)
+
+    (now,) = requests()[1:]
+    assert now != older
+    assert (
+        AboutInstruction(ReplayingModel(store), "a").complete(now).text == "Recorded."
+    )
