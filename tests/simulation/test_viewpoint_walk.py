@@ -1,5 +1,6 @@
 import math
 from collections.abc import Callable
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -14,7 +15,7 @@ from memorymaze.simulation.viewpoint_walk import (
     look_around,
     sector_headings,
 )
-from memorymaze.sites import Site
+from memorymaze.sites import Site, load_site
 from memorymaze.sites.navigation_graph import (
     NavigationGraph,
     Viewpoint,
@@ -164,6 +165,25 @@ def test_what_walls_hide_is_not_seen(t_site: Site) -> None:
 
 def test_words_on_signs_can_be_read(t_site: Site) -> None:
     assert 'white sign "Library left, lift right"' in str(look(t_site, 0.0, -2.0))
+
+
+def test_words_are_told_only_where_their_side_is_seen(
+    changed: Callable[..., Path],
+) -> None:
+    board = {
+        "geometry.coordinates": [10, 0],
+        "properties.category": "signboard",
+        "properties.text": "← Library",
+        "properties.mount": "ceiling",
+        "properties.heading_deg": 180,
+        "properties.size_m": [1.2, 0.1, 0.4],
+        "properties.obstacle": False,
+    }
+    site = load_site(changed("corridor", "bench", board))
+    assert 'signboard "← Library"' in str(look(site, 7.0, 0.0))
+    from_behind = str(look(site, 13.0, 0.0))
+    assert "signboard" in from_behind
+    assert "Library" not in from_behind
 
 
 def test_a_long_way_and_a_wall_are_told_apart(corridor_site: Site) -> None:

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import chain
 
 from shapely import Point
@@ -191,13 +191,24 @@ def look_around(robot: SimulatedRobot, x: float, y: float) -> Panorama:
 def _sightings(
     robot: SimulatedRobot, x: float, y: float, headings: Sequence[float]
 ) -> list[_Sighting]:
-    """Return each thing seen once: as the look shows it that has it most central."""
+    """Return each thing seen once: as the look shows it that has it most central.
+
+    Boards that are seen from behind have no words.
+    """
     best: dict[tuple[object, ...], tuple[float, _Sighting]] = {}
     for heading in headings:
         camera = robot.camera_view_from(Pose(x, y, heading))
+        turned_away = {
+            (each.bearer.description, each.bearer.position)
+            for each in camera.visible_texts(SEEN_WITHIN)
+            if each.facing > math.pi / 2
+        }
         for seen in camera.visible_objects(SEEN_WITHIN):
             which = (seen.description, seen.position)
             aside = abs(seen.bearing)
+            if which in turned_away:
+                wordless = replace(seen.description, text=None)
+                seen = replace(seen, description=wordless)
             if which not in best or aside < best[which][0]:
                 there = _Sighting(wrap_angle(heading + seen.bearing), seen)
                 best[which] = (aside, there)
