@@ -3,9 +3,10 @@ import pytest
 
 from memorymaze.errors import SettingsError
 from memorymaze.pictures.looks import surfaces
+from memorymaze.sites.checking import FLOOR_MATERIALS
 
 
-@pytest.mark.parametrize("name", surfaces.FLOOR_MATERIALS)
+@pytest.mark.parametrize("name", FLOOR_MATERIALS)
 def test_floors_repeat_without_a_seam(name: str) -> None:
     texture = surfaces.floor(name).texture
     assert texture is not None
@@ -30,7 +31,7 @@ def test_materials_can_be_told_apart() -> None:
     means = {
         (kind.__name__, name): tuple(kind(name).texture.mean(axis=(0, 1)).round())
         for kind, names in (
-            (surfaces.floor, surfaces.FLOOR_MATERIALS),
+            (surfaces.floor, FLOOR_MATERIALS),
             (surfaces.wall, ("plaster", "wood_panel", "brick", "concrete")),
         )
         for name in names

@@ -163,15 +163,13 @@ def area_of(part: MeshPart) -> float:
     return float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2)
 
 
-def furniture_for(
-    archetype: str, order: Order, folder: Path | None = None
-) -> ObjectModel | None:
+def furniture_for(archetype: str, order: Order) -> ObjectModel | None:
     """Return a converted model that fills the box of a thing exactly.
 
-    None where there is none in the folder (by default the user's cache), none has about
-    the thing's proportions, or words have to stand on it.
+    None where the user's cache has none, none has about the thing's proportions, or
+    words have to stand on it.
     """
-    folder = folder or cache_folder()
+    folder = cache_folder()
     pieces = credits_in(folder).get(archetype, ())
     if order.text or not pieces:
         return None

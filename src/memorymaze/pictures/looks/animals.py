@@ -196,10 +196,7 @@ def whale_skeleton(made: Assembly, order: Order) -> None:
     deep = order.depth * 0.94
     strip = 0.16 * tall if order.text else 0.0
     made.box(paint((0.1, 0.2, 0.34)), order.x.start(0.02), order.y, (strip, tall))
-    if order.text:
-        made.words(
-            order.text or "", (0.1, 0.2, 0.34), order.x.start(0.02), order.y, (0, strip)
-        )
+    made.words(order.text, (0.1, 0.2, 0.34), order.x.start(0.02), order.y, (0, strip))
     spine = 0.66 * tall
     path = [
         (0.0, -half * 0.5, spine),

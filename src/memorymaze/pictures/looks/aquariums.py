@@ -52,10 +52,7 @@ def aquarium_window(made: Assembly, order: Order) -> None:
         y,
         (low, order.height - frame),
     )
-    if order.text:
-        made.words(
-            order.text, BASALT, order.x.inset(0.01, 0), y, (low * 0.08, low * 0.94)
-        )
+    made.words(order.text, BASALT, order.x.inset(0.01, 0), y, (low * 0.08, low * 0.94))
 
 
 def aquarium(made: Assembly, order: Order) -> None:
@@ -169,15 +166,13 @@ def wave_tank(made: Assembly, order: Order) -> None:
         box(order.x.inset(0.06), around(paddle, 0.02), (deck + 0.05, top + 0.04)),
         tube([(0, paddle, top), (0, paddle - 0.3, order.height - 0.02)], 0.025, 6),
     )
-    if order.text:
-        wide, tall = order.length * 0.6, 0.2
-        made.words(
-            order.text,
-            (0.1, 0.25, 0.45),
-            order.x.end(0.02),
-            around(0, wide / 2),
-            (deck - 0.04 - tall, deck - 0.04),
-        )
+    made.words(
+        order.text,
+        (0.1, 0.25, 0.45),
+        order.x.end(0.02),
+        around(0, order.length * 0.3),
+        (deck - 0.04 - 0.2, deck - 0.04),
+    )
 
 
 def submersible(made: Assembly, order: Order) -> None:
@@ -273,12 +268,10 @@ def submersible(made: Assembly, order: Order) -> None:
         [(r * 0.62, -0.1), (r * 0.66, -0.1), (r * 0.66, 0.1), (r * 0.62, 0.1)], 20
     ).turned("x", 90)
     made.add(paint(BASALT, 0.3), guard.moved(0, half - 0.1, middle))
-    if order.text:
-        wide, high = 0.62 * half, 0.5 * r
-        made.words(
-            order.text,
-            (0.12, 0.12, 0.2),
-            (0, deep * 0.93),
-            (0.02 * half, 0.02 * half + wide),
-            (middle - 0.35 * r, middle - 0.35 * r + high),
-        )
+    made.words(
+        order.text,
+        (0.12, 0.12, 0.2),
+        (0, deep * 0.93),
+        (0.02 * half, 0.02 * half + 0.62 * half),
+        (middle - 0.35 * r, middle - 0.35 * r + 0.5 * r),
+    )

@@ -387,10 +387,10 @@ def _small_print(image: Image.Image, field: Field, ink: Rgb, variant: int) -> No
 
 
 @cache
-def earth(sea: Rgb = OCEAN, land: Rgb = LAND) -> Pixels:
+def earth() -> Pixels:
     """Return the earth's surface to wrap round a ball, (256, 512, 3)."""
-    image = Image.new("RGB", (512, 256), rgb255(sea))
-    _draw_continents(image, whole(image), land)
+    image = Image.new("RGB", (512, 256), rgb255(OCEAN))
+    _draw_continents(image, whole(image), LAND)
     draw = ImageDraw.Draw(image)
     draw.rectangle([0, 0, 512, 9], rgb255(ICE))
     return pixels_of(image)

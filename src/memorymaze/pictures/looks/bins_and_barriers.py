@@ -163,15 +163,13 @@ def cardboard_boxes(made: Assembly, order: Order) -> None:
         )
         x = order.x.inset(0.06 * order.depth, 0.14 * order.depth)
         _carton(made, shade(order.colour(CARDBOARD), 1.1), x, y, (split, order.height))
-    if order.text:
-        wide = order.length * 0.6
-        made.words(
-            order.text,
-            (0.95, 0.93, 0.88),
-            order.x.end(0.02, -0.003),
-            around(0, wide / 2),
-            (split * 0.2, split * 0.55),
-        )
+    made.words(
+        order.text,
+        (0.95, 0.93, 0.88),
+        order.x.end(0.02, -0.003),
+        around(0, order.length * 0.3),
+        (split * 0.2, split * 0.55),
+    )
 
 
 def queue_barrier(made: Assembly, order: Order) -> None:

@@ -105,11 +105,9 @@ def blank_board(width: float, height: float, ground: Rgb) -> Pixels:
 
 
 @cache
-def exit_board(
-    width: float, height: float, text: str, ground: Rgb = SAFETY_GREEN
-) -> Pixels:
+def exit_board(width: float, height: float, text: str) -> Pixels:
     """Return an emergency exit sign with its running man and words."""
-    image = blank(width, height, ground)
+    image = blank(width, height, SAFETY_GREEN)
     field = whole(image).inset(0.08)
     if width > 1.2 * height:
         side = field.height

@@ -102,15 +102,13 @@ def display_case(made: Assembly, order: Order) -> None:
             made.box(frame, (x, x + 0.022), (y, y + 0.022), (plinth, roof))
     _exhibits(made, order, (plinth, roof))
     made.box(glass(), order.x.end(0.012, 0.004), order.y.inset(0.022), (plinth, roof))
-    if order.text:
-        wide = order.length * 0.94
-        made.words(
-            order.text,
-            (0.12, 0.12, 0.14),
-            order.x.end(0.03),
-            around(0, wide / 2),
-            (plinth * 0.1, plinth * 0.9),
-        )
+    made.words(
+        order.text,
+        (0.12, 0.12, 0.14),
+        order.x.end(0.03),
+        around(0, order.length * 0.47),
+        (plinth * 0.1, plinth * 0.9),
+    )
 
 
 def drop_box(made: Assembly, order: Order) -> None:
@@ -151,17 +149,13 @@ def drop_box(made: Assembly, order: Order) -> None:
             (-half, half),
             around(slot, 0.035),
         )
-    if order.text:
-        middle = order.height * (0.3 if see_through else 0.42)
-        tall = 0.36 * order.height
-        wide = order.length * 0.86
-        made.words(
-            order.text,
-            shade(colour, 0.6) if ink_on(colour)[0] > 0.5 else (0.97, 0.97, 0.95),
-            order.x.end(0.04, 0.006),
-            around(0, wide / 2),
-            around(middle, tall / 2),
-        )
+    made.words(
+        order.text,
+        shade(colour, 0.6) if ink_on(colour)[0] > 0.5 else (0.97, 0.97, 0.95),
+        order.x.end(0.04, 0.006),
+        around(0, order.length * 0.43),
+        around(order.height * (0.3 if see_through else 0.42), 0.18 * order.height),
+    )
 
 
 def _exhibits(made: Assembly, order: Order, room: Span) -> None:

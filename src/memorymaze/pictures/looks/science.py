@@ -147,15 +147,13 @@ def cloud_chamber(made: Assembly, order: Order) -> None:
         made.box(metal(STEEL), edge, order.y, order.z.end(0.03))
         rim = between(order.y[side], order.y[side] + (0.03 if side == 0 else -0.03))
         made.box(metal(STEEL), order.x.inset(0.03), rim, order.z.end(0.03))
-    if order.text:
-        wide, tall = order.length * 0.84, base * 0.3
-        made.words(
-            order.text,
-            (0.93, 0.93, 0.92),
-            order.x.end(0.04),
-            around(0, wide / 2),
-            (base * 0.55, base * 0.55 + tall),
-        )
+    made.words(
+        order.text,
+        (0.93, 0.93, 0.92),
+        order.x.end(0.04),
+        around(0, order.length * 0.42),
+        (base * 0.55, base * 0.55 + base * 0.3),
+    )
 
 
 def city_model(made: Assembly, order: Order) -> None:
@@ -269,15 +267,13 @@ def seismograph(made: Assembly, order: Order) -> None:
         box(order.x.inset(0, 0.02), order.y, (0, base)),
         box(order.x, order.y, (base - 0.04, base)),
     )
-    if order.text:
-        wide, tall = order.length * 0.8, base * 0.32
-        made.words(
-            order.text,
-            (0.12, 0.1, 0.08),
-            order.x.end(0.04, 0.006),
-            around(0, wide / 2),
-            (base * 0.5, base * 0.5 + tall),
-        )
+    made.words(
+        order.text,
+        (0.12, 0.1, 0.08),
+        order.x.end(0.04, 0.006),
+        around(0, order.length * 0.4),
+        (base * 0.5, base * 0.5 + base * 0.32),
+    )
     r = min(0.16, 0.3 * (order.height - base))
     z = base + r + 0.08
     brass = metal((0.78, 0.62, 0.28))
@@ -419,12 +415,10 @@ def listening_horn(made: Assembly, order: Order) -> None:
         ring = cylinder(share * r, (at * deep, (at + 0.02) * deep), 24)
         colour = shade(order.colour((0.83, 0.65, 0.22)), tone)
         made.add(paint(colour), ring.turned("y", 90).moved(back, 0, z))
-    if order.text:
-        wide = order.length * 0.94
-        made.words(
-            order.text,
-            (0.12, 0.12, 0.14),
-            order.x.start(0.03),
-            around(0, wide / 2),
-            (0, label * 0.9),
-        )
+    made.words(
+        order.text,
+        (0.12, 0.12, 0.14),
+        order.x.start(0.03),
+        around(0, order.length * 0.47),
+        (0, label * 0.9),
+    )

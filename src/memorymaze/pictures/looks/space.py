@@ -208,15 +208,13 @@ def space_station_module(made: Assembly, order: Order) -> None:
         (low * 0.9, middle + 0.5 * r),
         0.05,
     )
-    if order.text:
-        wide, tall = order.length * 0.5, 0.3 * r
-        made.words(
-            order.text,
-            (0.1, 0.2, 0.45),
-            (0, front * 0.9),
-            around(0, wide / 2),
-            (middle + 0.56 * r, middle + 0.56 * r + tall),
-        )
+    made.words(
+        order.text,
+        (0.1, 0.2, 0.45),
+        (0, front * 0.9),
+        around(0, order.length * 0.25),
+        (middle + 0.56 * r, middle + 0.56 * r + 0.3 * r),
+    )
     for y in (-half * 0.55, half * 0.55):
         cradle = [
             (-front * 0.8, 0),
@@ -280,15 +278,13 @@ def planet_model(made: Assembly, order: Order) -> None:
     if "saturn" in name:
         ring = _hoop(radius * 1.4, 0.03, upright=False).turned("y", 15)
         made.add(paint((0.85, 0.78, 0.6)), ring.moved(0, 0, middle))
-    if order.text:
-        wide = min(order.length, 0.9) * 0.9
-        made.words(
-            order.text,
-            (0.08, 0.08, 0.14),
-            order.x.start(0.03),
-            around(0, wide / 2),
-            (0, label * 0.9),
-        )
+    made.words(
+        order.text,
+        (0.08, 0.08, 0.14),
+        order.x.start(0.03),
+        around(0, min(order.length, 0.9) * 0.45),
+        (0, label * 0.9),
+    )
 
 
 def hanging_planets(made: Assembly, order: Order) -> None:

@@ -19,8 +19,6 @@ PIXELS = 512
 """Edge of every picture."""
 DADO = 1.05
 """Metres up to which long empty walls have panels."""
-FLOOR_MATERIALS = ("carpet", "linoleum", "wood", "concrete", "tile")
-WALL_MATERIALS = ("plaster", "glass", "wood_panel", "brick", "concrete")
 
 
 @cache
@@ -44,7 +42,7 @@ def floor(name: str) -> Material:
     }
     if name not in makers:
         raise SettingsError(
-            f"floor_material: expected one of {', '.join(FLOOR_MATERIALS)}, got {name!r}"
+            f"floor_material: expected one of {', '.join(makers)}, got {name!r}"
         )
     glossy = {"carpet": 0.05, "linoleum": 0.1, "wood": 0.13, "concrete": 0.08}
     picture = (
@@ -66,7 +64,7 @@ def wall(name: str) -> Material:
     }
     if name not in makers:
         raise SettingsError(
-            f"wall_material: expected one of {', '.join(WALL_MATERIALS)}, got {name!r}"
+            f"wall_material: expected one of {', '.join(makers)}, got {name!r}"
         )
     height = (np.arange(PIXELS) + 0.5) / PIXELS
     # Rows from the top: darker right under the ceiling and above the floor.

@@ -8,6 +8,8 @@ import numpy as np
 from memorymaze.pictures.looks.shapes import Floats, Shape, crossed, joined, smoothed
 
 Point3 = tuple[float, float, float]
+RIB = 0.12
+"""How far the rib of a leaf is raised, as a share of its width."""
 
 
 def tube(
@@ -86,13 +88,11 @@ def lofted(
     )
 
 
-def leaves(
-    bases: Floats, tips: Floats, widths: Floats, thickness: float = 0.12
-) -> Shape:
+def leaves(bases: Floats, tips: Floats, widths: Floats) -> Shape:
     """Return thin closed leaves, four flat triangles each.
 
     They grow from bases (N, 3) to tips not straight above or below; widths (N,) are
-    metres across, and the rib is raised by a share of them.
+    metres across.
     """
     along = tips - bases
     sideways = np.column_stack([-along[:, 1], along[:, 0], np.zeros(len(along))])
@@ -101,7 +101,7 @@ def leaves(
     upwards /= np.linalg.norm(upwards, axis=1, keepdims=True)
     half = widths[:, None] / 2
     middle = bases + along * 0.45
-    raised = middle + upwards * widths[:, None] * thickness
+    raised = middle + upwards * widths[:, None] * RIB
     left, right = middle + sideways * half, middle - sideways * half
     # The rib runs below the blade's plane: base, left, right, and the tip above.
     corners = (bases, left - (raised - middle), right - (raised - middle), tips)
@@ -160,17 +160,11 @@ def _round_path(
 def _with_round_ends(
     points: Floats, radii: Floats, tangents: Floats, stretch: Floats
 ) -> tuple[Floats, Floats, Floats, Floats]:
-    steps = ((0.75, 0.66),)
-    head = [points[0] - tangents[0] * radii[0] * out for out, _ in steps]
-    tail = [points[-1] + tangents[-1] * radii[-1] * out for out, _ in reversed(steps)]
-    narrow = [share for _, share in steps]
+    head = points[0] - tangents[0] * radii[0] * 0.75
+    tail = points[-1] + tangents[-1] * radii[-1] * 0.75
     return (
         np.vstack([head, points, tail]),
-        np.concatenate([
-            radii[0] * np.array(narrow),
-            radii,
-            radii[-1] * np.array(narrow[::-1]),
-        ]),
+        np.concatenate([[0.66 * radii[0]], radii, [0.66 * radii[-1]]]),
         np.vstack([tangents[:1], tangents, tangents[-1:]]),
         np.concatenate([[1], stretch, [1]]),
     )

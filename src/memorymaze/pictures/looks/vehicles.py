@@ -81,15 +81,14 @@ def exercise_bike(made: Assembly, order: Order) -> None:
         tube([(0, half * 0.8, 0.07), (0, half * 0.8, h - 0.24)], 0.018, 6),
         box((-0.02, 0.02), (-half, half), (0, 0.02)),
     )
-    if order.text:
-        wide = order.length * 0.35
-        made.words(
-            order.text,
-            (0.96, 0.96, 0.94),
-            order.x.end(0.03),
-            (-wide, wide),
-            (0.08, 0.28),
-        )
+    wide = order.length * 0.35
+    made.words(
+        order.text,
+        (0.96, 0.96, 0.94),
+        order.x.end(0.03),
+        (-wide, wide),
+        (0.08, 0.28),
+    )
 
 
 def bicycle(made: Assembly, order: Order) -> None:
@@ -297,14 +296,13 @@ def trolley(made: Assembly, order: Order) -> None:
             around(y, 0.08),
             (z, z + 0.12 + 0.03 * place),
         )
-    if order.text:
-        made.words(
-            order.text,
-            (0.93, 0.93, 0.92),
-            order.x.end(0.01),
-            (left * 0.8, right * 0.8),
-            (deck - 0.18, deck - 0.04),
-        )
+    made.words(
+        order.text,
+        (0.93, 0.93, 0.92),
+        order.x.end(0.01),
+        (left * 0.8, right * 0.8),
+        (deck - 0.18, deck - 0.04),
+    )
 
 
 def _stroller(
@@ -424,14 +422,13 @@ def wheelchair(made: Assembly, order: Order) -> None:
             (0.07, 0.1),
             0.01,
         )
-    if order.text:
-        made.words(
-            order.text,
-            (0.96, 0.96, 0.94),
-            (axle - 0.16, axle - 0.14),
-            (-0.2, 0.2),
-            (seat + 0.16, seat + 0.32),
-        )
+    made.words(
+        order.text,
+        (0.96, 0.96, 0.94),
+        (axle - 0.16, axle - 0.14),
+        (-0.2, 0.2),
+        (seat + 0.16, seat + 0.32),
+    )
 
 
 def spoked_wheel(

@@ -123,16 +123,14 @@ def _framed(
         made.box(
             material, order.x.inset(0, 0.008), around(middle, bar / 2.5), (bar, top)
         )
-    if order.text:
-        wide = order.length * 0.96
-        made.words(
-            order.text,
-            shade(SHALE, 0.7),
-            order.x,
-            around(0, wide / 2),
-            (top + head * 0.05, top + head * 0.95),
-            light=0.2,
-        )
+    made.words(
+        order.text,
+        shade(SHALE, 0.7),
+        order.x,
+        around(0, order.length * 0.48),
+        (top + head * 0.05, top + head * 0.95),
+        light=0.2,
+    )
 
 
 @cache
