@@ -255,6 +255,9 @@ def _line(positions: Sequence[Sequence[float]]) -> LineString:
     return LineString(points)
 
 
+# Where a record is shaped as a plan is, its fields are called as the plan's members.
+
+
 def _corridor(feature: models.CorridorFeature) -> records.Corridor:
     rings = feature.geometry.coordinates
     polygon = _polygon(rings)
@@ -275,26 +278,12 @@ def _corridor(feature: models.CorridorFeature) -> records.Corridor:
             f"expected a convex shape, got one that lacks {hull - polygon.area:.3f} m² "
             "of its hull; move the corner that points inwards, or make it an area",
         )
-    properties = feature.properties
-    return records.Corridor(
-        feature.id,
-        polygon,
-        properties.name,
-        properties.floor_material,
-        properties.wall_material,
-    )
+    return records.Corridor(feature.id, polygon, **dict(feature.properties))
 
 
 def _area(feature: models.AreaFeature) -> records.Area:
-    properties = feature.properties
-    return records.Area(
-        feature.id,
-        _polygon(feature.geometry.coordinates),
-        properties.name,
-        properties.floor_material,
-        properties.wall_material,
-        properties.open_air,
-    )
+    polygon = _polygon(feature.geometry.coordinates)
+    return records.Area(feature.id, polygon, **dict(feature.properties))
 
 
 def _turning_point(feature: models.TurningPointFeature) -> records.TurningPoint:
@@ -311,25 +300,13 @@ def _turning_point(feature: models.TurningPointFeature) -> records.TurningPoint:
 
 
 def _room(feature: models.RoomFeature) -> records.Room:
-    return records.Room(
-        feature.id,
-        _polygon(feature.geometry.coordinates),
-        feature.properties.name,
-        feature.properties.use,
-    )
+    polygon = _polygon(feature.geometry.coordinates)
+    return records.Room(feature.id, polygon, **dict(feature.properties))
 
 
 def _door(feature: models.DoorFeature) -> records.Door:
-    properties = feature.properties
-    return records.Door(
-        feature.id,
-        _line(feature.geometry.coordinates),
-        properties.room,
-        properties.style,
-        properties.color,
-        properties.label,
-        properties.state,
-    )
+    line = _line(feature.geometry.coordinates)
+    return records.Door(feature.id, line, **dict(feature.properties))
 
 
 def _landmark(feature: models.LandmarkFeature) -> records.Landmark:

@@ -149,18 +149,7 @@ class Landmark:
     @cached_property
     def footprint(self) -> Polygon:
         """The rectangle it covers on the plan."""
-        length, depth, _ = self.size
-        upright = box(-depth / 2, -length / 2, depth / 2, length / 2)
-        cosine, sine = math.cos(self.heading), math.sin(self.heading)
-        turned_and_moved = (
-            cosine,
-            -sine,
-            sine,
-            cosine,
-            self.position.x,
-            self.position.y,
-        )
-        return affine_transform(upright, turned_and_moved)
+        return rectangle(self.size, self.position.x, self.position.y, self.heading)
 
 
 @dataclass(frozen=True)
@@ -309,6 +298,16 @@ class Site:
         raise KeyError(
             f"site {self.name} has no reference route {route!r}; there are: {known}"
         )
+
+
+def rectangle(
+    size: tuple[float, float, float], x: float, y: float, heading: float
+) -> Polygon:
+    """Return what a thing covers of the plan that faces along a heading."""
+    length, depth, _ = size
+    upright = box(-depth / 2, -length / 2, depth / 2, length / 2)
+    cosine, sine = math.cos(heading), math.sin(heading)
+    return affine_transform(upright, (cosine, -sine, sine, cosine, x, y))
 
 
 def floor_pieces(parts: Sequence[Polygon]) -> list[Polygon]:
