@@ -98,6 +98,22 @@ def project(points: ArrayLike, p: ArrayLike) -> Projection:
     return Projection(float(s), float(distances[best]))
 
 
+def smoothed(values: FloatArray, passes: int = 1) -> FloatArray:
+    """Return rows of numbers, each drawn to its neighbours; the first and last stay."""
+    smooth = values.copy()
+    for _ in range(passes):
+        smooth[1:-1] = (smooth[:-2] + 2 * smooth[1:-1] + smooth[2:]) / 4
+    return smooth
+
+
+def normals(points: FloatArray) -> FloatArray:
+    """Return unit vectors to the left of a line at its points, (N, 2) with N >= 2."""
+    tangents = np.gradient(points, axis=0)
+    lengths = np.hypot(tangents[:, 0], tangents[:, 1])
+    tangents /= np.maximum(lengths, 1e-9)[:, None]
+    return np.column_stack([-tangents[:, 1], tangents[:, 0]])
+
+
 def _vertices(points: ArrayLike) -> FloatArray:
     vertices = np.asarray(points, dtype=np.float64)
     if vertices.ndim != 2 or vertices.shape[1] != 2 or len(vertices) == 0:

@@ -27,6 +27,7 @@ from memorymaze.perception.picture_detector import depth_distance
 from memorymaze.perception.tracking import Sighting, Tracker
 from memorymaze.robot.api import READING_RANGE, SignText
 from memorymaze.robot.steps import CameraPicture
+from memorymaze.wording import single_spaced
 
 LEAST_LETTER = 5.0
 """Pixels of a capital letter in the 640x480 picture below which nothing is read."""
@@ -69,26 +70,31 @@ class TruthSignReader:
 
     def read(self, view: CameraView) -> list[SignText]:
         """Return the texts that can be read, the nearest first."""
-        read = [each for each in view.visible_texts(READING_RANGE) if _readable(each)]
-        read.sort(key=lambda each: (each.bearer.distance, each.bearer.bearing))
-        numbers = self._tracker.update([
-            Sighting(one_line(each.text), each.bearer.position, each.bearer.length)
-            for each in read
-        ])
-        return [
-            SignText(
-                text=one_line(each.text),
-                distance=each.bearer.distance,
-                bearing_deg=math.degrees(each.bearer.bearing),
-                track_id=number,
-            )
-            for each, number in zip(read, numbers, strict=True)
-        ]
+        found: list[_Found] = []
+        for seen in filter(_readable, view.visible_texts(READING_RANGE)):
+            text, on = single_spaced(seen.text), seen.bearer
+            sighting = Sighting(text, on.position, on.length)
+            found.append(_Found(on.distance, on.bearing, text, sighting))
+        return _sign_texts(found, self._tracker)
 
 
-def one_line(text: str) -> str:
-    """Return a text with single spaces and no line breaks."""
-    return " ".join(text.split())
+class _Found(NamedTuple):
+    """A text in one look, before it is known whether it was read before."""
+
+    distance: float
+    bearing: float
+    text: str
+    sighting: Sighting
+
+
+def _sign_texts(found: list[_Found], tracker: Tracker) -> list[SignText]:
+    """Return what was read in one look, the nearest first, each with its track."""
+    ordered = sorted(found, key=lambda each: (each.distance, each.bearing))
+    numbers = tracker.update([each.sighting for each in ordered])
+    return [
+        SignText(each.text, each.distance, math.degrees(each.bearing), number)
+        for each, number in zip(ordered, numbers, strict=True)
+    ]
 
 
 def _readable(seen: VisibleText) -> bool:
@@ -97,7 +103,7 @@ def _readable(seen: VisibleText) -> bool:
         and not seen.cut
         and seen.letter_height >= LEAST_LETTER
         and seen.bearer.visible_fraction >= LEAST_SEEN
-        and one_line(seen.text) != ""
+        and single_spaced(seen.text) != ""
     )
 
 
@@ -168,38 +174,28 @@ class PictureSignReader:
     the same place again keeps its `track_id`, also where a letter is read otherwise.
     """
 
-    def __init__(
-        self, recognizer: Recognizer, range_limit: float = READING_RANGE
-    ) -> None:
-        """Begin an episode; texts farther than some metres are dropped."""
+    def __init__(self, recognizer: Recognizer) -> None:
+        """Begin an episode."""
         self._recognizer = recognizer
-        self._range_limit = range_limit
         self._tracker = Tracker()
 
     def read(self, view: CameraView) -> list[SignText]:
         """Return the texts that can be read, the nearest first."""
         picture = view.picture(*PICTURE_SIZE)
-        signs = [
-            sign
-            for sign in _joined(self._placed(picture))
-            if sign.distance <= self._range_limit
-        ]
-        signs.sort(key=lambda each: (each.distance, each.box))
-        bearings = [bearing_of(each.box, PICTURE_SIZE[0]) for each in signs]
-        numbers = self._tracker.update([
-            Sighting("text", place_of(view.pose, each.distance, bearing), SAME_PLACE)
-            for each, bearing in zip(signs, bearings, strict=True)
-        ])
-        return [
-            SignText(each.text, each.distance, math.degrees(bearing), number)
-            for each, bearing, number in zip(signs, bearings, numbers, strict=True)
-        ]
+        found: list[_Found] = []
+        for sign in _joined(self._placed(picture)):
+            if sign.distance <= READING_RANGE:
+                bearing = bearing_of(sign.box, PICTURE_SIZE[0])
+                place = place_of(view.pose, sign.distance, bearing)
+                sighting = Sighting("text", place, SAME_PLACE)
+                found.append(_Found(sign.distance, bearing, sign.text, sighting))
+        return _sign_texts(found, self._tracker)
 
     def _placed(self, picture: CameraPicture) -> list["_Placed"]:
         """Return the lines that are sure enough, with their distances, from the top."""
         placed: list[_Placed] = []
         for line in self._recognizer.lines(picture.rgb):
-            text = one_line(line.text)
+            text = single_spaced(line.text)
             distance = depth_distance(picture, line.box)
             if line.score >= LEAST_SCORE and text and distance is not None:
                 height = line.box[3] - line.box[1]

@@ -156,15 +156,12 @@ def build_scene(site: Site, obstacles: ObstacleSettings | None = None) -> Scene:
         height = site.ceiling_height
         if wall.ring in open_rings:
             height = BALUSTRADE_HEIGHT
-        world.add_geom(
-            type=mujoco.mjtGeom.mjGEOM_BOX,
-            size=[wall.half_length, wall.half_thickness, height / 2],
-            pos=[wall.x, wall.y, height / 2],
-            quat=_about_z(wall.heading),
-            group=WALL_GROUP,
-            contype=SOLID_CONTACT,
-            conaffinity=0,
+        solid = Solid(
+            (wall.x, wall.y, height / 2),
+            (wall.half_length, wall.half_thickness, height / 2),
+            wall.heading,
         )
+        _add_box(world, solid, WALL_GROUP, touches=True)
         objects.append(SceneObject("wall", None))
 
     for door in site.doors:

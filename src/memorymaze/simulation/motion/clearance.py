@@ -13,6 +13,8 @@ import shapely
 from numpy.typing import NDArray
 from shapely import LineString, Polygon, STRtree
 
+from memorymaze.geometry import polyline
+
 FloatArray = NDArray[np.float64]
 
 CLEARANCE_RANGE = 1.0
@@ -224,8 +226,7 @@ def _smoothed(
     room = clearance.to_anything(base + result[:, None] * normals)
     kept = np.minimum(room, needed)
     for _ in range(6):
-        smooth = result.copy()
-        smooth[1:-1] = (result[:-2] + 2 * result[1:-1] + result[2:]) / 4
+        smooth = polyline.smoothed(result)
         room = clearance.to_anything(base + smooth[:, None] * normals)
         result = np.where(room >= kept - 1e-9, smooth, result)
     return result

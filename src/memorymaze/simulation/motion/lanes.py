@@ -114,7 +114,7 @@ def plan_lane(
 
 def lane_along(points: FloatArray, max_speed: float) -> Lane:
     """Return the lane along a given line (N, 2), its corners rounded a little."""
-    base = _rounded(polyline.resample(points, SPACING), 2)
+    base = polyline.smoothed(polyline.resample(points, SPACING), 2)
     speeds = np.full(len(base), max_speed)
     return _lane(base, base, _headings(base), speeds, "done")
 
@@ -130,7 +130,7 @@ def lane_round_things(
     The place is beside the line's beginning. It ends as `obstacle` where the rest of
     the line (N, 2) cannot be reached.
     """
-    base = _rounded(polyline.resample(points, SPACING), 2)
+    base = polyline.smoothed(polyline.resample(points, SPACING), 2)
     # Lines may lead along walls more closely than lanes do; there they are kept to.
     least = np.minimum(LEAST_CLEARANCE, clearance.to_walls(base) - 1e-3)
     driven, speeds, reached = _round_things(base, place, least, clearance, max_speed)
@@ -150,7 +150,7 @@ def _round_things(
     Returns where to drive (N, 2) and how fast (N,), with a gap before what cannot be
     passed; and how many stations of the line can be reached.
     """
-    normals = _normals(base)
+    normals = polyline.normals(base)
     aside = float((np.array(place) - base[0]) @ normals[0])
     offsets = _joining_profile(len(base), aside)
     usable = reached = len(base)
@@ -176,22 +176,8 @@ def _stations_of(way: StraightWay) -> tuple[FloatArray, FloatArray]:
     base = np.column_stack([np.interp(at, along, points[:, k]) for k in (0, 1)])
     piece = np.clip(np.searchsorted(along, at, side="right") - 1, 0, len(points) - 2)
     if len(way.courses) > 1:
-        base = _rounded(base, 8)
+        base = polyline.smoothed(base, 8)
     return base, np.asarray(way.courses)[piece]
-
-
-def _rounded(points: FloatArray, passes: int) -> FloatArray:
-    rounded = points.copy()
-    for _ in range(passes):
-        rounded[1:-1] = (rounded[:-2] + 2 * rounded[1:-1] + rounded[2:]) / 4
-    return rounded
-
-
-def _normals(points: FloatArray) -> FloatArray:
-    """Return unit vectors to the left of the line at its points."""
-    tangents = np.gradient(points, axis=0)
-    tangents /= np.hypot(tangents[:, 0], tangents[:, 1])[:, None]
-    return np.column_stack([-tangents[:, 1], tangents[:, 0]])
 
 
 def _joining_profile(count: int, offset: float) -> FloatArray:

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from shapely import Polygon
 
+from memorymaze.geometry import polyline
 from memorymaze.geometry.pose import turn_between
 from memorymaze.simulation.motion.clearance import Clearance, make_detours
 from memorymaze.simulation.motion.wheeled_base import ROBOT_RADIUS
@@ -271,10 +272,7 @@ class Crowd:
         aside = -float(rng.normal(KEEP_RIGHT, ASIDE_SPREAD))
         if count < 3:
             return middle
-        tangents = np.gradient(middle, axis=0)
-        lengths = np.maximum(np.hypot(tangents[:, 0], tangents[:, 1]), 1e-9)
-        tangents /= lengths[:, None]
-        normals = np.column_stack([-tangents[:, 1], tangents[:, 0]])
+        normals = polyline.normals(middle)
         ramp = np.minimum(np.minimum(np.arange(count), np.arange(count)[::-1]) / 5, 1)
         offsets = aside * ramp
         # Where there is not that much room one walks nearer to the middle.
@@ -282,12 +280,10 @@ class Crowd:
             room = self._clearance.to_anything(middle + offsets[:, None] * normals)
             tight = room < WALL_ROOM
             offsets = np.where(tight, share * aside * ramp, offsets)
-        for _ in range(4):
-            offsets[1:-1] = (offsets[:-2] + 2 * offsets[1:-1] + offsets[2:]) / 4
         offsets, reachable = make_detours(
             middle,
             normals,
-            offsets,
+            polyline.smoothed(offsets, 4),
             LEAST_ROOM + 0.02,
             np.full(count, LEAST_ROOM - 0.06),
             self._clearance,

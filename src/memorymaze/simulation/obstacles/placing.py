@@ -6,13 +6,12 @@ from typing import NamedTuple, cast
 
 import numpy as np
 import shapely
-from shapely import LineString, Point, Polygon, box
-from shapely.affinity import rotate, translate
+from shapely import LineString, Point, Polygon
 from shapely.geometry.base import BaseGeometry
 
 from memorymaze.geometry.pose import Pose
 from memorymaze.simulation.obstacles.settings import Movable
-from memorymaze.sites.records import Site
+from memorymaze.sites.records import Site, rectangle
 
 PASSAGE = 0.9
 """Metres that stay free beside a thing, on one side at least."""
@@ -61,10 +60,7 @@ def stretches(site: Site) -> list[Stretch]:
 
 def footprint(thing: Movable, pose: Pose) -> Polygon:
     """Return the rectangle a thing covers; its front faces along the heading."""
-    length, depth, _ = thing.size
-    upright = box(-depth / 2, -length / 2, depth / 2, length / 2)
-    turned = rotate(upright, pose.heading, origin=(0, 0), use_radians=True)
-    return translate(turned, pose.x, pose.y)
+    return rectangle(thing.size, *pose)
 
 
 def place_things(

@@ -128,10 +128,7 @@ class Walks:
 
 def _eased(line: FloatArray) -> FloatArray:
     """Return a line at even steps, its corners rounded."""
-    points = polyline.resample(line, WAY_SPACING)
-    for _ in range(ROUNDING):
-        points[1:-1] = (points[:-2] + 2 * points[1:-1] + points[2:]) / 4
-    return points
+    return polyline.smoothed(polyline.resample(line, WAY_SPACING), ROUNDING)
 
 
 class Disc(NamedTuple):

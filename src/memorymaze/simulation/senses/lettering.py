@@ -95,21 +95,18 @@ def write(
     *,
     align: float = 0.5,
     most_lines: int = 8,
-    bold: bool = True,
-    tallest: float = 1.0,
 ) -> Field:
     """Write a text into a field of an RGB picture, as large as it fits; return where.
 
     Arrows are letters too. `align` is 0 left, 0.5 in the middle, 1 right; each line of
-    the text becomes at most `most_lines`; `tallest` is the most height of a line as a
-    share of the field's.
+    the text becomes at most `most_lines`.
     """
     if not text.strip():
         return Field(field.left, field.top, field.left, field.top)
     width, height = max(1, int(field.width)), max(1, int(field.height))
     setting = fitted(text, width, height, most_lines=most_lines)
-    size = min(setting.size, max(SMALLEST, int(tallest * height)))
-    font = _font(size, bold)
+    size = min(setting.size, max(SMALLEST, height))
+    font = _font(size)
     step = LINE_STEP * size
     boxes = [font.getbbox(line) for line in setting.words]
     ink_width = max(right - left for left, _, right, _ in boxes)
@@ -168,11 +165,10 @@ def _width(line: str) -> float:
 
 @cache
 def _word_width(word: str) -> float:
-    return max(1.0, _font(REFERENCE_SIZE, True).getlength(word))
+    return max(1.0, _font(REFERENCE_SIZE).getlength(word))
 
 
 @cache
-def _font(size: int, bold: bool) -> ImageFont.FreeTypeFont:
-    name = "DejaVuSans-Bold.ttf" if bold else "DejaVuSans.ttf"
-    path = Path(matplotlib.get_data_path(), "fonts", "ttf", name)
+def _font(size: int) -> ImageFont.FreeTypeFont:
+    path = Path(matplotlib.get_data_path(), "fonts/ttf/DejaVuSans-Bold.ttf")
     return ImageFont.truetype(path, size, layout_engine=ImageFont.Layout.BASIC)
