@@ -27,6 +27,17 @@ def write_whole(path: Path, content: bytes) -> None:
     _sync_folder(path.parent)
 
 
+@contextmanager
+def replaced_when_whole(target: Path) -> Generator[Path]:
+    """Give a file to write; it takes the place of another when all went well."""
+    unfinished = target.with_name(f"{target.name}.{os.getpid()}{UNFINISHED}")
+    try:
+        yield unfinished
+        unfinished.replace(target)
+    finally:
+        unfinished.unlink(missing_ok=True)
+
+
 def write_new(path: str | Path, content: bytes) -> None:
     """Write a file that is not there yet."""
     path = Path(path)

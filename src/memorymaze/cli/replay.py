@@ -61,7 +61,7 @@ def add_parser(verbs: Verbs) -> None:
 
 
 def _run(options: argparse.Namespace) -> int:
-    from memorymaze.pictures.films.video_file import check_video_path
+    from memorymaze.pictures.films.video_file import check_target
     from memorymaze.results.replay.film import ReplaySettings, film_replay
     from memorymaze.results.replay.recording import check_recording_path, record_replay
     from memorymaze.results.story import load_episode
@@ -87,7 +87,7 @@ def _run(options: argparse.Namespace) -> int:
     ):
         folder.mkdir(exist_ok=True)
     if video is not None:
-        check_video_path(video)
+        check_target(video, ".mp4", "video")
     if recording is not None:
         check_recording_path(recording)
     if recording is not None:

@@ -1,5 +1,5 @@
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import av
@@ -8,9 +8,9 @@ import pytest
 
 from memorymaze.errors import SettingsError
 from memorymaze.pictures.films.video_file import (
-    VideoFile,
-    check_video_path,
+    check_target,
     mark_spherical,
+    write_video,
 )
 
 Write = Callable[..., Path]
@@ -27,9 +27,8 @@ def write(tmp_path: Path) -> Write:
 
     def written(name: str = "film.mp4", **settings: bool) -> Path:
         path = tmp_path / name
-        with VideoFile(path, 64, 48, 10, title="A film", **settings) as video:
-            for colour in (RED, RED, BLUE):
-                video.add(plain(colour))
+        pictures = map(plain, (RED, RED, BLUE))
+        write_video(path, pictures, (64, 48), 10, title="A film", total=3, **settings)
         return path
 
     return written
@@ -75,13 +74,12 @@ def test_what_breaks_off_leaves_no_half_file_and_keeps_the_old_one(
     path = tmp_path / "film.mp4"
     path.write_bytes(b"as it was")
 
-    def film() -> None:
-        with VideoFile(path, 64, 48, 10, title="") as video:
-            video.add(plain(RED))
-            raise ends
+    def pictures() -> Iterator[np.ndarray]:
+        yield plain(RED)
+        raise ends
 
     with pytest.raises(ends):
-        film()
+        write_video(path, pictures(), (64, 48), 10, title="", total=2)
     assert [each.name for each in tmp_path.iterdir()] == ["film.mp4"]
     assert path.read_bytes() == b"as it was"
 
@@ -106,7 +104,7 @@ def test_a_file_of_this_name_is_replaced_when_all_is_there(write: Write) -> None
 def test_a_file_that_cannot_be_is_refused(tmp_path: Path, name: str, said: str) -> None:
     (tmp_path / "folder.mp4").mkdir()
     with pytest.raises(SettingsError, match=said):
-        check_video_path(tmp_path / name)
+        check_target(tmp_path / name, ".mp4", "video")
 
 
 def test_a_folder_without_leave_to_write_is_refused(
@@ -114,4 +112,4 @@ def test_a_folder_without_leave_to_write_is_refused(
 ) -> None:
     monkeypatch.setattr(os, "access", lambda *_: False)
     with pytest.raises(SettingsError, match="leave to write"):
-        check_video_path(tmp_path / "film.mp4")
+        check_target(tmp_path / "film.mp4", ".mp4", "video")

@@ -1,7 +1,6 @@
 """From a route to the file of its walkthrough."""
 
 import math
-import sys
 from collections.abc import Generator, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -9,12 +8,16 @@ from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
-from tqdm import tqdm
 
 from memorymaze.errors import MemoryMazeError, SettingsError
 from memorymaze.geometry.pose import Pose, wrap_angle
 from memorymaze.geometry.trajectory import Trajectory
-from memorymaze.pictures.films.video_file import VideoFile, check_video_path
+from memorymaze.pictures.films.video_file import (
+    check_picture,
+    check_ranges,
+    check_target,
+    write_video,
+)
 from memorymaze.pictures.furniture.models import Looks
 from memorymaze.pictures.rendering.camera import RenderedCamera
 from memorymaze.pictures.rendering.panorama import PanoramaCamera
@@ -26,7 +29,6 @@ from memorymaze.sites.records import Route
 
 EYE_HEIGHT = 1.6
 """Metres over the floor: eyes of somebody who walks, or a camera held there."""
-SECONDS_BETWEEN_LINES = 15.0
 TOUR_SETTINGS = SimulationSettings(
     # Slow turns: a robot's own are too fast to look at.
     max_turn_rate=math.radians(45),
@@ -77,32 +79,15 @@ class WalkthroughSettings:
     def __post_init__(self) -> None:
         """Check every value."""
         width, height = self.width, self.height_in_pixels
-        if (
-            min(width, height) < 16
-            or width % 2
-            or height % 2
-            or max(width, height) > 4096
-        ):
-            raise SettingsError(
-                "walkthrough: expected a size of even numbers from 16 to 4096 pixels, "
-                f"got {width}x{height}"
-            )
+        check_picture("walkthrough", (width, height), smallest=16)
         if self.panorama and width != 2 * height:
             raise SettingsError(
                 "walkthrough: expected a panorama twice as wide as high, got "
                 f"{width}x{height}"
             )
-        for name, lowest, highest in (
-            ("fps", 1.0, 120.0),
-            ("speed", 0.1, 20.0),
-            ("height", 0.2, 2.5),
-        ):
-            value = getattr(self, name)
-            if not lowest <= value <= highest:
-                raise SettingsError(
-                    f"walkthrough: expected {name} from {lowest:g} to {highest:g}, got "
-                    f"{value!r}"
-                )
+        check_ranges(
+            self, "walkthrough", fps=(1, 120), speed=(0.1, 20), height=(0.2, 2.5)
+        )
 
 
 def film_walkthrough(
@@ -134,31 +119,23 @@ def film_walkthrough(
         OSError: The file cannot be written to its end.
     """
     settings = settings or WalkthroughSettings()
-    target = check_video_path(path)
+    check_target(path, ".mp4", "video")
     tour = tour_of(scene, route)
     count = tour.frame_count(settings.fps, settings.speed)
-    title = f"Walkthrough of {scene.site.title}, {route.id} (simulated)"
-    with (
-        VideoFile(
-            target,
-            settings.width,
-            settings.height_in_pixels,
+    with _camera(scene, settings) as camera:
+        write_video(
+            path,
+            (
+                camera.picture(pose, settings.height)
+                for pose in tour.poses(settings.fps, settings.speed)
+            ),
+            (settings.width, settings.height_in_pixels),
             settings.fps,
-            title=title,
-            spherical=settings.panorama,
-        ) as video,
-        tqdm(
+            title=f"Walkthrough of {scene.site.title}, {route.id} (simulated)",
             total=count,
-            unit="frame",
-            file=sys.stderr,
-            disable=not progress,
-            mininterval=0.5 if sys.stderr.isatty() else SECONDS_BETWEEN_LINES,
-        ) as bar,
-        _camera(scene, settings) as camera,
-    ):
-        for pose in tour.poses(settings.fps, settings.speed):
-            video.add(camera.picture(pose, settings.height))
-            bar.update()
+            spherical=settings.panorama,
+            progress=progress,
+        )
     return count
 
 

@@ -2,17 +2,22 @@
 
 import os
 import struct
+import sys
 import uuid
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from pathlib import Path
-from types import TracebackType
-from typing import Any
+from typing import Any, NoReturn
 
+import av
 import numpy as np
 from numpy.typing import NDArray
+from tqdm import tqdm
 
+from memorymaze.durable_files import replaced_when_whole
 from memorymaze.errors import SettingsError
+
+SECONDS_BETWEEN_LINES = 15.0
 
 QUALITY = {"crf": "20", "preset": "fast", "threads": "1"}
 """Of x264; a single thread, because threads have a part in what comes out."""
@@ -28,125 +33,129 @@ PROPERTIES = {
 HEADER = struct.Struct(">I4s")
 
 
-def check_video_path(path: str | Path) -> Path:
+def check_picture(about: str, size: tuple[int, int], smallest: int) -> None:
+    """Refuse a size that no video can have; SettingsError says what is meant."""
+    width, height = size
+    if min(size) < smallest or max(size) > 4096 or width % 2 or height % 2:
+        raise SettingsError(
+            f"{about}: expected a size of even numbers from {smallest} to 4096 pixels, "
+            f"got {width}x{height}"
+        )
+
+
+def check_ranges(settings: object, about: str, **ranges: tuple[float, float]) -> None:
+    """Refuse settings out of their ranges; SettingsError names the first one."""
+    for name, (lowest, highest) in ranges.items():
+        value = getattr(settings, name)
+        if not lowest <= value <= highest:
+            raise SettingsError(
+                f"{about}: expected {name} from {lowest:g} to {highest:g}, got {value!r}"
+            )
+
+
+def check_target(path: str | Path, ending: str, about: str) -> Path:
     """Refuse a file that cannot be written, before anything is drawn for it.
 
     Raises:
-        SettingsError: It is no mp4 file, there is no folder for it, or no leave to
+        SettingsError: It has another ending, there is no folder for it, or no leave to
             write.
     """
     target = Path(path)
     folder = target.absolute().parent
-    if target.suffix.lower() != ".mp4":
-        raise SettingsError(f"video: expected a file named *.mp4, got {str(path)!r}")
+    if target.suffix.lower() != ending:
+        raise SettingsError(
+            f"{about}: expected a file named *{ending}, got {str(path)!r}"
+        )
     if target.is_dir():
-        raise SettingsError(f"video: expected a file, got the folder {str(path)!r}")
+        raise SettingsError(f"{about}: expected a file, got the folder {str(path)!r}")
     if not folder.is_dir():
         raise SettingsError(
-            f"video: expected a file in a folder that is there, got {str(path)!r}; "
+            f"{about}: expected a file in a folder that is there, got {str(path)!r}; "
             f"make {folder} first"
         )
     if not os.access(folder, os.W_OK | os.X_OK):
-        raise SettingsError(f"video: expected leave to write to {folder}, got none")
-    _library()
+        raise SettingsError(f"{about}: expected leave to write to {folder}, got none")
     return target
 
 
-class VideoFile:
-    """A video that grows frame by frame; use it in a `with`.
+def progress_bar(total: int, unit: str, *, shown: bool) -> "tqdm[NoReturn]":
+    """Return a bar on stderr; in files of logs it has a line now and then."""
+    return tqdm(
+        total=total,
+        unit=unit,
+        file=sys.stderr,
+        disable=not shown,
+        mininterval=0.5 if sys.stderr.isatty() else SECONDS_BETWEEN_LINES,
+    )
 
-    Whatever breaks off the `with` leaves the file as it was before: the video is
-    written beside it, under another name, and takes its place when it is whole.
+
+def write_video(
+    path: str | Path,
+    pictures: Iterable[NDArray[np.uint8]],
+    size: tuple[int, int],
+    fps: float,
+    *,
+    title: str,
+    total: int,
+    spherical: bool = False,
+    progress: bool = False,
+) -> None:
+    """Write a video; it is there in full or not at all, and replaces what was there.
+
+    Args:
+        path: An mp4 file.
+        pictures: Colours, each (height, width, 3).
+        size: Width and height, pixels, even.
+        fps: Frames per second.
+        title: Kept in the file.
+        total: How many pictures there are.
+        spherical: Whether they are equirectangular.
+        progress: Whether to show a bar with the time left on stderr.
+
+    Raises:
+        SettingsError: The file cannot be there.
+        OSError: The file cannot be written to its end.
     """
-
-    def __init__(
-        self,
-        path: Path,
-        width: int,
-        height: int,
-        fps: float,
-        *,
-        title: str,
-        spherical: bool = False,
-    ) -> None:
-        """Begin a video.
-
-        Args:
-            path: An mp4 file, which is replaced.
-            width: Pixels, even.
-            height: Pixels, even.
-            fps: Frames per second.
-            title: Kept in the file.
-            spherical: Whether the frames are equirectangular.
-
-        Raises:
-            SettingsError: The package for videos is missing.
-            OSError: The file cannot be written.
-        """
-        self._av = _library()
-        self._path = path
-        self._unfinished = path.with_name(f"{path.name}.{os.getpid()}.unfinished")
-        self._spherical = spherical
-        rate = Fraction(fps).limit_denominator(1001)
-        self._container: Any = self._av.open(
-            str(self._unfinished),
-            "w",
-            format="mp4",
-            # Else the library's version stands in the file.
-            container_options={"fflags": "+bitexact"},
-        )
-        self._container.metadata["title"] = title
-        self._stream: Any = self._container.add_stream(
-            "libx264", rate=rate, options=dict(QUALITY)
-        )
-        self._stream.width, self._stream.height = width, height
-        self._stream.pix_fmt = "yuv420p"
-        # Said in the file, because players guess the colours by the size otherwise.
-        context = self._stream.codec_context
-        context.colorspace = context.color_primaries = context.color_trc = BT709
-        context.color_range = LIMITED_RANGE
-
-    def add(self, picture: NDArray[np.uint8]) -> None:
-        """Append a frame.
-
-        Args:
-            picture: Colours, (height, width, 3).
-        """
-        colours = self._av.VideoFrame.from_ndarray(picture, format="rgb24")
-        frame = colours.reformat(
-            format="yuv420p",
-            dst_colorspace=BT709,
-            dst_color_range=LIMITED_RANGE,
-        )
-        self._container.mux(self._stream.encode(frame))
-
-    def __enter__(self) -> "VideoFile":
-        """Return itself."""
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        """Finish the file, or remove what there is of it."""
-        try:
-            if error is None:
-                self._container.mux(self._stream.encode(None))
-            self._container.close()
-            if error is None:
-                if self._spherical:
-                    mark_spherical(self._unfinished)
-                self._unfinished.replace(self._path)
-        finally:
-            self._unfinished.unlink(missing_ok=True)
+    target = check_target(path, ".mp4", "video")
+    with replaced_when_whole(target) as unfinished:
+        # The encoder would say after minutes, and without a name, that it cannot write.
+        unfinished.touch()
+        with (
+            av.open(
+                str(unfinished),
+                "w",
+                format="mp4",
+                # Else the library's version stands in the file.
+                container_options={"fflags": "+bitexact"},
+            ) as container,
+            progress_bar(total, "frame", shown=progress) as bar,
+        ):
+            container.metadata["title"] = title
+            stream = _stream(container, size, fps)
+            for picture in pictures:
+                colours = av.VideoFrame.from_ndarray(picture, format="rgb24")
+                frame = colours.reformat(
+                    format="yuv420p",
+                    dst_colorspace=BT709,
+                    dst_color_range=LIMITED_RANGE,
+                )
+                container.mux(stream.encode(frame))
+                bar.update()
+            container.mux(stream.encode(None))
+        if spherical:
+            mark_spherical(unfinished)
 
 
-def _library() -> Any:
-    import av
-
-    return av
+def _stream(container: Any, size: tuple[int, int], fps: float) -> Any:
+    rate = Fraction(fps).limit_denominator(1001)
+    stream = container.add_stream("libx264", rate=rate, options=dict(QUALITY))
+    stream.width, stream.height = size
+    stream.pix_fmt = "yuv420p"
+    # Said in the file, because players guess the colours by the size otherwise.
+    context = stream.codec_context
+    context.colorspace = context.color_primaries = context.color_trc = BT709
+    context.color_range = LIMITED_RANGE
+    return stream
 
 
 def mark_spherical(path: Path) -> None:

@@ -1,29 +1,27 @@
 """From an episode of a run to the file of its video."""
 
 import math
-import os
-import sys
-from collections.abc import Iterator
+from collections.abc import Generator
 from contextlib import ExitStack, closing
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
-from tqdm import tqdm
 
 from memorymaze.drawing.plan_picture import draw_plan
-from memorymaze.errors import SettingsError
 from memorymaze.evaluation.outcomes import outcome_line, source_line
-from memorymaze.pictures.films.video_file import VideoFile, check_video_path
+from memorymaze.pictures.films.video_file import (
+    check_picture,
+    check_ranges,
+    write_video,
+)
 from memorymaze.results.replay.page import Page, layout_of
 from memorymaze.results.replay.plan_view import SMOOTHING, PlanView, legend_of
 from memorymaze.results.replay.senses import Eyes, boxes_at, draw_boxes
 from memorymaze.results.story.moments import Moments
 from memorymaze.results.story.recorded_episode import RecordedEpisode
 from memorymaze.simulation import build_scene
-
-SECONDS_BETWEEN_LINES = 15.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,23 +47,8 @@ class ReplaySettings:
 
     def __post_init__(self) -> None:
         """Check every value."""
-        width, height = self.size
-        if min(self.size) < 240 or max(self.size) > 4096 or width % 2 or height % 2:
-            raise SettingsError(
-                "replay: expected a size of even numbers from 240 to 4096 pixels, got "
-                f"{width}x{height}"
-            )
-        for name, lowest, highest in (
-            ("fps", 1.0, 120.0),
-            ("speed", 0.1, 100.0),
-            ("hold", 0.0, 60.0),
-        ):
-            value = getattr(self, name)
-            if not lowest <= value <= highest:
-                raise SettingsError(
-                    f"replay: expected {name} from {lowest:g} to {highest:g}, got "
-                    f"{value!r}"
-                )
+        check_picture("replay", self.size, smallest=240)
+        check_ranges(self, "replay", fps=(1, 120), speed=(0.1, 100), hold=(0, 60))
 
 
 def film_replay(
@@ -75,56 +58,30 @@ def film_replay(
     *,
     progress: bool = False,
 ) -> int:
-    """Write the video of an episode; it is there in full or not at all.
+    """Write the video of an episode, and return how many frames it has.
 
     The same episode and settings give the same file on one machine.
-
-    Args:
-        episode: What to show.
-        path: An mp4 file, which is replaced.
-        settings: What it looks like; the defaults when None.
-        progress: Whether to show a bar with the time left on stderr.
-
-    Raises:
-        SettingsError: The file cannot be there, or the package for videos is missing.
-        RenderingError: This machine cannot draw; says what to install.
-        RunFolderError: The trace does not fit the run's settings.
-        OSError: The file cannot be written to its end.
     """
     settings = settings or ReplaySettings()
-    target = check_video_path(path)
-    _try_to_write(target)
-    count = frame_count(episode, settings)
+    count = len(_times(episode, settings))
     result = episode.result
-    title = f"{result.agent} on {result.episode_id} (simulated)"
-    with (
-        VideoFile(target, *settings.size, settings.fps, title=title) as video,
-        tqdm(
+    with closing(frames_of(episode, settings)) as frames:
+        write_video(
+            path,
+            frames,
+            settings.size,
+            settings.fps,
+            title=f"{result.agent} on {result.episode_id} (simulated)",
             total=count,
-            unit="frame",
-            file=sys.stderr,
-            disable=not progress,
-            mininterval=0.5 if sys.stderr.isatty() else SECONDS_BETWEEN_LINES,
-        ) as bar,
-    ):
-        for picture in frames_of(episode, settings):
-            video.add(picture)
-            bar.update()
+            progress=progress,
+        )
     return count
-
-
-def frame_count(episode: RecordedEpisode, settings: ReplaySettings) -> int:
-    """Return how many frames a replay has."""
-    return len(_times(episode, settings))
 
 
 def frames_of(
     episode: RecordedEpisode, settings: ReplaySettings
-) -> Iterator[NDArray[np.uint8]]:
+) -> Generator[NDArray[np.uint8]]:
     """Draw a replay frame by frame, at equal steps of simulated time.
-
-    Yields:
-        Colours, (height, width, 3).
 
     Raises:
         RenderingError: This machine cannot draw; says what to install.
@@ -185,13 +142,6 @@ def frames_of(
                 page.write_outcome(outcome_line(result), arrived=result.success)
                 ending = page.picture()
             yield page.picture()
-
-
-def _try_to_write(target: Path) -> None:
-    """Find out at once what the encoder would say after minutes, without a name."""
-    probe = target.with_name(f"{target.name}.{os.getpid()}.unfinished")
-    probe.touch()
-    probe.unlink()
 
 
 def _times(episode: RecordedEpisode, settings: ReplaySettings) -> list[float]:

@@ -2,8 +2,6 @@
 
 import io
 import math
-import os
-import sys
 from collections.abc import Generator
 from contextlib import ExitStack, closing, contextmanager
 from pathlib import Path
@@ -12,7 +10,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image, ImageColor
-from tqdm import tqdm
 
 from memorymaze.drawing.shapes import (
     FOUND_COLOR,
@@ -24,10 +21,12 @@ from memorymaze.drawing.shapes import (
     plan_shapes,
     route_color,
 )
+from memorymaze.durable_files import replaced_when_whole
 from memorymaze.errors import SettingsError
 from memorymaze.evaluation.outcomes import outcome_line, source_line
 from memorymaze.extras import require_extra
-from memorymaze.results.replay.film import SECONDS_BETWEEN_LINES, ReplaySettings
+from memorymaze.pictures.films.video_file import check_target, progress_bar
+from memorymaze.results.replay.film import ReplaySettings
 from memorymaze.results.replay.senses import PICTURE_SIZE, Eyes, Scans
 from memorymaze.results.story.moments import Moment, Moments
 from memorymaze.results.story.recorded_episode import RecordedEpisode
@@ -60,27 +59,9 @@ VIEW_EVERY = 1.0
 
 
 def check_recording_path(path: str | Path) -> Path:
-    """Refuse a file that cannot be written, before anything is drawn for it.
-
-    Raises:
-        SettingsError: It is no rrd file, there is no folder for it or no leave to
-            write, or the package for recordings is missing.
-    """
-    target = Path(path)
-    folder = target.absolute().parent
-    if target.suffix.lower() != ".rrd":
-        raise SettingsError(f"--rerun: expected a file named *.rrd, got {str(path)!r}")
-    if target.is_dir():
-        raise SettingsError(f"--rerun: expected a file, got the folder {str(path)!r}")
-    if not folder.is_dir():
-        raise SettingsError(
-            f"--rerun: expected a file in a folder that is there, got {str(path)!r}; "
-            f"make {folder} first"
-        )
-    if not os.access(folder, os.W_OK | os.X_OK):
-        raise SettingsError(f"--rerun: expected leave to write to {folder}, got none")
+    """Refuse a file that cannot be written, or a machine without Rerun's package."""
     _library()
-    return target
+    return check_target(path, ".rrd", "--rerun")
 
 
 def record_replay(
@@ -91,21 +72,10 @@ def record_replay(
     view_every: float = VIEW_EVERY,
     progress: bool = False,
 ) -> None:
-    """Write the recording of an episode; it is there in full or not at all.
+    """Write the recording of an episode, an rrd file; it is there in full or not at all.
 
-    Args:
-        episode: What to show.
-        path: An rrd file, which is replaced.
-        settings: Whether with what the camera saw counts here.
-        view_every: Simulated seconds between camera pictures and scans, > 0; there is
-            one more wherever something was detected.
-        progress: Whether to show a bar with the time left on stderr.
-
-    Raises:
-        SettingsError: The file cannot be there, or the package is missing.
-        RenderingError: This machine cannot draw; says what to install.
-        RunFolderError: The trace does not fit the run's settings.
-        OSError: The file cannot be written.
+    Of the settings those of the camera count. There is a picture and a scan at every
+    `view_every` simulated seconds, and wherever something was detected.
     """
     if not view_every > 0:
         raise SettingsError(f"view_every: expected more than 0 s, got {view_every!r}")
@@ -127,15 +97,7 @@ def record_replay(
                 smooth=False,
             )
             stack.enter_context(closing(eyes))
-        bar = stack.enter_context(
-            tqdm(
-                total=len(times),
-                unit="view",
-                file=sys.stderr,
-                disable=not progress,
-                mininterval=0.5 if sys.stderr.isatty() else SECONDS_BETWEEN_LINES,
-            )
-        )
+        bar = stack.enter_context(progress_bar(len(times), "view", shown=progress))
         _log_building(stream, episode, moments)
         _log_moving(stream, episode, moments)
         for time in times:
@@ -148,7 +110,6 @@ def record_replay(
 def _stream_to(target: Path, episode: RecordedEpisode) -> Generator[Any]:
     """Give a recording stream whose file takes its place when it is whole."""
     rerun = _library()
-    unfinished = target.with_name(f"{target.name}.{os.getpid()}.unfinished")
     stream: Any = rerun.RecordingStream(
         "memorymaze",
         recording_id=f"{episode.record.settings.agent.name}/{episode.result.episode_id}",
@@ -161,27 +122,26 @@ def _stream_to(target: Path, episode: RecordedEpisode) -> Generator[Any]:
     was_strict = rerun.strict_mode()
     rerun.set_strict_mode(True)
     try:
-        # The library itself would only warn of a file that it cannot open.
-        unfinished.write_bytes(b"")
-        stream.save(unfinished, default_blueprint=_blueprint_of(episode))
-        stream.log(
-            "about",
-            rerun.TextDocument(
-                f"# {episode.result.agent} on {episode.result.episode_id}\n\n"
-                f"{episode.site.title} (simulated). {source_line(episode.result)}:\n\n"
-                f"> {episode.instruction}\n\n{outcome_line(episode.result)}",
-                media_type="text/markdown",
-            ),
-            static=True,
-        )
-        yield stream
-        stream.flush()
-        stream.disconnect()
-        unfinished.replace(target)
+        with replaced_when_whole(target) as unfinished:
+            # The library itself would only warn of a file that it cannot open.
+            unfinished.write_bytes(b"")
+            stream.save(unfinished, default_blueprint=_blueprint_of(episode))
+            stream.log(
+                "about",
+                rerun.TextDocument(
+                    f"# {episode.result.agent} on {episode.result.episode_id}\n\n"
+                    f"{episode.site.title} (simulated). {source_line(episode.result)}:"
+                    f"\n\n> {episode.instruction}\n\n{outcome_line(episode.result)}",
+                    media_type="text/markdown",
+                ),
+                static=True,
+            )
+            yield stream
+            stream.flush()
+            stream.disconnect()
     finally:
         rerun.set_strict_mode(was_strict)
         stream.disconnect()
-        unfinished.unlink(missing_ok=True)
 
 
 def _view_times(moments: Moments, every: float) -> list[float]:
