@@ -39,11 +39,7 @@ class LabelSpace:
     """The boxes that labels have taken."""
 
     def __init__(self, metres_per_point: float) -> None:
-        """Start with no box taken.
-
-        Args:
-            metres_per_point: Scale of the drawing, a point being 1/72 inch of it.
-        """
+        """Take no box yet; a point is 1/72 inch of the drawing."""
         self.metres_per_point = metres_per_point
         self._boxes = np.empty((256, 4))
         self._count = 0
@@ -106,14 +102,7 @@ class LabelSpace:
         angle: float,
         font_size: float,
     ) -> PlacedLabel | None:
-        """Write a text along a slanted line.
-
-        Args:
-            text: One line.
-            middles: Where its middle may be, the best first; metres.
-            angle: Radians counter-clockwise.
-            font_size: Points.
-        """
+        """Write a line along a slant, its middle at the first place that is free."""
         length, height = self.extent(text, font_size)
         count = max(1, math.ceil(length / height))
         steps = (np.arange(count) + 0.5) / count * length - length / 2

@@ -73,13 +73,7 @@ def write_head(figure: Figure, rows: Sequence[HeadLine]) -> None:
 
 
 def draw_scale_and_north(figure: Figure, site: Site, scale: float) -> None:
-    """Draw a scale bar and a north arrow in the upper right corner.
-
-    Args:
-        figure: The sheet.
-        site: What is drawn on it.
-        scale: Inches per metre.
-    """
+    """Draw scale, in inches per metre, and north in the upper right corner."""
     wide, high = CORNER / figure.get_figwidth(), 0.85 / figure.get_figheight()
     corner = axes_in(figure, (1 - wide, 1 - high, wide, high), (0, 0), (CORNER, 0.85))
     metres = max(each for each in BAR_LENGTHS if each * scale <= LONGEST_BAR)

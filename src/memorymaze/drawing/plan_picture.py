@@ -264,15 +264,7 @@ def draw_plan(
     *,
     magnified: float = 1.0,
 ) -> PlanSheet:
-    """Draw the part of a plan round some places as pixels.
-
-    Args:
-        site: What to draw.
-        routes: Those to draw.
-        shown: Places that must be on it, at least one.
-        size: Width and height, pixels.
-        magnified: Factor on the sizes of letters and lines.
-    """
+    """Draw the part of a plan round some places, letters and lines magnified."""
     extent = np.array(size, dtype=np.float64)
     low, high = shown.min(axis=0) - AROUND, shown.max(axis=0) + AROUND
     scale = float((extent / (high - low)).min())

@@ -163,12 +163,7 @@ def plan_bounds(site: Site, margin: float) -> tuple[float, float, float, float]:
 
 
 def part_of(site: Site, bounds: tuple[float, float, float, float]) -> Site:
-    """Return a site with only what a part of its plan shows, so that it is named there.
-
-    Args:
-        site: The whole.
-        bounds: West, south, east, north; metres.
-    """
+    """Return a site with only what a part of its plan shows, so that it is named there."""
     sheet = box(*bounds)
 
     def cut(whole: Polygon) -> Polygon:

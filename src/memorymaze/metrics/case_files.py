@@ -49,9 +49,6 @@ def score_cases(path: str | Path) -> Iterator[dict[str, Any]]:
     """Yield a record for each case of a file: its id and the eight metrics.
 
     A case whose metrics are undefined has its id and `error`.
-
-    Raises:
-        CaseFileError: The file is none of cases; names it, and the place.
     """
     content = _read(path)
     graphs = _Graphs(content["graphs"])
@@ -113,11 +110,7 @@ class _Graphs:
         self._built: dict[str, NavigationGraph | CaseFileError] = {}
 
     def graph(self, name: str) -> NavigationGraph:
-        """Return a graph.
-
-        Raises:
-            CaseFileError: There is none of this name, or it is wrong.
-        """
+        """Return a graph."""
         if name not in self._built:
             self._built[name] = self._build(name)
         built = self._built[name]

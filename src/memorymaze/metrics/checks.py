@@ -1,4 +1,4 @@
-"""What every metric demands of its inputs; anything else is undefined, never guessed."""
+"""What every metric demands of its inputs; anything else is undefined, never guessed: an `UndefinedMetricError`."""
 
 import math
 
@@ -9,12 +9,7 @@ from memorymaze.errors import UndefinedMetricError
 
 
 def checked_distances(distances: ArrayLike, ndim: int) -> NDArray[np.float64]:
-    """Return distances as a float array, metres.
-
-    Raises:
-        UndefinedMetricError: There are none, one is NaN, negative or infinite (no way
-            joins the two places), or they do not have `ndim` dimensions.
-    """
+    """Return distances as a float array, metres."""
     metres = np.asarray(distances, dtype=np.float64)
     if metres.ndim != ndim:
         raise UndefinedMetricError(
@@ -31,22 +26,14 @@ def checked_distances(distances: ArrayLike, ndim: int) -> NDArray[np.float64]:
 
 
 def checked_metres(name: str, metres: float) -> float:
-    """Return a length, metres.
-
-    Raises:
-        UndefinedMetricError: It is NaN, negative or infinite.
-    """
+    """Return a length, metres."""
     if not (math.isfinite(metres) and metres >= 0):
         raise UndefinedMetricError(f"expected {name} to be >= 0 m, got {metres}")
     return float(metres)
 
 
 def checked_success_distance(success_distance: float) -> float:
-    """Return the threshold of success, metres.
-
-    Raises:
-        UndefinedMetricError: It is NaN, infinite, zero or negative.
-    """
+    """Return the threshold of success, metres."""
     if not (math.isfinite(success_distance) and success_distance > 0):
         raise UndefinedMetricError(
             f"expected a threshold > 0 m, got {success_distance}"

@@ -14,16 +14,6 @@ def path_length(step_lengths: ArrayLike) -> float:
 
     >>> path_length([0.5, 0.5, 2.0]), path_length([])
     (3.0, 0.0)
-
-    Args:
-        step_lengths: d(p_i, p_i+1), metres, shape (n - 1,).
-
-    Returns:
-        Metres, >= 0.
-
-    Raises:
-        UndefinedMetricError: A step is NaN, negative, or joins places that no way
-            joins.
     """
     if np.shape(step_lengths) == (0,):
         return 0.0
@@ -39,18 +29,6 @@ def spl(success: float, shortest_distance: float, path_length: float) -> float:
 
     >>> spl(1.0, 8.0, 10.0), spl(0.0, 8.0, 10.0), spl(1.0, 0.0, 0.0)
     (0.8, 0.0, 0.0)
-
-    Args:
-        success: SR of the path, 0 or 1.
-        shortest_distance: l = d(p_0, goal), from where the agent began, metres.
-        path_length: PL of the path, metres.
-
-    Returns:
-        A number from 0 to 1.
-
-    Raises:
-        UndefinedMetricError: A length is NaN, negative or infinite, or `success` is
-            neither 0 nor 1.
     """
     if success not in {0.0, 1.0}:
         raise UndefinedMetricError(f"expected a success of 0 or 1, got {success}")

@@ -1,7 +1,9 @@
 """How well the agent kept to the path described: coverage, CLS, DTW, nDTW and SDTW.
 
 All take the matrix of shortest distances d(r, p) between the places r of the reference
-path (rows) and p of the agent's path (columns). Repeated places count.
+path (rows) and p of the agent's path (columns), metres. Repeated places count. All but
+DTW, in metres, go from 0 to 1. A path that is empty, two that are not joined, or a
+threshold that is not positive, is an `UndefinedMetricError`.
 """
 
 import numpy as np
@@ -24,16 +26,6 @@ def coverage(distances: ArrayLike, success_distance: float = SUCCESS_DISTANCE) -
 
     >>> round(coverage([[0.0, 5.0], [3.0, 6.0]]), 4)  # (1 + 1/e) / 2
     0.6839
-
-    Args:
-        distances: d(r, p), metres, shape (len(R), len(P)).
-        success_distance: th, metres, > 0.
-
-    Returns:
-        A number from 0 to 1; 1 when every place of the reference is visited.
-
-    Raises:
-        UndefinedMetricError: A path is empty, the two are not joined, or th <= 0.
     """
     near = checked_success_distance(success_distance)
     nearest = checked_distances(distances, 2).min(axis=1)
@@ -54,19 +46,6 @@ def cls(
 
     >>> round(cls([[0.0, 5.0], [3.0, 6.0]], 4.0, 4.0), 4)  # PC 0.6839, EPL 2.7358
     0.4678
-
-    Args:
-        distances: d(r, p), metres, shape (len(R), len(P)).
-        reference_length: len(R), metres.
-        path_length: PL of the agent's path, metres.
-        success_distance: th, metres, > 0.
-
-    Returns:
-        A number from 0 to 1; 1 for the reference path itself.
-
-    Raises:
-        UndefinedMetricError: A path is empty, the two are not joined, a length is NaN,
-            negative or infinite, or th <= 0.
     """
     covered = coverage(distances, success_distance)
     expected = covered * checked_metres("the reference length", reference_length)
@@ -85,12 +64,6 @@ def dtw(distances: ArrayLike) -> float:
 
     >>> dtw([[0.0, 1.0, 2.0], [1.0, 0.0, 1.0]])
     1.0
-
-    Args:
-        distances: d(r, p), metres, shape (len(R), len(P)).
-
-    Raises:
-        UndefinedMetricError: A path is empty or the two are not joined.
     """
     costs = checked_distances(distances, 2)
     if min(costs.shape) == 1:
@@ -106,16 +79,6 @@ def ndtw(distances: ArrayLike, success_distance: float = SUCCESS_DISTANCE) -> fl
 
     >>> round(ndtw([[0.0, 1.0, 2.0], [1.0, 0.0, 1.0]]), 4)  # exp(-1 / 6)
     0.8465
-
-    Args:
-        distances: d(r, p), metres, shape (len(R), len(P)).
-        success_distance: th, metres, > 0.
-
-    Returns:
-        A number from 0 to 1; 1 for the reference path itself.
-
-    Raises:
-        UndefinedMetricError: A path is empty, the two are not joined, or th <= 0.
     """
     near = checked_success_distance(success_distance)
     return float(np.exp(-dtw(distances) / (near * np.shape(distances)[0])))
@@ -128,13 +91,6 @@ def sdtw(success: float, ndtw: float) -> float:
 
     >>> sdtw(1.0, 0.8), sdtw(0.0, 0.8)
     (0.8, 0.0)
-
-    Args:
-        success: SR of the path, 0 or 1.
-        ndtw: nDTW of the path, 0 to 1.
-
-    Raises:
-        UndefinedMetricError: `success` is neither 0 nor 1, or `ndtw` not from 0 to 1.
     """
     if success not in {0.0, 1.0} or not 0 <= ndtw <= 1:
         raise UndefinedMetricError(

@@ -1,7 +1,8 @@
 """Whether the agent ended, or ever was, near the goal: NE (SPD), SR and OSR.
 
 All take the shortest distances from the places of the agent's path to the goal, in the
-order walked. Whether the agent itself stopped is for the caller to add.
+order walked, metres, shape (n,). Whether the agent itself stopped is for the caller to add. A path that is empty or not joined to
+the goal, or a threshold that is not positive, is an `UndefinedMetricError`.
 """
 
 from numpy.typing import ArrayLike
@@ -21,15 +22,6 @@ def navigation_error(goal_distances: ArrayLike) -> float:
 
     >>> navigation_error([9.0, 2.0, 4.5])
     4.5
-
-    Args:
-        goal_distances: d(p_i, goal), metres, shape (n,).
-
-    Returns:
-        Metres, >= 0.
-
-    Raises:
-        UndefinedMetricError: The path is empty or not joined to the goal.
     """
     return float(checked_distances(goal_distances, 1)[-1])
 
@@ -44,13 +36,6 @@ def success(
 
     >>> success([9.0, 4.5, 2.9]), success([9.0, 4.5, 3.0])
     (1.0, 0.0)
-
-    Args:
-        goal_distances: d(p_i, goal), metres, shape (n,).
-        success_distance: th, metres, > 0.
-
-    Raises:
-        UndefinedMetricError: The path is empty, not joined to the goal, or th <= 0.
     """
     near = checked_success_distance(success_distance)
     return float(navigation_error(goal_distances) < near)
@@ -66,13 +51,6 @@ def oracle_success(
 
     >>> oracle_success([9.0, 2.9, 4.5]), oracle_success([9.0, 3.0, 4.5])
     (1.0, 0.0)
-
-    Args:
-        goal_distances: d(p_i, goal), metres, shape (n,).
-        success_distance: th, metres, > 0.
-
-    Raises:
-        UndefinedMetricError: The path is empty, not joined to the goal, or th <= 0.
     """
     near = checked_success_distance(success_distance)
     return float(checked_distances(goal_distances, 1).min() < near)

@@ -62,14 +62,6 @@ def check_submission(
     `episodes.jsonl`: all metrics are worked out again from the trajectory. No trace may
     hold a call that only an agent with answers makes. That an agent of one's own did
     not learn the answers elsewhere cannot be checked.
-
-    Args:
-        folder: Run folder.
-        corpus: The leaderboard's; None for the shipped instructions and plans.
-        progress: Told how many traces of how many are done.
-
-    Raises:
-        MemoryMazeError: It is no run folder, or is damaged.
     """
     folder, corpus = Path(folder), corpus or load_corpus()
     record, results = read_run(folder)
@@ -229,11 +221,7 @@ def _trace_problems(
 
 
 def _entries(folder: Path, episode_id: str) -> Iterator[dict[str, Any]]:
-    """Yield the entries of a trace.
-
-    Raises:
-        RunFolderError: There is none, or it is damaged, or holds something else.
-    """
+    """Yield the entries of a trace."""
     entries: Iterator[Any] = read_trace(folder, episode_id)
     for number, entry in enumerate(entries, start=1):
         if not (isinstance(entry, dict) and "kind" in entry):

@@ -54,12 +54,7 @@ def check_ranges(settings: object, about: str, **ranges: tuple[float, float]) ->
 
 
 def check_target(path: str | Path, ending: str, about: str) -> Path:
-    """Refuse a file that cannot be written, before anything is drawn for it.
-
-    Raises:
-        SettingsError: It has another ending, there is no folder for it, or no leave to
-            write.
-    """
+    """Refuse a file that cannot be written, before anything is drawn for it."""
     target = Path(path)
     folder = target.absolute().parent
     if target.suffix.lower() != ending:
@@ -159,14 +154,7 @@ def _stream(container: Any, size: tuple[int, int], fps: float) -> Any:
 
 
 def mark_spherical(path: Path) -> None:
-    """Say in an mp4 file with one track that its frames are equirectangular.
-
-    Args:
-        path: Its `moov` box comes last, as where a file is written front to back.
-
-    Raises:
-        ValueError: It is no such file.
-    """
+    """Say in an mp4 file with one track, its `moov` box last, that it is spherical."""
     with path.open("r+b") as file:
         place = _last_box(path)
         file.seek(place)

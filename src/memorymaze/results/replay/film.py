@@ -26,11 +26,7 @@ from memorymaze.simulation import build_scene
 
 @dataclass(frozen=True, slots=True)
 class ReplaySettings:
-    """What a replay looks like.
-
-    Raises:
-        SettingsError: A value has no meaning; the message names it and the range.
-    """
+    """What a replay looks like."""
 
     size: tuple[int, int] = (1280, 720)
     """Width and height of the video, pixels, even."""
@@ -81,12 +77,7 @@ def film_replay(
 def frames_of(
     episode: RecordedEpisode, settings: ReplaySettings
 ) -> Generator[NDArray[np.uint8]]:
-    """Draw a replay frame by frame, at equal steps of simulated time.
-
-    Raises:
-        RenderingError: This machine cannot draw; says what to install.
-        RunFolderError: The trace does not fit the run's settings.
-    """
+    """Draw a replay frame by frame, at equal steps of simulated time."""
     moments = Moments(episode.story)
     result, site = episode.result, episode.site
     layout = layout_of(settings.size, camera=settings.camera)

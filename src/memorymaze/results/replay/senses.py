@@ -41,12 +41,7 @@ class Eyes:
         *,
         smooth: bool,
     ) -> None:
-        """Open the camera, with smooth edges where there is time for them.
-
-        Raises:
-            RenderingError: This machine cannot draw; says what to install.
-            RunFolderError: The trace tells of things that the scene does not have.
-        """
+        """Open the camera, with smooth edges where there is time for them."""
         self._looks = visual_scene_of(scene, looks)
         unknown = moments.movables - self._looks.movable_geoms.keys()
         if unknown:

@@ -95,14 +95,6 @@ def read_leaderboard(
 
     A run that cannot be read is refused as one that breaks the rules; it does not
     touch the others.
-
-    Args:
-        folder: Holds run folders.
-        corpus: The leaderboard's; None for the shipped instructions and plans.
-        progress: Told the run's name, and how many of its traces of how many are done.
-
-    Raises:
-        SettingsError: The folder does not hold folders, or is a run itself.
     """
     corpus = corpus or load_corpus()
     standing: list[Standing] = []
@@ -125,12 +117,7 @@ def read_leaderboard(
 def write_leaderboard(
     board: Leaderboard, folder: str | Path, *, overwrite: bool = False
 ) -> None:
-    """Write a leaderboard as static pages; `index.html` is where it begins.
-
-    Raises:
-        SettingsError: The folder holds something else than a leaderboard to overwrite,
-            or cannot be made.
-    """
+    """Write a leaderboard as static pages; `index.html` is where it begins."""
     with new_folder(folder, replaces=MARK if overwrite else None) as unfinished:
         _write(board, Pages(unfinished))
 

@@ -78,14 +78,7 @@ class Pages:
     def write(
         self, path: str, template: str, view: Mapping[str, Any], *, title: str
     ) -> None:
-        """Write a page.
-
-        Args:
-            path: Inside the folder, with `/`.
-            template: Name of the template's file.
-            view: What it shows; everything is escaped but `Markup`.
-            title: Of the page.
-        """
+        """Write a page."""
         root = "../" * path.count("/")
         text = self._templates.get_template(template).render(
             **view, title=title, root=root, path=path

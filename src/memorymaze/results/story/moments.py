@@ -54,11 +54,7 @@ class Moment:
 
 
 class Moments:
-    """An episode as a function of simulated time.
-
-    Raises:
-        RunFolderError: The trace has detections that no episode leaves.
-    """
+    """An episode as a function of simulated time."""
 
     def __init__(self, story: Story) -> None:
         """Read what changes in the course of an episode."""

@@ -58,21 +58,13 @@ def load_episode(folder: str | Path, episode_id: str) -> RecordedEpisode:
 
 
 def read_story(folder: Path, episode_id: str) -> Story:
-    """Read the story of an episode from its trace.
-
-    Raises:
-        RunFolderError: The trace is not there, or damaged.
-    """
+    """Read the story of an episode from its trace."""
     place = str(trace_path(folder, episode_id))
     return story_of(read_trace(folder, episode_id), place)
 
 
 def site_of(result: EpisodeResult, plans: Mapping[str, Site], folder: Path) -> Site:
-    """Return where an episode took place.
-
-    Raises:
-        RunFolderError: There is no such plan, or it lacks the route.
-    """
+    """Return where an episode took place."""
     site = plans.get(result.site)
     if site is None or result.reference_route not in {each.id for each in site.routes}:
         raise RunFolderError(

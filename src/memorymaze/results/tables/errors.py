@@ -46,11 +46,7 @@ COLUMNS = (
 
 
 def error_table(run: MeasuredRun) -> Table:
-    """Return success by study and kind of error: a kind, `none`, `several` or `any`.
-
-    Raises:
-        RunFolderError: The run was made by a version that did not keep the kinds.
-    """
+    """Return success by study and kind of error: a kind, `none`, `several` or `any`."""
     if any(result.error_kinds is None for result in run.results):
         raise RunFolderError(
             f"{run.name}: expected results that name the errors in their texts, got some "

@@ -25,11 +25,7 @@ KEY = (
 
 
 def is_sail(runs: Sequence[MeasuredRun]) -> bool:
-    """Tell whether runs are on SAIL.
-
-    Raises:
-        SettingsError: Some are and some are not.
-    """
+    """Tell whether runs are on SAIL."""
     studies = {result.study == STUDY for run in runs for result in run.results}
     if len(studies) > 1:
         raise SettingsError(

@@ -54,11 +54,7 @@ class BrowserView:
         title: str,
         say: Callable[[str], None] | None = None,
     ) -> None:
-        """Draw the plan, and prepare the page; `say` tells the user where it is.
-
-        Raises:
-            OSError: No port can be opened.
-        """
+        """Draw the plan, and prepare the page; `say` tells the user where it is."""
         self._say = say or _on_stderr
         self._sent = 0
         self._finished = False
@@ -83,11 +79,7 @@ class BrowserView:
         return f"http://{HOST}:{self._server.server_port}{self._server.root}"
 
     def wait_for_somebody(self, patience: float = PATIENCE) -> bool:
-        """Say where the page is and wait until it is open, so that no step is missed.
-
-        Returns:
-            Whether somebody opened it; nobody is waited for longer than `patience`.
-        """
+        """Say where the page is, wait until it is open, and return whether it is."""
         self._say(
             f"watch at {self.address} (the robot sets out when the page is open, or in "
             f"{patience:.0f} s)"

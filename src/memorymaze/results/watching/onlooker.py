@@ -71,11 +71,7 @@ class View(Protocol):
 
 
 def check_pace(pace: float) -> float:
-    """Refuse a pace without meaning.
-
-    Raises:
-        SettingsError: It is out of range.
-    """
+    """Refuse a pace without meaning."""
     if not PACES[0] <= pace <= PACES[1]:
         raise SettingsError(
             f"--pace: expected simulated seconds per second from {PACES[0]:g} to "
