@@ -32,7 +32,7 @@ def corridor(tiny_sites_folder: Path) -> Path:
 def test_an_isolated_agent_walks_as_it_would_otherwise(
     tmp_path: Path, corridor: Path
 ) -> None:
-    line = "robot.turn('forward') if robot.detect_turning_point() else rng.random()"
+    line = "robot.turn_by(-90); robot.turn_by(90); rng.random()"
     here = _walk(tmp_path, corridor, line)
     apart = _walk(tmp_path, corridor, line, isolate=True)
     assert apart.trace == here.trace

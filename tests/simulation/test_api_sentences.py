@@ -3,12 +3,14 @@
 import math
 import re
 from collections.abc import Callable, Iterator
+from itertools import combinations
 from pathlib import Path
 from typing import Any
 
 import pytest
 from shapely import Point, Polygon, box
 from shapely.affinity import rotate
+from shapely.ops import unary_union
 
 import memorymaze as mm
 from memorymaze.geometry.pose import Pose, turn_between
@@ -225,6 +227,17 @@ def shared_width(first: Polygon, second: Polygon, heading: float) -> float:
         for each in (first, second)
     ]
     return min(map(max, spans)) - max(map(min, spans))
+
+
+def test_corridors_meet_in_turning_points(
+    builtin_sites: dict[str, Site], api_says: ApiSays
+) -> None:
+    api_says("sharper ones are turning points, in which it halts")
+    for site in builtin_sites.values():
+        points = unary_union([each.polygon for each in site.turning_points])
+        for first, second in combinations(site.corridors, 2):
+            shared = first.polygon & second.polygon
+            assert shared.is_empty or points.distance(shared.centroid) < 0.3
 
 
 # Turning.
