@@ -234,7 +234,7 @@ def test_an_agent_of_ones_own_is_made_from_its_options(
     assert "--set stride=0.5\n        Metres per step." in agent_listing([name])
 
 
-@pytest.mark.parametrize("name", ["code_generation", "navgpt", "navid"])
+@pytest.mark.parametrize("name", ["code_generation", "navgpt", "navid", "see_and_go"])
 def test_what_the_catalogue_says_an_agent_needs_is_what_it_declares(
     name: str, tiny_plan: Callable[..., RunPlan]
 ) -> None:

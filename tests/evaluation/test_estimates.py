@@ -74,9 +74,9 @@ def test_a_run_tells_how_often_it_will_ask() -> None:
     plan = plan_run(AgentSettings("stop"), settings=twelve)
     assert answers_estimate(plan) is None
 
-    def asked(**options: str) -> tuple[int, int]:
+    def asked(name: str = "navid", **options: str) -> tuple[int, int]:
         agent = AgentSettings(
-            "navid", options=tuple(options.items()), language_model=UNPRICED
+            name, options=tuple(options.items()), language_model=UNPRICED
         )
         line = answers_estimate(plan_run(agent, settings=twelve))
         assert line is not None
@@ -92,3 +92,7 @@ def test_a_run_tells_how_often_it_will_ask() -> None:
     assert asked(budget="released") == (fewest, 12 * 400)
     # No route can be walked in 50 steps, so the budget ends every walk.
     assert asked(max_steps="50") == (12 * 50, 12 * 50)
+    # It may go 3 m at a time, and has two requests for each 2.25 m.
+    fewest, most = asked("see_and_go")
+    assert metres / 3 < fewest < most / 2
+    assert asked("see_and_go", requests="9") == (12 * 9, 12 * 9)

@@ -11,6 +11,7 @@ from memorymaze.agents.code_generation import CodeGenerationAgent
 from memorymaze.agents.navgpt import NavGPTAgent, NavGPTOptions
 from memorymaze.agents.navid import NavidAgent
 from memorymaze.agents.navid.model_policies import VisionPolicy
+from memorymaze.agents.see_and_go import SeeAndGoAgent
 from memorymaze.errors import EpisodeOver
 from memorymaze.evaluation.graph_agents import NavGPTOnGraph
 from memorymaze.evaluation.language_agents import NavidOnSite
@@ -66,8 +67,9 @@ def make_robot(corridor_site: Site) -> Callable[[], SteppingRobot]:
 def test_an_agent_that_goes_by_single_steps_keeps_the_contract(
     make_robot: Callable[[], SteppingRobot], reply: str
 ) -> None:
-    policy = VisionPolicy(ScriptedLanguageModel(lambda _: reply))
-    check_agent(NavidAgent(policy), make_robot)
+    model = ScriptedLanguageModel(lambda _: reply)
+    check_agent(NavidAgent(VisionPolicy(model)), make_robot)
+    check_agent(SeeAndGoAgent(model), make_robot)
 
 
 @pytest.mark.parametrize(

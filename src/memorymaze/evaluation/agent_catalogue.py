@@ -116,6 +116,18 @@ def _navid_options() -> type:
     return NavidOptions
 
 
+def _see_and_go(settings: AgentSettings, options: Any) -> AgentFor:
+    from memorymaze.evaluation.language_agents import see_and_go_for_runs
+
+    return see_and_go_for_runs(settings, options)
+
+
+def _see_and_go_options() -> type:
+    from memorymaze.agents.see_and_go import SeeAndGoOptions
+
+    return SeeAndGoOptions
+
+
 _KNOWN: dict[str, KnownAgent] = {
     "code_generation": KnownAgent(
         _code_generation,
@@ -151,6 +163,12 @@ _KNOWN: dict[str, KnownAgent] = {
         _rules,
         "reads the instruction by rules, and needs no model",
         options=_rules_options,
+    ),
+    "see_and_go": KnownAgent(
+        _see_and_go,
+        "a vision-language model is shown the camera's picture and says the next move",
+        needs=frozenset({"language_model", "camera", "steps"}),
+        options=_see_and_go_options,
     ),
     "stop": KnownAgent(_plain("stop"), "stops where it stands: the lower end"),
 }

@@ -10,12 +10,14 @@ import numpy as np
 from memorymaze.agents.agent import Agent, Journal, Need
 from memorymaze.agents.code_generation import CodeGenerationAgent, CodeGenerationOptions
 from memorymaze.agents.navgpt import NavGPTAgent, NavGPTOptions
+from memorymaze.agents.navgpt.agent import loop_limits
 from memorymaze.agents.navid import NavidAgent, NavidOptions
 from memorymaze.agents.navid.model_policies import BlindPolicy, VisionPolicy
 from memorymaze.agents.navid.policy import Policy
+from memorymaze.agents.see_and_go import MOTIONS, SeeAndGoAgent, SeeAndGoOptions
 from memorymaze.errors import LanguageModelError, SettingsError
-from memorymaze.evaluation.budgets import fair_steps, fewest_answers
-from memorymaze.evaluation.graph_agents import NavGPTOnGraph
+from memorymaze.evaluation.budgets import fair_steps, fewest_answers, perfect_steps
+from memorymaze.evaluation.graph_agents import NavGPTOnGraph, longest_route_viewpoints
 from memorymaze.evaluation.guarded_robot import simulated_behind
 from memorymaze.evaluation.settings import AgentSettings
 from memorymaze.instructions.records import Episode
@@ -28,6 +30,7 @@ from memorymaze.language.local_models import is_local
 from memorymaze.language.model import LanguageModel
 from memorymaze.language.model_settings import ModelSettings, build_language_model
 from memorymaze.robot.api import Robot
+from memorymaze.robot.steps import SteppingRobot
 from memorymaze.sites import Route, Site
 
 
@@ -143,14 +146,18 @@ def _checked_model(settings: ModelSettings, options: NavidOptions) -> LanguageMo
             "--agent navid: name a vision model with --model, or a policy server with "
             "--set server=URL, or take recorded replies with --replay"
         )
+    if options.pictures == "shown":
+        _refuse_blind(settings, ", or leave pictures out with --set pictures=none")
+    return build_language_model(settings)
+
+
+def _refuse_blind(settings: ModelSettings, way_out: str = "") -> None:
     here = settings.base_url is None and is_local(settings.model or "")
-    if options.pictures == "shown" and settings.replay is None and here:
+    if settings.replay is None and here:
         raise SettingsError(
             f"--model {settings.model}: models that run here see no pictures; name a "
-            "vision model on a server (--base-url), or leave pictures out with --set "
-            "pictures=none"
+            f"vision model on a server (--base-url){way_out}"
         )
-    return build_language_model(settings)
 
 
 def _policy(model: LanguageModel, options: NavidOptions) -> Policy:
@@ -204,3 +211,63 @@ def _remote_policy(
         return RemotePolicy(server, recorder)
     except LanguageModelError as error:
         raise SettingsError(f"--set server: {error}") from error
+
+
+class SeeAndGoOnSite:
+    """The agent with as many requests as NavGPT has, by its budget `fair`, on a site."""
+
+    needs: ClassVar[frozenset[Need]] = SeeAndGoAgent.needs
+
+    def __init__(self, agent: SeeAndGoAgent) -> None:
+        """Stand for an agent."""
+        self._agent = agent
+        self.prompts = agent.prompts
+        """Versions of the prompts that the agent asks with."""
+
+    @property
+    def name(self) -> str:
+        """That of the agent."""
+        return self._agent.name
+
+    def answers_expected(self, site: Site, route: Route) -> tuple[int, int]:
+        """Return how often it will ask on a route: without a mistake, and at most."""
+        farthest, widest = (
+            MOTIONS.most * each for each in (MOTIONS.forward_m, MOTIONS.turn_deg)
+        )
+        perfect = perfect_steps(route, farthest, widest) + 1
+        limit = self._agent.options.requests or _fair_requests(site)
+        return min(perfect, limit), limit
+
+    def follow(
+        self,
+        instruction: str,
+        robot: SteppingRobot,
+        journal: Journal,
+        rng: np.random.Generator,
+    ) -> None:
+        """Let the agent follow; only the number of requests comes from the site."""
+        simulated = simulated_behind(robot, self.name)
+        limit = _fair_requests(simulated.scene.site)
+        self._agent.follow(instruction, robot, journal, rng, limit)
+
+
+def _fair_requests(site: Site) -> int:
+    return loop_limits(NavGPTOptions(), longest_route_viewpoints(site)).iterations
+
+
+def see_and_go_for_runs(
+    settings: AgentSettings, options: SeeAndGoOptions
+) -> Callable[[Episode], SeeAndGoOnSite]:
+    """Return what makes the agent of an episode.
+
+    Raises:
+        SettingsError: No model is named, it sees nothing, or a file cannot be used.
+    """
+    _refuse_blind(settings.language_model)
+    model = build_language_model(settings.language_model)
+
+    def agent_for(episode: Episode) -> SeeAndGoOnSite:
+        asked = AboutInstruction(model, episode.instruction.id)
+        return SeeAndGoOnSite(SeeAndGoAgent(asked, options))
+
+    return agent_for

@@ -4,7 +4,6 @@ What it said is kept in one SQLite file, to which several processes may write at
 """
 
 import hashlib
-import io
 import json
 import math
 import sqlite3
@@ -15,7 +14,6 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
-from PIL import Image
 from pydantic import TypeAdapter, ValidationError
 
 from memorymaze.agents.agent import Journal
@@ -272,10 +270,8 @@ def take_pictures(scene: Scene, viewpoint: Viewpoint) -> tuple[Picture, ...]:
     pictures: list[Picture] = []
     for number, heading in enumerate(sector_headings()):
         pixels = camera.picture(Pose(viewpoint.x, viewpoint.y, heading))
-        file = io.BytesIO()
-        Image.fromarray(pixels).save(file, "JPEG", quality=JPEG_QUALITY)
         name = f"{viewpoint.id}-{number}"
-        pictures.append(Picture(file.getvalue(), "image/jpeg", name))
+        pictures.append(Picture.of_pixels(pixels, name, quality=JPEG_QUALITY))
     return tuple(pictures)
 
 

@@ -1,7 +1,12 @@
 """The role of a language model, and what goes in and out of it."""
 
+import io
 from dataclasses import dataclass
 from typing import Literal, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
 
 MOST_TOKENS = 10_000_000
 """Of a request or a reply; what counts more is taken for garbage."""
@@ -22,6 +27,15 @@ class Picture:
     name: str | None = None
     """Says which picture this is, whatever its pixels; None where only they can tell.
     A replay finds its replies by it on a machine that draws other pixels."""
+
+    @classmethod
+    def of_pixels(
+        cls, rgb: NDArray[np.uint8], name: str | None = None, *, quality: int = 90
+    ) -> "Picture":
+        """Return pixels, (height, width, 3), as a JPEG file of a quality up to 95."""
+        file = io.BytesIO()
+        Image.fromarray(rgb).save(file, "JPEG", quality=quality)
+        return cls(file.getvalue(), "image/jpeg", name)
 
     def __post_init__(self) -> None:
         """Refuse what no server could read."""

@@ -4,7 +4,6 @@ It answers with a stop, or with up to three primitive motions of one kind.
 """
 
 import hashlib
-import io
 from dataclasses import dataclass
 from typing import Literal, Protocol
 
@@ -96,9 +95,8 @@ class Frame:
         if width != image.width:
             height = round(image.height * width / image.width)
             image = image.resize((width, height), Image.Resampling.LANCZOS)
-        file = io.BytesIO()
-        image.save(file, "JPEG", quality=QUALITY)
-        return Picture(file.getvalue(), "image/jpeg", f"{self.name}-{width}")
+        name = f"{self.name}-{width}"
+        return Picture.of_pixels(np.asarray(image), name, quality=QUALITY)
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,0 +1,191 @@
+"""An agent that sees: it shows a vision-language model the picture, and makes its move.
+
+The whole agent is in this file, as an example to begin with: look, ask, go, until the
+model says stop. How replies are read it shares with the NaVid protocol.
+"""
+
+import math
+from collections import deque
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import count
+from typing import ClassVar
+
+import numpy as np
+
+from memorymaze.agents.agent import Journal, Need
+from memorymaze.agents.navid.policy import Command, Motions, frame_name
+from memorymaze.agents.navid.replies import read_reply, reply_grammar
+from memorymaze.errors import EpisodeOver, LanguageModelError, SettingsError
+from memorymaze.language.model import (
+    CompletionRequest,
+    LanguageModel,
+    Message,
+    Picture,
+    Question,
+)
+from memorymaze.language.prompt_texts import load_prompt, prompt_version
+from memorymaze.robot.steps import SteppingRobot
+
+MOTIONS = Motions(forward_m=0.5, turn_deg=30, most=6)
+"""One move: up to 3 m ahead, or a turn on the spot by up to 180 degrees."""
+TRIES = 2
+"""Requests for a move, where a reply is none."""
+STILL_METRES = 0.01
+"""Who gets ahead by less stands still."""
+
+
+@dataclass(frozen=True, slots=True)
+class SeeAndGoOptions:
+    """What can be set of the agent.
+
+    Raises:
+        SettingsError: A value has no meaning.
+    """
+
+    requests: int | None = None
+    """Requests in an episode at most; none for as many as NavGPT has with the budget
+    `fair`: two for each 2.25 m of the site's longest route."""
+    failures: int = 10
+    """Moves in a row that bring the robot not ahead, after which the episode ends as
+    `stuck`."""
+    memory: int = 10
+    """Last moves that the model is told, with what it said."""
+    temperature: float = 0.0
+    """Of the requests."""
+    max_tokens: int = 300
+    """Longest reply."""
+
+    def __post_init__(self) -> None:
+        """Refuse values without meaning."""
+        for name in ("requests", "failures", "max_tokens"):
+            value = getattr(self, name)
+            if value is not None and value < 1:
+                raise SettingsError(
+                    f"--set {name}: expected a whole number of at least 1, got {value}"
+                )
+        if self.memory < 0 or not 0 <= self.temperature < math.inf:
+            raise SettingsError(
+                "--set: expected memory and temperature of at least 0, got "
+                f"{self.memory} and {self.temperature}"
+            )
+
+
+class SeeAndGoAgent:
+    """Follows an instruction by asking a vision-language model for each next move."""
+
+    needs: ClassVar[frozenset[Need]] = frozenset({"language_model", "camera", "steps"})
+
+    def __init__(
+        self, model: LanguageModel, options: SeeAndGoOptions | None = None
+    ) -> None:
+        """Prepare to ask a model, with options; the defaults when None."""
+        self.options = options or SeeAndGoOptions()
+        self._model = model
+        forward, turn = (
+            ", ".join(map(str, MOTIONS.amounts(motion)))
+            for motion in ("forward", "left")
+        )
+        self._rules = load_prompt("see_and_go_rules", forward=forward, turn=turn)
+        step = load_prompt("see_and_go_step", instruction="", steps="")
+        self.prompts = {"move": prompt_version(self._rules, step)}
+        """Version of the prompt, which answers in files are compared with."""
+
+    @property
+    def name(self) -> str:
+        """`see_and_go[model]`, and what is set that changes what it does."""
+        given = self.options
+        told = [f"+{given.requests} requests"] if given.requests else []
+        told += [f"+memory={given.memory}"] if given.memory != 10 else []
+        return f"see_and_go[{self._model.name}]{''.join(told)}"
+
+    def follow(
+        self,
+        instruction: str,
+        robot: SteppingRobot,
+        journal: Journal,
+        rng: np.random.Generator,
+        requests: int | None = None,
+    ) -> None:
+        """Look, ask and go until the model says stop.
+
+        Args:
+            instruction: Is shown to the model as it is.
+            robot: Takes pictures and single steps.
+            journal: Gets a `move` for each move, with what the model said.
+            rng: Nothing is drawn.
+            requests: Most requests, where the options leave it open; None for no limit.
+
+        Raises:
+            LanguageModelError: The model did not answer, or twice without a move.
+            EpisodeOver: Stopped; `budget` after the last request; `stuck`.
+        """
+        limit = self.options.requests or requests
+        numbers = count(1) if limit is None else iter(range(1, limit + 1))
+        steps = deque[str](maxlen=self.options.memory)
+        place, still = frame_name(instruction, "", "start"), 0
+        while still < self.options.failures:
+            view = Picture.of_pixels(robot.camera_picture().rgb, place)
+            task = load_prompt(
+                "see_and_go_step",
+                instruction=instruction.strip(),
+                steps="\n".join(steps) or "(none)",
+            )
+            command, said = self._ask(task, view, numbers, journal)
+            if command.motion == "stop":
+                robot.stop()
+            ahead, done = make_move(robot, command)
+            journal.note("move", said=said, done=done)
+            steps.append(f"- {said} {done}")
+            still = 0 if ahead > STILL_METRES else still + 1
+            place = frame_name(instruction, place, done)
+        raise EpisodeOver("stuck")
+
+    def _ask(
+        self, task: str, view: Picture, numbers: Iterator[int], journal: Journal
+    ) -> tuple[Command, str]:
+        """Return the next move, and what the model said; ask twice if need be."""
+        messages = (
+            Message("system", self._rules),
+            Message("user", task, (view,)),
+        )
+        problem = ""
+        for _ in range(TRIES):
+            number = next(numbers, None)
+            if number is None:
+                raise EpisodeOver("budget")
+            completion = self._model.complete(
+                CompletionRequest(
+                    messages,
+                    temperature=self.options.temperature,
+                    max_tokens=self.options.max_tokens,
+                    grammar=reply_grammar(MOTIONS),
+                    question=Question("move", self.prompts["move"], number),
+                )
+            )
+            journal.count(completion, stage="move")
+            said = " ".join(completion.text.split())
+            read = read_reply(completion.text, MOTIONS)
+            if isinstance(read, Command):
+                return read, said
+            problem = read.problem
+            messages += (
+                Message("assistant", said or "(nothing)"),
+                Message("user", f"That cannot be used: {problem}. Answer again."),
+            )
+        raise LanguageModelError(
+            f"{self._model.name}: no move in {TRIES} replies: {problem}"
+        )
+
+
+def make_move(robot: SteppingRobot, command: Command) -> tuple[float, str]:
+    """Move the robot; return the metres it got ahead, and what happened in words."""
+    if command.motion == "forward":
+        wanted = command.count * MOTIONS.forward_m
+        ahead = robot.step_forward(wanted)
+        halted = ahead < wanted - STILL_METRES
+        end = ", where something is in the way" if halted else ""
+        return ahead, f"The robot went {100 * ahead:.0f} cm{end}."
+    degrees = command.count * MOTIONS.turn_deg
+    robot.rotate(math.radians(degrees if command.motion == "left" else -degrees))
+    return 0.0, f"The robot turned {command.motion} by {degrees} degrees."
