@@ -12,12 +12,13 @@ from memorymaze.pictures.looks.materials import Material
 from memorymaze.pictures.rendering.floor_plan import (
     BAY,
     DOUBLE_WALL,
+    Hole,
     Outline,
     Surroundings,
     WallFace,
+    clear_of,
 )
 from memorymaze.pictures.rendering.meshes import (
-    Hole,
     Slice,
     ceiling_kind,
     foot_shade,
@@ -51,18 +52,10 @@ def glass_wall(made: Slice, face: WallFace, height: float) -> list[Hole]:
     """Glaze a wall between its windows and doors, and return the panes as holes."""
     metal = surfaces.solid(0.30, 0.31, 0.33)
     pane = surfaces.solid(0.78, 0.90, 0.94, 0.14)
-    taken = sorted((h[0] - 0.09, h[1] + 0.09) for h in face.holes)
-    free: list[tuple[float, float]] = []
-    at = 0.0
-    for low, high in taken:
-        if low > at:
-            free.append((at, low))
-        at = max(at, high)
-    if at < face.length:
-        free.append((at, face.length))
+    taken = [(low - 0.09, high + 0.09) for low, high, _, _ in face.holes]
     panes: list[Hole] = []
     top = height - RAIL_TOP
-    for low, high in free:
+    for low, high in clear_of(face.length, taken):
         count = max(1, math.ceil((high - low) / MODULE))
         wide = (high - low) / count
         if wide < 0.25:
@@ -108,18 +101,16 @@ def wind_screen(made: Slice, face: WallFace, height: float) -> None:
         upright(builder, face, (low, high), (bottom, top), 0.0, wall_uv(face, height))
     pane = surfaces.solid(0.80, 0.91, 0.94, 0.10)
     metal = surfaces.solid(0.55, 0.57, 0.59)
-    taken = sorted((h[0], h[1]) for h in face.holes)
-    at = 0.0
-    for low, high in [*taken, (face.length, face.length)]:
-        if low - at > 0.1:
-            upright(made.builders["wall", pane], face, (at, low), (low_wall, height), 0)
-            count = max(1, math.ceil((low - at) / 1.8))
-            for post in range(count + 1):
-                x = at + (low - at - 0.05) * post / count
-                _bar(made, metal, face, (x, x + 0.05), (low_wall, height))
-            _bar(made, metal, face, (at, low), (low_wall, low_wall + 0.05))
-            _bar(made, metal, face, (at, low), (height - 0.05, height))
-        at = max(at, high)
+    for low, high in clear_of(face.length, [h[:2] for h in face.holes]):
+        if high - low <= 0.1:
+            continue
+        upright(made.builders["wall", pane], face, (low, high), (low_wall, height), 0)
+        count = max(1, math.ceil((high - low) / 1.8))
+        for post in range(count + 1):
+            x = low + (high - low - 0.05) * post / count
+            _bar(made, metal, face, (x, x + 0.05), (low_wall, height))
+        _bar(made, metal, face, (low, high), (low_wall, low_wall + 0.05))
+        _bar(made, metal, face, (low, high), (height - 0.05, height))
     foot_shade(made, face, list(face.holes))
 
 

@@ -4,7 +4,7 @@ Plain geometry: no mesh, no material.
 """
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import Literal
@@ -234,26 +234,17 @@ def openings_of(site: Site) -> list[Opening]:
 
 
 @dataclass(frozen=True, slots=True)
-class WallFace:
-    """A straight, upright rectangle beside one part of the floor."""
+class _Edge:
+    """A straight piece of the floor's boundary, with the floor to its left."""
 
     x: float
-    """Where it begins, metres; the floor is to the left of its direction."""
+    """Where it begins, metres."""
     y: float
     ux: float
     """Unit vector along it."""
     uy: float
     length: float
     """Metres."""
-    part: FloorPart
-    """The floor beside it."""
-    ring: int
-    """0 on the floor's outer boundary, n on that of its n-th hole."""
-    starts_at_corner: bool
-    """Whether the wall bends where it begins."""
-    ends_at_corner: bool
-    holes: tuple[tuple[float, float, float, float], ...]
-    """Openings: from and to along it, bottom and top, metres; within its length."""
 
     def at(self, along: float, out: float = 0.0) -> tuple[float, float]:
         """Return a point along it, `out` metres before it, on the floor's side."""
@@ -273,6 +264,25 @@ class WallFace:
         return math.atan2(self.ux, -self.uy)
 
 
+Hole = tuple[float, float, float, float]
+"""An opening in a wall: from and to along it, bottom and top, metres."""
+
+
+@dataclass(frozen=True, slots=True)
+class WallFace(_Edge):
+    """A straight, upright rectangle beside one part of the floor."""
+
+    part: FloorPart
+    """The floor beside it."""
+    ring: int
+    """0 on the floor's outer boundary, n on that of its n-th hole."""
+    starts_at_corner: bool
+    """Whether the wall bends where it begins."""
+    ends_at_corner: bool
+    holes: tuple[Hole, ...]
+    """Openings within its length."""
+
+
 def wall_faces(
     floor: Polygon, parts: Sequence[FloorPart], openings: Sequence[Opening]
 ) -> Iterator[WallFace]:
@@ -288,79 +298,70 @@ def wall_faces(
             length = math.hypot(bx - ax, by - ay)
             if length < SHORTEST:
                 continue
-            ux, uy = (bx - ax) / length, (by - ay) / length
-            holes = list(_holes(ax, ay, ux, uy, length, openings))
-            yield from _pieces(ax, ay, ux, uy, length, parts, tree, number, holes)
+            edge = _Edge(ax, ay, (bx - ax) / length, (by - ay) / length, length)
+            holes = list(_holes(edge, openings))
+            for low, high, part in _pieces(edge, parts, tree):
+                inside = tuple(
+                    (max(a, low) - low, min(b, high) - low, z0, z1)
+                    for a, b, z0, z1 in holes
+                    if min(b, high) - max(a, low) > SHORTEST
+                )
+                yield WallFace(
+                    *edge.at(low),
+                    edge.ux,
+                    edge.uy,
+                    high - low,
+                    part,
+                    number,
+                    low == 0.0,
+                    high == length,
+                    inside,
+                )
 
 
-def _holes(
-    ax: float,
-    ay: float,
-    ux: float,
-    uy: float,
-    length: float,
-    openings: Sequence[Opening],
-) -> Iterator[tuple[float, float, float, float]]:
+def _holes(edge: _Edge, openings: Sequence[Opening]) -> Iterator[Hole]:
     for each in openings:
-        dx, dy = each.x - ax, each.y - ay
-        along, out = dx * ux + dy * uy, -dx * uy + dy * ux
-        facing = -math.cos(each.heading) * uy + math.sin(each.heading) * ux
+        dx, dy = each.x - edge.x, each.y - edge.y
+        along, out = dx * edge.ux + dy * edge.uy, -dx * edge.uy + dy * edge.ux
+        facing = -math.cos(each.heading) * edge.uy + math.sin(each.heading) * edge.ux
         if abs(out) > NEAR_WALL or abs(facing) < 0.95:
             continue
         low = max(along - each.half_width, 0.0)
-        high = min(along + each.half_width, length)
+        high = min(along + each.half_width, edge.length)
         if high - low > 0.05:
             yield low, high, each.bottom, each.top
 
 
 def _pieces(
-    ax: float,
-    ay: float,
-    ux: float,
-    uy: float,
-    length: float,
-    parts: Sequence[FloorPart],
-    tree: STRtree,
-    ring: int,
-    holes: Sequence[tuple[float, float, float, float]],
-) -> Iterator[WallFace]:
+    edge: _Edge, parts: Sequence[FloorPart], tree: STRtree
+) -> Iterator[tuple[float, float, FloorPart]]:
     """Cut an edge where the floor beside it changes, and into handy lengths."""
-    inside = LineString([
-        (ax - uy * STEP, ay + ux * STEP),
-        (ax + ux * length - uy * STEP, ay + uy * length + ux * STEP),
-    ])
-    cuts = {0.0, length}
+    inside = LineString([edge.at(0.0, STEP), edge.at(edge.length, STEP)])
+    cuts = {0.0, edge.length}
     for index in tree.query(inside):
         shared = parts[index].polygon.intersection(inside)
         for piece in getattr(shared, "geoms", [shared]):
             if isinstance(piece, LineString) and not piece.is_empty:
                 for x, y in (piece.coords[0], piece.coords[-1]):
-                    cuts.add(min(max((x - ax) * ux + (y - ay) * uy, 0.0), length))
-    ends = _merged(sorted(cuts))
-    for low, high in pairwise(ends):
+                    along = (x - edge.x) * edge.ux + (y - edge.y) * edge.uy
+                    cuts.add(min(max(along, 0.0), edge.length))
+    for low, high in pairwise(_merged(sorted(cuts))):
         count = max(1, math.ceil((high - low) / SLICE))
-        middle = (low + high) / 2
-        beside = Point(ax + ux * middle - uy * STEP, ay + uy * middle + ux * STEP)
-        part = parts[int(tree.nearest(beside))]
+        part = parts[int(tree.nearest(Point(edge.at((low + high) / 2, STEP))))]
         for number in range(count):
             start = low + (high - low) * number / count
-            end = low + (high - low) * (number + 1) / count
-            yield WallFace(
-                ax + ux * start,
-                ay + uy * start,
-                ux,
-                uy,
-                end - start,
-                part,
-                ring,
-                start == 0.0,
-                end == length,
-                tuple(
-                    (max(a, start) - start, min(b, end) - start, z0, z1)
-                    for a, b, z0, z1 in holes
-                    if min(b, end) - max(a, start) > SHORTEST
-                ),
-            )
+            yield start, low + (high - low) * (number + 1) / count, part
+
+
+def clear_of(
+    length: float, taken: Iterable[tuple[float, float]]
+) -> Iterator[tuple[float, float]]:
+    """Yield what is left of a length without some stretches of it."""
+    at = 0.0
+    for low, high in [*sorted(taken), (length, length)]:
+        if low > at:
+            yield at, low
+        at = max(at, high)
 
 
 def _merged(cuts: list[float]) -> list[float]:

@@ -15,12 +15,11 @@ from shapely import Polygon
 from memorymaze.pictures.looks import surfaces
 from memorymaze.pictures.looks.assembly import MeshPart
 from memorymaze.pictures.looks.materials import Material
-from memorymaze.pictures.rendering.floor_plan import BAY, WallFace
+from memorymaze.pictures.rendering.floor_plan import BAY, Hole, WallFace
 
 Vector = tuple[float, float, float]
 Kind = Literal["floor", "ceiling", "wall", "beyond", "decal"]
 """What a mesh belongs to; `beyond` is seen through glass, `decal` is a mere shade."""
-Hole = tuple[float, float, float, float]
 Uv = Callable[[float, float], tuple[float, float]]
 """What gives a point of a wall, along and above, its place in the picture."""
 SKIRTING_HEIGHT = 0.09

@@ -23,8 +23,10 @@ from memorymaze.pictures.rendering.floor_plan import (
     BAY,
     NEAR_WALL,
     FloorPart,
+    Hole,
     Surroundings,
     WallFace,
+    clear_of,
     floor_parts,
     openings_of,
     sliced,
@@ -32,7 +34,6 @@ from memorymaze.pictures.rendering.floor_plan import (
 )
 from memorymaze.pictures.rendering.meshes import (
     SKIRTING_HEIGHT,
-    Hole,
     Kind,
     Slice,
     ceiling_kind,
@@ -128,22 +129,20 @@ def empty_stretches(
         walls[-1].append(face)
     for wall in walls:
         first, ends = wall[0], np.cumsum([0.0, *(face.length for face in wall)])
-        taken = [(0.0, 0.0), (float(ends[-1]), float(ends[-1]))]
+        taken: list[tuple[float, float]] = []
         for face, start in zip(wall, ends.tolist(), strict=False):
             taken += [(start + a, start + b) for a, b, _, _ in face.holes]
         for place, half in used:
             along, behind = first.local(np.array([[place.x, place.y]]))[0].tolist()
             if abs(behind) < NEAR_WALL + 0.1 and -half < along < ends[-1] + half:
                 taken.append((along - half, along + half))
-        at = 0.0
-        for low, high in sorted(taken):
-            if low - at >= LONG_WALL:
+        for low, high in clear_of(float(ends[-1]), taken):
+            if high - low >= LONG_WALL:
                 for face, start in zip(wall, ends.tolist(), strict=False):
-                    a = max(at + ASIDE, start) - start
-                    b = min(low - ASIDE, start + face.length) - start
+                    a = max(low + ASIDE, start) - start
+                    b = min(high - ASIDE, start + face.length) - start
                     if b - a > 0.05:
-                        yield face, a, b, at - start
-            at = max(at, high)
+                        yield face, a, b, low - start
 
 
 def _dress(

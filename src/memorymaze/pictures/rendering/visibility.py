@@ -10,7 +10,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from memorymaze.pictures.rendering.floor_plan import Surroundings, WallFace
+from memorymaze.pictures.rendering.floor_plan import (
+    Surroundings,
+    WallFace,
+    clear_of,
+)
 
 FloatArray = NDArray[np.float64]
 RAYS_PER_RADIAN = 120
@@ -29,22 +33,18 @@ def hiding_segments(
     for face in faces:
         if face.ring in open_rings or face.part.open_air:
             continue
-        gaps = [(a, b) for a, b, _, _ in face.holes]
+        gaps = [hole[:2] for hole in face.holes]
         if face.part.wall_material == "glass":
             gaps = [(0.0, face.length)]
-        gaps = [
-            gap
-            for gap in gaps
-            if surroundings.behind(
-                *face.at((gap[0] + gap[1]) / 2), face.heading + math.pi
-            )[0]
+        outwards = face.heading + math.pi
+        open_air = [
+            (low, high)
+            for low, high in gaps
+            if surroundings.behind(*face.at((low + high) / 2), outwards)[0]
             == "outdoors"
         ]
-        at = 0.0
-        for low, high in [*sorted(gaps), (face.length, face.length)]:
-            if low > at:
-                segments.append((*face.at(at), *face.at(low)))
-            at = max(at, high)
+        for low, high in clear_of(face.length, open_air):
+            segments.append((*face.at(low), *face.at(high)))
     return np.array(segments, dtype=np.float64).reshape(-1, 4)
 
 
