@@ -4,10 +4,10 @@ import math
 from functools import cache
 
 import numpy as np
-from PIL import Image, ImageDraw
+from PIL import ImageDraw
 
 from memorymaze.pictures.looks.assembly import Assembly, Order
-from memorymaze.pictures.looks.boards import Pixels, blank, pixels_of
+from memorymaze.pictures.looks.boards import Pixels, blank, graded, pixels_of
 from memorymaze.pictures.looks.materials import (
     BASALT,
     IRON,
@@ -83,12 +83,8 @@ def aquarium(made: Assembly, order: Order) -> None:
 @cache
 def _tank(width: float, height: float, variant: int) -> Pixels:
     """Draw fish among weeds over sand."""
-    w, h = blank(width, height, SEA).size
-    rows = np.linspace(0, 1, h)[:, None, None]
-    water = np.array((0.3, 0.7, 0.85)) * (1 - rows) + np.array((0.02, 0.2, 0.42)) * rows
-    image = Image.fromarray(
-        np.broadcast_to(255 * water, (h, w, 3)).astype(np.uint8).copy()
-    )
+    w, h = size = blank(width, height, SEA).size
+    image = graded(size, (0.3, 0.7, 0.85), (0.02, 0.2, 0.42))
     draw = ImageDraw.Draw(image)
     rng = np.random.default_rng(variant + 19)
     draw.rectangle([0, 0.9 * h, w, h], rgb255((0.82, 0.72, 0.5)))

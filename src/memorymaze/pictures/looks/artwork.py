@@ -5,7 +5,7 @@ from functools import cache
 import numpy as np
 from PIL import Image, ImageDraw
 
-from memorymaze.pictures.looks.boards import Pixels, blank, pixels_of, whole
+from memorymaze.pictures.looks.boards import Pixels, blank, graded, pixels_of, whole
 from memorymaze.pictures.looks.materials import (
     OCEAN,
     PURE_WHITE,
@@ -37,10 +37,8 @@ def landscape(image: Image.Image, field: Field, colour: Rgb, variant: int) -> No
     rng = np.random.default_rng(variant + 71)
     width, height = int(field.width), int(field.height)
     left, top = int(field.left), int(field.top)
-    high, low = np.array(shade(colour, 1.35)), np.array(shade(colour, 1.8))
-    rows = np.linspace(0, 1, height)[:, None, None]
-    sky = Image.fromarray((255 * (high * (1 - rows) + low * rows)).astype(np.uint8))
-    image.paste(sky.resize((width, height)), (left, top))
+    sky = graded((width, height), shade(colour, 1.35), shade(colour, 1.8))
+    image.paste(sky, (left, top))
     draw = ImageDraw.Draw(image)
     r = 0.1 * min(width, height)
     x, y = left + width * rng.uniform(0.2, 0.8), top + height * 0.28

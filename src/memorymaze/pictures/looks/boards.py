@@ -48,6 +48,14 @@ def blank(width: float, height: float, ground: Rgb) -> Image.Image:
     return Image.new("RGB", size, rgb255(ground))
 
 
+def graded(size: tuple[int, int], top: Rgb, bottom: Rgb) -> Image.Image:
+    """Return a picture whose colour goes evenly over into another one downwards."""
+    w, h = size
+    rows = np.linspace(0, 1, h)[:, None, None]
+    column = 255 * (np.array(top) * (1 - rows) + np.array(bottom) * rows)
+    return Image.fromarray(column.astype(np.uint8)).resize((w, h))
+
+
 def whole(image: Image.Image) -> Field:
     """Return the field that is all of a picture."""
     return Field(0, 0, image.width, image.height)

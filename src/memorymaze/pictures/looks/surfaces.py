@@ -215,6 +215,13 @@ def _grain(rng: np.random.Generator, size: float) -> Floats:
     return noise / (3 * noise.std())
 
 
+def _streaks(rng: np.random.Generator, tall: float, wide: float) -> Floats:
+    """Noise in about [-1, 1] that repeats, drawn out along rows or columns."""
+    noise = rng.standard_normal((PIXELS, PIXELS))
+    streaks = np.asarray(gaussian_filter(noise, (tall, wide), mode="wrap"))
+    return streaks / (3 * streaks.std())
+
+
 def _clouds(rng: np.random.Generator, cells: int) -> Floats:
     """Large soft spots in about [-1, 1] that repeat."""
     coarse = rng.standard_normal((cells, cells))
@@ -258,11 +265,8 @@ def _linoleum(rng: np.random.Generator) -> Floats:
 def _parquet(rng: np.random.Generator) -> Floats:
     # Boards of 0.12 m by 1.2 m along the bay, each row shifted.
     picture = _colour(0.64, 0.46, 0.29)
-    rows, board = 20, PIXELS // 20 + 1
-    streaks = gaussian_filter(
-        rng.standard_normal((PIXELS, PIXELS)), (0.8, 28), mode="wrap"
-    )
-    streaks /= 3 * streaks.std()
+    rows = 20
+    streaks = _streaks(rng, 0.8, 28)
     for row in range(rows):
         top, bottom = row * PIXELS // rows, (row + 1) * PIXELS // rows
         shift = int(rng.integers(PIXELS))
@@ -274,7 +278,6 @@ def _parquet(rng: np.random.Generator) -> Floats:
             block[:, columns[0]] *= 0.72
             picture[top:bottom] = block
         picture[top] *= 0.74
-    del board
     return picture * (1 + 0.2 * streaks[:, :, None])
 
 
@@ -317,12 +320,7 @@ def _plaster(rng: np.random.Generator) -> Floats:
 def _wood_panels(rng: np.random.Generator) -> Floats:
     # Panels of 0.8 m with dark joints and upright grain.
     picture = _colour(0.60, 0.41, 0.25)
-    streaks = gaussian_filter(
-        rng.standard_normal((PIXELS, PIXELS)), (36, 1.0), mode="wrap"
-    )
-    streaks /= 3 * streaks.std()
-    waves = gaussian_filter(rng.standard_normal((PIXELS, PIXELS)), (50, 7), mode="wrap")
-    waves /= 3 * waves.std()
+    streaks, waves = _streaks(rng, 36, 1.0), _streaks(rng, 50, 7)
     picture *= 1 + 0.16 * streaks[:, :, None] + 0.14 * waves[:, :, None]
     for panel in range(3):
         left, right = panel * PIXELS // 3, (panel + 1) * PIXELS // 3

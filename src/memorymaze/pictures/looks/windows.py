@@ -3,10 +3,10 @@
 from functools import cache
 
 import numpy as np
-from PIL import Image, ImageDraw
+from PIL import ImageDraw
 
 from memorymaze.pictures.looks.assembly import Assembly, ObjectModel, Order
-from memorymaze.pictures.looks.boards import Pixels, blank, pixels_of
+from memorymaze.pictures.looks.boards import Pixels, blank, graded, pixels_of
 from memorymaze.pictures.looks.materials import (
     SHALE,
     Rgb,
@@ -135,12 +135,8 @@ def _framed(
 
 @cache
 def _outdoors(width: float, height: float, variant: int) -> Pixels:
-    w, h = blank(width, height, FRAME).size
-    rows = np.linspace(0, 1, h)[:, None, None]
-    sky = np.array((0.55, 0.75, 0.95)) * (1 - rows) + np.array((0.92, 0.96, 1.0)) * rows
-    image = Image.fromarray(
-        np.broadcast_to(255 * sky, (h, w, 3)).astype(np.uint8).copy()
-    )
+    w, h = size = blank(width, height, FRAME).size
+    image = graded(size, (0.55, 0.75, 0.95), (0.92, 0.96, 1.0))
     draw = ImageDraw.Draw(image)
     rng = np.random.default_rng(variant + 5)
     for x, y in rng.random((4, 2)):
