@@ -61,6 +61,8 @@ class Column:
     """Writes the cell where the field's value alone does not make it."""
     link: Callable[[Row], str | None] | None = None
     """Where the cell leads to on a page; None for nowhere."""
+    plot: bool = False
+    """Whether pages draw value and interval beside it, on a line from 0 to 1."""
     is_data: bool = True
     """Whether CSV and frames have it."""
 
@@ -246,9 +248,10 @@ class Table:
             for group, rows in groups:
                 lines.append("<tbody>")
                 if group:
+                    title_cell = sheet.groups[0].linked(rows[0], escape(group))
                     lines.append(
                         f'<tr class="group"><th scope="rowgroup" colspan="'
-                        f'{len(sheet.columns)}">{escape(group)}</th></tr>'
+                        f'{heads.count("</t")}">{title_cell}</th></tr>'
                     )
                 for number in rows:
                     cells = "".join(each.html(number) for each in sheet.columns)
@@ -381,21 +384,42 @@ class _Cells:
         return rows[number][name] == best(rows[n][name] for n in choice)
 
     def html_heading(self) -> str:
-        return f'<th scope="col"{self._class()}>{escape(self.heading)}</th>'
+        plot = '<td class="plot"></td>' if self.column.plot else ""
+        return f'<th scope="col"{self._class()}>{escape(self.heading)}</th>{plot}'
 
     def html(self, number: int) -> str:
         row = self._table.rows[number]
         shown, *addition = map(escape, self._parts[number])
         shown += "".join(f' <span class="interval">{each}</span>' for each in addition)
-        target = self.column.link and self.column.link(row)
-        if target:
-            shown = f'<a href="{escape(target)}">{shown}</a>'
+        shown = self.linked(number, shown)
         if self.column.role == "label":
             return f'<th scope="row">{shown}</th>'
         value = row.get(self.column.name)
         # Columns are sorted by their values, not by what is shown of them.
         data = f' data-value="{value}"' if isinstance(value, float) else ""
-        return f"<td{self._class()}{data}>{shown}</td>"
+        return f"<td{self._class()}{data}>{shown}</td>{self._plot(row)}"
+
+    def linked(self, number: int, shown: str) -> str:
+        """Return what is shown of a row as a link, where it leads somewhere."""
+        link = self.column.link
+        target = link(self._table.rows[number]) if link else None
+        return f'<a href="{escape(target)}">{shown}</a>' if target else shown
+
+    def _plot(self, row: Row) -> str:
+        if not self.column.plot:
+            return ""
+        value = row.get(self.column.name)
+        if value is None:
+            return '<td class="plot"></td>'
+        low, high = (row.get(end) for end in self.column.interval or ("", ""))
+        spread = ""
+        if low is not None and high is not None:
+            spread = f'<path class="range" d="M{100 * low:.5g} 7H{100 * high:.5g}"/>'
+        return (
+            '<td class="plot"><svg class="dots" viewBox="0 0 100 14" aria-hidden="true" '
+            'focusable="false"><path class="axis" d="M0 7H100M0 3V11M50 5V9M100 3V11"/>'
+            f'{spread}<circle cx="{100 * value:.5g}" cy="7" r="2.6"/></svg></td>'
+        )
 
     def _class(self) -> str:
         return ' class="num"' if self.is_numeric else ""

@@ -1,8 +1,9 @@
 """Whether the agent ended, or ever was, near the goal: NE (SPD), SR and OSR.
 
 All take the shortest distances from the places of the agent's path to the goal, in the
-order walked, metres, shape (n,). Whether the agent itself stopped is for the caller to add. A path that is empty or not joined to
-the goal, or a threshold that is not positive, is an `UndefinedMetricError`.
+order walked, metres, shape (n,). Whether the agent itself stopped is for the caller to
+add. A path that is empty or not joined to the goal, or a threshold that is not positive,
+is an `UndefinedMetricError`.
 """
 
 from numpy.typing import ArrayLike

@@ -1,22 +1,28 @@
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
 from memorymaze.errors import RunFolderError
 from memorymaze.evaluation.results import EpisodeResult
-from memorymaze.results.tables import Place, TableRow, load_runs, run_tables, table_rows
+from memorymaze.results.tables import load_runs, paper_table, run_tables
+from memorymaze.tables import Row, Table
 
 Make = Callable[..., EpisodeResult]
 Write = Callable[..., Path]
 
 
-def measured(rows: Sequence[TableRow]) -> dict[tuple[object, ...], TableRow]:
-    return {
-        (r.study, r.places if r.is_mean else r.places[0], r.iteration): r
-        for r in rows
-        if r.run is not None
-    }
+PAPER = ("sr", "osr", "spd", "cls")
+
+
+def measured(table: Table) -> dict[tuple[str, str], Row]:
+    """Return the rows of runs by study and title of their places."""
+    rows = [row for row in table.rows if row["figures"] == "measured"]
+    return {(row["study"], row["place"]): row for row in rows}
+
+
+def published(table: Table) -> list[Row]:
+    return [row for row in table.rows if row["figures"] == "published"]
 
 
 def test_table_two_equals_one_worked_by_hand(write: Write, result: Make) -> None:
@@ -29,20 +35,19 @@ def test_table_two_equals_one_worked_by_hand(write: Write, result: Make) -> None
             result("c-1", study="onsite", spd=0.5),
         ],
     )
-    rows = measured(table_rows(load_runs([folder]), "II"))
-    one, two = Place("university", "R1"), Place("university", "R2")
+    rows = measured(paper_table(load_runs([folder]), "II"))
     assert list(rows) == [
-        ("online", one, None),
-        ("online", two, None),
-        ("online", (one, two), None),
-        ("onsite", one, None),
+        ("online", "University R1"),
+        ("online", "University R2"),
+        ("online", "Mean over 2 routes"),
+        ("onsite", "University R1"),
     ]
-    first = rows["online", one, None]
-    assert (first.episodes, first.participants) == (2, 1)
-    assert [each.mean for each in first.values.values()] == [0.5, 1.0, 2.5, 0.4]
-    mean = rows["online", (one, two), None]
-    assert [each.mean for each in mean.values.values()] == [0.25, 0.5, 26.25, 0.45]
-    assert (mean.episodes, mean.participants) == (3, 2)
+    first = rows["online", "University R1"]
+    assert (first["episodes"], first["participants"]) == (2, 1)
+    assert [first[name] for name in PAPER] == [0.5, 1.0, 2.5, 0.4]
+    mean = rows["online", "Mean over 2 routes"]
+    assert [mean[name] for name in PAPER] == [0.25, 0.5, 26.25, 0.45]
+    assert (mean["episodes"], mean["participants"]) == (3, 2)
 
 
 def test_table_three_tells_iterations_apart(write: Write, result: Make) -> None:
@@ -50,30 +55,28 @@ def test_table_three_tells_iterations_apart(write: Write, result: Make) -> None:
         "run",
         [result("a-1", spd=1.0), result("a-2", iteration=2, success=False, spd=4.0)],
     )
-    rows = measured(table_rows(load_runs([folder]), "III"))
-    place = Place("university", "R1")
-    assert rows["online", place, 1].values["spd"].mean == 1.0
-    assert rows["online", place, 2].values["sr"].mean == 0.0
+    rows = measured(paper_table(load_runs([folder]), "III"))
+    assert rows["online", "University R1, iteration 1"]["spd"] == 1.0
+    assert rows["online", "University R1, iteration 2"]["sr"] == 0.0
 
 
 def test_the_papers_figures_stand_beside_routes_that_it_has(
     write: Write, result: Make
 ) -> None:
     folder = write("run", [result("a-1"), result("b-1", site="annex", route="R1")])
-    rows = table_rows(load_runs([folder]), "II")
-    paper = [row for row in rows if row.run is None]
-    assert {row.places for row in paper} == {(Place("university", "R1"),)}
-    best = next(row for row in paper if row.parser)
-    assert best.method == "paper: proposed"
-    assert [each.mean for each in best.values.values()] == [0.30, 0.35, 19.66, 0.49]
-    assert best.values["sr"].low is None
+    paper = published(paper_table(load_runs([folder]), "II"))
+    assert {(row["site"], row["route"]) for row in paper} == {("university", "R1")}
+    best = next(row for row in paper if row["parser"])
+    assert best["method"] == "paper: proposed"
+    assert [best[name] for name in PAPER] == [0.30, 0.35, 19.66, 0.49]
+    assert "sr_low" not in best
 
 
 def test_the_papers_mean_is_over_the_same_routes(write: Write, result: Make) -> None:
     folder = write("run", [result("a-1"), result("b-1", route="R2")])
-    rows = table_rows(load_runs([folder]), "II")
-    mean = next(row for row in rows if row.is_mean and row.run is None and row.parser)
-    assert mean.values["sr"].mean == pytest.approx((0.30 + 0.04) / 2)
+    paper = published(paper_table(load_runs([folder]), "II"))
+    mean = next(row for row in paper if row["site"] == "mean" and row["parser"])
+    assert mean["sr"] == pytest.approx((0.30 + 0.04) / 2)
 
 
 def test_routes_come_in_the_papers_order_then_by_name(
@@ -81,9 +84,9 @@ def test_routes_come_in_the_papers_order_then_by_name(
 ) -> None:
     sites = ["annex", "museum_7f", "university", "museum_5f"]
     results = [result(f"p{n}-1", site=site) for n, site in enumerate(sites)]
-    rows = table_rows(load_runs([write("run", results)]), "II")
-    places = [row.places[0].site for row in rows if row.run and not row.is_mean]
-    assert places == ["university", "museum_5f", "museum_7f", "annex"]
+    rows = measured(paper_table(load_runs([write("run", results)]), "II")).values()
+    places = [row["site"] for row in rows]
+    assert places == ["university", "museum_5f", "museum_7f", "annex", "mean"]
 
 
 def test_studies_that_the_paper_lacks_stand_after_its_own(

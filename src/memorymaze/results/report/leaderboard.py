@@ -11,7 +11,7 @@ from memorymaze.errors import MemoryMazeError, SettingsError
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.instructions import Corpus, load_corpus
 from memorymaze.instructions.records import WRITTEN_BY
-from memorymaze.results.report.overview import settings_rows, table_groups
+from memorymaze.results.report.overview import settings_table
 from memorymaze.results.report.pages import Pages, safe_name
 from memorymaze.results.submission import (
     Submission,
@@ -24,8 +24,8 @@ from memorymaze.results.tables import (
     Place,
     estimate_means,
     load_runs,
+    paper_table,
     run_notes,
-    table_rows,
 )
 from memorymaze.results.tables.measures import mean_column, means_fields
 from memorymaze.results.tables.runs import place_of, study_title
@@ -146,8 +146,8 @@ def _write(board: Leaderboard, pages: Pages) -> None:
             | {
                 "standing": each,
                 "notes": run_notes(each.measured),
-                "settings": settings_rows(each.submission.record),
-                "groups": table_groups([each.measured], "II"),
+                "settings": settings_table(each.submission.record, each.name),
+                "results": paper_table([each.measured], "II"),
             },
             title=f"Run {each.name}",
         )
@@ -217,14 +217,14 @@ def _standing(standing: Standing, study: str) -> Iterator[dict[str, Any]]:
 def _published(any_run: Standing, study: str) -> Iterator[dict[str, Any]]:
     """Yield the paper's means over routes, where the study has several."""
     parsers = {None: "", True: ", with parser", False: ", without parser"}
-    for row in table_rows([any_run.measured], "II"):
-        if row.run is None and row.is_mean and row.study == study:
+    for row in paper_table([any_run.measured], "II").rows:
+        if (row["figures"], row["site"], row["study"]) == (PUBLISHED, "mean", study):
             yield {
                 "place": None,
-                "method": row.method + parsers[row.parser],
+                "method": row["method"] + parsers[row["parser"]],
                 "run": PUBLISHED,
                 "begun": None,
                 "episodes": None,
-                **{name: each.mean for name, each in row.values.items()},
+                **{each.name: row[each.name] for each in PAPER_MEASURES},
                 "remarks": "another experiment",
             }

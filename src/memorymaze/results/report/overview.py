@@ -3,9 +3,9 @@
 import math
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import asdict, dataclass
-from itertools import groupby
+from dataclasses import asdict, dataclass, replace
 from statistics import fmean
+from typing import Any
 
 import numpy as np
 
@@ -16,34 +16,20 @@ from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import RunRecord
 from memorymaze.instructions.records import WRITTEN_BY, Failure, Instruction
 from memorymaze.metrics.aggregate import Estimate
+from memorymaze.results.report.pages import error_title
 from memorymaze.results.report.sources import ReportRun, Sources
 from memorymaze.results.tables import (
-    MeasuredRun,
-    Place,
-    TableName,
-    TableRow,
+    PAPER_MEASURES,
     comparison_table,
     estimate_means,
-    group_title,
-    table_rows,
 )
-from memorymaze.tables import Table
+from memorymaze.results.tables.measures import ends, estimate_fields, mean_column
+from memorymaze.tables import Column, Table
 from memorymaze.wording import counted
 
 BARS = 20
 """Of a distribution, about."""
 NO_ERROR, ANY_ERROR = "none", "any"
-
-
-@dataclass(frozen=True, slots=True)
-class TableGroup:
-    """Rows of a table that stand beneath one heading."""
-
-    study: str
-    title: str
-    places: tuple[Place, ...]
-    is_mean: bool
-    rows: tuple[TableRow, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,17 +51,6 @@ class Ending:
     title: str
     count: int
     share: float
-
-
-def table_groups(runs: Sequence[MeasuredRun], table: TableName) -> list[TableGroup]:
-    """Return the rows of a table in their groups; none of studies the paper lacks."""
-    rows = table_rows(runs, table)
-    groups: list[TableGroup] = []
-    for (study, title), chosen in groupby(rows, lambda r: (r.study, group_title(r))):
-        group = tuple(chosen)
-        places = max((row.places for row in group), key=len)
-        groups.append(TableGroup(study, title, places, group[0].is_mean, group))
-    return groups
 
 
 def compare_pair(first: ReportRun, second: ReportRun) -> Pair:
@@ -234,6 +209,46 @@ def error_kinds(
     return [_kind(kind, told, results) for kind, told in (*general, *by_size) if told]
 
 
+def error_table(runs: Sequence[ReportRun], kinds: Sequence[ErrorKind]) -> Table:
+    """Return the results by kind of error, all runs side by side."""
+    shown = [measure for measure in PAPER_MEASURES if measure.name in {"sr", "spd"}]
+    columns: list[Column] = []
+    rows: list[dict[str, Any]] = [
+        {
+            "kind": error_title(each.kind),
+            "page": f"#kind-{number}" if each.examples else None,
+            "instructions": each.instructions,
+        }
+        for number, each in enumerate(kinds, start=1)
+    ]
+    for index, run in enumerate(runs):
+        head = f"{run.letter}: " if len(runs) > 1 else ""
+        columns.append(Column(f"{run.letter}_episodes", f"{head}episodes"))
+        for measure in shown:
+            name = f"{run.letter}_{measure.name}"
+            column = mean_column(measure, plot=measure.name == "sr")
+            heading = f"{head}{measure.heading}"
+            columns.append(
+                replace(column, name=name, heading=heading, interval=ends(name))
+            )
+        for row, kind in zip(rows, kinds, strict=True):
+            found = kind.measured[index]
+            row[f"{run.letter}_episodes"] = found and found[0]
+            for measure in shown:
+                estimate = found[1].get(measure.name) if found else None
+                row |= estimate_fields(f"{run.letter}_{measure.name}", estimate)
+    return Table(
+        "Success rate (SR) and shortest walk left to the goal (SPD) by kind of error in "
+        "the instruction",
+        (
+            Column("kind", "Kind of error", "label", link=lambda row: row["page"]),
+            Column("instructions", "Instructions"),
+            *columns,
+        ),
+        tuple(rows),
+    )
+
+
 def _kind(
     kind: str,
     told: Sequence[Instruction],
@@ -256,9 +271,14 @@ def _kind(
     return ErrorKind(kind, len(told), tuple(measured), tuple(examples))
 
 
-def settings_rows(record: RunRecord) -> list[tuple[str, str]]:
+def settings_table(record: RunRecord, run: str) -> Table:
     """Return all that `run.json` says, flat: `settings.seed`, `0`, and so on."""
-    return list(_flat(asdict(record), ""))
+    rows = ({"name": name, "value": each} for name, each in _flat(asdict(record), ""))
+    return Table(
+        f"run.json of {run}",
+        (Column("name", "Setting", "label"), Column("value", "Value")),
+        tuple(rows),
+    )
 
 
 def _flat(value: object, name: str) -> Iterator[tuple[str, str]]:

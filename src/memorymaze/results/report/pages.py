@@ -8,18 +8,14 @@ from pathlib import Path
 from typing import Any
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
-from markupsafe import Markup
 
 from memorymaze.drawing.svg import svg_number
 from memorymaze.evaluation.outcomes import OUTCOMES, ending_words, outcome_of
-from memorymaze.metrics.aggregate import Estimate
 from memorymaze.results.tables import (
     PAPER_MEASURES,
     Place,
     place_title,
 )
-from memorymaze.results.tables.measures import estimate_cell
-from memorymaze.results.tables.runs import study_title
 from memorymaze.wording import counted, printable, single_spaced
 
 ROOM = "memorymaze.results.report"
@@ -70,8 +66,6 @@ class Pages:
             "kind": error_title,
             "number": svg_number,
             "spaced": single_spaced,
-            "study": study_title,
-            "value": _estimate,
         }
         self._templates.filters.update(filters)
 
@@ -130,12 +124,3 @@ def error_title(kind: str) -> str:
 
 def _place_name(place: tuple[str, str]) -> str:
     return place_title([Place(*place)])
-
-
-def _estimate(estimate: Estimate, is_measured: bool = True) -> Markup:
-    """Write a mean with its interval."""
-    cell = estimate_cell(estimate, is_measured=is_measured)
-    mean, _, interval = cell.partition(" ")
-    if not interval:
-        return Markup("{}").format(mean)
-    return Markup('{} <span class="interval">{}</span>').format(mean, interval)

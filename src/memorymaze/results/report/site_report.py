@@ -1,6 +1,7 @@
 """The report on runs: a folder of pages that need neither server nor network."""
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from itertools import combinations
 from pathlib import Path
 from typing import Any
@@ -21,17 +22,18 @@ from memorymaze.results.report.overview import (
     compare_pair,
     count_endings,
     error_kinds,
-    settings_rows,
+    error_table,
+    settings_table,
     spreads,
-    table_groups,
     written_by,
 )
 from memorymaze.results.report.pages import Pages, route_page, safe_name
 from memorymaze.results.report.route_page import picture_frame, run_on_route
 from memorymaze.results.report.sources import Sources
 from memorymaze.results.story.recorded_episode import read_story
-from memorymaze.results.tables import SPREAD_MEASURES, Place, run_notes
+from memorymaze.results.tables import SPREAD_MEASURES, Place, paper_table, run_notes
 from memorymaze.sites import Route, Site
+from memorymaze.tables import Row, Table
 
 MARK = "static/replay.js"
 """A file by which a folder is known to be a report."""
@@ -96,7 +98,7 @@ class _Report:
         self._places = sorted(set(order.values()))
         self._written = written_by(sources)
         measured = [run.measured for run in self._runs]
-        self._second = table_groups(measured, "II")
+        self._second = paper_table(measured, "II")
 
     def write(self, progress: Callable[[int, int], None] | None) -> list[str]:
         self._pages.copy_static("report.css", "replay.js", "timeline.js", "tables.js")
@@ -195,7 +197,7 @@ class _Report:
                 run_on_route(run, site, walks)
                 for run, walks in zip(self._runs, by_run, strict=True)
             ],
-            tables=[each for each in self._second if each.places == (place,)],
+            table=_only(self._second, *place),
             rows=self._rows[place],
         )
 
@@ -220,15 +222,14 @@ class _Report:
             notes=[run_notes(each) for each in measured],
             warnings=[*self._sources.notes, *self._problems],
             endings=[count_endings(run) for run in self._runs],
-            means=[each for each in self._second if each.is_mean],
+            means=_only(self._second, "mean", "mean"),
             tiles=[self._tile(place) for place in self._places],
         )
         self._page(
             "tables.html",
             "tables.html",
             "Tables",
-            second=self._second,
-            third=table_groups(measured, "III"),
+            tables=[_linked(self._second), _linked(paper_table(measured, "III"))],
             comparisons=[
                 compare_pair(one, two) for one, two in combinations(self._runs, 2)
             ],
@@ -241,11 +242,13 @@ class _Report:
                 (measure, spreads(self._runs, measure)) for measure in SPREAD_MEASURES
             ],
         )
+        kinds = error_kinds(self._runs, self._sources.instructions)
         self._page(
             "errors.html",
             "errors.html",
             "Errors in instructions",
-            kinds=error_kinds(self._runs, self._sources.instructions),
+            kinds=kinds,
+            table=error_table(self._runs, kinds),
         )
         self._page(
             "episodes.html",
@@ -257,8 +260,33 @@ class _Report:
             "settings.html",
             "settings.html",
             "Settings of the runs",
-            settings=[settings_rows(run.measured.record) for run in self._runs],
+            settings=[
+                settings_table(run.measured.record, run.measured.name)
+                for run in self._runs
+            ],
         )
+
+
+def _only(table: Table, site: str, route: str) -> Table:
+    """Return the rows of a table that are about a route, or `mean`."""
+    rows = [
+        each for each in table.rows if (each["site"], each["route"]) == (site, route)
+    ]
+    return replace(table, rows=tuple(rows))
+
+
+def _linked(table: Table) -> Table:
+    """Return a table whose routes lead to their pages."""
+
+    def page(row: Row) -> str | None:
+        is_mean = row["site"] == "mean"
+        return None if is_mean else route_page((row["site"], row["route"]))
+
+    columns = (
+        replace(each, link=page) if each.name == "place" else each
+        for each in table.columns
+    )
+    return replace(table, columns=tuple(columns))
 
 
 def _drawn(routes: Sequence[Route]) -> list[str]:

@@ -25,10 +25,7 @@ from memorymaze.results.tables.measures import (
 )
 from memorymaze.results.tables.paper_tables import (
     TableName,
-    TableRow,
-    group_title,
     paper_table,
-    table_rows,
 )
 from memorymaze.results.tables.runs import (
     STUDY_TITLES,
@@ -50,15 +47,13 @@ __all__ = [
     "Place",
     "TableChoice",
     "TableName",
-    "TableRow",
     "comparison_table",
     "estimate_means",
-    "group_title",
     "load_runs",
+    "paper_table",
     "place_title",
     "run_notes",
     "run_tables",
-    "table_rows",
 ]
 
 TableChoice = Literal["II", "III", "both", "errors"]

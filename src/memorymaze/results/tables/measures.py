@@ -1,7 +1,7 @@
 """How tables show the measures of results, and their means with intervals."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -88,25 +88,16 @@ def values_of(result: EpisodeResult, measures: Sequence[Measure]) -> list[float]
     return [float(getattr(result, each.field)) for each in measures]
 
 
-def mean_column(measure: Measure) -> Column:
-    """Return a column of means with intervals."""
+def mean_column(measure: Measure, *, plot: bool = False) -> Column:
+    """Return a column of means with intervals, which pages may plot from 0 to 1."""
     return Column(
         measure.name,
         measure.heading,
         digits=measure.digits,
         interval=ends(measure.name),
         better=measure.better,
+        plot=plot,
     )
-
-
-def estimate_cell(estimate: Estimate, *, is_measured: bool = True) -> str:
-    """Write a mean with its interval; published ones have none.
-
-    >>> estimate_cell(Estimate(0.5, 0.25, 0.75)), estimate_cell(Estimate(0.5))
-    ('0.50 [0.25, 0.75]', '0.50 (too few)')
-    """
-    column = Column("mean", digits=2, interval=("low", "high"))
-    return column.cell(asdict(estimate) if is_measured else {"mean": estimate.mean})
 
 
 def ends(name: str) -> tuple[str, str]:

@@ -1,7 +1,6 @@
 """The paper's Tables II and III, measured and published figures side by side."""
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
 from statistics import fmean
 from typing import Any, Literal
 
@@ -12,7 +11,6 @@ from memorymaze.instructions.published import (
     PublishedResult,
     published_tables,
 )
-from memorymaze.metrics.aggregate import Estimate
 from memorymaze.results.tables.measures import (
     COST_MEASURES,
     KEY,
@@ -57,30 +55,6 @@ COST_KEY = (
 )
 
 
-@dataclass(frozen=True, slots=True)
-class TableRow:
-    """One line of a table: a method on one route, or its mean over several."""
-
-    study: str
-    places: tuple[Place, ...]
-    """The route, or the routes that the mean is over."""
-    is_mean: bool
-    """Whether it is the unweighted mean over routes."""
-    iteration: int | None
-    """None in Table II, which takes both together."""
-    method: str
-    parser: bool | None
-    run: MeasuredRun | None
-    """None for the paper's figures."""
-    episodes: int | None
-    """Shown here; None for the paper's figures."""
-    participants: int | None
-    values: dict[str, Estimate]
-    """By the names of the paper's measures."""
-    results: tuple[EpisodeResult, ...] = ()
-    """The episodes shown here; none for the paper's figures."""
-
-
 def paper_table(runs: Sequence[MeasuredRun], name: TableName) -> Table:
     """Return Table II or III of runs, with the published figures beside them."""
     costs = any(run.asked_a_model for run in runs)
@@ -89,7 +63,7 @@ def paper_table(runs: Sequence[MeasuredRun], name: TableName) -> Table:
         Table(
             TITLES[name],
             _columns(costs=costs),
-            tuple(_fields(row, name, costs=costs) for row in table_rows(runs, name)),
+            tuple({"table": name, **row} for row in _rows(runs, name)),
             (*notes, KEY, *([COST_KEY] if costs else [])),
             f"table-{name.lower()}",
             lambda row: row["figures"] == "published",
@@ -97,94 +71,85 @@ def paper_table(runs: Sequence[MeasuredRun], name: TableName) -> Table:
     )
 
 
-def table_rows(runs: Sequence[MeasuredRun], table: TableName) -> list[TableRow]:
-    """Return the rows of a table: by study, route, iteration, then measured and paper.
+def _rows(runs: Sequence[MeasuredRun], table: TableName) -> Iterator[Row]:
+    """Yield the rows of a table: by study, route, iteration, then measured and paper.
 
     After the routes of a study (in Table III: of an iteration) comes the mean over
     them. The paper's figures stand beside routes that the paper has.
     """
-    iterations = (None,) if table == "II" else (1, 2)
-    rows: list[TableRow] = []
     results = [result for run in runs for result in run.results]
     for study in studies_of(results):
-        places = places_of(results, study)
-        for group in groups_of_places(places):
-            for iteration in iterations:
+        for group in groups_of_places(places_of(results, study)):
+            for iteration in (None,) if table == "II" else (1, 2):
                 for run in runs:
-                    rows += _measured(run, study, group, iteration)
-                rows += _published(table, study, group, iteration)
-    return rows
+                    yield from _measured(run, study, group, iteration)
+                yield from _published(table, study, group, iteration)
 
 
-def group_title(row: TableRow) -> str:
-    """Return the heading of the rows that belong together with this one."""
-    title = place_title(row.places)
-    if row.is_mean:
-        title = f"Mean over {counted(len(row.places), 'route')}"
-    return title if row.iteration is None else f"{title}, iteration {row.iteration}"
+def _about(
+    study: str, group: Sequence[Place], places: Sequence[Place], iteration: int | None
+) -> dict[str, Any]:
+    """Return what a row is about: a route, or the mean over those a method has."""
+    is_mean = len(group) > 1
+    title = place_title(places)
+    if is_mean:
+        title = f"Mean over {counted(len(places), 'route')}"
+    return {
+        "study": study,
+        "place": title if iteration is None else f"{title}, iteration {iteration}",
+        **place_fields(places, is_mean=is_mean),
+        "iteration": iteration,
+    }
 
 
 def _measured(
     run: MeasuredRun, study: str, group: Sequence[Place], iteration: int | None
-) -> list[TableRow]:
-    cells = {
-        place: [
-            result
-            for result in run.results
-            if (result.study, place_of(result)) == (study, place)
-            and iteration in {None, result.iteration}
-        ]
-        for place in group
-    }
+) -> Iterator[Row]:
+    cells: dict[Place, list[EpisodeResult]] = {place: [] for place in group}
+    for result in run.results:
+        place = place_of(result)
+        is_shown = result.study == study and iteration in {None, result.iteration}
+        if is_shown and place in cells:
+            cells[place].append(result)
     filled = {place: cell for place, cell in cells.items() if cell}
     if not filled:
-        return []
-    everyone = [result for cell in filled.values() for result in cell]
-    return [
-        TableRow(
-            study=study,
-            places=tuple(filled),
-            is_mean=len(group) > 1,
-            iteration=iteration,
-            method=run.label,
-            parser=run.parser,
-            run=run,
-            episodes=len(everyone),
-            participants=len({result.participant for result in everyone}),
-            values=estimate_means(list(filled.values())),
-            results=tuple(everyone),
-        )
-    ]
+        return
+    results = [result for cell in filled.values() for result in cell]
+    yield {
+        **_about(study, group, list(filled), iteration),
+        "method": run.label,
+        "parser": run.parser,
+        "figures": "measured",
+        **means_fields(estimate_means(list(filled.values()))),
+        "episodes": len(results),
+        "participants": len({result.participant for result in results}),
+        **_run_fields(results, run),
+        **_cost_fields(filled, run),
+    }
 
 
 def _published(
     table: TableName, study: str, group: Sequence[Place], iteration: int | None
-) -> list[TableRow]:
+) -> Iterator[Row]:
     tables = published_tables()
-    source = tables.models if table == "II" else tables.iterations
     methods: dict[tuple[str, bool], list[PublishedResult]] = {}
-    for row in source:
+    for row in tables.models if table == "II" else tables.iterations:
         if (row.study, row.iteration) == (study, iteration) and place_of(row) in group:
             methods.setdefault((row.method, row.parser), []).append(row)
-    return [
-        TableRow(
-            study=study,
-            places=tuple(place_of(row) for row in rows),
-            is_mean=len(group) > 1,
-            iteration=iteration,
-            method=PAPER_METHODS[method],
-            parser=parser if method == "proposed" else None,
-            run=None,
-            episodes=None,
-            participants=None,
-            values={
-                name: Estimate(fmean(getattr(row, name) for row in rows))
-                for name in PUBLISHED_MEASURES
-            },
-        )
-        for (method, parser), rows in methods.items()
-        if len(rows) == len(group)
-    ]
+    for (method, parser), rows in methods.items():
+        if len(rows) == len(group):
+            yield {
+                **_about(study, group, [place_of(row) for row in rows], iteration),
+                "method": PAPER_METHODS[method],
+                "parser": parser if method == "proposed" else None,
+                "figures": "published",
+                "instructions_written_by": "human",
+                **{each.name: None for each in PAPER_MEASURES},
+                **{
+                    name: fmean(getattr(row, name) for row in rows)
+                    for name in PUBLISHED_MEASURES
+                },
+            }
 
 
 def _columns(*, costs: bool) -> tuple[Column, ...]:
@@ -207,7 +172,7 @@ def _columns(*, costs: bool) -> tuple[Column, ...]:
         Column("run"),
         Column("episodes", "n"),
         Column("participants"),
-        *map(mean_column, PAPER_MEASURES),
+        *(mean_column(each, plot=each.name == "sr") for each in PAPER_MEASURES),
         *(Column(name) for name in settings),
         Column("waiting_s_per_episode"),
         *(
@@ -218,30 +183,7 @@ def _columns(*, costs: bool) -> tuple[Column, ...]:
     )
 
 
-def _fields(row: TableRow, table: TableName, *, costs: bool) -> Row:
-    record: dict[str, Any] = {
-        "table": table,
-        "study": row.study,
-        "place": group_title(row),
-        **place_fields(row.places, is_mean=row.is_mean),
-        "iteration": row.iteration,
-        "method": row.method,
-        "parser": row.parser,
-        "figures": "published" if row.run is None else "measured",
-        "instructions_written_by": "human",
-    }
-    if row.run is None:
-        record |= {each.name: None for each in PAPER_MEASURES}
-        record |= {name: each.mean for name, each in row.values.items()}
-    else:
-        record |= means_fields(row.values)
-        record |= {"episodes": row.episodes, "participants": row.participants}
-        record |= _run_fields(row, row.run)
-        record |= _cost_fields(row, row.run) if costs else {}
-    return record
-
-
-def _run_fields(row: TableRow, run: MeasuredRun) -> dict[str, Any]:
+def _run_fields(results: Sequence[EpisodeResult], run: MeasuredRun) -> dict[str, Any]:
     settings = run.record.settings
     record: dict[str, Any] = {
         "run": run.name,
@@ -257,7 +199,7 @@ def _run_fields(row: TableRow, run: MeasuredRun) -> dict[str, Any]:
         "track": "default" if settings.obstacles is None else "obstacles",
     }
     if settings.obstacles is not None:
-        found = collision_rates(row.results)
+        found = collision_rates(results)
         record |= {
             "things_per_100m": settings.obstacles.things_per_100m,
             "people_per_100m2": settings.obstacles.people_per_100m2,
@@ -269,20 +211,19 @@ def _run_fields(row: TableRow, run: MeasuredRun) -> dict[str, Any]:
     return record
 
 
-def _cost_fields(row: TableRow, run: MeasuredRun) -> dict[str, float | None]:
+def _cost_fields(
+    cells: Mapping[Place, Sequence[EpisodeResult]], run: MeasuredRun
+) -> dict[str, float | None]:
     """Return what inference cost per episode; the unweighted mean over routes."""
-    routes: dict[Place, list[EpisodeResult]] = {}
-    for result in row.results:
-        routes.setdefault(place_of(result), []).append(result)
     means: dict[str, float | None] = {
         f"{cost.name}_per_episode": fmean(
-            fmean(getattr(each, cost.field) for each in cell)
-            for cell in routes.values()
+            fmean(getattr(each, cost.field) for each in cell) for cell in cells.values()
         )
         for cost in COST_MEASURES
     }
     is_free = not run.asked_a_model
     has_price = run.record.settings.agent.language_model.price is not None
-    if not (is_free or has_price or any(result.cost_usd for result in run.results)):
+    was_charged = any(each.cost_usd for cell in cells.values() for each in cell)
+    if not (is_free or has_price or was_charged):
         means["cost_usd_per_episode"] = None
     return means
