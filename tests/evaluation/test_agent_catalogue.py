@@ -5,11 +5,9 @@ from pathlib import Path
 import pytest
 
 from memorymaze.agents import AGENTS
-from memorymaze.agents.agent import needs_of
 from memorymaze.errors import SettingsError
 from memorymaze.evaluation.agent_catalogue import (
     agent_names,
-    agent_needs,
     agent_options,
     build_agent,
     known_agent,
@@ -232,16 +230,6 @@ def test_an_agent_of_ones_own_is_made_from_its_options(
     longer = AgentSettings(name, options=(("stride", "2"),))
     assert build_agent(longer)(episode).name == "strides of 2.0"
     assert "--set stride=0.5\n        Metres per step." in agent_listing([name])
-
-
-@pytest.mark.parametrize("name", ["code_generation", "navgpt", "navid", "see_and_go"])
-def test_what_the_catalogue_says_an_agent_needs_is_what_it_declares(
-    name: str, tiny_plan: Callable[..., RunPlan]
-) -> None:
-    asked = ModelSettings(model="m", base_url="http://127.0.0.1:9/v1")
-    agent_for = build_agent(AgentSettings(name, language_model=asked))
-    agent = agent_for(tiny_plan("stop").episodes[0])
-    assert needs_of(agent) == agent_needs(name)
 
 
 class Picky:

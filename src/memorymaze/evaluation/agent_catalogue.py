@@ -9,10 +9,12 @@ from dataclasses import dataclass, fields, is_dataclass
 from pathlib import Path
 from typing import Any
 
-from memorymaze.agents import AGENTS
 from memorymaze.agents.agent import Agent, Need
+from memorymaze.agents.code_generation import CodeGenerationAgent, CodeGenerationOptions
 from memorymaze.agents.explorer import ExplorerAgent, ExplorerOptions
 from memorymaze.agents.isolated import isolated
+from memorymaze.agents.navgpt import NavGPTAgent, NavGPTOptions
+from memorymaze.agents.navid import NavidAgent, NavidOptions
 from memorymaze.agents.own_agents import (
     checked_agent,
     checked_needs,
@@ -21,7 +23,15 @@ from memorymaze.agents.own_agents import (
     own_options,
 )
 from memorymaze.agents.rules import RulesAgent, RulesOptions
+from memorymaze.agents.see_and_go import SeeAndGoAgent, SeeAndGoOptions
+from memorymaze.agents.stop import StopAgent
 from memorymaze.errors import SettingsError, did_you_mean
+from memorymaze.evaluation.language_agents import (
+    code_generation_for_runs,
+    navgpt_for_runs,
+    navid_for_runs,
+    see_and_go_for_runs,
+)
 from memorymaze.evaluation.oracle import OracleAgent
 from memorymaze.evaluation.settings import AgentSettings
 from memorymaze.instructions.records import Episode
@@ -44,133 +54,67 @@ class KnownAgent:
     summary: str
     """What it does, in a few words."""
     needs: frozenset[Need] = frozenset()
-    options: Callable[[], type] | None = None
-    """Gives the dataclass of its options, imported when asked for."""
+    options: type | None = None
+    """The dataclass of its options."""
     parser: bool = False
     """Whether it can parse instructions first (`--no-parser`)."""
 
 
-def _code_generation(settings: AgentSettings, options: Any) -> AgentFor:
-    from memorymaze.evaluation.language_agents import code_generation_for_runs
+def _one_for_all(make: Callable[[Any], Agent]) -> Callable[..., AgentFor]:
+    """Return what makes, from options, one agent that follows all episodes."""
 
-    return code_generation_for_runs(settings, options)
-
-
-def _code_generation_options() -> type:
-    from memorymaze.agents.code_generation import CodeGenerationOptions
-
-    return CodeGenerationOptions
-
-
-def _navgpt(settings: AgentSettings, options: Any) -> AgentFor:
-    from memorymaze.evaluation.language_agents import navgpt_for_runs
-
-    return navgpt_for_runs(settings, options)
-
-
-def _navgpt_options() -> type:
-    from memorymaze.agents.navgpt import NavGPTOptions
-
-    return NavGPTOptions
-
-
-def _oracle(settings: AgentSettings, options: Any) -> AgentFor:
-    return lambda episode: OracleAgent(episode.reference_path)
-
-
-def _plain(name: str) -> Callable[[AgentSettings, Any], AgentFor]:
-    def make(settings: AgentSettings, options: Any) -> AgentFor:
-        agent = AGENTS[name]()
+    def make_once(settings: AgentSettings, options: Any) -> AgentFor:
+        agent = make(options)
         return lambda _: agent
 
-    return make
-
-
-def _explorer(settings: AgentSettings, options: Any) -> AgentFor:
-    agent = ExplorerAgent(options)
-    return lambda _: agent
-
-
-def _explorer_options() -> type:
-    return ExplorerOptions
-
-
-def _rules(settings: AgentSettings, options: Any) -> AgentFor:
-    agent = RulesAgent(options)
-    return lambda _: agent
-
-
-def _rules_options() -> type:
-    return RulesOptions
-
-
-def _navid(settings: AgentSettings, options: Any) -> AgentFor:
-    from memorymaze.evaluation.language_agents import navid_for_runs
-
-    return navid_for_runs(settings, options)
-
-
-def _navid_options() -> type:
-    from memorymaze.agents.navid.agent import NavidOptions
-
-    return NavidOptions
-
-
-def _see_and_go(settings: AgentSettings, options: Any) -> AgentFor:
-    from memorymaze.evaluation.language_agents import see_and_go_for_runs
-
-    return see_and_go_for_runs(settings, options)
-
-
-def _see_and_go_options() -> type:
-    from memorymaze.agents.see_and_go import SeeAndGoOptions
-
-    return SeeAndGoOptions
+    return make_once
 
 
 _KNOWN: dict[str, KnownAgent] = {
     "code_generation": KnownAgent(
-        _code_generation,
+        code_generation_for_runs,
         "a language model writes one program, and the robot runs it",
-        needs=frozenset({"language_model"}),
-        options=_code_generation_options,
+        needs=CodeGenerationAgent.needs,
+        options=CodeGenerationOptions,
         parser=True,
     ),
     "explorer": KnownAgent(
-        _explorer,
+        _one_for_all(ExplorerAgent),
         "searches everywhere for the destination named, whatever way was told",
-        options=_explorer_options,
+        options=ExplorerOptions,
     ),
     "navgpt": KnownAgent(
-        _navgpt,
+        navgpt_for_runs,
         "a language model picks the next viewpoint of a navigation graph, step by step",
-        needs=frozenset({"language_model", "graph"}),
-        options=_navgpt_options,
+        needs=NavGPTAgent.needs,
+        options=NavGPTOptions,
     ),
     "navid": KnownAgent(
-        _navid,
+        navid_for_runs,
         "the NaVid protocol: a vision model, or a policy server, is shown the video "
         "so far and says one short motion after another",
-        needs=frozenset({"language_model", "camera", "steps"}),
-        options=_navid_options,
+        needs=NavidAgent.needs,
+        options=NavidOptions,
     ),
     "oracle": KnownAgent(
-        _oracle,
+        lambda settings, options: lambda each: OracleAgent(each.reference_path),
         "follows the reference path: what the robot's body can reach",
-        needs=frozenset({"answers"}),
+        needs=OracleAgent.needs,
     ),
     "rules": KnownAgent(
-        _rules,
+        _one_for_all(RulesAgent),
         "reads the instruction by rules, and needs no model",
-        options=_rules_options,
+        options=RulesOptions,
     ),
     "see_and_go": KnownAgent(
-        _see_and_go,
+        see_and_go_for_runs,
         "a vision-language model is shown the camera's picture and says the next move",
-        needs=frozenset({"language_model", "camera", "steps"}),
-        options=_see_and_go_options,
+        needs=SeeAndGoAgent.needs,
+        options=SeeAndGoOptions,
     ),
-    "stop": KnownAgent(_plain("stop"), "stops where it stands: the lower end"),
+    "stop": KnownAgent(
+        _one_for_all(lambda _: StopAgent()), "stops where it stands: the lower end"
+    ),
 }
 
 
@@ -200,8 +144,7 @@ def agent_options(name: str) -> type | None:
     """Return the dataclass of an agent's options; None where it has none."""
     if ":" in name:
         return own_options(name)
-    options = known_agent(name).options
-    return None if options is None else options()
+    return known_agent(name).options
 
 
 def option_values(
@@ -288,7 +231,7 @@ def _build_known(settings: AgentSettings) -> AgentFor:
     _refuse_parser(settings)
     options = None
     if known.options is not None:
-        options = read_options(known.options(), settings.options, agent=settings.name)
+        options = read_options(known.options, settings.options, agent=settings.name)
     elif settings.options:
         raise SettingsError(
             f"--set {settings.options[0][0]}: the agent {settings.name!r} has no "
