@@ -5,7 +5,7 @@ import sys
 from typing import TYPE_CHECKING
 
 from memorymaze.cli.agent_options import given_options
-from memorymaze.cli.verbs import Verbs
+from memorymaze.cli.verbs import Verbs, add_corpus_options
 from memorymaze.wording import counted
 
 if TYPE_CHECKING:
@@ -105,17 +105,7 @@ def _add_what(parser: argparse.ArgumentParser, agent: str | None) -> None:
         default=[],
         help="an option of the agent (see `memorymaze agents NAME`)",
     )
-    parser.add_argument(
-        "--instructions",
-        metavar="FILE",
-        nargs="+",
-        help="JSONL or CSV files (default: the shipped texts, written by a language model)",
-    )
-    parser.add_argument(
-        "--sites",
-        metavar="DIR",
-        help="folder of site plans (default: the three shipped ones)",
-    )
+    add_corpus_options(parser)
 
 
 def _plan(options: argparse.Namespace, answers: str, parser: bool | None) -> "RunPlan":

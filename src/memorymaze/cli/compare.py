@@ -2,7 +2,7 @@
 
 import argparse
 
-from memorymaze.cli.verbs import Verbs
+from memorymaze.cli.verbs import Verbs, add_exclude_dev
 
 
 def add_parser(verbs: Verbs) -> None:
@@ -22,11 +22,7 @@ def add_parser(verbs: Verbs) -> None:
         default="text",
         help="aligned text, Markdown, LaTeX or CSV (default: text)",
     )
-    parser.add_argument(
-        "--exclude-dev",
-        action="store_true",
-        help="leave out the instructions that prompts may be built from (split dev)",
-    )
+    add_exclude_dev(parser)
     parser.set_defaults(run=_run)
 
 

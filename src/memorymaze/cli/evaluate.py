@@ -18,7 +18,7 @@ from memorymaze.cli.agent_options import (
 )
 from memorymaze.cli.error_options import add_error_options, generated_instructions
 from memorymaze.cli.flags import add_flags
-from memorymaze.cli.verbs import Verbs, add_sites_option
+from memorymaze.cli.verbs import Verbs, add_corpus_options
 from memorymaze.wording import counted
 
 if TYPE_CHECKING:
@@ -61,13 +61,7 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
         help="processes (default: 0, one per core)",
     )
     followed = parser.add_argument_group("what is followed")
-    followed.add_argument(
-        "--instructions",
-        metavar="FILE",
-        nargs="+",
-        help="JSONL or CSV files (default: the shipped texts, written by a language model)",
-    )
-    add_sites_option(followed)
+    add_corpus_options(followed)
     followed.add_argument(
         "--sail",
         metavar="DIR",

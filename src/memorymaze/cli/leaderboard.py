@@ -3,7 +3,12 @@
 import argparse
 import sys
 
-from memorymaze.cli.verbs import Verbs
+from memorymaze.cli.verbs import (
+    Verbs,
+    add_leaderboard_options,
+    add_new_folder,
+    shown_progress,
+)
 from memorymaze.wording import counted
 
 
@@ -18,31 +23,12 @@ def add_parser(verbs: Verbs) -> None:
         epilog="example: memorymaze leaderboard submissions --out leaderboard",
     )
     parser.add_argument("folder", metavar="DIR", help="folder of run folders")
-    parser.add_argument(
-        "--out", metavar="DIR", required=True, help="folder to make; not there yet"
-    )
-    parser.add_argument(
-        "--overwrite",
-        action="store_true",
-        help="replace the leaderboard that is there, once the new one is whole",
-    )
-    parser.add_argument(
-        "--instructions",
-        metavar="FILE",
-        nargs="+",
-        help="the leaderboard's instructions (default: the shipped ones)",
-    )
-    parser.add_argument(
-        "--sites",
-        metavar="DIR",
-        help="the leaderboard's site plans (default: the three shipped ones)",
-    )
+    add_new_folder(parser, "leaderboard")
+    add_leaderboard_options(parser)
     parser.set_defaults(run=_run)
 
 
 def _run(options: argparse.Namespace) -> int:
-    from tqdm import tqdm
-
     from memorymaze.durable_files import check_new_folder
     from memorymaze.instructions import load_corpus
     from memorymaze.results.report.leaderboard import (
@@ -53,18 +39,11 @@ def _run(options: argparse.Namespace) -> int:
 
     # Before the work rather than after it.
     check_new_folder(options.out, replaces=MARK if options.overwrite else None)
-    with tqdm(unit="trace", disable=not sys.stderr.isatty()) as bar:
-
-        def show(name: str, done: int, total: int) -> None:
-            bar.set_description(name, refresh=False)
-            bar.total = total
-            bar.n = done
-            bar.refresh()
-
+    with shown_progress("trace") as show:
         board = read_leaderboard(
             options.folder,
             load_corpus(options.instructions, sites=options.sites),
-            progress=show,
+            progress=lambda name, done, total: show(done, total, name),
         )
     write_leaderboard(board, options.out, overwrite=options.overwrite)
     for each in board.refused:

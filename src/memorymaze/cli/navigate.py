@@ -7,7 +7,6 @@ from contextlib import ExitStack
 from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
-from urllib.parse import quote
 
 from memorymaze.cli.agent_options import (
     add_agent_name,
@@ -16,7 +15,7 @@ from memorymaze.cli.agent_options import (
     agent_settings,
     episode_settings,
 )
-from memorymaze.cli.verbs import Verbs
+from memorymaze.cli.verbs import Verbs, add_site_and_route, file_stem
 from memorymaze.wording import counted
 
 if TYPE_CHECKING:
@@ -38,10 +37,7 @@ def add_parser(verbs: Verbs) -> None:
 
 
 def _add_options(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("site", metavar="SITE", help="a shipped site, or a plan file")
-    parser.add_argument(
-        "route", metavar="ROUTE", help="R1, R2, … or the id of a route in the plan"
-    )
+    add_site_and_route(parser)
     parser.add_argument("text", metavar="TEXT", help="the instruction")
     add_agent_name(parser, default="rules")
     parser.add_argument(
@@ -144,6 +140,5 @@ def _onlooker(
 
 
 def _default_folder(site: str, route: str) -> Path:
-    # A plan may be called anything, also `../../x`.
-    names = quote(f"{site}-{route}", safe="")[:100]
+    names = file_stem(f"{site}-{route}")
     return Path("runs") / f"navigate-{names}-{datetime.now():%Y%m%d-%H%M%S}"

@@ -3,9 +3,8 @@
 import argparse
 import re
 from pathlib import Path
-from urllib.parse import quote
 
-from memorymaze.cli.verbs import Verbs
+from memorymaze.cli.verbs import Verbs, file_stem
 
 
 def add_parser(verbs: Verbs) -> None:
@@ -72,8 +71,7 @@ def _run(options: argparse.Namespace) -> int:
         speed=options.speed,
         camera=not options.no_camera,
     )
-    # An id may hold anything, also `../../x`.
-    name = quote(options.episode, safe="")[:100]
+    name = file_stem(options.episode)
     folder = Path(options.run_folder, "replays")
     recording = options.rerun
     if recording == "":

@@ -3,7 +3,7 @@
 import argparse
 import sys
 
-from memorymaze.cli.verbs import Verbs
+from memorymaze.cli.verbs import Verbs, add_exclude_dev, add_new_folder, shown_progress
 
 
 def add_parser(verbs: Verbs) -> None:
@@ -18,35 +18,17 @@ def add_parser(verbs: Verbs) -> None:
         epilog="example: memorymaze report runs/rules runs/mine --out report",
     )
     parser.add_argument("runs", metavar="RUN", nargs="+", help="run folders")
-    parser.add_argument(
-        "--out", metavar="DIR", required=True, help="folder to make; not there yet"
-    )
-    parser.add_argument(
-        "--overwrite",
-        action="store_true",
-        help="replace the report that is there, once the new one is whole",
-    )
-    parser.add_argument(
-        "--exclude-dev",
-        action="store_true",
-        help="leave out the instructions that prompts may be built from (split dev)",
-    )
+    add_new_folder(parser, "report")
+    add_exclude_dev(parser)
     parser.set_defaults(run=_run)
 
 
 def _run(options: argparse.Namespace) -> int:
-    from tqdm import tqdm
-
     from memorymaze.results.report import check_out, read_sources, write_report
 
     check_out(options.out, overwrite=options.overwrite)
     sources = read_sources(options.runs, exclude_dev=options.exclude_dev)
-    with tqdm(unit="episode", disable=not sys.stderr.isatty()) as bar:
-
-        def show(done: int, total: int) -> None:
-            bar.total = total
-            bar.update(done - bar.n)
-
+    with shown_progress("episode") as show:
         notes = write_report(
             sources, options.out, overwrite=options.overwrite, progress=show
         )

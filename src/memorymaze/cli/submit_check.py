@@ -3,7 +3,7 @@
 import argparse
 import sys
 
-from memorymaze.cli.verbs import Verbs
+from memorymaze.cli.verbs import Verbs, add_leaderboard_options, shown_progress
 from memorymaze.wording import counted
 
 SHOWN = 20
@@ -20,32 +20,15 @@ def add_parser(verbs: Verbs) -> None:
         epilog="example: memorymaze submit-check runs/rules",
     )
     parser.add_argument("folder", metavar="RUN", help="run folder")
-    parser.add_argument(
-        "--instructions",
-        metavar="FILE",
-        nargs="+",
-        help="the leaderboard's instructions (default: the shipped ones)",
-    )
-    parser.add_argument(
-        "--sites",
-        metavar="DIR",
-        help="the leaderboard's site plans (default: the three shipped ones)",
-    )
+    add_leaderboard_options(parser)
     parser.set_defaults(run=_run)
 
 
 def _run(options: argparse.Namespace) -> int:
-    from tqdm import tqdm
-
     from memorymaze.instructions import load_corpus
     from memorymaze.results.submission import check_submission
 
-    with tqdm(unit="trace", disable=not sys.stderr.isatty()) as bar:
-
-        def show(done: int, total: int) -> None:
-            bar.total = total
-            bar.update(done - bar.n)
-
+    with shown_progress("trace") as show:
         found = check_submission(
             options.folder,
             load_corpus(options.instructions, sites=options.sites),

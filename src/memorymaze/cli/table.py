@@ -3,7 +3,7 @@
 import argparse
 from pathlib import Path
 
-from memorymaze.cli.verbs import Verbs
+from memorymaze.cli.verbs import Verbs, add_exclude_dev
 
 
 def add_parser(verbs: Verbs) -> None:
@@ -33,11 +33,7 @@ def add_parser(verbs: Verbs) -> None:
     parser.add_argument(
         "--out", metavar="FILE", help="write to a file (Parquet: needed)"
     )
-    parser.add_argument(
-        "--exclude-dev",
-        action="store_true",
-        help="leave out the instructions that prompts may be built from (split dev)",
-    )
+    add_exclude_dev(parser)
     parser.set_defaults(run=_run)
 
 

@@ -1,8 +1,11 @@
-"""What verbs share: their parser, the place where they add it, and `--sites`."""
+"""What verbs share: their parser, the place where they add it, and some options."""
 
+import contextlib
+import sys
 from argparse import ArgumentParser, Namespace
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Generator, Sequence
 from typing import TYPE_CHECKING, Any, Protocol
+from urllib.parse import quote
 
 if TYPE_CHECKING:
     from argparse import _ArgumentGroup  # pyright: ignore[reportPrivateUsage]
@@ -58,3 +61,74 @@ def add_sites_option(parser: "ArgumentParser | _ArgumentGroup") -> None:
         metavar="DIR",
         help="folder of site plans (default: the three shipped ones)",
     )
+
+
+TEXTS = "JSONL or CSV files (default: the shipped texts, written by a language model)"
+
+
+def add_corpus_options(
+    parser: "ArgumentParser | _ArgumentGroup", texts: str = TEXTS
+) -> None:
+    """Add `--instructions` and `--sites`, of verbs that take a corpus."""
+    parser.add_argument("--instructions", metavar="FILE", nargs="+", help=texts)
+    add_sites_option(parser)
+
+
+def add_leaderboard_options(parser: ArgumentParser) -> None:
+    """Add what a leaderboard is about, of verbs that check submissions to it."""
+    texts = "the leaderboard's instructions (default: the shipped ones)"
+    add_corpus_options(parser, texts)
+
+
+def add_files(parser: ArgumentParser) -> None:
+    """Add instruction files, of verbs that take the shipped texts where there are none."""
+    parser.add_argument("files", metavar="FILE", nargs="*", help=TEXTS)
+
+
+def add_site_and_route(parser: ArgumentParser) -> None:
+    """Add a building and a route of it."""
+    parser.add_argument("site", metavar="SITE", help="a shipped site, or a plan file")
+    parser.add_argument(
+        "route", metavar="ROUTE", help="R1, R2, … or the id of a route in the plan"
+    )
+
+
+def add_exclude_dev(parser: ArgumentParser) -> None:
+    """Add `--exclude-dev`, of verbs that show runs."""
+    parser.add_argument(
+        "--exclude-dev",
+        action="store_true",
+        help="leave out the instructions that prompts may be built from (split dev)",
+    )
+
+
+def add_new_folder(parser: ArgumentParser, what: str) -> None:
+    """Add `--out` and `--overwrite`, of verbs that make a folder of pages."""
+    parser.add_argument(
+        "--out", metavar="DIR", required=True, help="folder to make; not there yet"
+    )
+    parser.add_argument(
+        "--overwrite",
+        action="store_true",
+        help=f"replace the {what} that is there, once the new one is whole",
+    )
+
+
+@contextlib.contextmanager
+def shown_progress(unit: str) -> Generator[Callable[..., None]]:
+    """Show a bar on terminals; yields what is told done and total, and what it is about."""
+    from tqdm import tqdm
+
+    with tqdm(unit=unit, disable=not sys.stderr.isatty()) as bar:
+
+        def show(done: int, total: int, name: str = "") -> None:
+            bar.set_description(name, refresh=False)
+            bar.total = total
+            bar.update(done - bar.n)
+
+        yield show
+
+
+def file_stem(name: str) -> str:
+    """Return a name as part of a file's; it may be anything, also `../../x`."""
+    return quote(name, safe="")[:100]

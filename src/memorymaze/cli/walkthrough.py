@@ -1,10 +1,9 @@
 """`memorymaze walkthrough`: the first-person video of a route."""
 
 import argparse
-from urllib.parse import quote
 
 from memorymaze.cli.replay import picture_size
-from memorymaze.cli.verbs import Verbs
+from memorymaze.cli.verbs import Verbs, add_site_and_route, file_stem
 
 
 def add_parser(verbs: Verbs) -> None:
@@ -15,10 +14,7 @@ def add_parser(verbs: Verbs) -> None:
         description="Make the first-person video of a route, or a 360-degree one.",
         epilog="example: memorymaze walkthrough museum_5f R1 --panorama --out R1.mp4",
     )
-    parser.add_argument("site", metavar="SITE", help="a shipped site, or a plan file")
-    parser.add_argument(
-        "route", metavar="ROUTE", help="R1, R2, … or the id of a route in the plan"
-    )
+    add_site_and_route(parser)
     parser.add_argument(
         "--out", metavar="FILE", help="video (default: walkthrough-SITE-ROUTE.mp4)"
     )
@@ -69,8 +65,7 @@ def _run(options: argparse.Namespace) -> int:
     )
     site = load_site(options.site)
     route = site.find_route(options.route)
-    # A plan may be called anything, also `../../x`.
-    name = quote(f"{site.name}-{options.route}", safe="")[:100]
+    name = file_stem(f"{site.name}-{options.route}")
     path = options.out or f"walkthrough-{name}.mp4"
     count = film_walkthrough(build_scene(site), route, path, settings, progress=True)
     seconds = count / settings.fps

@@ -3,7 +3,7 @@
 import argparse
 from pathlib import Path
 
-from memorymaze.cli.verbs import Verbs, add_sites_option
+from memorymaze.cli.verbs import Verbs, add_files, add_sites_option
 from memorymaze.wording import counted
 
 FORMATS = {
@@ -23,12 +23,7 @@ def add_parser(actions: Verbs) -> None:
         description=f"Write instructions in another format. {formats}.",
         epilog="example: memorymaze instructions export --format vln_ce --out vln_ce",
     )
-    outward.add_argument(
-        "files",
-        metavar="FILE",
-        nargs="*",
-        help="JSONL or CSV files (default: the shipped texts, written by a language model)",
-    )
+    add_files(outward)
     outward.add_argument(
         "--out",
         metavar="PATH",

@@ -3,7 +3,7 @@
 import argparse
 from pathlib import Path
 
-from memorymaze.cli.verbs import Verbs, add_sites_option
+from memorymaze.cli.verbs import Verbs, add_files, add_sites_option
 
 
 def add_parser(actions: Verbs) -> None:
@@ -16,12 +16,7 @@ def add_parser(actions: Verbs) -> None:
         "named, and how far stated distances are from true ones (docs/statistics.md).",
         epilog="example: memorymaze instructions stats --format html --out stats.html",
     )
-    parser.add_argument(
-        "files",
-        metavar="FILE",
-        nargs="*",
-        help="JSONL or CSV files (default: the shipped texts, written by a language model)",
-    )
+    add_files(parser)
     parser.add_argument(
         "--format",
         choices=("text", "csv", "html"),
