@@ -190,13 +190,13 @@ def _without_a_look(path: Path, found: "list[SiteProblem]") -> "list[SiteProblem
     }
     return [
         SiteProblem(
-            str(path),
             feature,
             "known-look",
-            "warning",
             f"expected a category that has a look, got {category!r}, shown as a box "
             "with its name; use a common noun such as bench, or end with one "
             "(reading bench)",
+            "warning",
+            str(path),
         )
         for category, feature in reversed(unknown.items())
     ]

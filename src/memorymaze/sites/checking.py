@@ -16,7 +16,7 @@ from memorymaze.sites.loading_rules import (
     floor_is_complete,
     loading_findings,
 )
-from memorymaze.sites.problems import PLAN, Finding, Rule, SiteProblem
+from memorymaze.sites.problems import PLAN, Rule, SiteProblem
 from memorymaze.sites.reading import read_plan
 from memorymaze.sites.records import Site
 from memorymaze.sites.route_rules import route_findings
@@ -84,17 +84,17 @@ def check_site(path: str | Path) -> list[SiteProblem]:
         if not broken:
             findings += _benchmark_findings(site)
     findings += _wording_findings(content.header, content.features, path)
-    return [finding.in_file(str(path)) for finding in findings]
+    return [each._replace(file=str(path)) for each in findings]
 
 
-def _findings_on_floor(site: Site) -> Iterator[Finding]:
+def _findings_on_floor(site: Site) -> Iterator[SiteProblem]:
     floor = exact_floor(site)
     yield from floor_findings(site, floor)
     yield from thing_findings(site, floor)
     yield from route_findings(site, floor)
 
 
-def _benchmark_findings(site: Site) -> Iterator[Finding]:
+def _benchmark_findings(site: Site) -> Iterator[SiteProblem]:
     """Find where a sound site differs in size from the benchmark's floors."""
     expected = PUBLISHED.get(site.name, ANY_FLOOR)
     things = len(site.doors) + len(site.landmarks)
@@ -109,7 +109,7 @@ def _benchmark_findings(site: Site) -> Iterator[Finding]:
     )
     for rule, what, least, got in counts:
         if got < least:
-            yield Finding(
+            yield SiteProblem(
                 PLAN,
                 rule,
                 f"expected at least {least} {what}, as in the benchmark, got {got}",
@@ -117,7 +117,7 @@ def _benchmark_findings(site: Site) -> Iterator[Finding]:
             )
     references = {each.route: each for each in site.routes if each.role == "reference"}
     if references.keys() != {"R1", "R2"}:
-        yield Finding(
+        yield SiteProblem(
             PLAN,
             "route-names",
             "expected reference routes R1 and R2, as in the benchmark, got "
@@ -127,7 +127,7 @@ def _benchmark_findings(site: Site) -> Iterator[Finding]:
     for name, length in expected.route_lengths.items():
         route = references.get(name)
         if route and abs(route.line.length - length) > LENGTH_SLACK + 1e-9:
-            yield Finding(
+            yield SiteProblem(
                 route.id,
                 "published-length",
                 f"expected {length} m, the published length of {name} in {site.name}, "
@@ -139,10 +139,10 @@ def _wording_findings(
     header: models.PlanHeader | None,
     features: Sequence[models.FeatureModel],
     path: Path,
-) -> Iterator[Finding]:
+) -> Iterator[SiteProblem]:
     """Find words, names and angles that are usable but not those of the format."""
     if header and header.name != path.stem:
-        yield Finding(
+        yield SiteProblem(
             PLAN,
             "name-is-stem",
             f"expected the name to be the file's stem, {path.stem!r}, got "
@@ -151,7 +151,7 @@ def _wording_findings(
         )
     for feature in features:
         if not SNAKE_CASE.fullmatch(feature.id):
-            yield Finding(
+            yield SiteProblem(
                 feature.id,
                 "id-snake-case",
                 "expected an id in lower-case letters, digits and underscores",
@@ -159,7 +159,7 @@ def _wording_findings(
             )
         for member, word, known in _words(feature):
             if word not in known:
-                yield Finding(
+                yield SiteProblem(
                     feature.id,
                     "known-word",
                     f"{member}: expected one of {', '.join(known)}, got {word!r}, "
@@ -169,7 +169,7 @@ def _wording_findings(
         for member, degrees in _headings(feature):
             if not 0 <= degrees < 360:
                 turned = math.fmod(math.fmod(degrees, 360) + 360, 360)
-                yield Finding(
+                yield SiteProblem(
                     feature.id,
                     "heading-range",
                     f"{member}: expected degrees in [0, 360), got {degrees:g}, which is "

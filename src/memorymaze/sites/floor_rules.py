@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from shapely import LineString, Point, Polygon, union_all
 
 from memorymaze.geometry.pose import turn_between
-from memorymaze.sites.problems import PLAN, Finding
+from memorymaze.sites.problems import PLAN, SiteProblem
 from memorymaze.sites.records import (
     Area,
     Corridor,
@@ -64,7 +64,7 @@ def exact_floor(site: Site) -> Polygon:
     return floor if isinstance(floor, Polygon) else site.walkable_floor
 
 
-def floor_findings(site: Site, floor: Polygon) -> Iterator[Finding]:
+def floor_findings(site: Site, floor: Polygon) -> Iterator[SiteProblem]:
     """Find what is wrong with the floor."""
     yield from _seams(site, floor)
     yield from _extent(floor)
@@ -80,9 +80,9 @@ def _floor_parts(site: Site) -> tuple[Corridor | Area | TurningPoint, ...]:
     return (*site.corridors, *site.areas, *site.turning_points)
 
 
-def _seams(site: Site, floor: Polygon) -> Iterator[Finding]:
+def _seams(site: Site, floor: Polygon) -> Iterator[SiteProblem]:
     if floor is site.walkable_floor:
-        yield Finding(
+        yield SiteProblem(
             PLAN,
             "floor-seams",
             "expected neighbours that overlap or share an edge exactly, got gaps of up "
@@ -92,7 +92,7 @@ def _seams(site: Site, floor: Polygon) -> Iterator[Finding]:
         area = Polygon(hole).area
         if SMALLEST_SLIVER < area < SLIVER_AREA:
             middle = Polygon(hole).centroid
-            yield Finding(
+            yield SiteProblem(
                 PLAN,
                 "floor-seams",
                 f"expected holes of at least {SLIVER_AREA} m², got one of {area:.4f} m² "
@@ -100,11 +100,11 @@ def _seams(site: Site, floor: Polygon) -> Iterator[Finding]:
             )
 
 
-def _extent(floor: Polygon) -> Iterator[Finding]:
+def _extent(floor: Polygon) -> Iterator[SiteProblem]:
     west, south, east, north = floor.bounds
     across = max(east - west, north - south)
     if not FLOOR_ACROSS[0] <= across <= FLOOR_ACROSS[1]:
-        yield Finding(
+        yield SiteProblem(
             PLAN,
             "floor-extent",
             f"expected a floor {FLOOR_ACROSS[0]:.0f} to {FLOOR_ACROSS[1]:.0f} m "
@@ -113,7 +113,7 @@ def _extent(floor: Polygon) -> Iterator[Finding]:
         )
 
 
-def _narrow_places(site: Site) -> Iterator[Finding]:
+def _narrow_places(site: Site) -> Iterator[SiteProblem]:
     passable = site.free_floor.buffer(-ROBOT_RADIUS)
     pieces = [
         piece
@@ -122,7 +122,7 @@ def _narrow_places(site: Site) -> Iterator[Finding]:
     ]
     for piece in sorted(pieces, key=lambda each: each.area)[:-1]:
         where = piece.representative_point()
-        yield Finding(
+        yield SiteProblem(
             PLAN,
             "floor-passable",
             "expected a floor that a robot of 0.5 m can drive all over, got a piece of "
@@ -132,13 +132,13 @@ def _narrow_places(site: Site) -> Iterator[Finding]:
         )
 
 
-def _corridor(corridor: Corridor) -> Iterator[Finding]:
+def _corridor(corridor: Corridor) -> Iterator[SiteProblem]:
     ring = corridor.polygon.exterior.coords
     narrowest = min(math.dist(ring[i][:2], ring[i + 1][:2]) for i in range(4))
     low, high = CORRIDOR_WIDTHS
     for width in (narrowest, corridor.width):
         if not low <= round(width, 3) <= high:
-            yield Finding(
+            yield SiteProblem(
                 corridor.id,
                 "corridor-width",
                 f"expected a width of {low} to {high} m, as in the benchmark, got "
@@ -150,10 +150,10 @@ def _corridor(corridor: Corridor) -> Iterator[Finding]:
 
 def _turning_point(
     point: TurningPoint, parts: dict[str, Polygon], floor: Polygon
-) -> Iterator[Finding]:
+) -> Iterator[SiteProblem]:
     lacking = point.polygon.convex_hull.area - point.polygon.area
     if lacking > CONVEX_SLACK or point.polygon.interiors:
-        yield Finding(
+        yield SiteProblem(
             point.id,
             "turning-point-convex",
             f"expected a convex shape, got one that lacks {lacking:.2f} m² of its hull",
@@ -165,7 +165,7 @@ def _turning_point(
         neighbour = parts.get(way.to, point.polygon)
         gap = neighbour.distance(point.polygon)
         if gap > TOUCH:
-            yield Finding(
+            yield SiteProblem(
                 point.id,
                 "exit-touches",
                 f"expected an exit to a neighbour, got {way.to!r}, {gap:.2f} m away",
@@ -175,7 +175,7 @@ def _turning_point(
             middle.y + reach * math.sin(way.heading),
         )
         if not floor.contains(LineString([(middle.x, middle.y), end])):
-            yield Finding(
+            yield SiteProblem(
                 point.id,
                 "exit-heading",
                 f"expected floor along the exit to {way.to!r}, got a wall within "
@@ -183,7 +183,7 @@ def _turning_point(
             )
         for other in point.exits[:index]:
             if abs(turn_between(way.heading, other.heading)) < SAME_WAY:
-                yield Finding(
+                yield SiteProblem(
                     point.id,
                     "exit-apart",
                     "expected exits at least 20 degrees apart, got "
@@ -192,13 +192,13 @@ def _turning_point(
                 )
 
 
-def thing_findings(site: Site, floor: Polygon) -> Iterator[Finding]:
+def thing_findings(site: Site, floor: Polygon) -> Iterator[SiteProblem]:
     """Find what is wrong with rooms, doors and landmarks."""
     rooms = {room.id: room.polygon for room in site.rooms}
     for room in site.rooms:
         covered = room.polygon.intersection(floor).area
         if covered > ROOM_ON_FLOOR:
-            yield Finding(
+            yield SiteProblem(
                 room.id,
                 "room-beside-floor",
                 f"expected a room beside the walkable floor, got {covered:.2f} m² of "
@@ -213,10 +213,12 @@ def thing_findings(site: Site, floor: Polygon) -> Iterator[Finding]:
         yield from _landmark(landmark, floor, room_for_obstacles)
 
 
-def _door(door: Door, rooms: dict[str, Polygon], band: Polygon) -> Iterator[Finding]:
+def _door(
+    door: Door, rooms: dict[str, Polygon], band: Polygon
+) -> Iterator[SiteProblem]:
     if not band.covers(door.line):
         middle = door.line.centroid
-        yield Finding(
+        yield SiteProblem(
             door.id,
             "door-on-wall",
             "expected a door on the boundary of the walkable floor, got one off it "
@@ -224,7 +226,7 @@ def _door(door: Door, rooms: dict[str, Polygon], band: Polygon) -> Iterator[Find
         )
     low, high = DOOR_WIDTHS
     if not low <= round(door.line.length, 3) <= high:
-        yield Finding(
+        yield SiteProblem(
             door.id,
             "door-width",
             f"expected a width of {low} to {high} m, got {door.line.length:.2f} m",
@@ -233,7 +235,7 @@ def _door(door: Door, rooms: dict[str, Polygon], band: Polygon) -> Iterator[Find
     if door.room in rooms:
         gap = rooms[door.room].distance(door.line)
         if gap > ROOM_OFF_DOOR:
-            yield Finding(
+            yield SiteProblem(
                 door.id,
                 "door-at-room",
                 f"expected its room within {ROOM_OFF_DOOR} m, got {door.room!r}, "
@@ -243,9 +245,9 @@ def _door(door: Door, rooms: dict[str, Polygon], band: Polygon) -> Iterator[Find
 
 def _landmark(
     thing: Landmark, floor: Polygon, room_for_obstacles: Polygon
-) -> Iterator[Finding]:
+) -> Iterator[SiteProblem]:
     if thing.mount == "floor" and floor.distance(thing.position) > THING_OFF_FLOOR:
-        yield Finding(
+        yield SiteProblem(
             thing.id,
             "landmark-on-floor",
             "expected a thing that stands on the walkable floor, got its middle "
@@ -259,14 +261,14 @@ def _landmark(
         and not room_for_obstacles.covers(thing.footprint)
     ):
         inside = thing.footprint.difference(floor).area
-        yield Finding(
+        yield SiteProblem(
             thing.id,
             "landmark-inside-walls",
             "expected an obstacle in front of the wall, got one that reaches more "
             f"than {OBSTACLE_IN_WALL} m into it, with {inside:.2f} m²",
         )
     if thing.obstacle and thing.mount == "ceiling":
-        yield Finding(
+        yield SiteProblem(
             thing.id,
             "landmark-overhead",
             "expected a ceiling-mounted thing to be no obstacle, got obstacle true; the "
@@ -275,10 +277,10 @@ def _landmark(
         )
 
 
-def _wall_mounted(thing: Landmark, floor: Polygon) -> Iterator[Finding]:
+def _wall_mounted(thing: Landmark, floor: Polygon) -> Iterator[SiteProblem]:
     gap = floor.boundary.distance(thing.footprint)
     if gap > MOUNTED_OFF_WALL:
-        yield Finding(
+        yield SiteProblem(
             thing.id,
             "landmark-on-wall",
             f"expected a wall-mounted thing within {MOUNTED_OFF_WALL} m of a wall, got "
@@ -290,7 +292,7 @@ def _wall_mounted(thing: Landmark, floor: Polygon) -> Iterator[Finding]:
         thing.position.y + ahead * math.sin(thing.heading),
     )
     if not floor.contains(front):
-        yield Finding(
+        yield SiteProblem(
             thing.id,
             "landmark-faces-floor",
             "expected a wall-mounted thing whose front faces the floor, got heading "

@@ -16,7 +16,7 @@ from memorymaze.geometry.pose import wrap_angle
 from memorymaze.sites import plan_models as models
 from memorymaze.sites import records
 from memorymaze.sites.loading_rules import loading_findings
-from memorymaze.sites.problems import Finding, Rule
+from memorymaze.sites.problems import Rule, SiteProblem
 from memorymaze.sites.reading import PlanContent, read_plan
 
 Record = TypeVar("Record")
@@ -155,7 +155,7 @@ def new_plan(name: str) -> bytes:
 
 def site_from_content(
     content: PlanContent, source: str
-) -> tuple[records.Site | None, dict[str, str], list[Finding]]:
+) -> tuple[records.Site | None, dict[str, str], list[SiteProblem]]:
     """Make a Site of all features whose shapes are sound; None without a usable header.
 
     With it come the kinds of the features that are in the file but not in the site, by
@@ -163,14 +163,14 @@ def site_from_content(
     """
     header = content.header
     broken = dict(content.broken)
-    findings: list[Finding] = []
+    findings: list[SiteProblem] = []
     made: list[object] = []
     for feature in content.features:
         try:
             made.append(_CONVERSIONS[type(feature)](feature))
         except _ShapeError as error:
             broken[feature.id] = _KINDS[type(feature)]
-            findings.append(Finding(feature.id, error.rule, str(error)))
+            findings.append(SiteProblem(feature.id, error.rule, str(error)))
     if header is None:
         return None, broken, findings
 

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping
 from shapely import Point, union_all
 
 from memorymaze.geometry.grid import LARGEST_FLOOR
-from memorymaze.sites.problems import PLAN, Finding
+from memorymaze.sites.problems import PLAN, SiteProblem
 from memorymaze.sites.records import Site, floor_pieces
 
 SMALLEST_FREE_FLOOR = 0.01
@@ -16,7 +16,7 @@ FLOOR_RULES = frozenset({"floor-size", "floor-connected", "floor-free"})
 """Rules whose breach leaves no floor to judge anything else by."""
 
 
-def loading_findings(site: Site, broken: Mapping[str, str]) -> list[Finding]:
+def loading_findings(site: Site, broken: Mapping[str, str]) -> list[SiteProblem]:
     """Return what keeps a site from being used, though each feature is sound.
 
     `broken` has the kinds of the plan's other features by id: to refer to one of them
@@ -37,7 +37,7 @@ def floor_is_complete(broken: Mapping[str, str]) -> bool:
     return not {"", "corridor", "area", "turning_point"} & set(broken.values())
 
 
-def _references(site: Site, broken: Mapping[str, str]) -> Iterator[Finding]:
+def _references(site: Site, broken: Mapping[str, str]) -> Iterator[SiteProblem]:
     floor = {each.id for each in (*site.corridors, *site.areas, *site.turning_points)}
     turning_points = {each.id for each in site.turning_points}
     rooms = {each.id for each in site.rooms}
@@ -45,9 +45,9 @@ def _references(site: Site, broken: Mapping[str, str]) -> Iterator[Finding]:
 
     def check(
         owner: str, member: str, wanted: str, target: str, known: set[str]
-    ) -> Iterator[Finding]:
+    ) -> Iterator[SiteProblem]:
         if target not in known and target not in broken:
-            yield Finding(
+            yield SiteProblem(
                 owner,
                 "known-reference",
                 f"{member}: expected the id of a {wanted} in this plan, got {target!r}",
@@ -79,13 +79,13 @@ def _references(site: Site, broken: Mapping[str, str]) -> Iterator[Finding]:
             )
 
 
-def _routes(site: Site, broken: Mapping[str, str]) -> Iterator[Finding]:
+def _routes(site: Site, broken: Mapping[str, str]) -> Iterator[SiteProblem]:
     references: dict[str, str] = {}
     for route in site.routes:
         if route.role != "reference":
             continue
         if route.route in references:
-            yield Finding(
+            yield SiteProblem(
                 route.id,
                 "one-reference",
                 f"expected one reference route called {route.route}, got "
@@ -94,7 +94,7 @@ def _routes(site: Site, broken: Mapping[str, str]) -> Iterator[Finding]:
         references[route.route] = route.id
     for route in site.routes:
         if route.route not in references and not {"", "route"} & set(broken.values()):
-            yield Finding(
+            yield SiteProblem(
                 route.id,
                 "one-reference",
                 f"expected a reference route called {route.route} beside this "
@@ -102,15 +102,17 @@ def _routes(site: Site, broken: Mapping[str, str]) -> Iterator[Finding]:
             )
 
 
-def _floor(site: Site) -> Iterator[Finding]:
+def _floor(site: Site) -> Iterator[SiteProblem]:
     named = (*site.corridors, *site.areas, *site.turning_points)
     if not named:
-        yield Finding(PLAN, "floor-connected", "expected corridors or areas, got none")
+        yield SiteProblem(
+            PLAN, "floor-connected", "expected corridors or areas, got none"
+        )
         return
     west, south, east, north = union_all([each.polygon for each in named]).bounds
     across = max(east - west, north - south)
     if across > FLOOR_ACROSS:
-        yield Finding(
+        yield SiteProblem(
             PLAN,
             "floor-size",
             f"expected a floor at most {FLOOR_ACROSS:.0f} m across, got {across:.0f} m; "
@@ -119,7 +121,7 @@ def _floor(site: Site) -> Iterator[Finding]:
         return
     main, *others = floor_pieces([each.polygon for each in named])
     if main.area > LARGEST_FLOOR:
-        yield Finding(
+        yield SiteProblem(
             PLAN,
             "floor-size",
             f"expected a floor of at most {LARGEST_FLOOR:,.0f} m², got "
@@ -135,7 +137,7 @@ def _floor(site: Site) -> Iterator[Finding]:
         ]
         where = piece.representative_point()
         gap = main.distance(piece)
-        yield Finding(
+        yield SiteProblem(
             on_it[0] if on_it else PLAN,
             "floor-connected",
             "expected a floor that hangs together, got a separate piece of "
@@ -144,7 +146,7 @@ def _floor(site: Site) -> Iterator[Finding]:
         )
     covered = union_all([each.footprint for each in site.landmarks if each.obstacle])
     if main.difference(covered).area < SMALLEST_FREE_FLOOR:
-        yield Finding(
+        yield SiteProblem(
             PLAN,
             "floor-free",
             "expected some floor free of obstacles, got none; shrink landmarks that "
@@ -152,7 +154,7 @@ def _floor(site: Site) -> Iterator[Finding]:
         )
 
 
-def _routes_on_floor(site: Site) -> Iterator[Finding]:
+def _routes_on_floor(site: Site) -> Iterator[SiteProblem]:
     floor = site.walkable_floor
     for route in site.routes:
         for end, position in (
@@ -160,7 +162,7 @@ def _routes_on_floor(site: Site) -> Iterator[Finding]:
             ("goal", route.line.coords[-1]),
         ):
             if not floor.intersects(Point(position)):
-                yield Finding(
+                yield SiteProblem(
                     route.id,
                     "route-on-floor",
                     f"expected the {end} on the walkable floor, got "

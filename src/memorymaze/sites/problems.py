@@ -64,31 +64,18 @@ PLAN = "-"
 class SiteProblem(NamedTuple):
     """One rule that a plan breaks."""
 
-    file: str
-    """Path of the plan."""
     feature: str
     """Id of the feature, `features[3]` for one without an id, or `-` for the plan."""
     rule: Rule
     """Such as `corridor-four-corners`."""
-    severity: Severity
-    """`error`: something will go wrong; `warning`: unlike the benchmark's floors."""
     message: str
     """What was expected, what came, and what to do."""
+    severity: Severity = "error"
+    """`error`: something will go wrong; `warning`: unlike the benchmark's floors."""
+    file: str = ""
+    """Path of the plan."""
 
     def line(self) -> str:
         """Return it as one line: `file:feature:rule: severity: message`."""
         place = f"{self.file}:{self.feature}:{self.rule}"
         return f"{place}: {self.severity}: {self.message}"
-
-
-class Finding(NamedTuple):
-    """A broken rule, not yet tied to a file."""
-
-    feature: str
-    rule: Rule
-    message: str
-    severity: Severity = "error"
-
-    def in_file(self, file: str) -> SiteProblem:
-        """Return it as a problem of a file."""
-        return SiteProblem(file, self.feature, self.rule, self.severity, self.message)

@@ -10,7 +10,7 @@ from pydantic import BaseModel, ValidationError
 from memorymaze.errors import SitePlanError
 from memorymaze.input_files import mistakes, parse_json, read_text, shown
 from memorymaze.sites.plan_models import FEATURE_MODELS, FeatureModel, PlanHeader
-from memorymaze.sites.problems import PLAN, Finding, Rule
+from memorymaze.sites.problems import PLAN, Rule, SiteProblem
 
 Model = TypeVar("Model", bound=BaseModel)
 
@@ -28,7 +28,7 @@ class PlanContent:
 
     The kind is empty where it is not known.
     """
-    findings: tuple[Finding, ...]
+    findings: tuple[SiteProblem, ...]
     document: Mapping[str, object]
     """The whole plan as JSON; empty where there is none."""
 
@@ -40,14 +40,14 @@ def read_plan(path: Path) -> PlanContent:
     `findings`.
     """
     document = _read_document(path)
-    if isinstance(document, Finding):
+    if isinstance(document, SiteProblem):
         return PlanContent(None, (), {}, (document,), {})
     return understand_plan(document)
 
 
 def understand_plan(document: Mapping[str, object]) -> PlanContent:
     """Return what can be understood of a plan that is already JSON."""
-    findings: list[Finding] = []
+    findings: list[SiteProblem] = []
     header = _validated(PlanHeader, document, PLAN, findings)
     features: list[FeatureModel] = []
     broken: dict[str, str] = {}
@@ -58,7 +58,7 @@ def understand_plan(document: Mapping[str, object]) -> PlanContent:
         feature = model and _validated(model, raw, label, findings)
         if label in seen:
             findings.append(
-                Finding(
+                SiteProblem(
                     label,
                     "unique-id",
                     f"expected an id of its own for every feature, got {label!r} "
@@ -73,9 +73,9 @@ def understand_plan(document: Mapping[str, object]) -> PlanContent:
     return PlanContent(header, tuple(features), broken, tuple(findings), document)
 
 
-def _read_document(path: Path) -> Mapping[str, object] | Finding:
-    def finding(rule: Rule, message: str) -> Finding:
-        return Finding(PLAN, rule, message)
+def _read_document(path: Path) -> Mapping[str, object] | SiteProblem:
+    def finding(rule: Rule, message: str) -> SiteProblem:
+        return SiteProblem(PLAN, rule, message)
 
     if path.is_dir():
         return finding("readable", "expected a GeoJSON file, got a directory")
@@ -101,14 +101,14 @@ def _read_document(path: Path) -> Mapping[str, object] | Finding:
 
 
 def _raw_features(
-    document: Mapping[str, object], findings: list[Finding]
+    document: Mapping[str, object], findings: list[SiteProblem]
 ) -> Sequence[object]:
     features = document.get("features")
     if isinstance(features, list) and features:
         return cast(Sequence[object], features)
     got = shown(features) if "features" in document else "nothing"
     findings.append(
-        Finding(
+        SiteProblem(
             PLAN,
             "members",
             f"features: expected a list of at least one feature, got {got}",
@@ -139,7 +139,7 @@ def _kind(raw: object) -> str | None:
 
 
 def _feature_model(
-    raw: object, label: str, findings: list[Finding]
+    raw: object, label: str, findings: list[SiteProblem]
 ) -> type[FeatureModel] | None:
     """Return the model of the feature's kind, or note why there is none."""
     kind = _kind(raw)
@@ -153,19 +153,19 @@ def _feature_model(
             where, wanted = "properties.kind: ", f"one of {', '.join(FEATURE_MODELS)}"
             got = cast(dict[str, object], got).get("kind")
     findings.append(
-        Finding(label, "known-kind", f"{where}expected {wanted}, got {shown(got)}")
+        SiteProblem(label, "known-kind", f"{where}expected {wanted}, got {shown(got)}")
     )
     return None
 
 
 def _validated(
-    model: type[Model], raw: object, label: str, findings: list[Finding]
+    model: type[Model], raw: object, label: str, findings: list[SiteProblem]
 ) -> Model | None:
     try:
         return model.model_validate(raw)
     except ValidationError as error:
         findings.extend(
-            Finding(label, "members", f"{where}: {said}")
+            SiteProblem(label, "members", f"{where}: {said}")
             for where, said in mistakes(error)
         )
         return None

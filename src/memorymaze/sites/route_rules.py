@@ -8,7 +8,7 @@ from typing import NamedTuple
 from shapely import LineString, Point, Polygon
 
 from memorymaze.geometry.pose import heading_to, turn_between
-from memorymaze.sites.problems import Finding
+from memorymaze.sites.problems import SiteProblem
 from memorymaze.sites.records import Route, Site
 
 LENGTH_SLACK = 0.005
@@ -25,7 +25,7 @@ STRAIGHT = math.radians(15)
 """A route that bends less than this at a turning point makes no turn there."""
 
 
-def route_findings(site: Site, floor: Polygon) -> Iterator[Finding]:
+def route_findings(site: Site, floor: Polygon) -> Iterator[SiteProblem]:
     """Find what is wrong with routes on an exact floor; ids may be unknown."""
     blocked = [thing.footprint for thing in site.landmarks if thing.obstacle]
     goals = {
@@ -43,10 +43,10 @@ def route_findings(site: Site, floor: Polygon) -> Iterator[Finding]:
         yield from _turns(route, turning_points)
 
 
-def _length(route: Route) -> Iterator[Finding]:
+def _length(route: Route) -> Iterator[SiteProblem]:
     measured = route.line.length
     if abs(measured - route.length) > LENGTH_SLACK + 1e-9:
-        yield Finding(
+        yield SiteProblem(
             route.id,
             "route-length",
             f"expected length_m to be the length of the line, {measured:.3f} m, got "
@@ -56,7 +56,7 @@ def _length(route: Route) -> Iterator[Finding]:
 
 def _clearance(
     route: Route, floor: Polygon, blocked: list[Polygon]
-) -> Iterator[Finding]:
+) -> Iterator[SiteProblem]:
     wall = floor.boundary.distance(route.line)
     obstacle = min(
         (footprint.distance(route.line) for footprint in blocked), default=math.inf
@@ -64,7 +64,7 @@ def _clearance(
     kept = min(wall, obstacle) if floor.contains(route.line) else 0.0
     if kept < CLEARANCE - ROUNDING:
         what = "an obstacle" if obstacle < wall else "a wall"
-        yield Finding(
+        yield SiteProblem(
             route.id,
             "route-clearance",
             f"expected {CLEARANCE} m from every wall and obstacle, got {kept:.2f} m from "
@@ -72,10 +72,10 @@ def _clearance(
         )
 
 
-def _goal(route: Route, goal: Point | LineString | Polygon) -> Iterator[Finding]:
+def _goal(route: Route, goal: Point | LineString | Polygon) -> Iterator[SiteProblem]:
     gap = goal.distance(Point(route.line.coords[-1]))
     if gap > GOAL_NEAR:
-        yield Finding(
+        yield SiteProblem(
             route.id,
             "route-goal",
             f"expected the goal {route.goal_landmark!r} within {GOAL_NEAR} m of the "
@@ -83,10 +83,10 @@ def _goal(route: Route, goal: Point | LineString | Polygon) -> Iterator[Finding]
         )
 
 
-def _start(route: Route) -> Iterator[Finding]:
+def _start(route: Route) -> Iterator[SiteProblem]:
     first_leg = heading_to(*_legs(route)[0])
     if abs(turn_between(route.start_heading, first_leg)) > START_TURN:
-        yield Finding(
+        yield SiteProblem(
             route.id,
             "route-start-heading",
             "expected a start heading along the first leg, at "
@@ -96,7 +96,7 @@ def _start(route: Route) -> Iterator[Finding]:
         )
 
 
-def _turns(route: Route, turning_points: dict[str, Polygon]) -> Iterator[Finding]:
+def _turns(route: Route, turning_points: dict[str, Polygon]) -> Iterator[SiteProblem]:
     bends = _bends(route)
     reached = -math.inf
     for turn in route.turns:
@@ -105,7 +105,7 @@ def _turns(route: Route, turning_points: dict[str, Polygon]) -> Iterator[Finding
         polygon = turning_points[turn.at]
         gap = polygon.distance(route.line)
         if gap > ROUNDING:
-            yield Finding(
+            yield SiteProblem(
                 route.id,
                 "turn-on-route",
                 f"expected turns at places on the route, got {turn.at!r}, {gap:.2f} m "
@@ -119,7 +119,7 @@ def _turns(route: Route, turning_points: dict[str, Polygon]) -> Iterator[Finding
         ]
         visit = [bend for bend in here if bend.at - here[0].at <= polygon.length / 2]
         if not visit:
-            yield Finding(
+            yield SiteProblem(
                 route.id,
                 "turn-bends",
                 f"expected the line to bend in {turn.at!r} after the turn before it, "
@@ -130,7 +130,7 @@ def _turns(route: Route, turning_points: dict[str, Polygon]) -> Iterator[Finding
         reached = visit[0].at
         angle = math.degrees(sum(bend.angle for bend in visit))
         if (angle > 0) != turn.direction.endswith("left"):
-            yield Finding(
+            yield SiteProblem(
                 route.id,
                 "turn-direction",
                 f"expected {'left' if angle > 0 else 'right'} at {turn.at!r}, where the "
