@@ -87,7 +87,7 @@ class ExplorerAgent:
         found: list[Sighting] = []
 
         def is_found(seen: list[Sighting]) -> bool:
-            found.extend(each for each in seen if self._is_there(each, robot))
+            found.extend([each for each in seen if self._is_there(each, robot)][:1])
             return bool(found)
 
         ways = untried_ways(walker, rng) if names else iter(())
