@@ -113,7 +113,7 @@ class SeeAndGoAgent:
             instruction: Is shown to the model as it is.
             robot: Takes pictures and single steps.
             journal: Gets a `move` for each move, with what the model said.
-            rng: Nothing is drawn.
+            rng: Gives the episode a number, by which its pictures are named.
             requests: Most requests, where the options leave it open; None for no limit.
 
         Raises:
@@ -123,7 +123,8 @@ class SeeAndGoAgent:
         limit = self.options.requests or requests
         numbers = count(1) if limit is None else iter(range(1, limit + 1))
         steps = deque[str](maxlen=self.options.memory)
-        place, still = frame_name(instruction, "", "start"), 0
+        episode = str(rng.integers(2**31))
+        place, still = frame_name(episode, "", "start"), 0
         while still < self.options.failures:
             view = Picture.of_pixels(robot.camera_picture().rgb, place)
             task = load_prompt(
@@ -133,12 +134,12 @@ class SeeAndGoAgent:
             )
             command, said = self._ask(task, view, numbers, journal)
             if command.motion == "stop":
-                robot.stop()
+                return robot.stop()
             ahead, done = make_move(robot, command)
             journal.note("move", said=said, done=done)
             steps.append(f"- {said} {done}")
             still = 0 if ahead > STILL_METRES else still + 1
-            place = frame_name(instruction, place, done)
+            place = frame_name(episode, place, done)
         raise EpisodeOver("stuck")
 
     def _ask(
