@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from memorymaze.agents import AGENTS
+from memorymaze.cli.agents import agent_listing
 from memorymaze.errors import SettingsError
 from memorymaze.evaluation.agent_catalogue import (
     agent_names,
@@ -13,7 +14,6 @@ from memorymaze.evaluation.agent_catalogue import (
     known_agent,
     settings_of,
 )
-from memorymaze.evaluation.agent_listing import agent_listing
 from memorymaze.evaluation.oracle import OracleAgent
 from memorymaze.evaluation.plan import RunPlan
 from memorymaze.evaluation.settings import AgentSettings

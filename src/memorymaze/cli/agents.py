@@ -1,8 +1,23 @@
 """`memorymaze agents`: which agents there are, and the options of each."""
 
 import argparse
+import textwrap
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
 
 from memorymaze.cli.verbs import Verbs
+
+if TYPE_CHECKING:
+    from memorymaze.agents.agent import Need
+
+NEEDS: "dict[Need, str]" = {
+    "answers": "the reference path of its episode (no method to compare with)",
+    "camera": "pictures from the robot's camera",
+    "graph": "the navigation graph of the site",
+    "language_model": "a language model (--model, or recorded replies with --replay)",
+    "steps": "a robot that can be moved by single steps (robot.steps)",
+}
+WIDTH = 88
 
 
 def add_parser(verbs: Verbs) -> None:
@@ -25,7 +40,43 @@ def add_parser(verbs: Verbs) -> None:
 
 
 def _run(options: argparse.Namespace) -> int:
-    from memorymaze.evaluation.agent_listing import agent_listing
-
     print(agent_listing(options.names), end="")
     return 0
+
+
+def agent_listing(names: Sequence[str]) -> str:
+    """Return a text on agents, one paragraph each; on all where none is named."""
+    from memorymaze.evaluation.agent_catalogue import agent_names
+
+    paragraphs = ("\n".join(_paragraph(name)) for name in names or agent_names())
+    return "\n\n".join(paragraphs) + "\n"
+
+
+def _paragraph(name: str) -> Iterator[str]:
+    from memorymaze.errors import SettingsError
+    from memorymaze.evaluation.agent_catalogue import (
+        agent_needs,
+        agent_options,
+        has_parser,
+        known_agent,
+    )
+    from memorymaze.options import list_options
+
+    own = ":" in name
+    yield f"{name}: {'an agent of your own' if own else known_agent(name).summary}"
+    for need in sorted(agent_needs(name)):
+        yield f"  needs {NEEDS[need]}"
+    if has_parser(name):
+        yield "  parses instructions first, unless --no-parser is given"
+    kind = agent_options(name)
+    if kind is None:
+        yield "  no options"
+        return
+    try:
+        listed = list_options(kind)
+    except TypeError as error:
+        raise SettingsError(f"agent {name!r}: its options: {error}") from None
+    for option in listed:
+        yield f"  --set {option.name}={option.default}"
+        said = f"{option.meaning} Takes {option.allowed}."
+        yield textwrap.indent(textwrap.fill(said, WIDTH - 8), " " * 8)

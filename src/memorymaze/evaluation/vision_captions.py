@@ -7,8 +7,7 @@ import hashlib
 import json
 import math
 import sqlite3
-from collections.abc import Callable, Generator, Iterable, Sequence
-from contextlib import closing, contextmanager
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import asdict, dataclass, replace
 from functools import lru_cache
 from pathlib import Path
@@ -17,6 +16,7 @@ from typing import Any
 from pydantic import TypeAdapter, ValidationError
 
 from memorymaze.agents.agent import Journal
+from memorymaze.durable_files import open_database
 from memorymaze.errors import LanguageModelError, SettingsError
 from memorymaze.geometry.pose import Pose
 from memorymaze.language.model import (
@@ -34,8 +34,6 @@ from memorymaze.sites import Site
 from memorymaze.sites.navigation_graph import Viewpoint
 
 _REPLIES = TypeAdapter(tuple[Completion, ...])
-BUSY_TIMEOUT = 60.0
-"""Seconds to wait while another process writes."""
 TABLE = """
 CREATE TABLE IF NOT EXISTS captions (
     scene TEXT NOT NULL,
@@ -81,7 +79,7 @@ class CaptionStore:
         """Open or make the file."""
         self._path = Path(path).absolute()
         try:
-            with self._open(make=True) as database:
+            with open_database(self._path, make=True) as database:
                 database.execute(TABLE)
         except (sqlite3.Error, OSError) as error:
             raise SettingsError(
@@ -92,7 +90,7 @@ class CaptionStore:
     def find(self, key: CaptionKey) -> tuple[Completion, ...]:
         """Return the replies kept under a key, the last one usable; empty for none."""
         try:
-            with self._open() as database:
+            with open_database(self._path) as database:
                 row = database.execute(
                     "SELECT replies FROM captions WHERE scene = ? AND viewpoint = ? "
                     "AND model = ? AND prompt = ?",
@@ -110,7 +108,7 @@ class CaptionStore:
         """Keep replies; return those that are kept, which another process may have."""
         text = json.dumps([asdict(each) for each in replies])
         try:
-            with self._open() as database:
+            with open_database(self._path) as database:
                 database.execute(
                     "INSERT OR IGNORE INTO captions VALUES (?, ?, ?, ?, ?)",
                     (key.scene, key.viewpoint, key.model, key.prompt, text),
@@ -120,14 +118,6 @@ class CaptionStore:
                 f"{self._path}: captions could not be kept ({error})"
             ) from error
         return self.find(key)
-
-    @contextmanager
-    def _open(self, *, make: bool = False) -> Generator[sqlite3.Connection]:
-        """Open the file for one transaction; no connection outlives it."""
-        address = f"{self._path.as_uri()}?mode={'rwc' if make else 'rw'}"
-        connection = sqlite3.connect(address, timeout=BUSY_TIMEOUT, uri=True)
-        with closing(connection), connection:
-            yield connection
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,11 +11,12 @@ import hashlib
 import json
 import sqlite3
 from collections.abc import Callable, Generator
-from contextlib import closing, contextmanager
+from contextlib import contextmanager
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
+from memorymaze.durable_files import open_database
 from memorymaze.errors import LanguageModelError, SettingsError
 from memorymaze.language.model import (
     Completion,
@@ -24,9 +25,6 @@ from memorymaze.language.model import (
     Question,
     Usage,
 )
-
-BUSY_TIMEOUT = 60.0
-"""Seconds to wait while another process writes."""
 
 TABLES = (
     """
@@ -83,7 +81,7 @@ class AnswerStore:
         if not make and not self.path.is_file():
             raise SettingsError(f"{self.path}: there are no recorded replies here")
         try:
-            with self._open(make=make) as database:
+            with open_database(self.path, make=make) as database:
                 for table in TABLES if make else ():
                     database.execute(table)
                 rows = database.execute("SELECT DISTINCT model FROM replies").fetchall()
@@ -220,7 +218,7 @@ class AnswerStore:
 
     def _rows(self, query: str, *values: object) -> list[tuple[Any, ...]]:
         try:
-            with self._open() as database:
+            with open_database(self.path) as database:
                 return database.execute(query, values).fetchall()
         except sqlite3.OperationalError as error:
             # Recorded before pictures had names, or requests were questions.
@@ -238,25 +236,12 @@ class AnswerStore:
     @contextmanager
     def _writing(self) -> Generator[sqlite3.Connection]:
         try:
-            with self._open() as database:
+            with open_database(self.path) as database:
                 yield database
         except sqlite3.Error as error:
             raise LanguageModelError(
                 f"{self.path}: the reply could not be kept ({error})"
             ) from error
-
-    @contextmanager
-    def _open(self, *, make: bool = False) -> Generator[sqlite3.Connection]:
-        """Open the file for one transaction.
-
-        A connection lives no longer: none may be carried into another process. Reading
-        too opens for writing where that is allowed, to undo what a killed process left
-        half written.
-        """
-        address = f"{self.path.absolute().as_uri()}?mode={'rwc' if make else 'rw'}"
-        connection = sqlite3.connect(address, timeout=BUSY_TIMEOUT, uri=True)
-        with closing(connection), connection:
-            yield connection
 
 
 def _keep_question(

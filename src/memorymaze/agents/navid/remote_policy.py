@@ -49,9 +49,8 @@ LONGEST_ANSWER = 1_000_000
 Recorder = Callable[[LanguageModel], LanguageModel]
 """Puts recorded replies between the policy and its server."""
 
-
-PROTOCOL = "memorymaze-navid"
 VERSION = 1
+"""Of the protocol."""
 
 Name = Annotated[str, Field(min_length=1, max_length=200, pattern=r"^[^\x00-\x1f]+$")]
 Session = Annotated[str, Field(min_length=1, max_length=64)]
