@@ -131,6 +131,27 @@ def test_pages_sort_by_values_and_keep_published_rows_apart() -> None:
     assert '<tr class="published">' in text
 
 
+def test_pages_plot_a_value_with_its_interval_and_lead_to_routes() -> None:
+    made = Table(
+        "Rates",
+        (
+            Column("block", "Block", "group"),
+            Column("route", "Route", "group", link=lambda row: f"{row['route']}.html"),
+            Column("rate", "Rate", digits=2, interval=("low", "high"), plot=True),
+        ),
+        (
+            {"block": "b", "route": "R1", "rate": 0.5, "low": 0.25, "high": 0.75},
+            {"block": "b", "route": "R2", "rate": None},
+        ),
+    )
+    page = made.html()
+    assert 'colspan="2"><a href="R1.html">R1</a>' in page
+    assert 'd="M25 7H75"' in page
+    assert page.count("<circle") == 1
+    assert 'cx="50"' in page
+    assert "svg" not in made.markdown()
+
+
 def test_data_has_all_fields_unrounded_and_those_that_nobody_is_shown() -> None:
     made = table(walk(seed=7), walk("old", low=0.5, high=3.5))
     names = ["site", "route", "robot", "left", "low", "high", "falls", "seed"]

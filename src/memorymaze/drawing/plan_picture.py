@@ -31,8 +31,10 @@ from memorymaze.drawing.margin import (
     write_legend,
 )
 from memorymaze.drawing.shapes import (
+    Bounds,
     Met,
     Points,
+    bounds_of,
     part_of,
     route_color,
 )
@@ -57,9 +59,6 @@ ARRIVED_COLOR, FAILED_COLOR = "#0b5d2a", "#8a1c1c"
 AROUND = 6.0
 """Metres of plan shown round a walk and the way described."""
 PIXELS_PER_INCH = 100
-
-Bounds = tuple[float, float, float, float]
-"""West, south, east, north; metres."""
 
 
 def draw_site(
@@ -99,7 +98,7 @@ def draw_site(
         f"{counted(len(site.landmarks), 'landmark')}"
     )
     head = [HeadLine(site.title, 15), HeadLine(facts, 9.5, "#555555")]
-    _write(path, site, _around(bounds, MARGIN), head, shown, walks, met)
+    _write(path, site, bounds_of(bounds, MARGIN), head, shown, walks, met)
 
 
 def draw_walk(
@@ -132,7 +131,7 @@ def draw_walk(
     path = _checked(path)
     points = _points(walk)
     bounds = [route.line.bounds, (*points.min(axis=0), *points.max(axis=0))]
-    shown = _around(bounds, AROUND)
+    shown = bounds_of(bounds, AROUND)
     head = [
         HeadLine(f"{site.title} · {route.id}", 13),
         HeadLine(f"“{single_spaced(instruction)}”", 10.5),
@@ -172,14 +171,6 @@ def _points(walk: Trajectory | ArrayLike) -> Points:
     if array.ndim != 2 or array.shape[1] != 2 or not len(array):
         raise ValueError(f"expected points of shape (N, 2), got {array.shape}")
     return array
-
-
-def _around(bounds: Sequence[Sequence[float]], margin: float) -> Bounds:
-    """Return what holds some bounds, with a margin."""
-    table = np.array(bounds, dtype=np.float64)
-    west, south = (table[:, :2].min(axis=0) - margin).tolist()
-    east, north = (table[:, 2:].max(axis=0) + margin).tolist()
-    return west, south, east, north
 
 
 def _write(
@@ -274,7 +265,7 @@ def draw_plan(
     figure = Figure(figsize=(width / dpi, height / dpi), dpi=dpi, facecolor="white")
     canvas = FigureCanvasAgg(figure)
     low, high = middle - half, middle + half
-    site = part_of(site, _around([[*low, *high]], 0.0))
+    site = part_of(site, bounds_of([[*low, *high]], 0.0))
     axes = axes_in(figure, (0, 0, 1, 1), low, high)
     with lettering():
         paint_plan(axes, site, turning_points=False)

@@ -16,6 +16,8 @@ from memorymaze.sites.records import Landmark, Route, Site
 
 Points = NDArray[np.float64]
 """Places in metres, shape (N, 2)."""
+Bounds = tuple[float, float, float, float]
+"""West, south, east, north; metres."""
 Kind = Literal[
     "room",
     "floor",
@@ -153,16 +155,21 @@ def is_covering(thing: Landmark) -> bool:
     return thing.mount == "floor" and thing.size[2] <= FLAT
 
 
-def plan_bounds(site: Site, margin: float) -> tuple[float, float, float, float]:
-    """Return west, south, east and north of floor and rooms, with some paper round."""
-    bounds = [site.walkable_floor.bounds, *(r.polygon.bounds for r in site.rooms)]
-    table = np.array(bounds)
+def plan_bounds(site: Site, margin: float) -> Bounds:
+    """Return the bounds of floor and rooms, with some paper round."""
+    rooms = (room.polygon.bounds for room in site.rooms)
+    return bounds_of([site.walkable_floor.bounds, *rooms], margin)
+
+
+def bounds_of(parts: Sequence[Sequence[float]], margin: float) -> Bounds:
+    """Return what holds some bounds, with a margin."""
+    table = np.array(parts, dtype=np.float64)
     west, south = (table[:, :2].min(axis=0) - margin).tolist()
     east, north = (table[:, 2:].max(axis=0) + margin).tolist()
     return west, south, east, north
 
 
-def part_of(site: Site, bounds: tuple[float, float, float, float]) -> Site:
+def part_of(site: Site, bounds: Bounds) -> Site:
     """Return a site with only what a part of its plan shows, so that it is named there."""
     sheet = box(*bounds)
 

@@ -4,9 +4,10 @@ import pytest
 
 from memorymaze.instructions import Failure, Instruction
 from memorymaze.results.instruction_study.stated_distances import (
+    by_unit,
     route_legs,
     stated_distances,
-    summarise_distances,
+    summarise,
 )
 from memorymaze.sites import Site
 from memorymaze.understanding import parse_route_description
@@ -77,8 +78,14 @@ def test_a_summary_has_median_quartiles_and_spread(told: Told, loop_site: Site) 
             told(text), parse_route_description(text), loop_site
         )
     ]
-    [of_unit, of_all] = summarise_distances(legs)
-    assert (of_unit.unit, of_all.unit, of_unit.legs) == ("metres", "numbers", 3)
-    assert of_unit.median == pytest.approx(1.0)
-    assert (of_unit.low, of_unit.high) == pytest.approx((0.75, 1.5))
-    assert of_unit.factor == pytest.approx(2 ** (2 / 3) ** 0.5)
+    groups = by_unit(legs)
+    assert [unit for _, unit in groups] == ["metres", "numbers"]
+    for group in groups.values():
+        assert summarise(group) == pytest.approx({
+            "legs": 3,
+            "texts": 3,
+            "median": 1.0,
+            "low": 0.75,
+            "high": 1.5,
+            "factor": 2 ** (2 / 3) ** 0.5,
+        })

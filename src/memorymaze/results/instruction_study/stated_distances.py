@@ -48,24 +48,6 @@ class StatedDistance:
         return self.stated / self.true
 
 
-@dataclass(frozen=True, slots=True)
-class DistanceSummary:
-    """Stated over true lengths of one study in one unit."""
-
-    study: str
-    unit: str
-    """`numbers` for metres, steps and time together."""
-    legs: int
-    texts: int
-    median: float
-    low: float
-    """Lower quartile."""
-    high: float
-    """Upper quartile."""
-    factor: float
-    """Exponential of the logarithms' standard deviation; 1 when there is no spread."""
-
-
 def route_legs(site: Site, route: Route) -> list[tuple[float, str]] | None:
     """Return a route's legs: metres, and the side of the turn that ends each.
 
@@ -151,27 +133,33 @@ def _without(
     return kept
 
 
-def summarise_distances(distances: Iterable[StatedDistance]) -> list[DistanceSummary]:
-    """Summarise by study and unit; `numbers` is all that was said as a number."""
+def by_unit(
+    distances: Iterable[StatedDistance],
+) -> dict[tuple[str, str], list[StatedDistance]]:
+    """Return lengths by study and unit; `numbers` is all that was said as a number."""
     groups: dict[tuple[str, str], list[StatedDistance]] = {}
     for each in distances:
         for unit in (each.unit, *([] if each.unit == VAGUE else ["numbers"])):
             groups.setdefault((each.instruction.study, unit), []).append(each)
     order = {"metres": 0, "steps": 1, "time": 2, "numbers": 3, VAGUE: 4}
-    keys = sorted(groups, key=lambda key: (key[0], order[key[1]]))
-    return [_summary(*key, groups[key]) for key in keys]
+    return {
+        key: groups[key] for key in sorted(groups, key=lambda k: (k[0], order[k[1]]))
+    }
 
 
-def _summary(study: str, unit: str, legs: Sequence[StatedDistance]) -> DistanceSummary:
+def summarise(legs: Sequence[StatedDistance]) -> dict[str, float]:
+    """Return median and quartiles of stated over true lengths, and how they spread.
+
+    The `factor` is the exponential of the logarithms' standard deviation; 1 when there
+    is no spread.
+    """
     ratios = np.array([leg.ratio for leg in legs])
-    low, middle, high = np.quantile(ratios, [0.25, 0.5, 0.75])
-    return DistanceSummary(
-        study=study,
-        unit=unit,
-        legs=len(legs),
-        texts=len({leg.instruction.id for leg in legs}),
-        median=float(middle),
-        low=float(low),
-        high=float(high),
-        factor=math.exp(float(np.log(ratios).std())),
-    )
+    low, middle, high = np.quantile(ratios, [0.25, 0.5, 0.75]).tolist()
+    return {
+        "legs": len(legs),
+        "texts": len({leg.instruction.id for leg in legs}),
+        "median": middle,
+        "low": low,
+        "high": high,
+        "factor": math.exp(float(np.log(ratios).std())),
+    }

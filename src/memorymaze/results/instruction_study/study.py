@@ -33,8 +33,9 @@ from memorymaze.results.instruction_study.named_things import (
 from memorymaze.results.instruction_study.stated_distances import (
     VAGUE,
     StatedDistance,
+    by_unit,
     stated_distances,
-    summarise_distances,
+    summarise,
 )
 from memorymaze.sites.records import Site
 from memorymaze.tables import Row
@@ -298,12 +299,6 @@ def _per_text(texts: Iterable[TextMeasures]) -> Iterator[Figure]:
 
 
 def _distances(legs: Iterable[StatedDistance]) -> Iterator[Figure]:
-    for each in summarise_distances(legs):
-        for name in ("legs", "texts", "median", "low", "high", "factor"):
-            yield Figure(
-                "stated_distances",
-                each.study,
-                name,
-                getattr(each, name),
-                key=each.unit,
-            )
+    for (study, unit), told in by_unit(legs).items():
+        for name, value in summarise(told).items():
+            yield Figure("stated_distances", study, name, value, key=unit)
