@@ -6,6 +6,7 @@ Needs the extra `detector` (torch and transformers), imported when a model is lo
 import copy
 import inspect
 import os
+from dataclasses import KW_ONLY, dataclass
 from functools import cached_property
 from typing import Any
 
@@ -19,6 +20,7 @@ from memorymaze.perception.picture_detector import FoundBox
 DEFAULT_CHECKPOINT = "IDEA-Research/grounding-dino-tiny"
 
 
+@dataclass(eq=False)
 class ZeroShotFinder:
     """Any zero-shot object detection checkpoint, loaded when it is first used.
 
@@ -26,26 +28,17 @@ class ZeroShotFinder:
     and the like get them as one label. What the model calls a thing comes back as label.
     """
 
-    def __init__(
-        self,
-        checkpoint: str = DEFAULT_CHECKPOINT,
-        *,
-        box_threshold: float = 0.35,
-        text_threshold: float = 0.25,
-        device: str = "auto",
-        download: bool = False,
-    ) -> None:
-        """Choose a model; nothing is loaded yet. See `DetectorSettings`.
-
-        The checkpoint is a folder, or a name in the Hugging Face cache of this machine;
-        with `download` it may be fetched. Models that need no `text_threshold` ignore
-        it.
-        """
-        self._checkpoint = checkpoint
-        self._box_threshold = box_threshold
-        self._text_threshold = text_threshold
-        self._device = device
-        self._download = download
+    checkpoint: str = DEFAULT_CHECKPOINT
+    """A folder, or a name in the Hugging Face cache of this machine."""
+    _: KW_ONLY
+    box_threshold: float = 0.35
+    """Least score of a box, 0 to 1."""
+    text_threshold: float = 0.25
+    """Least score of a word to be part of the label; models without it ignore it."""
+    device: str = "auto"
+    """`cpu`, `cuda`, `cuda:1`, …; `auto` takes a GPU where there is one."""
+    download: bool = False
+    """Whether a checkpoint that is not on this machine may be fetched."""
 
     def check(self) -> None:
         """Load the model, to find out early what is wrong."""
@@ -57,7 +50,7 @@ class ZeroShotFinder:
         """Return the same model, loaded once for both, with other thresholds."""
         self.check()
         other = copy.copy(self)
-        other._box_threshold, other._text_threshold = box_threshold, text_threshold
+        other.box_threshold, other.text_threshold = box_threshold, text_threshold
         return other
 
     def find(self, rgb: NDArray[np.uint8], query: str) -> list[FoundBox]:
@@ -70,7 +63,7 @@ class ZeroShotFinder:
             return self._found(loaded, rgb, words)
         except (RuntimeError, ValueError, IndexError) as error:
             raise DetectorError(
-                f"detector {self._checkpoint!r} failed on {query!r}: {_one_line(error)}"
+                f"detector {self.checkpoint!r} failed on {query!r}: {_one_line(error)}"
             ) from error
 
     def _found(
@@ -89,8 +82,8 @@ class ZeroShotFinder:
         with torch.inference_mode():
             outputs = loaded.model(**inputs)
         offered = {
-            "threshold": self._box_threshold,
-            "text_threshold": self._text_threshold,
+            "threshold": self.box_threshold,
+            "text_threshold": self.text_threshold,
             "target_sizes": [rgb.shape[:2]],
             "input_ids": inputs.get("input_ids"),
             "text_labels": None if loaded.reads_sentences else [[words]],
@@ -117,7 +110,7 @@ class ZeroShotFinder:
         require_extra(
             "detector", "torch", "transformers", purpose="detector grounding-dino"
         )
-        return _Loaded(self._checkpoint, self._device, self._download)
+        return _Loaded(self.checkpoint, self.device, self.download)
 
 
 class _Loaded:

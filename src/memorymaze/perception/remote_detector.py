@@ -6,6 +6,7 @@
 import base64
 import io
 import time
+from dataclasses import KW_ONLY, dataclass
 from typing import Annotated
 
 import numpy as np
@@ -67,6 +68,7 @@ class DetectionReply(BaseModel):
         return self
 
 
+@dataclass(frozen=True, slots=True)
 class RemoteFinder:
     """Asks a server what is in a picture; implements `ObjectFinder`.
 
@@ -74,30 +76,25 @@ class RemoteFinder:
     tried again, each time after twice the wait.
     """
 
-    def __init__(
-        self,
-        url: str,
-        *,
-        box_threshold: float = 0.35,
-        text_threshold: float = 0.25,
-        timeout: float = 60.0,
-        retries: int = 2,
-        first_delay: float = 1.0,
-    ) -> None:
-        """Prepare a client; nothing is sent yet.
+    url: str
+    """Address that requests are posted to, http or https."""
+    _: KW_ONLY
+    box_threshold: float = 0.35
+    """Sent along; boxes below it are dropped here too."""
+    text_threshold: float = 0.25
+    """Sent along."""
+    timeout: float = 60.0
+    """Seconds for a whole reply to come."""
+    retries: int = 2
+    """Attempts after the first."""
+    first_delay: float = 1.0
+    """Seconds before the second attempt."""
 
-        Thresholds are sent along, and boxes below theirs are dropped here too. A whole
-        reply may take `timeout` seconds; after the first attempt come `retries` more,
-        the second after `first_delay` seconds.
-        """
-        self._url = checked_address(
-            "detector remote", url, "http://localhost:8000/detect", whole=True
+    def __post_init__(self) -> None:
+        """Refuse what is no address; nothing is sent yet."""
+        checked_address(
+            "detector remote", self.url, "http://localhost:8000/detect", whole=True
         )
-        self._box_threshold = box_threshold
-        self._text_threshold = text_threshold
-        self._timeout = timeout
-        self._retries = retries
-        self._first_delay = first_delay
 
     def check(self) -> None:
         """Send a small grey picture, to find out early what is wrong."""
@@ -113,8 +110,8 @@ class RemoteFinder:
         request = DetectionRequest(
             image=base64.b64encode(file.getvalue()).decode("ascii"),
             query=query,
-            box_threshold=self._box_threshold,
-            text_threshold=self._text_threshold,
+            box_threshold=self.box_threshold,
+            text_threshold=self.text_threshold,
         )
         answer = self._ask(_encoded(request))
         try:
@@ -131,7 +128,7 @@ class RemoteFinder:
             for box, label, score in zip(
                 reply.boxes, reply.labels, reply.scores, strict=True
             )
-            if score >= self._box_threshold
+            if score >= self.box_threshold
         ]
 
     def _ask(self, body: str) -> bytes:
@@ -140,9 +137,9 @@ class RemoteFinder:
             try:
                 status, answer = exchange(
                     "POST",
-                    self._url,
+                    self.url,
                     body,
-                    seconds=self._timeout,
+                    seconds=self.timeout,
                     longest=LONGEST_REPLY,
                 )
                 if status == 200:
@@ -150,19 +147,19 @@ class RemoteFinder:
                 why = f"answered {status}{_said(answer)}"
                 final = status not in WORTH_ANOTHER_TRY
             except TimeoutError:
-                why, final = f"did not answer within {self._timeout:g} s", False
+                why, final = f"did not answer within {self.timeout:g} s", False
             except ConnectionError as error:
                 why, final = str(error), False
             except ValueError as error:
                 why, final = str(error), True
             attempt += 1
-            if final or attempt > self._retries:
+            if final or attempt > self.retries:
                 tries = "" if attempt == 1 else f", {attempt} times in a row"
                 raise self._failed(why + tries)
-            time.sleep(self._first_delay * 2 ** (attempt - 1))
+            time.sleep(self.first_delay * 2 ** (attempt - 1))
 
     def _failed(self, why: str) -> DetectorError:
-        return DetectorError(f"detector at {self._url} {why}")
+        return DetectorError(f"detector at {self.url} {why}")
 
 
 def _encoded(request: DetectionRequest) -> str:
