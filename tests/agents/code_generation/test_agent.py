@@ -17,7 +17,6 @@ from memorymaze.errors import (
     SettingsError,
 )
 from memorymaze.language.model import CompletionRequest
-from memorymaze.language.sandbox import ProgramLimits
 from memorymaze.language.scripted_model import ScriptedLanguageModel
 from memorymaze.robot.api import MoveResult
 from memorymaze.robot.specification import API_NAMES, api_specification
@@ -172,20 +171,6 @@ def test_a_wrong_program_is_a_program_error_with_its_line(robot, journal):
 
     assert (caught.value.line, caught.value.unsafe) == (2, False)
     assert robot.calls == []
-
-
-def test_limits_hold_for_the_program(robot, journal):
-    endless = PROGRAM.replace("stop()", "while True: move_forward(1)")
-
-    with pytest.raises(EpisodeOver, match="budget"):
-        follow(
-            ScriptedLanguageModel([STEPS, endless]),
-            robot,
-            journal,
-            limits=ProgramLimits(calls=10),
-        )
-
-    assert len(robot.calls) == 10
 
 
 def test_the_name_tells_model_and_parser():

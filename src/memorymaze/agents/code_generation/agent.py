@@ -18,7 +18,7 @@ from memorymaze.agents.code_generation.requests import (
 from memorymaze.errors import InterpreterLostError, ProgramError
 from memorymaze.language.model import CompletionRequest, LanguageModel
 from memorymaze.language.prompt_texts import numbered
-from memorymaze.language.sandbox import DEFAULT_LIMITS, ProgramLimits, run_program
+from memorymaze.language.sandbox import run_program
 from memorymaze.robot.api import Robot
 from memorymaze.robot.specification import API_NAMES
 
@@ -41,11 +41,9 @@ class CodeGenerationAgent:
         *,
         parser: bool = True,
         options: CodeGenerationOptions | None = None,
-        limits: ProgramLimits = DEFAULT_LIMITS,
     ) -> None:
         """Prepare the agent."""
         self._model = model
-        self._limits = limits
         self._requests = CodeGenerationRequests(options, parser=parser)
 
     @property
@@ -106,7 +104,7 @@ class CodeGenerationAgent:
     def _run(self, reply: str, robot: Robot, journal: Journal) -> None:
         program = read_program(reply)
         journal.note("program", program=program)
-        run_program(program, robot, self._limits, lambda event: journal.note(**event))
+        run_program(program, robot, on_event=lambda event: journal.note(**event))
 
     def _ask(self, stage: str, request: CompletionRequest, journal: Journal) -> str:
         completion = self._model.complete(request)
