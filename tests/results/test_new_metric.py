@@ -88,3 +88,5 @@ def test_a_new_metric_takes_two_files_and_is_then_shown_everywhere(
     pages = tmp_path / "report"
     for name in ("tables", "distributions"):
         assert "GP" in (pages / f"{name}.html").read_text(encoding="utf-8")
+    for page in (pages / "episodes").iterdir():
+        assert "GP (m)</th>" in page.read_text(encoding="utf-8")

@@ -14,7 +14,7 @@ from memorymaze.instructions.records import Episode
 from memorymaze.metrics.score import MetricValues, score_walk
 from memorymaze.sites import Route, Site
 
-Shown = Literal["paper", "compared", "spread", "costs"]
+Shown = Literal["paper", "compared", "spread", "episode", "costs"]
 
 
 @dataclass(frozen=True)
@@ -66,8 +66,8 @@ class Measure:
     digits: int = 2
     shown: tuple[Shown, ...] = ()
     """In the paper's tables and leaderboards; in comparisons of runs, which test it; by
-    reports, as its spread over episodes; as the costs of a language model. Summaries
-    and data frames have every measure."""
+    reports, as its spread over episodes and on the pages of episodes; as the costs of a
+    language model. Summaries and data frames have every measure."""
     of_walk: Callable[[FinishedWalk], float] | None = None
     """Works it out; None for what the run itself counts."""
     is_amount: bool = False

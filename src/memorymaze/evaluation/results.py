@@ -68,7 +68,7 @@ class EpisodeResult:
             "shortest walk left to the goal",
             "lower",
             unit="m",
-            shown=("paper", "compared", "spread"),
+            shown=("paper", "compared", "spread", "episode"),
             of_walk=lambda walk: walk.scores.ne,
         ),
     ]
@@ -79,19 +79,22 @@ class EpisodeResult:
             "CLS",
             "coverage weighted by length",
             "higher",
-            shown=("paper", "compared", "spread"),
+            shown=("paper", "compared", "spread", "episode"),
             of_walk=lambda walk: walk.scores.cls,
         ),
     ]
     """Coverage weighted by length score, 0 to 1."""
-    spl: Annotated[FiniteFloat, Measure(of_walk=lambda walk: walk.scores.spl)]
+    spl: Annotated[
+        FiniteFloat,
+        Measure("SPL", shown=("episode",), of_walk=lambda walk: walk.scores.spl),
+    ]
     ndtw: Annotated[
         FiniteFloat,
         Measure(
             "nDTW",
             "dynamic time warping",
             "higher",
-            shown=("compared",),
+            shown=("compared", "episode"),
             of_walk=lambda walk: walk.scores.ndtw,
         ),
     ]
@@ -103,16 +106,20 @@ class EpisodeResult:
             "the way driven",
             unit="m",
             digits=1,
-            shown=("spread",),
+            shown=("spread", "episode"),
             of_walk=lambda walk: walk.scores.path_length,
             is_rechecked=False,
         ),
     ]
     """Metres driven."""
-    collisions: Annotated[int, Measure(is_amount=True)]
+    collisions: Annotated[
+        int, Measure("Collisions", digits=0, shown=("episode",), is_amount=True)
+    ]
     turns_in_order: Annotated[
         FiniteFloat,
         Measure(
+            "Turns in order",
+            shown=("episode",),
             of_walk=lambda walk: turns_in_order(
                 walk.site, walk.reference_route, walk.trajectory
             ),
@@ -128,7 +135,7 @@ class EpisodeResult:
             unit="s",
             digits=0,
             name="duration",
-            shown=("spread",),
+            shown=("spread", "episode"),
             is_amount=True,
         ),
     ]

@@ -16,6 +16,7 @@ from memorymaze.results.tables import (
     Place,
     place_title,
 )
+from memorymaze.results.tables.measures import EPISODE_MEASURES
 from memorymaze.wording import counted, printable, single_spaced
 
 ROOM = "memorymaze.results.report"
@@ -51,6 +52,7 @@ class Pages:
             lstrip_blocks=True,
         )
         words: dict[str, Any] = {
+            "EPISODE_MEASURES": EPISODE_MEASURES,
             "PAPER_MEASURES": PAPER_MEASURES,
             "OUTCOMES": OUTCOMES,
             "ending_words": ending_words,

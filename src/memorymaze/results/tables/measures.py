@@ -14,6 +14,7 @@ from memorymaze.tables import Column, Table
 PAPER_MEASURES = tuple(each for each in MEASURES if "paper" in each.shown)
 COMPARED_MEASURES = tuple(each for each in MEASURES if "compared" in each.shown)
 SPREAD_MEASURES = tuple(each for each in MEASURES if "spread" in each.shown)
+EPISODE_MEASURES = tuple(each for each in MEASURES if "episode" in each.shown)
 COST_MEASURES = tuple(each for each in MEASURES if "costs" in each.shown)
 
 KEY = (
