@@ -7,7 +7,7 @@ import pytest
 
 from memorymaze.errors import DetectorError, SettingsError
 from memorymaze.evaluation.arena import Arena
-from memorymaze.evaluation.eyes import checked_eyes, eyes_notes, looks_of_run
+from memorymaze.evaluation.eyes import eyes_notes, looks_of_run
 from memorymaze.evaluation.navigation import navigate
 from memorymaze.evaluation.plan import plan_run
 from memorymaze.evaluation.settings import AgentSettings, RunSettings
@@ -77,8 +77,6 @@ def test_eyes_that_cannot_be_had_are_found_out_before_the_run(tmp_path: Path):
 
     with pytest.raises(SettingsError, match="no such folder"):
         plan_run(AgentSettings("stop"), settings=RunSettings(detector=missing))
-    with pytest.raises(SettingsError, match="expected one of truth, ocr"):
-        checked_eyes(TRUTH, "tarot")
 
 
 def test_notes_say_which_eyes_a_run_had():

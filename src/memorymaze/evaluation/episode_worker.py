@@ -89,7 +89,7 @@ class EpisodeWorker:
         )
         obstacles, looks = self.settings.obstacles, self.settings.looks
         # On another machine than the plan's they may be missing.
-        eyes = checked_eyes(self.settings.detector, self.settings.signs)
+        eyes = checked_eyes(self.settings)
         arenas = {
             name: Arena(site, obstacles, eyes, looks)
             for name, site in self.sites.items()

@@ -1,17 +1,14 @@
 """What a run sees with: its detector, its reader of signs, and the looks of things."""
 
 from memorymaze.agents.agent import Need
-from memorymaze.errors import SettingsError
 from memorymaze.evaluation.settings import RunSettings
-from memorymaze.perception.eyes import TRUTH, DetectorSettings, Eyes, SignSource
+from memorymaze.perception.eyes import TRUTH, Eyes
 from memorymaze.pictures.furniture.models import Looks, check_looks
 
 
-def checked_eyes(detector: DetectorSettings, signs: SignSource) -> Eyes:
+def checked_eyes(settings: RunSettings) -> Eyes:
     """Return eyes that can be used here."""
-    if signs not in ("truth", "ocr"):
-        raise SettingsError(f"signs: expected one of truth, ocr; got {signs!r}")
-    eyes = Eyes(detector, signs)
+    eyes = Eyes(settings.detector, settings.signs)
     if eyes.need_pictures:
         # Only these runs load OpenGL.
         from memorymaze.pictures.rendering.open_gl import choose_backend

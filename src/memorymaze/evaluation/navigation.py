@@ -56,7 +56,7 @@ def navigate(
     if not text.strip():
         raise SettingsError("text: expected an instruction, got nothing")
     settings = settings or RunSettings()
-    eyes = checked_eyes(settings.detector, settings.signs)
+    eyes = checked_eyes(settings)
     chosen, given = settings_of(agent)
     follower = build_agent(
         chosen, given, isolate=settings.isolate, kept_from=[site.source]

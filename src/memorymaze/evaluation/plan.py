@@ -58,7 +58,7 @@ def plan_run(
     if corpus is None:
         corpus = load_corpus()
     settings = settings or settings_for(corpus)
-    checked_eyes(settings.detector, settings.signs)
+    checked_eyes(settings)
     chosen_agent, given = settings_of(agent)
     if has_parser(chosen_agent.name):
         chosen_agent = replace(chosen_agent, parser=parses_first(chosen_agent))
