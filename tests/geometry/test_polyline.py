@@ -115,3 +115,19 @@ def test_a_spacing_without_meaning_is_refused(spacing: float) -> None:
 def test_only_one_finite_point_can_be_projected() -> None:
     with pytest.raises(ValueError, match="one finite point"):
         polyline.project(L_SHAPE, (float("nan"), 0))
+
+
+def test_smoothing_rounds_a_corner_and_keeps_both_ends() -> None:
+    corner = np.array([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0)])
+
+    smooth = polyline.smoothed(corner, 3)
+
+    assert smooth[[0, 2]].tolist() == corner[[0, 2]].tolist()
+    assert 0.5 < smooth[1, 0] < 1.0
+    assert corner[1].tolist() == [1.0, 0.0]
+
+
+def test_normals_are_unit_vectors_to_the_left() -> None:
+    north = polyline.normals(np.array([(2.0, 0.0), (2.0, 1.0), (2.0, 5.0)]))
+
+    assert north == pytest.approx(np.array([(-1.0, 0.0)] * 3))

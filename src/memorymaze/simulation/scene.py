@@ -132,24 +132,20 @@ def build_scene(site: Site, obstacles: ObstacleSettings | None = None) -> Scene:
     world = spec.worldbody
     objects: list[SceneObject] = []
 
-    world.add_geom(
-        type=mujoco.mjtGeom.mjGEOM_PLANE,
-        size=[0, 0, 1],
-        group=FLOOR_GROUP,
-        contype=FLOOR_CONTACT,
-        conaffinity=0,
-    )
-    objects.append(SceneObject("floor", None))
-    world.add_geom(
-        type=mujoco.mjtGeom.mjGEOM_PLANE,
-        size=[0, 0, 1],
-        pos=[0, 0, site.ceiling_height],
-        quat=[0, 1, 0, 0],
-        group=FLOOR_GROUP,
-        contype=0,
-        conaffinity=0,
-    )
-    objects.append(SceneObject("ceiling", None))
+    for height, quat, contact in (
+        (0.0, [1, 0, 0, 0], FLOOR_CONTACT),
+        (site.ceiling_height, [0, 1, 0, 0], 0),
+    ):
+        world.add_geom(
+            type=mujoco.mjtGeom.mjGEOM_PLANE,
+            size=[0, 0, 1],
+            pos=[0, 0, height],
+            quat=quat,
+            group=FLOOR_GROUP,
+            contype=contact,
+            conaffinity=0,
+        )
+    objects += [SceneObject("floor", None), SceneObject("ceiling", None)]
 
     open_rings = rings_with_things_above(site)
     for wall in walls_around(site.walkable_floor):

@@ -131,11 +131,7 @@ class Pilot:
         self, follower: LaneFollower, clearance: Clearance
     ) -> LaneFollower:
         """Return a lane round those who stand; the old one where there is no way."""
-        pose = self._driver.pose
-        way = self._scene.straight_ways.way(
-            (pose.x, pose.y), self._course, fresh=self._fresh, towards=self._towards
-        )
-        lane = plan_lane(way, pose, clearance, self._settings.max_speed)
+        lane = self._straight_lane(clearance)
         hindrance = self._driver.hindrance
         past = GETS_PAST + (0.0 if hindrance is None else hindrance.ahead)
         if lane.length < min(past, follower.remaining):
@@ -143,16 +139,17 @@ class Pilot:
         return self._joined(lane)
 
     def _planned(self) -> LaneFollower:
-        driver = self._driver
         self.come_to_rest()
-        pose = driver.pose
-        way = self._scene.straight_ways.way(
-            (pose.x, pose.y), self._course, fresh=self._fresh, towards=self._towards
-        )
-        lane = plan_lane(way, pose, self._clearance, self._settings.max_speed)
-        follower = self._joined(lane)
+        follower = self._joined(self._straight_lane(self._clearance))
         self._fresh = False
         return follower
+
+    def _straight_lane(self, clearance: Clearance) -> Lane:
+        pose = self._driver.pose
+        way = self._scene.straight_ways.way(
+            pose[:2], self._course, fresh=self._fresh, towards=self._towards
+        )
+        return plan_lane(way, pose, clearance, self._settings.max_speed)
 
     def _joined(self, lane: Lane) -> LaneFollower:
         """Begin a lane, facing along it."""
