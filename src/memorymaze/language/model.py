@@ -2,11 +2,11 @@
 
 import io
 from dataclasses import dataclass
-from typing import Literal, Protocol
+from typing import TYPE_CHECKING, Literal, Protocol
 
-import numpy as np
-from numpy.typing import NDArray
-from PIL import Image
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
 
 MOST_TOKENS = 10_000_000
 """Of a request or a reply; what counts more is taken for garbage."""
@@ -30,9 +30,12 @@ class Picture:
 
     @classmethod
     def of_pixels(
-        cls, rgb: NDArray[np.uint8], name: str | None = None, *, quality: int = 90
+        cls, rgb: "NDArray[np.uint8]", name: str | None = None, *, quality: int = 90
     ) -> "Picture":
         """Return pixels, (height, width, 3), as a JPEG file of a quality up to 95."""
+        # The help of the command line loads this file, and must come at once.
+        from PIL import Image
+
         file = io.BytesIO()
         Image.fromarray(rgb).save(file, "JPEG", quality=quality)
         return cls(file.getvalue(), "image/jpeg", name)
