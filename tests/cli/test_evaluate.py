@@ -21,7 +21,7 @@ def test_oracle_and_stop_run_from_files_to_tables(
         assert said.code == 0
         assert "12 instructions written by people" in said.out
         assert "12 of 12 episodes" in said.err
-        assert "time budget 119 s" in said.err
+        assert "way described (at most 119 s)" in said.err
     rates = [
         {result.success for result in read_run(tmp_path / agent)[1]}
         for agent in ("oracle", "stop")

@@ -64,6 +64,22 @@ def test_returning_near_the_goal_is_success(run: Run) -> None:
     assert (result.site, result.participant, result.split) == ("corridor", "p1", "dev")
 
 
+def pace_to_and_fro(robot: Robot, _: Journal) -> None:
+    while True:
+        robot.move_forward(14.0)
+        robot.turn("around")
+
+
+def test_the_time_of_an_episode_is_three_times_what_its_own_way_takes(run: Run) -> None:
+    by_way = run(pace_to_and_fro).result
+    by_longest = run(pace_to_and_fro, budget_by="longest").result
+    assert {by_way.stopped_by, by_longest.stopped_by} == {"budget"}
+    # 14.5 m at up to 1 m/s, with a second to get going and to halt; a loop is longer.
+    assert by_way.duration_s == pytest.approx(3 * 15.5, abs=2)
+    assert by_longest.duration_s > 1.5 * by_way.duration_s
+    assert by_way.way_m == pytest.approx(14.5)
+
+
 def test_stopping_far_from_the_goal_is_no_success(run: Run) -> None:
     result = run(lambda robot, _: robot.stop()).result
     assert (result.stopped_by, result.success) == ("agent", False)

@@ -141,7 +141,7 @@ def _announce(workforce: "Workforce", plan: "RunPlan", out: Path) -> None:
     print(
         f"{counted(len(plan.episodes), 'episode')} on {', '.join(plan.sites)}; "
         f"{workforce}; "
-        f"time budget {plan.settings.simulation.time_budget:g} s, call budget "
+        f"time budget {plan.settings.time_budget_told}, call budget "
         f"{plan.settings.simulation.call_budget}; into {out}",
         file=sys.stderr,
     )

@@ -12,11 +12,12 @@ import numpy as np
 
 from memorymaze.agents.agent import Need
 from memorymaze.errors import SettingsError
+from memorymaze.evaluation.settings import RunDefinition
 from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.sites.records import Route
 
 GENEROSITY = 3.0
-"""A run's time budget lets a perfect follower finish any route this many times over."""
+"""A time budget lets a perfect follower finish the way this many times over."""
 
 
 STEP_M = 0.25
@@ -113,6 +114,16 @@ def time_budget_for(
     if "steps" in needs:
         return stepping_time_budget(routes, settings)
     return default_time_budget(routes, settings)
+
+
+def episode_time_budget(settings: RunDefinition, route: Route) -> float:
+    """Return the time budget of an episode whose instruction describes a route.
+
+    An agent is not told the number, which would tell it how far it has to go.
+    """
+    if not settings.scales_budget:
+        return settings.simulation.time_budget
+    return time_budget_for(frozenset(settings.needs), [route], settings.simulation)
 
 
 def fewest_answers(route: Route, most: int, turn_deg: float = TURN_DEG) -> int:

@@ -5,7 +5,7 @@ Whatever the agent does, there is a result; nothing it raises gets out of here.
 
 import time
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, NamedTuple, Protocol, cast
 
 from memorymaze.agents.agent import Agent, Journal
@@ -19,6 +19,7 @@ from memorymaze.errors import (
     SpendingLimitReached,
 )
 from memorymaze.evaluation.arena import Arena
+from memorymaze.evaluation.budgets import episode_time_budget
 from memorymaze.evaluation.guarded_robot import GuardedRobot
 from memorymaze.evaluation.results import EpisodeResult, StoppedBy, measure_walk
 from memorymaze.evaluation.seeds import detector_generator, episode_generators
@@ -107,9 +108,10 @@ def _attempt(
         if watcher is not None:
             watcher.told()
 
+    way = arena.site.route(episode.instruction.reference_route)
     robot = arena.robot(
         episode,
-        settings.simulation,
+        replace(settings.simulation, time_budget=episode_time_budget(settings, way)),
         robot_rng,
         lambda event: tell(call_entry(event)),
         detector_generator(settings.seed, episode.id),
@@ -168,6 +170,7 @@ def _attempt(
         followers=told.followers,
         error_kinds=tuple(failure.kind for failure in told.failures),
         pair=told.pair,
+        way_m=way.length,
     )
     return EpisodeRun(result, walk, tuple(trace), interpreter_lost)
 

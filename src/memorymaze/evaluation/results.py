@@ -178,6 +178,8 @@ class EpisodeResult:
     """Kinds of the significant errors in the instruction; None in older runs."""
     pair: str | None = None
     """Shared with the same instruction without, or with, its errors."""
+    way_m: FiniteFloat | None = None
+    """Metres of the way described; None in older runs."""
 
 
 _RESULT = TypeAdapter(EpisodeResult)

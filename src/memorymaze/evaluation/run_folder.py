@@ -277,8 +277,11 @@ def _repaired_results(path: Path) -> dict[str, EpisodeResult]:
 def _renamed(content: Any) -> Any:
     """Return what `run.json` says with the fields of older versions as they are now."""
     settings = content.get("settings") if isinstance(content, dict) else None
-    if isinstance(settings, dict) and "answers" not in settings:
-        settings["answers"] = settings.pop("programs", None)
+    if isinstance(settings, dict):
+        if "answers" not in settings:
+            settings["answers"] = settings.pop("programs", None)
+        # Before there was a choice, the longest route set the time.
+        settings.setdefault("budget_by", "longest")
     return content
 
 

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass, field, fields, replace
-from typing import Any
+from typing import Any, Literal
 
 from memorymaze.agents.agent import Need
 from memorymaze.errors import SettingsError, did_you_mean
@@ -22,6 +22,8 @@ from memorymaze.pictures.furniture.models import Looks
 from memorymaze.simulation.obstacles import ObstacleSettings, parse_obstacles
 from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.wording import counted
+
+BudgetBy = Literal["way", "longest"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -141,7 +143,10 @@ class RunSettings:
     """stopping nearer than this to the goal is success"""
     time_budget: float | None = field(default=None, metadata={"metavar": "SECONDS"})
     """simulated time of an episode; none for three times what a perfect follower needs
-    for the longest route"""
+    for the route that --budget-by says"""
+    budget_by: BudgetBy = field(default="way", metadata={"metavar": "ROUTE"})
+    """which route the time is worked out from when it is not given: way, the one that an
+    instruction describes, or longest, of the run's sites, the same for every episode"""
     obstacles: ObstacleSettings | None = field(
         default=None,
         metadata={"metavar": "SETTINGS", "alone": "medium", "reader": parse_obstacles},
@@ -177,6 +182,7 @@ class RunSettings:
                 "success distance: expected more than 0 metres, got "
                 f"{self.success_distance!r}"
             )
+        check_word("budget_by", self.budget_by, BudgetBy)
         check_word("signs", self.signs, SignSource)
         if self.looks is not None:
             check_word("looks", self.looks, Looks)
@@ -241,6 +247,19 @@ class RunDefinition(RunSettings):
                 "time budget: expected a finite number of seconds, got "
                 f"{self.simulation.time_budget!r}"
             )
+
+    @property
+    def scales_budget(self) -> bool:
+        """Whether each episode has the time that its own way takes."""
+        return self.time_budget is None and self.budget_by == "way"
+
+    @property
+    def time_budget_told(self) -> str:
+        """How long an episode may take, in words."""
+        most = f"{self.simulation.time_budget:g} s"
+        if not self.scales_budget:
+            return most
+        return f"3 times a perfect walk of the way described (at most {most})"
 
 
 NOT_COMPARED = {

@@ -10,7 +10,12 @@ from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.budgets import time_budget_for
 from memorymaze.evaluation.results import MEASURES, EpisodeResult, measure_walk
 from memorymaze.evaluation.run_folder import RunRecord, read_run
-from memorymaze.evaluation.settings import RunDefinition, agent_version, differences
+from memorymaze.evaluation.settings import (
+    RunDefinition,
+    RunSettings,
+    agent_version,
+    differences,
+)
 from memorymaze.evaluation.trace import read_trace, trace_path
 from memorymaze.geometry.trajectory import TimedPose, Trajectory
 from memorymaze.input_files import stamp_file
@@ -111,6 +116,8 @@ def _settings_problems(settings: RunDefinition, corpus: Corpus) -> Iterator[str]
         shard=None,
         episodes=len(corpus.episodes),
         success_distance=SUCCESS_DISTANCE,
+        budget_by=RunSettings().budget_by,
+        time_budget=None,
         simulation=replace(abilities, time_budget=budget),
         obstacles=obstacles,
         detector=TRUTH,

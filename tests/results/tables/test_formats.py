@@ -60,7 +60,8 @@ def test_a_table_says_how_its_figures_came_about(
     for part in (
         "4 written by a LANGUAGE MODEL, not by people",
         "1 written by people",
-        "success distance 3 m, time budget 529 s, call budget 10000, seed 0",
+        "success distance 3 m, time budget 3 times a perfect walk of the way described (at "
+        "most 529 s), call budget 10000, seed 0",
         "memorymaze 0.1.0 (0123456789ab)",
         "INCOMPLETE: 1 of 6 episodes missing",
         "A SAMPLE of 6 episodes",

@@ -157,7 +157,7 @@ def run_notes(run: MeasuredRun) -> list[str]:
         f"{run.label}: run {run.name}, {counted(len(run.results), 'episode')}; instructions "
         f"({files}): {written}.",
         f"success distance {settings.success_distance:g} m, time budget "
-        f"{settings.simulation.time_budget:g} s, call budget "
+        f"{settings.time_budget_told}, call budget "
         f"{settings.simulation.call_budget}, seed {settings.seed}, memorymaze "
         f"{_code(run)}",
     ]
