@@ -89,15 +89,16 @@ def agent_settings(options: argparse.Namespace) -> "AgentSettings":
     )
 
 
-def given_options(texts: Sequence[str]) -> tuple[tuple[str, str], ...]:
-    """Return the names and values that `--set` was given."""
-    return tuple(map(_pair, texts))
-
-
-def _pair(text: str) -> tuple[str, str]:
+def given_options(
+    texts: Sequence[str], flag: str = "--set"
+) -> tuple[tuple[str, str], ...]:
+    """Return the names and values that a flag was given."""
     from memorymaze.errors import SettingsError
 
-    name, equals, value = text.partition("=")
-    if not (equals and name.strip()):
-        raise SettingsError(f"--set: expected NAME=VALUE, got {text!r}")
-    return name.strip(), value.strip()
+    pairs: list[tuple[str, str]] = []
+    for text in texts:
+        name, equals, value = text.partition("=")
+        if not (equals and name.strip()):
+            raise SettingsError(f"{flag}: expected NAME=VALUE, got {text!r}")
+        pairs.append((name.strip(), value.strip()))
+    return tuple(pairs)

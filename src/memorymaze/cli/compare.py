@@ -9,13 +9,16 @@ def add_parser(verbs: Verbs) -> None:
     """Add the verb to the command line."""
     parser = verbs.add_parser(
         "compare",
-        help="compare two runs on the same instructions, with a paired test",
-        description="Compare two runs on the episodes that both have: differences with "
-        "paired bootstrap intervals and a test.",
+        help="compare runs on the same instructions, with a paired test",
+        description="Compare two runs on the episodes that both have, route by route: "
+        "differences with paired bootstrap intervals and a test. Of more runs, the "
+        "success of each beside that of the first.",
         epilog="example: memorymaze compare runs/rules runs/mine",
     )
     parser.add_argument("first", metavar="A", help="run folder: the baseline")
-    parser.add_argument("second", metavar="B", help="run folder: what is compared")
+    parser.add_argument(
+        "others", metavar="B", nargs="+", help="run folders: what is compared with it"
+    )
     parser.add_argument(
         "--format",
         choices=["text", "md", "latex", "csv"],
@@ -27,11 +30,18 @@ def add_parser(verbs: Verbs) -> None:
 
 
 def _run(options: argparse.Namespace) -> int:
-    from memorymaze.results.tables import comparison_table, load_runs
+    from memorymaze.results.tables import (
+        comparison_overview,
+        comparison_table,
+        load_runs,
+    )
     from memorymaze.tables import write_tables
 
-    folders = [options.first, options.second]
-    first, second = load_runs(folders, exclude_dev=options.exclude_dev)
-    table = comparison_table(first, second)
+    folders = [options.first, *options.others]
+    first, *others = load_runs(folders, exclude_dev=options.exclude_dev)
+    if len(others) == 1:
+        table = comparison_table(first, others[0])
+    else:
+        table = comparison_overview(first, others)
     print(write_tables([table], options.format).decode(), end="")
     return 0

@@ -19,10 +19,11 @@ def add_parser(verbs: Verbs) -> None:
     parser.add_argument("runs", metavar="RUN", nargs="+", help="run folders")
     parser.add_argument(
         "--table",
-        choices=["II", "III", "both", "errors"],
+        choices=["II", "III", "both", "errors", "reach"],
         default="II",
         help="which table (default: II); errors: success by kind of error in the texts, "
-        "beside the same texts without it",
+        "beside the same texts without it; reach: at 1.5, 3 and 5 m, and within 1, 1.5, 2 "
+        "and 3 times the way",
     )
     parser.add_argument(
         "--format",
@@ -34,18 +35,28 @@ def add_parser(verbs: Verbs) -> None:
         "--out", metavar="FILE", help="write to a file (Parquet: needed)"
     )
     add_exclude_dev(parser)
+    parser.add_argument(
+        "--absent",
+        metavar="METHOD=HOW",
+        action="append",
+        default=[],
+        help="a row for a method that has no run, and how to get one; may be given "
+        "several times",
+    )
     parser.set_defaults(run=_run)
 
 
 def _run(options: argparse.Namespace) -> int:
+    from memorymaze.cli.agent_options import given_options
     from memorymaze.errors import SettingsError
     from memorymaze.results.tables import load_runs, run_tables
     from memorymaze.tables import write_tables
 
     if options.format == "parquet" and options.out is None:
         raise SettingsError("--format parquet: name the file to write with --out")
+    absent = dict(given_options(options.absent, "--absent"))
     runs = load_runs(options.runs, exclude_dev=options.exclude_dev)
-    content = write_tables(run_tables(runs, options.table), options.format)
+    content = write_tables(run_tables(runs, options.table, absent), options.format)
     if options.out is None:
         print(content.decode(), end="")
     else:

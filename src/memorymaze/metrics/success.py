@@ -55,3 +55,47 @@ def oracle_success(
     """
     near = checked_success_distance(success_distance)
     return float(checked_distances(goal_distances, 1).min() < near)
+
+
+def success_within(
+    distance_left: float, success_distance: float, *, is_stopped: bool
+) -> float:
+    """Return 1 for an agent that stopped itself nearer to the goal than a distance.
+
+    >>> success_within(2.0, 3.0, is_stopped=True), success_within(2.0, 1.5, is_stopped=True)
+    (1.0, 0.0)
+
+    Args:
+        distance_left: Navigation error, metres.
+        success_distance: Metres.
+        is_stopped: Whether the agent itself ended the walk.
+    """
+    return float(is_stopped and distance_left < success_distance)
+
+
+def success_within_way(
+    path_length: float,
+    way: float,
+    times: float,
+    success_distance: float = SUCCESS_DISTANCE,
+    *,
+    is_success: bool,
+) -> float:
+    """Return 1 for a success whose path was at most so many times the way described.
+
+    The success distance comes on top, since a goal is asked for no more exactly: else
+    hardly a real walk, which swings out at corners, would take the way once.
+
+    >>> success_within_way(42.0, 40.0, 1.0, is_success=True)
+    1.0
+    >>> success_within_way(70.0, 40.0, 1.5, is_success=True)
+    0.0
+
+    Args:
+        path_length: Metres driven.
+        way: Length of the way described, metres.
+        times: How many times that way.
+        success_distance: Metres.
+        is_success: Whether the walk is a success at all.
+    """
+    return float(is_success and path_length <= times * way + success_distance)

@@ -9,7 +9,11 @@ import pytest
 
 from memorymaze.errors import RunFolderError
 from memorymaze.evaluation.results import EpisodeResult
-from memorymaze.results.tables import comparison_table, load_runs
+from memorymaze.results.tables import (
+    comparison_overview,
+    comparison_table,
+    load_runs,
+)
 from memorymaze.tables import Table
 
 Make = Callable[..., EpisodeResult]
@@ -167,3 +171,18 @@ def test_every_format_says_the_same(two_runs: list[Path]) -> None:
     assert len(rows) == 3 * 5
     [mean] = [r for r in rows if r["site"] == "mean" and r["measure"] == "sr"]
     assert (float(mean["difference"]), mean["only_b"]) == (0.5, "10")
+
+
+def test_several_runs_stand_each_beside_the_first_on_what_they_share(
+    two_runs: list[Path], write: Write, result: Make
+) -> None:
+    few = write("few", [result("p0-R1", route="R1", agent="third")])
+    first, *others = load_runs([*two_runs, few])
+    table = comparison_overview(first, others)
+    assert [(row["run"], row["episodes"]) for row in table.rows] == [
+        ("new", 20),
+        ("few", 1),
+    ]
+    assert [row["difference"] for row in table.rows] == [0.5, 1.0]
+    assert [row["p"] is None for row in table.rows] == [False, True]
+    assert any("LEFT OUT" in note and "19 only in A" in note for note in table.notes)

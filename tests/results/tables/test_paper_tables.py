@@ -126,3 +126,16 @@ def test_runs_of_one_method_are_told_apart_by_their_folders(
     ]
     labels = [run.label for run in load_runs(folders)]
     assert labels == ["rules (one)", "rules (two)", "oracle"]
+
+
+def test_a_method_without_a_run_has_a_row_that_says_so_and_a_note_how_to_get_one(
+    write: Write, result: Make
+) -> None:
+    runs = load_runs([write("run", [result("a-1"), result("b-1", route="R2")])])
+    [table] = run_tables(runs, "II", {"navid": "Ask a vision model."})
+    [row] = [row for row in table.rows if row["figures"] == "not recorded"]
+    assert (row["method"], row["site"]) == ("navid (not recorded)", "mean")
+    text = table.text()
+    assert "navid: NOT RECORDED. Ask a vision model." in text
+    [line] = [line for line in text.splitlines() if line.lstrip().startswith("navid (")]
+    assert line.split()[-5:] == ["-"] * 5

@@ -12,10 +12,10 @@ statistics of instructions in `results.instruction_study`.
 Episodes as a frame, a row each, are `evaluation.frames.episode_frame`.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Literal
 
-from memorymaze.results.tables.comparison import comparison_table
+from memorymaze.results.tables.comparison import comparison_overview, comparison_table
 from memorymaze.results.tables.errors import error_table
 from memorymaze.results.tables.measures import (
     COMPARED_MEASURES,
@@ -27,6 +27,7 @@ from memorymaze.results.tables.paper_tables import (
     TableName,
     paper_table,
 )
+from memorymaze.results.tables.reach import reach_table
 from memorymaze.results.tables.runs import (
     STUDY_TITLES,
     MeasuredRun,
@@ -47,6 +48,7 @@ __all__ = [
     "Place",
     "TableChoice",
     "TableName",
+    "comparison_overview",
     "comparison_table",
     "estimate_means",
     "load_runs",
@@ -56,24 +58,33 @@ __all__ = [
     "run_tables",
 ]
 
-TableChoice = Literal["II", "III", "both", "errors"]
+TableChoice = Literal["II", "III", "both", "errors", "reach"]
 
 
-def run_tables(runs: Sequence[MeasuredRun], choice: TableChoice = "II") -> list[Table]:
+def run_tables(
+    runs: Sequence[MeasuredRun],
+    choice: TableChoice = "II",
+    absent: Mapping[str, str] | None = None,
+) -> list[Table]:
     """Return tables of runs; all of the same fields.
 
     Args:
         runs: From `load_runs`; at least one.
-        choice: Of the paper's tables, or `errors`: success by kind of error in the
-            texts. Runs on SAIL are shown by map, whichever of the paper's is chosen.
+        choice: Of the paper's tables; `errors`: success by kind of error in the texts;
+            or `reach`: by distance to the goal and length of the walk. Runs on SAIL are shown by map, whichever of the paper's is chosen.
+        absent: Methods that have no run: rows of the paper's tables say so, and their
+            notes how to get one.
 
     Raises:
         SettingsError: Some runs are on SAIL and some are not.
-        RunFolderError: `errors` of a run that did not keep the kinds of errors.
+        RunFolderError: `errors` or `reach` of a run by an older version, which did not
+            keep what they show.
     """
     if choice == "errors":
         return [error_table(run) for run in runs]
+    if choice == "reach":
+        return [reach_table(runs)]
     if is_sail(runs):
         return [sail_table(run) for run in runs]
     names: tuple[TableName, ...] = ("II", "III") if choice == "both" else (choice,)
-    return [paper_table(runs, name) for name in names]
+    return [paper_table(runs, name, absent) for name in names]

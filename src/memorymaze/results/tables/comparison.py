@@ -2,6 +2,7 @@
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -39,6 +40,8 @@ KEY = (
     "routes is unweighted. Arrived: both / only {first} / only {second} / neither."
 )
 
+WARNINGS = ("LEFT OUT", "NOT ")
+"""Beginnings of notes on what is unfair."""
 COUNTS = ("both", "only_a", "only_b", "neither")
 """Who arrived."""
 NOT_TOLD = (
@@ -113,6 +116,49 @@ def comparison_table(
         "comparison",
     )
     return with_interval_notes(table)
+
+
+def comparison_overview(first: MeasuredRun, others: Sequence[MeasuredRun]) -> Table:
+    """Compare the success of several runs with one, on the episodes each shares with it.
+
+    Means over the routes of a study; route by route, and other measures, are in
+    `comparison_table` of two runs.
+
+    Args:
+        first: The baseline, A.
+        others: What is compared with it, each for itself.
+
+    Raises:
+        RunFolderError: A run has no episode in common with the first one.
+    """
+    rows: list[Row] = []
+    notes = [_note("A", first)]
+    for other in others:
+        table = comparison_table(first, other, letters=("A", "B"))
+        success = [row for row in table.rows if row["measure"] == "sr"]
+        for study in dict.fromkeys(row["study"] for row in success):
+            *_, mean = (row for row in success if row["study"] == study)
+            rows.append({"method": other.label, "run": other.name, **mean})
+        unfair = [each for each in table.notes if each.startswith(WARNINGS)]
+        notes.append("\n".join([_note("B", other), *unfair]))
+    studies = studies_of(first.results)
+    shown = {column.name: column for column in _columns("A", "B")}
+    return with_interval_notes(
+        Table(
+            f"Success of each run (B) beside {first.label} (A)",
+            (
+                shown["study"],
+                Column("method", "B", "label"),
+                Column("run"),
+                replace(shown["episodes"], role="value"),
+                replace(shown["arrived"], role="value"),
+                *(shown[name] for name in ("a", "b", "difference", "p")),
+            ),
+            tuple(sorted(rows, key=lambda row: studies.index(row["study"]))),
+            (*notes, KEY.format(first="A", second="B")),
+            "comparison",
+        )
+    )
 
 
 def _columns(first: str, second: str) -> tuple[Column, ...]:

@@ -1,6 +1,6 @@
 """The paper's Tables II and III, measured and published figures side by side."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from statistics import fmean
 from typing import Any, Literal
 
@@ -55,23 +55,41 @@ COST_KEY = (
 )
 
 
-def paper_table(runs: Sequence[MeasuredRun], name: TableName) -> Table:
-    """Return Table II or III of runs, with the published figures beside them."""
+def paper_table(
+    runs: Sequence[MeasuredRun],
+    name: TableName,
+    absent: Mapping[str, str] | None = None,
+) -> Table:
+    """Return Table II or III of runs, with the published figures beside them.
+
+    Args:
+        runs: What was measured.
+        name: Which table.
+        absent: Methods without a run, which get a row that says so, and how to get one.
+    """
+    absent = absent or {}
     costs = any(run.asked_a_model for run in runs)
     notes = ["\n".join(run_notes(run)) for run in runs]
     return with_interval_notes(
         Table(
             TITLES[name],
             _columns(costs=costs),
-            tuple({"table": name, **row} for row in _rows(runs, name)),
-            (*notes, KEY, *([COST_KEY] if costs else [])),
+            tuple({"table": name, **row} for row in _rows(runs, name, absent)),
+            (
+                *notes,
+                *(f"{each}: NOT RECORDED. {how}" for each, how in absent.items()),
+                KEY,
+                *([COST_KEY] if costs else []),
+            ),
             f"table-{name.lower()}",
             lambda row: row["figures"] == "published",
         )
     )
 
 
-def _rows(runs: Sequence[MeasuredRun], table: TableName) -> Iterator[Row]:
+def _rows(
+    runs: Sequence[MeasuredRun], table: TableName, absent: Iterable[str]
+) -> Iterator[Row]:
     """Yield the rows of a table: by study, route, iteration, then measured and paper.
 
     After the routes of a study (in Table III: of an iteration) comes the mean over
@@ -83,6 +101,15 @@ def _rows(runs: Sequence[MeasuredRun], table: TableName) -> Iterator[Row]:
             for iteration in (None,) if table == "II" else (1, 2):
                 for run in runs:
                     yield from _measured(run, study, group, iteration)
+                for method in absent if len(group) > 1 else ():
+                    yield {
+                        **_about(study, group, group, iteration),
+                        "method": f"{method} (not recorded)",
+                        "parser": None,
+                        "figures": "not recorded",
+                        "episodes": None,
+                        **{each.name: None for each in PAPER_MEASURES},
+                    }
                 yield from _published(table, study, group, iteration)
 
 
