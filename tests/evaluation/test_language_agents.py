@@ -253,9 +253,9 @@ def first_listed(request: CompletionRequest) -> str:
 
 
 def test_navgpt_is_the_only_agent_with_a_graph() -> None:
-    assert [name for name in agent_names() if "graph" in agent_needs(name)] == [
-        "navgpt"
-    ]
+    assert [
+        name for name in agent_names() if "graph" in agent_needs(AgentSettings(name))
+    ] == ["navgpt"]
 
 
 def test_a_recorded_run_gives_the_same_results_without_a_model(

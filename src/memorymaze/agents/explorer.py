@@ -6,7 +6,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from memorymaze.agents.agent import Journal
+from memorymaze.agents.agent import Journal, Need
+from memorymaze.agents.plan_readers import (
+    GrammarReader,
+    PlanReader,
+    ReaderName,
+    ReadsFirst,
+    needs_of_reader,
+)
 from memorymaze.agents.rules.arriving import approach
 from memorymaze.agents.rules.floor_map import Sighting
 from memorymaze.agents.rules.walker import BACK, Walker
@@ -18,7 +25,6 @@ from memorymaze.routes import Arrival
 from memorymaze.understanding import (
     is_common,
     is_floor,
-    parse_route_description,
     place_on_sign,
 )
 
@@ -36,6 +42,13 @@ class ExplorerOptions:
 
     least_score: float = 0.65
     """Score of a detection from which on it is taken for the destination, 0 to 1."""
+    reader: ReaderName = "grammar"
+    """What finds the destination in the text: the grammar, offline, or a language model."""
+
+    @property
+    def needs(self) -> frozenset[Need]:
+        """What the agent needs with these options."""
+        return needs_of_reader(self.reader)
 
     def __post_init__(self) -> None:
         """Refuse values without meaning."""
@@ -45,18 +58,24 @@ class ExplorerOptions:
             )
 
 
-class ExplorerAgent:
+class ExplorerAgent(ReadsFirst):
     """Takes only the words for the destination from a text, and looks everywhere.
 
     It walks to the nearest way that it has not tried and stops where it sees the name,
     on a sign or as a thing. What it reaches needs no description of the way.
     """
 
-    name = "explorer"
-
-    def __init__(self, options: ExplorerOptions | None = None) -> None:
-        """Make the agent with its options; the defaults when None."""
+    def __init__(
+        self, options: ExplorerOptions | None = None, reader: PlanReader | None = None
+    ) -> None:
+        """Make the agent with its options, and what reads; the grammar when None."""
         self.options = options or ExplorerOptions()
+        self.reader = reader or GrammarReader()
+
+    @property
+    def name(self) -> str:
+        """`explorer`, or `explorer[model]` where a model reads."""
+        return f"explorer{self.reader.variant}"
 
     def follow(
         self,
@@ -70,7 +89,7 @@ class ExplorerAgent:
         Notes in the journal: `destination`, `decision` for each way tried, and at the
         end `arrival` or `gave_up`.
         """
-        names = destination_names(parse_route_description(instruction).arrival)
+        names = destination_names(self.reader.read(instruction, journal).arrival)
         self.search(names, robot, journal, rng)
 
     def search(

@@ -60,11 +60,12 @@ def _paragraph(name: str) -> Iterator[str]:
         has_parser,
         known_agent,
     )
+    from memorymaze.evaluation.settings import AgentSettings
     from memorymaze.options import list_options
 
     own = ":" in name
     yield f"{name}: {'an agent of your own' if own else known_agent(name).summary}"
-    for need in sorted(agent_needs(name)):
+    for need in sorted(agent_needs(AgentSettings(name))):
         yield f"  needs {NEEDS[need]}"
     if has_parser(name):
         yield "  parses instructions first, unless --no-parser is given"

@@ -30,6 +30,7 @@ from memorymaze.evaluation.language_agents import (
     code_generation_for_runs,
     navgpt_for_runs,
     navid_for_runs,
+    reading_for_runs,
     see_and_go_for_runs,
 )
 from memorymaze.evaluation.oracle import OracleAgent
@@ -54,6 +55,7 @@ class KnownAgent:
     summary: str
     """What it does, in a few words."""
     needs: frozenset[Need] = frozenset()
+    """Whatever its options are; these may have more in an attribute `needs`."""
     options: type | None = None
     """The dataclass of its options."""
     parser: bool = False
@@ -79,7 +81,7 @@ _KNOWN: dict[str, KnownAgent] = {
         parser=True,
     ),
     "explorer": KnownAgent(
-        _one_for_all(ExplorerAgent),
+        reading_for_runs(ExplorerAgent),
         "searches everywhere for the destination named, whatever way was told",
         options=ExplorerOptions,
     ),
@@ -102,8 +104,8 @@ _KNOWN: dict[str, KnownAgent] = {
         needs=OracleAgent.needs,
     ),
     "rules": KnownAgent(
-        _one_for_all(RulesAgent),
-        "reads the instruction by rules, and needs no model",
+        reading_for_runs(RulesAgent),
+        "reads the instruction by rules, walks and doubts; needs no model unless told to",
         options=RulesOptions,
     ),
     "see_and_go": KnownAgent(
@@ -133,11 +135,22 @@ def known_agent(name: str) -> KnownAgent:
     )
 
 
-def agent_needs(name: str, given: Agent | None = None) -> frozenset[Need]:
-    """Return what an agent needs, by its name or as it was given."""
+def agent_needs(settings: AgentSettings, given: Agent | None = None) -> frozenset[Need]:
+    """Return what an agent needs, by its settings or as it was given.
+
+    Raises:
+        SettingsError: There is no such agent, or it has no such options.
+    """
     if given is not None:
-        return checked_needs(name, given)
-    return own_needs(name) if ":" in name else known_agent(name).needs
+        return checked_needs(settings.name, given)
+    if settings.is_own:
+        return own_needs(settings.name)
+    needs = known_agent(settings.name).needs
+    kind = agent_options(settings.name)
+    if kind is None:
+        return needs
+    options = read_options(kind, settings.options, agent=settings.name)
+    return needs | getattr(options, "needs", frozenset[Need]())
 
 
 def agent_options(name: str) -> type | None:
@@ -159,12 +172,12 @@ def option_values(
     return tuple((each.name, each.default) for each in options_of(chosen))
 
 
-def has_language_model(name: str) -> bool:
-    """Tell whether a shipped agent of this name asks a language model.
+def has_language_model(settings: AgentSettings) -> bool:
+    """Tell whether a shipped agent asks a language model.
 
     Users' own agents have their models made by themselves.
     """
-    return name in _KNOWN and "language_model" in _KNOWN[name].needs
+    return not settings.is_own and "language_model" in agent_needs(settings)
 
 
 def has_parser(name: str) -> bool:
@@ -226,7 +239,7 @@ def build_agent(
 
 def _build_known(settings: AgentSettings) -> AgentFor:
     known = known_agent(settings.name)
-    if not has_language_model(settings.name):
+    if not has_language_model(settings):
         _refuse_model(settings)
     _refuse_parser(settings)
     options = None
@@ -242,7 +255,7 @@ def _build_known(settings: AgentSettings) -> AgentFor:
 
 def _refuse_isolation(settings: AgentSettings, given: Agent | None) -> None:
     for need in ("answers", "graph"):
-        if need in agent_needs(settings.name, given):
+        if need in agent_needs(settings, given):
             raise SettingsError(
                 f"--isolate: the agent {settings.name!r} needs the {need}, which an agent "
                 "in a process of its own does not get; leave the option out"
@@ -262,7 +275,7 @@ def _refuse_parser(settings: AgentSettings) -> None:
 
 
 def _refuse_model(settings: AgentSettings) -> None:
-    askers = [name for name in agent_names() if has_language_model(name)]
+    askers = [name for name in agent_names() if has_language_model(AgentSettings(name))]
     for field in (each for each in fields(ModelSettings) if each.metadata):
         # Users' own agents may ask a model that only they know of.
         given = getattr(settings.language_model, field.name) != field.default

@@ -3,17 +3,20 @@
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 
 from memorymaze.agents.agent import Agent, Journal, Need
 from memorymaze.agents.code_generation import CodeGenerationAgent, CodeGenerationOptions
+from memorymaze.agents.explorer import ExplorerAgent
 from memorymaze.agents.navgpt import NavGPTAgent, NavGPTOptions
 from memorymaze.agents.navgpt.agent import loop_limits
 from memorymaze.agents.navid import NavidAgent, NavidOptions
 from memorymaze.agents.navid.model_policies import BlindPolicy, VisionPolicy
 from memorymaze.agents.navid.policy import Policy
+from memorymaze.agents.plan_readers import ModelReader
+from memorymaze.agents.rules import RulesAgent
 from memorymaze.agents.see_and_go import MOTIONS, SeeAndGoAgent, SeeAndGoOptions
 from memorymaze.errors import LanguageModelError, SettingsError
 from memorymaze.evaluation.budgets import fair_steps, fewest_answers, perfect_steps
@@ -46,6 +49,26 @@ def code_generation_for_runs(
         return CodeGenerationAgent(asked, parser=parser, options=options)
 
     return agent_for
+
+
+def reading_for_runs(
+    agent: type[RulesAgent] | type[ExplorerAgent],
+) -> Callable[[AgentSettings, Any], Callable[[Episode], Agent]]:
+    """Return what makes agents that begin by reading, by grammar or a language model."""
+
+    def make(settings: AgentSettings, options: Any) -> Callable[[Episode], Agent]:
+        if options.reader == "grammar":
+            made = agent(options)
+            return lambda _: made
+        model = build_language_model(settings.language_model)
+
+        def agent_for(episode: Episode) -> Agent:
+            asked = AboutInstruction(model, episode.instruction.id)
+            return agent(options, ModelReader(asked))
+
+        return agent_for
+
+    return make
 
 
 def parses_first(settings: AgentSettings) -> bool:

@@ -61,7 +61,7 @@ def navigate(
     follower = build_agent(
         chosen, given, isolate=settings.isolate, kept_from=[site.source]
     )
-    needs = agent_needs(chosen.name, given)
+    needs = agent_needs(chosen, given)
     definition = define_run(chosen, settings, needs, [site], episodes=1)
     told = Instruction(
         id=f"{site.name}-{route.id}",

@@ -71,7 +71,7 @@ def plan_run(
     definition = define_run(
         chosen_agent,
         settings,
-        agent_needs(chosen_agent.name, given),
+        agent_needs(chosen_agent, given),
         sites.values(),
         instructions=tuple(stamp_file(path) for path in corpus.files),
         stamps=tuple(stamp_file(site.source, name) for name, site in sites.items()),

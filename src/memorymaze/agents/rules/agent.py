@@ -6,7 +6,14 @@ from typing import Literal
 
 import numpy as np
 
-from memorymaze.agents.agent import Journal
+from memorymaze.agents.agent import Journal, Need
+from memorymaze.agents.plan_readers import (
+    GrammarReader,
+    PlanReader,
+    ReaderName,
+    ReadsFirst,
+    needs_of_reader,
+)
 from memorymaze.agents.rules.alignment import Aligner, Branch, Ending, Standing
 from memorymaze.agents.rules.arriving import Arrivals, approach
 from memorymaze.agents.rules.evidence import choices_at
@@ -22,7 +29,7 @@ from memorymaze.agents.rules.walker import Walker
 from memorymaze.geometry.pose import wrap_angle
 from memorymaze.robot.api import Robot
 from memorymaze.routes import RoutePlan, describe
-from memorymaze.understanding import ANY_FLOOR, is_floor, parse_route_description
+from memorymaze.understanding import ANY_FLOOR, is_floor
 
 SAME_HEADING = math.radians(35)
 """Ways to face that differ by less are one."""
@@ -44,21 +51,34 @@ class RulesOptions:
 
     start_heading: Literal["given", "unknown"] = "given"
     """Whether the robot faces the way the description begins with, or any way."""
+    reader: ReaderName = "grammar"
+    """What turns the text into a plan: the grammar, offline, or a language model."""
+
+    @property
+    def needs(self) -> frozenset[Need]:
+        """What the agent needs with these options."""
+        return needs_of_reader(self.reader)
 
 
-class RulesAgent:
-    """Follows route descriptions by rules alone; deterministic, without any model.
+class RulesAgent(ReadsFirst):
+    """Follows route descriptions by rules; deterministic where its reader is.
 
     The description becomes a plan. At each turning point the plan and the walk are
     aligned in all sensible ways, each with a cost; the robot walks on with the
     cheapest and goes back to another when it becomes cheaper.
     """
 
-    name = "rules"
-
-    def __init__(self, options: RulesOptions | None = None) -> None:
-        """Make the agent with its options; the defaults when None."""
+    def __init__(
+        self, options: RulesOptions | None = None, reader: PlanReader | None = None
+    ) -> None:
+        """Make the agent with its options, and what reads; the grammar when None."""
         self.options = options or RulesOptions()
+        self.reader = reader or GrammarReader()
+
+    @property
+    def name(self) -> str:
+        """`rules`, or `rules[model]` where a model reads."""
+        return f"rules{self.reader.variant}"
 
     def follow(
         self,
@@ -68,7 +88,7 @@ class RulesAgent:
         rng: np.random.Generator,
     ) -> None:
         """Drive the robot as the instruction says, and stop."""
-        plan = parse_route_description(instruction)
+        plan = self.reader.read(instruction, journal)
         journal.note("plan", steps=describe(plan))
         _Search(plan, Walker(robot), journal, self.options).run()
         robot.stop()

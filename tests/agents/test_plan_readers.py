@@ -1,0 +1,82 @@
+import json
+from pathlib import Path
+
+import pytest
+
+from memorymaze.agents.agent import Journal
+from memorymaze.agents.plan_readers import GrammarReader, ModelReader
+from memorymaze.cli.main import main
+from memorymaze.errors import LanguageModelError
+from memorymaze.language.scripted_model import ScriptedLanguageModel
+from memorymaze.routes import Arrival, Leg, RoutePlan, Turn, parse_plan, plan_record
+
+LEFT = '{"legs": [{"turn": {"way": "left"}}], "arrival": {"destinations": ["desk"]}}'
+TEXT = "Left somewhere, and there is the desk."
+
+
+def test_a_model_writes_the_plan_of_a_text() -> None:
+    model = ScriptedLanguageModel([f"Here it is:\n```json\n{LEFT}\n```"])
+    plan = ModelReader(model).read(TEXT, Journal())
+    expected = RoutePlan(legs=(Leg(Turn("left")),), arrival=Arrival(("desk",)))
+    assert plan == expected
+    [asked] = model.requests
+    assert asked.messages[-1].content == TEXT
+
+
+def test_a_reply_that_is_no_plan_is_asked_for_once_more_with_what_is_wrong() -> None:
+    model = ScriptedLanguageModel([LEFT.replace("left", "leftish"), LEFT])
+    journal = Journal()
+    assert ModelReader(model).read(TEXT, journal).legs == (Leg(Turn("left")),)
+    assert "leftish" in model.requests[1].messages[-1].content
+    numbers = [each.question.number for each in model.requests if each.question]
+    assert numbers == [1, 2]
+    assert journal.model_calls == 2
+
+
+@pytest.mark.parametrize("reply", ["I cannot.", "{]}", '{"legs": 3}', "[1, 2]"])
+def test_two_replies_without_a_plan_are_the_models_failure(reply: str) -> None:
+    with pytest.raises(
+        LanguageModelError, match=r"scripted: expected a plan, got twice"
+    ):
+        ModelReader(ScriptedLanguageModel([reply, reply])).read(TEXT, Journal())
+
+
+def test_rules_walks_the_plans_in_a_file_of_answers(
+    tmp_path: Path, tiny_instructions: Path, tiny_files: list[str]
+) -> None:
+    """With what the grammar reads as the answers, the walks are those of the grammar."""
+    answers = tmp_path / "plans.jsonl"
+    with answers.open("w", encoding="utf-8") as file:
+        for line in tiny_instructions.read_text("utf-8").splitlines():
+            told = json.loads(line)
+            plan = plan_record(GrammarReader().read(told["text"], Journal()))
+            record = {"instruction_id": told["id"], "model": "somebody"}
+            record |= {"stage": "plan", "reply": json.dumps(plan)}
+            file.write(json.dumps(record) + "\n")
+    run = ["evaluate", "--agent", "rules", "--workers", "1", *tiny_files, "--out"]
+    assert main([*run, str(tmp_path / "grammar")]) == 0
+    by_model = ["--set", "reader=model", "--replay", str(answers)]
+    assert main([*run, str(tmp_path / "model"), *by_model]) == 0
+
+    def walks(name: str) -> list[tuple[object, ...]]:
+        lines = (tmp_path / name / "episodes.jsonl").read_text("utf-8").splitlines()
+        kept = ("episode_id", "spd", "path_length", "api_calls")
+        return sorted(tuple(json.loads(line)[key] for key in kept) for line in lines)
+
+    assert walks("model") == walks("grammar")
+    [line, *_] = (tmp_path / "model" / "episodes.jsonl").read_text("utf-8").splitlines()
+    assert json.loads(line)["agent"] == "rules[somebody]"
+
+
+def test_rules_asks_no_model_unless_it_is_its_reader(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    assert main(["evaluate", "--agent", "rules", "--model", "some-model"]) == 2
+    assert "asks no language model" in capsys.readouterr().err
+
+
+def test_every_recorded_plan_can_be_read() -> None:
+    recorded = Path(__file__).parents[2] / "examples" / "recorded" / "plans.jsonl"
+    lines = [json.loads(line) for line in recorded.read_text("utf-8").splitlines()]
+    plans = [parse_plan(json.loads(each["reply"]), each["stage"]) for each in lines]
+    assert len({each["instruction_id"] for each in lines}) == len(plans) == 564
