@@ -7,8 +7,9 @@ WORKERS ?= 0
 # Results belong to the code that made them, so each version has a run folder of its own.
 VERSION := $(shell git rev-parse --short HEAD 2>/dev/null || echo release)
 RUN ?= runs/rules-$(VERSION)
-# Of `make table-two`: which model, how many episodes of each method, and where.
-MODEL ?= smollm2
+# Of `make table-two`: which model (none replays what is recorded), how many episodes of
+# each method it is asked for, and where.
+MODEL ?=
 LIMIT ?= 12
 TABLE_TWO ?= runs/table-two-$(VERSION)
 
@@ -18,7 +19,7 @@ benchmark: install
 	$(BIN)/memorymaze evaluate --agent rules --workers $(WORKERS) --out $(RUN) --resume
 	$(BIN)/memorymaze table $(RUN)
 
-# Every method of the paper's Table II on a sample, with any model.
+# Every method of the paper's Table II, from recorded answers or on a sample with any model.
 table-two: install
 	bash scripts/table_two.sh "$(BIN)" "$(MODEL)" "$(LIMIT)" "$(TABLE_TWO)"
 

@@ -1,17 +1,66 @@
 #!/usr/bin/env bash
-# Table II with a row for every method: NavGPT, the NaVid protocol, code generation
-# without and with the parser, and rules; all on the same sample, then once more from
-# the recorded replies, which must give the same table.
+# Table II with a row for every method, beside the paper's figures.
 # usage: table_two.sh BIN MODEL LIMIT FOLDER
-# OPTIONS takes further options of the model, such as "--base-url URL --price 0.15,0.60".
+# Without a MODEL: from the answers in examples/recorded, on the texts that they answer.
+# With one: asks it on a sample of LIMIT texts, then once more from the recorded replies,
+# which must give the same table. OPTIONS takes further options of the model, such as
+# "--base-url URL --price 0.15,0.60".
 set -euo pipefail
 bin=$1
 model=$2
 limit=$3
 folder=$4
-read -ra options <<<"${OPTIONS:-}"
-replies=$folder/replies.sqlite
+recorded=examples/recorded
+round=recorded
 
+run() { # NAME AGENT OPTION…: run a method, resuming what is there
+    local name=$1 agent=$2
+    shift 2
+    "$bin/memorymaze" evaluate --agent "$agent" --out "$folder/$round/$name" --resume "$@"
+}
+
+texts_answered_in() { # FILE OUT: the shipped instructions that a file of answers is about
+    "$bin/python" scripts/texts_answered.py "$1" "$2"
+}
+
+tables() { # RUN…: all there is to say of runs, the first one the baseline
+    "$bin/memorymaze" table "$@" --table II "${absent[@]}"
+    "$bin/memorymaze" compare "$@"
+    "$bin/memorymaze" table "$@" --table reach
+}
+
+if [ -z "$model" ]; then
+    mkdir -p "$folder/$round"
+    all=$folder/texts.jsonl few=$folder/texts_navgpt.jsonl
+    texts_answered_in $recorded/programs_without_parser.jsonl "$all"
+    texts_answered_in $recorded/navgpt.jsonl "$few"
+    plans=(--set reader=model --replay $recorded/plans.jsonl)
+    names=(rules rules_plans explorer explorer_plans code_generation code_generation_parser navgpt)
+    run rules rules --instructions "$all"
+    run rules_plans rules --instructions "$all" "${plans[@]}"
+    run explorer explorer --instructions "$all"
+    run explorer_plans explorer --instructions "$all" "${plans[@]}"
+    run code_generation code_generation --instructions "$all" \
+        --replay $recorded/programs_without_parser.jsonl
+    run code_generation_parser code_generation --instructions "$all" \
+        --replay $recorded/programs_with_parser.jsonl
+    run navgpt navgpt --instructions "$few" --replay $recorded/navgpt.jsonl
+    for end in oracle stop; do
+        run $end $end --instructions "$all"
+        names+=("$end")
+    done
+    how='--model NAME --record replies.sqlite asks a model, --replay replies.sqlite plays it again'
+    absent=(
+        --absent "navid=memorymaze evaluate --agent navid $how (a vision model)"
+        --absent "see_and_go=memorymaze evaluate --agent see_and_go $how (a vision model)"
+        --absent "code_generation, single stage=memorymaze evaluate --agent code_generation --set stages=single $how"
+        --absent "code_generation with repair=memorymaze evaluate --agent code_generation --set repair=true $how"
+    )
+    tables "${names[@]/#/$folder/$round/}"
+    exit
+fi
+
+replies=$folder/replies.sqlite
 case $model in
 smollm2 | gguf:*)
     "$bin/python" -c 'import llama_cpp' 2>/dev/null || "$bin/python" -m pip install --quiet \
@@ -27,22 +76,16 @@ smollm2 | gguf:*)
     navid=()
     ;;
 esac
-
-run() { # NAME AGENT OPTION…: run a method, resuming what is there
-    local name=$1 agent=$2
-    shift 2
-    "$bin/memorymaze" evaluate --agent "$agent" --limit "$limit" --out "$folder/$round/$name" \
-        --resume "$@"
-}
+read -ra options <<<"${OPTIONS:-}"
 
 for round in asked replayed; do
-    ask=(--model "$model")
+    ask=(--model "$model" --limit "$limit")
     if [ "$round" = asked ]; then
         ask+=(--record "$replies" "${options[@]}")
     else
         ask+=(--replay "$replies")
     fi
-    run rules rules
+    run rules rules --limit "$limit"
     run code_generation code_generation --no-parser "${code_generation[@]}" "${ask[@]}"
     run code_generation_parser code_generation "${code_generation[@]}" "${ask[@]}"
     run navgpt navgpt "${navgpt[@]}" "${ask[@]}"
