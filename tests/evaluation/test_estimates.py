@@ -45,7 +45,7 @@ def test_code_generation_is_estimated_by_its_own_requests(
     said = str(cost_estimate(plan(ASKING)))
     assert "an ESTIMATE for 8 requests" in said
     # 8 replies of 1000 tokens at 10 dollars a million are 0.08; the rest is read.
-    assert "about 0.10 USD" in said
+    assert "about 0.11 USD" in said
     assert "0.35 USD if every reply is as long as it may be" in said
     alone = str(cost_estimate(plan(replace(ASKING, parser=False))))
     assert "4 requests" in alone
