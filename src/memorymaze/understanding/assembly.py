@@ -18,8 +18,8 @@ from memorymaze.routes import (
     Way,
 )
 from memorymaze.understanding.clause import AT_THE_TURN, Event
-from memorymaze.understanding.drafts import Draft, place_of
 from memorymaze.understanding.lengths import PLACE_METRES
+from memorymaze.understanding.partial_legs import PartialLeg, place_of
 from memorymaze.understanding.repetitions import Restating
 from memorymaze.understanding.things import is_floor, kind_of
 
@@ -27,7 +27,7 @@ _LONGEST_OPEN = 3
 """Clauses after which an opening that was named counts as left alone."""
 
 
-def assemble(events: Sequence[Event]) -> list[Draft]:
+def assemble(events: Sequence[Event]) -> list[PartialLeg]:
     """Return the legs in order; the last has no turn and leads to the destination."""
     return _Assembly(events).run()
 
@@ -35,8 +35,8 @@ def assemble(events: Sequence[Event]) -> list[Draft]:
 class _Assembly:
     def __init__(self, events: Sequence[Event]) -> None:
         self._events = events
-        self._done: list[Draft] = []
-        self._draft = Draft()
+        self._done: list[PartialLeg] = []
+        self._draft = PartialLeg()
         self._restating = Restating(events)
         self._way: Event | None = None
         """An opening that was named but neither taken nor left yet."""
@@ -46,7 +46,7 @@ class _Assembly:
         self._side: Side | None = None
         """A side said before its thing: `on the left is …`."""
 
-    def run(self) -> list[Draft]:
+    def run(self) -> list[PartialLeg]:
         for at, event in enumerate(self._events):
             self._take(event, at)
         self._end_at_an_opening()
@@ -105,7 +105,7 @@ class _Assembly:
             case _:
                 pass
 
-    def _warned_draft(self) -> Draft:
+    def _warned_draft(self) -> PartialLeg:
         """A warning is about the last turn."""
         return self._done[-1] if self._done else self._draft
 
@@ -128,7 +128,7 @@ class _Assembly:
             way = self._passed_side()
         if self._restating.repeats(at, way, event.ordinal, self._done, self._draft):
             self._done[-1].lengths.extend(self._draft.lengths)
-            self._draft = Draft()
+            self._draft = PartialLeg()
             return
         if way is None and self._draft.is_new and self._done:
             return
@@ -155,7 +155,7 @@ class _Assembly:
             event.emphatic and not event.commanded and self._follows_a_thing(at)
         )
         self._done.append(draft)
-        self._draft = Draft()
+        self._draft = PartialLeg()
         self._last = []
 
     def _with_named_way(self, event: Event) -> Event:

@@ -19,7 +19,6 @@ _CLASSES = {
     "n": "length",
 }
 _NEUTRAL = set(",.fhi>&r")
-_VERBS = set("TGZBVUHKAYDX")
 _REACH = 3
 """How many other words may stand between what is taken back and the correction."""
 

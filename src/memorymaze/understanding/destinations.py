@@ -5,7 +5,7 @@ from collections.abc import Sequence
 
 from memorymaze.routes import Mention, Side
 from memorymaze.understanding.chunks import Chunk
-from memorymaze.understanding.drafts import Draft
+from memorymaze.understanding.partial_legs import PartialLeg
 from memorymaze.understanding.things import (
     floor_phrase,
     is_common,
@@ -41,7 +41,7 @@ _MAX = 3
 
 
 def find_destinations(
-    last: Draft, drafts: list[Draft], chunks: list[Chunk], text: str
+    last: PartialLeg, drafts: list[PartialLeg], chunks: list[Chunk], text: str
 ) -> tuple[tuple[str, ...], Side | None, int | None]:
     """Return words for the destination, its side, and which of its kind it is.
 
@@ -110,7 +110,7 @@ def find_destinations(
     return kept, side, nth
 
 
-def _named_on_the_way(drafts: list[Draft]) -> set[str]:
+def _named_on_the_way(drafts: list[PartialLeg]) -> set[str]:
     """Return what was said to be at turns, to be passed, to be seen or to lie ahead."""
     return {
         phrase
@@ -122,7 +122,7 @@ def _named_on_the_way(drafts: list[Draft]) -> set[str]:
     }
 
 
-def _candidates(drafts: Sequence[Draft]) -> list[tuple[Mention, bool]]:
+def _candidates(drafts: Sequence[PartialLeg]) -> list[tuple[Mention, bool]]:
     """Return the things of drafts, and whether a clause says where each is."""
     return [
         (mention, number in draft.subjects)

@@ -159,10 +159,7 @@ def is_on_both_sides(clause: Clause, at: int) -> bool:
 def names_a_way(clause: Clause, at: int, *, turn: bool) -> bool:
     """`There is a left`, `carpet starts to the left`: a way, not yet taken.
 
-    Args:
-        clause: The clause.
-        at: Index of an `L` or `S`.
-        turn: Whether it would else be read as a turn.
+    `turn` says whether it would else be read as a turn.
     """
     chunk = clause.chunks[at]
     before = clause.chunks[at - 1] if at else None
@@ -216,12 +213,9 @@ class _Opening:
 def read_opening(
     clause: Clause, start: int, *, turned: bool
 ) -> tuple[list[Event], int]:
-    """Read the words for an opening from an index on.
+    """Read the words for an opening from an ordinal, number or junction noun on.
 
-    Args:
-        clause: The clause.
-        start: Index of an ordinal, a junction noun, or a number before one.
-        turned: Whether the clause has told a turn already.
+    `turned` says whether the clause has told a turn already.
     """
     opening, at = _words_of(clause, start)
     before, after = clause.kinds[:start], clause.kinds[at:]
@@ -348,11 +342,7 @@ def _junction_of(noun: str) -> Junction | None:
 
 
 def read_left_alone(clause: Clause, at: int) -> tuple[Event, int]:
-    """Read the words for openings that are not to be taken.
-
-    Returns:
-        A `pass_ways` event, and the index of the last word used.
-    """
+    """Read the words for openings not to be taken, up to the last of them."""
     count: int | None = None
     side: Side | None = None
     name = ""

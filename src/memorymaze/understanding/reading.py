@@ -11,8 +11,8 @@ from memorymaze.understanding.clause import Event
 from memorymaze.understanding.clause_reader import ClauseReader
 from memorymaze.understanding.corrections import apply_corrections
 from memorymaze.understanding.destinations import find_destinations
-from memorymaze.understanding.drafts import plan_of
 from memorymaze.understanding.lengths import read_totals
+from memorymaze.understanding.partial_legs import plan_of
 from memorymaze.understanding.repetitions import without_overviews
 from memorymaze.understanding.things import thing_phrase
 

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 
 from memorymaze.routes import Way
 from memorymaze.understanding.clause import Event
-from memorymaze.understanding.drafts import Draft
+from memorymaze.understanding.partial_legs import PartialLeg
 
 _OVERVIEW = re.compile(
     r"\b(?:overall|in short|in brief|basically|in general|generally|big picture|in total"
@@ -145,8 +145,8 @@ class Restating:
         at: int,
         way: Way | None,
         ordinal: int | None,
-        done: list[Draft],
-        draft: Draft,
+        done: list[PartialLeg],
+        draft: PartialLeg,
     ) -> bool:
         """Tell whether a turn only says the last turn again.
 
@@ -187,7 +187,7 @@ class Restating:
                 return same or event.commanded or earlier.commanded
         return False
 
-    def _names_something_new(self, at: int, done: list[Draft]) -> bool:
+    def _names_something_new(self, at: int, done: list[PartialLeg]) -> bool:
         """Tell whether a place is said with the turn that the last legs do not name."""
         known = {
             word

@@ -196,8 +196,7 @@ class _Search:
         return min(self._frontier, key=self._branch_cost, default=None)
 
     def _best_ending(self) -> Ending | None:
-        best = min(self._endings, key=self._ending_cost, default=None)
-        return best
+        return min(self._endings, key=self._ending_cost, default=None)
 
     # -- hypotheses
 

@@ -123,11 +123,6 @@ class Aligner:
         self.plan = plan
         self._floor = floor
 
-    def begin(self) -> Standing:
-        """Return the hypothesis that all begin with."""
-        start = self._floor.crossings[0]
-        return Standing(0, 0.0, 0, line=(start.place,))
-
     def outlook(self, standing: Standing) -> float:
         """Return the cost so far and the least that must come."""
         left = len(self.plan.legs) - standing.leg

@@ -72,13 +72,10 @@ def choices_at(exits: Sequence[float], closed: set[int], heading: float) -> Choi
 def length_cost(
     length: Length | None, walked: float, places: int = 0, junctions: int = 0
 ) -> float:
-    """Compare a stated length with what was walked.
+    """Compare a stated length with the metres walked.
 
-    Args:
-        length: What was said.
-        walked: Metres.
-        places: Places where one can turn that were come to, the present one included.
-        junctions: Those of them where one has to choose.
+    `places` are those where one can turn that were come to, the present one included;
+    `junctions` are those of them where one has to choose.
     """
     if length is None:
         return 0.0
@@ -93,12 +90,9 @@ def length_cost(
 
 
 def way_cost(turn: Turn, angle: float, *, faces: bool = False) -> float:
-    """Compare the direction of a turn with the angle of a way out.
+    """Compare the direction of a turn with the angle of a way out, left positive.
 
-    Args:
-        turn: What was said.
-        angle: Radians, left positive.
-        faces: Whether of the turn only what lies that way was said.
+    `faces` says whether of the turn only what lies that way was said.
     """
     if faces:
         return 0.2 if abs(angle) <= BACK else 1.0
@@ -177,15 +171,10 @@ def mentions_cost(
     asked: frozenset[str],
     at: int | None = None,
 ) -> float:
-    """Compare the things named on a leg with those seen.
+    """Compare the things named on a leg with those seen along the line of its corners.
 
-    Args:
-        mentions: What was named.
-        floor: The map with all sightings.
-        line: Corners of the leg walked, its end included.
-        place: Where the turn would be.
-        asked: Phrases that were looked for all along the leg.
-        at: The crossing where the turn would be, if it is at one.
+    `asked` was looked for all along it; the turn would be at `place`, and at the
+    crossing `at` if it is at one.
     """
     total = 0.0
     for mention in mentions:

@@ -150,13 +150,9 @@ def faces(plan: RoutePlan, leg: int) -> bool:
 
 
 def outlook_cost(outlook: Outlook, floor: FloorMap, at: int, exit: int | None) -> float:
-    """Compare what was said to lie along a way with what is seen along it.
+    """Compare what was said to lie along a way out of a crossing with what is seen there.
 
-    Args:
-        outlook: What was said.
-        floor: The map with all views.
-        at: Crossing where the way begins.
-        exit: Exit that leads into it; None for a wall.
+    The exit is None for a wall.
     """
     view = floor.views.get((at, exit)) if exit is not None else None
     if view is None:
@@ -208,14 +204,7 @@ def crossing_floor_cost(mention: Mention, floor: FloorMap, at: int | None) -> fl
 def first_heading_cost(
     plan: RoutePlan, floor: FloorMap, at: int, heading: float
 ) -> float:
-    """Compare a way to face at the start with what a description begins with.
-
-    Args:
-        plan: The description.
-        floor: The map, with views along the ways out of the start.
-        at: Crossing where the robot starts.
-        heading: Radians.
-    """
+    """Compare a way to face at the start with what a description begins with."""
     crossing = floor.crossings[at]
     exit = crossing.find_exit(heading)
     outlook = outlook_of(plan, 0)

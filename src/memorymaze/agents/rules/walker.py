@@ -19,6 +19,8 @@ LONG_STRIDE = 1.2
 """Metres between two looks for turning points alone; they are 1.5 m long or more."""
 IN_PLACE = math.radians(12)
 """A way that differs less from the heading needs no turn."""
+AHEAD = math.radians(12)
+"""A thing that differs less from it lies ahead."""
 BACK = math.radians(155)
 """A way that differs more from the heading is the way back."""
 ENTRY = 1.0
@@ -34,11 +36,7 @@ _ANGLES: dict[Direction, float] = {
     "sharp_right": math.radians(-140),
     "around": math.pi,
 }
-
-
-def direction_angle(direction: Direction) -> float:
-    """Return the middle angle of a direction, radians, left positive."""
-    return _ANGLES[direction]
+"""The middle of each direction, radians, left positive."""
 
 
 class Walker:
@@ -66,16 +64,10 @@ class Walker:
         phrases: Iterable[str],
         until: Callable[[list[Sighting]], bool] | None = None,
     ) -> Stretch | None:
-        """Leave the crossing by an exit and walk to the next crossing.
+        """Leave the crossing by an exit and walk to the next, looking for things.
 
-        Args:
-            exit: Index of the exit.
-            phrases: What to look for on the way.
-            until: Told what is seen at each look; True makes the robot stay there.
-
-        Returns:
-            The stretch walked, or None when `until` stopped the robot on the way or the
-            exit is closed.
+        `until` is told what is seen at each look; where it says True the robot stays.
+        None is returned then, and where the exit is closed.
         """
         start = self.map.crossings[self.at]
         if not self.face(exit):
@@ -220,8 +212,12 @@ class Walker:
         else:
             self.place = known.place
         self.at = number
+        self._note_exits(known)
+
+    def _note_exits(self, crossing: Crossing) -> None:
+        """Take note of the ways out that are found from where the robot faces."""
         for direction in self._robot.detect_turning_point():
-            known.add_exit(wrap_angle(self.heading + direction_angle(direction)))
+            crossing.add_exit(wrap_angle(self.heading + _ANGLES[direction]))
 
     # -- turning
 
@@ -235,9 +231,9 @@ class Walker:
             return self._turn("around")
         offered = self._robot.detect_turning_point()
         words: list[Direction] = sorted(
-            offered, key=lambda word: abs(wrap_angle(direction_angle(word) - angle))
+            offered, key=lambda word: abs(wrap_angle(_ANGLES[word] - angle))
         )
-        if not words or abs(wrap_angle(direction_angle(words[0]) - angle)) > 1.1:
+        if not words or abs(wrap_angle(_ANGLES[words[0]] - angle)) > 1.1:
             if abs(angle) > 2.2:
                 return self._turn("around")
             # The way it came is not told of, but it can be turned to.
@@ -259,10 +255,6 @@ class Walker:
         self.heading = wrap_angle(self.heading + math.radians(result.angle_deg))
         return result.turned
 
-    def turn_around(self) -> None:
-        """Turn back on the spot."""
-        self._turn("around")
-
     def turn_in(self, side: str) -> bool:
         """Turn into a way on a side, if the robot has come to where there is one."""
         if self._robot.turning_point_id() == self.at:
@@ -282,9 +274,7 @@ class Walker:
         crossing = self.map.crossings[self.at]
         if crossing.number > 0:
             for _ in range(2):
-                for direction in self._robot.detect_turning_point():
-                    angle = direction_angle(direction)
-                    crossing.add_exit(wrap_angle(self.heading + angle))
+                self._note_exits(crossing)
                 self._turn("around")
                 # The way it came is not told of, but a way ahead can be turned to.
                 if self._turn("forward"):
@@ -308,12 +298,8 @@ class Walker:
             ):
                 continue
             if self.face(exit):
-                self._view(exit, wanted)
-
-    def _view(self, exit: int, phrases: Iterable[str]) -> None:
-        self._stretch = (self.at, exit)
-        asked = tuple(phrases)
-        self.map.note_view(self.at, exit, asked, self.look(asked))
+                self._stretch = (self.at, exit)
+                self.map.note_view(self.at, exit, wanted, self.look(wanted))
 
     def look(self, phrases: Iterable[str]) -> list[Sighting]:
         """Look for things; what is seen goes on the map."""
@@ -322,13 +308,9 @@ class Walker:
             for found in self._robot.detect_from_RGB_image(phrase):
                 bearing = math.radians(found.bearing_deg)
                 angle = self.heading + bearing
-                side = (
-                    "ahead"
-                    if abs(bearing) < math.radians(12)
-                    else "left"
-                    if bearing > 0
-                    else "right"
-                )
+                side = "left" if bearing > 0 else "right"
+                if abs(bearing) < AHEAD:
+                    side = "ahead"
                 sighting = Sighting(
                     phrase,
                     found.label,

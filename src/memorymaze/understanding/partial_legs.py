@@ -39,7 +39,7 @@ _PLACES: dict[str, Place] = {
 
 
 @dataclass
-class Draft:
+class PartialLeg:
     """A leg in the making."""
 
     lengths: list[Length] = field(default_factory=list[Length])
@@ -106,7 +106,7 @@ def place_of(event: Event, back: bool) -> Place:
 
 
 def plan_of(
-    drafts: Sequence[Draft],
+    drafts: Sequence[PartialLeg],
     destinations: tuple[str, ...],
     side: Side | None,
     nth: int | None,
@@ -136,7 +136,7 @@ def plan_of(
     )
 
 
-def _leg_of(number: int, draft: Draft, drafts: Sequence[Draft]) -> Leg:
+def _leg_of(number: int, draft: PartialLeg, drafts: Sequence[PartialLeg]) -> Leg:
     """Return the leg of a draft; what lies beyond its turn is said of it."""
     turn = draft.turn or Turn("either")
     before = drafts[number - 1].turn if number else None
@@ -160,7 +160,7 @@ def _may_be_here(turn: Turn) -> bool:
     return turn.ordinal is None and turn.junction is None and not turn.forced
 
 
-def _start_of(draft: Draft) -> Start:
+def _start_of(draft: PartialLeg) -> Start:
     """Return what is said of the start; where the wall is, when that is said."""
     ahead = list(dict.fromkeys(draft.ahead))
     behind = list(draft.behind)
@@ -173,7 +173,7 @@ def _start_of(draft: Draft) -> Start:
     return Start(" and ".join(ahead) or None, " and ".join(behind) or None)
 
 
-def _outlook_of(draft: Draft) -> Iterator[Mention]:
+def _outlook_of(draft: PartialLeg) -> Iterator[Mention]:
     """Yield what one has before, behind and beside oneself where a stretch begins."""
     for phrase in dict.fromkeys(draft.ahead):
         yield Mention(phrase, kind_of(phrase), "target", side="ahead")
@@ -183,7 +183,7 @@ def _outlook_of(draft: Draft) -> Iterator[Mention]:
         yield Mention("wall", "wall", "target", side=side)
 
 
-def _mentions_of(draft: Draft, *, first: bool) -> tuple[Mention, ...]:
+def _mentions_of(draft: PartialLeg, *, first: bool) -> tuple[Mention, ...]:
     """Return the things on a stretch, and the junction at the end of the last one."""
     walls = [
         Mention("wall", "wall", "along", side=side)
