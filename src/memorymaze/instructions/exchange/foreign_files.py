@@ -4,9 +4,9 @@ import gzip
 import json
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
-from typing import Any, Literal, NamedTuple
+from typing import Any, Literal, NamedTuple, TypeVar
 
-from pydantic import ValidationError
+from pydantic import TypeAdapter, ValidationError
 
 from memorymaze.errors import InstructionFileError
 from memorymaze.input_files import mistakes, parse_json, read_file, refusal
@@ -20,6 +20,9 @@ from memorymaze.sites.records import Route, Site
 
 OWN_FIELD = "memorymaze"
 """Where a foreign record keeps what its format has no place for."""
+
+
+Read = TypeVar("Read")
 
 
 class Unlabelled(NamedTuple):
@@ -64,15 +67,8 @@ def own_or_new(
 ) -> Instruction:
     """Return the instruction kept in a foreign record, else make one of its text.
 
-    Args:
-        kept: Our record; None in files of others.
-        text: The instruction as the foreign format has it.
-        candidates: The sites and routes that the foreign record fits, at least one;
-            the first is meant where no record of ours says which.
-        new_id: Id for a new instruction, also its participant.
-        split: Of the file.
-        labels: What to say of a new instruction.
-        place: For messages.
+    Where no record of ours is kept, the first of the routes that the foreign record fits
+    is meant, and the new id is also the participant's.
 
     Raises:
         InstructionFileError: Both texts differ, the route is another one than the
@@ -135,12 +131,19 @@ def site_called(name: str, sites: Mapping[str, Site], place: str) -> Site:
     return sites[name]
 
 
-def not_in_the_format(
-    path: Path, error: ValidationError, what: str
-) -> InstructionFileError:
-    """Return what to raise of a file that does not hold what was expected."""
-    where, said = next(mistakes(error))
-    return InstructionFileError(f"{path}: expected {what}: {where}: {said}")
+def read_as(adapter: TypeAdapter[Read], path: Path, what: str) -> Read:
+    """Read a JSON file, gzipped or not, that holds what an adapter says.
+
+    Raises:
+        InstructionFileError: It cannot be read, or holds something else.
+    """
+    try:
+        return adapter.validate_python(read_json(path))
+    except ValidationError as error:
+        where, said = next(mistakes(error))
+        raise InstructionFileError(
+            f"{path}: expected {what}: {where}: {said}"
+        ) from None
 
 
 def read_json(path: str | Path) -> Any:

@@ -17,7 +17,6 @@ from pydantic import (
     Field,
     FiniteFloat,
     TypeAdapter,
-    ValidationError,
 )
 
 from memorymaze.errors import InstructionFileError
@@ -26,9 +25,8 @@ from memorymaze.instructions.exchange.foreign_files import (
     OWN_FIELD,
     Unlabelled,
     by_split,
-    not_in_the_format,
     own_or_new,
-    read_json,
+    read_as,
     site_called,
     split_of,
     write_json,
@@ -125,11 +123,7 @@ def read_r2r(
     routes = _routes_by_path(sites)
     read: list[Instruction] = []
     for path in map(Path, paths):
-        try:
-            items = _ITEMS.validate_python(read_json(path))
-        except ValidationError as error:
-            raise not_in_the_format(path, error, "R2R items") from None
-        for item in items:
+        for item in read_as(_ITEMS, path, "R2R items"):
             read += _instructions(item, path, sites, routes, labels)
     return read
 
@@ -209,14 +203,8 @@ def viewpoints_along(graph: NavigationGraph, line: ArrayLike) -> tuple[Viewpoint
 
     Of all walks on the graph it is the one that stays nearest to the line all along:
     the least sum of squared distances between places on the line, in order, and the
-    viewpoint that one is at (map matching by dynamic programming).
-
-    Args:
-        graph: Of the site the line lies in.
-        line: Vertices, metres, shape (N, 2).
-
-    Returns:
-        At least one viewpoint; neighbours in the result are neighbours in the graph.
+    viewpoint that one is at (map matching by dynamic programming). There is at least
+    one; neighbours in the result are neighbours in the graph.
     """
     places = np.array([(each.x, each.y) for each in graph.viewpoints])
     samples = resample(line, STEP)

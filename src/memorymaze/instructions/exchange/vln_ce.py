@@ -14,7 +14,7 @@ from typing import Annotated, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
-from pydantic import BaseModel, ConfigDict, Field, FiniteFloat, ValidationError
+from pydantic import BaseModel, ConfigDict, Field, FiniteFloat, TypeAdapter
 
 from memorymaze.errors import InstructionFileError
 from memorymaze.geometry.polyline import length, point_at, project
@@ -23,9 +23,8 @@ from memorymaze.instructions.exchange.foreign_files import (
     OWN_FIELD,
     Unlabelled,
     by_split,
-    not_in_the_format,
     own_or_new,
-    read_json,
+    read_as,
     site_called,
     split_of,
     write_json,
@@ -71,6 +70,9 @@ class _File(BaseModel):
     model_config = ConfigDict(extra="allow")
 
     episodes: list[_Episode]
+
+
+_FILE = TypeAdapter(_File)
 
 
 class WordNumbers:
@@ -187,11 +189,7 @@ def read_vln_ce(
     """
     read: list[Instruction] = []
     for path in map(Path, paths):
-        try:
-            content = _File.model_validate(read_json(path))
-        except ValidationError as error:
-            raise not_in_the_format(path, error, "VLN-CE episodes") from None
-        for episode in content.episodes:
+        for episode in read_as(_FILE, path, "VLN-CE episodes").episodes:
             place = f"{path}: episode_id {episode.episode_id}"
             read.append(
                 own_or_new(
