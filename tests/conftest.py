@@ -25,6 +25,7 @@ from memorymaze.evaluation.settings import (
 from memorymaze.input_files import FileStamp
 from memorymaze.instructions import Corpus, load_corpus
 from memorymaze.robot.api import Detection, Direction, MoveResult, SignText, TurnResult
+from memorymaze.robot.specification import api_specification
 from memorymaze.simulation import Scene, SimulationSettings, build_scene
 from memorymaze.sites import Site, load_site, load_sites
 
@@ -208,6 +209,18 @@ def _times(coordinates: Any, factor: float) -> Any:
 
 def _feature(content: Plan, identity: str) -> Plan:
     return next(each for each in content["features"] if each["id"] == identity)
+
+
+@pytest.fixture(scope="session")
+def api_says() -> Callable[[str], None]:
+    """Ties a test to a sentence of the control API: whoever changes one sees the other."""
+    lines = api_specification().splitlines()
+    whole = " ".join(" ".join(line.removeprefix("#") for line in lines).split())
+
+    def says(sentence: str) -> None:
+        assert sentence in whole
+
+    return says
 
 
 class PaperRobot:

@@ -70,7 +70,10 @@ def pace_to_and_fro(robot: Robot, _: Journal) -> None:
         robot.turn("around")
 
 
-def test_the_time_of_an_episode_is_three_times_what_its_own_way_takes(run: Run) -> None:
+def test_the_time_of_an_episode_is_three_times_what_its_own_way_takes(
+    run: Run, api_says: Callable[[str], None]
+) -> None:
+    api_says("Time is limited, to a small multiple of what the way takes")
     by_way = run(pace_to_and_fro).result
     by_longest = run(pace_to_and_fro, budget_by="longest").result
     assert {by_way.stopped_by, by_longest.stopped_by} == {"budget"}

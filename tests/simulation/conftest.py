@@ -10,7 +10,6 @@ from shapely import Point, Polygon, box
 
 from memorymaze.geometry.pose import Pose
 from memorymaze.pictures import robot_cameras
-from memorymaze.robot.specification import api_specification
 from memorymaze.simulation import (
     Scene,
     SimulatedRobot,
@@ -78,18 +77,6 @@ class Plans:
 def plans() -> Plans:
     """Maker of sites."""
     return Plans()
-
-
-@pytest.fixture(scope="session")
-def api_says() -> Callable[[str], None]:
-    """Ties a test to a sentence of the control API: whoever changes one sees the other."""
-    lines = api_specification().splitlines()
-    whole = " ".join(" ".join(line.removeprefix("#") for line in lines).split())
-
-    def says(sentence: str) -> None:
-        assert sentence in whole
-
-    return says
 
 
 PutRobot = Callable[..., SimulatedRobot]
