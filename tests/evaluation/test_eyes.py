@@ -114,18 +114,28 @@ def test_tables_name_the_eyes_beside_the_method(tmp_path: Path):
 
 
 def test_runs_without_cameras_do_not_depend_on_looks() -> None:
-    assert looks_of_run(frozenset(), RunSettings()) is None
-    assert looks_of_run(frozenset({"answers"}), RunSettings()) is None
+    rules, oracle = AgentSettings("rules"), AgentSettings("oracle")
+    assert looks_of_run(rules, frozenset(), RunSettings()) is None
+    assert looks_of_run(oracle, frozenset({"answers"}), RunSettings()) is None
 
 
 def test_runs_with_cameras_say_what_these_show() -> None:
-    assert looks_of_run(frozenset({"camera"}), RunSettings()) == "own"
-    assert looks_of_run(frozenset(), RunSettings(signs="ocr")) == "own"
+    own, rules = AgentSettings("mine.py:Mine"), AgentSettings("rules")
+    assert looks_of_run(own, frozenset({"camera"}), RunSettings()) == "own"
+    assert looks_of_run(rules, frozenset(), RunSettings(signs="ocr")) == "own"
+
+
+def test_an_agent_of_ones_own_that_declares_nothing_may_look_too() -> None:
+    own = AgentSettings("mine.py:Mine")
+    assert looks_of_run(own, frozenset(), RunSettings()) == "own"
+    assert looks_of_run(own, frozenset({"steps"}), RunSettings()) is None
 
 
 def test_looks_that_are_not_there_are_refused_before_the_run() -> None:
     with pytest.raises(SettingsError, match="memorymaze sites models"):
-        looks_of_run(frozenset({"camera"}), RunSettings(looks="models"))
+        looks_of_run(
+            AgentSettings("navid"), frozenset({"camera"}), RunSettings(looks="models")
+        )
 
 
 def test_the_cameras_of_a_run_show_the_looks_of_its_settings(

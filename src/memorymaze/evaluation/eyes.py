@@ -1,7 +1,7 @@
 """What a run sees with: its detector, its reader of signs, and the looks of things."""
 
 from memorymaze.agents.agent import Need
-from memorymaze.evaluation.settings import RunSettings
+from memorymaze.evaluation.settings import AgentSettings, RunSettings
 from memorymaze.perception.eyes import TRUTH, Eyes
 from memorymaze.pictures.furniture.models import Looks, check_looks
 
@@ -28,9 +28,12 @@ def eyes_notes(settings: RunSettings) -> list[str]:
     return notes
 
 
-def looks_of_run(needs: frozenset[Need], settings: RunSettings) -> Looks | None:
+def looks_of_run(
+    agent: AgentSettings, needs: frozenset[Need], settings: RunSettings
+) -> Looks | None:
     """Return how things look to the cameras of a run; None where nothing is drawn."""
-    drawn = "camera" in needs or Eyes(settings.detector, settings.signs).need_pictures
-    if not drawn:
+    # An agent of a user's own that declares nothing may take pictures all the same.
+    may_look = "camera" in needs or (agent.is_own and not needs)
+    if not (may_look or Eyes(settings.detector, settings.signs).need_pictures):
         return None
     return check_looks(settings.looks)

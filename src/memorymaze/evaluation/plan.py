@@ -104,7 +104,7 @@ def define_run(
         budget = time_budget_for(needs, routes, settings.simulation)
     chosen = {each.name: getattr(settings, each.name) for each in fields(RunSettings)}
     chosen["simulation"] = replace(settings.simulation, time_budget=budget)
-    chosen["looks"] = looks_of_run(needs, settings)
+    chosen["looks"] = looks_of_run(agent, needs, settings)
     return RunDefinition(
         **chosen,
         agent=agent,
