@@ -4,11 +4,18 @@ from pathlib import Path
 import pytest
 
 from memorymaze.agents.agent import Journal
-from memorymaze.agents.plan_readers import GrammarReader, ModelReader
+from memorymaze.agents.plan_readers import (
+    GrammarReader,
+    ModelReader,
+    WrittenPlanReader,
+)
 from memorymaze.cli.main import main
-from memorymaze.errors import LanguageModelError
+from memorymaze.errors import LanguageModelError, PlanFileError
+from memorymaze.evaluation.settings import AgentSettings
 from memorymaze.language.scripted_model import ScriptedLanguageModel
+from memorymaze.library.walks import follow
 from memorymaze.routes import Arrival, Leg, RoutePlan, Turn, parse_plan, plan_record
+from memorymaze.sites import Site
 
 LEFT = '{"legs": [{"turn": {"way": "left"}}], "arrival": {"destinations": ["desk"]}}'
 TEXT = "Left somewhere, and there is the desk."
@@ -66,6 +73,24 @@ def test_rules_walks_the_plans_in_a_file_of_answers(
     assert walks("model") == walks("grammar")
     [line, *_] = (tmp_path / "model" / "episodes.jsonl").read_text("utf-8").splitlines()
     assert json.loads(line)["agent"] == "rules[somebody]"
+
+
+@pytest.mark.parametrize("name", ["rules", "explorer"])
+def test_a_text_that_is_a_plan_is_walked_as_it_stands(
+    name: str, crossing_site: Site
+) -> None:
+    route = crossing_site.reference_route("R1")
+    turns = tuple(Leg(Turn(each.direction)) for each in route.turns)
+    plan = RoutePlan(legs=turns, arrival=Arrival((route.goal,)))
+    agent = AgentSettings(name, options=(("reader", "plan"),))
+    walk = follow(json.dumps(plan_record(plan)), agent, site=crossing_site)
+    assert walk.success
+    assert walk.result.agent == f"{name}[plan]"
+
+
+def test_a_text_that_should_be_a_plan_and_is_none_is_refused() -> None:
+    with pytest.raises(PlanFileError, match="expected one JSON object, got 'Go left"):
+        WrittenPlanReader().read("Go left.", Journal())
 
 
 def test_rules_asks_no_model_unless_it_is_its_reader(

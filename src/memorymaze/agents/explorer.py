@@ -8,11 +8,11 @@ import numpy as np
 
 from memorymaze.agents.agent import Journal, Need
 from memorymaze.agents.plan_readers import (
-    GrammarReader,
     PlanReader,
     ReaderName,
     ReadsFirst,
     needs_of_reader,
+    reader_without_model,
 )
 from memorymaze.agents.rules.arriving import approach
 from memorymaze.agents.rules.floor_map import Sighting
@@ -43,7 +43,8 @@ class ExplorerOptions:
     least_score: float = 0.65
     """Score of a detection from which on it is taken for the destination, 0 to 1."""
     reader: ReaderName = "grammar"
-    """What finds the destination in the text: the grammar, offline, or a language model."""
+    """What finds the destination in the text: the grammar, offline, a language model, or
+    nobody, where the text is the JSON of a plan (`plan`)."""
 
     @property
     def needs(self) -> frozenset[Need]:
@@ -68,9 +69,9 @@ class ExplorerAgent(ReadsFirst):
     def __init__(
         self, options: ExplorerOptions | None = None, reader: PlanReader | None = None
     ) -> None:
-        """Make the agent with its options, and what reads; the grammar when None."""
+        """Make the agent with its options, and what reads; that of the options when None."""
         self.options = options or ExplorerOptions()
-        self.reader = reader or GrammarReader()
+        self.reader = reader or reader_without_model(self.options.reader)
 
     @property
     def name(self) -> str:

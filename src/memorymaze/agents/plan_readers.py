@@ -1,7 +1,7 @@
 """Readers of descriptions: a text in, a plan of what it says out.
 
-By the grammar, offline; or by a language model that is asked once, and once more where
-its reply is no plan.
+By the grammar, offline; by a language model that is asked once, and once more where its
+reply is no plan; or not at all, where the text is a plan already.
 """
 
 import re
@@ -20,7 +20,8 @@ from memorymaze.language.prompt_texts import load_prompt, prompt_version
 from memorymaze.routes import RoutePlan, parse_plan
 from memorymaze.understanding import parse_route_description
 
-ReaderName = Literal["grammar", "model"]
+ReaderName = Literal["grammar", "model", "plan"]
+"""The grammar, a language model, or nobody: the instruction is the JSON of a plan."""
 
 _OBJECT = re.compile(r"\{.*\}", re.DOTALL)
 
@@ -74,10 +75,8 @@ def needs_of_reader(reader: ReaderName) -> frozenset[Need]:
     return frozenset({"language_model"} if reader == "model" else ())
 
 
-class GrammarReader:
-    """Reads with the grammar of `understanding`; asks nobody."""
-
-    variant = ""
+class _AsksNobody:
+    """A reader without a model."""
 
     @property
     def prompts(self) -> dict[str, str]:
@@ -88,9 +87,37 @@ class GrammarReader:
         """Return no request."""
         return []
 
+
+class GrammarReader(_AsksNobody):
+    """Reads with the grammar of `understanding`."""
+
+    variant = ""
+
     def read(self, instruction: str, journal: Journal) -> RoutePlan:
         """Return what an instruction says."""
         return parse_route_description(instruction)
+
+
+class WrittenPlanReader(_AsksNobody):
+    """Takes instructions that are plans already, as JSON in the plan language.
+
+    So one measures how an agent walks what was said, whoever understands it.
+    """
+
+    variant = "[plan]"
+
+    def read(self, instruction: str, journal: Journal) -> RoutePlan:
+        """Return the plan that an instruction is.
+
+        Raises:
+            PlanFileError: It is none.
+        """
+        return read_plan_reply(instruction)
+
+
+def reader_without_model(reader: ReaderName) -> PlanReader:
+    """Return the reader of a name where there is no model to ask: the grammar, or none."""
+    return WrittenPlanReader() if reader == "plan" else GrammarReader()
 
 
 class ModelReader:

@@ -57,7 +57,7 @@ def reading_for_runs(
     """Return what makes agents that begin by reading, by grammar or a language model."""
 
     def make(settings: AgentSettings, options: Any) -> Callable[[Episode], Agent]:
-        if options.reader == "grammar":
+        if options.reader != "model":
             made = agent(options)
             return lambda _: made
         model = build_language_model(settings.language_model)

@@ -8,11 +8,11 @@ import numpy as np
 
 from memorymaze.agents.agent import Journal, Need
 from memorymaze.agents.plan_readers import (
-    GrammarReader,
     PlanReader,
     ReaderName,
     ReadsFirst,
     needs_of_reader,
+    reader_without_model,
 )
 from memorymaze.agents.rules.alignment import Aligner, Branch, Ending, Standing
 from memorymaze.agents.rules.arriving import Arrivals, approach
@@ -52,7 +52,8 @@ class RulesOptions:
     start_heading: Literal["given", "unknown"] = "given"
     """Whether the robot faces the way the description begins with, or any way."""
     reader: ReaderName = "grammar"
-    """What turns the text into a plan: the grammar, offline, or a language model."""
+    """What turns the text into a plan: the grammar, offline, a language model, or nobody,
+    where the text is the JSON of a plan (`plan`)."""
 
     @property
     def needs(self) -> frozenset[Need]:
@@ -71,9 +72,9 @@ class RulesAgent(ReadsFirst):
     def __init__(
         self, options: RulesOptions | None = None, reader: PlanReader | None = None
     ) -> None:
-        """Make the agent with its options, and what reads; the grammar when None."""
+        """Make the agent with its options, and what reads; that of the options when None."""
         self.options = options or RulesOptions()
-        self.reader = reader or GrammarReader()
+        self.reader = reader or reader_without_model(self.options.reader)
 
     @property
     def name(self) -> str:
