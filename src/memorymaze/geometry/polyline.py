@@ -42,13 +42,20 @@ def point_at(points: ArrayLike, s: float) -> FloatArray:
     >>> point_at([(0, 0), (3, 4), (3, 6)], 6.0).tolist()
     [3.0, 5.0]
     """
+    return points_at(points, np.array([s]))[0]
+
+
+def points_at(points: ArrayLike, stations: FloatArray) -> FloatArray:
+    """Return the points at arc lengths, (M, 2); all of them must lie on the line."""
     along = arc_lengths(points)
     slack = 1e-9 * (1.0 + along[-1])
-    if not -slack <= s <= along[-1] + slack:
+    off = ~((stations >= -slack) & (stations <= along[-1] + slack))
+    if off.any():
         raise ValueError(
-            f"expected an arc length from 0 to {along[-1]:.6g} m, got {s:.6g}"
+            f"expected an arc length from 0 to {along[-1]:.6g} m, got "
+            f"{stations[off][0]:.6g}"
         )
-    return _interpolate(_vertices(points), along, np.array([s]))[0]
+    return _interpolate(_vertices(points), along, stations)
 
 
 def resample(points: ArrayLike, spacing: float) -> FloatArray:

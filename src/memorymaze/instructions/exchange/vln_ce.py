@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike
 from pydantic import BaseModel, ConfigDict, Field, FiniteFloat, TypeAdapter
 
 from memorymaze.errors import InstructionFileError
-from memorymaze.geometry.polyline import length, point_at, project
+from memorymaze.geometry.polyline import length, point_at, points_at, project
 from memorymaze.geometry.pose import Pose, bearing_to, wrap_angle
 from memorymaze.instructions.exchange.foreign_files import (
     OWN_FIELD,
@@ -349,5 +349,4 @@ def _progress(line: ArrayLike, along: float, place: tuple[float, float]) -> floa
     """Return the arc length of the nearest place on the next metre of the line."""
     total = length(line)
     stations = np.linspace(along, min(along + 1.0, total), 21)
-    stretch = np.array([point_at(line, s) for s in stations])
-    return along + project(stretch, place).s
+    return along + project(points_at(line, stations), place).s
