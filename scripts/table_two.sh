@@ -12,10 +12,12 @@ limit=$3
 folder=$4
 recorded=examples/recorded
 round=recorded
+names=()
 
 run() { # NAME AGENT OPTION…: run a method, resuming what is there
     local name=$1 agent=$2
     shift 2
+    names+=("$name")
     "$bin/memorymaze" evaluate --agent "$agent" --out "$folder/$round/$name" --resume "$@"
 }
 
@@ -23,10 +25,11 @@ texts_answered_in() { # FILE OUT: the shipped instructions that a file of answer
     "$bin/python" scripts/texts_answered.py "$1" "$2"
 }
 
-tables() { # RUN…: all there is to say of runs, the first one the baseline
-    "$bin/memorymaze" table "$@" --table II "${absent[@]}"
-    "$bin/memorymaze" compare "$@"
-    "$bin/memorymaze" table "$@" --table reach
+tables() { # all there is to say of the runs of this round; the first one is the baseline
+    local runs=("${names[@]/#/$folder/$round/}")
+    "$bin/memorymaze" table "${runs[@]}" --table II "${absent[@]}"
+    "$bin/memorymaze" compare "${runs[@]}"
+    "$bin/memorymaze" table "${runs[@]}" --table reach
 }
 
 if [ -z "$model" ]; then
@@ -35,20 +38,16 @@ if [ -z "$model" ]; then
     texts_answered_in $recorded/programs_without_parser.jsonl "$all"
     texts_answered_in $recorded/navgpt.jsonl "$few"
     plans=(--set reader=model --replay $recorded/plans.jsonl)
-    names=(rules rules_plans explorer explorer_plans code_generation code_generation_parser navgpt)
     run rules rules --instructions "$all"
     run rules_plans rules --instructions "$all" "${plans[@]}"
     run explorer explorer --instructions "$all"
-    run explorer_plans explorer --instructions "$all" "${plans[@]}"
     run code_generation code_generation --instructions "$all" \
         --replay $recorded/programs_without_parser.jsonl
     run code_generation_parser code_generation --instructions "$all" \
         --replay $recorded/programs_with_parser.jsonl
     run navgpt navgpt --instructions "$few" --replay $recorded/navgpt.jsonl
-    for end in oracle stop; do
-        run $end $end --instructions "$all"
-        names+=("$end")
-    done
+    run oracle oracle --instructions "$all"
+    run stop stop --instructions "$all"
     how='--model NAME --record replies.sqlite asks a model, --replay replies.sqlite plays it again'
     absent=(
         --absent "navid=memorymaze evaluate --agent navid $how (a vision model)"
@@ -56,7 +55,7 @@ if [ -z "$model" ]; then
         --absent "code_generation, single stage=memorymaze evaluate --agent code_generation --set stages=single $how"
         --absent "code_generation with repair=memorymaze evaluate --agent code_generation --set repair=true $how"
     )
-    tables "${names[@]/#/$folder/$round/}"
+    tables
     exit
 fi
 
@@ -69,16 +68,19 @@ smollm2 | gguf:*)
     code_generation=(--set max_tokens=400)
     navgpt=(--set budget=released --set iterations=4 --set scratchpad=3000 --set max_tokens=120)
     navid=(--set pictures=none --set max_steps=30 --set max_tokens=60)
+    absent=(--absent "see_and_go=needs a model that sees pictures: make table-two MODEL=NAME")
     ;;
 *)
     code_generation=()
     navgpt=()
     navid=()
+    absent=()
     ;;
 esac
 read -ra options <<<"${OPTIONS:-}"
 
 for round in asked replayed; do
+    names=()
     ask=(--model "$model" --limit "$limit")
     if [ "$round" = asked ]; then
         ask+=(--record "$replies" "${options[@]}")
@@ -86,13 +88,17 @@ for round in asked replayed; do
         ask+=(--replay "$replies")
     fi
     run rules rules --limit "$limit"
+    run rules_plans rules --set reader=model "${ask[@]}"
+    run explorer explorer --limit "$limit"
     run code_generation code_generation --no-parser "${code_generation[@]}" "${ask[@]}"
     run code_generation_parser code_generation "${code_generation[@]}" "${ask[@]}"
     run navgpt navgpt "${navgpt[@]}" "${ask[@]}"
     run navid navid "${navid[@]}" "${ask[@]}"
+    [ ${#absent[@]} -gt 0 ] || run see_and_go see_and_go "${ask[@]}"
     "$bin/memorymaze" table "$folder/$round"/*/ --format csv --out "$folder/$round.csv"
 done
-"$bin/memorymaze" table "$folder"/asked/*/ --table II
+round=asked
+tables
 if cmp --silent "$folder/asked.csv" "$folder/replayed.csv"; then
     echo "replayed from $replies: the same table"
 else
