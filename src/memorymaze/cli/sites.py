@@ -1,11 +1,11 @@
-"""`memorymaze sites`: list, begin, check and draw site plans."""
+"""`memorymaze sites`: list, begin, make, check and draw site plans."""
 
 import argparse
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from memorymaze.cli.verbs import Verbs
+from memorymaze.cli.verbs import VerbParser, Verbs
 from memorymaze.wording import counted
 
 if TYPE_CHECKING:
@@ -19,14 +19,17 @@ def add_parser(verbs: Verbs) -> None:
     """Add the verb to the command line."""
     parser = verbs.add_parser(
         "sites",
-        help="list, begin, check and draw site plans, and get models for them",
-        description="List, begin, check and draw site plans (docs/site_plans.md), and "
+        help="list, begin, make, check and draw site plans, and get models for them",
+        description="List, begin, make, check and draw site plans (docs/site_plans.md), and "
         "convert models for what stands in them (docs/assets.md).",
         epilog="example: memorymaze sites check my_buildings/annex.geojson",
     )
-    parts = parser.add_subparsers(title="verbs", metavar="VERB", required=True)
+    parts = parser.add_subparsers(
+        title="verbs", metavar="VERB", required=True, parser_class=VerbParser
+    )
     _add_list(parts)
     _add_new(parts)
+    _add_generate(parts)
     _add_check(parts)
     _add_draw(parts)
     _add_models(parts)
@@ -62,6 +65,40 @@ def _add_new(verbs: Verbs) -> None:
         "--out", metavar="FILE", help="file to write (default: NAME.geojson)"
     )
     parser.set_defaults(run=_new)
+
+
+def _add_generate(verbs: Verbs) -> None:
+    parser = verbs.add_parser(
+        "generate",
+        help="make plans of buildings that no one built",
+        description="Make plausible floors of large public buildings, with rooms, signs, "
+        "things and routes, each as KIND_SEED.geojson (docs/made_buildings.md). The same "
+        "kind and seed give the same file, byte for byte.",
+        epilog="example: memorymaze sites generate --kind hospital --count 3 --out made",
+        options=_add_generate_options,
+    )
+    parser.set_defaults(run=_generate)
+
+
+def _add_generate_options(parser: argparse.ArgumentParser) -> None:
+    from memorymaze.construction import KINDS
+
+    parser.add_argument(
+        "--kind", choices=(*KINDS, "all"), required=True, help="kind of building"
+    )
+    parser.add_argument(
+        "--seed", type=int, default=0, metavar="N", help="the first seed (default: 0)"
+    )
+    parser.add_argument(
+        "--count",
+        type=int,
+        default=1,
+        metavar="K",
+        help="buildings of each kind, with seeds N, N+1, … (default: 1)",
+    )
+    parser.add_argument(
+        "--out", metavar="DIR", type=Path, required=True, help="folder to write into"
+    )
 
 
 def _add_check(verbs: Verbs) -> None:
@@ -143,6 +180,23 @@ def _new(args: argparse.Namespace) -> int:
     out.parent.mkdir(parents=True, exist_ok=True)
     write_new(out, plan)
     print(out)
+    return DONE
+
+
+def _generate(args: argparse.Namespace) -> int:
+    from memorymaze.construction import KINDS, make_building
+    from memorymaze.durable_files import write_new
+    from memorymaze.errors import SettingsError
+
+    if args.count < 1:
+        raise SettingsError(f"--count: expected at least 1, got {args.count}")
+    args.out.mkdir(parents=True, exist_ok=True)
+    for kind in KINDS if args.kind == "all" else (args.kind,):
+        for seed in range(args.seed, args.seed + args.count):
+            building = make_building(kind, seed)
+            path = args.out / f"{building.name}.geojson"
+            write_new(path, building.plan)
+            print(path)
     return DONE
 
 

@@ -17,7 +17,7 @@ from memorymaze.sites.loading_rules import (
     loading_findings,
 )
 from memorymaze.sites.problems import PLAN, Rule, SiteProblem
-from memorymaze.sites.reading import read_plan
+from memorymaze.sites.reading import PlanContent, read_plan
 from memorymaze.sites.records import Site
 from memorymaze.sites.route_rules import route_findings
 
@@ -71,7 +71,11 @@ def check_site(path: str | Path) -> list[SiteProblem]:
         All problems; no error among them means that the plan keeps the format.
     """
     path = Path(path)
-    content = read_plan(path)
+    return plan_problems(read_plan(path), path)
+
+
+def plan_problems(content: PlanContent, path: Path) -> list[SiteProblem]:
+    """Find everything in what was read of a plan that breaks a rule of the format."""
     site, broken, findings = site_from_content(content, str(path))
     findings = [*content.findings, *findings]
     if site is not None:

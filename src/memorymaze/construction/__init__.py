@@ -1,0 +1,10 @@
+"""Made buildings: recipes for kinds of large public floors.
+
+With the pieces that recipes share, and routes through them. Does not hold what a plan is
+(`sites`) or texts (`writing`).
+"""
+
+from memorymaze.construction.making import MadeBuilding, make_building
+from memorymaze.construction.recipes import KINDS, Kind
+
+__all__ = ["KINDS", "Kind", "MadeBuilding", "make_building"]

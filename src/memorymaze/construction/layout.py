@@ -1,0 +1,150 @@
+"""What a recipe says of a floor: streets, halls, and ways across halls.
+
+All else - rooms, doors, signs, things, routes - is made from this.
+"""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Literal
+
+from shapely import Polygon
+
+Place = tuple[float, float]
+"""Metres."""
+
+
+class UnsuitableFloor(Exception):
+    """A drawn floor breaks a rule; draw another."""
+
+
+@dataclass(frozen=True)
+class Street:
+    """A corridor, straight or bent, with what lies along it."""
+
+    points: tuple[Place, ...]
+    """Its middle line; a loop ends where it starts."""
+    width: float
+    program: str
+    """What rooms and things lie along it: a key of the kind's programs."""
+    zone: int
+    """Wing or building it belongs to, from 0; the hundreds of its room numbers."""
+    name: str | None = None
+    rooms: Literal["both", "left", "right", "none"] = "both"
+    """Which sides of it have rooms, seen along the line."""
+    signed: bool = True
+    """Whether signs hang where it meets others."""
+
+    @property
+    def is_loop(self) -> bool:
+        """Whether it ends where it starts."""
+        return self.points[0] == self.points[-1]
+
+
+@dataclass(frozen=True)
+class Hall:
+    """Open floor over or beside streets; its holes are blocks one walks around."""
+
+    polygon: Polygon
+    name: str
+    program: str
+    zone: int
+    open_air: bool = False
+
+
+@dataclass(frozen=True)
+class Across:
+    """A way across a hall where no corridor leads."""
+
+    points: tuple[Place, ...]
+    hall: str
+    """Name of the hall."""
+
+
+@dataclass
+class Layout:
+    """A floor as a recipe draws it."""
+
+    streets: list[Street] = field(default_factory=list[Street])
+    halls: list[Hall] = field(default_factory=list[Hall])
+    ways_across: list[Across] = field(default_factory=list[Across])
+    entrances: list[tuple[Place, str]] = field(default_factory=list[tuple[Place, str]])
+    """Ends of streets that lead outside, with what they are called."""
+
+    def street(
+        self,
+        points: Sequence[Place],
+        width: float,
+        program: str,
+        zone: int,
+        name: str | None = None,
+        *,
+        rooms: Literal["both", "left", "right", "none"] = "both",
+        signed: bool = True,
+    ) -> None:
+        """Add a street."""
+        self.streets.append(
+            Street(tuple(points), width, program, zone, name, rooms, signed)
+        )
+
+    def hall(
+        self,
+        polygon: Polygon,
+        name: str,
+        program: str,
+        zone: int,
+        across: Sequence[Sequence[Place]] = (),
+        *,
+        open_air: bool = False,
+    ) -> None:
+        """Add a hall and the ways across it."""
+        self.halls.append(Hall(polygon, name, program, zone, open_air))
+        self.ways_across += [Across(tuple(points), name) for points in across]
+
+
+@dataclass(frozen=True)
+class Frame:
+    """A place and a heading that a wing is drawn in."""
+
+    origin: Place = (0.0, 0.0)
+    heading_deg: float = 0.0
+
+    def at(self, ahead: float, left: float = 0.0) -> Place:
+        """Return the place so many metres ahead and to the left."""
+        cosine = math.cos(math.radians(self.heading_deg))
+        sine = math.sin(math.radians(self.heading_deg))
+        return (
+            round(self.origin[0] + ahead * cosine - left * sine, 3),
+            round(self.origin[1] + ahead * sine + left * cosine, 3),
+        )
+
+    def line(self, *places: Place) -> tuple[Place, ...]:
+        """Return places of this frame as places of the floor."""
+        return tuple(self.at(*place) for place in places)
+
+    def box(self, ahead: float, right: float, end: float, left: float) -> Polygon:
+        """Return the rectangle between two corners."""
+        return Polygon(
+            self.line((ahead, right), (end, right), (end, left), (ahead, left))
+        )
+
+    def octagon(
+        self, ahead: float, right: float, end: float, left: float, cut: float
+    ) -> Polygon:
+        """Return the rectangle between two corners with its corners cut off."""
+        return Polygon(
+            self.line(
+                (ahead + cut, right),
+                (end - cut, right),
+                (end, right + cut),
+                (end, left - cut),
+                (end - cut, left),
+                (ahead + cut, left),
+                (ahead, left - cut),
+                (ahead, right + cut),
+            )
+        )
+
+    def moved(self, ahead: float, left: float, turn_deg: float = 0.0) -> "Frame":
+        """Return the frame so many metres ahead and to the left, turned."""
+        return Frame(self.at(ahead, left), self.heading_deg + turn_deg)

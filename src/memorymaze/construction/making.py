@@ -1,0 +1,193 @@
+"""Buildings from a kind and a seed; a floor that breaks a rule is drawn again."""
+
+import json
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from memorymaze.construction.floor import Floor
+from memorymaze.construction.layout import UnsuitableFloor
+from memorymaze.construction.plan import features_of, plan_bytes
+from memorymaze.construction.recipes import KINDS, RECIPES, Kind
+from memorymaze.construction.rooms import Door, RoomPlanner
+from memorymaze.construction.skeleton import Skeleton
+from memorymaze.construction.things import Furnisher
+from memorymaze.construction.vocabulary import (
+    Special,
+    Vocabulary,
+    furnishings,
+    vocabulary,
+)
+from memorymaze.construction.walls import Wall, end_wall, walls_of
+from memorymaze.construction.ways import Ways
+from memorymaze.errors import SettingsError, did_you_mean
+from memorymaze.sites.checking import plan_problems
+from memorymaze.sites.reading import understand_plan
+
+MOST_TRIES = 60
+"""Floors drawn for one building before giving up."""
+TURNING_POINTS = (20, 70)
+"""Fewest and most of a building."""
+ACROSS = (40.0, 110.0)
+"""Metres along the longer side of a floor's bounding box."""
+STAIRS = Special(
+    name="Stairs",
+    use="stairwell",
+    width=3.0,
+    depth=5.0,
+    door="fire",
+    programs=(),
+)
+
+
+@dataclass(frozen=True)
+class MadeBuilding:
+    """One floor of a building that no one built."""
+
+    name: str
+    """Kind and seed, such as `hospital_0007`; the stem of its plan's file."""
+    kind: Kind
+    seed: int
+    plan: bytes
+    """In the format of `docs/site_plans.md`; the same seed gives the same bytes."""
+
+
+def make_building(kind: Kind, seed: int) -> MadeBuilding:
+    """Make a building's floor.
+
+    Args:
+        kind: One of `KINDS`.
+        seed: From 0; which building of its kind.
+
+    Returns:
+        A plan that breaks no rule of `memorymaze sites check`.
+
+    Raises:
+        SettingsError: There is no such kind, the seed is negative, or no floor drawn
+            from this seed kept all rules.
+    """
+    if kind not in KINDS:
+        raise SettingsError(
+            f"kind: expected one of {', '.join(KINDS)}, got {kind!r}"
+            f"{did_you_mean(kind, KINDS)}"
+        )
+    if seed < 0:
+        raise SettingsError(f"seed: expected a number from 0, got {seed}")
+    rng = np.random.default_rng([KINDS.index(kind), seed])
+    name = f"{kind}_{seed:04d}"
+    reasons: list[str] = []
+    for _ in range(MOST_TRIES):
+        try:
+            return MadeBuilding(name, kind, seed, _drawn(name, kind, rng))
+        except UnsuitableFloor as reason:
+            reasons.append(str(reason))
+    raise SettingsError(
+        f"{kind} with seed {seed}: expected a floor that keeps all rules within "
+        f"{MOST_TRIES} tries, got none, the last because of: {reasons[-1]}; take another "
+        "seed"
+    )
+
+
+def _drawn(name: str, kind: Kind, rng: np.random.Generator) -> bytes:
+    """Return the plan of one drawn floor, or raise why it is unsuitable."""
+    words = vocabulary(kind)
+    layout = RECIPES[kind](rng)
+    floor = Floor(layout, Skeleton(layout))
+    _check_size(floor)
+    walls = walls_of(floor)
+    digit = int(rng.integers(len(words.floors)))
+    planner = RoomPlanner(floor, words, rng)
+    doors, exits = _close_ends(floor, walls, words, planner, rng)
+    rooms = planner.place(walls, digit + 1)
+    furnisher = Furnisher(floor, words, rooms, rng)
+    furnisher.label_doors(rooms)
+    for wall in exits:
+        furnisher.hang(
+            "exit sign",
+            wall.at(wall.length / 2, 0.8),
+            wall.facing,
+            (0.4, 0.06, 0.2),
+            "green",
+            "EXIT",
+        )
+    ways = Ways(floor, rooms)
+    ways.hang_signs(furnisher, rng)
+    for number in range(len(floor.halls)):
+        furnisher.furnish_hall(number)
+    for wall in walls:
+        furnisher.furnish_wall(wall)
+    routes = ways.routes(rng)
+    title = words.titles[rng.integers(len(words.titles))]
+    header: dict[str, object] = {
+        "name": name,
+        "title": title,
+        "floor": words.floors[digit],
+        "ceiling_height_m": float(rng.choice(words.ceilings)),
+        "anchor": None,
+        "description": f"A made floor of a {kind}; no such building exists.",
+    }
+    plan = plan_bytes(
+        header, features_of(floor, words, rooms, doors, furnisher.things, routes)
+    )
+    problems = plan_problems(understand_plan(json.loads(plan)), Path(f"{name}.geojson"))
+    if problems:
+        raise UnsuitableFloor(problems[0].line())
+    return plan
+
+
+def _check_size(floor: Floor) -> None:
+    west, south, east, north = floor.walkable.bounds
+    across = max(east - west, north - south)
+    if not ACROSS[0] <= across <= ACROSS[1]:
+        raise UnsuitableFloor(f"{across:.0f} m across")
+    points = len(floor.turning_points)
+    if not TURNING_POINTS[0] <= points <= TURNING_POINTS[1]:
+        raise UnsuitableFloor(f"{points} turning points")
+
+
+def _close_ends(
+    floor: Floor,
+    walls: list[Wall],
+    words: Vocabulary,
+    planner: RoomPlanner,
+    rng: np.random.Generator,
+) -> tuple[list[Door], list[Wall]]:
+    """Put entrances, stairs, exits or windows at the ends of streets.
+
+    Returns doors that lead to no room, and walls with a way out in them.
+    """
+    skeleton = floor.skeleton
+    entrances = {
+        skeleton.node_at(place): name for place, name in floor.layout.entrances
+    }
+    doors: list[Door] = []
+    exits: list[Wall] = []
+    for node in skeleton.graph:
+        place = skeleton.places[node]
+        if skeleton.graph.degree[node] > 1 or floor.hall_around(place) is not None:
+            continue
+        wall = end_wall(walls, place)
+        if wall is None:
+            raise UnsuitableFloor("a dead end without a wall")
+        if node in entrances:
+            doors.append(_door_in(wall, "automatic", entrances[node], rng))
+            exits.append(wall)
+            continue
+        ends = words.programs[wall.program].ends
+        end = ends[rng.integers(len(ends))]
+        if end == "stairs" and planner.add_behind(wall, STAIRS, 1.0):
+            exits.append(wall)
+        elif end != "window":
+            doors.append(_door_in(wall, "fire", "EXIT", rng))
+            exits.append(wall)
+    return doors, exits
+
+
+def _door_in(wall: Wall, kind: str, label: str, rng: np.random.Generator) -> Door:
+    door = furnishings().doors[kind]
+    half = min(door.width, wall.length - 0.3) / 2
+    middle = wall.length / 2
+    wall.take(middle - half - 0.1, middle + half + 0.1)
+    color = door.colors[rng.integers(len(door.colors))]
+    return Door(wall, middle - half, middle + half, door.style, color, label)

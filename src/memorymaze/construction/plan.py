@@ -1,0 +1,194 @@
+"""A made floor written down in the format of `docs/site_plans.md`."""
+
+import json
+import math
+from collections.abc import Iterator, Sequence
+
+from shapely import LineString, Polygon
+
+from memorymaze.construction.floor import Floor, corridor_id, hall_id
+from memorymaze.construction.layout import Place
+from memorymaze.construction.rooms import Door, Room
+from memorymaze.construction.things import Thing
+from memorymaze.construction.vocabulary import Vocabulary
+from memorymaze.construction.ways import Route, Way
+from memorymaze.geometry.pose import heading_to
+
+Feature = dict[str, object]
+
+
+def plan_bytes(header: dict[str, object], features: Sequence[Feature]) -> bytes:
+    """Return a plan as a GeoJSON file, one feature a line."""
+    members = json.dumps({"type": "FeatureCollection", **header}, ensure_ascii=False)
+    lines = ",\n".join(json.dumps(each, ensure_ascii=False) for each in features)
+    return f'{members[:-1]}, "features": [\n{lines}\n]}}\n'.encode()
+
+
+def features_of(
+    floor: Floor,
+    words: Vocabulary,
+    rooms: Sequence[Room],
+    doors: Sequence[Door],
+    things: Sequence[Thing],
+    routes: Sequence[Route],
+) -> list[Feature]:
+    """Return all features; `doors` are those that lead to no room."""
+    features = list(_floor_features(floor, words))
+    for index, room in enumerate(rooms, start=1):
+        features.append(
+            _polygon(
+                f"room_{index}", "room", room.polygon, name=room.name, use=room.use
+            )
+        )
+    numbered = [
+        (door, f"room_{index}")
+        for index, room in enumerate(rooms, start=1)
+        for door in room.doors
+    ]
+    door_ids: dict[int, str] = {}
+    for index, (door, room_id) in enumerate(
+        [*numbered, *((door, None) for door in doors)], start=1
+    ):
+        door_ids[id(door)] = f"door_{index}"
+        features.append(_door(f"door_{index}", door, room_id))
+    counts: dict[str, int] = {}
+    for thing in things:
+        stem = thing.category.lower().replace(" ", "_")
+        counts[stem] = counts.get(stem, 0) + 1
+        features.append(_landmark(f"{stem}_{counts[stem]}", thing))
+    for index, route in enumerate(routes, start=1):
+        goal = route.destination.room
+        if goal is None:
+            raise ValueError(f"{route.destination.name} has no door")
+        for number, way in enumerate(route.ways):
+            features.append(
+                _route(index, number, way, route, door_ids[id(goal.doors[0])])
+            )
+    return features
+
+
+def _floor_features(floor: Floor, words: Vocabulary) -> Iterator[Feature]:
+    layout = floor.layout
+    for (number, piece), polygon in floor.corridors.items():
+        street = layout.streets[number]
+        program = words.programs[street.program]
+        yield _polygon(
+            corridor_id(number, piece),
+            "corridor",
+            polygon,
+            name=street.name,
+            floor_material=program.floor,
+            wall_material=program.wall,
+        )
+    for number, (hall, polygon) in enumerate(
+        zip(layout.halls, floor.halls, strict=True)
+    ):
+        program = words.programs[hall.program]
+        yield _polygon(
+            hall_id(number),
+            "area",
+            polygon,
+            name=hall.name,
+            floor_material=program.floor,
+            wall_material=program.wall,
+            open_air=hall.open_air,
+        )
+    entrances = {
+        floor.skeleton.node_at(place): name for place, name in layout.entrances
+    }
+    for point in floor.turning_points:
+        hall = floor.hall_around(floor.skeleton.places[point.node])
+        yield _polygon(
+            point.id,
+            "turning_point",
+            point.polygon,
+            name=entrances.get(point.node)
+            or (None if hall is None else layout.halls[hall].name),
+            shape=point.shape,
+            exits=[
+                {"to": each.to, "heading_deg": _degrees(each.heading)}
+                for each in point.exits
+            ],
+        )
+
+
+def _door(identity: str, door: Door, room: str | None) -> Feature:
+    ends = (door.wall.at(door.start), door.wall.at(door.end))
+    return _feature(
+        identity,
+        "door",
+        {"type": "LineString", "coordinates": [_position(end) for end in ends]},
+        room=room,
+        style=door.style,
+        color=door.color,
+        label=door.label,
+        state="closed",
+    )
+
+
+def _landmark(identity: str, thing: Thing) -> Feature:
+    return _feature(
+        identity,
+        "landmark",
+        {"type": "Point", "coordinates": _position(thing.place)},
+        category=thing.category,
+        color=thing.color,
+        name=None,
+        text=thing.text,
+        heading_deg=_degrees(thing.heading),
+        size_m=list(thing.size),
+        mount=thing.mount,
+        obstacle=thing.obstacle,
+    )
+
+
+def _route(index: int, number: int, way: Way, route: Route, goal: str) -> Feature:
+    role = f"alternative_{number}" if number else "reference"
+    line = [_position(place) for place in way.line]
+    return _feature(
+        f"route_r{index}_{role}",
+        "route",
+        {"type": "LineString", "coordinates": line},
+        route=f"R{index}",
+        role=role.split("_")[0],
+        start_heading_deg=_degrees(heading_to(way.line[0], way.line[1])),
+        goal=route.destination.name,
+        goal_landmark=goal,
+        length_m=round(LineString(line).length, 3),
+        turns=[
+            {"at": f"tp_{turn.node + 1}", "direction": turn.direction}
+            for turn in way.turns
+        ],
+        note="",
+    )
+
+
+def _polygon(
+    identity: str, kind: str, polygon: Polygon, **properties: object
+) -> Feature:
+    rings = [
+        [_position((x, y)) for x, y in ring.coords]
+        for ring in (polygon.exterior, *polygon.interiors)
+    ]
+    return _feature(
+        identity, kind, {"type": "Polygon", "coordinates": rings}, **properties
+    )
+
+
+def _feature(
+    identity: str, kind: str, geometry: dict[str, object], **properties: object
+) -> Feature:
+    return {
+        "type": "Feature",
+        "id": identity,
+        "geometry": geometry,
+        "properties": {"kind": kind, **properties},
+    }
+
+
+def _position(place: Place) -> list[float]:
+    return [round(place[0], 3) + 0.0, round(place[1], 3) + 0.0]
+
+
+def _degrees(heading: float) -> float:
+    return round(math.degrees(heading) % 360, 2) % 360

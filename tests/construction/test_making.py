@@ -1,0 +1,45 @@
+import json
+import os
+import subprocess
+import sys
+
+import pytest
+
+from memorymaze.construction import KINDS, make_building
+from memorymaze.errors import SettingsError
+from memorymaze.sites import check_site
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_made_building_breaks_no_rule(kind, tmp_path):
+    building = make_building(kind, 3)
+    path = tmp_path / f"{building.name}.geojson"
+    path.write_bytes(building.plan)
+    assert check_site(path) == []
+
+
+def test_the_same_seed_gives_the_same_bytes_in_another_process():
+    program = (
+        "import sys; from memorymaze.construction import make_building; "
+        "sys.stdout.buffer.write(make_building('hospital', 5).plan)"
+    )
+    environment = {**os.environ, "PYTHONHASHSEED": "77"}
+    other = subprocess.run(
+        [sys.executable, "-c", program],
+        env=environment,
+        check=True,
+        capture_output=True,
+    )
+    assert other.stdout == make_building("hospital", 5).plan
+
+
+def test_another_seed_gives_another_building():
+    plans = [json.loads(make_building("hospital", seed).plan) for seed in (1, 2)]
+    assert plans[0]["features"][0]["geometry"] != plans[1]["features"][0]["geometry"]
+
+
+def test_an_unknown_kind_is_told_with_those_there_are():
+    with pytest.raises(
+        SettingsError, match=r"expected one of .*hospital.*did you mean"
+    ):
+        make_building("hospitl", 0)
