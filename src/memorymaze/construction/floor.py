@@ -17,7 +17,7 @@ from memorymaze.construction.layout import (
 )
 from memorymaze.construction.skeleton import STRAIGHT, Leg, Skeleton
 from memorymaze.geometry.pose import heading_to, turn_between
-from memorymaze.sites.records import union_of_floor
+from memorymaze.sites.records import floor_pieces
 
 THROUGH = math.radians(20)
 """Legs that bend less than this are one street at a junction."""
@@ -65,7 +65,10 @@ class Floor:
             for piece, corners in enumerate(_street_pieces(street))
         }
         self.halls = [rounded(hall.polygon) for hall in layout.halls]
-        self.walkable = union_of_floor([*self.corridors.values(), *self.halls])
+        parts = floor_pieces([*self.corridors.values(), *self.halls])
+        if len(parts) > 1:
+            raise UnsuitableFloor("a floor in pieces")
+        self.walkable = parts[0]
 
     @cached_property
     def turning_points(self) -> tuple[TurningPoint, ...]:
@@ -199,7 +202,7 @@ def _through_pair(legs: Sequence[Leg]) -> tuple[Leg, Leg] | None:
         pairs,
         key=lambda each: (each[0] > STRAIGHT, -each[1].width - each[2].width, each[0]),
     )
-    return (leg, other) if bend < THROUGH else None
+    return (leg, other) if bend < (THROUGH if len(legs) > 2 else STRAIGHT) else None
 
 
 def _mouth_reach(through: Leg, side: Leg) -> float:

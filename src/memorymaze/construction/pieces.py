@@ -91,3 +91,27 @@ def ring(
         )
     layout.street(frame.line((0, 0), (near, 0)), width, program, zone, name)
     layout.street(loop, width, program, zone, name)
+
+
+def side_hall(
+    layout: Layout,
+    frame: Frame,
+    width: float,
+    depth: float,
+    half: float,
+    name: str,
+    program: str,
+    zone: int,
+    *,
+    open_air: bool = False,
+) -> None:
+    """Add a hall beside a street of this width, ahead of a frame on its middle line."""
+    near = width / 2
+    layout.hall(
+        frame.box(near - 0.4, -half, near + depth, half),
+        name,
+        program,
+        zone,
+        [frame.line((0, 0), (near + depth / 2, 0))],
+        open_air=open_air,
+    )

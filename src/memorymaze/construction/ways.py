@@ -242,7 +242,7 @@ class Ways:
         )
         order = np.argsort(luck + np.where(named, 0.0, NUMBERED_LATER))
         chosen: list[Route] = []
-        for wanted in ((3, 5), (5, TURNS[1])):
+        for wanted in ((TURNS[0], 5), (4, TURNS[1])):
             for index in order:
                 start, goal = drawn[index]
                 if any(route.destination.name == goal.name for route in chosen):

@@ -6,10 +6,33 @@ from typing import Literal, get_args
 import numpy as np
 
 from memorymaze.construction.layout import Layout
+from memorymaze.construction.recipes.airport import airport
 from memorymaze.construction.recipes.hospital import hospital
+from memorymaze.construction.recipes.mall import mall
+from memorymaze.construction.recipes.museum import museum
+from memorymaze.construction.recipes.office import office
+from memorymaze.construction.recipes.school import school
+from memorymaze.construction.recipes.station import station
+from memorymaze.construction.recipes.university import university
 
-Kind = Literal["hospital"]
+Kind = Literal[
+    "university",
+    "museum",
+    "hospital",
+    "office",
+    "mall",
+    "station",
+    "school",
+    "airport",
+]
 KINDS: tuple[Kind, ...] = get_args(Kind)
 RECIPES: dict[Kind, Callable[[np.random.Generator], Layout]] = {
+    "university": university,
+    "museum": museum,
     "hospital": hospital,
+    "office": office,
+    "mall": mall,
+    "station": station,
+    "school": school,
+    "airport": airport,
 }

@@ -1,0 +1,91 @@
+"""Airports: a check-in hall, a bent concourse, two piers with lounges at gates."""
+
+import numpy as np
+
+from memorymaze.construction.layout import Frame, Layout
+from memorymaze.construction.pieces import (
+    bent,
+    between,
+    either,
+    frame_on,
+    side_hall,
+    stub,
+)
+
+
+def airport(rng: np.random.Generator) -> Layout:
+    """Draw a terminal."""
+    layout = Layout()
+    side = either(rng)
+    concourse = bent(
+        Frame(),
+        (between(rng, 26, 30), 0),
+        (between(rng, 18, 22), side * between(rng, 15.5, 24)),
+    )
+    layout.street(concourse, 6.0, "concourse", 0, "Main Concourse")
+    layout.entrances.append((concourse[0], "Terminal Entrance"))
+    layout.hall(
+        Frame().box(3, -9, between(rng, 15, 17), 9), "Check-in Hall", "checkin", 0
+    )
+    check = frame_on(concourse, 9.5)
+    for sign, name in ((1, "North Exit"), (-1, "South Exit")):
+        way = bent(
+            check.moved(0, 0, sign * 90),
+            (between(rng, 15, 18), 0),
+            (between(rng, 9, 12), -sign * between(rng, 35, 50)),
+        )
+        layout.street(
+            way, 3.2, "landside", 1 if sign > 0 else 2, name.split()[0] + " Hallway"
+        )
+        layout.entrances.append((way[-1], name))
+        stub(
+            layout,
+            frame_on(way, 13.5).moved(0, 0, sign * 90),
+            between(rng, 6, 8),
+            2.2,
+            "service",
+            1 if sign > 0 else 2,
+        )
+    for sign in (1, -1):
+        stub(
+            layout,
+            frame_on(concourse, 21.0).moved(0, 0, 90 * sign),
+            between(rng, 7.5, 10),
+            2.4,
+            "service",
+            0,
+        )
+
+    fork = Frame(concourse[-1], side * 20.0)
+    layout.hall(fork.octagon(-7, -9, 8, 9, 3), "Central Plaza", "plaza", 0)
+    for zone, sign in ((3, 1), (4, -1)):
+        pier = bent(
+            fork.moved(0, 0, sign * between(rng, 48, 62)),
+            (between(rng, 24, 28), 0),
+            (between(rng, 18, 24), -sign * between(rng, 25, 40)),
+        )
+        width = between(rng, 4.6, 5.6)
+        layout.street(pier, width, "pier", zone, f"Pier {'  XAB'[zone]}")
+        for distance, turn in ((14.0, 90), (20.5, -90)):
+            side_hall(
+                layout,
+                frame_on(pier, distance).moved(0, 0, turn),
+                width,
+                between(rng, 6, 8),
+                4.0,
+                f"Lounge {'  XAB'[zone]}{1 if turn > 0 else 2}",
+                "lounge",
+                zone,
+            )
+        stub(
+            layout,
+            frame_on(pier, 34).moved(0, 0, sign * 90),
+            between(rng, 6, 9),
+            2.2,
+            "service",
+            zone,
+        )
+    layout.street(
+        bent(fork, (between(rng, 14, 18), 0)), 4.0, "concourse", 0, "Shopping Walk"
+    )
+    return layout

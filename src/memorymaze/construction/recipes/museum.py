@@ -1,0 +1,103 @@
+"""Museums: galleries as halls round an atrium, slanted wings, a terrace."""
+
+import numpy as np
+
+from memorymaze.construction.layout import Frame, Layout
+from memorymaze.construction.pieces import bent, between, either, frame_on, side_hall
+
+
+def museum(rng: np.random.Generator) -> Layout:
+    """Draw a museum."""
+    layout = Layout()
+    side = either(rng)
+    deep, half, cut = between(rng, 21, 25), between(rng, 12, 14), between(rng, 4, 5)
+    atrium = Frame()
+    loop = atrium.line(
+        (0, -half + cut),
+        (cut, -half),
+        (deep - cut, -half),
+        (deep, -half + cut),
+        (deep, half - cut),
+        (deep - cut, half),
+        (cut, half),
+        (0, half - cut),
+        (0, -half + cut),
+    )
+    layout.street(
+        loop, between(rng, 3.6, 4.4), "atrium", 0, "Atrium Walk", rooms="right"
+    )
+    entry = atrium.moved(0, 0, 180)
+    layout.street(entry.line((0, 0), (19, 0)), 4.0, "foyer", 0, "Foyer")
+    layout.hall(entry.octagon(4.5, -8, 16, 7, 2), "Foyer", "foyer", 0)
+    layout.entrances.append((entry.at(19), "Main Entrance"))
+
+    names = [str(name) for name in rng.permutation(GALLERIES)]
+    east = bent(
+        Frame(atrium.at(deep, 0), side * between(rng, 5, 12)),
+        (between(rng, 22, 26), 0),
+        (between(rng, 14, 18), -side * between(rng, 28, 42)),
+    )
+    wide = between(rng, 4.5, 6)
+    layout.street(east, wide, "gallery", 1, "Long Gallery")
+    for distance, turn in ((10.0, 90), (16.5, -90)):
+        side_hall(
+            layout,
+            frame_on(east, distance).moved(0, 0, turn),
+            wide,
+            between(rng, 7, 10),
+            between(rng, 3.5, 4.5),
+            names.pop(),
+            "exhibits",
+            1,
+        )
+    side_hall(
+        layout, frame_on(east, 33.0).moved(0, 0, side * 90), wide, 8.0, 4.5,
+        names.pop(), "exhibits", 1,
+    )  # fmt: skip
+
+    for zone, sign in ((2, 1), (3, -1)):
+        out = atrium.moved(deep * 0.5, sign * half, sign * between(rng, 72, 90))
+        wing = bent(
+            out, (between(rng, 15, 18), 0), (between(rng, 15, 20), sign * side * 35)
+        )
+        width = between(rng, 3.2, 4.6)
+        layout.street(wing, width, "gallery", zone, WINGS[zone])
+        layout.hall(
+            Frame(wing[1], out.heading_deg).octagon(-4.5, -6, 6, 6, 1.5),
+            names.pop(),
+            "exhibits",
+            zone,
+        )
+        side_hall(
+            layout,
+            frame_on(wing, 8.5).moved(0, 0, 90),
+            width,
+            7.0,
+            between(rng, 3.0, 3.8),
+            names.pop(),
+            "exhibits",
+            zone,
+        )
+        layout.street(
+            bent(frame_on(wing, 24).moved(0, 0, -sign * side * 90), (9.0, 0)),
+            2.2,
+            "service",
+            zone,
+            signed=False,
+        )
+    return layout
+
+
+GALLERIES = (
+    "Hall of Planets",
+    "Ocean Hall",
+    "Fossil Hall",
+    "Robot Gallery",
+    "Energy Gallery",
+    "Hall of Minerals",
+    "Story of Life",
+    "City Gallery",
+    "Earthquake Gallery",
+    "Space Hall",
+)
+WINGS = ("", "", "North Gallery", "South Gallery")
