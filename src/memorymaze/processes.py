@@ -10,6 +10,11 @@ from multiprocessing.connection import wait
 from multiprocessing.process import BaseProcess
 
 
+def available_cores() -> int:
+    """Return how many processor cores this process may use."""
+    return len(os.sched_getaffinity(0))
+
+
 @contextlib.contextmanager
 def main_left_out() -> Generator[None]:
     """Keep processes that are started here from running the user's script once more.

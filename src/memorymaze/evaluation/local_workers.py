@@ -20,16 +20,11 @@ from memorymaze.evaluation.episode_worker import (
 from memorymaze.evaluation.plan import RunPlan
 from memorymaze.evaluation.settings import RunDefinition
 from memorymaze.evaluation.worker_pool import LEAVING_TIME, WorkerDied
-from memorymaze.processes import die_with_parent, main_left_out
+from memorymaze.processes import available_cores, die_with_parent, main_left_out
 from memorymaze.wording import counted
 
 # Children that begin afresh hold no locks or threads of the parent's libraries.
 PROCESSES = multiprocessing.get_context("spawn")
-
-
-def available_cores() -> int:
-    """Return how many processor cores this process may use."""
-    return len(os.sched_getaffinity(0))
 
 
 @dataclass(frozen=True, slots=True)

@@ -25,11 +25,11 @@ from memorymaze.evaluation.episode_worker import (
     EpisodeTask,
     EpisodeWorker,
 )
-from memorymaze.evaluation.local_workers import available_cores
 from memorymaze.evaluation.plan import RunPlan
 from memorymaze.evaluation.provenance import code_stamp
 from memorymaze.evaluation.settings import RunDefinition
 from memorymaze.evaluation.worker_pool import LEAVING_TIME, WorkerDied
+from memorymaze.processes import available_cores
 from memorymaze.wording import counted
 
 ANSWER_TIME = 10.0
