@@ -303,14 +303,51 @@ class DiscreteWalk(NamedTuple):
     """Where the agent stands before each action, metres."""
 
 
+class LineFollower:
+    """Decides, step by step, how to go along a line.
+
+    It heads for a point a little ahead on the line, turns as often as brings it nearest
+    to that direction, and steps; it stops where another step would not bring it nearer
+    to the end. It never strays farther from the line than about a step.
+    """
+
+    def __init__(self, line: ArrayLike, step: float, turn: float) -> None:
+        """Begin on the line's first vertex, with metres of a step, radians of a turn."""
+        self._line = line
+        self._step, self._turn = step, turn
+        self._total = length(line)
+        self._end = tuple(point_at(line, self._total).tolist())
+        self._along = 0.0
+
+    def turns_before_step(self, pose: Pose) -> int | None:
+        """Return how often to turn left (negative: right) before a step; None: stop."""
+        x, y, _ = pose
+        self._along = max(self._along, _progress(self._line, self._along, (x, y)))
+        ahead = point_at(self._line, min(self._along + LOOK_AHEAD, self._total))
+        aim = (float(ahead[0]), float(ahead[1]))
+        turns = 0
+        if math.dist((x, y), aim) > 1e-9:
+            turns = round(bearing_to(pose, aim) / self._turn)
+        there = self.after(pose, turns)[:2]
+        near_end = self._total - self._along < LOOK_AHEAD
+        if near_end and math.dist(there, self._end) >= math.dist((x, y), self._end):
+            return None
+        return turns
+
+    def after(self, pose: Pose, turns: int) -> Pose:
+        """Return where turns and a step lead."""
+        heading = wrap_angle(pose.heading + turns * self._turn)
+        return Pose(
+            pose.x + self._step * math.cos(heading),
+            pose.y + self._step * math.sin(heading),
+            heading,
+        )
+
+
 def walk_along(
     line: ArrayLike, start: Pose, *, step: float = 0.25, turn: float = math.radians(15)
 ) -> DiscreteWalk:
     """Walk along a line with steps of one length and turns of one angle.
-
-    The agent heads for a point a little ahead on the line, turns as often as brings it
-    nearest to that direction, and steps; it stops where another step would not bring
-    it nearer to the end. It never strays farther from the line than about a step.
 
     Args:
         line: Vertices, metres, shape (N, 2).
@@ -318,31 +355,15 @@ def walk_along(
         step: Metres of `FORWARD`.
         turn: Radians of `LEFT` and `RIGHT`.
     """
-    total = length(line)
-    end = tuple(point_at(line, total).tolist())
-    x, y, heading = start
-    along = 0.0
+    follower = LineFollower(line, step, turn)
+    pose = start
     actions: list[int] = []
     places: list[tuple[float, float]] = []
-    while True:
-        along = max(along, _progress(line, along, (x, y)))
-        ahead = point_at(line, min(along + LOOK_AHEAD, total))
-        aim = (float(ahead[0]), float(ahead[1]))
-        turns = 0
-        if math.dist((x, y), aim) > 1e-9:
-            turns = round(bearing_to(Pose(x, y, heading), aim) / turn)
-        ahead_heading = wrap_angle(heading + turns * turn)
-        there = (
-            x + step * math.cos(ahead_heading),
-            y + step * math.sin(ahead_heading),
-        )
-        near_end = total - along < LOOK_AHEAD
-        if near_end and math.dist(there, end) >= math.dist((x, y), end):
-            break
+    while (turns := follower.turns_before_step(pose)) is not None:
         actions += [LEFT if turns > 0 else RIGHT] * abs(turns) + [FORWARD]
-        places += [(x, y)] * (abs(turns) + 1)
-        (x, y), heading = there, ahead_heading
-    return DiscreteWalk((*actions, STOP), (*places, (x, y)))
+        places += [(pose.x, pose.y)] * (abs(turns) + 1)
+        pose = follower.after(pose, turns)
+    return DiscreteWalk((*actions, STOP), (*places, (pose.x, pose.y)))
 
 
 def _progress(line: ArrayLike, along: float, place: tuple[float, float]) -> float:
