@@ -1,0 +1,9 @@
+"""Datasets of made buildings with made texts: splits, files, frames of perfect walks.
+
+Does not hold how buildings (`construction`) and texts (`writing`) are made, nor running
+agents on them (`evaluation`).
+"""
+
+from memorymaze.datasets.making import DatasetRequest, check_out, make_dataset
+
+__all__ = ["DatasetRequest", "check_out", "make_dataset"]

@@ -1,0 +1,78 @@
+"""One building of a dataset: its plan, its texts, and walks along its routes."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from memorymaze.construction import make_building
+from memorymaze.datasets.splits import PlannedBuilding
+from memorymaze.datasets.walks import StepWalk, walk_by_steps
+from memorymaze.durable_files import write_whole
+from memorymaze.instructions.records import Instruction
+from memorymaze.simulation import build_scene
+from memorymaze.sites import Site, load_site
+from memorymaze.writing import ErrorRates, cells_of, sample_outlines, write_texts
+
+CELLS = (("online", 1), ("onsite", 1), ("online", 2), ("onsite", 2))
+"""Studies and iterations, between which the texts of a route are shared evenly."""
+
+
+@dataclass(frozen=True, slots=True)
+class BuildingTask:
+    """What a worker needs to make a building."""
+
+    planned: PlannedBuilding
+    folder: Path
+    """Of the plans; there already."""
+    per_route: int
+    rates: ErrorRates
+    seed: int
+    """Of the texts."""
+    walked: bool
+    """Whether its routes are walked by steps."""
+
+
+@dataclass(frozen=True, slots=True)
+class FinishedBuilding:
+    """A building whose plan is written, and what is told of it."""
+
+    planned: PlannedBuilding
+    site: Site
+    instructions: tuple[Instruction, ...]
+    walks: Mapping[str, StepWalk]
+    """By the id of the route."""
+
+    @property
+    def splits(self) -> dict[str, str]:
+        """The split of each route that is described, by its name."""
+        return {each.route: each.split for each in self.instructions}
+
+
+def finish_building(task: BuildingTask) -> FinishedBuilding:
+    """Make a building, write its plan, and tell its routes."""
+    made = make_building(task.planned.kind, task.planned.seed)
+    path = task.folder / f"{made.name}.geojson"
+    write_whole(path, made.plan)
+    site = load_site(path)
+    instructions = _texts(site, task)
+    described = {each.reference_route for each in instructions} if task.walked else ()
+    scene = build_scene(site) if described else None
+    walks = {
+        route: walk_by_steps(scene, site.route(route))
+        for route in sorted(described)
+        if scene is not None
+    }
+    return FinishedBuilding(task.planned, site, tuple(instructions), walks)
+
+
+def _texts(site: Site, task: BuildingTask) -> list[Instruction]:
+    cells = cells_of(site)
+    split_of = task.planned.splits(sorted({cell.route for cell in cells}))
+    whole, more = divmod(task.per_route, len(CELLS))
+    texts: list[Instruction] = []
+    for cell in cells:
+        count = whole + (CELLS.index((cell.study, cell.iteration)) < more)
+        if count:
+            for outline in sample_outlines(cell, task.rates, count, task.seed):
+                texts += write_texts(outline, paired=False)
+    return [replace(each, split=split_of[each.route]) for each in texts]
