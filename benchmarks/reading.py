@@ -1,0 +1,246 @@
+"""How much of what texts say the grammar reads, beside plans that a language model read.
+
+Both readings of the 564 shipped texts are compared part by part, and two readings of 60
+texts by the model with each other, which is what agreement can be had at best:
+`python -m benchmarks.reading` (docs/benches.md).
+
+The plans come from the kind of model that wrote the texts, so agreement flatters. Those
+of participants whose texts were not read while the grammar was developed (`held_out`) are
+used as numbers only.
+"""
+
+import json
+from collections import Counter
+from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from memorymaze.agents.agent import Journal
+from memorymaze.agents.plan_readers import GrammarReader, read_plan_reply
+from memorymaze.instructions import load_corpus
+from memorymaze.instructions.records import Episode
+from memorymaze.routes import Arrival, Leg, RoutePlan
+from memorymaze.tables import Column, Table
+from memorymaze.understanding import place_on_sign
+
+RECORDED = Path(__file__).parents[1] / "examples" / "recorded"
+SAME_LENGTH = 0.2
+"""Lengths that differ by no more than this share of the longer one are the same."""
+PARTS = {
+    "turns": "every turn, in order",
+    "turn": "turns",
+    "ordinal": "counts",
+    "length": "lengths",
+    "landmark": "things",
+    "placed": "things, with place",
+    "destination": "destination",
+}
+
+
+@dataclass
+class Agreement:
+    """How often two readings say the same of one part."""
+
+    both: float = 0.0
+    reference: float = 0.0
+    """How often the reference says it."""
+    read: float = 0.0
+
+    def add(self, both: float, reference: float, read: float) -> None:
+        """Add another text."""
+        self.both += both
+        self.reference += reference
+        self.read += read
+
+    @property
+    def f1(self) -> float | None:
+        """Harmonic mean of precision and recall; None where neither says anything."""
+        told = self.reference + self.read
+        return 2 * self.both / told if told else None
+
+
+@dataclass
+class Score:
+    """The agreement on all parts, over texts."""
+
+    texts: int = 0
+    parts: dict[str, Agreement] = field(
+        default_factory=lambda: {name: Agreement() for name in PARTS}
+    )
+
+    def add(self, reference: RoutePlan, read: RoutePlan) -> None:
+        """Compare two plans of one text, and count what both say."""
+        self.texts += 1
+        pairs = aligned_turns(reference, read)
+        same = len(pairs) == len(reference.legs) == len(read.legs)
+        self.parts["turns"].add(same, 1, 1)
+        self.parts["turn"].add(len(pairs), len(reference.legs), len(read.legs))
+        ends: list[tuple[Leg | Arrival, Leg | Arrival]] = [
+            *((reference.legs[one], read.legs[two]) for one, two in pairs),
+            (reference.arrival, read.arrival),
+        ]
+        ordinals = [(_ordinal(one), _ordinal(two)) for one, two in ends]
+        self._add_values("ordinal", reference, read, _ordinal, ordinals, _is_equal)
+        lengths = [(_metres(one), _metres(two)) for one, two in ends]
+        self._add_values("length", reference, read, _metres, lengths, _is_about)
+        for part, keys in (("landmark", _things), ("placed", _placed_things)):
+            both = sum(_shared(keys(one), keys(two)) for one, two in ends)
+            told = [
+                sum(len(keys(each)) for each in (*plan.legs, plan.arrival))
+                for plan in (reference, read)
+            ]
+            self.parts[part].add(both, *told)
+        names = [_names(plan.arrival) for plan in (reference, read)]
+        self.parts["destination"].add(
+            bool(names[0] & names[1]), bool(names[0]), bool(names[1])
+        )
+
+    def _add_values(
+        self,
+        part: str,
+        reference: RoutePlan,
+        read: RoutePlan,
+        value: Callable[[Leg | Arrival], float | None],
+        pairs: Iterable[tuple[float | None, float | None]],
+        is_same: Callable[[float, float], bool],
+    ) -> None:
+        """Count what is told of legs by a number, where the turns correspond."""
+        both = sum(
+            one is not None and two is not None and is_same(one, two)
+            for one, two in pairs
+        )
+        told = [
+            sum(value(each) is not None for each in (*plan.legs, plan.arrival))
+            for plan in (reference, read)
+        ]
+        self.parts[part].add(both, *told)
+
+
+def aligned_turns(reference: RoutePlan, read: RoutePlan) -> list[tuple[int, int]]:
+    """Return which legs correspond: a longest common sequence of turns to one side."""
+    one = [leg.turn.way for leg in reference.legs]
+    two = [leg.turn.way for leg in read.legs]
+    longest = [[0] * (len(two) + 1) for _ in range(len(one) + 1)]
+    for i in reversed(range(len(one))):
+        for j in reversed(range(len(two))):
+            skipped = max(longest[i + 1][j], longest[i][j + 1])
+            taken = longest[i + 1][j + 1] + 1 if one[i] == two[j] else 0
+            longest[i][j] = max(skipped, taken)
+    pairs: list[tuple[int, int]] = []
+    i = j = 0
+    while i < len(one) and j < len(two):
+        if one[i] == two[j] and longest[i][j] == longest[i + 1][j + 1] + 1:
+            pairs.append((i, j))
+            i, j = i + 1, j + 1
+        elif longest[i + 1][j] >= longest[i][j + 1]:
+            i += 1
+        else:
+            j += 1
+    return pairs
+
+
+def _ordinal(part: Leg | Arrival) -> float | None:
+    return part.turn.ordinal if isinstance(part, Leg) else part.nth
+
+
+def _metres(part: Leg | Arrival) -> float | None:
+    return None if part.length is None else part.length.metres
+
+
+def _is_equal(one: float, two: float) -> bool:
+    return one == two
+
+
+def _is_about(one: float, two: float) -> bool:
+    return abs(one - two) <= SAME_LENGTH * max(one, two)
+
+
+def _things(part: Leg | Arrival) -> Counter[Hashable]:
+    return Counter(each.phrase.casefold() for each in part.mentions)
+
+
+def _placed_things(part: Leg | Arrival) -> Counter[Hashable]:
+    return Counter((each.phrase.casefold(), each.place) for each in part.mentions)
+
+
+def _shared(one: Counter[Hashable], two: Counter[Hashable]) -> int:
+    return (one & two).total()
+
+
+def _names(arrival: Arrival) -> set[str]:
+    """Return the names of the destination; of a sign or door what it says."""
+    return {(place_on_sign(each) or each).casefold() for each in arrival.destinations}
+
+
+def recorded_plans(name: str) -> dict[str, RoutePlan]:
+    """Return plans of a file of answers by the ids of instructions."""
+    lines = (RECORDED / f"{name}.jsonl").read_text(encoding="utf-8").splitlines()
+    answers = map(json.loads, lines)
+    return {each["instruction_id"]: read_plan_reply(each["reply"]) for each in answers}
+
+
+def scores(
+    episodes: Sequence[Episode],
+    reference: Mapping[str, RoutePlan],
+    read: Callable[[Episode], RoutePlan | None],
+) -> Iterator[tuple[str, str, Score]]:
+    """Yield study, half and score, the half that was not read while developing first."""
+    corpus = load_corpus()
+    halves = {
+        half: {each.id for each in corpus.of_split(half)}
+        for half in ("held_out", "developed")
+    }
+    for half, ids in halves.items():
+        for study in ("online", "onsite"):
+            score = Score()
+            for each in episodes:
+                plan = read(each)
+                if each.id in ids and each.instruction.study == study and plan:
+                    score.add(reference[each.instruction.id], plan)
+            yield study, half, score
+
+
+def reading_table() -> Table:
+    """Return how the grammar's plans, and a second reading, agree with the model's."""
+    episodes = load_corpus().episodes
+    reference = recorded_plans("plans")
+    second = recorded_plans("plans_second_reading")
+    grammar = GrammarReader()
+    readers: dict[str, Callable[[Episode], RoutePlan | None]] = {
+        "grammar": lambda each: grammar.read(each.instruction.text, Journal()),
+        "second reading": lambda each: second.get(each.instruction.id),
+    }
+    rows = [
+        {
+            "reader": name,
+            "half": half,
+            "study": study,
+            "texts": score.texts,
+            **{part: found.f1 for part, found in score.parts.items()},
+        }
+        for name, read in readers.items()
+        for study, half, score in scores(episodes, reference, read)
+    ]
+    return Table(
+        "Readings of the shipped texts beside plans read by a large language model "
+        "(recorded)",
+        (
+            Column("reader", "Reader", "group"),
+            Column("half", "Half", "label"),
+            Column("study", "Study", "label"),
+            Column("texts", "n"),
+            *(Column(name, heading, digits=2) for name, heading in PARTS.items()),
+        ),
+        tuple(rows),
+        (
+            "F1 of what both say, where the turns correspond (a longest common sequence); "
+            "`every turn, in order`: the share of texts with equal turns. Things by "
+            f"their exact words, lengths within {SAME_LENGTH:.0%}. The model is of the "
+            "kind that wrote the texts: agreement flatters.",
+        ),
+        "reading",
+    )
+
+
+if __name__ == "__main__":
+    print(reading_table().text())
