@@ -1,4 +1,5 @@
 from benchmarks.reading import Score, aligned_turns, recorded_plans
+
 from memorymaze.routes import Arrival, Leg, Length, Mention, RoutePlan, Turn
 
 CLOCK = Mention("clock", "object", "turn")
