@@ -38,7 +38,7 @@ from memorymaze.errors import SitePlanError
 from memorymaze.evaluation.sampling import sample
 from memorymaze.instructions import Instruction, load_corpus
 from memorymaze.metrics.success import success_within_way
-from memorymaze.routes import Leg, Mention, RoutePlan, Turn
+from memorymaze.routes import Arrival, Leg, Mention, RoutePlan, Turn
 from memorymaze.routes.canonical import PLACES_AT_THE_TURN
 from memorymaze.sites import BUILTIN_SITE_NAMES, Route, Site
 from memorymaze.tables import Column, Table
@@ -181,33 +181,25 @@ def mutated(twin: Twin, mistake: Mistake) -> RoutePlan | None:
 
     None where that plan does not tell what the error is in.
     """
-    plan, legs, wrong = twin.plan, twin.legs, mistake.plan
-    if mistake.key == "start" and mistake.part == "step":
-        back = Leg(Turn("around"), on_the_spot=True)
-        return replace(plan, legs=(back, *plan.legs))
     if mistake.key == "arrival":
         return _with_ending(twin, mistake)
-    if mistake.part in {"side", "cue", "gone"}:
-        if mistake.key not in legs:
-            return None
-        number = legs[mistake.key]
-        before, leg, after = (
-            plan.legs[:number],
-            plan.legs[number],
-            plan.legs[number + 1 :],
-        )
-        if mistake.part == "gone":
-            return replace(plan, legs=(*before, *after))
-        [step] = [each for each in wrong.turns if each.key == mistake.key]
-        changed = (
-            _with_side(leg, step) if mistake.part == "side" else _with_cue(leg, step)
-        )
-        return replace(plan, legs=(*before, changed, *after))
-    place = [each.key for each in wrong.turns].index(mistake.key)
-    later = [legs[each.key] for each in wrong.turns[place + 1 :] if each.key in legs]
-    number = min(later, default=len(plan.legs))
-    extra = wrong.turns[place].leg
-    return replace(plan, legs=(*plan.legs[:number], extra, *plan.legs[number:]))
+    legs, steps = list(twin.plan.legs), mistake.plan.turns
+    told = {step.key: twin.legs[step.key] for step in steps if step.key in twin.legs}
+    if mistake.part == "gone" and mistake.key in twin.legs:
+        del legs[twin.legs[mistake.key]]
+    elif mistake.part in {"side", "cue"} and mistake.key in told:
+        [step] = [each for each in steps if each.key == mistake.key]
+        change = _with_side if mistake.part == "side" else _with_cue
+        legs[told[step.key]] = change(legs[told[step.key]], step)
+    elif mistake.part == "step" and mistake.key == "start":
+        legs.insert(0, Leg(Turn("around"), on_the_spot=True))
+    elif mistake.part == "step":
+        place = [each.key for each in steps].index(mistake.key)
+        later = [told[each.key] for each in steps[place:] if each.key in told]
+        legs.insert(min(later, default=len(legs)), steps[place].leg)
+    else:
+        return None
+    return replace(twin.plan, legs=tuple(legs))
 
 
 def _with_side(leg: Leg, step: Step) -> Leg:
@@ -229,19 +221,16 @@ def _with_ending(twin: Twin, mistake: Mistake) -> RoutePlan:
     kept = {step.key for step in mistake.plan.turns}
     cut = [leg for key, leg in twin.legs.items() if key not in kept]
     legs = twin.plan.legs[: min(cut)] if cut else twin.plan.legs
-    by = ending.by
-    mentions = (Mention(by.words, by.kind, "beside"),) if by else ()
-    arrival = replace(
-        twin.plan.arrival,
+    mentions = (
+        (Mention(ending.by.words, ending.by.kind, "beside"),) if ending.by else ()
+    )
+    told = twin.plan.arrival
+    arrival = Arrival(
+        told.destinations,
         side=ending.side,
-        nth=None,
-        at_end=False,
-        length=None,
         mentions=mentions,
-        passings=(),
-        too_far=(),
-        wrong_way=(),
-        on_the_spot=False,
+        doubt=told.doubt,
+        unclear=told.unclear,
     )
     return replace(twin.plan, legs=legs, arrival=arrival)
 
