@@ -171,7 +171,7 @@ class Floor:
             return _strip(place, wider.heading, -reach, reach, wider)
         if in_hall:
             return Point(place).buffer(1.8, quad_segs=2)
-        if len(legs) > 2 or legs[0].width != legs[1].width:
+        if len(legs) > 2 or legs[0].street != legs[1].street:
             raise UnsuitableFloor("a junction without a street that goes through")
         return _corner(place, legs[0], legs[1])
 

@@ -17,7 +17,7 @@ SHORTEST_LEG = 2.2
 """Metres between two nodes."""
 STRAIGHT = math.radians(15)
 """Legs that bend less than this are in line."""
-NARROWEST = math.radians(48)
+NARROWEST = math.radians(38)
 """The least angle between two legs of a node."""
 
 

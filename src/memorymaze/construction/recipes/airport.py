@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from memorymaze.construction.layout import Frame, Layout
+from memorymaze.construction.layout import Frame, Layout, Place
 from memorymaze.construction.pieces import (
     bent,
     between,
@@ -58,34 +58,38 @@ def airport(rng: np.random.Generator) -> Layout:
 
     fork = Frame(concourse[-1], side * 20.0)
     layout.hall(fork.octagon(-7, -9, 8, 9, 3), "Central Plaza", "plaza", 0)
+    across = between(rng, 18, 19)
+    tied: list[Place] = []
     for zone, sign in ((3, 1), (4, -1)):
         pier = bent(
-            fork.moved(0, 0, sign * between(rng, 48, 62)),
-            (between(rng, 24, 28), 0),
-            (between(rng, 18, 24), -sign * between(rng, 25, 40)),
+            fork.moved(0, 0, sign * between(rng, 41, 46)),
+            (between(rng, 25, 29), 0),
+            (between(rng, 21, 25), -sign * between(rng, 25, 40)),
         )
+        tied.append(frame_on(pier, across).origin)
         width = between(rng, 4.6, 5.6)
         layout.street(pier, width, "pier", zone, f"Pier {'  XAB'[zone]}")
-        for distance, turn in ((14.0, 90), (20.5, -90)):
+        for distance, number in ((11.0, 1), (41.0, 2)):
             side_hall(
                 layout,
-                frame_on(pier, distance).moved(0, 0, turn),
+                frame_on(pier, distance).moved(0, 0, sign * 90),
                 width,
                 between(rng, 6, 8),
                 4.0,
-                f"Lounge {'  XAB'[zone]}{1 if turn > 0 else 2}",
+                f"Lounge {'  XAB'[zone]}{number}",
                 "lounge",
                 zone,
             )
         stub(
             layout,
-            frame_on(pier, 34).moved(0, 0, sign * 90),
+            frame_on(pier, 34.5).moved(0, 0, sign * 90),
             between(rng, 6, 9),
             2.2,
             "service",
             zone,
         )
     layout.street(
-        bent(fork, (between(rng, 14, 18), 0)), 4.0, "concourse", 0, "Shopping Walk"
+        bent(fork, (between(rng, 19, 24), 0)), 4.0, "concourse", 0, "Shopping Walk"
     )
+    layout.street(tied, 3.6, "concourse", 0, "Pier Connector")
     return layout

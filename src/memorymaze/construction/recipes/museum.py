@@ -38,6 +38,7 @@ def museum(rng: np.random.Generator) -> Layout:
         (between(rng, 14, 18), -side * between(rng, 28, 42)),
     )
     wide = between(rng, 4.5, 6)
+    linked = either(rng)
     layout.street(east, wide, "gallery", 1, "Long Gallery")
     for distance, turn in ((10.0, 90), (16.5, -90)):
         side_hall(
@@ -50,16 +51,20 @@ def museum(rng: np.random.Generator) -> Layout:
             "exhibits",
             1,
         )
-    side_hall(
-        layout, frame_on(east, 33.0).moved(0, 0, side * 90), wide, 8.0, 4.5,
-        names.pop(), "exhibits", 1,
-    )  # fmt: skip
-
+    end = Frame(east[-1], frame_on(east, 35).heading_deg)
+    layout.hall(
+        end.octagon(-1.0, -5.5, between(rng, 9, 12), 5.5, 2),
+        names.pop(),
+        "exhibits",
+        1,
+        [end.line((0, 0), (5, 0))],
+    )
     for zone, sign in ((2, 1), (3, -1)):
         out = atrium.moved(deep * 0.5, sign * half, sign * between(rng, 72, 90))
-        wing = bent(
-            out, (between(rng, 15, 18), 0), (between(rng, 15, 20), sign * side * 35)
-        )
+        lean = between(rng, 28, 42) * (-sign if sign == linked else sign * side)
+        wing = bent(out, (between(rng, 15, 18), 0), (between(rng, 15, 20), lean))
+        if sign == linked:
+            wing = (*wing, frame_on(east, between(rng, 31, 34)).origin)
         width = between(rng, 3.2, 4.6)
         layout.street(wing, width, "gallery", zone, WINGS[zone])
         layout.hall(

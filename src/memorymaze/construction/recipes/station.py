@@ -30,21 +30,6 @@ def station(rng: np.random.Generator) -> Layout:
     )
     layout.entrances.append((concourse[0], "Main Entrance"))
 
-    spacing = between(rng, 6.0, 6.6)
-    stairs = [between(rng, 24, 25) + number * spacing for number in range(6)]
-    stairs = [at for at in stairs if abs(at - before) > 6.5]
-    for number, at in enumerate(stairs):
-        sign = 1 if number % 2 else -1
-        stub(
-            layout,
-            frame_on(concourse, at).moved(0, 0, sign * between(rng, 76, 90)),
-            between(rng, 10, 15),
-            between(rng, 2.6, 3.4),
-            "platform",
-            0,
-            f"Platforms {2 * number + 1}-{2 * number + 2}",
-        )
-
     gate = frame_on(concourse, 10.5)
     north = bent(
         gate.moved(0, 0, 90),
@@ -67,6 +52,8 @@ def station(rng: np.random.Generator) -> Layout:
         (between(rng, 14, 18), between(rng, 38, 48)),
         (between(rng, 9, 12), between(rng, 35, 45)),
     )
+    tie = before + between(rng, 8, 14)
+    south = (*south, frame_on(concourse, tie).origin)
     layout.street(south, 4.2, "passage", 2, "South Passage")
     side_hall(
         layout,
@@ -85,6 +72,21 @@ def station(rng: np.random.Generator) -> Layout:
         2,
         signed=False,
     )
+    spacing = between(rng, 6.0, 6.6)
+    stairs = [between(rng, 24, 25) + number * spacing for number in range(6)]
+    stairs = [at for at in stairs if abs(at - before) > 6.5 and abs(at - tie) > 6.5]
+    for number, at in enumerate(stairs):
+        sign = 1 if number % 2 or at > 32 else -1
+        stub(
+            layout,
+            frame_on(concourse, at).moved(0, 0, sign * between(rng, 76, 90)),
+            between(rng, 10, 15),
+            between(rng, 2.6, 3.4),
+            "platform",
+            0,
+            f"Platforms {2 * number + 1}-{2 * number + 2}",
+        )
+
     end = frame_on(concourse, 66)
     layout.street(
         bent(end.moved(0, 0, 90 * side), (between(rng, 12, 15), 0), (10.0, 45 * side)),

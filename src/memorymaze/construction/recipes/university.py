@@ -69,7 +69,7 @@ def university(rng: np.random.Generator) -> Layout:
     third = Frame(bridge[-1], slant)
     half = between(rng, 9, 12)
     layout.street(
-        third.line((0, -half), (0, half + 4)), 2.2, "offices", 2, "Darwin Hallway"
+        third.line((0, -half - 6), (0, half + 6)), 2.2, "offices", 2, "Darwin Hallway"
     )
     depth = between(rng, 11, 15)
     layout.street(
@@ -82,4 +82,18 @@ def university(rng: np.random.Generator) -> Layout:
     side_hall(
         layout, third.moved(depth, 0, 0), 2.2, 6.0, 4.0, "Darwin Lounge", "lounge", 2
     )
+    if rng.random() < 0.6:
+        wing = bent(
+            Frame(first.at(0, middle), 180),
+            (between(rng, 13, 17), 0),
+            (between(rng, 10, 14), side * between(rng, 25, 45)),
+        )
+        layout.street(wing, 2.2, "offices", 0, "West Wing")
+    if rng.random() < 0.6:
+        tail = bent(
+            second.moved(0, up, 90),
+            (5.0, 0),
+            (between(rng, 11, 15), -between(rng, 40, 60)),
+        )
+        layout.street(tail, 2.4, "labs", 1, "Observatory Passage")
     return layout
