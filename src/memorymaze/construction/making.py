@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from memorymaze.construction.floor import Floor
+from memorymaze.construction.growth import grow
 from memorymaze.construction.layout import UnsuitableFloor
 from memorymaze.construction.plan import features_of, plan_bytes
 from memorymaze.construction.recipes import KINDS, RECIPES, Kind
@@ -31,6 +32,8 @@ TURNING_POINTS = (20, 70)
 """Fewest and most of a building."""
 ACROSS = (40.0, 110.0)
 """Metres along the longer side of a floor's bounding box."""
+MOST_GROWN = 8
+"""Corridors at most that a floor has beyond its recipe."""
 STAIRS = Special(
     name="Stairs",
     use="stairwell",
@@ -93,6 +96,7 @@ def _drawn(name: str, kind: Kind, rng: np.random.Generator) -> bytes:
     """Return the plan of one drawn floor, or raise why it is unsuitable."""
     words = vocabulary(kind)
     layout = RECIPES[kind](rng)
+    grow(layout, rng, int(rng.integers(MOST_GROWN + 1)))
     floor = Floor(layout, Skeleton(layout))
     _check_size(floor)
     walls = walls_of(floor)

@@ -198,10 +198,14 @@ class Ways:
         course = came_by.heading + math.pi
         shown: dict[str, list[str]] = {"←": [], "↑": [], "→": []}
         used: dict[str, int] = {}
+        named: set[str] = set()
         told = 0
         reachable = [(self.distances_by_leg(node, goal), goal) for goal in self.signed]
         reachable.sort(key=lambda each: (each[0][0][0], each[1].name))
         for ways, goal in reachable:
+            if goal.name in named:
+                continue
+            named.add(goal.name)
             (distance, leg), (other, _) = ways[:2]
             if distance > FARTHEST_SIGNED or other - distance < CLEARLY:
                 continue
@@ -209,7 +213,7 @@ class Ways:
                 continue
             turn = turn_between(course, leg.heading)
             arrow = "↑" if abs(turn) < AHEAD else "←" if turn > 0 else "→"
-            if used.setdefault(arrow, leg.to) != leg.to or goal.name in shown[arrow]:
+            if used.setdefault(arrow, leg.to) != leg.to:
                 continue
             if told + len(goal.name) + 4 > LONGEST_TEXT:
                 continue

@@ -1,0 +1,20 @@
+import json
+from functools import cache
+
+import pytest
+
+from memorymaze.construction import KINDS, make_building
+from memorymaze.sites.loading import sound_site
+from memorymaze.sites.reading import understand_plan
+
+
+@cache
+def made_site(kind, seed):
+    building = make_building(kind, seed)
+    return sound_site(understand_plan(json.loads(building.plan)), building.name)
+
+
+@pytest.fixture(params=KINDS)
+def site(request):
+    """Return a made floor of each kind."""
+    return made_site(request.param, 2)
