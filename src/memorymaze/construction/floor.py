@@ -8,13 +8,7 @@ from typing import cast
 
 from shapely import LineString, MultiPoint, Point, Polygon, set_precision
 
-from memorymaze.construction.layout import (
-    Hall,
-    Layout,
-    Place,
-    Street,
-    UnsuitableFloor,
-)
+from memorymaze.construction.layout import Hall, Layout, Place, Street, UnsuitableFloor
 from memorymaze.construction.skeleton import STRAIGHT, Leg, Skeleton
 from memorymaze.geometry.pose import heading_to, turn_between
 from memorymaze.sites.records import floor_pieces
@@ -122,11 +116,7 @@ class Floor:
         if ways_in_hall or any(leg.street is None for leg in legs):
             shape = "opening"
         return TurningPoint(
-            f"tp_{node + 1}",
-            node,
-            rounded(polygon),
-            shape,
-            tuple(exits + ways_in_hall),
+            f"tp_{node + 1}", node, rounded(polygon), shape, tuple(exits + ways_in_hall)
         )
 
     def _leads_to(self, leg: Leg) -> str:

@@ -5,13 +5,16 @@ All else - rooms, doors, signs, things, routes - is made from this.
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Literal
 
 from shapely import Polygon
+from shapely.affinity import affine_transform
 
 Place = tuple[float, float]
 """Metres."""
+Sides = Literal["both", "left", "right", "none"]
+MIRRORED: dict[Sides, Sides] = {"left": "right", "right": "left"}
 
 
 class UnsuitableFloor(Exception):
@@ -30,7 +33,7 @@ class Street:
     zone: int
     """Wing or building it belongs to, from 0; the hundreds of its room numbers."""
     name: str | None = None
-    rooms: Literal["both", "left", "right", "none"] = "both"
+    rooms: Sides = "both"
     """Which sides of it have rooms, seen along the line."""
     signed: bool = True
     """Whether signs hang where it meets others."""
@@ -79,7 +82,7 @@ class Layout:
         zone: int,
         name: str | None = None,
         *,
-        rooms: Literal["both", "left", "right", "none"] = "both",
+        rooms: Sides = "both",
         signed: bool = True,
     ) -> None:
         """Add a street."""
@@ -100,6 +103,37 @@ class Layout:
         """Add a hall and the ways across it."""
         self.halls.append(Hall(polygon, name, program, zone, open_air))
         self.ways_across += [Across(tuple(points), name) for points in across]
+
+    def turned(self, quarters: int, *, mirrored: bool) -> "Layout":
+        """Return the floor mirrored, or not, and turned by quarters to the left."""
+        cosine, sine = ((1, 0), (0, 1), (-1, 0), (0, -1))[quarters]
+        flip = -1 if mirrored else 1
+        matrix = (cosine, -sine * flip, sine, cosine * flip, 0, 0)
+
+        def moved(place: Place) -> Place:
+            return (
+                matrix[0] * place[0] + matrix[1] * place[1] + 0.0,
+                matrix[2] * place[0] + matrix[3] * place[1] + 0.0,
+            )
+
+        streets = [
+            replace(
+                each,
+                points=tuple(map(moved, each.points)),
+                rooms=MIRRORED.get(each.rooms, each.rooms) if mirrored else each.rooms,
+            )
+            for each in self.streets
+        ]
+        halls = [
+            replace(each, polygon=affine_transform(each.polygon, matrix))
+            for each in self.halls
+        ]
+        ways_across = [
+            replace(each, points=tuple(map(moved, each.points)))
+            for each in self.ways_across
+        ]
+        entrances = [(moved(place), name) for place, name in self.entrances]
+        return Layout(streets, halls, ways_across, entrances)
 
 
 @dataclass(frozen=True)

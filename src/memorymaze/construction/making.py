@@ -35,12 +35,7 @@ ACROSS = (40.0, 110.0)
 MOST_GROWN = 8
 """Corridors at most that a floor has beyond its recipe."""
 STAIRS = Special(
-    name="Stairs",
-    use="stairwell",
-    width=3.0,
-    depth=5.0,
-    door="fire",
-    programs=(),
+    name="Stairs", use="stairwell", width=3.0, depth=5.0, door="fire", programs=()
 )
 
 
@@ -95,7 +90,8 @@ def make_building(kind: Kind, seed: int) -> MadeBuilding:
 def _drawn(name: str, kind: Kind, rng: np.random.Generator) -> bytes:
     """Return the plan of one drawn floor, or raise why it is unsuitable."""
     words = vocabulary(kind)
-    layout = RECIPES[kind](rng)
+    drawn = RECIPES[kind](rng)
+    layout = drawn.turned(int(rng.integers(4)), mirrored=bool(rng.integers(2)))
     grow(layout, rng, int(rng.integers(MOST_GROWN + 1)))
     floor = Floor(layout, Skeleton(layout))
     _check_size(floor)

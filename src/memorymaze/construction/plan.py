@@ -57,13 +57,11 @@ def features_of(
         counts[stem] = counts.get(stem, 0) + 1
         features.append(_landmark(f"{stem}_{counts[stem]}", thing))
     for index, route in enumerate(routes, start=1):
-        goal = route.destination.room
+        goal = route.destination.door
         if goal is None:
             raise ValueError(f"{route.destination.name} has no door")
         for number, way in enumerate(route.ways):
-            features.append(
-                _route(index, number, way, route, door_ids[id(goal.doors[0])])
-            )
+            features.append(_route(index, number, way, route, door_ids[id(goal)]))
     return features
 
 

@@ -328,7 +328,7 @@ class RoomPlanner:
                     (float(line.project(Point(room.wall.at(room.middle)))), index)
                     for index, room in enumerate(self.rooms)
                     if room.wall.street == number and "{number}" in room.name
-                ),
+                )
             )
             for _, index in along:
                 room = self.rooms[index]

@@ -11,7 +11,7 @@ from shapely import LineString, Point
 
 from memorymaze.construction.floor import Floor
 from memorymaze.construction.layout import Place, UnsuitableFloor
-from memorymaze.construction.rooms import Room
+from memorymaze.construction.rooms import Door, Room
 from memorymaze.construction.skeleton import STRAIGHT, Leg
 from memorymaze.construction.things import Furnisher
 from memorymaze.geometry.pose import heading_to, turn_between
@@ -57,7 +57,10 @@ class Destination:
     """On the middle line."""
     away: float
     """Metres from the middle line to the thing itself."""
-    room: Room | None = None
+    room: Room | None
+    """The room that it is; None of a hall."""
+    door: Door | None
+    """The door of the room that is there."""
 
 
 @dataclass(frozen=True)
@@ -109,9 +112,9 @@ class Ways:
             for node, other in graph.edges
         ]
         found = [
-            self._destination(room.name, room.doors[0].place, room)
+            self._destination(room.name, door.place, room, door)
             for room in rooms
-            if room.doors
+            for door in room.doors
         ]
         self.rooms = [each for each in found if each is not None]
         self.signed = [
@@ -119,19 +122,23 @@ class Ways:
         ]
         for hall, polygon in zip(floor.layout.halls, floor.halls, strict=True):
             middle = polygon.representative_point()
-            there = self._destination(hall.name, (middle.x, middle.y), None)
+            there = self._destination(hall.name, (middle.x, middle.y))
             if there is not None:
                 self.signed.append(there)
 
     def _destination(
-        self, name: str, place: Place, room: Room | None
+        self,
+        name: str,
+        place: Place,
+        room: Room | None = None,
+        door: Door | None = None,
     ) -> Destination | None:
         """Return a destination on the leg that is nearest in sight."""
-        door = Point(place)
+        thing = Point(place)
         for (node, other), line in sorted(
-            self._legs, key=lambda each: each[1].distance(door)
+            self._legs, key=lambda each: each[1].distance(thing)
         )[:3]:
-            along = min(max(line.project(door), 0.6), line.length - 0.6)
+            along = min(max(line.project(thing), 0.6), line.length - 0.6)
             stand = line.interpolate(along)
             sight = LineString([(stand.x, stand.y), place])
             if self._floor.walkable.buffer(0.05).covers(sight):
@@ -140,8 +147,9 @@ class Ways:
                     (node, other),
                     along,
                     (stand.x, stand.y),
-                    stand.distance(door),
+                    stand.distance(thing),
                     room,
+                    door,
                 )
         return None
 

@@ -36,8 +36,7 @@ def school(rng: np.random.Generator) -> Layout:
     )
     layout.street(west, 2.6, "classes", 1, "Blue Hallway")
     east = bent(
-        frame_on(main, far).moved(0, 0, side * (90 - lean)),
-        (between(rng, 25, 29), 0),
+        frame_on(main, far).moved(0, 0, side * (90 - lean)), (between(rng, 25, 29), 0)
     )
     layout.street(east, 2.6, "classes", 2, "Green Hallway")
     layout.entrances.append((east[-1], "Playground Entrance"))

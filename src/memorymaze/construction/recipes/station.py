@@ -20,9 +20,7 @@ def station(rng: np.random.Generator) -> Layout:
     hall = Frame()
     before = between(rng, 38, 44)
     concourse = bent(
-        hall,
-        (before, 0),
-        (between(rng, 32, 38), side * between(rng, 18, 30)),
+        hall, (before, 0), (between(rng, 32, 38), side * between(rng, 18, 30))
     )
     layout.street(concourse, between(rng, 6.2, 7.8), "concourse", 0, "Concourse")
     layout.hall(

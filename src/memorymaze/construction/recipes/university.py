@@ -3,13 +3,7 @@
 import numpy as np
 
 from memorymaze.construction.layout import Frame, Layout
-from memorymaze.construction.pieces import (
-    bent,
-    between,
-    either,
-    side_hall,
-    stub,
-)
+from memorymaze.construction.pieces import bent, between, either, side_hall, stub
 
 
 def university(rng: np.random.Generator) -> Layout:
@@ -46,10 +40,7 @@ def university(rng: np.random.Generator) -> Layout:
         1,
         "Curie East Hallway",
     )
-    lower = bent(
-        second.moved(0, -down + 6.0),
-        (across, 0),
-    )
+    lower = bent(second.moved(0, -down + 6.0), (across, 0))
     layout.street(lower, 2.2, "labs", 1, "Laboratory Hallway")
     side_hall(
         layout,
