@@ -55,13 +55,11 @@ def finish_building(task: BuildingTask) -> FinishedBuilding:
     write_whole(path, made.plan)
     site = load_site(path)
     instructions = _texts(site, task)
-    described = {each.reference_route for each in instructions} if task.walked else ()
-    scene = build_scene(site) if described else None
-    walks = {
-        route: walk_by_steps(scene, site.route(route))
-        for route in sorted(described)
-        if scene is not None
-    }
+    walks: dict[str, StepWalk] = {}
+    if task.walked:
+        scene = build_scene(site)
+        for route in sorted({each.reference_route for each in instructions}):
+            walks[route] = walk_by_steps(scene, site.route(route))
     return FinishedBuilding(task.planned, site, tuple(instructions), walks)
 
 
