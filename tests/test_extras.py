@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from memorymaze.errors import SettingsError
-from memorymaze.extras import how_to_install, require_extra
+from memorymaze.extras import command_here, how_to_install, require_extra
 
 NAMED = re.compile(
     r"""(?:memorymaze\[|require_extra\(\s*"|how_to_install\(')([a-z-]+)"""
@@ -35,6 +35,19 @@ def test_what_to_type_installs_into_this_environment_from_this_checkout() -> Non
     assert typed[:4] == [sys.executable, "-m", "pip", "install"]
     assert typed[-1] == f"{PROJECT}[ray]"
     assert Path(typed[typed.index("--constraint") + 1]).is_file()
+
+
+def test_a_command_in_a_hint_is_found_without_activating_the_environment(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sys, "executable", str(tmp_path / "python"))
+    assert command_here() == "memorymaze"  # not installed as a command: python -m
+    installed = tmp_path / "memorymaze"
+    installed.touch(mode=0o755)
+    monkeypatch.setenv("PATH", "/nowhere")
+    assert command_here() == str(installed)
+    monkeypatch.setenv("PATH", str(tmp_path))
+    assert command_here() == "memorymaze"
 
 
 def test_every_extra_that_the_code_names_is_one_of_the_project() -> None:

@@ -1,6 +1,7 @@
-"""Packages that only some uses need: the extras of the installation."""
+"""What this installation has: its extras, and how its command is typed."""
 
 import shlex
+import shutil
 import sys
 from importlib.util import find_spec
 from pathlib import Path
@@ -22,6 +23,14 @@ def how_to_install(extra: str) -> str:
     return (
         f"{pip} --constraint {tested} --editable {shlex.quote(f'{_CHECKOUT}[{extra}]')}"
     )
+
+
+def command_here() -> str:
+    """Return how `memorymaze` is typed, whether or not its environment is activated."""
+    installed = Path(sys.executable).with_name("memorymaze")
+    if not installed.is_file() or shutil.which("memorymaze") == str(installed):
+        return "memorymaze"
+    return shlex.quote(str(installed))
 
 
 def is_installed(*packages: str) -> bool:

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from memorymaze.cli.agent_options import given_options
 from memorymaze.cli.verbs import Verbs, add_corpus_options
+from memorymaze.extras import command_here
 from memorymaze.wording import counted
 
 if TYPE_CHECKING:
@@ -148,7 +149,7 @@ def _write_requests(options: argparse.Namespace) -> int:
         write_new(options.out, "".join(f"{line}\n" for line in lines).encode())
         print(f"{counted(len(lines), 'request')} in {options.out}")
     else:
-        print(f"nothing is open: memorymaze evaluate --replay {options.store}")
+        print(f"nothing is open: {command_here()} evaluate --replay {options.store}")
     return 0
 
 

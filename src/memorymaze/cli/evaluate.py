@@ -19,6 +19,7 @@ from memorymaze.cli.agent_options import (
 from memorymaze.cli.error_options import add_error_options, generated_instructions
 from memorymaze.cli.flags import add_flags
 from memorymaze.cli.verbs import Verbs, add_corpus_options
+from memorymaze.extras import command_here
 from memorymaze.wording import counted
 
 if TYPE_CHECKING:
@@ -130,7 +131,7 @@ def _run(options: argparse.Namespace) -> int:
     print("\n".join(summary_lines(summarise(run.results, run.record.settings))))
     for line in crash_lines(out, run.results, whole=options.debug):
         print(line, file=sys.stderr)
-    print(f"tables: memorymaze table {shlex.quote(str(out))}")
+    print(f"tables: {command_here()} table {shlex.quote(str(out))}")
     return 0
 
 
@@ -192,9 +193,9 @@ def _what_to_follow(
 
 def _resuming(arguments: list[str], out: Path) -> str:
     """Return the command that takes up this run."""
-    again = ["memorymaze", *arguments]
+    again = list(arguments)
     if not any(part == "--out" or part.startswith("--out=") for part in arguments):
         again += ["--out", str(out)]
     if "--resume" not in arguments:
         again.append("--resume")
-    return shlex.join(again)
+    return f"{command_here()} {shlex.join(again)}"

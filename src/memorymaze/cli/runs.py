@@ -4,6 +4,7 @@ import argparse
 import shlex
 
 from memorymaze.cli.verbs import Verbs
+from memorymaze.extras import command_here
 from memorymaze.wording import counted
 
 
@@ -39,5 +40,5 @@ def _merge(options: argparse.Namespace) -> int:
         f"run {options.out}: {counted(len(results), 'episode')} of "
         f"{counted(len(options.folders), 'shard')}"
     )
-    print(f"tables: memorymaze table {shlex.quote(options.out)}")
+    print(f"tables: {command_here()} table {shlex.quote(options.out)}")
     return 0

@@ -13,6 +13,7 @@ import numpy as np
 from pydantic import TypeAdapter, ValidationError
 
 from memorymaze.errors import SettingsError
+from memorymaze.extras import command_here
 from memorymaze.pictures.looks.assembly import MeshPart, ObjectModel, Order
 from memorymaze.pictures.looks.materials import Material, Rgb, colours_of
 from memorymaze.pictures.tables import read_table
@@ -91,7 +92,7 @@ def check_looks(looks: Looks | None) -> Looks:
     if looks == "models" and not there:
         raise SettingsError(
             f"looks: expected converted models in {cache_folder()}, got none; type: "
-            "memorymaze sites models"
+            f"{command_here()} sites models"
         )
     return looks
 
@@ -105,7 +106,7 @@ def credits_in(folder: Path) -> Mapping[str, tuple[Credit, ...]]:
     except (OSError, ValueError, KeyError, TypeError, ValidationError) as problem:
         raise SettingsError(
             f"{folder / INDEX}: expected an index of furniture models, got a damaged "
-            f"file ({problem}); type: memorymaze sites models"
+            f"file ({problem}); type: {command_here()} sites models"
         ) from None
     found: dict[str, list[Credit]] = {}
     for each in models:
@@ -132,7 +133,7 @@ def load_model(folder: Path, name: str) -> ObjectModel:
     except (OSError, ValueError, KeyError) as problem:
         raise SettingsError(
             f"{path}: expected a converted model, got a damaged file ({problem}); "
-            "type: memorymaze sites models"
+            f"type: {command_here()} sites models"
         ) from None
 
 
