@@ -17,7 +17,7 @@ from memorymaze.datasets.frame_videos import depth_codes
 from memorymaze.datasets.lerobot import COLOURS, DEPTH, write_frames
 from memorymaze.datasets.splits import PlannedBuilding
 from memorymaze.datasets.walks import walk_by_steps
-from memorymaze.instructions import Instruction
+from memorymaze.instructions import Instruction, load_instructions
 from memorymaze.instructions.records import Failure
 from memorymaze.pictures.rendering.camera import RenderedCamera
 from memorymaze.pictures.rendering.visual_scene import build_visual_scene
@@ -209,8 +209,7 @@ def test_the_real_lerobot_reads_what_is_written(
         assert done.returncode == 0, done.stderr
         told = json.loads(done.stdout.splitlines()[-1])
         texts = [
-            json.loads(line)["text"]
-            for line in (tmp_path / f"made/{split}.jsonl").open(encoding="utf-8")
+            each.text for each in load_instructions([tmp_path / f"made/{split}.jsonl"])
         ]
         assert told["episodes"] == len(texts)
         for frame in told["frames"]:
