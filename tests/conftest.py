@@ -6,10 +6,11 @@ import os
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 
 import pytest
 from hypothesis import settings as property_settings
+from hypothesis import strategies as st
 
 from memorymaze.errors import CommandError, EpisodeOver
 from memorymaze.evaluation.plan import RunPlan, plan_run
@@ -26,6 +27,23 @@ from memorymaze.input_files import FileStamp
 from memorymaze.instructions import Corpus, load_corpus
 from memorymaze.robot.api import Detection, Direction, MoveResult, SignText, TurnResult
 from memorymaze.robot.specification import api_specification
+from memorymaze.routes import (
+    Arrival,
+    Junction,
+    Kind,
+    Leg,
+    Length,
+    Mention,
+    Passing,
+    Place,
+    RoutePlan,
+    Side,
+    Start,
+    Totals,
+    Turn,
+    Unit,
+    Way,
+)
 from memorymaze.simulation import Scene, SimulationSettings, build_scene
 from memorymaze.sites import Site, load_site, load_sites
 
@@ -221,6 +239,81 @@ def api_says() -> Callable[[str], None]:
         assert sentence in whole
 
     return says
+
+
+@pytest.fixture(scope="session")
+def any_plans() -> st.SearchStrategy[RoutePlan]:
+    """Plans of all kinds, also such as nobody would tell."""
+    things = ["door", "drinking fountain", "sign that says Library", "2nd floor"]
+    words = st.text(min_size=1).filter(str.strip) | st.sampled_from(things)
+    ordinals = st.none() | st.just(-1) | st.integers(1, 10**6)
+    doubts = st.floats(0, 1)
+    metres = st.floats(0, 1e308)
+    sides = st.none() | st.sampled_from(get_args(Side))
+    lengths = st.none() | st.builds(
+        Length, metres, st.sampled_from(get_args(Unit)), st.none() | st.floats(0.5, 99)
+    )
+    mentions = st.lists(
+        st.builds(
+            Mention,
+            words,
+            st.sampled_from(get_args(Kind)),
+            st.sampled_from(get_args(Place)),
+            sides,
+            ordinals,
+            st.none() | metres,
+            st.booleans(),
+            doubts,
+        ),
+        max_size=2,
+    ).map(tuple)
+    passings = st.lists(
+        st.builds(
+            Passing,
+            st.none() | st.integers(1, 10**6),
+            st.none() | st.sampled_from(["left", "right"]),
+            st.none() | words,
+        ),
+        max_size=2,
+    ).map(tuple)
+    several = st.lists(words, max_size=2).map(tuple)
+    turns = st.builds(
+        Turn,
+        st.sampled_from(get_args(Way)),
+        ordinals,
+        ordinals,
+        st.none() | words,
+        st.booleans(),
+        st.none() | st.sampled_from(get_args(Junction)),
+        st.booleans(),
+        st.booleans(),
+        doubts,
+    )
+    legs = st.builds(
+        Leg, turns, st.booleans(), lengths, mentions, passings, several, several, doubts
+    )
+    arrivals = st.builds(
+        Arrival,
+        several,
+        sides,
+        ordinals,
+        st.booleans(),
+        lengths,
+        mentions,
+        passings,
+        several,
+        several,
+        st.booleans(),
+        doubts,
+        doubts,
+    )
+    return st.builds(
+        RoutePlan,
+        st.builds(Start, st.none() | words, st.none() | words),
+        st.lists(legs, max_size=3).map(tuple),
+        arrivals,
+        st.builds(Totals, st.none() | st.integers(0, 99), st.none() | metres),
+    )
 
 
 class PaperRobot:

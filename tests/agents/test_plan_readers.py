@@ -2,12 +2,15 @@ import json
 from pathlib import Path
 
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from memorymaze.agents.agent import Journal
 from memorymaze.agents.plan_readers import (
     GrammarReader,
     ModelReader,
     WrittenPlanReader,
+    read_plan_reply,
 )
 from memorymaze.cli.main import main
 from memorymaze.errors import LanguageModelError, PlanFileError
@@ -86,6 +89,59 @@ def test_a_text_that_is_a_plan_is_walked_as_it_stands(
     walk = follow(json.dumps(plan_record(plan)), agent, site=crossing_site)
     assert walk.success
     assert walk.result.agent == f"{name}[plan]"
+
+
+@pytest.mark.parametrize("name", ["rules", "explorer"])
+@settings(max_examples=25)
+@given(data=st.data())
+def test_any_plan_is_walked_to_an_end(
+    any_plans: st.SearchStrategy[RoutePlan],
+    crossing_site: Site,
+    name: str,
+    data: st.DataObject,
+) -> None:
+    plan = json.dumps(plan_record(data.draw(any_plans)))
+    agent = AgentSettings(name, options=(("reader", "plan"),))
+    walk = follow(plan, agent, site=crossing_site)
+    assert walk.result.error is None
+    assert walk.result.stopped_by in {"agent", "budget"}
+
+
+@pytest.mark.parametrize("name", ["rules", "explorer"])
+def test_a_sentence_that_was_taken_for_a_thing_is_not_looked_for(
+    name: str, crossing_site: Site
+) -> None:
+    sentence = "the red door " * 30
+    walk = follow(f"Walk to the {sentence}.", name, site=crossing_site)
+    assert walk.result.error is None
+
+
+def test_a_reply_full_of_brackets_is_refused_at_once() -> None:
+    with pytest.raises(PlanFileError, match="expected one JSON object"):
+        read_plan_reply("{" * 1_000_000)
+
+
+def test_of_a_reply_full_of_mistakes_the_model_is_told_the_first() -> None:
+    wrong = plan_record(RoutePlan(legs=(Leg(Turn("left")),) * 150))
+    for leg in wrong["legs"]:
+        leg["turn"]["way"] = "leftish"
+    with pytest.raises(PlanFileError, match="and 130 more") as refused:
+        read_plan_reply(json.dumps(wrong))
+    assert len(str(refused.value)) < 4000
+
+
+@pytest.mark.parametrize(
+    ("legs", "expected"),
+    [
+        ([{"turn": {"way": "left", "ordinal": 10**400}}], "ordinal"),
+        ([{"turn": {"way": "left"}, "passings": [{"count": 10**400}]}], "count"),
+        ([{"turn": {"way": "left"}}] * 10_000, "at most 200 items"),
+        ([{"turn": {"way": "left", "counted_after": "\ud800"}}], "whole characters"),
+    ],
+)
+def test_what_no_speaker_means_is_no_plan(legs: object, expected: str) -> None:
+    with pytest.raises(PlanFileError, match=expected):
+        parse_plan({"legs": legs, "arrival": {}}, "plan")
 
 
 def test_a_text_that_should_be_a_plan_and_is_none_is_refused() -> None:

@@ -4,12 +4,11 @@ By the grammar, offline; by a language model that is asked once, and once more w
 reply is no plan; or not at all, where the text is a plan already.
 """
 
-import re
 from typing import Literal, Protocol
 
 from memorymaze.agents.agent import Journal, Need
 from memorymaze.errors import LanguageModelError, PlanFileError
-from memorymaze.input_files import parse_record
+from memorymaze.input_files import parse_record, shown
 from memorymaze.language.model import (
     CompletionRequest,
     LanguageModel,
@@ -22,8 +21,6 @@ from memorymaze.understanding import parse_route_description
 
 ReaderName = Literal["grammar", "model", "plan"]
 """The grammar, a language model, or nobody: the instruction is the JSON of a plan."""
-
-_OBJECT = re.compile(r"\{.*\}", re.DOTALL)
 
 
 class PlanReader(Protocol):
@@ -192,11 +189,11 @@ def read_plan_reply(reply: str) -> RoutePlan:
     Raises:
         PlanFileError: There is none; says what is wrong with it.
     """
-    found = _OBJECT.search(reply)
-    if found is None:
-        raise PlanFileError(f"plan: expected one JSON object, got {reply[:60]!r}")
+    begin, end = reply.find("{"), reply.rfind("}")
+    if not 0 <= begin < end:
+        raise PlanFileError(f"plan: expected one JSON object, got {shown(reply)}")
     try:
-        record = parse_record(found[0])
+        record = parse_record(reply[begin : end + 1])
     except ValueError as error:
         raise PlanFileError(f"plan: {error}") from None
     return parse_plan(record, "plan")

@@ -14,7 +14,7 @@ from typing import Any, cast
 from pydantic import TypeAdapter, ValidationError
 
 from memorymaze.errors import PlanFileError, did_you_mean
-from memorymaze.input_files import parse_json, read_text
+from memorymaze.input_files import PROBLEMS_SHOWN, parse_json, read_text
 from memorymaze.routes.records import Passing, RoutePlan
 
 ALWAYS = frozenset({"legs", "arrival"})
@@ -112,8 +112,11 @@ def _plain(value: object) -> object:
 
 
 def _explained(error: ValidationError) -> str:
-    """Return what is wrong, one part for each field."""
-    return "; ".join(_one_explained(dict(each)) for each in error.errors())
+    """Return what is wrong, one part for each field, the first few in full."""
+    problems = [dict(each) for each in error.errors()]
+    told = [_one_explained(each) for each in problems[:PROBLEMS_SHOWN]]
+    more = len(problems) - PROBLEMS_SHOWN
+    return "; ".join([*told, *([f"and {more} more"] if more > 0 else [])])
 
 
 def _one_explained(problem: dict[str, Any]) -> str:
@@ -126,6 +129,9 @@ def _one_explained(problem: dict[str, Any]) -> str:
             f"{field}expected one of {', '.join(known)}, got {name!r}"
             f"{did_you_mean(name, known)}"
         )
+    if problem["type"] == "json_invalid":
+        # JSON it is: Python read it, which takes what no file could hold.
+        return f"expected whole characters, and fewer brackets, got {problem['msg']}"
     if problem["type"] == "missing":
         return f"{field}expected it, got nothing"
     expected = (

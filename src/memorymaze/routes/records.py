@@ -51,8 +51,10 @@ def _not_zero(number: int) -> int:
 Words = Annotated[str, StringConstraints(min_length=1, pattern=r"\S")]
 Doubt = Annotated[float, Field(ge=0, le=1, allow_inf_nan=False)]
 Metres = Annotated[float, Field(ge=0, allow_inf_nan=False)]
-Count = Annotated[int, Field(ge=1)]
-Ordinal = Annotated[int, Field(ge=-1), AfterValidator(_not_zero)]
+MOST_COUNTED, MOST_LEGS = 10**6, 200
+"""What is more no speaker means; agents count and search with these."""
+Count = Annotated[int, Field(ge=1, le=MOST_COUNTED)]
+Ordinal = Annotated[int, Field(ge=-1, le=MOST_COUNTED), AfterValidator(_not_zero)]
 """2 for `the second`, -1 for `the last`."""
 
 _CHECKED = ConfigDict(extra="forbid", strict=True)
@@ -192,7 +194,7 @@ class Totals:
 
     __pydantic_config__ = _CHECKED
 
-    turns: Annotated[int, Field(ge=0)] | None = None
+    turns: Annotated[int, Field(ge=0, le=MOST_COUNTED)] | None = None
     metres: Metres | None = None
 
 
@@ -203,6 +205,6 @@ class RoutePlan:
     __pydantic_config__ = _CHECKED
 
     start: Start = Start()
-    legs: tuple[Leg, ...] = ()
+    legs: Annotated[tuple[Leg, ...], Field(max_length=MOST_LEGS)] = ()
     arrival: Arrival = Arrival()
     totals: Totals = Totals()

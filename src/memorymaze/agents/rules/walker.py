@@ -11,6 +11,7 @@ from memorymaze.agents.rules.floor_map import (
     Stretch,
 )
 from memorymaze.geometry.pose import wrap_angle
+from memorymaze.perception.detector import LONGEST_QUERY
 from memorymaze.robot.api import Direction, Robot
 
 STRIDE = 0.8
@@ -305,6 +306,9 @@ class Walker:
         """Look for things; what is seen goes on the map."""
         seen: list[Sighting] = []
         for phrase in phrases:
+            # No camera can be asked for it: it is a sentence that was taken for a thing.
+            if len(phrase) > LONGEST_QUERY:
+                continue
             for found in self._robot.detect_from_RGB_image(phrase):
                 bearing = math.radians(found.bearing_deg)
                 angle = self.heading + bearing
