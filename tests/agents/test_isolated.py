@@ -48,6 +48,14 @@ def test_an_isolated_agent_walks_as_it_would_otherwise(
             "import memorymaze; memorymaze.load_site", "cannot load", id="front door"
         ),
         pytest.param("open({plan!r})", "cannot read plans", id="plan"),
+        pytest.param(
+            "import os; os.link({plan!r}, 'copy')", "cannot read plans", id="link"
+        ),
+        pytest.param(
+            "import os; open(f'/proc/{{os.getppid()}}/mem')",
+            "cannot read plans",
+            id="memory",
+        ),
         pytest.param("robot.scene", "has no 'scene': agents get", id="scene"),
         pytest.param("1 / 0", "ZeroDivisionError: division by zero", id="fault"),
         pytest.param("raise SystemExit(3)", "the agent's process ended", id="exit"),
@@ -59,6 +67,39 @@ def test_an_isolated_agent_gets_no_answers_and_its_faults_are_told(
     walk = _walk(tmp_path, corridor, line.format(plan=str(corridor)), isolate=True)
     assert walk.stopped_by == "crash"
     assert said in str(walk.result.error)
+
+
+def test_named_arguments_of_an_isolated_agent_arrive_by_their_names(
+    tmp_path: Path, corridor: Path
+) -> None:
+    line = "picture = robot.camera_picture(height=24, width=32); picture.rgb[23, 31]"
+    walk = _walk(tmp_path, corridor, line, isolate=True)
+    assert walk.stopped_by == "agent"
+
+
+def test_an_isolated_agent_cannot_ask_for_what_stands_behind_the_robot(
+    tmp_path: Path, corridor: Path
+) -> None:
+    line = (
+        "pipe = robot._FarRobot__connection; "
+        "pipe.send(('call', ('__reduce_ex__', (2,), {}))); raise pipe.recv()[1]"
+    )
+    walk = _walk(tmp_path, corridor, line, isolate=True)
+    assert "a robot has no '__reduce_ex__'" in str(walk.result.error)
+
+
+def test_what_an_episode_left_unsaid_does_not_reach_the_next(
+    tmp_path: Path, tiny_corpus: mm.Corpus
+) -> None:
+    path = tmp_path / "own.py"
+    line = "robot._FarRobot__connection.send(5) if rng.integers(2) else None"
+    path.write_text(AGENT.format(line=line), encoding="utf-8")
+    run = mm.evaluate(
+        f"{path}:Mine", tiny_corpus, out=tmp_path / "run", isolate=True, workers=1
+    )
+    ends = [(each.stopped_by, bool(each.error)) for each in run.results]
+    assert set(ends) == {("agent", False), ("crash", True)}
+    assert all("got int" in each.error for each in run.results if each.error)
 
 
 def test_a_budget_that_runs_out_ends_an_isolated_agent(

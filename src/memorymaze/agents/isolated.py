@@ -75,33 +75,55 @@ class IsolatedAgent:
         self, instruction: str, robot: Robot, journal: Journal, rng: np.random.Generator
     ) -> None:
         """Let the agent follow; its calls and notes come here."""
-        connection = self._started()
+        try:
+            end = self._converse(self._started(), instruction, robot, journal, rng)
+        except BaseException as problem:
+            # What is still said is of an episode that is over.
+            self._give_up()
+            if isinstance(problem, EOFError | OSError):
+                raise IsolatedAgentError("the agent's process ended") from None
+            raise
+        for name, value in end.spent.items():
+            setattr(journal, name, value)
+        if end.over is not None:
+            raise EpisodeOver(end.over)
+        if end.traceback:
+            journal.note("traceback", lines=end.traceback)
+        if end.error is not None:
+            raise end.error
+
+    def _converse(
+        self,
+        connection: Connection,
+        instruction: str,
+        robot: Robot,
+        journal: Journal,
+        rng: np.random.Generator,
+    ) -> "_End":
+        """Answer what the agent says until the episode is over."""
         names = frozenset(name for name in dir(robot) if not name.startswith("_"))
         connection.send((instruction, names, rng))
         while True:
-            try:
-                kind, content = connection.recv()
-            except (EOFError, OSError):
-                self._connection = None
-                raise IsolatedAgentError("the agent's process ended") from None
-            match kind:
-                case "call":
-                    connection.send(_answer(robot, *content))
-                case "note":
+            match connection.recv():
+                case "call", content:
+                    connection.send(_answer(robot, names, *content))
+                case "note", content:
                     journal.note(content.pop("kind"), **content)
-                case "completion":
+                case "completion", content:
                     stand = journal.on_completion
                     connection.send(0.0 if stand is None else stand(content))
-                case _:
-                    break
-        for name, value in content.spent.items():
-            setattr(journal, name, value)
-        if content.over is not None:
-            raise EpisodeOver(content.over)
-        if content.traceback:
-            journal.note("traceback", lines=content.traceback)
-        if content.error is not None:
-            raise content.error
+                case "end", _End() as end:
+                    return end
+                case other:
+                    raise IsolatedAgentError(
+                        f"expected a call of the robot, got {type(other).__name__}"
+                    )
+
+    def _give_up(self) -> None:
+        if self._connection is not None:
+            self._connection.close()
+            self._connection = None
+            self._process.kill()
 
     def _started(self) -> Connection:
         if self._connection is None:
@@ -141,15 +163,24 @@ def isolated(
     return IsolatedAgent(agent.name, made_from, places)
 
 
-def _answer(robot: Robot, name: str, arguments: tuple[Any, ...]) -> tuple[str, Any]:
+def _answer(
+    robot: Robot,
+    names: frozenset[str],
+    name: str,
+    arguments: tuple[Any, ...],
+    named: dict[str, Any],
+) -> tuple[str, Any]:
+    # Asked here too: what Python itself can be asked of a robot tells where it is.
+    if name not in names:
+        return "error", AttributeError(f"a robot has no {name!r}")
     try:
-        return "value", getattr(robot, name)(*arguments)
+        return "value", getattr(robot, name)(*arguments, **named)
     except EpisodeOver as over:
         return "over", over.stopped_by
-    except MemoryMazeError as error:
-        return "error", error
     except (AttributeError, TypeError) as error:
-        return "error", error
+        return "error", type(error)(*error.args)
+    except Exception as error:
+        return "error", _sendable(error, None)
 
 
 @dataclass(frozen=True, slots=True)
@@ -182,7 +213,7 @@ class _FarRobot:
             )
 
         def call(*arguments: Any, **named: Any) -> Any:
-            self.__connection.send(("call", (name, (*arguments, *named.values()))))
+            self.__connection.send(("call", (name, arguments, named)))
             how, content = self.__connection.recv()
             if how == "over":
                 raise EpisodeOver(content)
@@ -246,10 +277,16 @@ def _sendable(problem: Exception, agent: object) -> Exception:
     return IsolatedAgentError(failure_line(problem, agent))
 
 
+_REACHES_FILES = frozenset({"open", "os.link", "os.rename"})
+"""What Python says before it does; other processes and libraries in C do not ask."""
+
+
 def _keeper(kept_from: Sequence[str]) -> Callable[[str, tuple[Any, ...]], None]:
     """Return what refuses to load rooms with answers and to read files with them."""
     data = [str(_PACKAGE / room) for room in ("sites/data", "instructions/data")]
-    places = tuple(map(os.path.realpath, (*data, *kept_from)))
+    # The parent's memory and open files hold the building.
+    parent = f"/proc/{os.getppid()}"
+    places = (parent, *map(os.path.realpath, (*data, *kept_from)))
     rooms = tuple(f"memorymaze.{room}" for room in ROOMS_WITH_ANSWERS)
 
     def keep(event: str, arguments: tuple[Any, ...]) -> None:
@@ -259,7 +296,9 @@ def _keeper(kept_from: Sequence[str]) -> Callable[[str, tuple[Any, ...]], None]:
                 raise ImportError(
                     f"{name}: an isolated agent cannot load the rooms that know answers"
                 )
-        elif event == "open" and isinstance(arguments[0], str | bytes | os.PathLike):
+        elif event in _REACHES_FILES and isinstance(
+            arguments[0], str | bytes | os.PathLike
+        ):
             path = os.path.realpath(os.fsdecode(arguments[0]))
             if any(path == each or path.startswith(each + os.sep) for each in places):
                 raise PermissionError(

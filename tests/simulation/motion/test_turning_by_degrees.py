@@ -62,7 +62,9 @@ def test_an_angle_of_nothing_is_an_angle(scenes: Scenes, put_robot: PutRobot) ->
     assert result.angle_deg == 0
 
 
-@pytest.mark.parametrize("nonsense", [361, math.nan, math.inf, True, "90", None])
+@pytest.mark.parametrize(
+    "nonsense", [361, 10**400, math.nan, math.inf, True, "90", None]
+)
 def test_refuses_angles_without_meaning(
     scenes: Scenes, put_robot: PutRobot, nonsense: object
 ) -> None:

@@ -5,10 +5,12 @@ Angles are relative to the way the robot faces, left positive.
 
 import math
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 
 import numpy as np
 
 from memorymaze.errors import CommandError, did_you_mean
+from memorymaze.input_files import LONGEST_SHOWN
 from memorymaze.robot.api import DIRECTIONS, Direction
 from memorymaze.simulation.settings import TIMESTEP, SimulationSettings
 
@@ -70,7 +72,7 @@ def parse_direction(direction: object) -> Direction:
         if isinstance(direction, str) and direction == known:
             return known
     raise CommandError(
-        f"turn: expected one of {', '.join(DIRECTIONS)}; got {direction!r}"
+        f"turn: expected one of {', '.join(DIRECTIONS)}; got {_told(direction)}"
         f"{did_you_mean(direction, DIRECTIONS)}"
     )
 
@@ -81,7 +83,7 @@ def words_to_look_for(words: object) -> str:
         return words
     raise CommandError(
         "detect_from_RGB_image: expected what to look for in a few words, "
-        f"got {words!r}"
+        f"got {_told(words)}"
     )
 
 
@@ -91,7 +93,7 @@ def metres_ahead(call: str, distance: object) -> float:
     if metres is not None and metres > 0:
         return metres
     raise CommandError(
-        f"{call}: expected a distance in metres greater than 0, got {distance!r}"
+        f"{call}: expected a distance in metres greater than 0, got {_told(distance)}"
     )
 
 
@@ -103,7 +105,7 @@ def radians_to_turn(angle: object) -> float:
         return radians
     raise CommandError(
         "rotate: expected an angle in radians, left positive, not 0 and at most a "
-        f"full turn (2 pi), got {angle!r}"
+        f"full turn (2 pi), got {_told(angle)}"
     )
 
 
@@ -118,7 +120,7 @@ def degrees_to_turn(degrees: object) -> float:
         return math.radians(number)
     raise CommandError(
         "turn_by: expected an angle in degrees, left positive, from -360 to 360, "
-        f"got {degrees!r}"
+        f"got {_told(degrees)}"
     )
 
 
@@ -136,13 +138,23 @@ def check_speeds(settings: SimulationSettings, asked: Mapping[str, object]) -> N
         slack = 0.0 if math.isinf(highest) else 1e-6 * highest
         if number is None or not lowest - slack <= number <= highest + slack:
             raise CommandError(
-                f"drive: expected {name} from {lowest} to {highest}, got {value!r}"
+                f"drive: expected {name} from {lowest} to {highest}, got {_told(value)}"
             )
 
 
 def _finite(value: object) -> float | None:
     # bool is an int to Python, but no measure.
     if isinstance(value, int | float | np.number) and not isinstance(value, bool):
-        number = float(value)
-        return number if math.isfinite(number) else None
+        with suppress(OverflowError):
+            number = float(value)
+            return number if math.isfinite(number) else None
     return None
+
+
+def _told(value: object) -> str:
+    """Return what came, cut to a length that fits a message, whatever it is."""
+    try:
+        text = repr(value)
+    except Exception:
+        text = f"one {type(value).__name__}"
+    return text if len(text) <= LONGEST_SHOWN else f"{text[:LONGEST_SHOWN]}…"
