@@ -84,6 +84,8 @@ def test_dashes_stand_for_underscores() -> None:
         pytest.param("stride", "nan", "expected a number", id="nan"),
         pytest.param("stride", "inf", "expected a number", id="infinite"),
         pytest.param("steps", "1.5", "expected a whole number", id="int"),
+        pytest.param("steps", "1_0", "expected a whole number", id="underscore"),
+        pytest.param("stride", "٣", "expected a number", id="other digits"),
         pytest.param("steps", "", "expected a whole number, got ''", id="empty"),
         pytest.param("polite", "yes", "expected true or false", id="bool"),
         pytest.param("budget", "free", "expected released or fair", id="word"),

@@ -243,6 +243,9 @@ def _value(kind: Any, text: str) -> Any:
         return text == "true"
     elif kind is str and text:
         return text
+    elif kind in (int, float) and ("_" in text or not text.isascii()):
+        # Python reads them, but nobody writes numbers so on purpose.
+        raise ValueError(text)
     elif kind is int:
         return int(text)
     elif kind is float and math.isfinite(float(text)):

@@ -130,6 +130,7 @@ def test_a_folder_with_other_settings_is_not_resumed(
         seed=7,
         agent=replace(record.settings.agent, name="stop"),
         instructions=(replace(record.settings.instructions[0], sha256="99"),),
+        time_budget=60.0,
         simulation=replace(record.settings.simulation, time_budget=60.0),
     )
     with pytest.raises(RunFolderError, match="cannot resume") as caught:

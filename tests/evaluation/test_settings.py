@@ -80,7 +80,7 @@ def test_equal_settings_do_not_differ(settings: RunDefinition) -> None:
 
 def test_one_more_site_is_a_difference(settings: RunDefinition) -> None:
     more = replace(settings, sites=(*settings.sites, FileStamp("annex", "ff")))
-    assert differences(settings, more) == ["sites[1]: None there, 'annex ff' here"]
+    assert differences(settings, more) == ["site annex: None there, 'ff' here"]
 
 
 def test_a_stamp_depends_on_the_content_of_a_file(tmp_path: Path) -> None:

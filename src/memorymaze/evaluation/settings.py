@@ -277,7 +277,11 @@ def differences(old: RunDefinition, new: RunDefinition) -> list[str]:
         if not (getattr(old, name) and getattr(new, name)):
             old, new = replace(old, **{name: ()}), replace(new, **{name: ()})
     before, after = dict(_flat(asdict(old))), dict(_flat(asdict(new)))
-    names = [f for f in {**before, **after} if f not in NOT_COMPARED]
+    not_compared = set(NOT_COMPARED)
+    if old.scales_budget and new.scales_budget:
+        # That of the longest route of all, which limits no episode.
+        not_compared.add("simulation.time_budget")
+    names = [f for f in {**before, **after} if f not in not_compared]
     return [
         f"{name}: {before.get(name)!r} there, {after.get(name)!r} here"
         for name in names
@@ -296,9 +300,12 @@ def agent_version(settings: RunDefinition) -> str | None:
 
 def _flat(value: Mapping[str, Any], prefix: str = "") -> Iterable[tuple[str, Any]]:
     for name, part in value.items():
-        if name in {"instructions", "sites"}:
+        if name == "instructions":
             for number, stamp in enumerate(part):
                 yield f"{name}[{number}]", f"{stamp['name']} {stamp['sha256'][:12]}"
+        elif name == "sites":
+            for stamp in part:
+                yield f"site {stamp['name']}", stamp["sha256"][:12]
         elif name == "agent_files":
             for stamp in part:
                 yield f"agent.file {stamp['name']}", stamp["sha256"][:12]

@@ -121,6 +121,34 @@ def test_pictures_of_other_looks_are_an_unfair_comparison(
     assert "looks: 'models' there, 'own' here." in warning
 
 
+def test_runs_over_other_sites_with_time_by_the_way_raise_no_alarm(
+    write: Write, result: Make
+) -> None:
+    runs = [write("some", [result("a-1")]), write("more", [result("a-1")])]
+    for run, sites, seconds in zip(runs, ["b", "ab"], [119.0, 529.0], strict=True):
+        stamps = [{"name": name, "sha256": 64 * name} for name in sites]
+        content = json.loads((run / "run.json").read_text(encoding="utf-8"))
+        simulation = content["settings"]["simulation"] | {"time_budget": seconds}
+        change_settings(run, sites=stamps, simulation=simulation, budget_by="way")
+    assert warnings_of(comparison_table(*load_runs(runs))) == []
+    change_settings(runs[0], budget_by="longest")
+    change_settings(runs[1], sites=[{"name": "b", "sha256": 64 * "c"}])
+    [alarm] = warnings_of(comparison_table(*load_runs(runs)))
+    assert "budget_by: 'longest' there, 'way' here" in alarm
+    assert "simulation.time_budget: 119.0 there, 529.0 here" in alarm
+    assert "site b: 'bbbbbbbbbbbb' there, 'cccccccccccc' here" in alarm
+
+
+def test_where_no_interval_can_be_told_no_test_is_made(
+    write: Write, result: Make
+) -> None:
+    told = [result("a-1", route="R1"), result("b-1", route="R2")]
+    runs = [write(name, told) for name in ("old", "new")]
+    table = comparison_table(*load_runs(runs))
+    assert {row["low"] for row in table.rows} == {None}
+    assert {row["p"] for row in table.rows} == {None}
+
+
 def test_one_person_allows_no_test_and_equal_values_no_interval(
     write: Write, result: Make
 ) -> None:
