@@ -74,6 +74,24 @@ def test_new_writes_a_plan_that_check_lets_pass_and_writes_it_once(
         command("new", "annex", "--out", "buildings/annex.geojson")
 
 
+def test_generate_names_each_building_after_kind_and_seed(
+    command: Command, capsys: pytest.CaptureFixture[str]
+):
+    kind = ("generate", "--kind", "school", "--seed", "4", "--count", "2")
+    assert command(*kind, "--out", "made") == 0
+    assert capsys.readouterr().out.splitlines() == [
+        "made/school_0004.geojson",
+        "made/school_0005.geojson",
+    ]
+    assert command("check", "made") == 0
+    assert capsys.readouterr().err == "2 plans: 0 errors, 0 warnings\n"
+
+
+def test_generate_of_no_buildings_is_told(command: Command):
+    with pytest.raises(SettingsError, match="--count: expected at least 1, got 0"):
+        command("generate", "--kind", "mall", "--count", "0", "--out", "made")
+
+
 def test_check_fails_when_a_plan_has_an_error(
     command: Command, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ):

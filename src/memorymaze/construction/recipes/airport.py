@@ -25,7 +25,7 @@ def airport(rng: np.random.Generator) -> Layout:
     layout.street(concourse, 6.0, "concourse", 0, "Main Concourse")
     layout.entrances.append((concourse[0], "Terminal Entrance"))
     layout.hall(
-        Frame().box(3, -9, between(rng, 15, 17), 9), "Check-in Hall", "checkin", 0
+        Frame().box(3, -9, between(rng, 15, 17), 9), "Check-in Hall", "check_in", 0
     )
     check = frame_on(concourse, 9.5)
     for sign, name in ((1, "North Exit"), (-1, "South Exit")):
