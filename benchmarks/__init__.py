@@ -1,7 +1,9 @@
 """What the project measures of itself, beside named baselines in the same run.
 
 `python -m benchmarks` runs all, `python -m benchmarks --only NAME` one. A benchmark is
-a file here with `run() -> list[Row]` and one line in `BENCHMARKS`.
+a file here with `run() -> list[Row]` and one line in `BENCHMARKS`. What measures agents, or
+texts, by many walks or words is run by itself: `arrival` and `repair` (docs/benches.md),
+`made_texts`, `same_walks`.
 """
 
 BENCHMARKS: dict[str, str] = {

@@ -98,7 +98,7 @@ def destinations_of(site: Site) -> list[Destination]:
             if label is not None and NUMBER.fullmatch(label):
                 found.append(Destination("number", thing))
             elif label is not None and not thing.words.startswith("door to "):
-                found.append(Destination("sign", thing))
+                found.append(Destination("sign", _by_its_label(thing, label)))
         elif thing.kind == "object" and not thing.proper:
             found.append(Destination("thing", thing))
         elif thing.kind == "sign" and " that says " in thing.words:
@@ -109,6 +109,12 @@ def destinations_of(site: Site) -> list[Destination]:
     return [each for each in found if count[each.thing.words] == 1]
 
 
+def _by_its_label(door: Thing, label: str) -> Thing:
+    """Return a door with the name on it, where its words say only what a door it is."""
+    is_said = label.casefold() in door.words.casefold()
+    return door if is_said else replace(door, words=label)
+
+
 class Approach(NamedTuple):
     """Two turns, and the stretch after them as far as it goes straight on."""
 
@@ -116,6 +122,12 @@ class Approach(NamedTuple):
     corners: tuple[Place, Place]
     end: Place
     turns: tuple[RouteTurn, ...]
+
+
+class _Turn(NamedTuple):
+    at: str
+    side: Literal["left", "right"]
+    onward: Way
 
 
 class Approaches:
@@ -145,7 +157,7 @@ class Approaches:
             passed.add(onward.end)
             onward = self._graph.leaving(onward.end, onward.heading, None)
 
-    def _turns(self, point: str, way: Way) -> Iterator["_Turn"]:
+    def _turns(self, point: str, way: Way) -> Iterator[_Turn]:
         """Yield the turns that one can make who goes straight on."""
         for each in self._straight_on(point, way):
             for side in SIDES if each.end else ():
@@ -153,7 +165,7 @@ class Approaches:
                 if onward is not None:
                     yield _Turn(str(each.end), side, onward)
 
-    def _approach(self, point: str, first: "_Turn", second: "_Turn") -> Approach | None:
+    def _approach(self, point: str, first: _Turn, second: _Turn) -> Approach | None:
         begin, corners = (
             self._middle(point),
             (self._middle(first.at), self._middle(second.at)),
@@ -161,7 +173,8 @@ class Approaches:
         before = LineString([corners[0], begin])
         start = before.interpolate(min(BEFORE, before.length))
         *_, beyond = self._straight_on(second.at, second.onward)
-        last = self._middle(beyond.end) if beyond.end else beyond.line[-1]
+        end = self._middle(beyond.end) if beyond.end else beyond.line[-1]
+        last = self._as_far_as_free(corners[1], end)
         turns = (RouteTurn(first.at, first.side), RouteTurn(second.at, second.side))
         places = [(round(start.x, 2), round(start.y, 2)), *corners, last]
         bends = [
@@ -212,20 +225,21 @@ class Approaches:
 
     def up_to(self, route: Route, thing: Thing) -> Route:
         """Return a route that goes on to where one can stand before a thing."""
-        abreast = Point(route.line.coords[-1])
-        sight = LineString([abreast, thing.position])
-        for part in get_parts(sight.intersection(self._floor)):
-            if part.distance(abreast) < 0.05 and part.length > 0.3:
-                place = max(part.coords, key=lambda each: abreast.distance(Point(each)))
-                line = LineString([*route.line.coords, place])
-                return replace(route, line=line, length=line.length)
-        return route
+        *_, (x, y) = route.line.coords
+        place = self._as_far_as_free((x, y), thing.position)
+        if math.dist((x, y), place) < 0.3:
+            return route
+        line = LineString([*route.line.coords, place])
+        return replace(route, line=line, length=line.length)
 
-
-class _Turn(NamedTuple):
-    at: str
-    side: Literal["left", "right"]
-    onward: Way
+    def _as_far_as_free(self, start: Place, end: Place) -> Place:
+        """Return how far one can go straight from a free place towards another."""
+        origin = Point(start)
+        for part in get_parts(LineString([start, end]).intersection(self._floor)):
+            if part.distance(origin) < 0.05:
+                x, y = max(part.coords, key=lambda each: math.dist(start, each))
+                return x, y
+        return start
 
 
 def arrival_cases(site: Site, sample: int | None, seed: int) -> list[ArrivalCase]:

@@ -88,3 +88,13 @@ def test_who_was_at_the_goal_and_ended_elsewhere_passed_it(
         PlanWalk(result("a", spd=8.0, oracle_success=was), ()) for was in (True, False)
     )
     assert arrival_row("thing", [near, never])["passed"] == 0.5
+
+
+def test_a_door_that_looks_like_others_is_told_by_the_name_on_it(
+    builtin_sites: dict[str, Site],
+) -> None:
+    there = {
+        each.thing.id: each for each in destinations_of(builtin_sites["university"])
+    }
+    assert there["door_library"].thing.words == "LIBRARY"
+    assert there["door_library"].kind == "sign"
