@@ -9,6 +9,7 @@ import math
 from collections.abc import Iterable
 
 import numpy as np
+from numpy.typing import NDArray
 
 from memorymaze.agents.agent import Need
 from memorymaze.errors import SettingsError
@@ -26,6 +27,17 @@ STEP_SECONDS = 1.5
 """Of a primitive motion from rest to rest: 25 cm take 1.4 s, 30 degrees 1.35 s."""
 
 
+def _pieces_and_turns(
+    route: Route,
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return the metres of a line's straight pieces, and the radians turned between."""
+    pieces = np.diff(np.array(route.line.coords)[:, :2], axis=0)
+    lengths = np.hypot(pieces[:, 0], pieces[:, 1])
+    pieces, lengths = pieces[lengths > 0], lengths[lengths > 0]
+    headings = np.unwrap(np.arctan2(pieces[:, 1], pieces[:, 0]))
+    return lengths, np.abs(np.diff(headings))
+
+
 def perfect_time(route: Route, settings: SimulationSettings) -> float:
     """Return the seconds a robot needs that follows a route's line without a mistake.
 
@@ -37,11 +49,7 @@ def perfect_time(route: Route, settings: SimulationSettings) -> float:
 
     with v, a, w, b the greatest speed, acceleration, turn rate and turn acceleration.
     """
-    pieces = np.diff(np.array(route.line.coords)[:, :2], axis=0)
-    pieces = pieces[np.hypot(pieces[:, 0], pieces[:, 1]) > 0]
-    lengths = np.hypot(pieces[:, 0], pieces[:, 1])
-    headings = np.unwrap(np.arctan2(pieces[:, 1], pieces[:, 0]))
-    turns = np.abs(np.diff(headings))
+    lengths, turns = _pieces_and_turns(route)
     speed, rate = settings.max_speed, settings.max_turn_rate
     driving = lengths / speed + speed / settings.max_acceleration
     turning = turns / rate + rate / settings.max_turn_acceleration
@@ -69,14 +77,10 @@ def perfect_steps(
 
         sum over pieces of ceil(length / step) + sum over turns of ceil(angle / turn)
     """
-    pieces = np.diff(np.array(route.line.coords)[:, :2], axis=0)
-    lengths = np.hypot(pieces[:, 0], pieces[:, 1])
-    pieces, lengths = pieces[lengths > 0], lengths[lengths > 0]
-    headings = np.unwrap(np.arctan2(pieces[:, 1], pieces[:, 0]))
-    turns = np.degrees(np.abs(np.diff(headings)))
+    lengths, turns = _pieces_and_turns(route)
     # What is a whole number but for rounding is one.
     ahead = np.ceil(lengths / step_m - 1e-6)
-    aside = np.ceil(turns / turn_deg - 1e-6)
+    aside = np.ceil(np.degrees(turns) / turn_deg - 1e-6)
     return int(ahead.sum() + aside.sum())
 
 
