@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
-from typing import Any, ClassVar
+from typing import Any, ClassVar, Generic, TypeVar
 
 import numpy as np
 
@@ -36,6 +36,15 @@ from memorymaze.robot.api import Robot
 from memorymaze.robot.steps import SteppingRobot
 from memorymaze.sites import Route, Site
 
+Made = TypeVar("Made", bound=Agent)
+
+
+def _asking(
+    model: LanguageModel, make: Callable[[LanguageModel], Made]
+) -> Callable[[Episode], Made]:
+    """Return what makes agents that ask a model, each about its episode's instruction."""
+    return lambda episode: make(AboutInstruction(model, episode.instruction.id))
+
 
 def code_generation_for_runs(
     settings: AgentSettings, options: CodeGenerationOptions
@@ -44,11 +53,9 @@ def code_generation_for_runs(
     model = build_language_model(settings.language_model)
     parser = parses_first(settings)
 
-    def agent_for(episode: Episode) -> CodeGenerationAgent:
-        asked = AboutInstruction(model, episode.instruction.id)
-        return CodeGenerationAgent(asked, parser=parser, options=options)
-
-    return agent_for
+    return _asking(
+        model, lambda asked: CodeGenerationAgent(asked, parser=parser, options=options)
+    )
 
 
 def reading_for_runs(
@@ -61,12 +68,7 @@ def reading_for_runs(
             made = agent(options)
             return lambda _: made
         model = build_language_model(settings.language_model)
-
-        def agent_for(episode: Episode) -> Agent:
-            asked = AboutInstruction(model, episode.instruction.id)
-            return agent(options, ModelReader(asked))
-
-        return agent_for
+        return _asking(model, lambda asked: agent(options, ModelReader(asked)))
 
     return make
 
@@ -97,19 +99,18 @@ def navgpt_for_runs(
         store = CaptionStore(options.caption_file)
         describe = VisionCaptions(looking, store).in_episode
 
-    def agent_for(episode: Episode) -> NavGPTOnGraph:
-        asked = AboutInstruction(model, episode.instruction.id)
-        return NavGPTOnGraph(NavGPTAgent(asked, options), describe)
-
-    return agent_for
+    return _asking(
+        model, lambda asked: NavGPTOnGraph(NavGPTAgent(asked, options), describe)
+    )
 
 
-class NavidOnSite:
-    """The agent with the budget `fair` of the site that it is on."""
+Stepping = TypeVar("Stepping", NavidAgent, SeeAndGoAgent)
 
-    needs: ClassVar[frozenset[Need]] = NavidAgent.needs
 
-    def __init__(self, agent: NavidAgent) -> None:
+class _OnSite(Generic[Stepping]):
+    """Stands for an agent whose budget comes from the site that it is on."""
+
+    def __init__(self, agent: Stepping) -> None:
         """Stand for an agent."""
         self._agent = agent
         self.prompts = agent.prompts
@@ -119,6 +120,12 @@ class NavidOnSite:
     def name(self) -> str:
         """That of the agent."""
         return self._agent.name
+
+
+class NavidOnSite(_OnSite[NavidAgent]):
+    """The agent with the budget `fair` of the site that it is on."""
+
+    needs: ClassVar[frozenset[Need]] = NavidAgent.needs
 
     def answers_expected(self, site: Site, route: Route) -> tuple[int, int]:
         """Return how often it will ask on a route.
@@ -155,12 +162,9 @@ def navid_for_runs(
         policy = _remote_policy(settings.language_model, options, options.server)
         return lambda _: NavidOnSite(NavidAgent(policy, options))
     model = _checked_model(settings.language_model, options)
-
-    def agent_for(episode: Episode) -> Agent:
-        asked = AboutInstruction(model, episode.instruction.id)
-        return NavidOnSite(NavidAgent(_policy(asked, options), options))
-
-    return agent_for
+    return _asking(
+        model, lambda asked: NavidOnSite(NavidAgent(_policy(asked, options), options))
+    )
 
 
 def _checked_model(settings: ModelSettings, options: NavidOptions) -> LanguageModel:
@@ -236,21 +240,10 @@ def _remote_policy(
         raise SettingsError(f"--set server: {error}") from error
 
 
-class SeeAndGoOnSite:
+class SeeAndGoOnSite(_OnSite[SeeAndGoAgent]):
     """The agent with as many requests as NavGPT has, by its budget `fair`, on a site."""
 
     needs: ClassVar[frozenset[Need]] = SeeAndGoAgent.needs
-
-    def __init__(self, agent: SeeAndGoAgent) -> None:
-        """Stand for an agent."""
-        self._agent = agent
-        self.prompts = agent.prompts
-        """Versions of the prompts that the agent asks with."""
-
-    @property
-    def name(self) -> str:
-        """That of the agent."""
-        return self._agent.name
 
     def answers_expected(self, site: Site, route: Route) -> tuple[int, int]:
         """Return how often it will ask on a route: without a mistake, and at most."""
@@ -288,9 +281,4 @@ def see_and_go_for_runs(
     """
     _refuse_blind(settings.language_model)
     model = build_language_model(settings.language_model)
-
-    def agent_for(episode: Episode) -> SeeAndGoOnSite:
-        asked = AboutInstruction(model, episode.instruction.id)
-        return SeeAndGoOnSite(SeeAndGoAgent(asked, options))
-
-    return agent_for
+    return _asking(model, lambda asked: SeeAndGoOnSite(SeeAndGoAgent(asked, options)))
