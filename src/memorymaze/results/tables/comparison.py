@@ -40,8 +40,6 @@ KEY = (
     "routes is unweighted. Arrived: both / only {first} / only {second} / neither."
 )
 
-WARNINGS = ("LEFT OUT", "NOT ")
-"""Beginnings of notes on what is unfair."""
 COUNTS = ("both", "only_a", "only_b", "neither")
 """Who arrived."""
 NOT_TOLD = (
@@ -74,18 +72,9 @@ def comparison_table(
     Raises:
         RunFolderError: No episode is in both runs.
     """
-    there = {result.episode_id: result for result in first.results}
-    here = {result.episode_id: result for result in second.results}
-    shared = sorted(there.keys() & here.keys())
-    if not shared:
-        raise RunFolderError(
-            f"{first.name} and {second.name}: expected runs over the same instructions, "
-            "got no episode that both have"
-        )
-    pairs = [(there[key], here[key]) for key in shared]
+    pairs = _pairs(first, second)
     before = [one for one, _ in pairs]
     measures = known_to([each for pair in pairs for each in pair], COMPARED_MEASURES)
-    left_out = (len(there) - len(shared), len(here) - len(shared))
     table = Table(
         title,
         _columns(*letters),
@@ -105,7 +94,7 @@ def comparison_table(
         ),
         (
             *(_note(*each) for each in zip(letters, (first, second), strict=True)),
-            *_warnings(first, second, left_out, letters),
+            *_warnings(first, second, len(pairs), letters),
             *(
                 f"NOT COMPARED, as an older version did not measure it: {each.short}."
                 for each in COMPARED_MEASURES
@@ -133,13 +122,15 @@ def comparison_overview(first: MeasuredRun, others: Sequence[MeasuredRun]) -> Ta
     """
     rows: list[Row] = []
     notes = [_note("A", first)]
+    success = [each for each in COMPARED_MEASURES if each.name == "sr"]
     for other in others:
-        table = comparison_table(first, other, letters=("A", "B"))
-        success = [row for row in table.rows if row["measure"] == "sr"]
-        for study in dict.fromkeys(row["study"] for row in success):
-            *_, mean = (row for row in success if row["study"] == study)
+        pairs = _pairs(first, other)
+        for study in studies_of(one for one, _ in pairs):
+            chosen = [pair for pair in pairs if pair[0].study == study]
+            places = places_of((one for one, _ in chosen), study)
+            [mean] = _rows(chosen, places, success)
             rows.append({"method": other.label, "run": other.name, **mean})
-        unfair = [each for each in table.notes if each.startswith(WARNINGS)]
+        unfair = _warnings(first, other, len(pairs), ("A", "B"))
         notes.append("\n".join([_note("B", other), *unfair]))
     studies = studies_of(first.results)
     shown = {column.name: column for column in _columns("A", "B")}
@@ -159,6 +150,21 @@ def comparison_overview(first: MeasuredRun, others: Sequence[MeasuredRun]) -> Ta
             "comparison",
         )
     )
+
+
+def _pairs(
+    first: MeasuredRun, second: MeasuredRun
+) -> list[tuple[EpisodeResult, EpisodeResult]]:
+    """Return the results of the episodes that both runs have."""
+    there = {result.episode_id: result for result in first.results}
+    here = {result.episode_id: result for result in second.results}
+    shared = sorted(there.keys() & here.keys())
+    if not shared:
+        raise RunFolderError(
+            f"{first.name} and {second.name}: expected runs over the same instructions, "
+            "got no episode that both have"
+        )
+    return [(there[key], here[key]) for key in shared]
 
 
 def _columns(first: str, second: str) -> tuple[Column, ...]:
@@ -264,14 +270,14 @@ def _note(letter: str, run: MeasuredRun) -> str:
 def _warnings(
     first: MeasuredRun,
     second: MeasuredRun,
-    left_out: tuple[int, int],
+    shared: int,
     letters: tuple[str, str],
 ) -> Iterator[str]:
     """Say what is unfair about a comparison."""
     told = [
-        f"{count} only in {letter}"
-        for letter, count in zip(letters, left_out, strict=True)
-        if count
+        f"{len(run.results) - shared} only in {letter}"
+        for letter, run in zip(letters, (first, second), strict=True)
+        if len(run.results) > shared
     ]
     if told:
         yield f"LEFT OUT, as only one run has them: {', '.join(told)}."
