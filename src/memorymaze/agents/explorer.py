@@ -15,8 +15,8 @@ from memorymaze.agents.plan_readers import (
     reader_without_model,
 )
 from memorymaze.agents.rules.arriving import approach
-from memorymaze.agents.rules.floor_map import Sighting
-from memorymaze.agents.rules.walker import BACK, Walker
+from memorymaze.agents.walking.floor_map import Sighting
+from memorymaze.agents.walking.walker import BACK, Walker
 from memorymaze.errors import SettingsError
 from memorymaze.geometry.pose import wrap_angle
 from memorymaze.perception.matching import points_elsewhere

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 import pytest
 
 from memorymaze.agents.rules.alignment import Aligner, Branch, Standing
-from memorymaze.agents.rules.floor_map import Crossing, FloorMap, Sighting, View
+from memorymaze.agents.walking.floor_map import Crossing, FloorMap, Sighting, View
 from memorymaze.understanding import ANY_FLOOR, parse_route_description
 
 FORK = 7

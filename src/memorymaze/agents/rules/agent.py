@@ -16,16 +16,16 @@ from memorymaze.agents.plan_readers import (
 )
 from memorymaze.agents.rules.alignment import Aligner, Branch, Ending, Standing
 from memorymaze.agents.rules.arriving import Arrivals, approach
-from memorymaze.agents.rules.evidence import choices_at
-from memorymaze.agents.rules.floor_map import Sighting
-from memorymaze.agents.rules.outlooks import (
+from memorymaze.agents.walking.choices import choices_at
+from memorymaze.agents.walking.floor_map import Sighting
+from memorymaze.agents.walking.outlooks import (
     faces,
     first_heading_cost,
     length_of,
     outlook_of,
     things_on,
 )
-from memorymaze.agents.rules.walker import Walker
+from memorymaze.agents.walking.walker import Walker
 from memorymaze.geometry.pose import wrap_angle
 from memorymaze.robot.api import Robot
 from memorymaze.routes import RoutePlan, describe

@@ -10,8 +10,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from memorymaze.agents.rules.evidence import (
-    Choices,
-    choices_at,
     junction_cost,
     length_cost,
     mentions_cost,
@@ -20,8 +18,9 @@ from memorymaze.agents.rules.evidence import (
     too_far_cost,
     way_cost,
 )
-from memorymaze.agents.rules.floor_map import FloorMap, Point, Stretch
-from memorymaze.agents.rules.outlooks import (
+from memorymaze.agents.walking.choices import Choices, choices_at
+from memorymaze.agents.walking.floor_map import FloorMap, Point, Stretch
+from memorymaze.agents.walking.outlooks import (
     faces,
     length_of,
     outlook_cost,

@@ -6,15 +6,15 @@ from collections.abc import Iterator
 
 from memorymaze.agents.rules.alignment import Branch, Ending, Standing
 from memorymaze.agents.rules.evidence import (
-    Choices,
     junction_cost,
     length_cost,
     mentions_cost,
     passings_cost,
 )
-from memorymaze.agents.rules.floor_map import FloorMap, Point, Sighting, Stretch
-from memorymaze.agents.rules.outlooks import junction_at_the_end, things_on
-from memorymaze.agents.rules.walker import Walker
+from memorymaze.agents.walking.choices import Choices
+from memorymaze.agents.walking.floor_map import FloorMap, Point, Sighting, Stretch
+from memorymaze.agents.walking.outlooks import junction_at_the_end, things_on
+from memorymaze.agents.walking.walker import Walker
 from memorymaze.routes import RoutePlan, Turn
 from memorymaze.understanding import is_common, is_floor
 

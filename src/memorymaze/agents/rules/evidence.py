@@ -7,12 +7,11 @@ place. Negative costs are evidence for a place.
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 
-from memorymaze.agents.rules.floor_map import AT_CROSSING, SEES_FAR, FloorMap, Point
-from memorymaze.agents.rules.outlooks import crossing_floor_cost
-from memorymaze.geometry.pose import wrap_angle
+from memorymaze.agents.walking.choices import BACK, FORWARD, SLIGHT, Choices
+from memorymaze.agents.walking.floor_map import AT_CROSSING, SEES_FAR, FloorMap, Point
+from memorymaze.agents.walking.outlooks import crossing_floor_cost
 from memorymaze.routes import Length, Mention, Passing, Turn
 from memorymaze.understanding import is_common, is_floor
 
@@ -21,7 +20,6 @@ SPREAD = {"metres": 0.4, "steps": 0.45, "time": 0.6, "vague": 0.9, "places": 0.5
 GREATEST = {"metres": 3.5, "steps": 3.2, "time": 2.4, "vague": 1.6, "places": 4.0}
 """A length that is wrong altogether costs this."""
 
-FORWARD, SLIGHT, BACK = math.radians(15), math.radians(60), math.radians(160)
 MISCOUNTED = 1.6
 """For each place where one can turn that was counted too many or too few."""
 ELSEWHERE = 2.5
@@ -31,42 +29,6 @@ PLACE_METRES = 8.0
 """From one place where one can turn to the next, where only metres are told."""
 BESIDE = 5.0
 """Metres from the line of a leg within which a thing is on it."""
-
-
-@dataclass(frozen=True, slots=True)
-class Choices:
-    """The ways out of a crossing, seen by someone who comes in by a heading."""
-
-    ways: tuple[tuple[int, float], ...]
-    """Index of the exit and its angle, radians, left positive; without the way back."""
-
-    @property
-    def forward(self) -> tuple[int, float] | None:
-        """The way that goes on, if one does."""
-        best = min(self.ways, key=lambda way: abs(way[1]), default=None)
-        return best if best is not None and abs(best[1]) <= SLIGHT else None
-
-    def on(self, side: str) -> list[tuple[int, float]]:
-        """The ways to a side; slanted ones count when there is another way on."""
-        sign = 1 if side == "left" else -1
-        ahead = self.forward
-        return [
-            way
-            for way in self.ways
-            if way[1] * sign > FORWARD
-            and (abs(way[1]) > SLIGHT or (ahead is not None and way is not ahead))
-        ]
-
-
-def choices_at(exits: Sequence[float], closed: set[int], heading: float) -> Choices:
-    """Return the ways out of a crossing for someone who arrives with a heading."""
-    return Choices(
-        tuple(
-            (index, angle)
-            for index, each in enumerate(exits)
-            if index not in closed and abs(angle := wrap_angle(each - heading)) <= BACK
-        )
-    )
 
 
 def length_cost(

@@ -9,7 +9,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from memorymaze.agents.rules.floor_map import SEES_FAR, FloorMap
+from memorymaze.agents.walking.floor_map import SEES_FAR, FloorMap
 from memorymaze.geometry.pose import wrap_angle
 from memorymaze.routes import Arrival, Junction, Leg, Length, Mention, RoutePlan, Side
 from memorymaze.understanding import is_floor

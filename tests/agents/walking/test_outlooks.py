@@ -5,8 +5,8 @@ import math
 import pytest
 
 from memorymaze.agents.rules.evidence import length_cost
-from memorymaze.agents.rules.floor_map import FloorMap, Sighting
-from memorymaze.agents.rules.outlooks import (
+from memorymaze.agents.walking.floor_map import FloorMap, Sighting
+from memorymaze.agents.walking.outlooks import (
     Outlook,
     first_heading_cost,
     outlook_cost,

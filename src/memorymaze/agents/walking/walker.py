@@ -3,7 +3,7 @@
 import math
 from collections.abc import Callable, Iterable
 
-from memorymaze.agents.rules.floor_map import (
+from memorymaze.agents.walking.floor_map import (
     Crossing,
     FloorMap,
     Point,
