@@ -1,4 +1,4 @@
-"""What the rules agent has seen of a building: crossings, ways, things.
+"""What an agent has seen of a building: crossings, ways, things, writing.
 
 A sketch map in the agent's own frame: metres from where it started, the start heading
 is 0. Nothing here comes from a site plan.
@@ -125,6 +125,7 @@ class FloorMap:
         self.crossings: dict[int, Crossing] = {0: Crossing(0, (0.0, 0.0), [0.0])}
         self.stretches: dict[tuple[int, int], Stretch] = {}
         self._sightings: dict[str, dict[int, Sighting]] = {}
+        self._texts: dict[int, Sighting] = {}
         self._dead_ends = 0
         self.views: dict[tuple[int, int], View] = {}
         """By crossing and exit."""
@@ -196,10 +197,21 @@ class FloorMap:
     def note(self, sighting: Sighting) -> None:
         """Keep a sighting; of one thing the one from nearest counts."""
         self.farthest = max(self.farthest, sighting.distance)
-        seen = self._sightings.setdefault(sighting.phrase, {})
-        known = seen.get(sighting.track)
-        if known is None or sighting.distance < known.distance:
-            seen[sighting.track] = sighting
+        _keep_nearest(self._sightings.setdefault(sighting.phrase, {}), sighting)
+
+    def note_text(self, text: Sighting) -> None:
+        """Keep what was read, its words as phrase and label; from nearest it counts."""
+        _keep_nearest(self._texts, text)
+
+    @property
+    def sightings(self) -> list[Sighting]:
+        """Everything seen; a thing that fits several phrases once for each of them."""
+        return [each for seen in self._sightings.values() for each in seen.values()]
+
+    @property
+    def texts(self) -> list[Sighting]:
+        """Everything that was read."""
+        return list(self._texts.values())
 
     def seen(self, phrase: str) -> list[Sighting]:
         """Return everything seen for a phrase, each thing once."""
@@ -237,3 +249,9 @@ class FloorMap:
                     best[stretch.end] = (total, stretch)
                     heapq.heappush(queue, (total, stretch.end))
         return best
+
+
+def _keep_nearest(seen: dict[int, Sighting], sighting: Sighting) -> None:
+    known = seen.get(sighting.track)
+    if known is None or sighting.distance < known.distance:
+        seen[sighting.track] = sighting

@@ -12,7 +12,7 @@ from memorymaze.agents.walking.floor_map import (
 )
 from memorymaze.geometry.pose import wrap_angle
 from memorymaze.perception.detector import LONGEST_QUERY
-from memorymaze.robot.api import Direction, Robot
+from memorymaze.robot.api import Detection, Direction, Robot, SignText
 
 STRIDE = 0.8
 """Metres between two looks."""
@@ -43,10 +43,11 @@ _ANGLES: dict[Direction, float] = {
 class Walker:
     """Keeps track of where the robot is and draws the map while it walks."""
 
-    def __init__(self, robot: Robot) -> None:
-        """Begin where the robot stands."""
+    def __init__(self, robot: Robot, *, reads_signs: bool = False) -> None:
+        """Begin where the robot stands; at each look it may also read what is written."""
         self.map = FloorMap()
         self._robot = robot
+        self._reads_signs = reads_signs
         self.place: Point = (0.0, 0.0)
         self.heading = 0.0
         self.at = 0
@@ -185,6 +186,19 @@ class Walker:
                 break
         return True
 
+    def halt(self) -> None:
+        """Take where the robot stands on a way for a place of its own, to go on from."""
+        number, exit = self._stretch
+        length = math.dist(self.map.crossings[number].place, self.place)
+        spot = self.map.new_dead_end(self.place)
+        spot.add_exit(self.heading)
+        self.at = spot.number
+        self.map.add_stretch(
+            Stretch(
+                number, exit, spot.number, self.heading, max(length, 0.1), frozenset()
+            )
+        )
+
     def step(self, distance: float) -> bool:
         """Walk a little on; False when something is in the way."""
         result = self._robot.move_forward(distance)
@@ -256,6 +270,11 @@ class Walker:
         self.heading = wrap_angle(self.heading + math.radians(result.angle_deg))
         return result.turned
 
+    def turn_by(self, degrees: float) -> None:
+        """Face what is no way: a door, a thing, a wall; left positive."""
+        result = self._robot.turn_by(degrees)
+        self.heading = wrap_angle(self.heading + math.radians(result.angle_deg))
+
     def turn_in(self, side: str) -> bool:
         """Turn into a way on a side, if the robot has come to where there is one."""
         if self._robot.turning_point_id() == self.at:
@@ -310,26 +329,37 @@ class Walker:
             if len(phrase) > LONGEST_QUERY:
                 continue
             for found in self._robot.detect_from_RGB_image(phrase):
-                bearing = math.radians(found.bearing_deg)
-                angle = self.heading + bearing
-                side = "left" if bearing > 0 else "right"
-                if abs(bearing) < AHEAD:
-                    side = "ahead"
-                sighting = Sighting(
-                    phrase,
-                    found.label,
-                    found.score,
-                    (
-                        self.place[0] + found.distance * math.cos(angle),
-                        self.place[1] + found.distance * math.sin(angle),
-                    ),
-                    self.place,
-                    found.distance,
-                    found.track_id,
-                    self._stretch,
-                    side,
-                    bearing,
-                )
+                sighting = self._placed(phrase, found.label, found.score, found)
                 self.map.note(sighting)
                 seen.append(sighting)
+        if self._reads_signs:
+            for text in self._robot.read_signs():
+                self.map.note_text(self._placed(text.text, text.text, 1.0, text))
         return seen
+
+    def _placed(
+        self, phrase: str, label: str, score: float, found: Detection | SignText
+    ) -> Sighting:
+        """Return what was found with where it is on the map."""
+        bearing = math.radians(found.bearing_deg)
+        angle = self.heading + bearing
+        side = "left" if bearing > 0 else "right"
+        if abs(bearing) < AHEAD:
+            side = "ahead"
+        x, y = self.place
+        there = (
+            x + found.distance * math.cos(angle),
+            y + found.distance * math.sin(angle),
+        )
+        return Sighting(
+            phrase,
+            label,
+            score,
+            there,
+            self.place,
+            found.distance,
+            found.track_id,
+            self._stretch,
+            side,
+            bearing,
+        )

@@ -1,0 +1,67 @@
+"""What a walker makes of halts between crossings, and of what is written on the way."""
+
+import math
+
+import numpy as np
+import pytest
+
+from memorymaze.agents.walking.floor_map import Sighting
+from memorymaze.agents.walking.walker import Walker
+from memorymaze.geometry.pose import Pose
+from memorymaze.simulation import Scene, SimulatedRobot, SimulationSettings
+
+
+def robot_in(scene: Scene, x: float, y: float, degrees: float) -> SimulatedRobot:
+    return SimulatedRobot(
+        scene,
+        Pose(x, y, math.radians(degrees)),
+        SimulationSettings(),
+        np.random.default_rng(0),
+    )
+
+
+def test_a_halt_is_a_place_from_which_ways_lead_on_and_back(
+    scenes: dict[str, Scene],
+) -> None:
+    robot = robot_in(scenes["t_junction"], 0, -7, 90)
+    walker = Walker(robot)
+
+    def far_enough(seen: list[Sighting]) -> bool:
+        return walker.travelled >= 3
+
+    assert walker.follow_exit(0, ["door"], far_enough) is None
+    walker.halt()
+    spot = walker.at
+    assert walker.map.stretches[0, 0].end == spot
+    onwards = walker.follow_exit(0, [])
+    assert onwards is not None
+    assert walker.at == onwards.end == 1
+    assert walker.go_to(spot)
+    assert (robot.pose.x, robot.pose.y) == pytest.approx((0, -4), abs=1.0)
+    assert walker.go_to(0)
+    assert (robot.pose.x, robot.pose.y) == pytest.approx((0, -7), abs=1.0)
+
+
+def test_what_is_written_on_the_way_goes_on_the_map_where_it_is_asked_for(
+    scenes: dict[str, Scene],
+) -> None:
+    reads, reads_not = (
+        Walker(robot_in(scenes["t_junction"], 0, -7, 90), reads_signs=each)
+        for each in (True, False)
+    )
+    for walker in (reads, reads_not):
+        walker.follow_exit(0, ["door"])
+    [sign] = reads.map.texts
+    assert sign.label == "Library left, lift right"
+    assert sign.place == pytest.approx((8, 0), abs=1.0)
+    assert (sign.stretch, sign.side) == ((0, 0), "ahead")
+    assert reads_not.map.texts == []
+
+
+def test_things_at_a_wall_are_seen_after_turning_to_it(scenes: dict[str, Scene]) -> None:
+    walker = Walker(robot_in(scenes["corridor"], 3, 0, 0))
+    assert walker.look(["door"]) == []
+    walker.turn_by(90)
+    [door] = walker.look(["door"])
+    assert door.place == pytest.approx((0, 1.5), abs=0.5)
+    assert walker.heading == pytest.approx(math.pi / 2, abs=0.05)
