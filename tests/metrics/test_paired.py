@@ -1,5 +1,3 @@
-from itertools import product
-
 import numpy as np
 import pytest
 from hypothesis import given
@@ -8,19 +6,30 @@ from hypothesis import strategies as st
 from memorymaze.errors import UndefinedMetricError
 from memorymaze.metrics.paired import sign_flip_test
 
+DIFFERENCES = np.array([0.9, 0.4, 0.7, -0.2, 0.5, 0.3])
+"""Of six people; of their 64 sign patterns 4 have a mean as far from zero."""
 
-def test_the_p_value_is_that_of_counting_all_sign_patterns() -> None:
-    differences = np.array([0.9, 0.4, 0.7, -0.2, 0.5, 0.3])
-    people = list("abcdef")
-    seen = abs(differences.sum())
-    extreme = [
-        abs(np.dot(signs, differences)) >= seen - 1e-12
-        for signs in product([-1, 1], repeat=6)
-    ]
-    [p] = sign_flip_test(
-        differences[:, None], people, np.random.default_rng(1), draws=40_000
-    )
-    assert p == pytest.approx(np.mean(extreme), abs=0.01)
+
+@pytest.mark.parametrize("seed", [0, 1])
+def test_few_people_have_the_exact_p_value_whatever_the_seed(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    assert sign_flip_test(DIFFERENCES[:, None], list("abcdef"), rng) == [4 / 64]
+
+
+def test_who_shows_no_difference_does_not_make_the_value_inexact() -> None:
+    values = np.concatenate([DIFFERENCES, np.zeros(40)])
+    people = [str(number) for number in range(46)]
+    rng = np.random.default_rng(0)
+    assert sign_flip_test(values[:, None], people, rng) == [4 / 64]
+
+
+def test_drawn_patterns_come_near_to_counting_all_of_them() -> None:
+    values = np.random.default_rng(3).normal(0.4, 1.0, size=(14, 1))
+    people = [str(number) for number in range(14)]
+    [exact] = sign_flip_test(values, people, np.random.default_rng(0), draws=2**14)
+    [drawn] = sign_flip_test(values, people, np.random.default_rng(0))
+    assert drawn != exact
+    assert drawn == pytest.approx(exact, abs=0.01)
 
 
 def test_one_person_alone_shows_nothing() -> None:
