@@ -153,7 +153,8 @@ def test_two_versions_of_an_agent_differ_by_its_files_and_options(
             option_values=(("stride", stride),),
         )
 
-    assert differences(with_version("12", "2"), with_version("34", "3")) == [
+    found = differences(with_version("12", "2"), with_version("34", "3"))
+    assert [*map(str, found)] == [
         "agent.file guide.py: '12' there, '34' here",
         "agent.options.stride: '2' there, '3' here",
     ]

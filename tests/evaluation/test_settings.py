@@ -6,6 +6,7 @@ import pytest
 
 from memorymaze.errors import SettingsError
 from memorymaze.evaluation.settings import (
+    Difference,
     RunDefinition,
     RunSettings,
     Shard,
@@ -80,7 +81,9 @@ def test_equal_settings_do_not_differ(settings: RunDefinition) -> None:
 
 def test_one_more_site_is_a_difference(settings: RunDefinition) -> None:
     more = replace(settings, sites=(*settings.sites, FileStamp("annex", "ff")))
-    assert differences(settings, more) == ["site annex: None there, 'ff' here"]
+    assert differences(settings, more) == [
+        Difference("site", "site annex", there=None, here="ff")
+    ]
 
 
 def test_a_stamp_depends_on_the_content_of_a_file(tmp_path: Path) -> None:
@@ -95,9 +98,10 @@ def test_a_stamp_depends_on_the_content_of_a_file(tmp_path: Path) -> None:
 def test_files_of_one_name_are_told_apart(settings: RunDefinition) -> None:
     pair = (FileStamp("some.jsonl", "1"), FileStamp("some.jsonl", "2"))
     other = (FileStamp("some.jsonl", "3"), FileStamp("some.jsonl", "2"))
-    assert differences(
+    [found] = differences(
         replace(settings, instructions=pair), replace(settings, instructions=other)
-    ) == ["instructions[0]: 'some.jsonl 1' there, 'some.jsonl 3' here"]
+    )
+    assert str(found) == "instructions[0]: 'some.jsonl 1' there, 'some.jsonl 3' here"
 
 
 def test_an_agents_options_are_compared_by_name(settings: RunDefinition) -> None:
@@ -107,6 +111,6 @@ def test_an_agents_options_are_compared_by_name(settings: RunDefinition) -> None
     some = with_options(("max_tokens", "9"), ("seed", "1"))
     assert differences(some, with_options(("seed", "1"), ("max-tokens", "9"))) == []
     assert differences(some, with_options(("max_tokens", "8"))) == [
-        "agent.options.max_tokens: '9' there, '8' here",
-        "agent.options.seed: '1' there, None here",
+        Difference("agent option", "agent.options.max_tokens", "9", "8"),
+        Difference("agent option", "agent.options.seed", "1", None),
     ]

@@ -230,7 +230,7 @@ def _check_same_run(path: Path, record: RunRecord, *, resume: bool) -> bool:
             "another folder with --out"
         )
     old = _read_record(path)
-    found = differences(old.settings, record.settings)
+    found = [*map(str, differences(old.settings, record.settings))]
     found += old.code.differences(record.code)
     if found:
         raise RunFolderError(

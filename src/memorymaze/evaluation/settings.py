@@ -1,7 +1,7 @@
 """What determines the results of a run, checked, compared and kept in `run.json`."""
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import asdict, dataclass, field, fields, replace
 from typing import Any, Literal
 
@@ -270,22 +270,42 @@ NOT_COMPARED = {
 answers are come by."""
 
 
-def differences(old: RunDefinition, new: RunDefinition) -> list[str]:
-    """Say in which settings two runs differ: `seed: 0 there, 1 here`."""
+@dataclass(frozen=True, slots=True)
+class Difference:
+    """A setting that two runs do not share; in text `seed: 0 there, 1 here`."""
+
+    kind: str
+    """`site`, `agent file` or `agent option`; else the field of `RunDefinition`."""
+    name: str
+    there: Any
+    """None where that run does not have it."""
+    here: Any
+    """None where this run does not have it."""
+
+    def __str__(self) -> str:
+        """Say what each of the runs has."""
+        return f"{self.name}: {self.there!r} there, {self.here!r} here"
+
+
+def differences(old: RunDefinition, new: RunDefinition) -> list[Difference]:
+    """Return the settings in which two runs differ."""
     # Runs of older versions do not say these; of an unknown value nothing is said.
     for name in ("agent_files", "option_values"):
         if not (getattr(old, name) and getattr(new, name)):
             old, new = replace(old, **{name: ()}), replace(new, **{name: ()})
-    before, after = dict(_flat(asdict(old))), dict(_flat(asdict(new)))
+    before, after = (
+        {(kind, name): value for kind, name, value in _flat(asdict(run))}
+        for run in (old, new)
+    )
     not_compared = set(NOT_COMPARED)
     if old.scales_budget and new.scales_budget:
         # That of the longest route of all, which limits no episode.
         not_compared.add("simulation.time_budget")
-    names = [f for f in {**before, **after} if f not in not_compared]
     return [
-        f"{name}: {before.get(name)!r} there, {after.get(name)!r} here"
-        for name in names
-        if before.get(name) != after.get(name)
+        Difference(kind, name, before.get((kind, name)), after.get((kind, name)))
+        for kind, name in {**before, **after}
+        if name not in not_compared
+        and before.get((kind, name)) != after.get((kind, name))
     ]
 
 
@@ -298,21 +318,26 @@ def agent_version(settings: RunDefinition) -> str | None:
     return f"agent files {files}{f'; options {options}' if options else ''}"
 
 
-def _flat(value: Mapping[str, Any], prefix: str = "") -> Iterable[tuple[str, Any]]:
+def _flat(
+    value: Mapping[str, Any], field: str | None = None, prefix: str = ""
+) -> Iterator[tuple[str, str, Any]]:
+    """Yield kind, name and value of each setting."""
     for name, part in value.items():
         if name == "instructions":
             for number, stamp in enumerate(part):
-                yield f"{name}[{number}]", f"{stamp['name']} {stamp['sha256'][:12]}"
+                told = f"{stamp['name']} {stamp['sha256'][:12]}"
+                yield name, f"{name}[{number}]", told
         elif name == "sites":
             for stamp in part:
-                yield f"site {stamp['name']}", stamp["sha256"][:12]
+                yield "site", f"site {stamp['name']}", stamp["sha256"][:12]
         elif name == "agent_files":
             for stamp in part:
-                yield f"agent.file {stamp['name']}", stamp["sha256"][:12]
+                yield "agent file", f"agent.file {stamp['name']}", stamp["sha256"][:12]
         elif name in {"options", "option_values"}:
             for option, given in part:
-                yield f"agent.options.{option.replace('-', '_')}", given
+                told = f"agent.options.{option.replace('-', '_')}"
+                yield "agent option", told, given
         elif isinstance(part, Mapping):
-            yield from _flat(part, f"{prefix}{name}.")
+            yield from _flat(part, field or name, f"{prefix}{name}.")
         else:
-            yield prefix + name, part
+            yield field or name, prefix + name, part

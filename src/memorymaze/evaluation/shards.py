@@ -114,9 +114,8 @@ def _check_alike(parts: Sequence[_Part]) -> None:
     first = parts[0]
     whole = replace(first.record.settings, shard=None, episodes=0)
     for part in parts[1:]:
-        found = differences(
-            whole, replace(part.record.settings, shard=None, episodes=0)
-        )
+        own = replace(part.record.settings, shard=None, episodes=0)
+        found = [*map(str, differences(whole, own))]
         found += first.record.code.differences(part.record.code)
         if found:
             raise RunFolderError(

@@ -123,10 +123,8 @@ def _settings_problems(settings: RunDefinition, corpus: Corpus) -> Iterator[str]
         detector=TRUTH,
         signs="truth",
     )
-    for difference in differences(expected, settings):
-        yield "setting " + difference.replace(
-            " there, ", " expected, got "
-        ).removesuffix(" here")
+    for each in differences(expected, settings):
+        yield f"setting {each.name}: {each.there!r} expected, got {each.here!r}"
     if settings.agent.is_own and not settings.isolate:
         yield (
             f"agent: expected {settings.agent.name} to be run in a process without "

@@ -42,14 +42,13 @@ KEY = (
 
 COUNTS = ("both", "only_a", "only_b", "neither")
 """Who arrived."""
-NOT_TOLD = (
-    *("agent.", "needs:", "isolate:", "answers"),
-    *("limit:", "shard", "episodes:"),
-)
-"""Beginnings of differences that are the agent's own, or said by what is left out."""
-
-VERSIONS = ("agent.file ", "agent.options.")
-"""Of those the ones that tell two versions of one agent apart."""
+VERSIONS = frozenset({"agent file", "agent option"})
+"""Kinds of differences that tell two versions of one agent apart."""
+NOT_TOLD = VERSIONS | {
+    *("agent", "needs", "isolate", "answers"),
+    *("limit", "shard", "episodes"),
+}
+"""Those that are the agent's own, or said by what is left out."""
 
 
 def comparison_table(
@@ -286,14 +285,14 @@ def _warnings(
     # Looks are None where an agent asks for no pictures.
     no_pictures = None in (settings[0].looks, settings[1].looks)
     unfair = [
-        line
-        for line in differences(*settings)
-        if (same_agent and line.startswith(VERSIONS))
+        str(each)
+        for each in differences(*settings)
+        if (same_agent and each.kind in VERSIONS)
         or not (
-            line.startswith(NOT_TOLD)
-            or (line.startswith("looks:") and no_pictures)
+            each.kind in NOT_TOLD
+            or (each.kind == "looks" and no_pictures)
             # Its episodes are left out.
-            or (line.startswith("site ") and "None" in line.rpartition(": ")[2])
+            or (each.kind == "site" and None in (each.there, each.here))
         )
     ]
     if unfair:
