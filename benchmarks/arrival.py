@@ -333,7 +333,7 @@ def arrival_row(kind: str, walks: Sequence[PlanWalk]) -> dict[str, object]:
         ]
         for distance in DISTANCES
     }
-    values["false"] = [float(is_false_arrival(each)) for each in walks]
+    values["false"] = [float(each.result.is_false_arrival) for each in walks]
     values["passed"] = [
         float(each.result.oracle_success and each.result.spd >= ARRIVED)
         for each in walks
@@ -341,14 +341,6 @@ def arrival_row(kind: str, walks: Sequence[PlanWalk]) -> dict[str, object]:
     values["turns"] = [float(each.result.turns_in_order == 1) for each in walks]
     units = [each.result.instruction_id for each in walks]
     return {"kind": kind, "n": len(walks), **estimates(values, units)}
-
-
-def is_false_arrival(walk: PlanWalk) -> bool:
-    """Tell whether an agent stopped elsewhere as if it were there: it noted no `gave_up`."""
-    admits = any(note.about == "gave_up" for note in walk.notes)
-    return (
-        walk.result.stopped_by == "agent" and walk.result.spd >= ARRIVED and not admits
-    )
 
 
 def arrival_table(rows: Sequence[Mapping[str, object]]) -> Table:

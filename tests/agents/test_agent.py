@@ -66,3 +66,31 @@ def test_a_counted_reply_is_added_up_and_noted():
         "latency": 1.5,
         "standing_s": 3.0,
     }
+
+
+def test_a_journal_that_is_told_nothing_of_the_end_claims_arrival() -> None:
+    journal = Journal()
+    journal.note("decision", confidence=0.4)
+    assert (journal.confidence, journal.gave_up) == (None, False)
+
+
+def test_the_last_word_counts_and_the_last_confidence_that_is_told() -> None:
+    journal = Journal()
+    journal.note("gave_up", reason="lost", confidence=0.1)
+    assert (journal.confidence, journal.gave_up) == (0.1, True)
+    journal.note("arrival", reason="found it after all", confidence=np.float32(0.75))
+    assert (journal.confidence, journal.gave_up) == (0.75, False)
+    journal.note("gave_up", reason="no, it is another door")
+    assert (journal.confidence, journal.gave_up) == (0.75, True)
+
+
+@pytest.mark.parametrize("value", [1.2, -0.1, float("nan"), "high"])
+def test_a_confidence_that_is_no_probability_is_refused_where_it_is_noted(
+    value: object,
+) -> None:
+    journal = Journal()
+    with pytest.raises(
+        ValueError, match=r"note\('arrival', confidence=…\): expected a probability"
+    ):
+        journal.note("arrival", confidence=value)
+    assert journal.notes == []

@@ -11,7 +11,6 @@ from benchmarks.arrival import (
     with_ways,
 )
 from benchmarks.plan_walks import (
-    Note,
     PlanWalk,
     given_plans,
     plan_instruction,
@@ -60,24 +59,22 @@ def test_a_perfect_plan_leads_to_its_destination(
 
 
 @pytest.mark.parametrize(
-    ("spd", "stopped_by", "about", "false"),
+    ("success", "stopped_by", "gave_up", "false"),
     [
-        pytest.param(2.9, "agent", "arrival", 0, id="there"),
-        pytest.param(3.1, "agent", "arrival", 1, id="elsewhere"),
-        pytest.param(3.1, "agent", "gave_up", 0, id="gave up"),
-        pytest.param(3.1, "budget", "arrival", 0, id="cut off"),
+        pytest.param(True, "agent", False, 0, id="there"),
+        pytest.param(False, "agent", False, 1, id="elsewhere"),
+        pytest.param(False, "agent", True, 0, id="gave up"),
+        pytest.param(False, "budget", False, 0, id="cut off"),
     ],
 )
 def test_who_says_that_it_is_there_and_is_not_arrives_falsely(
     result: Callable[..., EpisodeResult],
-    spd: float,
+    success: bool,
     stopped_by: str,
-    about: str,
+    gave_up: bool,
     false: float,
 ) -> None:
-    walk = PlanWalk(
-        result(spd=spd, stopped_by=stopped_by), (Note(about, {}, (0.0, 0.0)),)
-    )
+    walk = PlanWalk(result(success=success, stopped_by=stopped_by, gave_up=gave_up), ())
     assert arrival_row("thing", [walk])["false"] == false
 
 

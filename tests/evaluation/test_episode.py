@@ -90,6 +90,24 @@ def test_stopping_far_from_the_goal_is_no_success(run: Run) -> None:
     assert result.path_length == 0.0
 
 
+def test_a_result_says_how_sure_the_agent_was_and_whether_it_gave_up(run: Run) -> None:
+    def despair(robot: Robot, journal: Journal) -> None:
+        journal.note("arrival", reason="a red door", confidence=0.8)
+        journal.note("gave_up", reason="no handle", confidence=0.2)
+
+    def despair_too_late(robot: Robot, journal: Journal) -> None:
+        despair(robot, journal)
+        pace_to_and_fro(robot, journal)
+
+    lost, silent, cut_off = (
+        run(act).result for act in (despair, walk, despair_too_late)
+    )
+    assert (lost.confidence, lost.gave_up) == (0.2, True)
+    assert (silent.confidence, silent.gave_up) == (None, False)
+    # Who did not stop has not given up either.
+    assert (cut_off.confidence, cut_off.gave_up) == (0.2, False)
+
+
 def test_success_needs_the_agents_own_stop(run: Run) -> None:
     """At the goal when an error ends the walk: no success, though it was there."""
 

@@ -29,6 +29,13 @@ def test_who_stops_elsewhere_near_the_goal_once_is_told_so(result: Make) -> None
     assert "was near the goal on its way" in outcome_line(elsewhere)
 
 
+def test_who_gives_up_does_not_say_that_it_is_there(result: Make) -> None:
+    gave_up = result(success=False, gave_up=True, stopped_by="agent")
+    assert outcome_of(gave_up) is OUTCOMES["elsewhere"]
+    assert ending_words(gave_up) == "gave up"
+    assert "the agent gave up and said so" in outcome_line(gave_up)
+
+
 @pytest.mark.parametrize("end", sorted({*get_args(StoppedBy)} - {"agent"}))
 def test_every_other_end_has_words_of_its_own(result: Make, end: str) -> None:
     broken = result(success=False, stopped_by=end)

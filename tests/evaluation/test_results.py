@@ -43,3 +43,34 @@ def test_a_line_with_a_wrong_field_is_refused_with_its_place(
     content = json.loads(result_to_line(result())) | change
     with pytest.raises(RunFolderError, match=rf"^episodes\.jsonl:7: .*{field}"):
         result_from_line(json.dumps(content), "episodes.jsonl:7")
+
+
+def test_lines_of_older_versions_tell_neither_confidence_nor_whether_it_gave_up(
+    result: Make,
+) -> None:
+    content = json.loads(result_to_line(result(confidence=0.5, gave_up=False)))
+    del content["confidence"], content["gave_up"]
+    older = result_from_line(json.dumps(content), "here")
+    assert (older.confidence, older.gave_up) == (None, None)
+    assert older.claims_arrival
+
+
+@pytest.mark.parametrize(
+    ("stopped_by", "gave_up", "success", "claims", "is_false"),
+    [
+        pytest.param("agent", False, True, True, False, id="there"),
+        pytest.param("agent", False, False, True, True, id="elsewhere"),
+        pytest.param("agent", True, False, False, False, id="gave up"),
+        pytest.param("budget", False, False, False, False, id="cut off"),
+    ],
+)
+def test_only_who_stops_without_giving_up_claims_to_be_there(
+    result: Make,
+    stopped_by: str,
+    gave_up: bool,
+    success: bool,
+    claims: bool,
+    is_false: bool,
+) -> None:
+    ended = result(stopped_by=stopped_by, gave_up=gave_up, success=success)
+    assert (ended.claims_arrival, ended.is_false_arrival) == (claims, is_false)

@@ -18,15 +18,21 @@ navigation graph, pictures, primitive motions, or the reference path."""
 COUNTS = frozenset({"model_calls", "tokens"})
 AMOUNTS = frozenset({"cost_usd", "inference_s"})
 
+ARRIVAL, GAVE_UP = "arrival", "gave_up"
+"""Kinds of notes by which an agent says at the end whether it is there."""
+
 
 @dataclass
 class Journal:
     """What an agent thought and spent during one episode; kept even when it fails.
 
-    Everything noted goes to the episode's trace.
+    Everything noted goes to the episode's trace. Of an `arrival`, and where the agent
+    `gave_up`, a note may tell its `confidence`: how probable it is, 0 to 1, that it is
+    there.
 
     Raises:
-        ValueError: Something that is no count, or no amount, is assigned as one.
+        ValueError: Something that is no count, or no amount, is assigned as one, or a
+            confidence is no probability.
     """
 
     model_calls: int = 0
@@ -48,10 +54,28 @@ class Journal:
 
     def note(self, kind: str, **details: Any) -> None:
         """Write down a thought: `kind` such as `steps`, `program`, `model_reply`."""
+        if kind in {ARRIVAL, GAVE_UP} and details.get("confidence") is not None:
+            _check_confidence(kind, details["confidence"])
         entry = {"kind": kind, **details}
         self.notes.append(entry)
         if self.listener is not None:
             self.listener(entry)
+
+    @property
+    def confidence(self) -> float | None:
+        """How sure the agent was at last that it is there; None where it tells nothing."""
+        told = [each.get("confidence") for each in self._endings]
+        last = next((each for each in reversed(told) if each is not None), None)
+        return None if last is None else float(last)
+
+    @property
+    def gave_up(self) -> bool:
+        """Whether its last word is that it could not find the way."""
+        return bool(self._endings) and self._endings[-1]["kind"] == GAVE_UP
+
+    @property
+    def _endings(self) -> list[dict[str, Any]]:
+        return [each for each in self.notes if each["kind"] in {ARRIVAL, GAVE_UP}]
 
     def count(self, completion: Completion, *, stage: str) -> None:
         """Take note of a model's reply and of what it cost; once for each reply.
@@ -85,6 +109,18 @@ class Journal:
         )
 
 
+def _check_confidence(kind: str, value: Any) -> None:
+    try:
+        if 0 <= float(value) <= 1:
+            return
+    except (TypeError, ValueError):
+        pass
+    raise ValueError(
+        f"journal.note({kind!r}, confidence=…): expected a probability from 0 to 1, got "
+        f"{value!r}"
+    )
+
+
 def _amount(name: str, value: Any) -> int | float:
     try:
         amount = float(value) if name in AMOUNTS else operator.index(value)
@@ -111,7 +147,8 @@ class Agent(Protocol):
 
         needs: ClassVar[frozenset[Need]] = frozenset({"camera", "steps"})
 
-    Returning, or calling `robot.stop()`, says "we are there". `EpisodeOver` raised by
+    Returning, or calling `robot.stop()`, says "we are there", unless the agent's last
+    word on that is `journal.note("gave_up")`. `EpisodeOver` raised by
     the robot passes through; `ProgramError` and `LanguageModelError` may be raised and
     end the episode as `crash`, `unsafe` or `model_error`.
     """

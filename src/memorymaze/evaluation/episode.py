@@ -171,6 +171,8 @@ def _attempt(
         error_kinds=tuple(failure.kind for failure in told.failures),
         pair=told.pair,
         way_m=way.length,
+        confidence=journal.confidence,
+        gave_up=ended == "agent" and journal.gave_up,
     )
     return EpisodeRun(result, walk, tuple(trace), interpreter_lost)
 

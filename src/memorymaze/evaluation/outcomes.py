@@ -16,6 +16,8 @@ ENDINGS = {
     "model_error": "no usable reply of a model",
 }
 """By `EpisodeResult.stopped_by`."""
+GAVE_UP = "gave up"
+"""Of an agent that stopped by itself and says that it is not there."""
 REASONS = {
     "agent": "the agent said “we are there”",
     "budget": "the time or call budget ran out",
@@ -63,14 +65,21 @@ def outcome_of(result: EpisodeResult) -> Outcome:
 def ending_words(result: EpisodeResult) -> str:
     """Say how an episode ended: `arrived`, `stopped elsewhere`, `budget spent`."""
     outcome = outcome_of(result)
-    return ENDINGS[result.stopped_by] if outcome.key == "broken" else outcome.title
+    if outcome.key == "broken":
+        return ENDINGS[result.stopped_by]
+    if not result.gave_up:
+        return outcome.title
+    return f"{GAVE_UP} at the goal" if result.success else GAVE_UP
 
 
 def outcome_line(result: EpisodeResult) -> str:
     """Say in a line how it ended: `✔ ARRIVED …` or `✘ DID NOT ARRIVE …`."""
+    reason = REASONS[result.stopped_by]
+    if result.gave_up:
+        reason = "the agent gave up and said so"
     verdict = "✔ ARRIVED" if result.success else "✘ DID NOT ARRIVE"
     parts = [
-        f"{verdict}: {REASONS[result.stopped_by]}, {result.spd:.1f} m from the goal",
+        f"{verdict}: {reason}, {result.spd:.1f} m from the goal",
         f"{result.path_length:.1f} m in {result.duration_s:.0f} s",
         f"CLS {result.cls:.2f}",
         f"SPL {result.spl:.2f}",

@@ -180,6 +180,24 @@ class EpisodeResult:
     """Shared with the same instruction without, or with, its errors."""
     way_m: FiniteFloat | None = None
     """Metres of the way described; None in older runs."""
+    confidence: Annotated[
+        FiniteFloat | None,
+        Measure("Confidence", "the agent's own, that it is there", shown=("episode",)),
+    ] = None
+    """How probable the agent thought it that it is there, 0 to 1; None where it tells
+    nothing, and in older runs."""
+    gave_up: Annotated[bool | None, Measure("Gave up", digits=0)] = None
+    """Stopped by itself, saying that it is not there; None in older runs."""
+
+    @property
+    def claims_arrival(self) -> bool:
+        """Whether the agent stopped as one that is there."""
+        return self.stopped_by == "agent" and not self.gave_up
+
+    @property
+    def is_false_arrival(self) -> bool:
+        """Whether the agent stopped as one that is there, and was not."""
+        return self.claims_arrival and not self.success
 
 
 _RESULT = TypeAdapter(EpisodeResult)

@@ -11,7 +11,7 @@ import numpy as np
 
 from memorymaze.errors import RunFolderError
 from memorymaze.evaluation.measures import Measure
-from memorymaze.evaluation.outcomes import ENDINGS
+from memorymaze.evaluation.outcomes import ENDINGS, GAVE_UP
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import RunRecord
 from memorymaze.instructions.records import WRITTEN_BY, Failure, Instruction
@@ -71,11 +71,17 @@ def count_endings(run: ReportRun) -> list[Ending]:
     """Count how the episodes of a run ended; what never happened is left out."""
     results = run.measured.results
     counts = Counter(
-        "arrived" if each.success else f"by {each.stopped_by}" for each in results
+        "arrived"
+        if each.success
+        else GAVE_UP
+        if each.gave_up
+        else f"by {each.stopped_by}"
+        for each in results
     )
     titles = {
         "arrived": ("arrived", "arrived"),
         "by agent": ("elsewhere", "stopped elsewhere"),
+        GAVE_UP: ("elsewhere", GAVE_UP),
     }
     titles |= {
         f"by {end}": ("broken", words)
