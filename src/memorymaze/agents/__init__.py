@@ -9,13 +9,23 @@ from collections.abc import Callable
 
 from memorymaze.agents.agent import Agent, Journal
 from memorymaze.agents.explorer import ExplorerAgent
+from memorymaze.agents.guide import GuideAgent
 from memorymaze.agents.rules import RulesAgent
 from memorymaze.agents.stop import StopAgent
 
-__all__ = ["AGENTS", "Agent", "ExplorerAgent", "Journal", "RulesAgent", "StopAgent"]
+__all__ = [
+    "AGENTS",
+    "Agent",
+    "ExplorerAgent",
+    "GuideAgent",
+    "Journal",
+    "RulesAgent",
+    "StopAgent",
+]
 
 AGENTS: dict[str, Callable[[], Agent]] = {
     "explorer": ExplorerAgent,
+    "guide": GuideAgent,
     "rules": RulesAgent,
     "stop": StopAgent,
 }

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import islice
 
 import numpy as np
 
@@ -19,7 +20,6 @@ from memorymaze.agents.walking.floor_map import Sighting
 from memorymaze.agents.walking.walker import BACK, Walker
 from memorymaze.errors import SettingsError
 from memorymaze.geometry.pose import wrap_angle
-from memorymaze.perception.matching import points_elsewhere
 from memorymaze.robot.api import Robot
 from memorymaze.routes import Arrival
 from memorymaze.understanding import (
@@ -27,9 +27,6 @@ from memorymaze.understanding import (
     is_floor,
     place_on_sign,
 )
-
-SAME_SIGN_DEG, SAME_SIGN_M = 5.0, 0.5
-"""A text read no farther than this from something seen is what is written on it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,7 +104,9 @@ class ExplorerAgent(ReadsFirst):
         found: list[Sighting] = []
 
         def is_found(seen: list[Sighting]) -> bool:
-            found.extend([each for each in seen if self._is_there(each, robot)][:1])
+            sure = (each for each in seen if each.score >= self.options.least_score)
+            there = (each for each in sure if not walker.points_on(each))
+            found.extend(islice(there, 1))
             return bool(found)
 
         ways = untried_ways(walker, rng) if names else iter(())
@@ -126,15 +125,6 @@ class ExplorerAgent(ReadsFirst):
             why = "every way is tried" if names else "the text names no destination"
             journal.note("gave_up", reason=why)
         robot.stop()
-
-    def _is_there(self, seen: Sighting, robot: Robot) -> bool:
-        """Tell the destination from something like it and from a sign that points on."""
-        return seen.score >= self.options.least_score and not any(
-            points_elsewhere(sign.text)
-            and abs(sign.bearing_deg - math.degrees(seen.bearing)) <= SAME_SIGN_DEG
-            and abs(sign.distance - seen.distance) <= SAME_SIGN_M
-            for sign in robot.read_signs()
-        )
 
 
 def destination_names(arrival: Arrival) -> tuple[str, ...]:

@@ -12,6 +12,7 @@ from typing import Any
 from memorymaze.agents.agent import Agent, Need
 from memorymaze.agents.code_generation import CodeGenerationAgent, CodeGenerationOptions
 from memorymaze.agents.explorer import ExplorerAgent, ExplorerOptions
+from memorymaze.agents.guide import GuideAgent, GuideOptions
 from memorymaze.agents.isolated import isolated
 from memorymaze.agents.navgpt import NavGPTAgent, NavGPTOptions
 from memorymaze.agents.navid import NavidAgent, NavidOptions
@@ -84,6 +85,11 @@ _KNOWN: dict[str, KnownAgent] = {
         reading_for_runs(ExplorerAgent),
         "searches everywhere for the destination named, whatever way was told",
         options=ExplorerOptions,
+    ),
+    "guide": KnownAgent(
+        reading_for_runs(GuideAgent),
+        "reads, believes, doubts, repairs what it was told, and tells how sure it is",
+        options=GuideOptions,
     ),
     "navgpt": KnownAgent(
         navgpt_for_runs,

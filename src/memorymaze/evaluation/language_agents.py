@@ -10,6 +10,7 @@ import numpy as np
 from memorymaze.agents.agent import Agent, Journal, Need
 from memorymaze.agents.code_generation import CodeGenerationAgent, CodeGenerationOptions
 from memorymaze.agents.explorer import ExplorerAgent
+from memorymaze.agents.guide import GuideAgent
 from memorymaze.agents.navgpt import NavGPTAgent, NavGPTOptions
 from memorymaze.agents.navgpt.agent import loop_limits
 from memorymaze.agents.navid import NavidAgent, NavidOptions
@@ -59,7 +60,7 @@ def code_generation_for_runs(
 
 
 def reading_for_runs(
-    agent: type[RulesAgent] | type[ExplorerAgent],
+    agent: type[RulesAgent] | type[ExplorerAgent] | type[GuideAgent],
 ) -> Callable[[AgentSettings, Any], Callable[[Episode], Agent]]:
     """Return what makes agents that begin by reading, by grammar or a language model."""
 

@@ -58,7 +58,9 @@ def test_what_is_written_on_the_way_goes_on_the_map_where_it_is_asked_for(
     assert reads_not.map.texts == []
 
 
-def test_things_at_a_wall_are_seen_after_turning_to_it(scenes: dict[str, Scene]) -> None:
+def test_things_at_a_wall_are_seen_after_turning_to_it(
+    scenes: dict[str, Scene],
+) -> None:
     walker = Walker(robot_in(scenes["corridor"], 3, 0, 0))
     assert walker.look(["door"]) == []
     walker.turn_by(90)

@@ -7,10 +7,15 @@ place. Negative costs are evidence for a place.
 
 import math
 from collections.abc import Sequence
-from itertools import pairwise
 
 from memorymaze.agents.walking.choices import BACK, FORWARD, SLIGHT, Choices
-from memorymaze.agents.walking.floor_map import AT_CROSSING, SEES_FAR, FloorMap, Point
+from memorymaze.agents.walking.floor_map import (
+    AT_CROSSING,
+    SEES_FAR,
+    FloorMap,
+    Point,
+    distance_to_line,
+)
 from memorymaze.agents.walking.outlooks import crossing_floor_cost
 from memorymaze.routes import Length, Mention, Passing, Turn
 from memorymaze.understanding import is_common, is_floor
@@ -195,18 +200,3 @@ def too_far_cost(
             if passed and not floor.is_at(sighting.place, place):
                 cost = 2.0
     return cost
-
-
-def distance_to_line(point: Point, line: Sequence[Point]) -> float:
-    """Return the distance from a point to a line of straight pieces, metres."""
-    best = min(math.dist(point, corner) for corner in line)
-    for (ax, ay), (bx, by) in pairwise(line):
-        dx, dy = bx - ax, by - ay
-        square = dx * dx + dy * dy
-        if square == 0.0:
-            continue
-        along = ((point[0] - ax) * dx + (point[1] - ay) * dy) / square
-        if 0.0 < along < 1.0:
-            foot = (ax + along * dx, ay + along * dy)
-            best = min(best, math.dist(point, foot))
-    return best

@@ -6,8 +6,9 @@ is 0. Nothing here comes from a site plan.
 
 import heapq
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 
 from memorymaze.geometry.pose import wrap_angle
 from memorymaze.understanding import ANY_FLOOR, is_floor
@@ -129,6 +130,8 @@ class FloorMap:
         self._dead_ends = 0
         self.views: dict[tuple[int, int], View] = {}
         """By crossing and exit."""
+        self.metres = 0.0
+        """Of ways walked, each counted once."""
         self.farthest = 0.0
         """Metres of the farthest sighting: how far this robot sees."""
 
@@ -139,8 +142,14 @@ class FloorMap:
         self.crossings[crossing.number] = crossing
         return crossing
 
+    def is_dead_end(self, crossing: int) -> bool:
+        """Tell whether it is a place where a way ends."""
+        return crossing < 0
+
     def add_stretch(self, stretch: Stretch) -> None:
         """Note a way walked, and the way back along it."""
+        if (stretch.start, stretch.exit) not in self.stretches:
+            self.metres += stretch.length
         self.stretches[stretch.start, stretch.exit] = stretch
         end = self.crossings[stretch.end]
         back = end.add_exit(wrap_angle(stretch.arrival + math.pi))
@@ -255,3 +264,18 @@ def _keep_nearest(seen: dict[int, Sighting], sighting: Sighting) -> None:
     known = seen.get(sighting.track)
     if known is None or sighting.distance < known.distance:
         seen[sighting.track] = sighting
+
+
+def distance_to_line(point: Point, line: Sequence[Point]) -> float:
+    """Return the distance from a point to a line of straight pieces, metres."""
+    best = min(math.dist(point, corner) for corner in line)
+    for (ax, ay), (bx, by) in pairwise(line):
+        dx, dy = bx - ax, by - ay
+        square = dx * dx + dy * dy
+        if square == 0.0:
+            continue
+        along = ((point[0] - ax) * dx + (point[1] - ay) * dy) / square
+        if 0.0 < along < 1.0:
+            foot = (ax + along * dx, ay + along * dy)
+            best = min(best, math.dist(point, foot))
+    return best

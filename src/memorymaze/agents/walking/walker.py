@@ -12,6 +12,7 @@ from memorymaze.agents.walking.floor_map import (
 )
 from memorymaze.geometry.pose import wrap_angle
 from memorymaze.perception.detector import LONGEST_QUERY
+from memorymaze.perception.matching import points_elsewhere
 from memorymaze.robot.api import Detection, Direction, Robot, SignText
 
 STRIDE = 0.8
@@ -26,6 +27,9 @@ BACK = math.radians(155)
 """A way that differs more from the heading is the way back."""
 ENTRY = 1.0
 """Metres from the rim of a turning point to its middle, before it is known better."""
+
+SAME_SIGN, SAME_SIGN_METRES = math.radians(5), 0.5
+"""A text read no farther than this from something seen is what is written on it."""
 
 _ANGLES: dict[Direction, float] = {
     "forward": 0.0,
@@ -284,6 +288,10 @@ class Walker:
                 return self._turn(direction)
         return False
 
+    def say(self, words: str) -> None:
+        """Say something to the person beside the robot."""
+        self._robot.say(words)
+
     # -- looking
 
     def look_about(self, phrases: Iterable[str]) -> None:
@@ -320,6 +328,15 @@ class Walker:
             if self.face(exit):
                 self._stretch = (self.at, exit)
                 self.map.note_view(self.at, exit, wanted, self.look(wanted))
+
+    def points_on(self, seen: Sighting) -> bool:
+        """Tell whether what was just seen is a sign that points to somewhere else."""
+        return any(
+            points_elsewhere(sign.text)
+            and abs(math.radians(sign.bearing_deg) - seen.bearing) <= SAME_SIGN
+            and abs(sign.distance - seen.distance) <= SAME_SIGN_METRES
+            for sign in self._robot.read_signs()
+        )
 
     def look(self, phrases: Iterable[str]) -> list[Sighting]:
         """Look for things; what is seen goes on the map."""

@@ -1,0 +1,334 @@
+"""Where the destination may be, how likely it is there, and how to come close to it."""
+
+import math
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from memorymaze.agents.guide.belief import Belief, Segment, Visit
+from memorymaze.agents.guide.likelihoods import (
+    Likelihoods,
+    Weights,
+    length_ratio,
+    passings_ratio,
+    seen_ratio,
+    then,
+)
+from memorymaze.agents.guide.things import Things
+from memorymaze.agents.walking.choices import choices_at
+from memorymaze.agents.walking.floor_map import (
+    FloorMap,
+    Point,
+    Sighting,
+    distance_to_line,
+)
+from memorymaze.agents.walking.outlooks import junction_at_the_end
+from memorymaze.agents.walking.walker import Walker
+from memorymaze.geometry.pose import wrap_angle
+from memorymaze.routes import RoutePlan
+from memorymaze.understanding import is_common, is_floor, place_on_sign
+
+BESIDE = 4.0
+"""Metres from the line of a stretch within which a destination is on it."""
+REACH = 8.0
+"""Metres of way on which the destination would count as being there."""
+SAME_PLACE = 3.0
+"""Metres; places to arrive at that are nearer to each other are one."""
+IN_FRONT = 1.1
+"""Metres from the nearest part of the destination at which to stop."""
+CLOSE = 0.7
+"""Metres from its middle to come to from the middle of the way."""
+BEYOND_SIGN = 6.0
+"""Metres that a place lies at most beyond a hanging sign that names it."""
+INSIDE = 2.0
+"""Metres to walk on into a place through its door."""
+
+_ROOMS = frozenset({"room", "office", "classroom"})
+"""Of a room without a name a camera sees the door."""
+_OPENS = re.compile(r"automatic|sliding|revolving|gate|entrance")
+_SIGN = re.compile(r"\b(sign|board|signboard|poster|screen)\b")
+
+
+@dataclass(frozen=True, slots=True)
+class Ending:
+    """A place to arrive at, with all alignments that end there."""
+
+    at: int
+    """Crossing to start from."""
+    exit: int | None
+    """Exit to leave it by; None when the place is the crossing."""
+    distance: float
+    """Metres from the crossing."""
+    place: Point
+    weights: Weights
+    segment: Segment
+    sighting: Sighting | None
+    """What was seen there; None when nothing was."""
+    reason: str
+
+    @property
+    def mass(self) -> float:
+        """How much of the belief ends there, unnormalised."""
+        return float(self.weights.sum())
+
+
+class Arrivals:
+    """Finds the places where a walk may end."""
+
+    def __init__(
+        self, plan: RoutePlan, floor: FloorMap, model: Likelihoods, things: Things
+    ) -> None:
+        """Take the plan, the map that the walk draws, and how speakers are."""
+        self._arrival = plan.arrival
+        self._legs = len(plan.legs)
+        self._floor = floor
+        self._model = model
+        self._things = things
+        self._doors: list[int] = []
+        self.refuted: set[int] = set()
+        """Tracks of what was found not to be the destination."""
+        names = plan.arrival.destinations
+        if names and names[0].split()[-1] in _ROOMS and is_common(names[0]):
+            names = ("door", *names)
+        self._first = tuple(_variants(names[0])) if names else ()
+        told = dict.fromkeys([*self._first, *names])
+        self.names = tuple(name for name in told if not is_floor(name))
+        """What to look for, the best first."""
+
+    def endings(self, belief: Belief) -> list[Ending]:
+        """Return all places to arrive at."""
+        found: list[Ending] = []
+        for visit in belief.visits:
+            if visit.stretch is None:
+                found.extend(self._at_crossing(visit.segment))
+            else:
+                found.extend(self._on_stretch(visit))
+        return found
+
+    def _on_stretch(self, visit: Visit) -> Iterator[Ending]:
+        segment, stretch = visit.segment, visit.stretch
+        assert stretch is not None
+        start = self._floor.crossings[stretch.start].place
+        end = self._floor.crossings[stretch.end].place
+        for sighting in self._sightings():
+            if distance_to_line(sighting.place, (start, end)) > BESIDE:
+                continue
+            if distance_to_line(sighting.seen_from, (start, end)) > BESIDE:
+                continue
+            along = _along(sighting.place, start, end)
+            ratio = self.seen(sighting, stretch.arrival)
+            yield Ending(
+                stretch.start,
+                stretch.exit,
+                along,
+                sighting.place,
+                segment.weights * self._fit(segment, along) * ratio,
+                segment,
+                sighting,
+                f"{sighting.phrase} seen",
+            )
+        length = self._arrival.length
+        if length is not None and length.unit != "places":
+            rest = length.metres - segment.walked
+            if 0.5 < rest < stretch.length - 0.5:
+                there = _on_line(start, end, rest)
+                yield Ending(
+                    stretch.start,
+                    stretch.exit,
+                    rest,
+                    there,
+                    segment.weights * self._fit(segment, rest) * self._unseen(there),
+                    segment,
+                    None,
+                    f"{length.metres:.0f} m walked",
+                )
+
+    def _at_crossing(self, segment: Segment) -> Iterator[Ending]:
+        arrival, model = self._arrival, self._model
+        if not segment.walked and not arrival.on_the_spot:
+            return
+        crossing = self._floor.crossings[segment.at]
+        choices = choices_at(crossing.exits, crossing.closed, segment.heading)
+        ratio = self._unseen(crossing.place)
+        goes_on = choices.forward is not None
+        if arrival.at_end:
+            ratio *= 2 * (1 - model.kind_right if goes_on else model.kind_right)
+        elif goes_on and arrival.length is None and segment.walked:
+            ratio *= model.arrival_open
+        if junction_at_the_end(arrival) is not None and len(choices.ways) < 2:
+            ratio *= 1 - model.kind_right
+        yield Ending(
+            segment.at,
+            None,
+            0.0,
+            crossing.place,
+            segment.weights * self._fit(segment, 0.0) * ratio,
+            segment,
+            None,
+            "end of the way" if not goes_on else "all turns made",
+        )
+
+    def here(self, segment: Segment, sighting: Sighting, walked: float) -> Weights:
+        """Weigh an alignment with this, just seen on its way, as its destination."""
+        to_come = self._legs - segment.leg
+        weights = segment.weights
+        for _ in range(to_come):
+            weights = then(weights, 0.0, self._model.no_turn, self._model.again)
+        if not to_come:
+            weights = weights * self._fit(segment, walked + sighting.distance)
+        return weights * self.seen(sighting)
+
+    def seen(self, sighting: Sighting, heading: float | None = None) -> float:
+        """Weigh something seen as the destination."""
+        model, arrival = self._model, self._arrival
+        ratio = seen_ratio(
+            model, self._things.rate(sighting.phrase), REACH, sighting.score
+        )
+        if sighting.phrase not in self._first:
+            ratio **= 0.6
+        if self.only_names(sighting):
+            ratio **= 0.7
+        if arrival.side in {"left", "right"} and sighting.side in {"left", "right"}:
+            right = model.side_right
+            ratio *= 2 * (right if arrival.side == sighting.side else 1 - right)
+        elif arrival.side == "ahead" and is_common(sighting.phrase):
+            ratio *= 1.3 if sighting.side == "ahead" else 0.6
+        if is_common(sighting.phrase) and arrival.nth is not None and arrival.nth > 0:
+            ratio *= self._nth(sighting)
+        return ratio
+
+    def _nth(self, sighting: Sighting) -> float:
+        """Weigh `the third door on the left` against those counted so far."""
+        if sighting.side != self._arrival.side and self._arrival.side != "ahead":
+            return 1.0
+        if sighting.track not in self._doors:
+            self._doors.append(sighting.track)
+        off = abs(self._doors.index(sighting.track) + 1 - (self._arrival.nth or 1))
+        return (3.0, 0.5, 0.15)[min(off, 2)]
+
+    def _sightings(self) -> Iterator[Sighting]:
+        for phrase in self.names:
+            for sighting in self._floor.seen(phrase):
+                if sighting.track not in self.refuted:
+                    yield sighting
+
+    def only_names(self, sighting: Sighting) -> bool:
+        """A sign that says `Library` is not the library."""
+        return is_sign(sighting.label) and place_on_sign(sighting.phrase) is None
+
+    def _unseen(self, place: Point) -> float:
+        """Weigh a place where nothing of the destination was seen."""
+        if not self.names:
+            return 1.0
+        if all(map(is_common, self.names)):
+            return 0.4
+        return self._model.passed_by
+
+    def _fit(self, segment: Segment, further: float) -> Weights:
+        """Weigh what was said of the last stretch against one that ends here."""
+        arrival, model = self._arrival, self._model
+        walked = segment.walked + further
+        fit = np.ones(segment.weights.shape[1])
+        if arrival.length is not None and walked > 0:
+            places = segment.places + bool(further)
+            junctions = segment.junctions + bool(further)
+            fit = fit * length_ratio(model, arrival.length, walked, places, junctions)
+        if arrival.passings:
+            fit = fit * passings_ratio(
+                model, arrival.passings, segment.left, segment.right, segment.junctions
+            )
+        return fit
+
+
+def walk_up_to(walker: Walker, sighting: Sighting, names: tuple[str, ...] = ()) -> None:
+    """Walk up to a thing just seen, and into the place that it names or leads to."""
+    for _ in range(10 + int(2 * sighting.distance)):
+        again = [
+            s for s in walker.look((sighting.phrase,)) if s.track == sighting.track
+        ]
+        sighting = again[0] if again else sighting
+        opens = _OPENS.search(sighting.label) is not None
+        if opens and sighting.side != "ahead" and walker.turn_in(sighting.side):
+            _walk_on(walker, 2 * INSIDE)
+            return
+        if again and sighting.distance <= IN_FRONT and not opens:
+            return
+        rest = _ahead(walker, sighting) - (0.0 if opens else 0.3)
+        if rest <= 0.2:
+            break
+        if not walker.step(min(rest, 0.8)):
+            break
+    if _OPENS.search(sighting.label):
+        _walk_on(walker, _ahead(walker, sighting) + INSIDE)
+    elif "hanging" in sighting.label:
+        _enter(walker, sighting, names)
+    else:
+        _face(walker, sighting)
+
+
+def _enter(walker: Walker, sighting: Sighting, names: tuple[str, ...]) -> None:
+    """Go on under a hanging sign to the place that it names."""
+    place = place_on_sign(sighting.phrase)
+    wanted = [*([place] if place else []), *names]
+    begun = walker.travelled
+    while walker.travelled - begun < BEYOND_SIGN:
+        for seen in walker.look(wanted):
+            if seen.track != sighting.track and not is_sign(seen.label):
+                walk_up_to(walker, seen)
+                return
+        if not walker.step(0.8):
+            return
+
+
+def _face(walker: Walker, sighting: Sighting) -> None:
+    """Leave the middle of the way for a thing that stands beside it."""
+    dx = sighting.place[0] - walker.place[0]
+    dy = sighting.place[1] - walker.place[1]
+    distance = math.hypot(dx, dy)
+    if distance <= CLOSE + 0.4 or distance > 5.0:
+        return
+    walker.turn_by(math.degrees(wrap_angle(math.atan2(dy, dx) - walker.heading)))
+    walker.step(distance - CLOSE)
+
+
+def _variants(phrase: str) -> list[str]:
+    """Return a name, and its head alone: `robot` for `robot of human shape`."""
+    head = re.split(r" (?:of|with|that|for) ", phrase)[0]
+    return [phrase] if head == phrase or is_common(head) else [phrase, head]
+
+
+def _walk_on(walker: Walker, distance: float) -> None:
+    while distance > 0.2 and walker.step(min(distance, 1.0)):
+        distance -= 1.0
+
+
+def _ahead(walker: Walker, sighting: Sighting) -> float:
+    """Metres to walk until the thing is abreast."""
+    dx = sighting.place[0] - walker.place[0]
+    dy = sighting.place[1] - walker.place[1]
+    return dx * math.cos(walker.heading) + dy * math.sin(walker.heading)
+
+
+def _along(place: Point, start: Point, end: Point) -> float:
+    """Return how far along a straight piece a place lies, metres."""
+    length = math.dist(start, end)
+    if length == 0.0:
+        return 0.0
+    dx, dy = end[0] - start[0], end[1] - start[1]
+    along = ((place[0] - start[0]) * dx + (place[1] - start[1]) * dy) / length
+    return min(max(along, 0.0), length)
+
+
+def _on_line(start: Point, end: Point, metres: float) -> Point:
+    share = metres / max(math.dist(start, end), 1e-6)
+    return (
+        start[0] + share * (end[0] - start[0]),
+        start[1] + share * (end[1] - start[1]),
+    )
+
+
+def is_sign(words: str) -> bool:
+    """Tell whether a label is one of a sign."""
+    return _SIGN.search(words) is not None

@@ -1,0 +1,457 @@
+"""Where on the way told the robot may be: a belief over (place, leg), by summing.
+
+A segmental hidden Markov model: a segment is a stretch between two turns of the plan, its
+states are the ways out of crossings with so many legs done. Weights are summed over all
+alignments of the plan with the sketch map, not only the best one; each carries what was
+learned on it of the speaker. The whole is computed anew from the map after each stretch,
+so what is seen late speaks for and against every turn before it.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from memorymaze.agents.guide.likelihoods import (
+    Likelihoods,
+    Weights,
+    junction_ratio,
+    length_ratio,
+    length_to_come,
+    ordinal_ratio,
+    ordinal_to_come,
+    passings_ratio,
+    then,
+    way_ratio,
+)
+from memorymaze.agents.guide.things import Things
+from memorymaze.agents.walking.choices import BACK, SLIGHT, Choices, choices_at
+from memorymaze.agents.walking.floor_map import FloorMap, Point, Stretch
+from memorymaze.agents.walking.outlooks import faces, length_of
+from memorymaze.geometry.pose import wrap_angle
+from memorymaze.routes import Leg, Length, RoutePlan
+
+LEAST_WEIGHT = 1e-5
+"""Share of the heaviest alignment below which one is not followed."""
+MOST_PLACES, MOST_METRES = 25, 200.0
+"""Of a segment."""
+LEGS_LEFT_OUT = 2
+"""Turns told in a row that there may not be."""
+
+
+@dataclass(frozen=True, slots=True)
+class Slip:
+    """Something told that an alignment takes for an error."""
+
+    kind: str
+    leg: int
+    """Number of the leg, from 0; as many as the plan has for the arrival."""
+    at: int
+    """Crossing."""
+
+
+@dataclass(frozen=True, slots=True)
+class Segment:
+    """An alignment that has walked some way since the last turn of the plan."""
+
+    at: int
+    heading: float
+    leg: int
+    """Legs done; as many as the plan has when only the arrival is left."""
+    weights: Weights
+    walked: float = 0.0
+    """Metres since the last turn."""
+    left: int = 0
+    """Openings passed on the left since then."""
+    right: int = 0
+    junctions: int = 0
+    """Places passed since then where one has to choose."""
+    line: tuple[Point, ...] = ()
+    """Corners of the walk since then."""
+    asked: frozenset[str] | None = None
+    """What was looked for all along since then; None before the first stretch."""
+    story: tuple[str, ...] = ()
+    """What it takes for the turns, in words; of the heaviest alignment."""
+    slips: tuple[Slip, ...] = ()
+    """The errors it believes in; of the heaviest alignment."""
+    turns: tuple[tuple[int, int], ...] = ()
+    """Leg and crossing of each turn; of the heaviest alignment."""
+
+    @property
+    def places(self) -> int:
+        """Places where one can turn that were come to since the last turn."""
+        return len(self.line) - 1
+
+
+@dataclass
+class Frontier:
+    """A way out that was not walked yet, and all alignments that lead into it."""
+
+    at: int
+    exit: int
+    segments: list[Segment] = field(default_factory=list[Segment])
+    weights: list[Weights] = field(default_factory=list[Weights])
+    """Of each, with what its present leg has still to expect."""
+
+    @property
+    def mass(self) -> float:
+        """How much of the belief goes that way, unnormalised."""
+        return float(sum(each.sum() for each in self.weights))
+
+    @property
+    def best(self) -> Segment:
+        """The heaviest alignment."""
+        sums = [each.sum() for each in self.weights]
+        return self.segments[sums.index(max(sums))]
+
+
+@dataclass(frozen=True, slots=True)
+class Visit:
+    """An alignment with all legs done that passes, or comes to, places to arrive at."""
+
+    segment: Segment
+    """As it was where the stretch begins, or at the crossing."""
+    stretch: Stretch | None
+    """Walked after it; None at the crossing itself."""
+
+
+@dataclass
+class Belief:
+    """All alignments of a plan with a map, summed where they meet."""
+
+    plan: RoutePlan
+    floor: FloorMap
+    model: Likelihoods
+    things: Things
+
+    frontiers: dict[tuple[int, int], Frontier] = field(
+        default_factory=dict[tuple[int, int], Frontier]
+    )
+    visits: list[Visit] = field(default_factory=list[Visit])
+
+    def update(self, starts: list[tuple[int, float, int, float]]) -> None:
+        """Sum all alignments anew.
+
+        Args:
+            starts: Crossing, heading, exit (-1 where one has still to choose) and
+                probability of each way to begin.
+        """
+        self.frontiers.clear()
+        self.visits.clear()
+        self._heaviest = 0.0
+        legs = len(self.plan.legs)
+        self._levels: list[dict[tuple[int, int], list[Segment]]] = [
+            {} for _ in range(legs + 1)
+        ]
+        speakers = self.model.speakers
+        for at, heading, exit, chance in starts:
+            weights = speakers * chance
+            slips: tuple[Slip, ...] = ()
+            place = self.floor.crossings[at].place
+            if chance <= self.model.wrong_start + 1e-9 and len(starts) > 1:
+                weights = weights[::-1].copy()
+                slips = (Slip("wrong start", 0, at),)
+            start = Segment(at, heading, 0, weights, line=(place,), slips=slips)
+            if exit < 0:
+                self._come_to(start)
+            else:
+                self._leave(start, exit)
+        for level in range(legs + 1):
+            for (_, exit), segments in self._levels[level].items():
+                for segment in _summed(segments):
+                    self._leave(segment, exit)
+
+    # -- one alignment
+
+    def _leave(self, segment: Segment, exit: int) -> None:
+        """Follow a way out as far as the map goes."""
+        weight = segment.weights.sum()
+        self._heaviest = max(self._heaviest, weight)
+        if weight < LEAST_WEIGHT * self._heaviest:
+            return
+        stretch = self.floor.stretches.get((segment.at, exit))
+        if stretch is None:
+            if exit not in self.floor.crossings[segment.at].closed:
+                key = segment.at, exit
+                frontier = self.frontiers.setdefault(key, Frontier(*key))
+                frontier.segments.append(segment)
+                frontier.weights.append(self._to_come(segment))
+            return
+        if segment.places >= MOST_PLACES or segment.walked > MOST_METRES:
+            return
+        if segment.leg == len(self.plan.legs):
+            self.visits.append(Visit(segment, stretch))
+        self._come_to(self._after(segment, stretch))
+
+    def _after(self, segment: Segment, stretch: Stretch) -> Segment:
+        asked = (
+            stretch.asked if segment.asked is None else segment.asked & stretch.asked
+        )
+        return replace(
+            segment,
+            at=stretch.end,
+            heading=stretch.arrival,
+            walked=segment.walked + stretch.length,
+            line=(*segment.line, self.floor.crossings[stretch.end].place),
+            asked=asked,
+        )
+
+    def _come_to(self, segment: Segment) -> None:
+        """Branch at a crossing into what the speaker may have meant there."""
+        crossing = self.floor.crossings[segment.at]
+        choices = choices_at(crossing.exits, crossing.closed, segment.heading)
+        if segment.leg == len(self.plan.legs):
+            self.visits.append(Visit(segment, None))
+        self._turn(segment, choices)
+        self._go_on(segment, choices)
+
+    # -- going on without a word
+
+    def _go_on(self, segment: Segment, choices: Choices) -> None:
+        model = self.model
+        ahead = choices.forward
+        junction = len(choices.ways) > 1
+        passed = replace(
+            segment,
+            left=segment.left + bool(choices.on("left")),
+            right=segment.right + bool(choices.on("right")),
+            junctions=segment.junctions + junction,
+        )
+        for index, angle in choices.ways:
+            if ahead is not None and index == ahead[0]:
+                chance = model.pass_untold if junction else 1.0
+                if abs(angle) > 0.3:
+                    chance *= model.bend_untold
+                if self._plain_turn_fits(segment, choices):
+                    chance = model.pass_fitting
+                self._leave(replace(passed, weights=segment.weights * chance), index)
+            elif not junction:
+                bend = abs(angle) <= SLIGHT
+                chance = model.bend_untold if bend else model.corner_untold
+                self._leave(replace(passed, weights=segment.weights * chance), index)
+            else:
+                chance = model.choice_untold if ahead is None else model.turn_untold
+                if self._tells_side(segment, angle):
+                    chance = max(chance, 0.5)
+                    weights = segment.weights * chance
+                    self._leave(replace(passed, weights=weights), index)
+                    continue
+                weights = then(segment.weights, 0.0, chance, model.again)
+                slip = Slip("turn left out", segment.leg, segment.at)
+                erred = replace(
+                    passed,
+                    weights=weights,
+                    slips=(*segment.slips, slip),
+                    story=(*segment.story, f"a turn at {segment.at} nobody told of"),
+                )
+                self._leave(erred, index)
+
+    def _tells_side(self, segment: Segment, angle: float) -> bool:
+        """`The glass door is on the right` may mean to turn right at the end."""
+        side = self.plan.arrival.side
+        if segment.leg < len(self.plan.legs) or side not in {"left", "right"}:
+            return False
+        return (angle > 0) == (side == "left")
+
+    def _plain_turn_fits(self, segment: Segment, choices: Choices) -> bool:
+        """Tell whether a turn about which nothing else was said could be here."""
+        leg = self._leg(segment)
+        if leg is None or leg.turn.way not in {"left", "right"}:
+            return False
+        turn = leg.turn
+        if turn.ordinal is not None or turn.at_end or turn.junction or turn.forced:
+            return False
+        if leg.length is not None and leg.length.unit != "vague":
+            return False
+        if leg.passings or self.things.awaited(segment.leg):
+            return False
+        return bool(choices.on(turn.way))
+
+    # -- turns told
+
+    def _turn(self, segment: Segment, choices: Choices) -> None:
+        model = self.model
+        weights = segment.weights
+        story, slips = segment.story, segment.slips
+        lead = 0.0
+        last = min(segment.leg + LEGS_LEFT_OUT + 1, len(self.plan.legs))
+        for number in range(segment.leg, last):
+            leg = self.plan.legs[number]
+            here = self._at_place(segment, number, weights, lead, choices)
+            if here.sum() >= LEAST_WEIGHT * self._heaviest:
+                base = replace(segment, weights=here, story=story, slips=slips)
+                self._take(base, number, choices)
+            easy = (
+                leg.turn.forced
+                or leg.turn.way.startswith("slight")
+                or faces(self.plan, number)
+            )
+            if easy:
+                weights = weights * model.no_bend
+            else:
+                chance = model.no_turn + 0.2 * leg.turn.doubt
+                weights = then(weights, 0.0, chance, model.again)
+                slips = (*slips, Slip("no such turn", number, segment.at))
+                story = (*story, f"no turn {number + 1}")
+            length = length_of(leg)
+            lead += length.metres if length is not None else 0.0
+        else:
+            # The last turns told may not be there: arrive on the way that one is on.
+            if last == len(self.plan.legs) and segment.leg < last:
+                self._skip_to_arrival(segment, weights, story, slips, choices)
+
+    def _skip_to_arrival(
+        self,
+        segment: Segment,
+        weights: Weights,
+        story: tuple[str, ...],
+        slips: tuple[Slip, ...],
+        choices: Choices,
+    ) -> None:
+        ahead = choices.forward
+        if ahead is None or not segment.walked:
+            return
+        self._add(
+            replace(
+                segment,
+                leg=len(self.plan.legs),
+                weights=weights * self.model.pass_untold,
+                story=story,
+                slips=slips,
+            ),
+            ahead[0],
+        )
+
+    def _take(self, segment: Segment, number: int, choices: Choices) -> None:
+        """Take the ways out that a turn told may mean."""
+        leg = self.plan.legs[number]
+        looks = faces(self.plan, number)
+        around = leg.turn.way == "around"
+        anew = looks or around
+        ways = self._all_ways(segment) if anew else choices.ways
+        for index, angle in ways:
+            fine, wrong = way_ratio(leg.turn, angle), 0.0
+            if looks:
+                fine = 1.0
+            elif around:
+                fine = 1.5 if abs(angle) > BACK else 0.0
+            elif not fine:
+                wrong = self.model.wrong_side * (1.0 if abs(angle) > 0.26 else 0.5)
+            fine *= self.things.outlook_ratio(segment.at, index, number + 1)
+            weights = then(segment.weights, fine, wrong, self.model.again)
+            story = (*segment.story, f"turn {number + 1} at {segment.at}")
+            slips = segment.slips
+            if not fine:
+                slips = (*slips, Slip("wrong side", number, segment.at))
+                story = (*story, "to the other side")
+            done = Segment(
+                segment.at,
+                wrap_angle(segment.heading + angle),
+                number + 1,
+                weights,
+                line=(self.floor.crossings[segment.at].place,),
+                story=story,
+                slips=slips,
+                turns=(*segment.turns, (number, segment.at)),
+            )
+            self._add(done, index)
+            following = self._leg(done)
+            if anew and following is not None and following.on_the_spot:
+                crossing = self.floor.crossings[segment.at]
+                onward = choices_at(crossing.exits, crossing.closed, done.heading)
+                self._turn(done, onward)
+
+    def _at_place(
+        self,
+        segment: Segment,
+        number: int,
+        weights: Weights,
+        lead: float,
+        choices: Choices,
+    ) -> Weights:
+        """Weigh all that was said of where a turn is against a crossing."""
+        model = self.model
+        leg = self.plan.legs[number]
+        turn = leg.turn
+        junction = len(choices.ways) > 1
+        junctions = segment.junctions + junction
+        on_side = self._on_side(segment, leg) + 1
+        fine: float | Weights = junction_ratio(model, turn, choices)
+        fine = fine * ordinal_ratio(model, turn, on_side, junctions, choices)
+        fine = fine * passings_ratio(
+            model, leg.passings, segment.left, segment.right, segment.junctions
+        )
+        length = _with_lead(length_of(leg), lead)
+        if length is not None and segment.walked:
+            fine = fine * length_ratio(
+                model, length, segment.walked, segment.places, junctions
+            )
+        if not leg.on_the_spot and not segment.walked:
+            fine = fine * 0.13
+        right = weights * (1 - model.wrong_place) * fine
+        after = self.things.weigh(
+            right, number, segment.line, segment.asked or frozenset(), segment.at
+        )
+        after[1] += model.wrong_place * (weights[0] + model.again * weights[1])
+        return after
+
+    def _to_come(self, segment: Segment) -> Weights:
+        """Weigh what was said of the present leg against its going on beyond here."""
+        leg = self._leg(segment)
+        weights = segment.weights
+        if leg is None:
+            length = self.plan.arrival.length
+            if length is None:
+                return weights
+            ratio = length_to_come(self.model, length, segment.walked, segment.places)
+            return weights * np.sqrt(ratio)
+        ratio = np.ones(weights.shape[1])
+        length = length_of(leg)
+        if length is not None:
+            ratio = ratio * length_to_come(
+                self.model, length, segment.walked, segment.places
+            )
+        ratio = ratio * ordinal_to_come(
+            self.model, leg.turn, self._on_side(segment, leg), segment.junctions
+        )
+        floor = self.model.wrong_place
+        return weights * np.maximum(ratio, floor)
+
+    def _add(self, segment: Segment, exit: int) -> None:
+        if segment.weights.sum() >= LEAST_WEIGHT * self._heaviest:
+            level = self._levels[segment.leg]
+            level.setdefault((segment.at, exit), []).append(segment)
+
+    def _all_ways(self, segment: Segment) -> Iterator[tuple[int, float]]:
+        crossing = self.floor.crossings[segment.at]
+        for index, heading in enumerate(crossing.exits):
+            if index not in crossing.closed:
+                yield index, wrap_angle(heading - segment.heading)
+
+    def _on_side(self, segment: Segment, leg: Leg) -> int:
+        way = leg.turn.way
+        if way.endswith("left"):
+            return segment.left
+        return segment.right if way.endswith("right") else segment.junctions
+
+    def _leg(self, segment: Segment) -> Leg | None:
+        legs = self.plan.legs
+        return legs[segment.leg] if segment.leg < len(legs) else None
+
+
+def _summed(segments: list[Segment]) -> list[Segment]:
+    """Sum the alignments of a way out that differ in nothing but how they came there."""
+    begun = [each for each in segments if not each.walked]
+    others = [each for each in segments if each.walked]
+    if len(begun) < 2:
+        return segments
+    heaviest = max(begun, key=lambda each: each.weights.sum())
+    weights = np.sum([each.weights for each in begun], axis=0)
+    return [replace(heaviest, weights=weights), *others]
+
+
+def _with_lead(length: Length | None, lead: float) -> Length | None:
+    """Add the length of legs that were left out."""
+    if length is None or not lead or length.unit == "places":
+        return length
+    return replace(length, metres=length.metres + lead)

@@ -1,0 +1,345 @@
+"""How likely speakers say what they say of a way, and what they leave out.
+
+Every number here is a parameter of one record, `Likelihoods`. Evidence is a ratio: how
+likely the words are if this is the place they are about, over how likely they are if it
+is any place. Words about places not yet reached therefore count as 1.
+"""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from itertools import product
+
+import numpy as np
+from numpy.typing import NDArray
+
+from memorymaze.agents.walking.choices import FORWARD, SLIGHT, Choices
+from memorymaze.routes import Length, Passing, Turn
+
+Weights = NDArray[np.float64]
+"""Of every speaker there may be: shape (2, len(SPEAKERS)); the second row once
+something told has proved wrong."""
+
+
+@dataclass(frozen=True, slots=True)
+class Likelihoods:
+    """The parameters; probabilities unless said otherwise."""
+
+    # -- what is told of a turn
+    pass_untold: float = 0.95
+    """Of going straight past an opening without a word."""
+    pass_fitting: float = 0.45
+    """The same where the next turn told, about which nothing else is said, fits it."""
+    corner_untold: float = 0.5
+    """Of a corner without a choice that is not told."""
+    bend_untold: float = 0.87
+    """The same of a slanted one."""
+    choice_untold: float = 0.06
+    """Of a turn left out where one has to choose (an error)."""
+    turn_untold: float = 0.025
+    """Of a turn left out where one could go on (an error)."""
+    wrong_side: float = 0.04
+    """Of a turn told to the wrong side (an error)."""
+    no_turn: float = 0.05
+    """Of a turn told that there is not (an error)."""
+    no_bend: float = 0.2
+    """The same where it was told as a bend, or as slight."""
+    wrong_place: float = 0.05
+    """That all is wrong that is said of where to turn (an error)."""
+    wrong_start: float = 0.03
+    """That the way begins in another direction (an error)."""
+    again: float = 2.0
+    """How much likelier an error is once there was one (a factor)."""
+    # -- lengths
+    length_sd: float = 0.3
+    """Of the logarithm of a length said, beside the speaker's own factor."""
+    length_outlier: float = 0.1
+    """Of a length that has nothing to do with the way."""
+    factor_sd: float = 0.25
+    """Of the logarithm of the speaker's own factor."""
+    unit_sd: float = 0.2
+    """Added where it was not counted in metres."""
+    way_log_sd: float = 0.8
+    """Of the logarithm of the lengths that ways between two turns have."""
+    # -- counts
+    count_right: float = 0.85
+    """That a count is right."""
+    count_one_off: float = 0.12
+    """That it is one off."""
+    one_side: float = 0.75
+    """That a speaker counts the openings of one side, not of both."""
+    # -- kinds of place
+    kind_right: float = 0.85
+    """That the kind of junction, the end of the way or a bend is told rightly."""
+    # -- things
+    invented: float = 0.25
+    """That a thing said is not there."""
+    detected: float = 0.8
+    """That a thing that is there is seen from the way."""
+    side_right: float = 0.75
+    """That the side of a thing is told rightly."""
+    mistaken: float = 0.04
+    """That a turn hangs on a thing that is not there (an error)."""
+    common_rate: float = 0.08
+    """Things per metre of a kind that is everywhere, before any is counted."""
+    rare_rate: float = 0.004
+    """The same of any other thing."""
+    # -- the destination
+    passed_by: float = 0.12
+    """That a destination that is there is not noticed."""
+    arrival_open: float = 0.35
+    """Of a destination where the way goes on, and nothing tells it."""
+
+    @property
+    def speakers(self) -> Weights:
+        """How likely each speaker is, before a word; all without an error."""
+        factors = np.array([factor for _, factor in SPEAKERS])
+        rows = np.exp(-0.5 * (factors / self.factor_sd) ** 2)
+        rows *= np.array([
+            self.one_side if side else 1 - self.one_side for side, _ in SPEAKERS
+        ])
+        return np.stack([rows / rows.sum(), np.zeros(len(SPEAKERS))])
+
+
+FACTORS = (-0.5, -0.25, 0.0, 0.25, 0.5)
+SPEAKERS = tuple(product((True, False), FACTORS))
+"""Whether a speaker counts the openings of one side only, and the logarithm of the factor
+by which the lengths said are too long."""
+
+WAY_METRES = 12.0
+"""Length of the ways between two turns, in the middle."""
+PLACE_METRES = 8.0
+"""From one place where one can turn to the next, where only metres are told."""
+FEWEST_METRES = 1.5
+"""Shorter ways are told like this one."""
+
+_FACTOR_ROW = np.array([factor for _, factor in SPEAKERS])
+_ONE_SIDE = np.array([one for one, _ in SPEAKERS])
+_COUNTS = (0.5, 0.25, 0.13, 0.07, 0.03)
+"""How often speakers say first, second, third, …, whatever the way."""
+
+
+def then(
+    weights: Weights, fine: float | Weights, wrong: float, again: float
+) -> Weights:
+    """Weigh words: as they are if they are right, and if they are an error."""
+    after = weights * fine
+    if wrong:
+        after[1] += wrong * (weights[0] + again * weights[1])
+    return after
+
+
+# -- lengths
+
+
+def length_ratio(
+    model: Likelihoods, length: Length, walked: float, places: int, junctions: int
+) -> Weights:
+    """Weigh a length said against a stretch walked, for every speaker.
+
+    `places` are those where one can turn that were come to, the present one included;
+    `junctions` are those of them where one has to choose.
+    """
+    if length.unit == "places":
+        count = length.count or length.metres / PLACE_METRES
+        off = min(abs(places - count), abs(junctions - count))
+        return np.full(len(SPEAKERS), _count_right(model, off) / 0.25)
+    spread = _spread(model, length)
+    return _said_over_any(model, _log_metres(length.metres), spread, walked)
+
+
+def length_to_come(
+    model: Likelihoods, length: Length, walked: float, places: int
+) -> Weights:
+    """Weigh a length said against a stretch that is as long already, or longer.
+
+    By Bayes: how likely a way goes on that far given what was said, over how likely any
+    does.
+    """
+    if length.unit == "places":
+        count = length.count or length.metres / PLACE_METRES
+        off = max(places + 1 - count, 0.0)
+        return np.full(len(SPEAKERS), min(_count_right(model, off) / 0.25, 1.0))
+    if walked < FEWEST_METRES:
+        return np.ones(len(SPEAKERS))
+    spread = _spread(model, length)
+    return _survival_ratio(model, _log_metres(length.metres), spread, walked)
+
+
+def _said_over_any(
+    model: Likelihoods, said: float, spread: float, walked: float
+) -> Weights:
+    true = math.log(max(walked, FEWEST_METRES))
+    rest = (said - true - _FACTOR_ROW) / spread
+    right = np.exp(-0.5 * rest * rest) / spread
+    whole = math.hypot(spread, model.way_log_sd)
+    off = (said - math.log(WAY_METRES)) / whole
+    any_way = max(math.exp(-0.5 * off * off) / whole, 0.05)
+    return (1 - model.length_outlier) * right / any_way + model.length_outlier
+
+
+def _survival_ratio(
+    model: Likelihoods, said: float, spread: float, walked: float
+) -> Weights:
+    true = math.log(max(walked, FEWEST_METRES))
+    prior, noise = model.way_log_sd**2, spread**2
+    mean = (prior * (said - _FACTOR_ROW) + noise * math.log(WAY_METRES)) / (
+        prior + noise
+    )
+    sd = math.sqrt(prior * noise / (prior + noise))
+    on = np.array([_beyond((true - each) / sd) for each in mean])
+    any_on = max(_beyond((true - math.log(WAY_METRES)) / model.way_log_sd), 1e-3)
+    ratio = np.minimum(on / any_on, 1.5)
+    return (1 - model.length_outlier) * ratio + model.length_outlier
+
+
+def _beyond(z: float) -> float:
+    return 0.5 * math.erfc(z / math.sqrt(2))
+
+
+def _log_metres(metres: float) -> float:
+    return math.log(max(metres, FEWEST_METRES))
+
+
+def _spread(model: Likelihoods, length: Length) -> float:
+    """Return the standard deviation of the logarithm of what is said."""
+    if length.unit == "metres":
+        return model.length_sd
+    return model.length_sd + (1 if length.unit == "steps" else 2) * model.unit_sd
+
+
+# -- counts
+
+
+def ordinal_ratio(
+    model: Likelihoods, turn: Turn, on_side: int, of_all: int, choices: Choices
+) -> float | Weights:
+    """Weigh `the second left` against the openings met, this one included."""
+    if turn.ordinal is None:
+        return 1.0
+    if turn.ordinal == -1:
+        right = model.kind_right
+        return (1 - right) * 2 if choices.forward is not None else 2 * right
+    told = [turn.ordinal] + ([turn.or_ordinal] if turn.or_ordinal else [])
+    one = max(_nth(model, each, on_side) for each in told)
+    both = max(_nth(model, each, of_all) for each in told)
+    return np.where(_ONE_SIDE, one, both)
+
+
+def ordinal_to_come(
+    model: Likelihoods, turn: Turn, on_side: int, of_all: int
+) -> Weights:
+    """Weigh a count against so many openings that were passed already."""
+    if turn.ordinal is None or turn.ordinal < 0:
+        return np.ones(len(SPEAKERS))
+    told = max(turn.ordinal, turn.or_ordinal or 0)
+
+    def ratio(met: int) -> float:
+        return min(_nth(model, told, met + 1), 1.0) if met >= told else 1.0
+
+    return np.where(_ONE_SIDE, ratio(on_side), ratio(of_all))
+
+
+def _nth(model: Likelihoods, told: int, met: int) -> float:
+    usual = _COUNTS[min(told, len(_COUNTS)) - 1]
+    return _count_right(model, abs(met - told)) / max(usual, 0.07)
+
+
+def _count_right(model: Likelihoods, off: float) -> float:
+    rest = max(1.0 - model.count_right - model.count_one_off, 0.01)
+    if off < 0.5:
+        return model.count_right
+    return model.count_one_off if off < 1.5 else rest / max(off, 1.0)
+
+
+def passings_ratio(
+    model: Likelihoods,
+    passings: Sequence[Passing],
+    left: int,
+    right: int,
+    crossings: int,
+) -> float:
+    """Weigh the openings said to be left alone against those left alone."""
+    told: dict[str | None, int] = {}
+    for passing in passings:
+        if passing.count is not None:
+            told[passing.side] = told.get(passing.side, 0) + passing.count
+    ratio = 1.0
+    for side, count in told.items():
+        met = left if side == "left" else right if side == "right" else crossings
+        if met == count:
+            ratio *= 1.6
+        else:
+            off = count - met if count > met else 0.5 * (met - count)
+            ratio *= max(1.0 - 0.45 * off, 0.12)
+    return ratio
+
+
+# -- turns and kinds of place
+
+
+def way_ratio(turn: Turn, angle: float) -> float:
+    """Weigh the direction of a turn told against the angle of a way out, left positive.
+
+    0 where the direction is another one.
+    """
+    if turn.way == "either":
+        return 0.8 if abs(angle) > FORWARD else 0.2
+    if turn.way.endswith("right"):
+        angle = -angle
+    if angle < math.radians(-20):
+        return 0.0
+    if turn.way.startswith("slight"):
+        return 1.8 if FORWARD < angle <= SLIGHT else 1.0 if angle <= FORWARD else 0.5
+    if angle <= FORWARD:
+        return 0.0
+    if angle <= SLIGHT:
+        return 1.1 if turn.forced else 0.7
+    return 1.8 if angle <= math.radians(125) else 1.1
+
+
+def junction_ratio(model: Likelihoods, turn: Turn, choices: Choices) -> float:
+    """Weigh the kind of junction against what was said of it."""
+    goes_on = choices.forward is not None
+    right, wrong = 2 * model.kind_right, 2 * (1 - model.kind_right)
+    ratio = 1.0
+    if turn.at_end:
+        ratio *= wrong if goes_on else right
+    if turn.junction == "t":
+        if goes_on:
+            ratio *= 2 * wrong if turn.at_end else wrong
+        else:
+            ratio *= right if len(choices.ways) > 1 else 0.7
+    elif turn.junction == "crossing":
+        if len(choices.ways) < 2:
+            ratio *= wrong
+        else:
+            ratio *= right if goes_on else 0.7
+    elif turn.junction == "corner":
+        ratio *= 0.55 if goes_on and len(choices.ways) > 1 else 1.2
+    if turn.forced:
+        forced = len(choices.ways) == 1
+        ratio *= right if forced else wrong if goes_on else 0.6
+    return ratio
+
+
+# -- things
+
+
+@lru_cache(maxsize=4096)
+def seen_ratio(model: Likelihoods, rate: float, reach: float, score: float) -> float:
+    """Weigh that a thing said was seen where it should be.
+
+    `rate` is how often such a thing is met per metre in this building, `reach` the metres
+    of way on which it would count.
+    """
+    by_chance = 1.0 - math.exp(-rate * reach)
+    there = (1 - model.invented) * model.detected * score
+    ratio = (there + (1 - there) * by_chance) / by_chance
+    return min(ratio, 30.0)
+
+
+def unseen_ratio(model: Likelihoods) -> float:
+    """Weigh that it was not seen though it was looked for: overlooked, or invented."""
+    return (1 - model.invented) * (1 - model.detected) + model.invented

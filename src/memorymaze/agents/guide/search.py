@@ -1,0 +1,427 @@
+"""The walk of the guide: believe, choose, walk on, doubt, go back, arrive or give up."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from memorymaze.agents.agent import Journal
+from memorymaze.agents.guide.arriving import (
+    SAME_PLACE,
+    Arrivals,
+    Ending,
+    walk_up_to,
+)
+from memorymaze.agents.guide.belief import Belief, Frontier, Segment, Slip
+from memorymaze.agents.guide.likelihoods import Likelihoods
+from memorymaze.agents.guide.things import Things
+from memorymaze.agents.walking.floor_map import Sighting
+from memorymaze.agents.walking.outlooks import (
+    faces,
+    first_heading_cost,
+    length_of,
+    outlook_of,
+    things_on,
+)
+from memorymaze.agents.walking.walker import Walker
+from memorymaze.geometry.pose import wrap_angle
+from memorymaze.routes import RoutePlan
+from memorymaze.understanding import ANY_FLOOR, is_floor
+
+SAME_HEADING = math.radians(35)
+"""Ways to face that differ by less are one."""
+FEWEST_METRES, MOST_METRES = 120.0, 300.0
+"""Bounds of the walk after which the agent stops at the best place it knows."""
+LEG_METRES = 15.0
+"""Expected length of a leg whose length was not said."""
+MOST_DECISIONS = 400
+SHORT_OF_THE_END = 1.5
+"""Metres before the end of a way at which to stop where nothing was seen of the place."""
+
+
+@dataclass(frozen=True, slots=True)
+class Patience:
+    """What metres are worth, and when the robot claims to be there."""
+
+    metre_back: float = 0.012
+    """Nats that a metre to walk to another explanation is worth."""
+    sure: float = 0.5
+    """Probability from which on it stops at what it just saw."""
+    claims: float = 0.2
+    """Probability below which it says that it could not find the place."""
+
+
+class Search:
+    """The walk of one episode, decided by the belief."""
+
+    def __init__(
+        self,
+        plan: RoutePlan,
+        walker: Walker,
+        journal: Journal,
+        *,
+        any_heading: bool = False,
+        model: Likelihoods | None = None,
+        patience: Patience | None = None,
+    ) -> None:
+        """Prepare to follow a plan from where the robot stands.
+
+        Args:
+            plan: What was said.
+            walker: Drives the robot and draws the map.
+            journal: Takes the notes.
+            any_heading: The robot may have to face any way at the start.
+            model: How speakers are.
+            patience: What metres are worth.
+        """
+        self._plan = plan
+        self._walker = walker
+        self._journal = journal
+        self._any_heading = any_heading
+        self._model = model or Likelihoods()
+        self._patience = patience or Patience()
+        self._things = Things(plan, walker.map, self._model)
+        self._arrivals = Arrivals(plan, walker.map, self._model, self._things)
+        self._belief = Belief(plan, walker.map, self._model, self._things)
+        self._endings: list[Ending] = []
+        self._starts: list[tuple[int, float, int, float]] = []
+        self._limit = _walk_limit(plan)
+        self._looks = _looks_of(plan)
+        """What tells ways apart: looked for at every crossing."""
+        self._doubted: frozenset[tuple[str, int]] = frozenset()
+
+    def run(self) -> None:
+        """Walk until arrived, or until there is no hope."""
+        self._begin()
+        for _ in range(MOST_DECISIONS):
+            self._update()
+            frontier, ending = self._best_frontier(), self._best_ending()
+            if ending is not None and (
+                frontier is None or self._value(ending) >= self._value(frontier)
+            ):
+                if self._finish(ending):
+                    return
+                continue
+            if frontier is None or self._too_far_for(frontier, ending):
+                if ending is None or self._finish(ending):
+                    break
+                continue
+            if self._walk(frontier):
+                return
+        if self._said is None:
+            self._give_up("there is nothing left to try")
+
+    # -- the start
+
+    def _begin(self) -> None:
+        walker = self._walker
+        self._said: str | None = None
+        at = walker.at
+        if self._any_heading:
+            self._starts = self._any_starts()
+            return
+        wrong = self._model.wrong_start
+        crossing = walker.map.crossings[at]
+        if at == 0:
+            back = crossing.add_exit(math.pi)
+            self._starts = [(0, 0.0, 0, 1 - wrong), (0, math.pi, back, wrong)]
+            return
+        self._survey()
+        self._starts = [(at, 0.0, -1, 1 - wrong), (at, math.pi, -1, wrong)]
+
+    def _any_starts(self) -> list[tuple[int, float, int, float]]:
+        """Look about, and take every way to face at the start for possible."""
+        walker, at = self._walker, self._walker.at
+        named = [m.phrase for m in things_on(self._plan, 0)]
+        outlook = outlook_of(self._plan, 0)
+        first = [*outlook.ahead, *outlook.behind, *named, *self._arrivals.names]
+        walker.look_about(dict.fromkeys([*self._looks, *first]))
+        exits = walker.map.crossings[at].exits
+        headings = list(exits)
+        for exit in exits:
+            for angle in (math.pi / 2, math.pi, -math.pi / 2):
+                heading = wrap_angle(exit + angle)
+                if all(abs(wrap_angle(heading - h)) > SAME_HEADING for h in headings):
+                    headings.append(heading)
+        chances = [
+            math.exp(-first_heading_cost(self._plan, walker.map, at, heading))
+            for heading in headings
+        ]
+        return [
+            (at, heading, -1, chance / sum(chances))
+            for heading, chance in zip(headings, chances, strict=True)
+        ]
+
+    def _survey(self) -> None:
+        """Look along the ways out of where the robot is, if that tells anything."""
+        if self._looks and self._walker.at > 0:
+            self._walker.survey(self._looks)
+
+    # -- believing
+
+    def _update(self) -> None:
+        """Believe anew after what was seen, and say what changed."""
+        self._belief.update(self._starts)
+        self._endings = self._arrivals.endings(self._belief)
+        self._total = sum(f.mass for f in self._belief.frontiers.values())
+        self._total += sum(each.mass for each in self._endings)
+        self._distances = self._walker.map.distances_from(self._walker.at)
+        best = self._likeliest()
+        legs, doubt = self._summary()
+        self._journal.note(
+            "belief",
+            at=self._walker.at,
+            legs=[round(each, 3) for each in legs],
+            doubt=round(doubt, 3),
+        )
+        if best is not None:
+            self._say_doubts(best, doubt)
+
+    def _summary(self) -> tuple[list[float], float]:
+        """Return the probabilities of legs done, and that something told is wrong."""
+        legs = np.zeros(len(self._plan.legs) + 1)
+        wrong = 0.0
+        for frontier in self._belief.frontiers.values():
+            for segment, weights in zip(
+                frontier.segments, frontier.weights, strict=True
+            ):
+                legs[segment.leg] += weights.sum()
+                wrong += weights[1].sum()
+        for ending in self._endings:
+            legs[-1] += ending.mass
+            wrong += ending.weights[1].sum()
+        total = max(float(legs.sum()), 1e-300)
+        return [float(each) / total for each in legs], float(wrong) / total
+
+    def _likeliest(self) -> Segment | None:
+        """Return the likeliest of the alignments."""
+        candidates = [(f.mass, f.best) for f in self._belief.frontiers.values()]
+        candidates += [(each.mass, each.segment) for each in self._endings]
+        return max(candidates, key=lambda each: each[0], default=(0.0, None))[1]
+
+    def _say_doubts(self, best: Segment, doubt: float) -> None:
+        """Note where what was told is now believed to be wrong."""
+        slips = {(each.kind, each.leg): each for each in best.slips}
+        new = [slip for key, slip in slips.items() if key not in self._doubted]
+        if new and doubt >= 0.5:
+            self._note_doubt(new[0], doubt)
+            self._doubted = frozenset(slips)
+
+    def _note_doubt(self, slip: Slip, doubt: float) -> None:
+        self._journal.note(
+            "doubt",
+            score=round(doubt, 3),
+            leg=slip.leg + 1,
+            at=slip.at,
+            kind_of=slip.kind,
+        )
+        self._walker.say(_doubt_in_words(slip, len(self._plan.legs)))
+
+    # -- choosing
+
+    def _value(self, choice: Frontier | Ending) -> float:
+        """Return the logarithm of a probability, less what the way there costs."""
+        metres = self._distances.get(choice.at, math.inf)
+        mass = choice.mass
+        if isinstance(choice, Ending):
+            metres += choice.distance
+            mass = self._mass_about(choice)
+        return math.log(max(mass, 1e-300)) - self._patience.metre_back * metres
+
+    def _mass_about(self, ending: Ending) -> float:
+        """Sum the belief in places to arrive at that are as good as this one."""
+        return sum(
+            each.mass
+            for each in self._endings
+            if math.dist(each.place, ending.place) < SAME_PLACE
+        )
+
+    def _best_frontier(self) -> Frontier | None:
+        return max(self._belief.frontiers.values(), key=self._value, default=None)
+
+    def _best_ending(self) -> Ending | None:
+        best = max(self._endings, key=self._value, default=None)
+        if best is None or best.mass <= 0.0:
+            return None
+        return best
+
+    def _too_far_for(self, frontier: Frontier, ending: Ending | None) -> bool:
+        """Tell whether after one more stretch there is no time to come back."""
+        back = 0.0
+        if ending is not None:
+            back = self._distances.get(ending.at, math.inf) + ending.distance
+        further = self._distances.get(frontier.at, math.inf) + LEG_METRES
+        return self._walker.travelled + further + back > self._limit
+
+    # -- walking
+
+    def _walk(self, frontier: Frontier) -> bool:
+        """Walk a way that is new; True when arrived on it."""
+        walker, best = self._walker, frontier.best
+        self._journal.note(
+            "decision",
+            at=frontier.at,
+            exit=frontier.exit,
+            probability=round(frontier.mass / self._total, 3),
+            legs_done=best.leg,
+            because=list(best.story[-3:]),
+        )
+        if walker.at != frontier.at and best.slips:
+            slip = best.slips[-1]
+            self._journal.note(
+                "repair", leg=slip.leg + 1, at=frontier.at, reason=slip.kind
+            )
+        if not walker.go_to(frontier.at):
+            walker.map.crossings[frontier.at].closed.add(frontier.exit)
+            return False
+        begin = walker.travelled
+        found: list[tuple[Sighting, float]] = []
+        rest = self._total - sum(
+            weights.sum()
+            for segment, weights in zip(
+                frontier.segments, frontier.weights, strict=True
+            )
+            if segment.leg == len(self._plan.legs)
+        )
+
+        def arrived(seen: list[Sighting]) -> bool:
+            for sighting in seen:
+                if not self._may_be_there(sighting):
+                    continue
+                walked = walker.travelled - begin
+                there = sum(
+                    self._arrivals.here(segment, sighting, walked).sum()
+                    for segment in frontier.segments
+                )
+                chance = float(there / (there + rest))
+                if chance >= self._patience.sure:
+                    if walker.points_on(sighting):
+                        self._arrivals.refuted.add(sighting.track)
+                        continue
+                    found.append((sighting, chance))
+                    return True
+            return False
+
+        stretch = walker.follow_exit(frontier.exit, self._phrases(frontier), arrived)
+        if stretch is not None:
+            self._survey()
+        if found:
+            sighting, chance = found[0]
+            self._arrive(f"{sighting.phrase} seen", chance)
+            walk_up_to(walker, sighting, self._arrivals.names)
+            return True
+        return False
+
+    def _may_be_there(self, sighting: Sighting) -> bool:
+        return (
+            sighting.phrase in self._arrivals.names
+            and sighting.track not in self._arrivals.refuted
+        )
+
+    def _phrases(self, frontier: Frontier) -> list[str]:
+        """Return what to look for on a way: what the likelier alignments await."""
+        phrases: list[str] = [*self._looks, *self._arrivals.names]
+        legs = len(self._plan.legs)
+        masses = np.zeros(legs + 1)
+        for segment, weights in zip(frontier.segments, frontier.weights, strict=True):
+            masses[segment.leg] += weights.sum()
+        for number in range(legs + 1):
+            near = masses[max(number - 1, 0) : number + 2].sum()
+            if near < 0.02 * masses.sum():
+                continue
+            phrases.extend(self._things.phrases(number))
+        return list(dict.fromkeys(phrases))
+
+    # -- ending
+
+    def _finish(self, ending: Ending) -> bool:
+        """Go to a place to arrive at; False where it turns out not to be it."""
+        walker = self._walker
+        chance = min(self._mass_about(ending) / self._total, 1.0)
+        if not walker.go_to(ending.at):
+            self._arrivals.refuted.update(
+                {ending.sighting.track} if ending.sighting else set()
+            )
+            return ending.sighting is None
+        if ending.exit is not None and not walker.face(ending.exit):
+            return True
+        if chance < self._patience.claims:
+            self._give_up("nothing fits what was told", chance)
+        else:
+            self._arrive(ending.reason, chance, ending.segment.story)
+        if ending.sighting is None and walker.map.is_dead_end(ending.at):
+            # The place is here or short of here, and never beyond.
+            walker.turn_by(180.0)
+            walker.step(SHORT_OF_THE_END)
+            return True
+        goal = ending.distance
+        while ending.exit is not None and goal > 0.2:
+            if ending.sighting is not None:
+                seen = [
+                    each
+                    for each in walker.look((ending.sighting.phrase,))
+                    if each.track == ending.sighting.track
+                ]
+                if seen:
+                    walk_up_to(walker, seen[0], self._arrivals.names)
+                    return True
+            step = min(goal, 0.8)
+            if not walker.step(step):
+                return True
+            goal -= step
+        return True
+
+    def _arrive(
+        self, reason: str, confidence: float, story: tuple[str, ...] = ()
+    ) -> None:
+        self._said = "arrival"
+        _, doubt = self._summary()
+        self._journal.note("doubt", score=round(doubt, 3), at=self._walker.at)
+        self._journal.note(
+            "arrival",
+            reason=reason,
+            confidence=round(confidence, 3),
+            because=list(story),
+        )
+
+    def _give_up(self, reason: str, confidence: float = 0.0) -> None:
+        self._said = "gave_up"
+        _, doubt = self._summary()
+        self._journal.note("doubt", score=round(doubt, 3), at=self._walker.at)
+        self._journal.note("gave_up", reason=reason, confidence=round(confidence, 3))
+        self._walker.say("I could not find it.")
+
+
+def _doubt_in_words(slip: Slip, legs: int) -> str:
+    told = f"turn {slip.leg + 1}" if slip.leg < legs else "the last stretch"
+    words = {
+        "wrong start": "I think we should have begun the other way.",
+        "wrong side": f"I think {told} goes to the other side.",
+        "no such turn": f"I think there is no {told} as it was told.",
+        "turn left out": f"I think a turn was left out before {told}.",
+    }
+    return words.get(slip.kind, f"I doubt what was told of {told}.")
+
+
+def _looks_of(plan: RoutePlan) -> tuple[str, ...]:
+    """Return what to look for along every way; nothing where no way is told by looks."""
+    parts = range(len(plan.legs) + 1)
+    outlooks = [outlook_of(plan, number) for number in parts]
+    ahead = [phrase for outlook in outlooks for phrase in outlook.ahead]
+    things = [each for number in parts for each in things_on(plan, number)]
+    named = [each.phrase for each in things if is_floor(each.phrase)]
+    floors = [phrase for phrase in (*ahead, *named) if is_floor(phrase)]
+    turns = any(faces(plan, number) for number in range(len(plan.legs)))
+    if not floors and not turns:
+        return ()
+    return tuple(dict.fromkeys([*([ANY_FLOOR] if floors else []), *ahead, *floors]))
+
+
+def _walk_limit(plan: RoutePlan) -> float:
+    """Metres after which to stop at the best place known."""
+    expected = sum(
+        length.metres if (length := length_of(leg)) is not None else LEG_METRES
+        for leg in plan.legs
+    )
+    expected += plan.arrival.length.metres if plan.arrival.length else LEG_METRES
+    return min(max(FEWEST_METRES, 2.2 * expected), MOST_METRES)

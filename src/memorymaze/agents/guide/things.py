@@ -1,0 +1,135 @@
+"""Things and floors said to be on the way, against those seen where they should be."""
+
+import math
+from itertools import pairwise
+
+from memorymaze.agents.guide.likelihoods import (
+    Likelihoods,
+    Weights,
+    seen_ratio,
+    then,
+    unseen_ratio,
+)
+from memorymaze.agents.walking.floor_map import (
+    FloorMap,
+    Point,
+    Sighting,
+    distance_to_line,
+)
+from memorymaze.agents.walking.outlooks import (
+    crossing_floor_cost,
+    outlook_cost,
+    outlook_of,
+    things_on,
+    walls_cost,
+)
+from memorymaze.routes import Mention, RoutePlan
+from memorymaze.understanding import is_common, is_floor
+
+AT_THE_TURN = frozenset({"turn", "beside", "opposite", "before_turn", "after_turn"})
+BESIDE = 4.5
+"""Metres from the line of a stretch within which a thing is on it."""
+AT_CROSSING = 5.0
+"""Metres from a crossing within which a thing is at it."""
+BEFORE_ANY = 60.0
+"""Metres of way that the usual rates of things are worth, beside those counted."""
+
+
+class Things:
+    """Weighs the things of a plan against the map."""
+
+    def __init__(self, plan: RoutePlan, floor: FloorMap, model: Likelihoods) -> None:
+        """Take the plan, the map that the walk draws, and how speakers are."""
+        self._plan = plan
+        self._floor = floor
+        self._model = model
+        self._mentions = [things_on(plan, n) for n in range(len(plan.legs) + 1)]
+        self._outlooks = [outlook_of(plan, n) for n in range(len(plan.legs) + 1)]
+
+    def mentions(self, number: int) -> tuple[Mention, ...]:
+        """Return the things on a leg, or on the last stretch."""
+        return self._mentions[number]
+
+    def phrases(self, number: int) -> list[str]:
+        """Return what to look for on a leg, or on the last stretch."""
+        return [each.phrase for each in self._mentions[number]]
+
+    def awaited(self, number: int) -> bool:
+        """Tell whether a leg is told by a thing that was not seen yet."""
+        return any(
+            each.place in {"turn", "before_turn", "passed"}
+            and not self._floor.seen(each.phrase)
+            for each in self._mentions[number]
+        )
+
+    def rate(self, phrase: str) -> float:
+        """Return how often such a thing is met per metre in this building."""
+        usual = self._model.common_rate if is_common(phrase) else self._model.rare_rate
+        counted = len(self._floor.seen(phrase))
+        return (usual * BEFORE_ANY + counted) / (BEFORE_ANY + self._floor.metres)
+
+    def weigh(
+        self,
+        weights: Weights,
+        number: int,
+        line: tuple[Point, ...],
+        asked: frozenset[str],
+        at: int,
+    ) -> Weights:
+        """Weigh what is said of a leg with its turn at a crossing."""
+        model = self._model
+        place = self._floor.crossings[at].place
+        for mention in self._mentions[number]:
+            if is_floor(mention.phrase):
+                cost = crossing_floor_cost(mention, self._floor, at)
+                weights = weights * math.exp(-cost)
+                continue
+            at_turn = mention.place in AT_THE_TURN
+            reach = 2 * AT_CROSSING if at_turn else max(_length(line), 4.0)
+            best = 0.0
+            for sighting in self._floor.seen(mention.phrase):
+                if at_turn:
+                    near = math.dist(sighting.place, place) <= AT_CROSSING
+                else:
+                    near = distance_to_line(sighting.place, line) <= BESIDE
+                if near:
+                    ratio = seen_ratio(
+                        model, self.rate(mention.phrase), reach, sighting.score
+                    )
+                    best = max(best, ratio * self._side(mention, sighting))
+            if best:
+                weights = weights * _weaker(best, mention)
+            elif mention.phrase in asked:
+                unseen = unseen_ratio(model)
+                if at_turn and not is_common(mention.phrase):
+                    weights = then(weights, unseen, model.mistaken, model.again)
+                else:
+                    weights = weights * unseen**0.5
+        return weights
+
+    def _side(self, mention: Mention, sighting: Sighting) -> float:
+        if mention.side not in {"left", "right"} or sighting.side == "ahead":
+            return 1.0
+        right = self._model.side_right
+        return 2 * (right if mention.side == sighting.side else 1 - right)
+
+    def outlook_ratio(self, at: int, exit: int, number: int) -> float:
+        """Weigh what was said to lie along a way against what is seen along it."""
+        outlook = self._outlooks[number]
+        if not (outlook.ahead or outlook.behind or outlook.walls):
+            return 1.0
+        crossing = self._floor.crossings[at]
+        cost = outlook_cost(outlook, self._floor, at, exit)
+        cost += walls_cost(
+            outlook, crossing.exits, crossing.closed, crossing.exits[exit]
+        )
+        return math.exp(-cost)
+
+
+def _weaker(ratio: float, mention: Mention) -> float:
+    """What a turn leads to is mostly behind it, so it says less of the place."""
+    return math.sqrt(ratio) if mention.place == "target" else ratio
+
+
+def _length(line: tuple[Point, ...]) -> float:
+    return sum(math.dist(a, b) for a, b in pairwise(line))
