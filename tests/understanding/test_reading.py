@@ -95,6 +95,30 @@ TURNS = {
         "left right", things=("red sofa",)
     ),
     "1) Go straight.\n2) Turn left.\n3) Turn right.": Told("left right"),
+    # one way said twice
+    "Do a quick left-right: left at the clock, then right.": Told("left right"),
+    "Left, right, left. So left at the desk, right at the sofa, left at the clock.": (
+        Told("left right left", things=("desk", "sofa", "clock"))
+    ),
+    "At the rocket engine go left. At the engine, left.": Told("left"),
+    "It is that right, that right only.": Told("right"),
+    # ways of speaking
+    "Chuck a left at the desk, then peel off right.": Told("left right"),
+    "ok so hang a r at the wall w the clock n then its l": Told("right left"),
+    "Roon the corner tae the left, then right oot the hall.": Told("left right"),
+    "In the finish, to the right side. Next right corridor, please bend.": Told(
+        "right right"
+    ),
+    "Walk until it dies, right, then ninety degrees left.": Told("right left"),
+    "Not left but right. The wall forces you left.": Told("right left"),
+    "The first left no, the second yes.": Told("left", (2,)),
+    "One corridor goes off to the left, leave it. Turn right.": Told("right"),
+    "One way left, let it be. Turn right.": Told("right"),
+    "First walk to the desk, next comes a right turn.": Told("right", (1,)),
+    "The first aid room comes on your left, take right.": Told("right"),
+    "The corridor makes a small bend to the left. Turn right.": Told(
+        "slight_left right"
+    ),
     # none at all
     "Walk ten metres, the office is on the left side.": Told(""),
     "Keep going straight, the destination is at the end of the corridor.": Told(""),

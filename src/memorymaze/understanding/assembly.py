@@ -113,7 +113,7 @@ class _Assembly:
         self._side = None
         self._way_age += 1
         if event.kind == "sentence":
-            if self._way is not None and self._way.taken:
+            if self._way and (self._way.taken or self._counts_on(self._way)):
                 self._settle_way()
             self._restating.new_sentence()
         if self._way_age > _LONGEST_OPEN:
@@ -192,6 +192,12 @@ class _Assembly:
                 return passing.side
         return None
 
+    def _counts_on(self, way: Event) -> bool:
+        """`The first left no, the second yes`: a number after those that were passed."""
+        side = self._passed_side()
+        passed = [p.count or 1 for p in self._draft.passings if p.side == side]
+        return side is not None and way.likely and way.ordinal == sum(passed) + 1
+
     def _change_last_turn(self, **changes: object) -> None:
         last = self._done[-1]
         if last.turn is not None:
@@ -231,20 +237,25 @@ class _Assembly:
 
     def _leave(self, way: Event) -> None:
         self._way = None
-        self._draft.passings.append(Passing(1, _flank(way), way.phrase or None))
+        self._draft.passings.append(
+            Passing(way.count or 1, _flank(way), way.phrase or None)
+        )
 
     def _settle_way(self) -> None:
         way, self._way = self._way, None
         if way is None:
             return
-        if way.taken or (way.likely and _flank(way)):
+        if way.taken or (way.likely and (_flank(way) or self._counts_on(way))):
             self._turn_into(way, 0)
         elif _flank(way):
             self._leave(way)
 
     def _settle_likely_way(self) -> None:
         """What is said next is about the way behind an opening surely taken."""
-        if self._way is not None and self._way.likely and self._way_age:
+        way = self._way
+        if way is None or not way.likely or not self._way_age:
+            return
+        if way.side is not None or not self._counts_on(way):
             self._settle_way()
 
     # -- what is on a leg and at its end

@@ -33,6 +33,7 @@ from memorymaze.understanding.vocabulary import (
     ORDINALS,
     PATTERNS,
     PLAIN_WORDS,
+    SPELLINGS,
     Pattern,
 )
 
@@ -41,6 +42,7 @@ _PLACES = re.compile(PLACES)
 _VAGUE = re.compile(VAGUE)
 _NUMBER = re.compile(NUMBER + r"\b")
 _WORD = re.compile(r"[^\W_][\w&+-]*(?:'(?!s\b)\w+)?")
+_SPELT = re.compile(r"(?<![\w'-])[a-z']+(?![\w'-])")
 _COUNTED = re.compile(
     r"(?:(?<=^)|(?<=[.;!?\n]))\s*(?:and |ok(?:ay)?,? |so,? )?"
     r"(?:\(?\d{1,2}[.):]+(?!\d)"
@@ -103,7 +105,7 @@ def normalise(text: str) -> str:
     text = text.lower()
     for old, new in _PLAIN_SIGNS.items():
         text = text.replace(old, new)
-    text = re.sub(r"\bur\b", "your", text)
+    text = _SPELT.sub(lambda match: SPELLINGS.get(match[0], match[0]), text)
     text = re.sub(r"\b(left|right)-(\w+)-(left|right)\b(?! hand)", _unless_and, text)
     text = _drop_inline_counting(text)
     for row in PLAIN_WORDS:

@@ -4,6 +4,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import replace
 
+from memorymaze.routes import Way
 from memorymaze.understanding.chunks import Chunk
 from memorymaze.understanding.clause import (
     AT_THE_TURN,
@@ -32,6 +33,8 @@ from memorymaze.understanding.things import (
 _AT_IT = re.compile(r"(?:at|in|when|where|once|the|far|very|its|by)\b")
 _AHEAD = re.compile(r"(?:straight |dead |right )?(?:ahead|front)\b")
 _ROUND = re.compile(r"round|around|bend|curve|curl|wind")
+_SMALL = re.compile(r"small|slight|little|gentle|soft|light|bit of")
+_SLANTED: dict[Way | None, Way] = {"left": "slight_left", "right": "slight_right"}
 _REACHED = re.compile(r"reach|come|comes|get to|arrive|hit|face|facing|meet")
 _LEAVING = re.compile(r"leav|\b(?:of|from|out|off|exit)\b")
 _TOWARDS = re.compile(r"towards?\b")
@@ -66,6 +69,8 @@ class ClauseReader:
         end = len(clause.kinds)
         if ignores >= 0 and (denies < 0 or ignores < denies):
             self._read_negative(0)
+        elif denies > 0 and re.fullmatch("[OJLS]+X", clause.kinds):
+            self._read_negative(0)  # "the first left no, the second yes"
         elif denies >= 0:
             self._read_positive(0, denies)
             if not re.search("B.*XJ", clause.kinds):
@@ -171,10 +176,13 @@ class ClauseReader:
             self._add(Event("side", side="ahead", of_goal=True))
         elif kind == "H":
             self._add(Event("straight"))
+        elif kind == "K" and clause.kinds == "K" and _names_an_opening(clause):
+            self._add(Event("take"))
         elif (
             kind == "K"
             and _ROUND.search(chunk.text)
             and not re.search("[LS]", clause.kinds[at + 1 :])
+            and not (self._turned and before[-1:] in {"L", "J"})
         ):
             self._take(Event("turn", forced=True))
         return at + 1
@@ -232,8 +240,9 @@ class ClauseReader:
         elif names_a_way(clause, at, turn=turn):
             self._add(Event("way", side=side_of(chunk), likely=True))
         elif turn:
-            bends = "K" in clause.kinds[:at]
-            self._take(Event("turn", way=chunk.turn, forced=bends))
+            bend = " ".join(c.text for c in clause.chunks[:at] if c.kind == "K")
+            way = _SLANTED.get(chunk.turn) if _SMALL.search(bend) else chunk.turn
+            self._take(Event("turn", way=way, forced=bool(bend)))
         elif chunk.way is not None or chunk.kind == "S":
             first = comes_before_its_thing(clause, at)
             goal = _is_of_the_goal(clause)
@@ -349,3 +358,9 @@ class ClauseReader:
 def _is_of_the_goal(clause: Clause) -> bool:
     """`It is on your left`: said of what is spoken of all the time."""
     return clause.kinds.startswith(("Z", "R")) and "N" not in clause.kinds
+
+
+def _names_an_opening(clause: Clause) -> bool:
+    """`Next left corridor, please bend.`: said of an opening that was just named."""
+    last = clause.last_event()
+    return last is not None and last.kind == "way"

@@ -87,7 +87,9 @@ def _is_echo(before: list[Chunk], chunk: Chunk) -> bool:
     gap = ""
     for earlier in reversed(before):
         if earlier.kind in "LS":
-            ordinals = gap.count("O") == 1 and re.fullmatch("O[,f]+", gap) is not None
+            at = before.index(earlier)
+            told = before[at - 1].kind == "O" if at else False
+            ordinals = told and re.fullmatch("O[,f]+", gap) is not None
             return earlier.way == chunk.way and (
                 ordinals
                 or ("e" in gap and re.fullmatch("O?[,.fherZ>&]*", gap) is not None)

@@ -21,6 +21,7 @@ from memorymaze.understanding.vocabulary import ORDINALS
 _SIGN = re.compile(
     r"\b(?:sign|board|arrow|screen|signs|arrows|shows?|points?|pointing)\b"
 )
+_OFF = re.compile(r"goes|go\b|leads?|runs?|comes?")
 _STARTS = re.compile(r"(?:start|begin|open|continue|lead)")
 _EXISTS = re.compile(r"come|there|here")
 _DOOR = re.compile(r"^(?:hand )?(?:door|wall|window|room)s?\b")
@@ -80,7 +81,7 @@ def _is_bare_turn(
     if last == "B":
         return "N" not in before or "J" in before
     if last in {"A", "w"}:
-        return False
+        return clause.chunks[len(before) - 1].text in {"around", "round"}
     if last in {"L", "S"}:
         return after_turn
     return True
@@ -223,6 +224,8 @@ def read_opening(
         opening.side = side_of(clause.chunks[start - 2])
     if not opening.noun and opening.side is None and after.startswith("N"):
         return [], at  # the ordinal of a thing: "the second door"
+    if not before and kinds_are_order(opening, clause, at):
+        return [], at  # "first go to the desk", "next comes a corner"
     way = Event(
         "way",
         side=opening.side,
@@ -230,6 +233,7 @@ def read_opening(
         or_ordinal=opening.or_ordinal,
         nearest=opening.nearest,
         phrase=opening.name,
+        count=opening.count,
     )
     if "P" in before and not re.search("P.*T", before):
         plural = opening.noun.endswith("s")
@@ -262,6 +266,14 @@ def read_opening(
     return [way], at
 
 
+def kinds_are_order(opening: _Opening, clause: Clause, at: int) -> bool:
+    """Tell whether an ordinal only says when something is done."""
+    if opening.noun or opening.side is not None or at == len(clause.kinds):
+        return False
+    verb = clause.chunks[at]
+    return verb.kind in "VGKR" or (verb.kind == "B" and verb.text.startswith("come"))
+
+
 def _words_of(clause: Clause, start: int) -> tuple[_Opening, int]:
     """Gather ordinal, noun and side as long as they belong together."""
     opening = _Opening()
@@ -285,9 +297,10 @@ def _words_of(clause: Clause, start: int) -> tuple[_Opening, int]:
         elif chunk.kind == "L" and sided:
             if opening.noun:
                 verb = re.search("[TG]", kinds[:start])
-                if opening.ordinal is None and not verb:
+                one = opening.noun.startswith("one")  # "one way left, leave it"
+                if opening.ordinal is None and not verb and not one:
                     break  # "at the crossing right": the turn comes after the place
-                opening.stated = True
+                opening.stated = not one or opening.ordinal is not None
             opening.side = side_of(chunk)
         elif chunk.kind == "S" and sided:
             opening.side = side_of(chunk)
@@ -295,6 +308,11 @@ def _words_of(clause: Clause, start: int) -> tuple[_Opening, int]:
             chunk.kind == "B" and opening.side is None and kinds[at + 1 : at + 2] == "L"
         ):
             opening.stated = True
+        elif chunk.kind == "G" and opening.noun and re.match("G[LS]", kinds[at:]):
+            if re.search("[TtGA]", kinds[:start]) or not _OFF.match(chunk.text):
+                break
+            at += 1  # "one corridor goes off to the left"
+            opening.side = side_of(clause.chunks[at])
         else:
             break
         at += 1

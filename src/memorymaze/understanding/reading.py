@@ -75,6 +75,8 @@ def _joins(chunks: Sequence[Chunk], at: int) -> bool:
         following += 1
     if following == len(chunks):
         return False
+    if chunks[at].text == "but":
+        return True
     kind = chunks[following].kind
     if kind == "L":
         return at == 0 or chunks[at - 1].kind not in "LS"

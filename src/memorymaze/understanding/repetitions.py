@@ -47,12 +47,15 @@ def without_overviews(sentences: list[tuple[str, list[Event]]]) -> list[Event]:
         if at <= 2 and len(turns[at]) >= 2 and _OVERVIEW.search(words):
             if _within(turns[at], others):
                 continue
+        elif at <= 2 and len(turns[at]) >= 3 and _is_bare(events):
+            if len(others) <= len(turns[at]) + 1 and _within(turns[at], others):
+                continue
         elif at and re.match(r"\W*so,? (?:again|that's|in short|overall)", words):
             before = [way for ways in turns[:at] for way in ways]
             if len(turns[at]) >= 2 and _within(turns[at], before):
                 continue
         kept.extend(events)
-    return _without_recaps(kept)
+    return _without_recaps(_without_announcements(kept))
 
 
 def _after_outline(
@@ -67,6 +70,29 @@ def _after_outline(
         if len(later) >= 2:
             return sentences[at:]
     return sentences
+
+
+def _without_announcements(events: list[Event]) -> list[Event]:
+    """Drop a pair that the same sentence tells again: `a left-right: left at …`."""
+    kept: list[Event] = []
+    for at in range(len(events)):
+        pair = [e for e in events[at : at + 2] if e.kind == "turn"]
+        if len(pair) == 2 and pair[1].joined:
+            run = _turns_ahead(events, at + 2, whole=True)
+            between = {e.kind for e in events[at + 2 : run[0]]} if run else {"end"}
+            told = [events[i].way for i in run[:2]]
+            if told == [e.way for e in pair] and not between & {"thing", "end"}:
+                kept.append(Event("clause"))
+                events[at + 1] = Event("clause")
+                continue
+        kept.append(events[at])
+    return kept
+
+
+def _is_bare(events: Sequence[Event]) -> bool:
+    """Tell whether a sentence only lists turns, with nothing said of any."""
+    idle = {"turn", "clause", "then", "sentence", "recap"}
+    return all(e.kind in idle and e.ordinal is None for e in events)
 
 
 def _without_recaps(events: list[Event]) -> list[Event]:
@@ -106,7 +132,7 @@ def _turns_ahead(events: list[Event], start: int, *, whole: bool) -> list[int]:
         event = events[at]
         if event.kind == "sentence":
             break
-        if event.kind == "turn":
+        if event.kind == "turn" and event.way is not None:
             run.append(at)
             if not whole and len(run) == 2:
                 return run if event.joined else []
@@ -163,7 +189,9 @@ class Restating:
         if not draft.is_new:
             same = ordinal is not None and ordinal == last.ordinal and event.emphatic
             more = draft.mentions or draft.passings or draft.at_end or event.commanded
-            return same and not more
+            return (same and not more) or (
+                ordinal in {None, last.ordinal} and _is_at(draft, done[-1])
+            )
         if ordinal is not None and last.ordinal is None:
             return False
         if self._names_something_new(at, done):
@@ -202,3 +230,11 @@ class Restating:
             if later.back and not known & set(later.phrase.split()):
                 return True
         return False
+
+
+def _is_at(draft: PartialLeg, last: PartialLeg) -> bool:
+    """Tell whether a leg names nothing but things of the turn before it."""
+    if draft.lengths or draft.passings or draft.at_end or not draft.mentions:
+        return False
+    words = {word for each in last.mentions for word in each.phrase.split()}
+    return all(set(each.phrase.split()) <= words for each in draft.mentions)
