@@ -25,6 +25,12 @@ def add_parser(verbs: Verbs) -> None:
         default="text",
         help="aligned text, Markdown, LaTeX or CSV (default: text)",
     )
+    parser.add_argument(
+        "--equal-metres",
+        action="store_true",
+        help="on texts with errors, by kind of error: success within 1, 1.5, 2 and 3 times "
+        "the way described",
+    )
     add_exclude_dev(parser)
     parser.set_defaults(run=_run)
 
@@ -33,15 +39,18 @@ def _run(options: argparse.Namespace) -> int:
     from memorymaze.results.tables import (
         comparison_overview,
         comparison_table,
+        equal_metres_table,
         load_runs,
     )
     from memorymaze.tables import write_tables
 
     folders = [options.first, *options.others]
     first, *others = load_runs(folders, exclude_dev=options.exclude_dev)
-    if len(others) == 1:
-        table = comparison_table(first, others[0])
+    if options.equal_metres:
+        tables = [equal_metres_table(first, other) for other in others]
+    elif len(others) == 1:
+        tables = [comparison_table(first, others[0])]
     else:
-        table = comparison_overview(first, others)
-    print(write_tables([table], options.format).decode(), end="")
+        tables = [comparison_overview(first, others)]
+    print(write_tables(tables, options.format).decode(), end="")
     return 0

@@ -20,6 +20,7 @@ from memorymaze.results.tables import (
     MeasuredRun,
     TableChoice,
     comparison_table,
+    equal_metres_table,
     load_runs,
     run_tables,
 )
@@ -53,7 +54,8 @@ class Run:
         """Return the run as one of the paper's tables, beside the published figures.
 
         Args:
-            choice: `II` (methods), `III` (iterations) or `errors` (kinds of errors).
+            choice: `II` (methods), `III` (iterations), `errors` (kinds of errors), `reach`
+                (by distance and by metres walked) or `confidence`.
         """
         return run_tables([self.measured], choice)[0]
 
@@ -91,13 +93,16 @@ class Comparison:
         Raises:
             SettingsError: There are more than two runs, which one table cannot pair.
         """
-        if len(self.runs) != 2:
-            raise SettingsError(
-                f"paired table: expected two runs, got {len(self.runs)}; compare two at "
-                "a time, or take paper_table()"
-            )
-        first, second = self.runs
-        return comparison_table(first.measured, second.measured)
+        return comparison_table(*self._pair())
+
+    def equal_metres(self) -> Table:
+        """Return the success on texts with errors within so many times the way, by kind.
+
+        Raises:
+            SettingsError: There are more than two runs.
+            RunFolderError: No text with an error is in both.
+        """
+        return equal_metres_table(*self._pair())
 
     def paper_table(self, choice: TableChoice = "II") -> Table:
         """Return all runs in one of the paper's tables; see `Run.table`."""
@@ -110,6 +115,15 @@ class Comparison:
     def plot(self) -> "Figure":
         """Draw the success rates of all runs side by side."""
         return success_figure([run.measured for run in self.runs])
+
+    def _pair(self) -> tuple[MeasuredRun, MeasuredRun]:
+        if len(self.runs) != 2:
+            raise SettingsError(
+                f"paired table: expected two runs, got {len(self.runs)}; compare two at "
+                "a time, or take paper_table()"
+            )
+        first, second = self.runs
+        return first.measured, second.measured
 
     def __repr__(self) -> str:
         """Name the runs."""

@@ -16,6 +16,8 @@ from collections.abc import Mapping, Sequence
 from typing import Literal
 
 from memorymaze.results.tables.comparison import comparison_overview, comparison_table
+from memorymaze.results.tables.confidence import confidence_table
+from memorymaze.results.tables.equal_metres import equal_metres_table
 from memorymaze.results.tables.errors import error_table
 from memorymaze.results.tables.measures import (
     COMPARED_MEASURES,
@@ -50,6 +52,7 @@ __all__ = [
     "TableName",
     "comparison_overview",
     "comparison_table",
+    "equal_metres_table",
     "estimate_means",
     "load_runs",
     "paper_table",
@@ -58,7 +61,7 @@ __all__ = [
     "run_tables",
 ]
 
-TableChoice = Literal["II", "III", "both", "errors", "reach"]
+TableChoice = Literal["II", "III", "both", "errors", "reach", "confidence"]
 
 
 def run_tables(
@@ -71,19 +74,23 @@ def run_tables(
     Args:
         runs: From `load_runs`; at least one.
         choice: Of the paper's tables; `errors`: success by kind of error in the texts;
-            or `reach`: by distance to the goal and length of the walk. Runs on SAIL are shown by map, whichever of the paper's is chosen.
+            `reach`: by distance to the goal and length of the walk; or `confidence`: what
+            agents claimed, how sure they were, and what came of it. Runs on SAIL are
+            shown by map, whichever of the paper's is chosen.
         absent: Methods that have no run: rows of the paper's tables say so, and their
             notes how to get one.
 
     Raises:
         SettingsError: Some runs are on SAIL and some are not.
-        RunFolderError: `errors` or `reach` of a run by an older version, which did not
-            keep what they show.
+        RunFolderError: `errors`, `reach` or `confidence` of a run by an older version,
+            which did not keep what they show.
     """
     if choice == "errors":
         return [error_table(run) for run in runs]
     if choice == "reach":
         return [reach_table(runs)]
+    if choice == "confidence":
+        return [confidence_table(runs)]
     if is_sail(runs):
         return [sail_table(run) for run in runs]
     names: tuple[TableName, ...] = ("II", "III") if choice == "both" else (choice,)

@@ -1,10 +1,12 @@
 """Two runs side by side on the same instructions, with a paired test."""
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Hashable, Iterator, Sequence
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from memorymaze.errors import RunFolderError
 from memorymaze.evaluation.measures import Measure
@@ -71,7 +73,7 @@ def comparison_table(
     Raises:
         RunFolderError: No episode is in both runs.
     """
-    pairs = _pairs(first, second)
+    pairs = paired_results(first, second)
     before = [one for one, _ in pairs]
     measures = known_to([each for pair in pairs for each in pair], COMPARED_MEASURES)
     table = Table(
@@ -92,8 +94,7 @@ def comparison_table(
             )
         ),
         (
-            *(_note(*each) for each in zip(letters, (first, second), strict=True)),
-            *_warnings(first, second, len(pairs), letters),
+            *comparison_notes(first, second, len(pairs), letters),
             *(
                 f"NOT COMPARED, as an older version did not measure it: {each.short}."
                 for each in COMPARED_MEASURES
@@ -123,7 +124,7 @@ def comparison_overview(first: MeasuredRun, others: Sequence[MeasuredRun]) -> Ta
     notes = [_note("A", first)]
     success = [each for each in COMPARED_MEASURES if each.name == "sr"]
     for other in others:
-        pairs = _pairs(first, other)
+        pairs = paired_results(first, other)
         for study in studies_of(one for one, _ in pairs):
             chosen = [pair for pair in pairs if pair[0].study == study]
             places = places_of((one for one, _ in chosen), study)
@@ -151,7 +152,7 @@ def comparison_overview(first: MeasuredRun, others: Sequence[MeasuredRun]) -> Ta
     )
 
 
-def _pairs(
+def paired_results(
     first: MeasuredRun, second: MeasuredRun
 ) -> list[tuple[EpisodeResult, EpisodeResult]]:
     """Return the results of the episodes that both runs have."""
@@ -166,6 +167,22 @@ def _pairs(
     return [(there[key], here[key]) for key in shared]
 
 
+def figure_columns(first: str, second: str) -> tuple[Column, ...]:
+    """Return what is shown of a row of `paired_figures`."""
+    return (
+        Column("a", first, digits=2),
+        Column("b", second, digits=2),
+        Column(
+            "difference",
+            f"{second} - {first}",
+            digits=2,
+            signed=True,
+            interval=("low", "high"),
+        ),
+        Column("p", "p", show=lambda row: p_cell(row["p"])),
+    )
+
+
 def _columns(first: str, second: str) -> tuple[Column, ...]:
     return (
         Column("study", "Study", "group", show=lambda r: study_title(r["study"])),
@@ -177,16 +194,7 @@ def _columns(first: str, second: str) -> tuple[Column, ...]:
         *(Column(name) for name in COUNTS),
         Column("arrived", "arrived:", "group", is_data=False),
         Column("measure", "Measure", "label", show=lambda row: row["heading"]),
-        Column("a", first, digits=2),
-        Column("b", second, digits=2),
-        Column(
-            "difference",
-            f"{second} - {first}",
-            digits=2,
-            signed=True,
-            interval=("low", "high"),
-        ),
-        Column("p", "p", show=lambda row: p_cell(row["p"])),
+        *figure_columns(first, second),
     )
 
 
@@ -207,15 +215,13 @@ def _rows(
     measures: Sequence[Measure],
 ) -> list[Row]:
     """Return a row for every measure."""
-    cells = [place_of(one) for one, _ in pairs]
     participants = [one.participant for one, _ in pairs]
-    before = np.array([values_of(one, measures) for one, _ in pairs])
-    after = np.array([values_of(two, measures) for _, two in pairs])
-    rng = np.random.default_rng(0)
-    estimates = participant_bootstrap(after - before, participants, rng, cells=cells)
-    p_values: Sequence[float | None] = [None] * len(measures)
-    if estimates[0].low is not None:
-        p_values = sign_flip_test(after - before, participants, rng, cells=cells)
+    figures = paired_figures(
+        [values_of(one, measures) for one, _ in pairs],
+        [values_of(two, measures) for _, two in pairs],
+        participants,
+        [place_of(one) for one, _ in pairs],
+    )
     outcomes = Counter((one.success, two.success) for one, two in pairs)
     counts = [outcomes[one, two] for one in (True, False) for two in (True, False)]
     about = {
@@ -227,29 +233,32 @@ def _rows(
         **dict(zip(COUNTS, counts, strict=True)),
         "arrived": " / ".join(map(str, counts)),
     }
-    figures = zip(
-        measures,
-        _means(before, cells),
-        _means(after, cells),
-        estimates,
-        p_values,
-        strict=True,
-    )
     return [
-        {
-            **about,
-            "measure": measure.name,
-            "heading": measure.heading,
-            "a": a,
-            "b": b,
-            **estimate_fields("difference", difference, ("low", "high")),
-            "p": p,
-        }
-        for measure, a, b, difference, p in figures
+        about | {"measure": measure.name, "heading": measure.heading} | found
+        for measure, found in zip(measures, figures, strict=True)
     ]
 
 
-def _means(values: np.ndarray, cells: Sequence[Place]) -> list[float]:
+def paired_figures(
+    first: ArrayLike,
+    second: ArrayLike,
+    participants: Sequence[str],
+    cells: Sequence[Hashable],
+) -> Iterator[dict[str, Any]]:
+    """Yield, for each column of values, both means, their difference and its test."""
+    before, after = np.asarray(first, float), np.asarray(second, float)
+    rng = np.random.default_rng(0)
+    estimates = participant_bootstrap(after - before, participants, rng, cells=cells)
+    p_values: Sequence[float | None] = [None] * len(estimates)
+    if estimates[0].low is not None:
+        p_values = sign_flip_test(after - before, participants, rng, cells=cells)
+    means = zip(_means(before, cells), _means(after, cells), strict=True)
+    for (a, b), difference, p in zip(means, estimates, p_values, strict=True):
+        fields = estimate_fields("difference", difference, ("low", "high"))
+        yield {"a": a, "b": b, **fields, "p": p}
+
+
+def _means(values: np.ndarray, cells: Sequence[Hashable]) -> list[float]:
     """Return the unweighted mean over cells of the means within them."""
     by_cell = [
         values[[index for index, each in enumerate(cells) if each == cell]].mean(axis=0)
@@ -264,6 +273,18 @@ def _note(letter: str, run: MeasuredRun) -> str:
         run_notes(run)[0],
         *([version] if version else []),
     ])
+
+
+def comparison_notes(
+    first: MeasuredRun,
+    second: MeasuredRun,
+    shared: int,
+    letters: tuple[str, str] = ("A", "B"),
+) -> Iterator[str]:
+    """Say which runs are compared, and what is unfair about it."""
+    for each in zip(letters, (first, second), strict=True):
+        yield _note(*each)
+    yield from _warnings(first, second, shared, letters)
 
 
 def _warnings(

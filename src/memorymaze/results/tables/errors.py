@@ -5,7 +5,6 @@ from typing import Any
 
 import numpy as np
 
-from memorymaze.errors import RunFolderError
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.instructions.error_kinds import ERROR_KINDS
 from memorymaze.metrics.aggregate import Estimate, participant_bootstrap
@@ -16,7 +15,7 @@ from memorymaze.results.tables.measures import (
     estimate_fields,
     with_interval_notes,
 )
-from memorymaze.results.tables.runs import MeasuredRun, run_notes
+from memorymaze.results.tables.runs import MeasuredRun, check_told, run_notes
 from memorymaze.tables import Column, Row, Table
 
 NO_ERROR, ANY, SEVERAL = "none", "any", "several"
@@ -47,29 +46,17 @@ COLUMNS = (
 
 def error_table(run: MeasuredRun) -> Table:
     """Return success by study and kind of error: a kind, `none`, `several` or `any`."""
-    if any(result.error_kinds is None for result in run.results):
-        raise RunFolderError(
-            f"{run.name}: expected results that name the errors in their texts, got some "
-            "of an older version, which did not keep them; run the instructions again"
-        )
+    check_told(run, "error_kinds", "which errors are in their texts")
     right = {r.pair: r for r in run.results if r.pair and not r.error_kinds}
     rows: list[Row] = []
     for study in dict.fromkeys(result.study for result in run.results):
         own = [result for result in run.results if result.study == study]
-        wrong = [result for result in own if result.error_kinds]
         groups = {NO_ERROR: [r for r in own if not r.error_kinds and r.pair is None]}
-        for result in wrong:
-            groups.setdefault(_kind(result), []).append(result)
-        if len(groups) > 2:
-            groups[ANY] = wrong
-        order = [NO_ERROR, *(each.name for each in ERROR_KINDS)]
-        last = [SEVERAL, ANY]
-        known = [*order, *sorted({*groups} - {*order, *last}), *last]
         about = {"method": run.label, "study": study}
         rows += [
-            about | {"error": kind} | _figures(groups[kind], right)
-            for kind in known
-            if groups.get(kind)
+            about | {"error": kind} | _figures(group, right)
+            for kind, group in (groups | by_error_kind(own)).items()
+            if group
         ]
     table = Table(
         f"Success by kind of error: {run.label}",
@@ -81,9 +68,21 @@ def error_table(run: MeasuredRun) -> Table:
     return with_interval_notes(table)
 
 
-def _kind(result: EpisodeResult) -> str:
-    kinds = set(result.error_kinds or ())
-    return kinds.pop() if len(kinds) == 1 else SEVERAL
+def by_error_kind(results: Sequence[EpisodeResult]) -> dict[str, list[EpisodeResult]]:
+    """Return results on texts with errors by kind, and under `any` all where there are several."""
+    groups: dict[str, list[EpisodeResult]] = {}
+    for result in results:
+        kinds = set(result.error_kinds or ())
+        if kinds:
+            kind = kinds.pop() if len(kinds) == 1 else SEVERAL
+            groups.setdefault(kind, []).append(result)
+    last = [SEVERAL] if SEVERAL in groups else []
+    known = [each.name for each in ERROR_KINDS if each.name in groups]
+    order = [*known, *sorted({*groups} - {*known, *last}), *last]
+    found = {kind: groups[kind] for kind in order}
+    if len(found) > 1:
+        found[ANY] = [result for result in results if result.error_kinds]
+    return found
 
 
 def _figures(

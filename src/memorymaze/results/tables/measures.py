@@ -1,8 +1,8 @@
 """How tables show the measures of results, and their means with intervals."""
 
-from collections.abc import Mapping, Sequence
-from dataclasses import replace
-from typing import Any
+from collections.abc import Callable, Hashable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any, Literal
 
 import numpy as np
 
@@ -31,6 +31,27 @@ NO_INTERVAL = {
     "spread; that does not make it certain.",
 }
 """What stands in cells instead of an interval, and what it means."""
+
+
+@dataclass(frozen=True, slots=True)
+class EpisodeValue:
+    """What a column shows the mean of, where that is no measure of results."""
+
+    name: str
+    heading: str
+    of: Callable[[EpisodeResult], float]
+    better: Literal["higher", "lower"] | None = "higher"
+
+    @property
+    def column(self) -> Column:
+        """Its mean with an interval."""
+        return Column(
+            self.name,
+            self.heading,
+            digits=2,
+            interval=ends(self.name),
+            better=self.better,
+        )
 
 
 def with_interval_notes(table: Table) -> Table:
@@ -71,6 +92,24 @@ def estimate_means(
         cells=[number for _, number in rows],
     )
     return {each.name: found for each, found in zip(told, estimates, strict=True)}
+
+
+def value_fields(
+    results: Sequence[EpisodeResult],
+    values: Sequence[EpisodeValue],
+    cells: Sequence[Hashable] | None = None,
+) -> dict[str, Any]:
+    """Return the fields of means over cells, such as routes; without them over episodes."""
+    estimates = participant_bootstrap(
+        [[value.of(result) for value in values] for result in results],
+        [result.participant for result in results],
+        np.random.default_rng(0),
+        cells=cells,
+    )
+    fields: dict[str, Any] = {}
+    for value, found in zip(values, estimates, strict=True):
+        fields |= estimate_fields(value.name, found)
+    return fields
 
 
 def known_to(

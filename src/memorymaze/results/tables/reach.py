@@ -1,22 +1,21 @@
 """Success at several distances from the goal, and after several times the way described."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Sequence
 
-import numpy as np
-
-from memorymaze.errors import RunFolderError
-from memorymaze.evaluation.results import EpisodeResult
-from memorymaze.metrics.aggregate import participant_bootstrap
-from memorymaze.metrics.success import success_within, success_within_way
+from memorymaze.metrics.success import (
+    SUCCESS_DISTANCE,
+    success_within,
+    success_within_way,
+)
 from memorymaze.results.tables.measures import (
-    ends,
-    estimate_fields,
+    EpisodeValue,
+    value_fields,
     with_interval_notes,
 )
 from memorymaze.results.tables.runs import (
     MeasuredRun,
+    check_told,
     place_of,
-    places_of,
     run_notes,
     studies_of,
     study_title,
@@ -35,8 +34,6 @@ KEY = (
     "3x. Unweighted mean over routes; [95 % interval], bootstrap over participants."
 )
 
-_Arrived = Callable[[EpisodeResult, float], float]
-
 
 def reach_table(runs: Sequence[MeasuredRun]) -> Table:
     """Return success at 1.5, 3 and 5 m and within 1, 1.5, 2 and 3 times the way.
@@ -54,7 +51,7 @@ def reach_table(runs: Sequence[MeasuredRun]) -> Table:
             Column("method", "Method", "label"),
             Column("run"),
             Column("episodes", "n"),
-            *(_column(name, heading) for name, heading, _ in _levels(3.0)),
+            *(value.column for value in _values(SUCCESS_DISTANCE)),
         ),
         tuple(
             _row(run, study)
@@ -68,18 +65,10 @@ def reach_table(runs: Sequence[MeasuredRun]) -> Table:
     return with_interval_notes(table)
 
 
-def _levels(near: float) -> Iterator[tuple[str, str, Callable[[EpisodeResult], float]]]:
-    """Yield field, heading and value of each column, for a success distance."""
-    for metres in DISTANCES:
-        yield (
-            f"sr_at_{metres:g}_m",
-            f"{metres:g} m",
-            lambda each, metres=metres: success_within(
-                each.spd, metres, is_stopped=each.stopped_by == "agent"
-            ),
-        )
-    for times in WAYS:
-        yield (
+def within_ways(near: float) -> list[EpisodeValue]:
+    """Return success within so many times the way, for a success distance."""
+    return [
+        EpisodeValue(
             f"sr_within_{times:g}_ways",
             f"{times:g}x",
             lambda each, times=times: success_within_way(
@@ -90,33 +79,40 @@ def _levels(near: float) -> Iterator[tuple[str, str, Callable[[EpisodeResult], f
                 is_success=each.success,
             ),
         )
+        for times in WAYS
+    ]
 
 
-def _column(name: str, heading: str) -> Column:
-    return Column(name, heading, digits=2, interval=ends(name), better="higher")
+def check_ways(run: MeasuredRun) -> None:
+    """Refuse a run whose results do not say how long the way is."""
+    check_told(run, "way_m", "how long the way described is")
+
+
+def _values(near: float) -> list[EpisodeValue]:
+    at_distances = [
+        EpisodeValue(
+            f"sr_at_{metres:g}_m",
+            f"{metres:g} m",
+            lambda each, metres=metres: success_within(
+                each.spd, metres, is_stopped=each.stopped_by == "agent"
+            ),
+        )
+        for metres in DISTANCES
+    ]
+    return at_distances + within_ways(near)
 
 
 def _row(run: MeasuredRun, study: str) -> Row:
+    check_ways(run)
     chosen = [result for result in run.results if result.study == study]
-    if any(result.way_m is None for result in chosen):
-        raise RunFolderError(
-            f"{run.name}: expected results that say how long the way described is, got "
-            "those of an older version of memorymaze; run it again"
-        )
-    levels = list(_levels(run.record.settings.success_distance))
-    places = places_of(chosen, study)
-    estimates = participant_bootstrap(
-        [[value(result) for _, _, value in levels] for result in chosen],
-        [result.participant for result in chosen],
-        np.random.default_rng(0),
-        cells=[places.index(place_of(result)) for result in chosen],
-    )
-    row: dict[str, object] = {
+    return {
         "study": study,
         "method": run.label,
         "run": run.name,
         "episodes": len(chosen),
+        **value_fields(
+            chosen,
+            _values(run.record.settings.success_distance),
+            [place_of(result) for result in chosen],
+        ),
     }
-    for (name, _, _), found in zip(levels, estimates, strict=True):
-        row |= estimate_fields(name, found)
-    return row
