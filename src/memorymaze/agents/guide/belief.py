@@ -38,6 +38,10 @@ MOST_PLACES, MOST_METRES = 25, 200.0
 LEGS_LEFT_OUT = 2
 """Turns told in a row that there may not be."""
 
+Start = tuple[int, float, int, float]
+"""Crossing, heading, exit (-1 where one has still to choose) and probability of a way to
+begin."""
+
 
 @dataclass(frozen=True, slots=True)
 class Slip:
@@ -129,13 +133,8 @@ class Belief:
     )
     visits: list[Visit] = field(default_factory=list[Visit])
 
-    def update(self, starts: list[tuple[int, float, int, float]]) -> None:
-        """Sum all alignments anew.
-
-        Args:
-            starts: Crossing, heading, exit (-1 where one has still to choose) and
-                probability of each way to begin.
-        """
+    def update(self, starts: list[Start]) -> None:
+        """Sum all alignments anew, from all ways to begin."""
         self.frontiers.clear()
         self.visits.clear()
         self._heaviest = 0.0

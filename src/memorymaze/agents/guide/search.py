@@ -12,10 +12,10 @@ from memorymaze.agents.guide.arriving import (
     Ending,
     walk_up_to,
 )
-from memorymaze.agents.guide.belief import Belief, Frontier, Segment, Slip
+from memorymaze.agents.guide.belief import Belief, Frontier, Segment, Slip, Start
 from memorymaze.agents.guide.likelihoods import Likelihoods
 from memorymaze.agents.guide.things import Things
-from memorymaze.agents.walking.floor_map import Sighting
+from memorymaze.agents.walking.floor_map import FloorMap, Sighting
 from memorymaze.agents.walking.outlooks import (
     faces,
     first_heading_cost,
@@ -84,7 +84,7 @@ class Search:
         self._arrivals = Arrivals(plan, walker.map, self._model, self._things)
         self._belief = Belief(plan, walker.map, self._model, self._things)
         self._endings: list[Ending] = []
-        self._starts: list[tuple[int, float, int, float]] = []
+        self._starts: list[Start] = []
         self._limit = _walk_limit(plan)
         self._looks = _looks_of(plan)
         """What tells ways apart: looked for at every crossing."""
@@ -116,41 +116,16 @@ class Search:
     def _begin(self) -> None:
         walker = self._walker
         self._said: str | None = None
-        at = walker.at
         if self._any_heading:
-            self._starts = self._any_starts()
-            return
-        wrong = self._model.wrong_start
-        crossing = walker.map.crossings[at]
-        if at == 0:
-            back = crossing.add_exit(math.pi)
-            self._starts = [(0, 0.0, 0, 1 - wrong), (0, math.pi, back, wrong)]
-            return
-        self._survey()
-        self._starts = [(at, 0.0, -1, 1 - wrong), (at, math.pi, -1, wrong)]
-
-    def _any_starts(self) -> list[tuple[int, float, int, float]]:
-        """Look about, and take every way to face at the start for possible."""
-        walker, at = self._walker, self._walker.at
-        named = [m.phrase for m in things_on(self._plan, 0)]
-        outlook = outlook_of(self._plan, 0)
-        first = [*outlook.ahead, *outlook.behind, *named, *self._arrivals.names]
-        walker.look_about(dict.fromkeys([*self._looks, *first]))
-        exits = walker.map.crossings[at].exits
-        headings = list(exits)
-        for exit in exits:
-            for angle in (math.pi / 2, math.pi, -math.pi / 2):
-                heading = wrap_angle(exit + angle)
-                if all(abs(wrap_angle(heading - h)) > SAME_HEADING for h in headings):
-                    headings.append(heading)
-        chances = [
-            math.exp(-first_heading_cost(self._plan, walker.map, at, heading))
-            for heading in headings
-        ]
-        return [
-            (at, heading, -1, chance / sum(chances))
-            for heading, chance in zip(headings, chances, strict=True)
-        ]
+            named = [m.phrase for m in things_on(self._plan, 0)]
+            outlook = outlook_of(self._plan, 0)
+            first = [*outlook.ahead, *outlook.behind, *named, *self._arrivals.names]
+            walker.look_about(dict.fromkeys([*self._looks, *first]))
+            self._starts = starts_any_way(self._plan, walker.map, walker.at)
+        else:
+            if walker.at > 0:
+                self._survey()
+            self._starts = starts_ahead(self._model, walker.map, walker.at)
 
     def _survey(self) -> None:
         """Look along the ways out of where the robot is, if that tells anything."""
@@ -390,6 +365,32 @@ class Search:
         self._journal.note("doubt", score=round(doubt, 3), at=self._walker.at)
         self._journal.note("gave_up", reason=reason, confidence=round(confidence, 3))
         self._walker.say("I could not find it.")
+
+
+def starts_ahead(model: Likelihoods, floor: FloorMap, at: int) -> list[Start]:
+    """Return the ways to begin where the robot faces the way told, or the opposite one."""
+    wrong = model.wrong_start
+    if at == 0:
+        back = floor.crossings[at].add_exit(math.pi)
+        return [(0, 0.0, 0, 1 - wrong), (0, math.pi, back, wrong)]
+    return [(at, 0.0, -1, 1 - wrong), (at, math.pi, -1, wrong)]
+
+
+def starts_any_way(plan: RoutePlan, floor: FloorMap, at: int) -> list[Start]:
+    """Return the ways to begin where the robot may have to face any way."""
+    exits = floor.crossings[at].exits
+    headings = list(exits)
+    for exit in exits:
+        for angle in (math.pi / 2, math.pi, -math.pi / 2):
+            heading = wrap_angle(exit + angle)
+            if all(abs(wrap_angle(heading - h)) > SAME_HEADING for h in headings):
+                headings.append(heading)
+    costs = [first_heading_cost(plan, floor, at, heading) for heading in headings]
+    chances = [math.exp(-cost) for cost in costs]
+    return [
+        (at, heading, -1, chance / sum(chances))
+        for heading, chance in zip(headings, chances, strict=True)
+    ]
 
 
 def _doubt_in_words(slip: Slip, legs: int) -> str:
