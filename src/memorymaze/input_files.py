@@ -153,6 +153,7 @@ _OPENINGS = {
     "Input should be ": "",
     "List should have ": "a list with ",
     "String should have ": "a text with ",
+    "Tuple should have ": "a list with ",
     "Value error, expected ": "",
 }
 

@@ -62,8 +62,8 @@ class ReadsFirst:
         """The versions of its reader's prompts, by stage."""
         return self.reader.prompts
 
-    def requests_expected(self, instruction: str) -> list[CompletionRequest]:
-        """Return what its reader will ask."""
+    def requests_expected(self, instruction: str) -> list[CompletionRequest] | None:
+        """Return what its reader will ask; None where that is not all it asks."""
         return self.reader.requests_expected(instruction)
 
 

@@ -12,7 +12,7 @@ from typing import Any
 from memorymaze.agents.agent import Agent, Need
 from memorymaze.agents.code_generation import CodeGenerationAgent, CodeGenerationOptions
 from memorymaze.agents.explorer import ExplorerAgent, ExplorerOptions
-from memorymaze.agents.guide import GuideAgent, GuideOptions
+from memorymaze.agents.guide import GuideOptions
 from memorymaze.agents.isolated import isolated
 from memorymaze.agents.navgpt import NavGPTAgent, NavGPTOptions
 from memorymaze.agents.navid import NavidAgent, NavidOptions
@@ -29,6 +29,7 @@ from memorymaze.agents.stop import StopAgent
 from memorymaze.errors import SettingsError, did_you_mean
 from memorymaze.evaluation.language_agents import (
     code_generation_for_runs,
+    guide_for_runs,
     navgpt_for_runs,
     navid_for_runs,
     reading_for_runs,
@@ -87,7 +88,7 @@ _KNOWN: dict[str, KnownAgent] = {
         options=ExplorerOptions,
     ),
     "guide": KnownAgent(
-        reading_for_runs(GuideAgent),
+        guide_for_runs,
         "reads, believes, doubts, repairs what it was told, and tells how sure it is",
         options=GuideOptions,
     ),

@@ -39,13 +39,14 @@ def cost_estimate(plan: RunPlan) -> str | None:
     for episode in plan.episodes:
         # Agents that ask before the robot moves can tell what.
         expected = getattr(agent_for(episode), "requests_expected", None)
-        if expected is None:
+        asked = None if expected is None else expected(episode.instruction.text)
+        if asked is None:
             return (
                 f"cost: cannot be told beforehand, because {plan.settings.agent.name} "
                 "asks again and again until it arrives or gives up"
                 f"{end or '; set --max-cost'}"
             )
-        requests += expected(episode.instruction.text)
+        requests += asked
     read = sum(map(_characters, requests)) / CHARACTERS_PER_TOKEN
     written = sum(min(REPLY_TOKENS, each.max_tokens) for each in requests)
     most = sum(each.max_tokens for each in requests)

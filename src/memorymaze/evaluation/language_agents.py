@@ -10,7 +10,7 @@ import numpy as np
 from memorymaze.agents.agent import Agent, Journal, Need
 from memorymaze.agents.code_generation import CodeGenerationAgent, CodeGenerationOptions
 from memorymaze.agents.explorer import ExplorerAgent
-from memorymaze.agents.guide import GuideAgent
+from memorymaze.agents.guide import GuideAgent, GuideOptions
 from memorymaze.agents.navgpt import NavGPTAgent, NavGPTOptions
 from memorymaze.agents.navgpt.agent import loop_limits
 from memorymaze.agents.navid import NavidAgent, NavidOptions
@@ -60,7 +60,7 @@ def code_generation_for_runs(
 
 
 def reading_for_runs(
-    agent: type[RulesAgent] | type[ExplorerAgent] | type[GuideAgent],
+    agent: type[RulesAgent] | type[ExplorerAgent],
 ) -> Callable[[AgentSettings, Any], Callable[[Episode], Agent]]:
     """Return what makes agents that begin by reading, by grammar or a language model."""
 
@@ -72,6 +72,22 @@ def reading_for_runs(
         return _asking(model, lambda asked: agent(options, ModelReader(asked)))
 
     return make
+
+
+def guide_for_runs(
+    settings: AgentSettings, options: GuideOptions
+) -> Callable[[Episode], GuideAgent]:
+    """Return what makes the agent of an episode; one model reads and decides."""
+    if not options.needs:
+        made = GuideAgent(options)
+        return lambda _: made
+    model = build_language_model(settings.language_model)
+
+    def make(asked: LanguageModel) -> GuideAgent:
+        reader = ModelReader(asked) if options.reader == "model" else None
+        return GuideAgent(options, reader, asked if options.asks_on_the_way else None)
+
+    return _asking(model, make)
 
 
 def parses_first(settings: AgentSettings) -> bool:

@@ -1,4 +1,4 @@
-"""The guide: reads what was told, believes, doubts, repairs, arrives or gives up."""
+"""The guide: reads what was told, walks, doubts, repairs, arrives or gives up."""
 
 from dataclasses import dataclass
 from typing import Literal
@@ -6,6 +6,8 @@ from typing import Literal
 import numpy as np
 
 from memorymaze.agents.agent import Journal, Need
+from memorymaze.agents.guide.model_questions import MOST_REQUESTS, guide_prompts
+from memorymaze.agents.guide.model_walk import ModelWalk
 from memorymaze.agents.guide.search import Search
 from memorymaze.agents.plan_readers import (
     PlanReader,
@@ -15,6 +17,8 @@ from memorymaze.agents.plan_readers import (
     reader_without_model,
 )
 from memorymaze.agents.walking.walker import Walker
+from memorymaze.errors import SettingsError
+from memorymaze.language.model import CompletionRequest, LanguageModel
 from memorymaze.robot.api import Robot
 from memorymaze.routes import describe
 
@@ -29,10 +33,34 @@ class GuideOptions:
     """What turns the text into a plan: the grammar, offline, a language model, or nobody,
     where the text is the JSON of a plan (`plan`)."""
 
+    decide: Literal["belief", "model"] = "belief"
+    """What decides on the way: a belief over the way told, offline, or a language model,
+    asked at each turning point, which reads the text itself."""
+    most_requests: int = MOST_REQUESTS
+    """Requests to a deciding model in an episode, after which the robot gives up."""
+
     @property
     def needs(self) -> frozenset[Need]:
         """What the agent needs with these options."""
-        return needs_of_reader(self.reader)
+        deciding = frozenset[Need]({"language_model"} if self.asks_on_the_way else ())
+        return needs_of_reader(self.reader) | deciding
+
+    @property
+    def asks_on_the_way(self) -> bool:
+        """Whether a language model is asked while the robot walks."""
+        return self.decide != "belief"
+
+    def __post_init__(self) -> None:
+        """Refuse values without meaning."""
+        if self.most_requests < 1:
+            raise SettingsError(
+                f"--set most_requests: expected at least 1, got {self.most_requests}"
+            )
+        if self.decide == "model" and self.reader != "grammar":
+            raise SettingsError(
+                "--set reader: with decide=model the model that decides reads the text "
+                "itself; leave it out"
+            )
 
 
 class GuideAgent(ReadsFirst):
@@ -44,16 +72,49 @@ class GuideAgent(ReadsFirst):
     """
 
     def __init__(
-        self, options: GuideOptions | None = None, reader: PlanReader | None = None
+        self,
+        options: GuideOptions | None = None,
+        reader: PlanReader | None = None,
+        model: LanguageModel | None = None,
     ) -> None:
-        """Make the agent with its options, and what reads; that of the options when None."""
+        """Make the agent with its options; what they leave open is what they say.
+
+        Args:
+            options: What is set; the defaults when None.
+            reader: What reads; that of the options when None.
+            model: What decides on the way, where the options say that a model does.
+        """
         self.options = options or GuideOptions()
         self.reader = reader or reader_without_model(self.options.reader)
+        self._model = model
+        if self.options.asks_on_the_way != (model is not None):
+            got = "none" if model is None else model.name
+            raise SettingsError(
+                "guide: expected a language model if one decides, and only then; got "
+                f"decide={self.options.decide} and {got}"
+            )
+        self.asks_beforehand = not self.options.asks_on_the_way
+        """Whether nothing is asked on the way."""
+
+    def requests_expected(self, instruction: str) -> list[CompletionRequest] | None:
+        """Return what its reader will ask; None where a model decides on the way."""
+        if self._model is not None:
+            return None
+        return super().requests_expected(instruction)
+
+    @property
+    def prompts(self) -> dict[str, str]:
+        """The versions of its prompts, by stage."""
+        asked = guide_prompts("decision") if self._model is not None else {}
+        return self.reader.prompts | asked
 
     @property
     def name(self) -> str:
-        """`guide`, or `guide[model]` where a model reads."""
-        return f"guide{self.reader.variant}"
+        """`guide`, `guide[model]` where a model reads, `guide+model[model]` if it decides."""
+        decides = ""
+        if self._model is not None:
+            decides = f"+{self.options.decide}[{self._model.name}]"
+        return f"guide{self.reader.variant}{decides}"
 
     def follow(
         self,
@@ -63,6 +124,13 @@ class GuideAgent(ReadsFirst):
         rng: np.random.Generator,
     ) -> None:
         """Drive the robot as the instruction says, and stop."""
+        if self._model is not None:
+            walker = Walker(robot, reads_signs=True)
+            most = self.options.most_requests
+            ModelWalk(
+                instruction, walker, self._model, journal, most_requests=most
+            ).run()
+            return robot.stop()
         plan = self.reader.read(instruction, journal)
         journal.note("plan", steps=describe(plan))
         anyhow = self.options.start_heading == "unknown"

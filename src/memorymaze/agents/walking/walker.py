@@ -190,6 +190,11 @@ class Walker:
                 break
         return True
 
+    @property
+    def is_in_turning_point(self) -> bool:
+        """Whether the robot is where ways part, also before it is known as a place."""
+        return self._robot.turning_point_id() is not None
+
     def halt(self) -> None:
         """Take where the robot stands on a way for a place of its own, to go on from."""
         number, exit = self._stretch

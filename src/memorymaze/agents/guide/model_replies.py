@@ -1,0 +1,117 @@
+"""What a language model may answer at a turning point, read strictly."""
+
+from dataclasses import dataclass
+from functools import cache
+from typing import Annotated, Literal
+
+from pydantic import ConfigDict, Field, StringConstraints, TypeAdapter, ValidationError
+
+from memorymaze.input_files import mistakes, parse_record, shown
+
+MOST_PHRASES = 12
+"""Things to look for at a time."""
+
+Action = Literal["walk", "go_back", "look", "stop", "give_up"]
+Share = Annotated[float, Field(ge=0, le=1, allow_inf_nan=False)]
+Phrase = Annotated[str, StringConstraints(min_length=1, max_length=80, pattern=r"\S")]
+Note = Annotated[str, StringConstraints(min_length=1, max_length=400, pattern=r"\S")]
+
+_BELONGS: dict[str, tuple[Action, ...]] = {
+    "place": ("walk", "go_back"),
+    "way": ("walk",),
+    "until": ("walk",),
+    "metres": ("walk",),
+    "at": ("stop",),
+}
+"""The actions that a field goes with."""
+_NEEDED: dict[Action, str] = {"walk": "way", "go_back": "place"}
+
+
+@dataclass(frozen=True, slots=True)
+class Answer:
+    """What to do next, and what the model thinks of the walk so far."""
+
+    __pydantic_config__ = ConfigDict(extra="forbid", strict=True)
+
+    action: Action
+    note: Note
+    """Which part of the text is done and what comes next; kept in the log."""
+    turns_done: Annotated[int, Field(ge=0, le=200)]
+    """Turns of the text that are made."""
+    doubt: Share
+    """That something told so far is wrong."""
+    confidence: Share
+    """That this answer is right; of a stop, that the destination is within 3 m."""
+    thought: str = ""
+    """What led to the answer; not kept."""
+    look_for: Annotated[tuple[Phrase, ...], Field(max_length=MOST_PHRASES)] | None = (
+        None
+    )
+    """Things to look for from now on; None for those before."""
+    place: int | None = None
+    """Place to go to, or to go back to before taking a way; None for this one."""
+    way: Annotated[str, StringConstraints(pattern="^[A-Z]$")] | None = None
+    """The way out to take."""
+    until: Phrase | None = None
+    """Thing beside which to halt on the way."""
+    metres: Annotated[float, Field(gt=0, le=1000)] | None = None
+    """Metres after which to halt on the way."""
+    at: Phrase | None = None
+    """Thing to walk up to before stopping."""
+
+
+@cache
+def _checker() -> TypeAdapter[Answer]:
+    return TypeAdapter(Answer)
+
+
+def read_answer(reply: str) -> Answer:
+    """Return the answer in a reply: one JSON object, whatever stands around it.
+
+    `ValueError` says what is wrong with it.
+    """
+    reply = reply.rpartition("</think>")[2]
+    begin, end = reply.find("{"), reply.rfind("}")
+    if not 0 <= begin < end:
+        raise ValueError(f"expected one JSON object, got {shown(reply)}")
+    text = reply[begin : end + 1]
+    parse_record(text)
+    try:
+        answer = _checker().validate_json(text)
+    except ValidationError as error:
+        told = (f"{where}: {what}" for where, what in mistakes(error))
+        raise ValueError("; ".join(told)) from None
+    needed = _NEEDED.get(answer.action)
+    if needed is not None and getattr(answer, needed) is None:
+        raise ValueError(f"{needed}: expected it with the action {answer.action!r}")
+    for name, actions in _BELONGS.items():
+        if getattr(answer, name) is not None and answer.action not in actions:
+            raise ValueError(
+                f"{name}: expected it only with {' or '.join(actions)}, got it with "
+                f"the action {answer.action!r}"
+            )
+    return answer
+
+
+@cache
+def reply_grammar() -> str:
+    """Return the grammar of the JSON object that the prompt asks for."""
+    rules = [
+        r'root ::= "{\"thought\": \"" words "\", \"note\": \"" words "\", \"turns_done\": "'
+        r' count ", \"doubt\": " share ", \"confidence\": " share look ", \"action\": \""'
+        ' action "}"',
+        "words ::= [A-Z] [a-zA-Z0-9 ,.'-]{4,300}",
+        "phrase ::= [a-zA-Z0-9] [a-zA-Z0-9 '-]{0,60}",
+        "count ::= [0-9] [0-9]?",
+        'share ::= "0." [0-9] [0-9]? | "1.0"',
+        r'look ::= (", \"look_for\": [\"" phrase "\"" (", \"" phrase "\""){0,11} "]")?',
+        r'action ::= walk | back | "look\"" | stop | "give_up\""',
+        r'walk ::= "walk\"" (", \"place\": " place)? ", \"way\": \"" [A-Z] "\"" until?'
+        " metres?",
+        r'back ::= "go_back\", \"place\": " place',
+        r'stop ::= "stop\"" (", \"at\": \"" phrase "\"")?',
+        'place ::= "-"? count',
+        r'until ::= ", \"until\": \"" phrase "\""',
+        r'metres ::= ", \"metres\": " [1-9] [0-9]?',
+    ]
+    return "\n".join(rules) + "\n"

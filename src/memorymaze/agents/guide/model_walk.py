@@ -1,0 +1,279 @@
+"""The closed loop: at each turning point a language model says what to do next."""
+
+import math
+
+from memorymaze.agents.agent import ARRIVAL, GAVE_UP, Journal
+from memorymaze.agents.guide.arriving import walk_up_to
+from memorymaze.agents.guide.model_questions import (
+    MAX_TOKENS,
+    MOST_REQUESTS,
+    ModelQuestions,
+)
+from memorymaze.agents.guide.model_replies import Answer, read_answer, reply_grammar
+from memorymaze.agents.guide.walk_log import DOOR, WalkLog, way_name
+from memorymaze.agents.walking.floor_map import Sighting
+from memorymaze.agents.walking.walker import STRIDE, Walker
+from memorymaze.geometry.pose import wrap_angle
+from memorymaze.language.model import LanguageModel
+
+WITHIN_REACH = 8.0
+"""Metres within which a thing can be walked up to."""
+ARRIVED = 3.0
+"""Metres within which the robot is at a thing."""
+
+
+class ModelWalk:
+    """The walk of one episode, decided by a language model.
+
+    The model is told the text and the log of the walk, and nothing that the robot has
+    not met itself.
+    """
+
+    def __init__(
+        self,
+        instruction: str,
+        walker: Walker,
+        model: LanguageModel,
+        journal: Journal,
+        *,
+        most_requests: int = MOST_REQUESTS,
+        max_tokens: int = MAX_TOKENS,
+    ) -> None:
+        """Begin where the walker stands; it should read signs."""
+        self._walker = walker
+        self._journal = journal
+        self._questions = ModelQuestions(
+            instruction,
+            model,
+            journal,
+            most_requests=most_requests,
+            max_tokens=max_tokens,
+        )
+        self._log = WalkLog(walker.map)
+        self._look_for: tuple[str, ...] = ()
+        self._doubt = 0.0
+
+    def run(self) -> None:
+        """Ask and walk until the model stops, or has no request left.
+
+        Notes in the journal: `decision`, `doubt`, `repair`, `unusable_reply`, and at the
+        end `arrival` or `gave_up`.
+        """
+        self._log.arrive(self._walker.at, self._walker.heading)
+        self._walker.look_about((DOOR,))
+        self._look_aside()
+        while (answer := self._ask()) is not None:
+            self._take_note(answer)
+            if answer.action in {"walk", "go_back"}:
+                self._walk(answer)
+            elif answer.action == "look":
+                self._look_round()
+            elif answer.action == "give_up":
+                return self._give_up(answer.note, answer.confidence)
+            elif self._is_stopped(answer):
+                note, sure = answer.note, answer.confidence
+                return self._journal.note(ARRIVAL, reason=note, confidence=sure)
+        self._give_up("no request is left", 0.0)
+
+    def _give_up(self, reason: str, confidence: float) -> None:
+        self._journal.note(GAVE_UP, reason=reason, confidence=confidence)
+        self._walker.say("I could not find it.")
+
+    # -- asking
+
+    def _ask(self) -> Answer | None:
+        walker = self._walker
+        now = (
+            f"The robot is at place {walker.at} after {walker.travelled:.0f} m. It looks "
+            f"for: {', '.join(self._phrases())}. Answers left: {self._questions.left}."
+        )
+        return self._questions.ask(
+            "decision",
+            self._read,
+            reply_grammar(),
+            places=self._log.places,
+            steps=self._log.steps,
+            now=now,
+        )
+
+    def _read(self, reply: str) -> Answer:
+        """Return the answer in a reply; `ValueError` where it cannot be carried out."""
+        answer = read_answer(reply)
+        place = self._place_of(answer)
+        known = self._log.numbers
+        if place not in known:
+            told = ", ".join(map(str, known))
+            raise ValueError(f"place: expected one of {told}; got {place}")
+        if answer.way is not None:
+            crossing = self._walker.map.crossings[place]
+            ways = [
+                way_name(exit)
+                for exit in range(len(crossing.exits))
+                if exit not in crossing.closed
+            ]
+            if answer.way not in ways:
+                raise ValueError(
+                    f"way: expected one of {', '.join(ways) or 'none'}, which lead out of "
+                    f"place {place}; got {answer.way}"
+                )
+        return answer
+
+    def _place_of(self, answer: Answer) -> int:
+        return self._walker.at if answer.place is None else answer.place
+
+    def _take_note(self, answer: Answer) -> None:
+        if answer.look_for is not None:
+            self._look_for = answer.look_for
+        if answer.doubt != self._doubt:
+            self._doubt = answer.doubt
+            leg = answer.turns_done + 1
+            self._journal.note("doubt", score=answer.doubt, leg=leg, at=self._walker.at)
+        self._log.add_step(
+            f"At place {self._walker.at}, {answer.turns_done} turns done, doubt "
+            f"{answer.doubt:g}: {answer.note} -> {self._told(answer)}."
+        )
+
+    def _told(self, answer: Answer) -> str:
+        if answer.action == "walk" and answer.way is not None:
+            place = self._place_of(answer)
+            back = f"back to place {place}, then " * (place != self._walker.at)
+            way = self._log.way_words(place, ord(answer.way) - ord("A"))
+            until = f" until {answer.until}" if answer.until else ""
+            metres = f" for {answer.metres:g} m" if answer.metres else ""
+            return f"{back}way {way}{until}{metres}"
+        if answer.action == "go_back":
+            return f"back to place {answer.place}"
+        return answer.action.replace("_", " ") + f" at {answer.at}" * bool(answer.at)
+
+    # -- walking
+
+    def _walk(self, answer: Answer) -> None:
+        """Go back to a place if need be, and then along a way if one is named."""
+        walker = self._walker
+        place = self._place_of(answer)
+        exit = None if answer.way is None else ord(answer.way) - ord("A")
+        if place != walker.at or (place, exit) in walker.map.stretches:
+            leg = answer.turns_done + 1
+            self._journal.note("repair", leg=leg, at=place, reason=answer.note)
+            walker.say("I think we went wrong. We go back.")
+        if exit is not None:
+            self._journal.note(
+                "decision",
+                at=place,
+                exit=exit,
+                probability=answer.confidence,
+                legs_done=answer.turns_done,
+                because=[answer.note],
+            )
+        begin = walker.travelled
+        if place != walker.at:
+            arrived = walker.go_to(place)
+            self._log.arrive(walker.at, walker.heading)
+            if not arrived:
+                self._log.add_outcome(
+                    f"The way back was not found; came to place {walker.at}"
+                )
+                return
+        came = True
+        if exit is not None:
+            begin = walker.travelled
+            came = self._take_way(exit, answer.until, answer.metres)
+        self._look_round()
+        walked = walker.travelled - begin
+        self._log.add_outcome(
+            f"Came to place {walker.at} after {walked:.0f} m"
+            + ("" if came else f"; no {answer.until} was seen")
+        )
+
+    def _take_way(self, exit: int, until: str | None, metres: float | None) -> bool:
+        """Walk to the next place, or until a thing is beside the robot, or so far.
+
+        False where the thing did not come.
+        """
+        walker = self._walker
+        begin = walker.travelled
+        target: Sighting | None = None
+        halted = False
+
+        def halts(seen: list[Sighting]) -> bool:
+            nonlocal target, halted
+            if target is None:
+                target = next((each for each in seen if each.phrase == until), None)
+            walked = walker.travelled - begin
+            far = metres is not None and walked >= metres - STRIDE / 2
+            there = target is not None and self._is_abreast(target)
+            halted = (far or there) and walked > 0 and not walker.is_in_turning_point
+            return halted
+
+        phrases = self._phrases() + ((until,) if until else ())
+        stretch = walker.follow_exit(exit, phrases, halts)
+        if halted:
+            walker.halt()
+        elif stretch is None:
+            self._log.add_outcome("There is no way through")
+            return True
+        self._log.arrive(walker.at, walker.heading)
+        return until is None or target is not None
+
+    def _is_abreast(self, thing: Sighting) -> bool:
+        x, y = self._walker.place
+        heading = self._walker.heading
+        dx, dy = thing.place[0] - x, thing.place[1] - y
+        return dx * math.cos(heading) + dy * math.sin(heading) <= STRIDE / 2
+
+    # -- looking
+
+    def _phrases(self) -> tuple[str, ...]:
+        return tuple(dict.fromkeys((DOOR, *self._look_for)))
+
+    def _look_round(self) -> None:
+        """Look along all ways; where there are none to the sides, at what is there."""
+        self._look_aside()
+        walker = self._walker
+        if walker.at >= 0:
+            back = walker.map.crossings[walker.at].find_exit(
+                wrap_angle(walker.heading + math.pi)
+            )
+            if back is not None:
+                # It came by there, so there is no need to turn round for it.
+                walker.map.note_view(walker.at, back, self._phrases(), ())
+            walker.survey(self._phrases())
+
+    def _look_aside(self) -> None:
+        crossing = self._walker.map.crossings[self._walker.at]
+        if crossing.number <= 0 or len(crossing.exits) < 2:
+            for degrees in (90, -180, 90):
+                self._walker.turn_by(degrees)
+                self._walker.look(self._phrases())
+
+    # -- stopping
+
+    def _is_stopped(self, answer: Answer) -> bool:
+        """Walk up to what is named, if anything is; False where it is not to be seen."""
+        if answer.at is None:
+            return True
+        walker, wanted = self._walker, answer.at.casefold()
+        self._look_for = tuple(dict.fromkeys((*self._look_for, answer.at)))
+        self._look_round()
+        near = [
+            (away, each)
+            for each in (*walker.map.sightings, *walker.map.texts)
+            if wanted in {each.phrase.casefold(), each.label.casefold()}
+            and (away := math.dist(each.place, walker.place)) <= WITHIN_REACH
+        ]
+        if near:
+            _, thing = min(near, key=lambda each: each[0])
+            number, exit = thing.stretch
+            if number != walker.at or not walker.face(exit):
+                self._face(thing)
+            walk_up_to(walker, thing)
+            if math.dist(thing.place, walker.place) <= ARRIVED:
+                return True
+        came = "could not be walked up to" if near else "is to be seen from here"
+        self._log.add_outcome(f"Not stopped: no {answer.at} {came}")
+        return False
+
+    def _face(self, thing: Sighting) -> None:
+        x, y = self._walker.place
+        bearing = math.atan2(thing.place[1] - y, thing.place[0] - x)
+        self._walker.turn_by(math.degrees(wrap_angle(bearing - self._walker.heading)))

@@ -1,0 +1,245 @@
+"""Walks that a language model decides, in simulated buildings."""
+
+import json
+import math
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+import pytest
+
+from memorymaze.agents import Journal
+from memorymaze.agents.guide import GuideAgent, GuideOptions
+from memorymaze.agents.guide.model_walk import ModelWalk
+from memorymaze.agents.walking.walker import Walker
+from memorymaze.errors import LanguageModelError, SettingsError
+from memorymaze.evaluation.navigation import navigate
+from memorymaze.evaluation.settings import AgentSettings
+from memorymaze.geometry.pose import Pose
+from memorymaze.language.answers import AboutInstruction, RecordingModel
+from memorymaze.language.model_settings import ModelSettings
+from memorymaze.language.scripted_model import ScriptedLanguageModel
+from memorymaze.routes import RoutePlan
+from memorymaze.simulation import Scene, SimulatedRobot, SimulationSettings
+from memorymaze.sites import BUILTIN_SITE_NAMES, Site
+from memorymaze.writing.route_facts import RouteFacts
+from memorymaze.writing.turning_point_graph import TurningPointGraph
+
+STARTS = {
+    "corridor": (2.0, 0.0, 0.0),
+    "l_shape": (1.0, 0.0, 0.0),
+    "t_junction": (0.0, -7.0, 90.0),
+    "loop": (1.0, 4.0, 90.0),
+}
+
+
+def say(action: str, **fields: Any) -> str:
+    """An answer."""
+    return json.dumps({
+        "note": "On.",
+        "turns_done": 0,
+        "doubt": 0.1,
+        "confidence": 0.9,
+        "action": action,
+        **fields,
+    })
+
+
+class Walk(NamedTuple):
+    """How a walk went."""
+
+    end: tuple[float, float]
+    asked: list[str]
+    journal: Journal
+
+    def notes(self, kind: str) -> list[dict[str, Any]]:
+        return [each for each in self.journal.notes if each["kind"] == kind]
+
+    def ends_near(self, x: float, y: float, metres: float = 1.5) -> bool:
+        return math.dist(self.end, (x, y)) <= metres
+
+
+@pytest.fixture
+def walk(scenes: dict[str, Scene]) -> Callable[..., Walk]:
+    """Let replies decide a walk from a start in a tiny site."""
+
+    def take(site: str, *replies: str, **options: Any) -> Walk:
+        x, y, degrees = STARTS[site]
+        robot = SimulatedRobot(
+            scenes[site],
+            Pose(x, y, math.radians(degrees)),
+            SimulationSettings(),
+            np.random.default_rng(0),
+        )
+        model, journal = ScriptedLanguageModel(replies), Journal()
+        walker = Walker(robot, reads_signs=True)
+        ModelWalk("To the clock.", walker, model, journal, **options).run()
+        asked = [each.messages[-1].content for each in model.requests]
+        return Walk((robot.pose.x, robot.pose.y), asked, journal)
+
+    return take
+
+
+def test_the_model_is_told_what_the_robot_met_and_nothing_else(
+    walk: Callable[..., Walk],
+) -> None:
+    taken = walk(
+        "t_junction",
+        say("walk", way="A", look_for=["black clock"]),
+        say("walk", way="A"),
+        say("give_up", confidence=0.2),
+    )
+    first, second, third = taken.asked
+    assert "Place 0 (the start): A ahead, not tried; B back, not tried.\n" in first
+    assert 'ahead "Library left, lift right"' in second
+    assert "Place 1 (turning point): A left, not tried; B right, not tried;" in second
+    assert (
+        "The robot is at place 1 after 7 m. It looks for: door, black clock" in second
+    )
+    assert "12 m: ahead clock [black clock] 5 m, door 12 m" in third
+    assert (
+        "2. At place 1, 0 turns done, doubt 0.1: On. -> way A left. Came to " in third
+    )
+    assert taken.notes("gave_up") == [
+        {"kind": "gave_up", "reason": "On.", "confidence": 0.2}
+    ]
+
+
+def test_decisions_doubts_and_repairs_are_noted(walk: Callable[..., Walk]) -> None:
+    taken = walk(
+        "t_junction",
+        say("walk", way="A"),
+        say("walk", way="B", turns_done=1, confidence=0.6),
+        say("walk", place=1, way="A", turns_done=0, doubt=0.8, note="Other side."),
+        say("stop"),
+    )
+    assert taken.ends_near(-10, 0)
+    assert [(each["at"], each["exit"]) for each in taken.notes("decision")] == [
+        (0, 0),
+        (1, 1),
+        (1, 0),
+    ]
+    [repair] = taken.notes("repair")
+    assert (repair["leg"], repair["at"], repair["reason"]) == (1, 1, "Other side.")
+    assert [each["score"] for each in taken.notes("doubt")] == [0.1, 0.8, 0.1]
+    assert taken.journal.confidence == 0.9
+
+
+@pytest.mark.parametrize(
+    ("fields", "x"),
+    [
+        ({"metres": 5}, 7.0),
+        ({"until": "bench"}, 10.0),
+        ({"until": "bench", "metres": 5}, 7.0),
+        ({"until": "piano"}, 19.3),
+    ],
+)
+def test_the_robot_halts_on_the_way_where_it_is_told_to(
+    walk: Callable[..., Walk], fields: Mapping[str, Any], x: float
+) -> None:
+    taken = walk("corridor", say("walk", way="A", **fields), say("stop"))
+    assert taken.ends_near(x, 0, 1.0)
+    missed = fields.get("until") == "piano"
+    assert ("no piano was seen" in taken.asked[1]) == missed
+    assert ("(halt on the way)" in taken.asked[1]) == (not missed)
+
+
+def test_from_a_halt_the_robot_goes_on_and_back(walk: Callable[..., Walk]) -> None:
+    halt = say("walk", way="A", metres=4)
+    assert walk("corridor", halt, halt, say("stop")).ends_near(10, 0)
+    back = say("go_back", place=0)
+    taken = walk("corridor", halt, halt, back, say("stop"))
+    assert taken.ends_near(2, 0)
+    assert "-> back to place 0. Came to place 0 after 8 m." in taken.asked[-1]
+
+
+def test_doors_beside_a_halt_are_seen(walk: Callable[..., Walk]) -> None:
+    halt = say("walk", way="A", metres=5.5)
+    taken = walk("corridor", halt, say("stop", at="door"))
+    assert taken.ends_near(7.5, 0.7, 1.0)
+
+
+def test_who_stops_at_what_is_not_there_is_asked_again(
+    walk: Callable[..., Walk],
+) -> None:
+    taken = walk("l_shape", say("stop", at="piano"), say("give_up"))
+    assert "Not stopped: no piano is to be seen from here." in taken.asked[1]
+    assert taken.ends_near(1, 0)
+
+
+def test_ways_and_places_that_are_not_there_are_asked_for_once_more(
+    walk: Callable[..., Walk],
+) -> None:
+    taken = walk("l_shape", say("walk", way="F"), say("walk", way="A"), say("stop"))
+    assert "expected one of A, B, which lead out of place 0; got F" in taken.asked[1]
+    assert taken.ends_near(11, 0)
+    with pytest.raises(LanguageModelError, match="expected one of 0; got 7"):
+        walk("l_shape", *[say("go_back", place=7)] * 2)
+
+
+def test_the_walk_ends_without_a_claim_when_no_request_is_left(
+    walk: Callable[..., Walk],
+) -> None:
+    taken = walk("loop", *[say("walk", way="A")] * 5, most_requests=3)
+    assert len(taken.asked) == 3
+    assert taken.journal.gave_up
+    assert taken.journal.confidence == 0.0
+
+
+def test_a_recorded_walk_is_replayed_without_a_model(
+    t_site: Site, tmp_path: Path
+) -> None:
+    store, route = tmp_path / "replies.sqlite", t_site.routes[0]
+    replies = [say("walk", way="A"), say("walk", way="A"), say("stop")]
+    model = RecordingModel(ScriptedLanguageModel(replies, name="m"), store)
+    asked = AboutInstruction(model, f"t_junction-{route.id}")
+    options = GuideOptions(decide="model")
+    first = navigate(t_site, route, "Left.", GuideAgent(options, model=asked))
+    again = navigate(
+        t_site,
+        route,
+        "Left.",
+        AgentSettings(
+            "guide",
+            options=(("decide", "model"),),
+            language_model=ModelSettings(replay=str(store)),
+        ),
+    )
+    assert first.result.success
+    assert again.result.agent == first.result.agent == "guide+model[m]"
+    assert again.trajectory == first.trajectory
+    assert again.result.model_calls == 3
+
+
+def test_a_model_is_given_where_one_decides_and_only_there() -> None:
+    with pytest.raises(SettingsError, match="got decide=model and none"):
+        GuideAgent(GuideOptions(decide="model"))
+    with pytest.raises(SettingsError, match="got decide=belief and m"):
+        GuideAgent(model=ScriptedLanguageModel([], name="m"))
+    with pytest.raises(SettingsError, match="reader: with decide=model"):
+        GuideOptions(decide="model", reader="plan")
+    with pytest.raises(SettingsError, match="most_requests: expected at least 1"):
+        GuideOptions(most_requests=0)
+
+
+FollowsPlan = Callable[[RoutePlan], ScriptedLanguageModel]
+
+
+def arrives(graph: TurningPointGraph, route: str, follows_plan: FollowsPlan) -> bool:
+    """Tell whether the stand-in arrives that knows what a right text says, and the log."""
+    told = graph.site.route(route)
+    model = follows_plan(RouteFacts(graph, told).plan.said)
+    agent = GuideAgent(GuideOptions(decide="model"), model=model)
+    run = navigate(graph.site, told, "As the plan says.", agent)
+    return run.result.success and run.result.claims_arrival
+
+
+@pytest.mark.parametrize("name", BUILTIN_SITE_NAMES)
+def test_the_log_suffices_to_follow_each_route_of_the_benchmark(
+    builtin_sites: dict[str, Site], follows_plan: FollowsPlan, name: str
+) -> None:
+    graph = TurningPointGraph(builtin_sites[name])
+    routes = [each.id for each in graph.site.routes if each.role == "reference"]
+    assert len(routes) == 2
+    assert [arrives(graph, route, follows_plan) for route in routes] == [True, True]
