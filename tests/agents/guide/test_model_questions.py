@@ -13,12 +13,12 @@ def ask(
 ) -> tuple[ScriptedLanguageModel, Journal, list[int | None]]:
     """Ask twice for a number."""
     model, journal = ScriptedLanguageModel(replies, name="small"), Journal()
-    questions = ModelQuestions(" To the clock. ", model, journal, most_requests=most)
+    questions = ModelQuestions(" To the clock. ", model, journal, most)
     log = {"places": "Place 0.", "steps": "(none yet)", "now": "Here."}
     return (
         model,
         journal,
-        [questions.ask("decision", int, "root ::= [0-9]", **log) for _ in range(2)],
+        [questions.ask("decision", int, **log) for _ in range(2)],
     )
 
 

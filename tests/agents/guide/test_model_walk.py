@@ -11,6 +11,7 @@ import pytest
 
 from memorymaze.agents import Journal
 from memorymaze.agents.guide import GuideAgent, GuideOptions
+from memorymaze.agents.guide.model_questions import ModelQuestions
 from memorymaze.agents.guide.model_walk import ModelWalk
 from memorymaze.agents.walking.walker import Walker
 from memorymaze.errors import LanguageModelError, SettingsError
@@ -74,7 +75,8 @@ def walk(scenes: dict[str, Scene]) -> Callable[..., Walk]:
         )
         model, journal = ScriptedLanguageModel(replies), Journal()
         walker = Walker(robot, reads_signs=True)
-        ModelWalk("To the clock.", walker, model, journal, **options).run()
+        questions = ModelQuestions("To the clock.", model, journal, **options)
+        ModelWalk(walker, questions, journal).run()
         asked = [each.messages[-1].content for each in model.requests]
         return Walk((robot.pose.x, robot.pose.y), asked, journal)
 

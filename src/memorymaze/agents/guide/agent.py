@@ -6,7 +6,12 @@ from typing import Literal
 import numpy as np
 
 from memorymaze.agents.agent import Journal, Need
-from memorymaze.agents.guide.model_questions import MOST_REQUESTS, guide_prompts
+from memorymaze.agents.guide.model_choice import NEAR, ModelChoice
+from memorymaze.agents.guide.model_questions import (
+    MOST_REQUESTS,
+    ModelQuestions,
+    guide_prompts,
+)
 from memorymaze.agents.guide.model_walk import ModelWalk
 from memorymaze.agents.guide.search import Search
 from memorymaze.agents.plan_readers import (
@@ -33,9 +38,13 @@ class GuideOptions:
     """What turns the text into a plan: the grammar, offline, a language model, or nobody,
     where the text is the JSON of a plan (`plan`)."""
 
-    decide: Literal["belief", "model"] = "belief"
-    """What decides on the way: a belief over the way told, offline, or a language model,
-    asked at each turning point, which reads the text itself."""
+    decide: Literal["belief", "model", "both"] = "belief"
+    """What decides on the way: a belief over the way told, offline; a language model,
+    asked at each turning point, which reads the text itself; or both: the belief, and the
+    model where two explanations are about equally likely."""
+    near: float = NEAR
+    """How likely the second explanation must be, as a share of the first, for the model
+    to be asked (`decide=both`), above 0 to 1."""
     most_requests: int = MOST_REQUESTS
     """Requests to a deciding model in an episode, after which the robot gives up."""
 
@@ -55,6 +64,10 @@ class GuideOptions:
         if self.most_requests < 1:
             raise SettingsError(
                 f"--set most_requests: expected at least 1, got {self.most_requests}"
+            )
+        if not 0 < self.near <= 1:
+            raise SettingsError(
+                f"--set near: expected more than 0, up to 1, got {self.near}"
             )
         if self.decide == "model" and self.reader != "grammar":
             raise SettingsError(
@@ -105,8 +118,8 @@ class GuideAgent(ReadsFirst):
     @property
     def prompts(self) -> dict[str, str]:
         """The versions of its prompts, by stage."""
-        asked = guide_prompts("decision") if self._model is not None else {}
-        return self.reader.prompts | asked
+        stages = {"belief": (), "model": ("decision",), "both": ("choice",)}
+        return self.reader.prompts | guide_prompts(*stages[self.options.decide])
 
     @property
     def name(self) -> str:
@@ -124,15 +137,24 @@ class GuideAgent(ReadsFirst):
         rng: np.random.Generator,
     ) -> None:
         """Drive the robot as the instruction says, and stop."""
-        if self._model is not None:
-            walker = Walker(robot, reads_signs=True)
-            most = self.options.most_requests
-            ModelWalk(
-                instruction, walker, self._model, journal, most_requests=most
-            ).run()
+        options = self.options
+        walker = Walker(robot, reads_signs=options.asks_on_the_way)
+        questions = self._questions(instruction, journal)
+        if questions is not None and options.decide == "model":
+            ModelWalk(walker, questions, journal).run()
             return robot.stop()
         plan = self.reader.read(instruction, journal)
         journal.note("plan", steps=describe(plan))
-        anyhow = self.options.start_heading == "unknown"
-        Search(plan, Walker(robot), journal, any_heading=anyhow).run()
+        advise = None
+        if questions is not None:
+            advise = ModelChoice(plan, walker, questions, journal, options.near)
+        anyhow = options.start_heading == "unknown"
+        Search(plan, walker, journal, any_heading=anyhow, advise=advise).run()
         robot.stop()
+
+    def _questions(self, instruction: str, journal: Journal) -> ModelQuestions | None:
+        """Return the questions of an episode; None where nobody is asked on the way."""
+        if self._model is None:
+            return None
+        most = self.options.most_requests
+        return ModelQuestions(instruction, self._model, journal, most)

@@ -24,7 +24,7 @@ Answer = TypeVar("Answer")
 
 def load_rules(stage: str) -> str:
     """Return the prompt of a stage that says what is always the same."""
-    return load_prompt(f"guide_{stage}_rules")
+    return load_prompt(f"guide_{stage}_rules", knowledge=load_prompt("guide_knowledge"))
 
 
 def guide_prompts(*stages: str) -> dict[str, str]:
@@ -42,9 +42,7 @@ class ModelQuestions:
         instruction: str,
         model: LanguageModel,
         journal: Journal,
-        *,
         most_requests: int = MOST_REQUESTS,
-        max_tokens: int = MAX_TOKENS,
     ) -> None:
         """Ask a model about a text at most so many times; second tries count."""
         self._instruction = instruction.strip()
@@ -52,14 +50,12 @@ class ModelQuestions:
         self._journal = journal
         self.left = most_requests
         """Requests that may still be made."""
-        self._max_tokens = max_tokens
         self._asked: dict[str, int] = {}
 
     def ask(
         self,
         stage: str,
         read: Callable[[str], Answer],
-        grammar: str,
         *,
         places: str,
         steps: str,
@@ -82,7 +78,7 @@ class ModelQuestions:
         for _ in range(TRIES):
             if self.left < 1:
                 return None
-            reply = self._complete(stage, messages, grammar)
+            reply = self._complete(stage, messages)
             try:
                 return read(reply)
             except ValueError as error:
@@ -96,15 +92,14 @@ class ModelQuestions:
             f"{self._model.name}: no {stage} in {TRIES} replies: {problem}"
         )
 
-    def _complete(self, stage: str, messages: tuple[Message, ...], grammar: str) -> str:
+    def _complete(self, stage: str, messages: tuple[Message, ...]) -> str:
         self.left -= 1
         self._asked[stage] = number = self._asked.get(stage, 0) + 1
         version = guide_prompts(stage)[stage]
         completion = self._model.complete(
             CompletionRequest(
                 messages,
-                max_tokens=self._max_tokens,
-                grammar=grammar,
+                max_tokens=MAX_TOKENS,
                 question=Question(stage, version, number),
             )
         )

@@ -1,8 +1,7 @@
-"""What a language model may answer at a turning point, read strictly."""
+"""What a language model may answer on a walk, read strictly."""
 
 from dataclasses import dataclass
-from functools import cache
-from typing import Annotated, Literal
+from typing import Annotated, Literal, TypeVar
 
 from pydantic import ConfigDict, Field, StringConstraints, TypeAdapter, ValidationError
 
@@ -60,16 +59,26 @@ class Answer:
     """Thing to walk up to before stopping."""
 
 
-@cache
-def _checker() -> TypeAdapter[Answer]:
-    return TypeAdapter(Answer)
+@dataclass(frozen=True, slots=True)
+class Choice:
+    """Which of several steps is right."""
+
+    __pydantic_config__ = ConfigDict(extra="forbid", strict=True)
+
+    step: Annotated[int, Field(ge=1)]
+    """From 1."""
+    note: Note
+    """Why."""
+    doubt: Share
+    """That something told is wrong."""
+    thought: str = ""
 
 
-def read_answer(reply: str) -> Answer:
-    """Return the answer in a reply: one JSON object, whatever stands around it.
+Record = TypeVar("Record", Answer, Choice)
 
-    `ValueError` says what is wrong with it.
-    """
+
+def _read(kind: type[Record], reply: str) -> Record:
+    """Return the record in a reply: one JSON object, whatever stands around it."""
     reply = reply.rpartition("</think>")[2]
     begin, end = reply.find("{"), reply.rfind("}")
     if not 0 <= begin < end:
@@ -77,10 +86,23 @@ def read_answer(reply: str) -> Answer:
     text = reply[begin : end + 1]
     parse_record(text)
     try:
-        answer = _checker().validate_json(text)
+        return TypeAdapter(kind).validate_json(text)
     except ValidationError as error:
         told = (f"{where}: {what}" for where, what in mistakes(error))
         raise ValueError("; ".join(told)) from None
+
+
+def read_choice(reply: str, steps: int) -> Choice:
+    """Return which of so many steps a reply chooses; `ValueError` says what is wrong."""
+    choice = _read(Choice, reply)
+    if choice.step > steps:
+        raise ValueError(f"step: expected 1 to {steps}, got {choice.step}")
+    return choice
+
+
+def read_answer(reply: str) -> Answer:
+    """Return the answer in a reply; `ValueError` says what is wrong with it."""
+    answer = _read(Answer, reply)
     needed = _NEEDED.get(answer.action)
     if needed is not None and getattr(answer, needed) is None:
         raise ValueError(f"{needed}: expected it with the action {answer.action!r}")
@@ -91,27 +113,3 @@ def read_answer(reply: str) -> Answer:
                 f"the action {answer.action!r}"
             )
     return answer
-
-
-@cache
-def reply_grammar() -> str:
-    """Return the grammar of the JSON object that the prompt asks for."""
-    rules = [
-        r'root ::= "{\"thought\": \"" words "\", \"note\": \"" words "\", \"turns_done\": "'
-        r' count ", \"doubt\": " share ", \"confidence\": " share look ", \"action\": \""'
-        ' action "}"',
-        "words ::= [A-Z] [a-zA-Z0-9 ,.'-]{4,300}",
-        "phrase ::= [a-zA-Z0-9] [a-zA-Z0-9 '-]{0,60}",
-        "count ::= [0-9] [0-9]?",
-        'share ::= "0." [0-9] [0-9]? | "1.0"',
-        r'look ::= (", \"look_for\": [\"" phrase "\"" (", \"" phrase "\""){0,11} "]")?',
-        r'action ::= walk | back | "look\"" | stop | "give_up\""',
-        r'walk ::= "walk\"" (", \"place\": " place)? ", \"way\": \"" [A-Z] "\"" until?'
-        " metres?",
-        r'back ::= "go_back\", \"place\": " place',
-        r'stop ::= "stop\"" (", \"at\": \"" phrase "\"")?',
-        'place ::= "-"? count',
-        r'until ::= ", \"until\": \"" phrase "\""',
-        r'metres ::= ", \"metres\": " [1-9] [0-9]?',
-    ]
-    return "\n".join(rules) + "\n"

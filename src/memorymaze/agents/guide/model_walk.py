@@ -4,17 +4,12 @@ import math
 
 from memorymaze.agents.agent import ARRIVAL, GAVE_UP, Journal
 from memorymaze.agents.guide.arriving import walk_up_to
-from memorymaze.agents.guide.model_questions import (
-    MAX_TOKENS,
-    MOST_REQUESTS,
-    ModelQuestions,
-)
-from memorymaze.agents.guide.model_replies import Answer, read_answer, reply_grammar
+from memorymaze.agents.guide.model_questions import ModelQuestions
+from memorymaze.agents.guide.model_replies import Answer, read_answer
 from memorymaze.agents.guide.walk_log import DOOR, WalkLog, way_name
 from memorymaze.agents.walking.floor_map import Sighting
 from memorymaze.agents.walking.walker import STRIDE, Walker
 from memorymaze.geometry.pose import wrap_angle
-from memorymaze.language.model import LanguageModel
 
 WITHIN_REACH = 8.0
 """Metres within which a thing can be walked up to."""
@@ -30,25 +25,12 @@ class ModelWalk:
     """
 
     def __init__(
-        self,
-        instruction: str,
-        walker: Walker,
-        model: LanguageModel,
-        journal: Journal,
-        *,
-        most_requests: int = MOST_REQUESTS,
-        max_tokens: int = MAX_TOKENS,
+        self, walker: Walker, questions: ModelQuestions, journal: Journal
     ) -> None:
         """Begin where the walker stands; it should read signs."""
         self._walker = walker
+        self._questions = questions
         self._journal = journal
-        self._questions = ModelQuestions(
-            instruction,
-            model,
-            journal,
-            most_requests=most_requests,
-            max_tokens=max_tokens,
-        )
         self._log = WalkLog(walker.map)
         self._look_for: tuple[str, ...] = ()
         self._doubt = 0.0
@@ -90,7 +72,6 @@ class ModelWalk:
         return self._questions.ask(
             "decision",
             self._read,
-            reply_grammar(),
             places=self._log.places,
             steps=self._log.steps,
             now=now,

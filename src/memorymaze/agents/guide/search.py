@@ -1,6 +1,7 @@
 """The walk of the guide: believe, choose, walk on, doubt, go back, arrive or give up."""
 
 import math
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -38,6 +39,11 @@ MOST_DECISIONS = 400
 SHORT_OF_THE_END = 1.5
 """Metres before the end of a way at which to stop where nothing was seen of the place."""
 
+Step = Frontier | Ending
+"""What one may do next: walk a way that is new, or arrive."""
+Advise = Callable[[Sequence[tuple[Step, float]]], Step]
+"""Returns one of some steps, which come with what they are worth in nats, best first."""
+
 
 @dataclass(frozen=True, slots=True)
 class Patience:
@@ -63,6 +69,7 @@ class Search:
         any_heading: bool = False,
         model: Likelihoods | None = None,
         patience: Patience | None = None,
+        advise: Advise | None = None,
     ) -> None:
         """Prepare to follow a plan from where the robot stands.
 
@@ -73,6 +80,7 @@ class Search:
             any_heading: The robot may have to face any way at the start.
             model: How speakers are.
             patience: What metres are worth.
+            advise: Has the last word on what to do next.
         """
         self._plan = plan
         self._walker = walker
@@ -80,6 +88,7 @@ class Search:
         self._any_heading = any_heading
         self._model = model or Likelihoods()
         self._patience = patience or Patience()
+        self._advise = advise
         self._things = Things(plan, walker.map, self._model)
         self._arrivals = Arrivals(plan, walker.map, self._model, self._things)
         self._belief = Belief(plan, walker.map, self._model, self._things)
@@ -95,18 +104,13 @@ class Search:
         self._begin()
         for _ in range(MOST_DECISIONS):
             self._update()
-            frontier, ending = self._best_frontier(), self._best_ending()
-            if ending is not None and (
-                frontier is None or self._value(ending) >= self._value(frontier)
-            ):
-                if self._finish(ending):
-                    return
-                continue
-            if frontier is None or self._too_far_for(frontier, ending):
-                if ending is None or self._finish(ending):
+            step = self._choose()
+            if step is None:
+                break
+            if isinstance(step, Ending):
+                if self._finish(step):
                     break
-                continue
-            if self._walk(frontier):
+            elif self._walk(step):
                 return
         if self._said is None:
             self._give_up("there is nothing left to try")
@@ -210,6 +214,22 @@ class Search:
             for each in self._endings
             if math.dist(each.place, ending.place) < SAME_PLACE
         )
+
+    def _choose(self) -> Step | None:
+        """Return what to do next; None where nothing is left."""
+        frontier, ending = self._best_frontier(), self._best_ending()
+        if frontier is None:
+            return ending
+        best = frontier
+        if ending is not None and self._value(ending) >= self._value(frontier):
+            best = ending
+        elif self._too_far_for(frontier, ending):
+            return ending
+        if self._advise is None:
+            return best
+        steps = [best, *self._belief.frontiers.values(), *self._endings]
+        ranked = sorted(steps, key=lambda each: (each is best, self._value(each)))
+        return self._advise([(each, self._value(each)) for each in reversed(ranked)])
 
     def _best_frontier(self) -> Frontier | None:
         return max(self._belief.frontiers.values(), key=self._value, default=None)
