@@ -59,11 +59,16 @@ class Programmer:
     def follow(self, instruction, robot, journal, rng):
         journal.note("steps", steps=["go on", "turn"])
         journal.note("program", program=PROGRAM)
+        journal.note("belief", at=0, legs=[0.9, 0.1, 0.0], doubt=0.05)
         robot.detect_turning_point()
         robot.move_forward(0.5)
+        journal.note("belief", at=1, legs=[0.2, 0.3, 0.5], doubt=0.6)
+        journal.note("doubt", score=0.6, leg=1, at=1)
+        journal.note("repair", leg=1, at=0, reason="no such turn")
         robot.detect_from_RGB_image("door")
         robot.turn("right")
         robot.move_forward(3)
+        journal.note("gave_up", reason="a wall", confidence=0.15)
 '''
 
 
@@ -90,7 +95,7 @@ def reported() -> Callable[..., list[str]]:
 
 @pytest.fixture(scope="session")
 def runs(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
-    """Runs of `rules`, of `stop`, and of one that writes a program."""
+    """Runs of `rules`, of `stop`, and of one that writes a program and tells its beliefs."""
     folder = tmp_path_factory.mktemp("runs")
     (folder / "programmer.py").write_text(PROGRAMMER, encoding="utf-8")
     return {

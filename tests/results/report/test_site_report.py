@@ -194,3 +194,37 @@ def test_what_cannot_be_reported_on_is_named(
     shutil.rmtree(run / "plans")
     with pytest.raises(RunFolderError, match="keeps its plans"):
         read_sources([run])
+
+
+def test_pages_show_how_the_belief_went_of_agents_that_tell_it(report: Path) -> None:
+    for page in (report / "episodes").iterdir():
+        text = page.read_text(encoding="utf-8")
+        # Of three agents one tells it.
+        assert text.count('<figure class="belief">') == 1
+        assert "Most likely 0 of 2 legs done from 0 m, then 2 of 2 legs done" in text
+        assert "doubts leg 1 (0.60); repairs leg 1: no such turn" in text
+        assert "gave up, confidence 0.15." in text
+
+
+def test_the_page_on_confidence_plots_whoever_told_one(report: Path) -> None:
+    text = (report / "confidence.html").read_text(encoding="utf-8")
+    assert "what agents claimed, and what came of it" in text
+    figures = re.findall(r"<figcaption>(.*?), \w+: \d+ episode", text)
+    assert set(figures) == {"C: programmer"}
+    assert "told 0.15 on average, 0.00 of" in text
+
+
+def test_runs_that_know_nothing_of_confidence_are_reported_all_the_same(
+    runs: dict[str, Path], reported: Reported, tmp_path: Path
+) -> None:
+    older = tmp_path / "older"
+    shutil.copytree(runs["stop"], older)
+    results = older / "episodes.jsonl"
+    lines = [json.loads(line) for line in results.read_text("utf-8").splitlines()]
+    for line in lines:
+        del line["gave_up"], line["confidence"]
+    results.write_text("".join(json.dumps(line) + "\n" for line in lines), "utf-8")
+    assert reported(tmp_path / "out", older) == []
+    text = (tmp_path / "out" / "confidence.html").read_text(encoding="utf-8")
+    assert "expected results that say whether the agent gave up" in text
+    assert "No agent told how sure it was." in text

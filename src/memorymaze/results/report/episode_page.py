@@ -16,6 +16,7 @@ from memorymaze.evaluation.outcomes import Outcome, ending_words, outcome_of
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.geometry.trajectory import TimedPose, Trajectory
 from memorymaze.instructions.records import WRITTEN_BY, Instruction
+from memorymaze.results.report.belief_timeline import BeliefTimeline
 from memorymaze.results.report.following import Following, follow
 from memorymaze.results.report.pages import safe_name
 from memorymaze.results.report.sources import ReportRun
@@ -75,6 +76,8 @@ class RunInEpisode:
     """Why it cannot."""
     walk: WalkOfRun | None
     """None with the story."""
+    belief: BeliefTimeline | None
+    """None where the agent notes none."""
 
     @property
     def numbers(self) -> str:

@@ -10,6 +10,8 @@ from memorymaze.drawing.svg import Frame, path_data, plan_frame, svg_plan
 from memorymaze.durable_files import check_new_folder, new_folder
 from memorymaze.errors import RunFolderError
 from memorymaze.evaluation.results import EpisodeResult
+from memorymaze.results.report.belief_timeline import belief_timeline
+from memorymaze.results.report.confidence_page import claims_table, plot_confidence
 from memorymaze.results.report.episode_page import (
     EpisodeRow,
     EpisodeView,
@@ -32,6 +34,7 @@ from memorymaze.results.report.route_page import picture_frame, run_on_route
 from memorymaze.results.report.sources import Sources
 from memorymaze.results.story.recorded_episode import read_story
 from memorymaze.results.tables import SPREAD_MEASURES, Place, paper_table, run_notes
+from memorymaze.results.tables.confidence import KEY as CONFIDENCE_KEY
 from memorymaze.sites import Route, Site
 from memorymaze.tables import Row, Table
 
@@ -170,11 +173,12 @@ class _Report:
             story = read_story(run.folder, result.episode_id)
         except RunFolderError as error:
             self._problems.append(str(error))
-            return RunInEpisode(run, number, result, None, str(error), None)
+            return RunInEpisode(run, number, result, None, str(error), None, None)
         way = self._sources.sites[result.site].route(result.reference_route)
         near = run.measured.record.settings.success_distance
         walk = walk_of(result, story, way, near)
-        return RunInEpisode(run, number, result, story, None, walk)
+        belief = belief_timeline(story)
+        return RunInEpisode(run, number, result, story, None, walk, belief)
 
     # -- routes
 
@@ -241,6 +245,16 @@ class _Report:
             spreads=[
                 (measure, spreads(self._runs, measure)) for measure in SPREAD_MEASURES
             ],
+        )
+        table, problems = claims_table(self._runs)
+        self._page(
+            "confidence.html",
+            "confidence.html",
+            "Confidence",
+            table=table,
+            problems=problems,
+            key=CONFIDENCE_KEY,
+            plots=plot_confidence(self._runs),
         )
         kinds = error_kinds(self._runs, self._sources.instructions)
         self._page(

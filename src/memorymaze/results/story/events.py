@@ -34,7 +34,7 @@ ASKING = frozenset({
 })
 """Calls that move nothing; those at the same moment are told in one line."""
 
-HIDDEN_NOTES = frozenset({"plan", "steps", "program"})
+HIDDEN_NOTES = frozenset({"plan", "steps", "program", "belief"})
 """Shown beside the timeline instead."""
 
 

@@ -1,0 +1,87 @@
+"""What the page on confidence shows: calibration, and risk against coverage."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from memorymaze.drawing.svg import path_data
+from memorymaze.errors import RunFolderError
+from memorymaze.metrics.calibration import (
+    ReliabilityBin,
+    expected_calibration_error,
+    reliability,
+    risk_coverage,
+    risk_coverage_area,
+    success_at_coverage,
+)
+from memorymaze.results.report.sources import ReportRun
+from memorymaze.results.tables.confidence import confidence_table, told_confidences
+from memorymaze.results.tables.runs import studies_of
+from memorymaze.tables import Table
+
+
+@dataclass(frozen=True, slots=True)
+class ConfidencePlots:
+    """A run in a study, whose agent told how sure it was; plots are 100 wide and high."""
+
+    run: ReportRun
+    study: str
+    told: int
+    """Episodes with a confidence."""
+    bins: tuple[ReliabilityBin, ...]
+    ece: float
+    risk_line: str
+    """Path of the risk against coverage."""
+    best_line: str
+    """That of the best possible order of the episodes."""
+    aurc: float
+    risk: float
+    """Share of failures among all of them."""
+    risk_of_half: float
+    """The same among the more confident half."""
+
+
+def plot_confidence(runs: Sequence[ReportRun]) -> list[ConfidencePlots]:
+    """Return the plots study by study, of the runs whose agents tell a confidence."""
+    found: list[ConfidencePlots] = []
+    for study in studies_of(each for run in runs for each in run.measured.results):
+        for run in runs:
+            own = [each for each in run.measured.results if each.study == study]
+            confidences, outcomes = told_confidences(own)
+            if confidences:
+                found.append(
+                    ConfidencePlots(
+                        run=run,
+                        study=study,
+                        told=len(outcomes),
+                        bins=tuple(reliability(confidences, outcomes)),
+                        ece=expected_calibration_error(confidences, outcomes),
+                        risk_line=_risk_line(confidences, outcomes),
+                        best_line=_risk_line(outcomes, outcomes),
+                        aurc=risk_coverage_area(confidences, outcomes),
+                        risk=1 - sum(outcomes) / len(outcomes),
+                        risk_of_half=1
+                        - success_at_coverage(confidences, outcomes, 0.5),
+                    )
+                )
+    return found
+
+
+def claims_table(runs: Sequence[ReportRun]) -> tuple[Table | None, list[str]]:
+    """Return the table of confidence, and why runs of older versions are not in it."""
+    measured = [run.measured for run in runs]
+    told: list[str] = []
+    for run in runs:
+        try:
+            confidence_table([run.measured])
+        except RunFolderError as error:
+            measured.remove(run.measured)
+            told.append(str(error))
+    return (confidence_table(measured) if measured else None), told
+
+
+def _risk_line(confidences: Sequence[float], outcomes: Sequence[bool]) -> str:
+    risks = risk_coverage(confidences, outcomes)
+    return path_data([
+        (100 * number / len(risks), 100 * risk)
+        for number, risk in enumerate(risks, start=1)
+    ])
