@@ -119,6 +119,12 @@ TURNS = {
     "The corridor makes a small bend to the left. Turn right.": Told(
         "slight_left right"
     ),
+    "Take your first left. There will be a hallway on your right. Go down it.": Told(
+        "left right"
+    ),
+    "Not the first left, the second left.": Told("left", (2,)),
+    "Left... no right. Then straight, then on the left.": Told("right left"),
+    "left right left right": Told("left right left right"),
     # none at all
     "Walk ten metres, the office is on the left side.": Told(""),
     "Keep going straight, the destination is at the end of the corridor.": Told(""),
@@ -217,7 +223,10 @@ def test_a_warning_names_what_lies_behind_the_turn_and_adds_no_turn(
     [
         ("Turn left; the library will be on your right.", "library", "right", None),
         ("Walk to the end, the lift is on the left.", "lift", "left", None),
-        ("Room 12 is on the right.", "room 12", "right", None),
+        ("Room 12 is on the right.", "door that says room 12", "right", None),
+        ("And six is on the left.", "door that says room 6", "left", None),
+        ("Right, then office 2347, left.", "door that says 2347", "left", None),
+        ("Stop at the kitchen sign.", "kitchen", None, None),
         ("Take the first right and stop at the aquarium.", "aquarium", None, None),
         ("Stop in front of the aquarium.", "aquarium", None, None),
         ("The piano is the destination.", "piano", None, None),

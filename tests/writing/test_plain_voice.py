@@ -40,7 +40,7 @@ THINGS: dict[str, Kind] = {
     "trophy case": "object",
     "copier": "object",
     "yellow poster": "object",
-    "library sign": "sign",
+    "sign that says library": "sign",
     "glass door": "door",
     "wooden door": "door",
     "kitchen": "place",

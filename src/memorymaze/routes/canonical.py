@@ -24,9 +24,10 @@ def why_not_canonical(plan: RoutePlan) -> str | None:
     out what is a reader's own (`unclear`), and what people say in so many ways, or so
     seldom, that no one way is plain:
 
-    - Names are words of small letters that say of themselves what the thing is (its
-      `kind`); floors, walls, sounds, smells and people are no things in it, and no word
-      of a name may be one that directions use, such as `left hall`.
+    - Names are words of small letters, in the singular, that say of themselves what the
+      thing is (its `kind`), and of signs what they say (`sign that says library`);
+      floors, walls, sounds, smells and people are no things in it, and no word of a name
+      may be one that directions use, such as `left hall`.
     - There is a destination, one, with its side; nothing is said of doubt about it, nor
       of what is met beyond it. The last stretch is not counted in places,
       nor is a thing on it counted.

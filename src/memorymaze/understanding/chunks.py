@@ -30,6 +30,7 @@ from memorymaze.understanding.lengths import (
 from memorymaze.understanding.vocabulary import (
     CLOCK,
     FILLERS,
+    LOOKS,
     ORDINALS,
     PATTERNS,
     PLAIN_WORDS,
@@ -41,7 +42,7 @@ _LENGTH = re.compile(LENGTH)
 _PLACES = re.compile(PLACES)
 _VAGUE = re.compile(VAGUE)
 _NUMBER = re.compile(NUMBER + r"\b")
-_WORD = re.compile(r"[^\W_][\w&+-]*(?:'(?!s\b)\w+)?")
+_WORD = re.compile(r"[^\W_][\w&+-]*(?:'(?!(?:s|d|ll)\b)\w+)?")
 _SPELT = re.compile(r"(?<![\w'-])[a-z']+(?![\w'-])")
 _COUNTED = re.compile(
     r"(?:(?<=^)|(?<=[.;!?\n]))\s*(?:and |ok(?:ay)?,? |so,? )?"
@@ -262,7 +263,8 @@ def _join_names(chunks: list[Chunk], text: str) -> list[Chunk]:
     at = 0
     while at < len(chunks):
         chunk = chunks[at]
-        if chunk.kind != "W" and not _is_code(chunk):
+        looks = chunk.text in LOOKS and [c.kind for c in chunks[at + 1 : at + 2]] == ["W"]
+        if chunk.kind != "W" and not _is_code(chunk) and not looks:
             joined.append(chunk)
             at += 1
             continue

@@ -48,7 +48,7 @@ class ClauseReader:
     def __init__(self, chunks: Sequence[Chunk], before: Sequence[Event]) -> None:
         """Take a clause without its joint, and the events of all clauses before."""
         self._clause = Clause(chunks, before)
-        self._turned = False
+        self._turned = self._taken = False
         self._facing = False
         """Whether what is named next is what one turns to."""
         self._read: list[Event] = []
@@ -168,6 +168,7 @@ class ClauseReader:
             self._add(Event("end", relation="at" if at_it else "until", back=back))
         elif kind == "Y":
             self._add(Event("take"))
+            self._taken = True
         elif kind == "R":
             self._add(Event("arrive"))
         elif kind == "H" and _AHEAD.match(chunk.text) and re.search("NB?$", before):
@@ -277,7 +278,8 @@ class ClauseReader:
             self._add(Event("ahead", phrase=phrase, walks=True))
         counted = clause.kind_before(at) == "O"
         nth = int(clause.chunks[at - 1].number or 1) if counted else None
-        back = self._turned and (relation in AT_THE_TURN or relation == "into")
+        taken = self._turned or (self._taken and relation == "into")
+        back = taken and (relation in AT_THE_TURN or relation == "into")
         self._add(
             Event(
                 "thing",
@@ -331,6 +333,8 @@ class ClauseReader:
                     return "away"
                 if chunk.text.startswith(("from", "out", "off")):
                     return "from"
+                if self._taken and chunk.text == "with":
+                    return "into"  # "this is the one with the lamps"
                 loose = chunk.text in _LOOSE or _TOWARDS.match(chunk.text)
                 return "see" if loose else "at"
             case "w":

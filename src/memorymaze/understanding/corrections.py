@@ -38,8 +38,8 @@ def apply_corrections(chunks: list[Chunk]) -> list[Chunk]:
             or (chunks[end].kind == "X" and chunks[end].text == "no")
         ):
             end += 1
-        new = _first_value(chunks, end)
-        old = None if new is None else _last_value(chunks, at, chunks[new])
+        new = _first_value(chunks, end) or _value_before(chunks, at, end)
+        old = None if new is None else _last_value(chunks, min(at, new), chunks[new])
         if new is None or old is None:
             at = end
             continue
@@ -88,8 +88,9 @@ def _is_echo(before: list[Chunk], chunk: Chunk) -> bool:
     for earlier in reversed(before):
         if earlier.kind in "LS":
             at = before.index(earlier)
-            told = before[at - 1].kind == "O" if at else False
-            ordinals = told and re.fullmatch("O[,f]+", gap) is not None
+            told = before[at - 1].number if at and before[at - 1].kind == "O" else None
+            same = told is not None and told == before[-1].number
+            ordinals = same and re.fullmatch("O[,f]+", gap) is not None
             return earlier.way == chunk.way and (
                 ordinals
                 or ("e" in gap and re.fullmatch("O?[,.fherZ>&]*", gap) is not None)
@@ -106,6 +107,8 @@ def _is_marker(chunks: list[Chunk], at: int) -> bool:
         return True
     if chunk.kind == "X" and chunk.text == "no":
         before = at == 0 or chunks[at - 1].kind in ",."
+        if at and chunks[at - 1].text.startswith("..") and at + 1 < len(chunks):
+            return chunks[at + 1].kind == "L"
         after = at + 1 < len(chunks) and chunks[at + 1].kind in ",."
         return before and after
     return False
@@ -125,6 +128,15 @@ def _first_value(chunks: list[Chunk], start: int) -> int | None:
         if kind not in _NEUTRAL:
             others += 1
     return None
+
+
+def _value_before(chunks: list[Chunk], marker: int, end: int) -> int | None:
+    """`Left, er, right I mean`: the value just said where the marker comes last."""
+    last = end == len(chunks) or any(chunk.kind == "." for chunk in chunks[marker:end])
+    if not last or marker < 3 or chunks[marker - 1].kind not in _CLASSES:
+        return None
+    between = [chunk.kind for chunk in chunks[marker - 3 : marker - 1]]
+    return marker - 1 if "," in between else None
 
 
 def _last_value(chunks: list[Chunk], marker: int, new: Chunk) -> int | None:

@@ -37,6 +37,11 @@ _ALONE = re.compile(
 _ASIDE = re.compile(
     r" (?:is|comes|are|was) (?:just )?(?:before|after|opposite|across|first|behind)\b"
 )
+_ROOM = re.compile(r"(?:door )?((?:(?:\w+ )*(?:room|office|lab|hall) )?(?:\d\w*|[a-z]))")
+"""A room by its number or letter; what its door says."""
+_BEHIND_A_DOOR = re.compile(
+    r"(?:\w+ )*door (?:of|to|for) (?:the |a )?(.+)|(?!glass|sliding|automatic)(\w+) door"
+)
 _MAX = 3
 
 
@@ -83,15 +88,15 @@ def find_destinations(
         if weight >= 3.0:
             scores[phrase] = max(scores.get(phrase, 0.0), weight)
     if not scores and not counted:
-        before = _named_on_the_way(drafts)
+        is_at_a_place = last.at_end or last.junction is not None
+        before = _named_on_the_way(drafts if is_at_a_place else drafts[:-1])
         for draft in (*drafts, last):
             for phrase in (*draft.too_far, *draft.wrong_way, draft.origin):
                 named.pop(phrase, None)
-        is_at_a_place = last.at_end or last.junction is not None
         scores = {
             p: w + text.rfind(p) / len(text)
             for p, w in named.items()
-            if p and not (is_at_a_place and p in before)
+            if p and p not in before
         }
     if not scores:
         return (), last.side, None
@@ -107,7 +112,26 @@ def find_destinations(
         side = next(
             (m.side for m in last.mentions if is_common(m.phrase) and m.side), None
         )
-    return kept, side, nth
+    return _shown(kept), side, nth
+
+
+def _shown(names: tuple[str, ...]) -> tuple[str, ...]:
+    """Return what shows each destination: of a numbered room first its door.
+
+    >>> _shown(("room 6",)), _shown(("glass door of the library",))
+    (('door that says room 6', 'room 6'), ('glass door of the library', 'library'))
+    """
+    shown: list[str] = []
+    for name in names:
+        numbered = _ROOM.fullmatch(name)
+        behind = _BEHIND_A_DOOR.fullmatch(name)
+        if numbered is not None:
+            shown.append(f"door that says {numbered[1]}")
+        if numbered is None or not numbered[1].isdigit():
+            shown.append(name)
+        if behind is not None:
+            shown.append(behind[1] or behind[2])
+    return tuple(dict.fromkeys(shown))[:_MAX]
 
 
 def _named_on_the_way(drafts: list[PartialLeg]) -> set[str]:

@@ -47,7 +47,7 @@ def is_turn(clause: Clause, at: int, *, after_turn: bool) -> bool:
         return False
     last = before[-1:]
     if chunk.kind == "S" and is_aside(chunk) and last == "G":
-        if chunk.text.endswith(("side", "sides")) or "N" in before:
+        if chunk.text.endswith(("side", "sides")) or before.endswith("NG"):
             return False
         verb = clause.chunks[len(before) - 1].text
         return re.match(r"keep|leav|stay", verb) is None and not after.startswith("B")
@@ -99,6 +99,8 @@ def _is_turn_to_side(clause: Clause, chunk: Chunk, before: str, after: str) -> b
         return True
     if before or re.match("[BN]", after):
         return before.endswith("Z") and not is_aside(chunk)
+    if clause.kinds == "S" and not chunk.text.endswith("side") and _only_walks(clause):
+        return True
     clock = "clock" in chunk.text and re.match(r"(?:on|at|in) ", chunk.text) is None
     if not (towards_a_side(chunk) or clock):
         return False
@@ -108,6 +110,12 @@ def _is_turn_to_side(clause: Clause, chunk: Chunk, before: str, after: str) -> b
     if last.kind == "turn" and last.way == chunk.way:
         return False
     return last.kind != "thing" or clock or _place_is_named(clause)
+
+
+def _only_walks(clause: Clause) -> bool:
+    """`Go straight, then on the right`: nothing was named that could be there."""
+    said = [e.kind for e in clause.before if e.kind != "clause"]
+    return said[-2:] in (["straight", "then"], ["length", "then"])
 
 
 def _place_is_named(clause: Clause) -> bool:

@@ -15,6 +15,8 @@ from memorymaze.understanding.partial_legs import PartialLeg
 _OVERVIEW = re.compile(
     r"\b(?:overall|in short|in brief|basically|in general|generally|big picture|in total"
     r"|altogether|the whole (?:thing|way|walk|route)|the general idea|to sum up|summary"
+    r"|the route (?:is|goes)|overview|in a nutshell|the (?:short|quick) version"
+    r"|(?:two|three|four|five|six|seven|eight) (?:turns|decisions)"
     r"|think of it|the idea|zig ?zag|the shape|essentially|shortly)\b"
 )
 _DETAIL = re.compile(
@@ -79,9 +81,10 @@ def _without_announcements(events: list[Event]) -> list[Event]:
         pair = [e for e in events[at : at + 2] if e.kind == "turn"]
         if len(pair) == 2 and pair[1].joined:
             run = _turns_ahead(events, at + 2, whole=True)
-            between = {e.kind for e in events[at + 2 : run[0]]} if run else {"end"}
+            between = {e.kind for e in events[at + 2 : run[0]]} if run else set()
             told = [events[i].way for i in run[:2]]
-            if told == [e.way for e in pair] and not between & {"thing", "end"}:
+            same = told == [e.way for e in pair]
+            if same and between and not between & {"thing", "end"}:
                 kept.append(Event("clause"))
                 events[at + 1] = Event("clause")
                 continue
@@ -107,6 +110,7 @@ def _without_recaps(events: list[Event]) -> list[Event]:
             ways = [events[i].way for i in run]
             if (
                 (fresh and (same_sentence or event.kind == "recap"))
+                and not (at and events[at - 1].kind == "turn")
                 and 2 <= len(ways) <= 3
                 and ways == [e.way for e in said[-len(ways) :]]
             ):
@@ -211,6 +215,8 @@ class Restating:
                 return self._sentence
             if earlier.kind == "then":
                 return False
+            if earlier.kind == "take":
+                return True  # "the second one you take, left"
             if earlier.kind == "turn":
                 return same or event.commanded or earlier.commanded
         return False

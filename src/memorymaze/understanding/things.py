@@ -4,13 +4,16 @@ import re
 
 from memorymaze.routes import Kind
 from memorymaze.understanding.vocabulary import (
+    COLOURS,
     COMMON,
     FILLERS,
     FLOORS,
     IDLE_ENDS,
     KINDS,
+    LOOKS,
     ONES,
     PLAIN,
+    PLURALS,
     SIGN_BINDERS,
     SIGNS,
     SURFACES,
@@ -45,15 +48,31 @@ _LANES = re.compile(
 )
 
 
-_BINDING = re.compile(r" (?:of|with|that|for|on|in|saying|marked|called|named) ")
+_BINDING = re.compile(
+    r" (?:of|with|that|for|on|in|saying|marked|called|named|opposite) "
+)
+_PARTITIVE = re.compile(
+    r"^(?:the |an? )?(?:set|pair|row|couple|bunch|bank|line|flight|series|stack|pile"
+    r"|group|lot|kind|sort|type|piece)s? of "
+)
+_LABELLED = re.compile(
+    r" (?:(?:marked|labell?ed|saying|reading|named|called)(?: as)?|that reads"
+    r"|with (?:the )?(?:name|text|words?|letters?|number))(?: the)? (?=\w)"
+)
+_NUMBERED = re.compile(r"(?:(?:professor's|room|office|door|number|numbers) )*\d{3,}\w?")
+_LOOK = "(?:dark|light|hanging|" + "|".join(sorted(COLOURS | LOOKS)) + ")"
+_SIGN = re.compile(
+    rf"(?P<looks>(?:{_LOOK} )+)?(?:signs? (?:(?:that says?|which says|of|for|with|to)"
+    rf" )?(?:the )?(?P<says>.+)|(?!exit )(?P<said>.*(?!{_LOOK})\b\w+) signs?)"
+)
 
 
 def thing_phrase(words: str) -> str:
     """Return the words to look for, or "" when they name nothing a camera finds."""
-    tokens = [token for token in words.split() if token not in {"the", "a", "an"}]
+    tokens = _PARTITIVE.sub("", words).split()
     while tokens and _is_idle(tokens[-1]):
         tokens.pop()
-    while tokens and (tokens[0] in FILLERS or tokens[0] in {"of", "that"}):
+    while tokens and tokens[0] in FILLERS - LOOKS and tokens[:2] != ["first", "aid"]:
         tokens.pop(0)
     if not tokens:
         return ""
@@ -64,7 +83,33 @@ def thing_phrase(words: str) -> str:
     ]
     if not any(t not in PLAIN or t in COMMON for t in content):
         return ""
-    return " ".join(tokens)
+    return _as_asked_for(tokens)
+
+
+def _as_asked_for(tokens: list[str]) -> str:
+    """Name a thing as one asks a camera for it: one of its kind, or what is written.
+
+    >>> _as_asked_for(["red", "sofas"]), _as_asked_for(["kitchen", "sign"])
+    ('red sofa', 'sign that says kitchen')
+    """
+    phrase = " ".join(tokens)
+    phrase = _LABELLED.sub(" that says ", phrase)
+    if _NUMBERED.fullmatch(phrase):
+        return f"door that says {tokens[-1]}"
+    sign = _SIGN.fullmatch(phrase)
+    if sign is not None:
+        return f"{sign['looks'] or ''}sign that says {sign['said'] or sign['says']}"
+    tokens = phrase.split()
+    head = len(_BINDING.split(phrase, maxsplit=1)[0].split()) - 1
+    return " ".join([*tokens[:head], _singular(tokens[head]), *tokens[head + 1 :]])
+
+
+def _singular(noun: str) -> str:
+    if noun in PLURALS or not noun.endswith("s") or noun.endswith(("ss", "us", "is")):
+        return noun
+    if noun.endswith("ies"):
+        return noun[:-3] + "y"
+    return noun[: -2 if noun.endswith(("ches", "shes", "sses", "xes")) else -1]
 
 
 def _is_idle(token: str) -> bool:
@@ -131,6 +176,8 @@ def wall_phrase(words: str) -> str | None:
     """
     tokens = words.replace("-", " ").split()
     named = bool(tokens) and _WAY.search(tokens[-1]) is not None
+    while tokens[1:] and tokens[0] in LOOKS:
+        del tokens[0]
     if named:
         tokens = tokens[:-1]
     shown = _PICTURED.match(" ".join(tokens))
