@@ -97,12 +97,15 @@ class FollowsPlan:
     def _arrive(self, shown: Shown, on: Mapping[str, int]) -> str:
         length = self._plan.arrival.length
         walked = shown.walked - shown.since
-        if shown.place < 0 or not on or (length and walked >= length.metres - 1):
+        there = walked >= length.metres - 2 if length else shown.place < 0
+        if there or not on:
             return self._say(shown.leg, shown.since, action="stop")
         ahead = min(on, key=lambda way: abs(on[way]))
-        return self._say(
-            shown.leg, shown.since, way=ahead, **self._last_stretch(walked)
-        )
+        more = self._last_stretch(walked)
+        if shown.place < 0:
+            # It was a sign that points on, by the length told.
+            more.pop("until", None)
+        return self._say(shown.leg, shown.since, way=ahead, **more)
 
     def _say(self, leg: int, since: int, **fields: Any) -> str:
         said = {

@@ -3,7 +3,7 @@
 import math
 
 from memorymaze.agents.agent import ARRIVAL, GAVE_UP, Journal
-from memorymaze.agents.guide.arriving import walk_up_to
+from memorymaze.agents.guide.arriving import IN_FRONT, walk_up_to
 from memorymaze.agents.guide.model_questions import ModelQuestions
 from memorymaze.agents.guide.model_replies import Answer, read_answer
 from memorymaze.agents.guide.walk_log import DOOR, WalkLog, way_name
@@ -147,14 +147,12 @@ class ModelWalk:
                 because=[answer.note],
             )
         begin = walker.travelled
-        if place != walker.at:
-            arrived = walker.go_to(place)
-            self._log.arrive(walker.at, walker.heading)
-            if not arrived:
-                self._log.add_outcome(
-                    f"The way back was not found; came to place {walker.at}"
-                )
-                return
+        if place != walker.at and not walker.go_to(place):
+            self._log.arrive_again(walker.at, walker.heading)
+            self._log.add_outcome(
+                f"The way back was not found; came to place {walker.at}"
+            )
+            return
         came = True
         if exit is not None:
             begin = walker.travelled
@@ -172,17 +170,19 @@ class ModelWalk:
         False where the thing did not come.
         """
         walker = self._walker
+        is_known = (walker.at, exit) in walker.map.stretches
         begin = walker.travelled
         target: Sighting | None = None
         halted = False
 
         def halts(seen: list[Sighting]) -> bool:
             nonlocal target, halted
-            if target is None:
-                target = next((each for each in seen if each.phrase == until), None)
+            named = [each for each in seen if each.phrase == until]
+            again = [each for each in named if target and each.track == target.track]
+            target = next(iter(again if target else named), target)
             walked = walker.travelled - begin
             far = metres is not None and walked >= metres - STRIDE / 2
-            there = target is not None and self._is_abreast(target)
+            there = target is not None and self._is_reached(target)
             halted = (far or there) and walked > 0 and not walker.is_in_turning_point
             return halted
 
@@ -193,14 +193,19 @@ class ModelWalk:
         elif stretch is None:
             self._log.add_outcome("There is no way through")
             return True
-        self._log.arrive(walker.at, walker.heading)
+        if is_known:
+            self._log.arrive_again(walker.at, walker.heading)
+        else:
+            self._log.arrive(walker.at, walker.heading)
         return until is None or target is not None
 
-    def _is_abreast(self, thing: Sighting) -> bool:
+    def _is_reached(self, thing: Sighting) -> bool:
+        """Tell whether a thing is right before the robot, or beside it."""
         x, y = self._walker.place
         heading = self._walker.heading
         dx, dy = thing.place[0] - x, thing.place[1] - y
-        return dx * math.cos(heading) + dy * math.sin(heading) <= STRIDE / 2
+        along = dx * math.cos(heading) + dy * math.sin(heading)
+        return along <= STRIDE / 2 or math.hypot(dx, dy) <= IN_FRONT
 
     # -- looking
 

@@ -61,8 +61,12 @@ class WalkLog:
         self._steps: list[str] = []
 
     def arrive(self, number: int, heading: float) -> None:
-        """Note by which heading a place was come to last: its ways are told from it."""
+        """Note by which heading a place was come to: its ways are told from it."""
         self._headings[number] = heading
+
+    def arrive_again(self, number: int, heading: float) -> None:
+        """Come to a place by a known way, which turns round nothing that was told."""
+        self._headings.setdefault(number, heading)
 
     @property
     def numbers(self) -> tuple[int, ...]:
@@ -115,7 +119,7 @@ class WalkLog:
         return f"Place {number} ({self._kind(crossing)}): {ways or 'no way out'}."
 
     def _kind(self, crossing: Crossing) -> str:
-        if crossing.number == 0:
+        if crossing.number == next(iter(self._headings)):
             return "the start"
         if crossing.number > 0:
             return "turning point"
