@@ -13,26 +13,15 @@ from memorymaze.metrics.calibration import (
     success_at_coverage,
 )
 from memorymaze.metrics.success import SUCCESS_DISTANCE
-from memorymaze.results.tables.measures import (
-    EpisodeValue,
-    value_fields,
-    with_interval_notes,
-)
-from memorymaze.results.tables.reach import check_ways, within_ways
-from memorymaze.results.tables.runs import (
-    MeasuredRun,
-    check_told,
-    place_of,
-    run_notes,
-    studies_of,
-    study_title,
-)
-from memorymaze.tables import Column, Row, Table
+from memorymaze.results.tables.measures import SUCCESS, EpisodeValue, value_fields
+from memorymaze.results.tables.reach import check_ways, study_table, within_ways
+from memorymaze.results.tables.runs import MeasuredRun, check_told, place_of
+from memorymaze.tables import Column, Table
 
 COVERAGES = (0.25, 0.5, 0.75, 1.0)
 """Parts of the episodes, the most confident first."""
 CLAIMS = (
-    EpisodeValue("sr", "SR", lambda each: float(each.success)),
+    SUCCESS,
     EpisodeValue("claims", "claimed", lambda each: float(each.claims_arrival), None),
     EpisodeValue(
         "false_arrivals", "false", lambda each: float(each.is_false_arrival), "lower"
@@ -78,45 +67,21 @@ KEY = (
 
 
 def confidence_table(runs: Sequence[MeasuredRun]) -> Table:
-    """Return claims, calibration and risk by study and run.
-
-    Raises:
-        RunFolderError: A run was made before results told whether the agent gave up.
-    """
-    results = [result for run in runs for result in run.results]
-    table = Table(
-        "Confidence: what agents claimed, and what came of it",
-        (
-            Column(
-                "study", "Study", "group", show=lambda row: study_title(row["study"])
-            ),
-            Column("method", "Method", "label"),
-            Column("run"),
-            Column("episodes", "n"),
-            *(
-                each.column
-                for each in (*CLAIMS, *within_ways(SUCCESS_DISTANCE), WALKED)
-            ),
-            Column("told", "told"),
-            BRIER.column,
-            Column("brier_reference", "of the mean", digits=2),
-            Column("ece", "ECE", digits=2, better="lower"),
-            *(
-                Column(_at(part), f"{part:.0%}".replace("%", " %"), digits=2)
-                for part in COVERAGES
-            ),
-            Column("aurc", "AURC", digits=2, better="lower"),
+    """Return claims, calibration and risk by study and run."""
+    columns = (
+        *(each.column for each in (*CLAIMS, *within_ways(SUCCESS_DISTANCE), WALKED)),
+        Column("told", "told"),
+        BRIER.column,
+        Column("brier_reference", "of the mean", digits=2),
+        Column("ece", "ECE", digits=2, better="lower"),
+        *(
+            Column(_at(part), f"{100 * part:g} %", digits=2, better="higher")
+            for part in COVERAGES
         ),
-        tuple(
-            _row(run, study)
-            for study in studies_of(results)
-            for run in runs
-            if any(result.study == study for result in run.results)
-        ),
-        (*("\n".join(run_notes(run)) for run in runs), KEY),
-        "confidence",
+        Column("aurc", "AURC", digits=2, better="lower"),
     )
-    return with_interval_notes(table)
+    title = "Confidence: what agents claimed, and what came of it"
+    return study_table(runs, title, columns, _fields, KEY, "confidence")
 
 
 def told_confidences(
@@ -131,23 +96,12 @@ def _at(coverage: float) -> str:
     return f"sr_at_coverage_{coverage:g}"
 
 
-def _row(run: MeasuredRun, study: str) -> Row:
+def _fields(run: MeasuredRun, results: Sequence[EpisodeResult]) -> dict[str, Any]:
     check_told(run, "gave_up", "whether the agent gave up")
     check_ways(run)
-    chosen = [result for result in run.results if result.study == study]
-    near = run.record.settings.success_distance
-    return {
-        "study": study,
-        "method": run.label,
-        "run": run.name,
-        "episodes": len(chosen),
-        **value_fields(
-            chosen,
-            [*CLAIMS, *within_ways(near), WALKED],
-            [place_of(result) for result in chosen],
-        ),
-        **_calibration(chosen),
-    }
+    values = [*CLAIMS, *within_ways(run.record.settings.success_distance), WALKED]
+    places = [place_of(result) for result in results]
+    return value_fields(results, values, places) | _calibration(results)
 
 
 def _calibration(results: Sequence[EpisodeResult]) -> dict[str, Any]:

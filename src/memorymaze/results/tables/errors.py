@@ -7,12 +7,13 @@ import numpy as np
 
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.instructions.error_kinds import ERROR_KINDS
-from memorymaze.metrics.aggregate import Estimate, participant_bootstrap
 from memorymaze.metrics.paired import sign_flip_test
 from memorymaze.results.tables.comparison import p_cell
 from memorymaze.results.tables.measures import (
+    SUCCESS,
+    EpisodeValue,
     ends,
-    estimate_fields,
+    value_fields,
     with_interval_notes,
 )
 from memorymaze.results.tables.runs import MeasuredRun, check_told, run_notes
@@ -47,7 +48,9 @@ COLUMNS = (
 def error_table(run: MeasuredRun) -> Table:
     """Return success by study and kind of error: a kind, `none`, `several` or `any`."""
     check_told(run, "error_kinds", "which errors are in their texts")
-    right = {r.pair: r for r in run.results if r.pair and not r.error_kinds}
+    right: dict[str | None, EpisodeResult] = {
+        r.pair: r for r in run.results if r.pair and not r.error_kinds
+    }
     rows: list[Row] = []
     for study in dict.fromkeys(result.study for result in run.results):
         own = [result for result in run.results if result.study == study]
@@ -86,37 +89,19 @@ def by_error_kind(results: Sequence[EpisodeResult]) -> dict[str, list[EpisodeRes
 
 
 def _figures(
-    results: Sequence[EpisodeResult], right: Mapping[str, EpisodeResult]
+    results: Sequence[EpisodeResult], right: Mapping[str | None, EpisodeResult]
 ) -> dict[str, Any]:
     """Return what a row says of some results, and of their texts without errors."""
-    pairs = [(r, right[r.pair]) for r in results if r.pair and r.pair in right]
-    own = [wrong for wrong, _ in pairs]
-    differences = [float(a.success) - float(b.success) for a, b in pairs]
+    own = [result for result in results if result.pair in right]
+    about = {"texts": len(results), "pairs": len(own)}
+    about |= value_fields(results, [SUCCESS])
+    if not own:
+        return about | dict.fromkeys(("sr_right", "difference", "p"))
+    without = EpisodeValue("sr_right", "", lambda each: right[each.pair].success)
+    apart = EpisodeValue("difference", "", lambda each: each.success - without.of(each))
+    people = [each.participant for each in own]
     p = None
-    if len({each.participant for each in own}) > 1:
-        (p,) = sign_flip_test(
-            [[each] for each in differences],
-            [each.participant for each in own],
-            np.random.default_rng(0),
-        )
-    sr = _estimate([float(r.success) for r in results], results)
-    sr_right = _estimate([float(b.success) for _, b in pairs], own)
-    return {
-        "texts": len(results),
-        **estimate_fields("sr", sr),
-        "pairs": len(pairs),
-        **estimate_fields("sr_right", sr_right),
-        **estimate_fields("difference", _estimate(differences, own)),
-        "p": p,
-    }
-
-
-def _estimate(values: Sequence[float], of: Sequence[EpisodeResult]) -> Estimate | None:
-    if not values:
-        return None
-    (estimate,) = participant_bootstrap(
-        [[value] for value in values],
-        [result.participant for result in of],
-        np.random.default_rng(0),
-    )
-    return estimate
+    if len(set(people)) > 1:
+        differences = [[apart.of(each)] for each in own]
+        (p,) = sign_flip_test(differences, people, np.random.default_rng(0))
+    return about | value_fields(own, [without, apart]) | {"p": p}

@@ -54,6 +54,9 @@ class EpisodeValue:
         )
 
 
+SUCCESS = EpisodeValue("sr", "SR", lambda each: float(each.success))
+
+
 def with_interval_notes(table: Table) -> Table:
     """Return a table that explains what stands in its cells instead of intervals."""
     cells = [column.cell(row) for column in table.columns for row in table.rows]

@@ -1,7 +1,9 @@
 """Success at several distances from the goal, and after several times the way described."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
 
+from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.metrics.success import (
     SUCCESS_DISTANCE,
     success_within,
@@ -36,31 +38,46 @@ KEY = (
 
 
 def reach_table(runs: Sequence[MeasuredRun]) -> Table:
-    """Return success at 1.5, 3 and 5 m and within 1, 1.5, 2 and 3 times the way.
+    """Return success at 1.5, 3 and 5 m and within 1, 1.5, 2 and 3 times the way."""
 
-    Raises:
-        RunFolderError: A run was made before results told how long the way is.
-    """
-    results = [result for run in runs for result in run.results]
+    def fields(run: MeasuredRun, results: Sequence[EpisodeResult]) -> dict[str, Any]:
+        check_ways(run)
+        values = _values(run.record.settings.success_distance)
+        return value_fields(results, values, [place_of(result) for result in results])
+
+    title = "Success by distance to the goal and by length of the walk"
+    columns = [value.column for value in _values(SUCCESS_DISTANCE)]
+    return study_table(runs, title, columns, fields, KEY, "reach")
+
+
+def study_table(
+    runs: Sequence[MeasuredRun],
+    title: str,
+    columns: Sequence[Column],
+    fields: Callable[[MeasuredRun, Sequence[EpisodeResult]], Mapping[str, Any]],
+    key: str,
+    name: str,
+) -> Table:
+    """Return a table with a row for each run in each study, of whose results `fields` tells."""
+    rows: list[Row] = []
+    for study in studies_of(result for run in runs for result in run.results):
+        for run in runs:
+            own = [result for result in run.results if result.study == study]
+            if own:
+                about = {"study": study, "method": run.label, "run": run.name}
+                rows.append({**about, "episodes": len(own), **fields(run, own)})
     table = Table(
-        "Success by distance to the goal and by length of the walk",
+        title,
         (
-            Column(
-                "study", "Study", "group", show=lambda row: study_title(row["study"])
-            ),
+            Column("study", "Study", "group", show=lambda r: study_title(r["study"])),
             Column("method", "Method", "label"),
             Column("run"),
             Column("episodes", "n"),
-            *(value.column for value in _values(SUCCESS_DISTANCE)),
+            *columns,
         ),
-        tuple(
-            _row(run, study)
-            for study in studies_of(results)
-            for run in runs
-            if any(result.study == study for result in run.results)
-        ),
-        (*("\n".join(run_notes(run)) for run in runs), KEY),
-        "reach",
+        tuple(rows),
+        (*("\n".join(run_notes(run)) for run in runs), key),
+        name,
     )
     return with_interval_notes(table)
 
@@ -100,19 +117,3 @@ def _values(near: float) -> list[EpisodeValue]:
         for metres in DISTANCES
     ]
     return at_distances + within_ways(near)
-
-
-def _row(run: MeasuredRun, study: str) -> Row:
-    check_ways(run)
-    chosen = [result for result in run.results if result.study == study]
-    return {
-        "study": study,
-        "method": run.label,
-        "run": run.name,
-        "episodes": len(chosen),
-        **value_fields(
-            chosen,
-            _values(run.record.settings.success_distance),
-            [place_of(result) for result in chosen],
-        ),
-    }
