@@ -10,8 +10,8 @@ from memorymaze.construction import KINDS, make_building
 from memorymaze.geometry.grid import FloorGrid
 from memorymaze.geometry.pose import heading_to, turn_between
 from memorymaze.perception.lexicon import is_noun, singular
+from memorymaze.perception.signposts import signposts
 from memorymaze.pictures.looks.catalogue import archetype_of
-from memorymaze.simulation.senses.signposts import signposts
 from memorymaze.testing import check_site
 
 ARROWS = {"left": math.pi / 2, "ahead": 0.0, "right": -math.pi / 2}

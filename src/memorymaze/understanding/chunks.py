@@ -263,7 +263,9 @@ def _join_names(chunks: list[Chunk], text: str) -> list[Chunk]:
     at = 0
     while at < len(chunks):
         chunk = chunks[at]
-        looks = chunk.text in LOOKS and [c.kind for c in chunks[at + 1 : at + 2]] == ["W"]
+        looks = chunk.text in LOOKS and [c.kind for c in chunks[at + 1 : at + 2]] == [
+            "W"
+        ]
         if chunk.kind != "W" and not _is_code(chunk) and not looks:
             joined.append(chunk)
             at += 1

@@ -37,7 +37,9 @@ _ALONE = re.compile(
 _ASIDE = re.compile(
     r" (?:is|comes|are|was) (?:just )?(?:before|after|opposite|across|first|behind)\b"
 )
-_ROOM = re.compile(r"(?:door )?((?:(?:\w+ )*(?:room|office|lab|hall) )?(?:\d\w*|[a-z]))")
+_ROOM = re.compile(
+    r"(?:door )?((?:(?:\w+ )*(?:room|office|lab|hall) )?(?:\d\w*|[a-z]))"
+)
 """A room by its number or letter; what its door says."""
 _BEHIND_A_DOOR = re.compile(
     r"(?:\w+ )*door (?:of|to|for) (?:the |a )?(.+)|(?!glass|sliding|automatic)(\w+) door"

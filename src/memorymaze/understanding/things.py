@@ -59,7 +59,9 @@ _LABELLED = re.compile(
     r" (?:(?:marked|labell?ed|saying|reading|named|called)(?: as)?|that reads"
     r"|with (?:the )?(?:name|text|words?|letters?|number))(?: the)? (?=\w)"
 )
-_NUMBERED = re.compile(r"(?:(?:professor's|room|office|door|number|numbers) )*\d{3,}\w?")
+_NUMBERED = re.compile(
+    r"(?:(?:professor's|room|office|door|number|numbers) )*\d{3,}\w?"
+)
 _LOOK = "(?:dark|light|hanging|" + "|".join(sorted(COLOURS | LOOKS)) + ")"
 _SIGN = re.compile(
     rf"(?P<looks>(?:{_LOOK} )+)?(?:signs? (?:(?:that says?|which says|of|for|with|to)"

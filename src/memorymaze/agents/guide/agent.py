@@ -138,7 +138,7 @@ class GuideAgent(ReadsFirst):
     ) -> None:
         """Drive the robot as the instruction says, and stop."""
         options = self.options
-        walker = Walker(robot, reads_signs=options.asks_on_the_way)
+        walker = Walker(robot, reads_signs=True)
         questions = self._questions(instruction, journal)
         if questions is not None and options.decide == "model":
             ModelWalk(walker, questions, journal).run()

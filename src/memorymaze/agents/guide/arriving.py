@@ -40,14 +40,16 @@ IN_FRONT = 1.1
 """Metres from the nearest part of the destination at which to stop."""
 CLOSE = 0.7
 """Metres from its middle to come to from the middle of the way."""
-BEYOND_SIGN = 6.0
-"""Metres that a place lies at most beyond a hanging sign that names it."""
+BEYOND_SIGN, UNDER_SIGN = 6.0, 2.5
+"""Metres to go on at most under a hanging sign that names a place; and under one that was
+told as the destination itself, which may be the place or what leads to it."""
 INSIDE = 2.0
 """Metres to walk on into a place through its door."""
 
 _ROOMS = frozenset({"room", "office", "classroom"})
 """Of a room without a name a camera sees the door."""
 _OPENS = re.compile(r"automatic|sliding|revolving|gate|entrance")
+_NUMBER = re.compile(r"\d")
 _SIGN = re.compile(r"\b(sign|board|signboard|poster|screen)\b")
 
 
@@ -92,6 +94,9 @@ class Arrivals:
         names = plan.arrival.destinations
         if names and names[0].split()[-1] in _ROOMS and is_common(names[0]):
             names = ("door", *names)
+        numbered = tuple(each for each in names if _NUMBER.search(each))
+        # Any office is not office 2347: where a number is told, only it will do.
+        names = numbered or names
         self._first = tuple(_variants(names[0])) if names else ()
         told = dict.fromkeys([*self._first, *names])
         self.names = tuple(name for name in told if not is_floor(name))
@@ -273,7 +278,8 @@ def _enter(walker: Walker, sighting: Sighting, names: tuple[str, ...]) -> None:
     place = place_on_sign(sighting.phrase)
     wanted = [*([place] if place else []), *names]
     begun = walker.travelled
-    while walker.travelled - begun < BEYOND_SIGN:
+    on = BEYOND_SIGN if place is None else UNDER_SIGN
+    while walker.travelled - begun < on:
         for seen in walker.look(wanted):
             if seen.track != sighting.track and not is_sign(seen.label):
                 walk_up_to(walker, seen)

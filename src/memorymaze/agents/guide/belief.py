@@ -7,6 +7,7 @@ learned on it of the speaker. The whole is computed anew from the map after each
 so what is seen late speaks for and against every turn before it.
 """
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 
@@ -35,6 +36,8 @@ LEAST_WEIGHT = 1e-5
 """Share of the heaviest alignment below which one is not followed."""
 MOST_PLACES, MOST_METRES = 25, 200.0
 """Of a segment."""
+POINTED_AT = math.radians(50)
+"""A way that differs less from where a sign points is meant by it."""
 LEGS_LEFT_OUT = 2
 """Turns told in a row that there may not be."""
 
@@ -128,6 +131,8 @@ class Belief:
     model: Likelihoods
     things: Things
 
+    pointers: dict[int, list[float]] = field(default_factory=dict[int, list[float]])
+    """Headings in which signs point to the destination, by crossing."""
     frontiers: dict[tuple[int, int], Frontier] = field(
         default_factory=dict[tuple[int, int], Frontier]
     )
@@ -217,25 +222,27 @@ class Belief:
             junctions=segment.junctions + junction,
         )
         for index, angle in choices.ways:
+            hint = self._hint(segment.at, index, len(choices.ways))
+            base = segment.weights * hint
             if ahead is not None and index == ahead[0]:
                 chance = model.pass_untold if junction else 1.0
                 if abs(angle) > 0.3:
                     chance *= model.bend_untold
                 if self._plain_turn_fits(segment, choices):
                     chance = model.pass_fitting
-                self._leave(replace(passed, weights=segment.weights * chance), index)
+                self._leave(replace(passed, weights=base * chance), index)
             elif not junction:
                 bend = abs(angle) <= SLIGHT
                 chance = model.bend_untold if bend else model.corner_untold
-                self._leave(replace(passed, weights=segment.weights * chance), index)
+                self._leave(replace(passed, weights=base * chance), index)
             else:
                 chance = model.choice_untold if ahead is None else model.turn_untold
                 if self._tells_side(segment, angle):
                     chance = max(chance, 0.5)
-                    weights = segment.weights * chance
+                    weights = base * chance
                     self._leave(replace(passed, weights=weights), index)
                     continue
-                weights = then(segment.weights, 0.0, chance, model.again)
+                weights = then(base, 0.0, chance, model.again)
                 slip = Slip("turn left out", segment.leg, segment.at)
                 erred = replace(
                     passed,
@@ -337,7 +344,8 @@ class Belief:
             elif not fine:
                 wrong = self.model.wrong_side * (1.0 if abs(angle) > 0.26 else 0.5)
             fine *= self.things.outlook_ratio(segment.at, index, number + 1)
-            weights = then(segment.weights, fine, wrong, self.model.again)
+            hint = self._hint(segment.at, index, len(choices.ways))
+            weights = then(segment.weights * hint, fine, wrong, self.model.again)
             story = (*segment.story, f"turn {number + 1} at {segment.at}")
             slips = segment.slips
             if not fine:
@@ -413,8 +421,31 @@ class Belief:
         ratio = ratio * ordinal_to_come(
             self.model, leg.turn, self._on_side(segment, leg), segment.junctions
         )
-        floor = self.model.wrong_place
-        return weights * np.maximum(ratio, floor)
+        ratio = ratio * self.things.so_far(segment.leg, segment.line)
+        ratio = ratio * min(
+            passings_ratio(
+                self.model,
+                leg.passings,
+                segment.left,
+                segment.right,
+                segment.junctions,
+                going_on=True,
+            ),
+            1.0,
+        )
+        return weights * np.maximum(ratio, self.model.wrong_place)
+
+    def _hint(self, at: int, exit: int, ways: int) -> float:
+        """Weigh a way out against the signs that point to the destination there."""
+        ratio = 1.0
+        right = self.model.sign_right
+        for heading in self.pointers.get(at, ()):
+            out = self.floor.crossings[at].exits[exit]
+            if abs(wrap_angle(out - heading)) <= POINTED_AT:
+                ratio *= max(ways, 2) * right
+            else:
+                ratio *= max(ways, 2) * (1 - right) / max(ways - 1, 1)
+        return ratio
 
     def _add(self, segment: Segment, exit: int) -> None:
         if segment.weights.sum() >= LEAST_WEIGHT * self._heaviest:

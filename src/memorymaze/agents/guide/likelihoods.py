@@ -86,6 +86,8 @@ class Likelihoods:
     rare_rate: float = 0.004
     """The same of any other thing."""
     # -- the destination
+    sign_right: float = 0.75
+    """That the way told is the one to which a sign points."""
     passed_by: float = 0.12
     """That a destination that is there is not noticed."""
     arrival_open: float = 0.35
@@ -259,8 +261,13 @@ def passings_ratio(
     left: int,
     right: int,
     crossings: int,
+    *,
+    going_on: bool = False,
 ) -> float:
-    """Weigh the openings said to be left alone against those left alone."""
+    """Weigh the openings said to be left alone against those left alone.
+
+    Where the way goes on, those that are missing may still come.
+    """
     told: dict[str | None, int] = {}
     for passing in passings:
         if passing.count is not None:
@@ -268,7 +275,7 @@ def passings_ratio(
     ratio = 1.0
     for side, count in told.items():
         met = left if side == "left" else right if side == "right" else crossings
-        if met == count:
+        if met == count or (going_on and met < count):
             ratio *= 1.6
         else:
             off = count - met if count > met else 0.5 * (met - count)
@@ -295,7 +302,7 @@ def way_ratio(turn: Turn, angle: float) -> float:
     if angle <= FORWARD:
         return 0.0
     if angle <= SLIGHT:
-        return 1.1 if turn.forced else 0.7
+        return 1.1 if turn.forced else 0.4
     return 1.8 if angle <= math.radians(125) else 1.1
 
 

@@ -15,6 +15,7 @@ from memorymaze.agents.guide.arriving import (
 )
 from memorymaze.agents.guide.belief import Belief, Frontier, Segment, Slip, Start
 from memorymaze.agents.guide.likelihoods import Likelihoods
+from memorymaze.agents.guide.signs import Pointers
 from memorymaze.agents.guide.things import Things
 from memorymaze.agents.walking.floor_map import FloorMap, Sighting
 from memorymaze.agents.walking.outlooks import (
@@ -31,7 +32,7 @@ from memorymaze.understanding import ANY_FLOOR, is_floor
 
 SAME_HEADING = math.radians(35)
 """Ways to face that differ by less are one."""
-FEWEST_METRES, MOST_METRES = 120.0, 300.0
+FEWEST_METRES, MOST_METRES = 150.0, 400.0
 """Bounds of the walk after which the agent stops at the best place it knows."""
 LEG_METRES = 15.0
 """Expected length of a leg whose length was not said."""
@@ -51,8 +52,12 @@ class Patience:
 
     metre_back: float = 0.012
     """Nats that a metre to walk to another explanation is worth."""
-    sure: float = 0.5
+    sure: float = 0.8
     """Probability from which on it stops at what it just saw."""
+    plain: float = 0.85
+    """Probability from which on a way is taken without looking along the others."""
+    near: float = 0.4
+    """Probability that all turns are made, from which on it looks about for the place."""
     claims: float = 0.2
     """Probability below which it says that it could not find the place."""
 
@@ -92,6 +97,7 @@ class Search:
         self._things = Things(plan, walker.map, self._model)
         self._arrivals = Arrivals(plan, walker.map, self._model, self._things)
         self._belief = Belief(plan, walker.map, self._model, self._things)
+        self._pointers = Pointers(self._arrivals.names)
         self._endings: list[Ending] = []
         self._starts: list[Start] = []
         self._limit = _walk_limit(plan)
@@ -104,6 +110,7 @@ class Search:
         self._begin()
         for _ in range(MOST_DECISIONS):
             self._update()
+            self._survey()
             step = self._choose()
             if step is None:
                 break
@@ -127,19 +134,33 @@ class Search:
             walker.look_about(dict.fromkeys([*self._looks, *first]))
             self._starts = starts_any_way(self._plan, walker.map, walker.at)
         else:
-            if walker.at > 0:
-                self._survey()
             self._starts = starts_ahead(self._model, walker.map, walker.at)
 
     def _survey(self) -> None:
-        """Look along the ways out of where the robot is, if that tells anything."""
-        if self._looks and self._walker.at > 0:
-            self._walker.survey(self._looks)
+        """Look along the ways out of where the robot is, if that may tell them apart.
+
+        Or if the destination should be near and was not seen: it may be round a corner.
+        """
+        if self._walker.at <= 0:
+            return
+        best = self._best_frontier()
+        wanted: list[str] = []
+        if best is None or best.mass < self._patience.plain * self._total:
+            wanted.extend(self._looks)
+        legs, _ = self._summary()
+        if legs[-1] >= self._patience.near and not any(
+            each.sighting is not None for each in self._endings
+        ):
+            wanted.extend(self._arrivals.names)
+        if wanted:
+            self._walker.survey(wanted)
+            self._update()
 
     # -- believing
 
     def _update(self) -> None:
         """Believe anew after what was seen, and say what changed."""
+        self._belief.pointers = self._pointers.headings(self._walker.map)
         self._belief.update(self._starts)
         self._endings = self._arrivals.endings(self._belief)
         self._total = sum(f.mass for f in self._belief.frontiers.values())
@@ -215,6 +236,10 @@ class Search:
             if math.dist(each.place, ending.place) < SAME_PLACE
         )
 
+    def _chance(self, ending: Ending) -> float:
+        """Return how likely a place is the one to arrive at."""
+        return min(self._mass_about(ending) / self._total, 1.0)
+
     def _choose(self) -> Step | None:
         """Return what to do next; None where nothing is left."""
         frontier, ending = self._best_frontier(), self._best_ending()
@@ -238,12 +263,17 @@ class Search:
         best = max(self._endings, key=self._value, default=None)
         if best is None or best.mass <= 0.0:
             return None
-        return best
+        same = [
+            each
+            for each in self._endings
+            if math.dist(each.place, best.place) < SAME_PLACE
+        ]
+        return max(same, key=lambda each: each.mass)
 
     def _too_far_for(self, frontier: Frontier, ending: Ending | None) -> bool:
         """Tell whether after one more stretch there is no time to come back."""
         back = 0.0
-        if ending is not None:
+        if ending is not None and self._chance(ending) >= self._patience.claims:
             back = self._distances.get(ending.at, math.inf) + ending.distance
         further = self._distances.get(frontier.at, math.inf) + LEG_METRES
         return self._walker.travelled + further + back > self._limit
@@ -297,9 +327,7 @@ class Search:
                     return True
             return False
 
-        stretch = walker.follow_exit(frontier.exit, self._phrases(frontier), arrived)
-        if stretch is not None:
-            self._survey()
+        walker.follow_exit(frontier.exit, self._phrases(frontier), arrived)
         if found:
             sighting, chance = found[0]
             self._arrive(f"{sighting.phrase} seen", chance)
@@ -332,7 +360,10 @@ class Search:
     def _finish(self, ending: Ending) -> bool:
         """Go to a place to arrive at; False where it turns out not to be it."""
         walker = self._walker
-        chance = min(self._mass_about(ending) / self._total, 1.0)
+        chance = self._chance(ending)
+        if chance < self._patience.claims:
+            self._give_up("nothing fits what was told", chance)
+            return True
         if not walker.go_to(ending.at):
             self._arrivals.refuted.update(
                 {ending.sighting.track} if ending.sighting else set()
@@ -340,10 +371,7 @@ class Search:
             return ending.sighting is None
         if ending.exit is not None and not walker.face(ending.exit):
             return True
-        if chance < self._patience.claims:
-            self._give_up("nothing fits what was told", chance)
-        else:
-            self._arrive(ending.reason, chance, ending.segment.story)
+        self._arrive(ending.reason, chance, ending.segment.story)
         if ending.sighting is None and walker.map.is_dead_end(ending.at):
             # The place is here or short of here, and never beyond.
             walker.turn_by(180.0)
@@ -445,4 +473,4 @@ def _walk_limit(plan: RoutePlan) -> float:
         for leg in plan.legs
     )
     expected += plan.arrival.length.metres if plan.arrival.length else LEG_METRES
-    return min(max(FEWEST_METRES, 2.2 * expected), MOST_METRES)
+    return min(max(FEWEST_METRES, 2.7 * expected), MOST_METRES)

@@ -85,18 +85,10 @@ class Things:
                 weights = weights * math.exp(-cost)
                 continue
             at_turn = mention.place in AT_THE_TURN
-            reach = 2 * AT_CROSSING if at_turn else max(_length(line), 4.0)
-            best = 0.0
-            for sighting in self._floor.seen(mention.phrase):
-                if at_turn:
-                    near = math.dist(sighting.place, place) <= AT_CROSSING
-                else:
-                    near = distance_to_line(sighting.place, line) <= BESIDE
-                if near:
-                    ratio = seen_ratio(
-                        model, self.rate(mention.phrase), reach, sighting.score
-                    )
-                    best = max(best, ratio * self._side(mention, sighting))
+            if at_turn:
+                best = self._seen_at(mention, place)
+            else:
+                best = self._seen_along(mention, line)
             if best:
                 weights = weights * _weaker(best, mention)
             elif mention.phrase in asked:
@@ -106,6 +98,41 @@ class Things:
                 else:
                     weights = weights * unseen**0.5
         return weights
+
+    def so_far(self, number: int, line: tuple[Point, ...]) -> float:
+        """Weigh the things of a leg that goes on which were met on it already."""
+        ratio = 1.0
+        for mention in self._mentions[number]:
+            if mention.place not in AT_THE_TURN and not is_floor(mention.phrase):
+                ratio *= _weaker(self._seen_along(mention, line) or 1.0, mention)
+        return ratio
+
+    def _seen_at(self, mention: Mention, place: Point) -> float:
+        """Weigh that a thing was seen at a crossing; 0 where it was not."""
+        near = [
+            each
+            for each in self._floor.seen(mention.phrase)
+            if math.dist(each.place, place) <= AT_CROSSING
+        ]
+        return self._best(mention, near, 2 * AT_CROSSING)
+
+    def _seen_along(self, mention: Mention, line: tuple[Point, ...]) -> float:
+        """Weigh that a thing was seen along a way; 0 where it was not."""
+        near = [
+            each
+            for each in self._floor.seen(mention.phrase)
+            if distance_to_line(each.place, line) <= BESIDE
+        ]
+        return self._best(mention, near, max(_length(line), 4.0))
+
+    def _best(self, mention: Mention, near: list[Sighting], reach: float) -> float:
+        if not near:
+            return 0.0
+        rate = self.rate(mention.phrase)
+        return max(
+            seen_ratio(self._model, rate, reach, each.score) * self._side(mention, each)
+            for each in near
+        )
 
     def _side(self, mention: Mention, sighting: Sighting) -> float:
         if mention.side not in {"left", "right"} or sighting.side == "ahead":

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image, ImageDraw
 
+from memorymaze.perception.signposts import Arrow, Signpost, signposts
 from memorymaze.pictures.looks.materials import (
     PURE_WHITE,
     SAFETY_GREEN,
@@ -18,7 +19,6 @@ from memorymaze.pictures.looks.materials import (
     rgb255,
 )
 from memorymaze.simulation.senses.lettering import Field, write
-from memorymaze.simulation.senses.signposts import Arrow, Signpost, signposts
 
 Pixels = NDArray[np.uint8]
 PIXELS_PER_METRE = 300

@@ -1,5 +1,6 @@
 """Signs: words and pictograms that name places and ways."""
 
+from memorymaze.perception.signposts import signposts
 from memorymaze.pictures.looks.assembly import Assembly, Order
 from memorymaze.pictures.looks.boards import (
     Pictogram,
@@ -19,7 +20,6 @@ from memorymaze.pictures.looks.materials import (
     wood,
 )
 from memorymaze.pictures.looks.shapes import around, plate
-from memorymaze.simulation.senses.signposts import signposts
 
 PEOPLE_SIGNS: tuple[tuple[str, tuple[Pictogram, ...]], ...] = (
     ("wheelchair", ("wheelchair",)),

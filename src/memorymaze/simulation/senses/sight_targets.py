@@ -306,7 +306,7 @@ def inscription(scene: Scene, geom: int) -> Inscription | None:
 
 
 def _points(text: str) -> bool:
-    from memorymaze.simulation.senses.signposts import signposts
+    from memorymaze.perception.signposts import signposts
 
     return any(post.arrow is not None for post in signposts(text))
 
@@ -314,8 +314,8 @@ def _points(text: str) -> bool:
 def _letter_height(text: str, width: float, height: float) -> float:
     """Return the height of capitals where a text fills a field; metres."""
     # The font is loaded only where somebody reads.
+    from memorymaze.perception.signposts import signposts
     from memorymaze.simulation.senses.lettering import fitted
-    from memorymaze.simulation.senses.signposts import signposts
 
     posts = signposts(text)
     if width > 2.2 * height:

@@ -1,6 +1,6 @@
 import pytest
 
-from memorymaze.simulation.senses.signposts import signposts
+from memorymaze.perception.signposts import signposts
 
 
 @pytest.mark.parametrize(

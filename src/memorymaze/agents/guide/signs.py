@@ -1,0 +1,116 @@
+"""Signs that point the way: which way out of a crossing they name the destination for."""
+
+import math
+import re
+from collections.abc import Iterable, Sequence
+
+from memorymaze.agents.walking.floor_map import Crossing, FloorMap, Sighting
+from memorymaze.geometry.pose import wrap_angle
+from memorymaze.perception.signposts import ANY_ARROW, signposts
+from memorymaze.understanding import is_common, place_on_sign
+
+AHEAD_OF_SIGN = 9.0
+"""Metres from a sign to the crossing that it is about, at most."""
+BESIDE_SIGN = 3.0
+"""Metres that this crossing may lie behind or beside it."""
+SEVERAL = frozenset([
+    "bathroom",
+    "elevator",
+    "entrance",
+    "escalator",
+    "exit",
+    "lavatory",
+    "lift",
+    "locker",
+    "men",
+    "restroom",
+    "stair",
+    "staircase",
+    "toilet",
+    "washroom",
+    "wc",
+    "women",
+])
+"""What a floor has several of: signs point to the nearest, whichever is meant."""
+_ANGLES = {"left": 90, "right": -90, "ahead": 0, "back": 180}
+_BETWEEN = re.compile(rf"({ANY_ARROW.pattern})(?!.*\s\s)[^←↑→↓]+({ANY_ARROW.pattern})")
+_RANGE = re.compile(r"(\d+)\s*(?:-|\u2013|to)\s*(\d+)")
+
+
+class Pointers:
+    """The signs read so far that name a destination and point on."""
+
+    def __init__(self, names: Iterable[str]) -> None:
+        """Take the names of the destination; those that are everywhere point nowhere."""
+        told = (place_on_sign(each) or each for each in names)
+        named = [_words(each) for each in told if not is_common(each)]
+        self._names = [each for each in named if not each & SEVERAL]
+
+    def headings(self, floor: FloorMap) -> dict[int, list[float]]:
+        """Return the headings that signs point in, by the crossings they are about."""
+        found: dict[int, list[float]] = {}
+        if not self._names:
+            return found
+        for text in floor.texts:
+            for angle in pointed(text.phrase, self._names):
+                seen_along = math.atan2(
+                    text.place[1] - text.seen_from[1], text.place[0] - text.seen_from[0]
+                )
+                crossing = _crossing_of(text, seen_along, floor)
+                if crossing is not None:
+                    heading = wrap_angle(seen_along + math.radians(angle))
+                    found.setdefault(crossing.number, []).append(heading)
+        return found
+
+
+def pointed(text: str, names: Sequence[frozenset[str]]) -> list[int]:
+    """Return the directions a sign points in for a place, degrees, left positive.
+
+    Of names between two arrows, read on one line, those at the ends alone belong to one.
+
+    >>> pointed("← Lifts, Library   Café →", [frozenset({"cafe"})])
+    [-90]
+    >>> pointed("↑ Reception, Lifts Café, Library →", [frozenset({"library"})])
+    [-90]
+    """
+    if _BETWEEN.fullmatch(text.strip()):
+        first, *_, last = text.split(",") if "," in text else ("", "")
+        text = f"{first}  {last}"
+    return [
+        _ANGLES[post.arrow]
+        for post in signposts(text)
+        if post.arrow is not None and any(_names(post.words, name) for name in names)
+    ]
+
+
+def _names(group: str, name: frozenset[str]) -> bool:
+    words = _words(group)
+    if name and name <= words:
+        return True
+    numbers = [int(each) for each in name if each.isdigit()]
+    return any(
+        int(low) <= number <= int(high)
+        for low, high in _RANGE.findall(group)
+        for number in numbers
+    )
+
+
+def _words(text: str) -> frozenset[str]:
+    plain = text.casefold().replace("é", "e")
+    words = re.findall(r"[a-z]+|\d+", plain)
+    return frozenset(w[:-1] if len(w) > 3 and w.endswith("s") else w for w in words)
+
+
+def _crossing_of(text: Sighting, heading: float, floor: FloorMap) -> Crossing | None:
+    """Return the crossing that one comes to next who reads a sign."""
+    best, least = None, math.inf
+    for crossing in floor.crossings.values():
+        dx = crossing.place[0] - text.place[0]
+        dy = crossing.place[1] - text.place[1]
+        ahead = dx * math.cos(heading) + dy * math.sin(heading)
+        beside = abs(dy * math.cos(heading) - dx * math.sin(heading))
+        if not -BESIDE_SIGN <= ahead <= AHEAD_OF_SIGN or beside > BESIDE_SIGN:
+            continue
+        if len(crossing.exits) > 1 and abs(ahead) + beside < least:
+            best, least = crossing, abs(ahead) + beside
+    return best
