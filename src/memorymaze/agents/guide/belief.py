@@ -130,6 +130,8 @@ class Belief:
     floor: FloorMap
     model: Likelihoods
     things: Things
+    least_weight: float = LEAST_WEIGHT
+    """Share of the heaviest alignment below which one is dropped; benches set it."""
 
     pointers: dict[int, list[float]] = field(default_factory=dict[int, list[float]])
     """Headings in which signs point to the destination, by crossing."""
@@ -171,7 +173,7 @@ class Belief:
         """Follow a way out as far as the map goes."""
         weight = segment.weights.sum()
         self._heaviest = max(self._heaviest, weight)
-        if weight < LEAST_WEIGHT * self._heaviest:
+        if weight < self.least_weight * self._heaviest:
             return
         stretch = self.floor.stretches.get((segment.at, exit))
         if stretch is None:
@@ -284,7 +286,7 @@ class Belief:
         for number in range(segment.leg, last):
             leg = self.plan.legs[number]
             here = self._at_place(segment, number, weights, lead, choices)
-            if here.sum() >= LEAST_WEIGHT * self._heaviest:
+            if here.sum() >= self.least_weight * self._heaviest:
                 base = replace(segment, weights=here, story=story, slips=slips)
                 self._take(base, number, choices)
             easy = (
@@ -448,7 +450,7 @@ class Belief:
         return ratio
 
     def _add(self, segment: Segment, exit: int) -> None:
-        if segment.weights.sum() >= LEAST_WEIGHT * self._heaviest:
+        if segment.weights.sum() >= self.least_weight * self._heaviest:
             level = self._levels[segment.leg]
             level.setdefault((segment.at, exit), []).append(segment)
 
