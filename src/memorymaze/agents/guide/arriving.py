@@ -107,7 +107,7 @@ class Arrivals:
         found: list[Ending] = []
         for visit in belief.visits:
             if visit.stretch is None:
-                found.extend(self._at_crossing(visit.segment))
+                found.extend(self._at_crossing(visit))
             else:
                 found.extend(self._on_stretch(visit))
         return found
@@ -123,13 +123,13 @@ class Arrivals:
             if distance_to_line(sighting.seen_from, (start, end)) > BESIDE:
                 continue
             along = _along(sighting.place, start, end)
-            ratio = self.seen(sighting, stretch.arrival)
+            ratio = self.seen(sighting, (start, end))
             yield Ending(
                 stretch.start,
                 stretch.exit,
                 along,
                 sighting.place,
-                segment.weights * self._fit(segment, along) * ratio,
+                self._weigh(visit, along, _on_line(start, end, along)) * ratio,
                 segment,
                 sighting,
                 f"{sighting.phrase} seen",
@@ -144,14 +144,14 @@ class Arrivals:
                     stretch.exit,
                     rest,
                     there,
-                    segment.weights * self._fit(segment, rest) * self._unseen(there),
+                    self._weigh(visit, rest, there) * self._unseen(there),
                     segment,
                     None,
                     f"{length.metres:.0f} m walked",
                 )
 
-    def _at_crossing(self, segment: Segment) -> Iterator[Ending]:
-        arrival, model = self._arrival, self._model
+    def _at_crossing(self, visit: Visit) -> Iterator[Ending]:
+        arrival, model, segment = self._arrival, self._model, visit.segment
         if not segment.walked and not arrival.on_the_spot:
             return
         crossing = self._floor.crossings[segment.at]
@@ -169,7 +169,7 @@ class Arrivals:
             None,
             0.0,
             crossing.place,
-            segment.weights * self._fit(segment, 0.0) * ratio,
+            self._weigh(visit, 0.0, crossing.place) * ratio,
             segment,
             None,
             "end of the way" if not goes_on else "all turns made",
@@ -185,8 +185,8 @@ class Arrivals:
             weights = weights * self._fit(segment, walked + sighting.distance)
         return weights * self.seen(sighting)
 
-    def seen(self, sighting: Sighting, heading: float | None = None) -> float:
-        """Weigh something seen as the destination."""
+    def seen(self, sighting: Sighting, line: tuple[Point, ...] = ()) -> float:
+        """Weigh something seen as the destination, by who walks along a line."""
         model, arrival = self._model, self._arrival
         ratio = seen_ratio(
             model, self._things.rate(sighting.phrase), REACH, sighting.score
@@ -195,10 +195,8 @@ class Arrivals:
             ratio **= 0.6
         if self.only_names(sighting):
             ratio **= 0.7
-        if arrival.side in {"left", "right"} and sighting.side in {"left", "right"}:
-            right = model.side_right
-            ratio *= 2 * (right if arrival.side == sighting.side else 1 - right)
-        elif arrival.side == "ahead" and is_common(sighting.phrase):
+        ratio *= self._things.side_ratio(arrival.side, sighting, line)
+        if arrival.side == "ahead" and is_common(sighting.phrase):
             ratio *= 1.3 if sighting.side == "ahead" else 0.6
         if is_common(sighting.phrase) and arrival.nth is not None and arrival.nth > 0:
             ratio *= self._nth(sighting)
@@ -230,6 +228,22 @@ class Arrivals:
         if all(map(is_common, self.names)):
             return 0.4
         return self._model.passed_by
+
+    def _weigh(self, visit: Visit, further: float, place: Point) -> Weights:
+        """Weigh all that was said of the last stretch against one that ends at a place."""
+        segment, stretch = visit.segment, visit.stretch
+        line, asked = segment.line, segment.asked or frozenset()
+        if stretch is not None:
+            line = (*line, place)
+            asked = stretch.asked if segment.asked is None else asked & stretch.asked
+        return self._things.weigh(
+            segment.weights * self._fit(segment, further),
+            self._legs,
+            line,
+            asked,
+            place,
+            segment.at if stretch is None else None,
+        )
 
     def _fit(self, segment: Segment, further: float) -> Weights:
         """Weigh what was said of the last stretch against one that ends here."""

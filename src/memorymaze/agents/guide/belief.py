@@ -399,7 +399,12 @@ class Belief:
             fine = fine * 0.13
         right = weights * (1 - model.wrong_place) * fine
         after = self.things.weigh(
-            right, number, segment.line, segment.asked or frozenset(), segment.at
+            right,
+            number,
+            segment.line,
+            segment.asked or frozenset(),
+            self.floor.crossings[segment.at].place,
+            segment.at,
         )
         after[1] += model.wrong_place * (weights[0] + model.again * weights[1])
         return after

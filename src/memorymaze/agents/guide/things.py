@@ -15,6 +15,7 @@ from memorymaze.agents.walking.floor_map import (
     Point,
     Sighting,
     distance_to_line,
+    side_of_line,
 )
 from memorymaze.agents.walking.outlooks import (
     crossing_floor_cost,
@@ -23,10 +24,12 @@ from memorymaze.agents.walking.outlooks import (
     things_on,
     walls_cost,
 )
-from memorymaze.routes import Mention, RoutePlan
+from memorymaze.routes import Mention, RoutePlan, Side
 from memorymaze.understanding import is_common, is_floor
 
 AT_THE_TURN = frozenset({"turn", "beside", "opposite", "before_turn", "after_turn"})
+UNSEEN = frozenset({"sound", "smell", "person", "wall"})
+"""Kinds of things that need not be in the picture where they were told."""
 BESIDE = 4.5
 """Metres from the line of a stretch within which a thing is on it."""
 AT_CROSSING = 5.0
@@ -74,11 +77,14 @@ class Things:
         number: int,
         line: tuple[Point, ...],
         asked: frozenset[str],
-        at: int,
+        place: Point,
+        at: int | None = None,
     ) -> Weights:
-        """Weigh what is said of a leg with its turn at a crossing."""
+        """Weigh what is said of a leg, or of the last stretch, that ends at a place.
+
+        `at` is the number of the crossing there, if there is one.
+        """
         model = self._model
-        place = self._floor.crossings[at].place
         for mention in self._mentions[number]:
             if is_floor(mention.phrase):
                 cost = crossing_floor_cost(mention, self._floor, at)
@@ -86,12 +92,12 @@ class Things:
                 continue
             at_turn = mention.place in AT_THE_TURN
             if at_turn:
-                best = self._seen_at(mention, place)
+                best = self._seen_at(mention, place, line)
             else:
                 best = self._seen_along(mention, line)
             if best:
                 weights = weights * _weaker(best, mention)
-            elif mention.phrase in asked:
+            elif mention.phrase in asked and mention.kind not in UNSEEN:
                 unseen = unseen_ratio(model)
                 if at_turn and not is_common(mention.phrase):
                     weights = then(weights, unseen, model.mistaken, model.again)
@@ -107,14 +113,17 @@ class Things:
                 ratio *= _weaker(self._seen_along(mention, line) or 1.0, mention)
         return ratio
 
-    def _seen_at(self, mention: Mention, place: Point) -> float:
-        """Weigh that a thing was seen at a crossing; 0 where it was not."""
+    def _seen_at(
+        self, mention: Mention, place: Point, line: tuple[Point, ...]
+    ) -> float:
+        """Weigh that a thing was seen where a way ends; 0 where it was not."""
         near = [
             each
             for each in self._floor.seen(mention.phrase)
             if math.dist(each.place, place) <= AT_CROSSING
+            and self._floor.is_at(each.place, place)
         ]
-        return self._best(mention, near, 2 * AT_CROSSING)
+        return self._best(mention, near, 2 * AT_CROSSING, line)
 
     def _seen_along(self, mention: Mention, line: tuple[Point, ...]) -> float:
         """Weigh that a thing was seen along a way; 0 where it was not."""
@@ -123,22 +132,35 @@ class Things:
             for each in self._floor.seen(mention.phrase)
             if distance_to_line(each.place, line) <= BESIDE
         ]
-        return self._best(mention, near, max(_length(line), 4.0))
+        return self._best(mention, near, max(_length(line), 4.0), line)
 
-    def _best(self, mention: Mention, near: list[Sighting], reach: float) -> float:
+    def _best(
+        self,
+        mention: Mention,
+        near: list[Sighting],
+        reach: float,
+        line: tuple[Point, ...],
+    ) -> float:
         if not near:
             return 0.0
         rate = self.rate(mention.phrase)
         return max(
-            seen_ratio(self._model, rate, reach, each.score) * self._side(mention, each)
+            seen_ratio(self._model, rate, reach, each.score)
+            * self.side_ratio(mention.side, each, line)
             for each in near
         )
 
-    def _side(self, mention: Mention, sighting: Sighting) -> float:
-        if mention.side not in {"left", "right"} or sighting.side == "ahead":
+    def side_ratio(
+        self, told: Side | None, sighting: Sighting, line: tuple[Point, ...]
+    ) -> float:
+        """Weigh the side that is told of a thing against its side of a line walked."""
+        if told not in {"left", "right"}:
+            return 1.0
+        side = side_of_line(sighting.place, line) if len(line) > 1 else sighting.side
+        if side == "ahead":
             return 1.0
         right = self._model.side_right
-        return 2 * (right if mention.side == sighting.side else 1 - right)
+        return 2 * (right if told == side else 1 - right)
 
     def outlook_ratio(self, at: int, exit: int, number: int) -> float:
         """Weigh what was said to lie along a way against what is seen along it."""

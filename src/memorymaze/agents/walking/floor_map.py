@@ -26,6 +26,8 @@ SEES_FAR = 6.0
 """Metres; who has seen something so far away sees far."""
 AT_CROSSING = 2.5
 """Metres within which it is, whatever other crossings there are."""
+ON_LINE = 0.4
+"""Metres from a line walked within which a thing lies on neither side of it."""
 SAME_EXIT = math.radians(35)
 """Exits of a crossing that differ by less are one."""
 
@@ -279,3 +281,15 @@ def distance_to_line(point: Point, line: Sequence[Point]) -> float:
             foot = (ax + along * dx, ay + along * dy)
             best = min(best, math.dist(point, foot))
     return best
+
+
+def side_of_line(point: Point, line: Sequence[Point]) -> str:
+    """Return on which side of a line walked a point lies, `ahead` where it is on it."""
+    (ax, ay), (bx, by) = min(
+        pairwise(line), key=lambda piece: distance_to_line(point, piece)
+    )
+    dx, dy = bx - ax, by - ay
+    aside = dx * (point[1] - ay) - dy * (point[0] - ax)
+    if abs(aside) <= ON_LINE * math.hypot(dx, dy):
+        return "ahead"
+    return "left" if aside > 0 else "right"

@@ -1,0 +1,76 @@
+"""What is said of the last stretch speaks for the right place to end."""
+
+import math
+
+import pytest
+
+from memorymaze.agents.guide.arriving import Arrivals
+from memorymaze.agents.guide.belief import Belief
+from memorymaze.agents.guide.likelihoods import Likelihoods
+from memorymaze.agents.guide.things import Things
+from memorymaze.agents.walking.floor_map import (
+    Crossing,
+    FloorMap,
+    Point,
+    Sighting,
+    Stretch,
+)
+from memorymaze.routes import Arrival, Mention, RoutePlan
+
+EAST, WEST = (12.0, 0.0), (-12.0, 0.0)
+BOTH_WAYS = [(0, 0.0, 0, 0.5), (0, math.pi, 1, 0.5)]
+
+
+def _floor(phrases: frozenset[str], *seen: tuple[str, Point]) -> FloorMap:
+    """One hall from west to east, with dead ends, in whose middle one starts."""
+    floor = FloorMap()
+    floor.crossings[0].add_exit(math.pi)
+    for exit, (place, heading) in enumerate(((EAST, 0.0), (WEST, math.pi))):
+        end: Crossing = floor.new_dead_end(place)
+        floor.add_stretch(Stretch(0, exit, end.number, heading, 12.0, phrases))
+    for track, (phrase, place) in enumerate(seen):
+        note = Sighting(phrase, phrase, 1.0, place, place, 5.0, track, (0, 0), "left")
+        floor.note(note)
+    return floor
+
+
+def _share_in_the_east(floor: FloorMap, arrival: Arrival) -> float:
+    plan, model = RoutePlan(arrival=arrival), Likelihoods()
+    things = Things(plan, floor, model)
+    belief = Belief(plan, floor, model, things)
+    belief.update(BOTH_WAYS)
+    endings = Arrivals(plan, floor, model, things).endings(belief)
+    east = sum(each.mass for each in endings if each.place[0] > 0)
+    return east / sum(each.mass for each in endings)
+
+
+def _told(phrase: str, kind: str = "object") -> Arrival:
+    return Arrival(mentions=(Mention(phrase, kind, "turn"),), at_end=True)  # type: ignore[arg-type]
+
+
+def test_a_thing_at_the_destination_tells_where_it_is() -> None:
+    floor = _floor(frozenset({"lamp"}), ("lamp", (11.0, 1.0)))
+    assert _share_in_the_east(floor, _told("lamp")) > 0.9
+
+
+def test_a_thing_nearer_to_another_place_is_not_at_this_one() -> None:
+    floor = _floor(frozenset({"lamp"}), ("lamp", (8.0, 1.0)))
+    floor.crossings[9] = Crossing(9, (8.0, 0.0))
+    floor.farthest = 40.0
+    assert _share_in_the_east(floor, _told("lamp")) == pytest.approx(0.5)
+
+
+def test_what_is_heard_is_not_missed_in_the_picture() -> None:
+    floor = _floor(frozenset({"music"}))
+    floor.stretches[0, 0] = Stretch(0, 0, -1, 0.0, 12.0, frozenset())
+    assert _share_in_the_east(floor, _told("music")) > 0.6
+    assert _share_in_the_east(floor, _told("music", "sound")) == pytest.approx(0.5)
+
+
+def test_a_side_is_meant_as_one_walks_whichever_way_the_thing_was_seen_from() -> None:
+    seen = [("sofa", (8.0, 1.5)), ("sofa", (-8.0, 1.5))]
+    floor = _floor(frozenset({"sofa"}), *seen)
+    left = _share_in_the_east(floor, Arrival(("sofa",), side="left"))
+    right = _share_in_the_east(floor, Arrival(("sofa",), side="right"))
+    assert left > 0.6
+    assert right == pytest.approx(1 - left)
