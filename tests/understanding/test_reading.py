@@ -114,7 +114,7 @@ TURNS = {
     "The first left no, the second yes.": Told("left", (2,)),
     "One corridor goes off to the left, leave it. Turn right.": Told("right"),
     "One way left, let it be. Turn right.": Told("right"),
-    "First walk to the desk, next comes a right turn.": Told("right", (1,)),
+    "First walk to the desk, next comes a right turn.": Told("right", (None,)),
     "The first aid room comes on your left, take right.": Told("right"),
     "The corridor makes a small bend to the left. Turn right.": Told(
         "slight_left right"
@@ -125,6 +125,26 @@ TURNS = {
     "Not the first left, the second left.": Told("left", (2,)),
     "Left... no right. Then straight, then on the left.": Told("right left"),
     "left right left right": Told("left right left right"),
+    # said again
+    "At the desk right, right, and on.": Told("right"),
+    "Left, because right takes you to the labs.": Told("left"),
+    "Right at the shop. Right, okay, by the shop, right.": Told("right"),
+    "Labs, right, Lobby ahead. Turn right. Go on ten metres.": Told("right"),
+    "Turn left, left, then left.": Told("left left"),
+    # counts that go on, and of both sides
+    "At the first junction go left. At the second junction go right.": Told(
+        "left right", (1, None)
+    ),
+    "The first opening is on the left, skip it. The second on the right is yours.": Told(
+        "right", (None,)
+    ),
+    "Ninth opening on the left.": Told("left", (9,)),
+    "A second way on the left, not that. Then turn right.": Told("right"),
+    # sides that are no turns
+    "Turn right. The doors further to the left do not matter.": Told("right"),
+    "Turn right. After five metres, left: 2347.": Told("right"),
+    "Walk on, leaving one opening on your left, and turn right.": Told("right"),
+    "Walk to the reception, left hand.": Told("left"),
     # none at all
     "Walk ten metres, the office is on the left side.": Told(""),
     "Keep going straight, the destination is at the end of the corridor.": Told(""),

@@ -23,6 +23,8 @@ from memorymaze.understanding.partial_legs import PartialLeg, place_of
 from memorymaze.understanding.repetitions import Restating
 from memorymaze.understanding.things import is_floor, kind_of
 
+_BESIDE_A_DOOR = 8.0
+"""Metres: after so few, a side is that of a door rather than of one more turn."""
 _LONGEST_OPEN = 3
 """Clauses after which an opening that was named counts as left alone."""
 
@@ -41,6 +43,12 @@ class _Assembly:
         self._way: Event | None = None
         """An opening that was named but neither taken nor left yet."""
         self._way_age = 0
+        self._counted: set[int] = set()
+        """Numbers of junctions told on the legs before, for counts that go on."""
+        self._left: dict[int, Side | None] = {}
+        """Sides of the openings left alone on this leg, by their numbers."""
+        self._counting: set[int] = set()
+        """Those told on this leg."""
         self._last: list[Mention] = []
         """Where the thing named last was put, so that a side can still be added."""
         self._side: Side | None = None
@@ -77,7 +85,7 @@ class _Assembly:
                 self._change_last_turn(ordinal=event.ordinal)
             case "way":
                 self._settle_way()
-                self._way, self._way_age = event, 0
+                self._way, self._way_age = self._newly_counted(event), 0
                 self._last = []
             case "take" if self._way is not None:
                 self._turn_into(self._way, at)
@@ -134,10 +142,8 @@ class _Assembly:
             return
         draft = self._draft
         ordinal = event.ordinal
-        if event.nearest and (
-            draft.has_passed_things or draft.lengths or draft.passings
-        ):
-            ordinal = None
+        if event.nearest or self._left.get((ordinal or 0) - 1, way) != way:
+            ordinal = None  # "next", or counted on both sides
         at_once = (draft.at_once or event.at_once) and bool(self._done)
         before = [m.phrase for m in draft.mentions if m.place == "before_turn"]
         draft.turn = Turn(
@@ -151,12 +157,21 @@ class _Assembly:
             forced=event.forced,
             doubt=event.doubt,
         )
-        draft.plain_last = (
-            event.emphatic and not event.commanded and self._follows_a_thing(at)
-        )
+        draft.bare_turn = event.emphatic and not event.commanded
+        draft.plain_last = draft.bare_turn and self._follows_a_thing(at)
         self._done.append(draft)
         self._draft = PartialLeg()
+        self._counted |= self._counting
+        self._counting, self._left = set(), {}
         self._last = []
+
+    def _newly_counted(self, way: Event) -> Event:
+        """`At the third junction`, the second being that of the turn before: the next."""
+        if way.ordinal is None or way.side or way.phrase.startswith("number"):
+            return way
+        self._counting.add(way.ordinal)
+        goes_on = way.ordinal - 1 in self._counted
+        return replace(way, nearest=True) if goes_on else way
 
     def _with_named_way(self, event: Event) -> Event:
         """Join a turn with the opening named before it, if they agree."""
@@ -216,7 +231,10 @@ class _Assembly:
 
     def _end_on_a_side(self) -> None:
         """`Room 2347, left.`: the last word tells the side of the destination."""
-        if not self._done or not self._draft.is_new:
+        if not self._done:
+            return
+        if not self._draft.is_new:
+            self._end_at_a_door()
             return
         last = self._done[-1]
         turn = last.turn
@@ -229,6 +247,18 @@ class _Assembly:
             last.turn = None
             self._draft = last
 
+    def _end_at_a_door(self) -> None:
+        """`After 5 m, left: 2347.`: a few steps and a side, and then a door."""
+        last, draft = self._done[-1], self._draft
+        way = last.turn.way if last.turn else "either"
+        metres = sum(each.metres for each in last.lengths)
+        if way not in {"left", "right"} or not last.bare_turn or last.mentions:
+            return
+        if 0 < metres <= _BESIDE_A_DOOR and draft.has_only_a_door and not last.at_end:
+            draft.lengths = last.lengths
+            draft.side = "left" if way == "left" else "right"
+            self._done.pop()
+
     # -- openings that are named before it is said what to do with them
 
     def _turn_into(self, way: Event, at: int) -> None:
@@ -237,6 +267,8 @@ class _Assembly:
 
     def _leave(self, way: Event) -> None:
         self._way = None
+        if way.ordinal is not None and way.side is not None:
+            self._left[way.ordinal] = way.side
         self._draft.passings.append(
             Passing(way.count or 1, _flank(way), way.phrase or None)
         )
@@ -280,6 +312,9 @@ class _Assembly:
             self._draft.entered = True
         if back and event.relation == "after":
             self._count_from(event.phrase)
+        if event.subject and not back:
+            self._settle_likely_way()
+            draft = self._draft
         if event.subject:
             draft.subjects.add(len(draft.mentions))
         draft.mentions.append(

@@ -145,6 +145,14 @@ class Clause:
         return any(chunk.kind == kind for chunk in self.said)
 
     @property
+    def at_once_first(self) -> bool:
+        """Whether its first turn is at once, not only its second: `right, soon left`."""
+        said = "".join(chunk.kind for chunk in self.said)
+        if len(re.findall("[LS2]", said)) + said.count("2") < 2:
+            return "i" in said
+        return re.match("[^LS2]*i[^2]*L", said) is not None
+
+    @property
     def is_recap(self) -> bool:
         """Whether it may sum up what was said: `so right and left`."""
         return self.has("r") or any(_RECAP.search(chunk.text) for chunk in self.said)

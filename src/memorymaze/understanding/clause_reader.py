@@ -32,8 +32,8 @@ from memorymaze.understanding.things import (
 
 _AT_IT = re.compile(r"(?:at|in|when|where|once|the|far|very|its|by)\b")
 _AHEAD = re.compile(r"(?:straight |dead |right )?(?:ahead|front)\b")
-_ROUND = re.compile(r"round|around|bend|curve|curl|wind")
-_SMALL = re.compile(r"small|slight|little|gentle|soft|light|bit of")
+_ROUND = re.compile(r"round|around|bend|curve|curl|wind|turns?$")
+_SMALL = re.compile(r"small|lean|slight|little|gentle|soft|light|bit of")
 _SLANTED: dict[Way | None, Way] = {"left": "slight_left", "right": "slight_right"}
 _REACHED = re.compile(r"reach|come|comes|get to|arrive|hit|face|facing|meet")
 _LEAVING = re.compile(r"leav|\b(?:of|from|out|off|exit)\b")
@@ -60,7 +60,7 @@ class ClauseReader:
             self._add(Event("recap"))
         if clause.has("a") and not clause.kinds:
             self._add(Event("restate"))
-        if clause.has("i"):
+        if clause.at_once_first:
             self._add(Event("at_once"))
         if speaks_of_ways(clause):
             return self._read
@@ -171,7 +171,7 @@ class ClauseReader:
             self._taken = True
         elif kind == "R":
             self._add(Event("arrive"))
-        elif kind == "H" and _AHEAD.match(chunk.text) and re.search("NB?$", before):
+        elif kind == "H" and _AHEAD.match(chunk.text) and re.search("NB?A?$", before):
             self._add(Event("side", side="ahead"))
         elif kind == "H" and _AHEAD.match(chunk.text) and _is_of_the_goal(clause):
             self._add(Event("side", side="ahead", of_goal=True))
@@ -182,6 +182,7 @@ class ClauseReader:
         elif (
             kind == "K"
             and _ROUND.search(chunk.text)
+            and not (chunk.text.endswith("turns") and clause.kinds[at + 1 :])
             and not re.search("[LS]", clause.kinds[at + 1 :])
             and not (self._turned and before[-1:] in {"L", "J"})
         ):
@@ -203,7 +204,9 @@ class ClauseReader:
                 event,
                 doubt=clause.doubt,
                 forced=event.forced or clause.has("D"),
-                at_once=event.at_once or clause.has("i"),
+                at_once=event.at_once
+                or clause.at_once_first
+                or (self._turned and clause.has("i")),
                 emphatic=first and clause.kinds[:1] in {"L", "O", "Z", "S"},
                 again=clause.has("a"),
                 commanded=clause.has_verb,

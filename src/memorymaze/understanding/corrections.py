@@ -65,6 +65,7 @@ def _without_adverbs(chunks: list[Chunk]) -> list[Chunk]:
         match.start(1)
         for match in re.finditer(r"[,.]f*(L)[QA]f*(?:Nf*)+,f*[TG]f*[LS]", kinds)
         if chunks[match.start(1)].text == "right"
+        and not chunks[match.start(1) + 1].text.startswith("toward")
     }
     return [chunk for at, chunk in enumerate(chunks) if at not in adverbs]
 
@@ -72,18 +73,31 @@ def _without_adverbs(chunks: list[Chunk]) -> list[Chunk]:
 def _without_echoes(chunks: list[Chunk]) -> list[Chunk]:
     """Drop the second of `right, yes, right` and of `first left, first left`."""
     kept: list[Chunk] = []
-    for chunk in chunks:
+    for at, chunk in enumerate(chunks):
         if chunk.kind == "d" and any(c.kind == "d" for c in kept[-4:]):
             continue
-        if chunk.kind in "LS" and _is_echo(kept, chunk):
-            if kept[-1].kind == "O":
+        if chunk.kind == "L" and _repeats(kept, chunk, chunks[at + 1 :]):
+            continue
+        confirmed = chunks[at + 1 : at + 3]
+        kinds = "".join(each.kind for each in confirmed)
+        if chunk.kind in "LS" and _is_echo(kept, chunk, confirmed=kinds == ",e"):
+            while kept[-1].kind in "OJ":
                 kept.pop()
             continue
         kept.append(chunk)
     return [chunk for chunk in kept if chunk.kind != "e"]
 
 
-def _is_echo(before: list[Chunk], chunk: Chunk) -> bool:
+def _repeats(before: list[Chunk], chunk: Chunk, after: list[Chunk]) -> bool:
+    """`At the desk right, right`, but not `right, right, left`, a list of turns."""
+    said = [each for each in before[-8:] if each.kind != "f"]
+    kinds = "".join(each.kind for each in said)
+    if re.search("[TGAEJNOt]L,$", kinds) is None or said[-2].way != chunk.way:
+        return False
+    return re.match("f*,f*[&>]?f*L", "".join(each.kind for each in after[:8])) is None
+
+
+def _is_echo(before: list[Chunk], chunk: Chunk, *, confirmed: bool) -> bool:
     gap = ""
     for earlier in reversed(before):
         if earlier.kind in "LS":
@@ -93,6 +107,7 @@ def _is_echo(before: list[Chunk], chunk: Chunk) -> bool:
             ordinals = same and re.fullmatch("O[,f]+", gap) is not None
             return earlier.way == chunk.way and (
                 ordinals
+                or (confirmed and re.fullmatch("J?O[,f]+", gap) is not None)
                 or ("e" in gap and re.fullmatch("O?[,.fherZ>&]*", gap) is not None)
             )
         gap += earlier.kind
@@ -110,6 +125,8 @@ def _is_marker(chunks: list[Chunk], at: int) -> bool:
         if at and chunks[at - 1].text.startswith("..") and at + 1 < len(chunks):
             return chunks[at + 1].kind == "L"
         after = at + 1 < len(chunks) and chunks[at + 1].kind in ",."
+        if "".join(c.kind for c in chunks[at + 1 : at + 3]) == ",&":
+            return False  # "one on the left, no, and one on the right"
         return before and after
     return False
 

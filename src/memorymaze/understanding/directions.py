@@ -53,6 +53,8 @@ def is_turn(clause: Clause, at: int, *, after_turn: bool) -> bool:
         return re.match(r"keep|leav|stay", verb) is None and not after.startswith("B")
     if last == "K" and is_aside(chunk) and "side" in chunk.text:
         return False
+    if last == "V" and clause.chunks[len(before) - 1].text == "face":
+        return True
     if last in {"T", "K"} or (last == "G" and not after.startswith("N")):
         return not (after.startswith("B") and last == "G")
     if is_of_a_sign(clause, at) and towards_a_side(chunk):
@@ -102,14 +104,17 @@ def _is_turn_to_side(clause: Clause, chunk: Chunk, before: str, after: str) -> b
     if clause.kinds == "S" and not chunk.text.endswith("side") and _only_walks(clause):
         return True
     clock = "clock" in chunk.text and re.match(r"(?:on|at|in) ", chunk.text) is None
-    if not (towards_a_side(chunk) or clock):
+    if is_aside(chunk) and not clock:
         return False
     last = clause.last_event()
     if last is None:
         return True
     if last.kind == "turn" and last.way == chunk.way:
         return False
-    return last.kind != "thing" or clock or _place_is_named(clause)
+    place = last.relation == "from" or _place_is_named(clause)
+    if not (towards_a_side(chunk) or clock):
+        return place and after == ""  # "walk to the desk, right hand"
+    return last.kind != "thing" or clock or place
 
 
 def _only_walks(clause: Clause) -> bool:
@@ -243,7 +248,8 @@ def read_opening(
         phrase=opening.name,
         count=opening.count,
     )
-    if "P" in before and not re.search("P.*T", before):
+    left_aside = before.endswith("G") and clause.chunks[start - 1].text == "leaving"
+    if left_aside or ("P" in before and not re.search("P.*T", before)):
         plural = opening.noun.endswith("s")
         count = opening.count or (None if plural else 1)
         return [

@@ -23,7 +23,7 @@ NUMBER = rf"(?:(?<!\d)\d{{1,6}}(?!\d)(?:[.,]\d{{1,6}}(?!\d))?|(?:{_tens})(?:[- ]
 
 _UNIT = (
     r"(?:m|met(?:re|er)s?|mtrs?|steps?|strides?|paces?|feet|foot|ft|yards?|yds?"
-    r"|seconds?|secs?|minutes?|mins?)"
+    r"|(?<!\ba )second|seconds|secs?|minutes?|mins?)"
 )
 _ODD = r"(?:[- ]?odd|[- ]?ish|or so|more(?: like)?|good|small|little|quick|normal|slow)"
 LENGTH = (

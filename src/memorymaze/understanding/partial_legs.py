@@ -66,6 +66,8 @@ class PartialLeg:
     """What one comes from; of the first."""
     subjects: set[int] = field(default_factory=set[int])
     """Indices of mentions that a clause is about: `the chapel is on your left`."""
+    bare_turn: bool = False
+    """Whether the turn was one word, at the beginning of its clause."""
     plain_last: bool = False
     """True when the turn was one bare word after a thing named in its sentence."""
 
@@ -81,6 +83,13 @@ class PartialLeg:
             or self.entered
             or self.junction
         )
+
+    @property
+    def has_only_a_door(self) -> bool:
+        """Whether nothing but the door of a numbered room was named on it."""
+        other = self.lengths or self.passings or self.at_end or self.straight
+        named = [each.phrase.startswith("door that says") for each in self.mentions]
+        return named == [True] and not other
 
     @property
     def has_ended(self) -> bool:

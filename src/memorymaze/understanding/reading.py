@@ -90,6 +90,10 @@ def _starts_anew(clause: Sequence[Chunk], chunk: Chunk) -> bool:
         return False
     if chunk.text in {"do", "take", "turn"} and kinds[-1] in "OJ":
         return False
+    if chunk.text in {"takes", "brings", "leads", "goes"} and kinds[-1] in "LS":
+        return False
+    if chunk.text in {"comes", "runs", "leads"} and kinds[-1] in "NJ":
+        return False
     if chunk.kind == "G" and kinds[-1] in "LS2" and not re.search("[TGK]", kinds):
         return False
     ended = re.search("[LSMENJHY2]$", kinds)
@@ -116,6 +120,8 @@ def read_clauses(
             ]
         else:
             said = ClauseReader(body, told).read()
+        if number and clauses[number - 1][-1].text in {"because", "since"}:
+            said = [event for event in said if event.kind != "turn"]
         said.append(_mark(joint))
         events.extend(said)
         told.extend(said)

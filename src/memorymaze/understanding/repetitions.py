@@ -45,7 +45,8 @@ def without_overviews(sentences: list[tuple[str, list[Event]]]) -> list[Event]:
                 and len(others) < len(said)
                 and _within(others, turns[at])
             ):
-                return [*kept, *events, *sentences[-1][1]]
+                ending = [e for e in sentences[-1][1] if e.kind != "turn"]
+                return [*kept, *events, *ending]
         if at <= 2 and len(turns[at]) >= 2 and _OVERVIEW.search(words):
             if _within(turns[at], others):
                 continue
@@ -190,6 +191,10 @@ class Restating:
             return False
         if self._announced:
             return True
+        if self._sentence and not draft.lengths and not self._goes_on(at):
+            return True
+        if self._sums_up(at, draft):
+            return True
         if not draft.is_new:
             same = ordinal is not None and ordinal == last.ordinal and event.emphatic
             more = draft.mentions or draft.passings or draft.at_end or event.commanded
@@ -200,11 +205,44 @@ class Restating:
             return False
         if self._names_something_new(at, done):
             return False
-        if event.forced or event.apposed or self._sentence:
+        if event.forced or event.apposed:
             return True
         return self._follows_directly(
             at, same=ordinal is not None and ordinal == last.ordinal
         )
+
+    def _goes_on(self, at: int) -> bool:
+        """Tell whether `then` stands between a turn and the one before it."""
+        for number in range(at - 1, -1, -1):
+            if self._events[number].kind in {"then", "turn"}:
+                return self._events[number].kind == "then"
+        return False
+
+    def _sums_up(self, at: int, draft: PartialLeg) -> bool:
+        """`The sign says Labs, right, Exit ahead. Turn right.`: now as a command.
+
+        Likewise `right onto the bridge. So right, bridge.`
+        """
+        if draft.lengths or draft.passings or draft.at_end or draft.straight:
+            return False
+        sentences, summed = 0, self._events[at].commanded
+        for number in range(at - 1, -1, -1):
+            earlier = self._events[number]
+            if earlier.kind == "turn":
+                told = not earlier.commanded or not self._events[at].commanded
+                return sentences == 1 and summed and told
+            if earlier.kind == "recap" and not sentences:
+                summed = True
+            elif earlier.kind == "sentence":
+                if earlier.counted:
+                    return False
+                sentences += 1
+            elif earlier.kind in {"side", "thing"} and sentences:
+                if earlier.relation not in {"", "see", "into"}:
+                    return False
+            elif earlier.kind != "clause":
+                return False
+        return False
 
     def _follows_directly(self, at: int, *, same: bool) -> bool:
         event = self._events[at]
@@ -218,7 +256,8 @@ class Restating:
             if earlier.kind == "take":
                 return True  # "the second one you take, left"
             if earlier.kind == "turn":
-                return same or event.commanded or earlier.commanded
+                self._sentence = same or event.commanded or earlier.commanded
+                return self._sentence
         return False
 
     def _names_something_new(self, at: int, done: list[PartialLeg]) -> bool:
