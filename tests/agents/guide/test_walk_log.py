@@ -93,3 +93,9 @@ def test_steps_have_numbers_and_what_came_of_them(log: WalkLog) -> None:
     log.add_step("On\nto the clock.")
     log.add_outcome("Came to place 1")
     assert log.steps == "1. On to the clock. Came to place 1."
+
+
+def test_a_start_without_a_known_heading_is_told_as_such(floor: FloorMap) -> None:
+    log = WalkLog(floor, any_heading=True)
+    log.arrive(0, 0.0)
+    assert log.places.startswith("Place 0 (the start, facing any way): A ahead")

@@ -139,16 +139,16 @@ class GuideAgent(ReadsFirst):
         """Drive the robot as the instruction says, and stop."""
         options = self.options
         walker = Walker(robot, reads_signs=True)
+        anyhow = options.start_heading == "unknown"
         questions = self._questions(instruction, journal)
         if questions is not None and options.decide == "model":
-            ModelWalk(walker, questions, journal).run()
+            ModelWalk(walker, questions, journal, any_heading=anyhow).run()
             return robot.stop()
         plan = self.reader.read(instruction, journal)
         journal.note("plan", steps=describe(plan))
         advise = None
         if questions is not None:
             advise = ModelChoice(plan, walker, questions, journal, options.near)
-        anyhow = options.start_heading == "unknown"
         Search(plan, walker, journal, any_heading=anyhow, advise=advise).run()
         robot.stop()
 

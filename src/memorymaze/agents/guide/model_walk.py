@@ -25,13 +25,21 @@ class ModelWalk:
     """
 
     def __init__(
-        self, walker: Walker, questions: ModelQuestions, journal: Journal
+        self,
+        walker: Walker,
+        questions: ModelQuestions,
+        journal: Journal,
+        *,
+        any_heading: bool = False,
     ) -> None:
-        """Begin where the walker stands; it should read signs."""
+        """Begin where the walker stands; it should read signs.
+
+        The robot faces the way the text begins with, or any way.
+        """
         self._walker = walker
         self._questions = questions
         self._journal = journal
-        self._log = WalkLog(walker.map)
+        self._log = WalkLog(walker.map, any_heading=any_heading)
         self._look_for: tuple[str, ...] = ()
         self._doubt = 0.0
 

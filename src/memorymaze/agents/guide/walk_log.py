@@ -54,9 +54,13 @@ class _Told:
 class WalkLog:
     """What a model is told of a walk: the places on the map, and the steps so far."""
 
-    def __init__(self, floor: FloorMap) -> None:
-        """Tell of a map, which the walk goes on drawing."""
+    def __init__(self, floor: FloorMap, *, any_heading: bool = False) -> None:
+        """Tell of a map, which the walk goes on drawing.
+
+        Of the start it is told where the robot may face any way there.
+        """
         self._floor = floor
+        self._start = "the start" + ", facing any way" * any_heading
         self._headings: dict[int, float] = {}
         self._steps: list[str] = []
 
@@ -120,7 +124,7 @@ class WalkLog:
 
     def _kind(self, crossing: Crossing) -> str:
         if crossing.number == next(iter(self._headings)):
-            return "the start"
+            return self._start
         if crossing.number > 0:
             return "turning point"
         return "halt on the way" if len(crossing.exits) > 1 else "end of the way"
