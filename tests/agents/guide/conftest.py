@@ -1,127 +1,216 @@
-"""A model that walks by a plan and reads nothing but the log that it is shown."""
+"""A model that decides by the belief, and knows nothing but a plan and the log."""
 
 import json
+import math
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
 
+from memorymaze.agents import Journal
+from memorymaze.agents.guide.arriving import Ending
+from memorymaze.agents.guide.search import Search, Step
+from memorymaze.agents.guide.walk_log import DOOR, way_name
+from memorymaze.agents.walking.floor_map import Crossing, FloorMap, Sighting, Stretch
+from memorymaze.geometry.pose import wrap_angle
 from memorymaze.language.model import CompletionRequest
 from memorymaze.language.scripted_model import ScriptedLanguageModel
-from memorymaze.routes import Leg, RoutePlan
+from memorymaze.routes import RoutePlan
 
 _HERE = re.compile(r"The robot is at place (-?\d+) after (\d+) m\.")
+_PLACE = re.compile(r"^Place (-?\d+) \([^)]*\): (.*)\.$", re.MULTILINE)
 _WAY = re.compile(
-    r"(?:: |; )([A-Z]) ((?:slight |sharp )?(?:left|right)|ahead|back)(?: [+-]\d+°)?, "
-    r"(?:not tried|leads to place)"
+    r"([A-Z]) ((?:slight |sharp )?(?:left|right)|ahead|back)(?: ([+-]\d+)°)?, "
+    r"(?:not tried|(no way through)|leads to place (-?\d+), (\d+) m)(?:: (.*))?$"
 )
-_NOTE = re.compile(r"leg (\d+) since (\d+) m")
-_DEGREES = {"slight": 40, "sharp": 140}
-ENOUGH, OVER = 0.7, 4.0
-"""Share of a told length, less some metres, from which on a turn may come."""
+_THINGS = re.compile(r"(?:^|, )(.+?) (\d+(?:, \d+)*) m(?=, |$)")
+_DEGREES = {"slight": 40, "": 90, "sharp": 140}
+_BESIDE = {"left": 1.5, "right": -1.5, "ahead": 0.0}
+WITHIN_REACH = 4.0
+"""Metres from which on it says to stop at a thing."""
 
 
 @dataclass(frozen=True)
-class Shown:
-    """What a log says of where the robot is."""
+class Way:
+    """A way out as the log tells it."""
 
-    place: int
-    walked: int
-    ways: Mapping[str, int]
-    """Degrees to the left, by letters."""
-    leg: int
-    since: int
-    """Metres walked when the leg began."""
-
-
-def read_log(request: CompletionRequest) -> Shown:
-    """Read the log as it is shown, and the own note in it."""
-    text = request.messages[1].content
-    place, walked = map(int, _HERE.findall(text)[-1])
-    [line] = re.findall(rf"^Place {place} \(.*$", text, re.MULTILINE)
-    ways = {letter: _degrees(words) for letter, words in _WAY.findall(line)}
-    leg, since = map(int, [("0", "0"), *_NOTE.findall(text)][-1])
-    return Shown(place, walked, ways, leg, since)
+    exit: int
+    angle: float
+    is_closed: bool
+    end: int | None
+    metres: float
+    seen: str
 
 
-def _degrees(words: str) -> int:
+def _angle(words: str, degrees: str | None) -> float:
+    if degrees:
+        return math.radians(float(degrees))
     *how, side = words.split()
     if side in {"ahead", "back"}:
-        return 0 if side == "ahead" else 180
-    return (1 if side == "left" else -1) * _DEGREES.get("".join(how), 90)
+        return 0.0 if side == "ahead" else math.pi
+    sign = 1 if side == "left" else -1
+    return math.radians(sign * _DEGREES["".join(how)])
 
 
-class FollowsPlan:
-    """Turns at the first way to the side told, about as far on as told; then stops."""
+def _ways(line: str) -> Iterator[Way]:
+    for part in line.split("; "):
+        told = _WAY.match(part)
+        assert told, part
+        letter, words, degrees, closed, end, metres, seen = told.groups()
+        yield Way(
+            ord(letter) - ord("A"),
+            _angle(words, degrees),
+            closed is not None,
+            int(end) if end else None,
+            float(metres or 0),
+            seen or "",
+        )
+
+
+class ReadLog:
+    """The sketch map that a log tells of."""
+
+    def __init__(self, request: CompletionRequest) -> None:
+        text = request.messages[1].content
+        self.at, self.walked = map(int, _HERE.findall(text)[-1])
+        places = text.partition("Places, each")[2].partition("Your answers")[0]
+        # What was read may have any marks in it; what fits is told with some.
+        places = re.sub(r'"[^"\n]*"', '"text"', places)
+        places = re.sub(r"\[.*?\]", lambda fit: fit[0].replace("; ", "/"), places)
+        self.ways = {
+            int(number): sorted(_ways(line), key=lambda way: way.exit)
+            for number, line in _PLACE.findall(places)
+        }
+        self.start = next(iter(self.ways))
+        self.floor = FloorMap()
+        self._place_all()
+
+    def _place_all(self) -> None:
+        headings, todo = {self.start: 0.0}, [(self.start, (0.0, 0.0))]
+        while todo:
+            number, (x, y) = todo.pop(0)
+            exits = [wrap_angle(headings[number] + w.angle) for w in self.ways[number]]
+            closed = {way.exit for way in self.ways[number] if way.is_closed}
+            self.floor.crossings[number] = Crossing(number, (x, y), exits, closed)
+            for way in self.ways[number]:
+                if way.end is None or way.end in headings:
+                    continue
+                heading = exits[way.exit]
+                back = next(w for w in self.ways[way.end] if w.end == number)
+                headings[way.end] = wrap_angle(heading + math.pi - back.angle)
+                along = way.metres * math.cos(heading), way.metres * math.sin(heading)
+                todo.append((way.end, (x + along[0], y + along[1])))
+
+    def draw(self, asked: dict[tuple[int, int], tuple[str, ...]]) -> FloorMap:
+        """Return the map, where along some ways things were asked for."""
+        tracks = iter(range(1_000_000))
+        for number, crossing in self.floor.crossings.items():
+            for way in self.ways.get(number, ()):
+                key = number, way.exit
+                if way.end is not None:
+                    self.floor.stretches[key] = Stretch(
+                        *key,
+                        way.end,
+                        crossing.exits[way.exit],
+                        way.metres,
+                        frozenset(asked.get(key, ())),
+                    )
+                for sighting in _sightings(crossing, way, tracks):
+                    self.floor.note(sighting)
+        return self.floor
+
+
+def _sightings(
+    crossing: Crossing, way: Way, tracks: Iterator[int]
+) -> Iterator[Sighting]:
+    x, y = crossing.place
+    cos, sin = math.cos(crossing.exits[way.exit]), math.sin(crossing.exits[way.exit])
+    for part in filter(None, way.seen.split(" | ")):
+        side, _, things = part.partition(" ")
+        off = _BESIDE[side]
+        for words, metres in _THINGS.findall(things):
+            label, _, fits = words.rstrip("]").partition(" [")
+            if label.startswith('"'):
+                continue
+            for along in map(int, metres.split(", ")):
+                there = (x + along * cos - off * sin, y + along * sin + off * cos)
+                before = max(along - 1, 0)
+                seen_from = (x + before * cos, y + before * sin)
+                track = next(tracks)
+                for fit in [*filter(None, fits.split("/")), label]:
+                    phrase, _, score = fit.partition("? ")
+                    yield Sighting(
+                        phrase,
+                        label,
+                        float(score or 1),
+                        there,
+                        seen_from,
+                        1.5,
+                        track,
+                        (crossing.number, way.exit),
+                        side,
+                    )
+
+
+class Believes:
+    """Answers with what the belief would do that has seen what the log tells."""
 
     def __init__(self, plan: RoutePlan) -> None:
         self._plan = plan
-        names = [each.removeprefix("the ") for each in plan.arrival.destinations]
-        self._name = names[0] if names else None
+        self._asked: dict[tuple[int, int], tuple[str, ...]] = {}
+        self._ending: Ending | None = None
+        self._named = False
 
     def __call__(self, request: CompletionRequest) -> str:
-        shown = read_log(request)
-        on = {way: angle for way, angle in shown.ways.items() if abs(angle) < 180}
-        legs = self._plan.legs
-        if shown.leg >= len(legs):
-            return self._arrive(shown, on)
-        turn = self._turn_of(legs[shown.leg], shown, on)
-        if turn is not None:
-            more = {} if shown.leg + 1 < len(legs) else self._last_stretch(0)
-            return self._say(shown.leg + 1, shown.walked, way=turn, **more)
-        if not on:
-            return self._say(shown.leg, shown.since, action="give_up", confidence=0.1)
-        ahead = min(on, key=lambda way: abs(on[way]))
-        return self._say(shown.leg, shown.since, way=ahead)
+        if self._ending is not None:
+            return self._stop(self._ending)
+        log = ReadLog(request)
+        walker = SimpleNamespace(
+            map=log.draw(self._asked),
+            at=log.start,
+            travelled=float(log.walked),
+            heading=0.0,
+            say=lambda words: None,
+            survey=lambda phrases: None,
+        )
+        search = Search(self._plan, walker, Journal())  # type: ignore[arg-type]
+        search._begin()
+        walker.at = log.at
+        search._update()
+        step = search._choose()
+        return self._do(step, search, log.at)
 
-    def _turn_of(self, leg: Leg, shown: Shown, on: Mapping[str, int]) -> str | None:
-        walked = shown.walked - shown.since
-        if leg.length is not None and walked < ENOUGH * leg.length.metres - OVER:
-            return None
-        if leg.turn.forced and len(on) > 1:
-            return None
-        wanted = 45 if leg.turn.way.startswith("slight") else 90
-        wanted *= -1 if leg.turn.way.endswith("right") else 1
-        near = [way for way, angle in on.items() if abs(angle - wanted) <= 60 and angle]
-        return min(near, key=lambda way: abs(on[way] - wanted), default=None)
+    def _do(self, step: Step | None, search: Search, at: int) -> str:
+        if step is None:
+            return _say("give_up")
+        if not isinstance(step, Ending):
+            phrases = [each for each in search._phrases(step) if len(each) <= 80]
+            self._asked[step.at, step.exit] = (DOOR, *phrases[:12])
+            way = way_name(step.exit)
+            return _say("walk", place=step.at, way=way, look_for=phrases[:12])
+        self._ending = step
+        rest = step.distance - (WITHIN_REACH if step.sighting else 0.0)
+        if step.exit is not None and rest > 0:
+            way = way_name(step.exit)
+            return _say("walk", place=step.at, way=way, metres=rest)
+        return self._stop(step) if step.at == at else _say("go_back", place=step.at)
 
-    def _last_stretch(self, walked: float) -> dict[str, Any]:
-        length = self._plan.arrival.length
-        more: dict[str, Any] = {"until": self._name} if self._name else {}
-        if length is not None:
-            more["metres"] = max(length.metres + 1 - walked, 1)
-        return more
+    def _stop(self, ending: Ending) -> str:
+        if ending.sighting is None or self._named:
+            return _say("stop")
+        self._named = True
+        return _say("stop", at=ending.sighting.phrase)
 
-    def _arrive(self, shown: Shown, on: Mapping[str, int]) -> str:
-        length = self._plan.arrival.length
-        walked = shown.walked - shown.since
-        there = walked >= length.metres - 2 if length else shown.place < 0
-        if there or not on:
-            return self._say(shown.leg, shown.since, action="stop")
-        ahead = min(on, key=lambda way: abs(on[way]))
-        more = self._last_stretch(walked)
-        if shown.place < 0:
-            # It was a sign that points on, by the length told.
-            more.pop("until", None)
-        return self._say(shown.leg, shown.since, way=ahead, **more)
 
-    def _say(self, leg: int, since: int, **fields: Any) -> str:
-        said = {
-            "note": f"leg {leg} since {since} m",
-            "turns_done": leg,
-            "doubt": 0.1,
-            "confidence": 0.9,
-            "action": "walk",
-            **fields,
-        }
-        if leg >= len(self._plan.legs) - 1 and self._name:
-            said["look_for"] = [self._name]
-        return json.dumps(said)
+def _say(action: str, **fields: Any) -> str:
+    said = {"note": "By the belief.", "turns_done": 0, "doubt": 0.1, "confidence": 0.5}
+    return json.dumps({**said, "action": action, **fields})
 
 
 @pytest.fixture
-def follows_plan() -> Callable[[RoutePlan], ScriptedLanguageModel]:
-    """Make a model that walks by a plan."""
-    return lambda plan: ScriptedLanguageModel(FollowsPlan(plan), name="stand-in")
+def believes() -> Callable[[RoutePlan], ScriptedLanguageModel]:
+    """Make a model that decides by the belief in a plan."""
+    return lambda plan: ScriptedLanguageModel(Believes(plan), name="stand-in")

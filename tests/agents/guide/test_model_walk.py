@@ -13,20 +13,24 @@ from memorymaze.agents import Journal
 from memorymaze.agents.guide import GuideAgent, GuideOptions
 from memorymaze.agents.guide.model_questions import ModelQuestions
 from memorymaze.agents.guide.model_walk import ModelWalk
+from memorymaze.agents.plan_readers import read_plan_reply
 from memorymaze.agents.walking.walker import Walker
 from memorymaze.errors import LanguageModelError, SettingsError
 from memorymaze.evaluation.navigation import navigate
+from memorymaze.evaluation.sampling import sample
 from memorymaze.evaluation.settings import AgentSettings
 from memorymaze.geometry.pose import Pose
+from memorymaze.instructions import load_corpus
 from memorymaze.language.answers import AboutInstruction, RecordingModel
 from memorymaze.language.model_settings import ModelSettings
 from memorymaze.language.scripted_model import ScriptedLanguageModel
 from memorymaze.routes import RoutePlan
 from memorymaze.simulation import Scene, SimulatedRobot, SimulationSettings
-from memorymaze.sites import BUILTIN_SITE_NAMES, Site
+from memorymaze.sites import BUILTIN_SITE_NAMES, Route, Site
 from memorymaze.writing.route_facts import RouteFacts
 from memorymaze.writing.turning_point_graph import TurningPointGraph
 
+RECORDED = Path(__file__).parents[3] / "examples/recorded/plans.jsonl"
 STARTS = {
     "corridor": (2.0, 0.0, 0.0),
     "l_shape": (1.0, 0.0, 0.0),
@@ -225,23 +229,40 @@ def test_a_model_is_given_where_one_decides_and_only_there() -> None:
         GuideOptions(most_requests=0)
 
 
-FollowsPlan = Callable[[RoutePlan], ScriptedLanguageModel]
+StandIn = Callable[[RoutePlan], ScriptedLanguageModel]
 
 
-def arrives(graph: TurningPointGraph, route: str, follows_plan: FollowsPlan) -> bool:
-    """Tell whether the stand-in arrives that knows what a right text says, and the log."""
-    told = graph.site.route(route)
-    model = follows_plan(RouteFacts(graph, told).plan.said)
-    agent = GuideAgent(GuideOptions(decide="model"), model=model)
-    run = navigate(graph.site, told, "As the plan says.", agent)
+def arrives(site: Site, route: Route, plan: RoutePlan, stand_in: StandIn) -> bool:
+    """Tell whether the stand-in arrives, which knows the plan and the log."""
+    agent = GuideAgent(GuideOptions(decide="model"), model=stand_in(plan))
+    run = navigate(site, route, "As the plan says.", agent)
     return run.result.success and run.result.claims_arrival
 
 
 @pytest.mark.parametrize("name", BUILTIN_SITE_NAMES)
 def test_the_log_suffices_to_follow_each_route_of_the_benchmark(
-    builtin_sites: dict[str, Site], follows_plan: FollowsPlan, name: str
+    builtin_sites: dict[str, Site], believes: StandIn, name: str
 ) -> None:
     graph = TurningPointGraph(builtin_sites[name])
-    routes = [each.id for each in graph.site.routes if each.role == "reference"]
+    routes = [each for each in graph.site.routes if each.role == "reference"]
+    plans = [RouteFacts(graph, route).plan.said for route in routes]
     assert len(routes) == 2
-    assert [arrives(graph, route, follows_plan) for route in routes] == [True, True]
+    for route, plan in zip(routes, plans, strict=True):
+        assert arrives(graph.site, route, plan, believes), route.id
+
+
+@pytest.mark.proof
+def test_the_log_tells_the_belief_most_of_what_the_map_does(believes: StandIn) -> None:
+    corpus = load_corpus()
+    plans = {
+        record["instruction_id"]: read_plan_reply(record["reply"])
+        for record in map(json.loads, RECORDED.read_text("utf-8").splitlines())
+    }
+    right = [each for each in corpus.episodes if not each.instruction.failures]
+    arrived = 0
+    for told in (each.instruction for each in sample(right, 48)):
+        site = corpus.sites[told.site]
+        route = site.route(told.reference_route)
+        arrived += arrives(site, route, plans[told.id], believes)
+    # 46 where it sees the map itself.
+    assert arrived >= 38

@@ -3,7 +3,7 @@
 import math
 
 from memorymaze.agents.agent import ARRIVAL, GAVE_UP, Journal
-from memorymaze.agents.guide.arriving import IN_FRONT, walk_up_to
+from memorymaze.agents.guide.arriving import IN_FRONT, is_sign, walk_up_to
 from memorymaze.agents.guide.model_questions import ModelQuestions
 from memorymaze.agents.guide.model_replies import Answer, read_answer
 from memorymaze.agents.guide.walk_log import DOOR, WalkLog, way_name
@@ -13,8 +13,6 @@ from memorymaze.geometry.pose import wrap_angle
 
 WITHIN_REACH = 8.0
 """Metres within which a thing can be walked up to."""
-ARRIVED = 3.0
-"""Metres within which the robot is at a thing."""
 
 
 class ModelWalk:
@@ -250,22 +248,28 @@ class ModelWalk:
         self._look_for = tuple(dict.fromkeys((*self._look_for, answer.at)))
         self._look_round()
         near = [
-            (away, each)
+            each
             for each in (*walker.map.sightings, *walker.map.texts)
             if wanted in {each.phrase.casefold(), each.label.casefold()}
-            and (away := math.dist(each.place, walker.place)) <= WITHIN_REACH
+            and math.dist(each.place, walker.place) <= WITHIN_REACH
         ]
-        if near:
-            _, thing = min(near, key=lambda each: each[0])
-            number, exit = thing.stretch
-            if number != walker.at or not walker.face(exit):
-                self._face(thing)
-            walk_up_to(walker, thing)
-            if math.dist(thing.place, walker.place) <= ARRIVED:
-                return True
-        came = "could not be walked up to" if near else "is to be seen from here"
-        self._log.add_outcome(f"Not stopped: no {answer.at} {came}")
-        return False
+        if not near:
+            self._log.add_outcome(
+                f"Not stopped: no {answer.at} is to be seen from here"
+            )
+            return False
+        thing = min(near, key=lambda each: self._rank(each, wanted))
+        number, exit = thing.stretch
+        if number != walker.at or not walker.face(exit):
+            self._face(thing)
+        walk_up_to(walker, thing, (answer.at,))
+        return True
+
+    def _rank(self, thing: Sighting, wanted: str) -> tuple[bool, float, float]:
+        """Rank what may be meant: the thing itself, not a sign; what fits; what is near."""
+        written = thing in self._walker.map.texts or is_sign(thing.label)
+        away = math.dist(thing.place, self._walker.place)
+        return written and not is_sign(wanted), -thing.score, away
 
     def _face(self, thing: Sighting) -> None:
         x, y = self._walker.place
