@@ -74,3 +74,12 @@ def test_a_side_is_meant_as_one_walks_whichever_way_the_thing_was_seen_from() ->
     right = _share_in_the_east(floor, Arrival(("sofa",), side="right"))
     assert left > 0.6
     assert right == pytest.approx(1 - left)
+
+
+def test_a_corner_to_arrive_at_is_one_where_the_way_does_not_go_on() -> None:
+    floor = _floor(frozenset())
+    floor.crossings[-1].exits.extend([0.0, math.pi / 2])
+    floor.crossings[-2].exits.append(math.pi / 2)
+    corner = Arrival(mentions=(Mention("corner", "place", "turn"),), at_end=False)
+    plain = _share_in_the_east(floor, Arrival())
+    assert _share_in_the_east(floor, corner) < plain

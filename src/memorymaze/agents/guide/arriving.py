@@ -11,6 +11,7 @@ from memorymaze.agents.guide.belief import Belief, Segment, Visit
 from memorymaze.agents.guide.likelihoods import (
     Likelihoods,
     Weights,
+    junction_ratio,
     length_ratio,
     passings_ratio,
     seen_ratio,
@@ -27,7 +28,7 @@ from memorymaze.agents.walking.floor_map import (
 from memorymaze.agents.walking.outlooks import junction_at_the_end
 from memorymaze.agents.walking.walker import Walker
 from memorymaze.geometry.pose import wrap_angle
-from memorymaze.routes import RoutePlan
+from memorymaze.routes import RoutePlan, Turn
 from memorymaze.understanding import is_common, is_floor, place_on_sign
 
 BESIDE = 4.0
@@ -162,8 +163,9 @@ class Arrivals:
             ratio *= 2 * (1 - model.kind_right if goes_on else model.kind_right)
         elif goes_on and arrival.length is None and segment.walked:
             ratio *= model.arrival_open
-        if junction_at_the_end(arrival) is not None and len(choices.ways) < 2:
-            ratio *= 1 - model.kind_right
+        junction = junction_at_the_end(arrival)
+        if junction is not None:
+            ratio *= junction_ratio(model, Turn("either", junction=junction), choices)
         yield Ending(
             segment.at,
             None,
