@@ -328,10 +328,12 @@ def follow(
     starts: list[Start],
     model: Likelihoods,
     pointing_signs: set[int],
+    *,
+    least_weight: float = LEAST_WEIGHT,
 ) -> Followed:
     """Weigh all that a plan may mean on a map."""
     things = Things(plan, floor, model)
-    belief = Belief(plan, floor, model, things, LEAST_WEIGHT)
+    belief = Belief(plan, floor, model, things, least_weight)
     belief.update(starts)
     arrivals = Arrivals(plan, floor, model, things)
     arrivals.refuted |= pointing_signs
