@@ -58,6 +58,11 @@ class Answer:
     at: Phrase | None = None
     """Thing to walk up to before stopping."""
 
+    @property
+    def exit(self) -> int | None:
+        """The way out as the map counts them."""
+        return None if self.way is None else ord(self.way) - ord("A")
+
 
 @dataclass(frozen=True, slots=True)
 class Choice:

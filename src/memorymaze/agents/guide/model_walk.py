@@ -91,18 +91,14 @@ class ModelWalk:
         if place not in known:
             told = ", ".join(map(str, known))
             raise ValueError(f"place: expected one of {told}; got {place}")
-        if answer.way is not None:
-            crossing = self._walker.map.crossings[place]
-            ways = [
-                way_name(exit)
-                for exit in range(len(crossing.exits))
-                if exit not in crossing.closed
-            ]
-            if answer.way not in ways:
-                raise ValueError(
-                    f"way: expected one of {', '.join(ways) or 'none'}, which lead out of "
-                    f"place {place}; got {answer.way}"
-                )
+        crossing = self._walker.map.crossings[place]
+        ways = set(range(len(crossing.exits))) - crossing.closed
+        if answer.exit is not None and answer.exit not in ways:
+            names = ", ".join(map(way_name, sorted(ways))) or "none"
+            raise ValueError(
+                f"way: expected one of {names}, which lead out of place {place}; got "
+                f"{answer.way}"
+            )
         return answer
 
     def _place_of(self, answer: Answer) -> int:
@@ -121,10 +117,10 @@ class ModelWalk:
         )
 
     def _told(self, answer: Answer) -> str:
-        if answer.action == "walk" and answer.way is not None:
+        if answer.exit is not None:
             place = self._place_of(answer)
             back = f"back to place {place}, then " * (place != self._walker.at)
-            way = self._log.way_words(place, ord(answer.way) - ord("A"))
+            way = self._log.way_words(place, answer.exit)
             until = f" until {answer.until}" if answer.until else ""
             metres = f" for {answer.metres:g} m" if answer.metres else ""
             return f"{back}way {way}{until}{metres}"
@@ -138,7 +134,7 @@ class ModelWalk:
         """Go back to a place if need be, and then along a way if one is named."""
         walker = self._walker
         place = self._place_of(answer)
-        exit = None if answer.way is None else ord(answer.way) - ord("A")
+        exit = answer.exit
         if place != walker.at or (place, exit) in walker.map.stretches:
             leg = answer.turns_done + 1
             self._journal.note("repair", leg=leg, at=place, reason=answer.note)
@@ -154,7 +150,7 @@ class ModelWalk:
             )
         begin = walker.travelled
         if place != walker.at and not walker.go_to(place):
-            self._log.arrive_again(walker.at, walker.heading)
+            self._log.arrive(walker.at, walker.heading, again=True)
             self._log.add_outcome(
                 f"The way back was not found; came to place {walker.at}"
             )
@@ -183,7 +179,12 @@ class ModelWalk:
 
         def halts(seen: list[Sighting]) -> bool:
             nonlocal target, halted
-            named = [each for each in seen if each.phrase == until]
+            # A hanging sign names what lies beyond it.
+            named = [
+                each
+                for each in seen
+                if each.phrase == until and "hanging" not in each.label
+            ]
             again = [each for each in named if target and each.track == target.track]
             target = next(iter(again if target else named), target)
             walked = walker.travelled - begin
@@ -199,10 +200,11 @@ class ModelWalk:
         elif stretch is None:
             self._log.add_outcome("There is no way through")
             return True
-        if is_known:
-            self._log.arrive_again(walker.at, walker.heading)
         else:
-            self._log.arrive(walker.at, walker.heading)
+            # It came by there, so there is no need to turn round for it.
+            back = walker.map.crossings[walker.at].add_exit(stretch.arrival + math.pi)
+            walker.map.note_view(walker.at, back, self._phrases(), ())
+        self._log.arrive(walker.at, walker.heading, again=is_known)
         return until is None or target is not None
 
     def _is_reached(self, thing: Sighting) -> bool:
@@ -221,15 +223,8 @@ class ModelWalk:
     def _look_round(self) -> None:
         """Look along all ways; where there are none to the sides, at what is there."""
         self._look_aside()
-        walker = self._walker
-        if walker.at >= 0:
-            back = walker.map.crossings[walker.at].find_exit(
-                wrap_angle(walker.heading + math.pi)
-            )
-            if back is not None:
-                # It came by there, so there is no need to turn round for it.
-                walker.map.note_view(walker.at, back, self._phrases(), ())
-            walker.survey(self._phrases())
+        if self._walker.at >= 0:
+            self._walker.survey(self._phrases())
 
     def _look_aside(self) -> None:
         crossing = self._walker.map.crossings[self._walker.at]

@@ -64,13 +64,13 @@ class WalkLog:
         self._headings: dict[int, float] = {}
         self._steps: list[str] = []
 
-    def arrive(self, number: int, heading: float) -> None:
-        """Note by which heading a place was come to: its ways are told from it."""
-        self._headings[number] = heading
+    def arrive(self, number: int, heading: float, *, again: bool = False) -> None:
+        """Note by which heading a place was come to: its ways are told from it.
 
-    def arrive_again(self, number: int, heading: float) -> None:
-        """Come to a place by a known way, which turns round nothing that was told."""
-        self._headings.setdefault(number, heading)
+        Coming again by a known way turns round nothing that was told.
+        """
+        if not again or number not in self._headings:
+            self._headings[number] = heading
 
     @property
     def numbers(self) -> tuple[int, ...]:
@@ -156,7 +156,10 @@ def seen_along(floor: FloorMap, number: int, exit: int) -> str:
         metres: dict[str, list[str]] = {}
         for each in told:
             if each.side == side:
-                metres.setdefault(each.words, []).append(str(each.metres))
+                at = metres.setdefault(each.words, [])
+                # One sign may be read as two, on a door and beside it.
+                if not (each.words.startswith('"') and str(each.metres) in at):
+                    at.append(str(each.metres))
         things = (f"{words} {', '.join(at)} m" for words, at in metres.items())
         if metres:
             sides.append(f"{side} " + ", ".join(things))
