@@ -145,6 +145,7 @@ class Belief:
         self.frontiers.clear()
         self.visits.clear()
         self._heaviest = 0.0
+        self._known_choices: dict[tuple[int, float], Choices] = {}
         legs = len(self.plan.legs)
         self._levels: list[dict[tuple[int, int], list[Segment]]] = [
             {} for _ in range(legs + 1)
@@ -171,10 +172,9 @@ class Belief:
 
     def _leave(self, segment: Segment, exit: int) -> None:
         """Follow a way out as far as the map goes."""
-        weight = segment.weights.sum()
-        self._heaviest = max(self._heaviest, weight)
-        if weight < self.least_weight * self._heaviest:
+        if self._is_light(segment.weights):
             return
+        self._heaviest = max(self._heaviest, float(segment.weights.sum()))
         stretch = self.floor.stretches.get((segment.at, exit))
         if stretch is None:
             if exit not in self.floor.crossings[segment.at].closed:
@@ -204,8 +204,7 @@ class Belief:
 
     def _come_to(self, segment: Segment) -> None:
         """Branch at a crossing into what the speaker may have meant there."""
-        crossing = self.floor.crossings[segment.at]
-        choices = choices_at(crossing.exits, crossing.closed, segment.heading)
+        choices = self._choices(segment.at, segment.heading)
         if segment.leg == len(self.plan.legs):
             self.visits.append(Visit(segment, None))
         self._turn(segment, choices)
@@ -245,6 +244,8 @@ class Belief:
                     self._leave(replace(passed, weights=weights), index)
                     continue
                 weights = then(base, 0.0, chance, model.again)
+                if self._is_light(weights):
+                    continue
                 slip = Slip("turn left out", segment.leg, segment.at)
                 erred = replace(
                     passed,
@@ -286,7 +287,7 @@ class Belief:
         for number in range(segment.leg, last):
             leg = self.plan.legs[number]
             here = self._at_place(segment, number, weights, lead, choices)
-            if here.sum() >= self.least_weight * self._heaviest:
+            if not self._is_light(here):
                 base = replace(segment, weights=here, story=story, slips=slips)
                 self._take(base, number, choices)
             easy = (
@@ -366,9 +367,7 @@ class Belief:
             self._add(done, index)
             following = self._leg(done)
             if anew and following is not None and following.on_the_spot:
-                crossing = self.floor.crossings[segment.at]
-                onward = choices_at(crossing.exits, crossing.closed, done.heading)
-                self._turn(done, onward)
+                self._turn(done, self._choices(segment.at, done.heading))
 
     def _at_place(
         self,
@@ -455,9 +454,21 @@ class Belief:
         return ratio
 
     def _add(self, segment: Segment, exit: int) -> None:
-        if segment.weights.sum() >= self.least_weight * self._heaviest:
+        if not self._is_light(segment.weights):
             level = self._levels[segment.leg]
             level.setdefault((segment.at, exit), []).append(segment)
+
+    def _is_light(self, weights: Weights) -> bool:
+        return float(weights.sum()) < self.least_weight * self._heaviest
+
+    def _choices(self, at: int, heading: float) -> Choices:
+        """Return the ways out of a crossing; there are few headings to come in by."""
+        known = self._known_choices.get((at, heading))
+        if known is None:
+            crossing = self.floor.crossings[at]
+            known = choices_at(crossing.exits, crossing.closed, heading)
+            self._known_choices[at, heading] = known
+        return known
 
     def _all_ways(self, segment: Segment) -> Iterator[tuple[int, float]]:
         crossing = self.floor.crossings[segment.at]

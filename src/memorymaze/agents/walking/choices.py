@@ -3,20 +3,21 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 from memorymaze.geometry.pose import wrap_angle
 
 FORWARD, SLIGHT, BACK = math.radians(15), math.radians(60), math.radians(160)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Choices:
     """The ways out of a crossing, seen by someone who comes in by a heading."""
 
     ways: tuple[tuple[int, float], ...]
     """Index of the exit and its angle, radians, left positive; without the way back."""
 
-    @property
+    @cached_property
     def forward(self) -> tuple[int, float] | None:
         """The way that goes on, if one does."""
         best = min(self.ways, key=lambda way: abs(way[1]), default=None)
