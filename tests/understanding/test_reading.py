@@ -97,9 +97,6 @@ TURNS = {
     "1) Go straight.\n2) Turn left.\n3) Turn right.": Told("left right"),
     # one way said twice
     "Do a quick left-right: left at the clock, then right.": Told("left right"),
-    "Left, right, left. So left at the desk, right at the sofa, left at the clock.": (
-        Told("left right left", things=("desk", "sofa", "clock"))
-    ),
     "At the rocket engine go left. At the engine, left.": Told("left"),
     "It is that right, that right only.": Told("right"),
     # ways of speaking
@@ -123,14 +120,18 @@ TURNS = {
         "left right"
     ),
     "Not the first left, the second left.": Told("left", (2,)),
-    "Left... no right. Then straight, then on the left.": Told("right left"),
+    "Left... no right. Then to the left.": Told("right left"),
     "left right left right": Told("left right left right"),
     # said again
     "At the desk right, right, and on.": Told("right"),
     "Left, because right takes you to the labs.": Told("left"),
     "Right at the shop. Right, okay, by the shop, right.": Told("right"),
-    "Labs, right, Lobby ahead. Turn right. Go on ten metres.": Told("right"),
     "Turn left, left, then left.": Told("left left"),
+    "Rather than going right, go left instead of right.": Told("left"),
+    "If you go right you meet the stairs, so go left.": Told("left"),
+    "Turn left right after the desk, then turn right right away.": Told("left right"),
+    "Make a U-turn and turn left. Turn around 180 degrees.": Told("around left around"),
+    "To your left is a long hallway. Walk down this hallway.": Told("left"),
     # counts that go on, and of both sides
     "At the first junction go left. At the second junction go right.": Told(
         "left right", (1, None)

@@ -128,15 +128,14 @@ def canonical_plans(draw: Callable[..., object]) -> RoutePlan:
         before = [each.phrase for each in mentions if each.place == "before_turn"]
         if way != "around" and chance(15):
             mentions.append(thing("target", None))
+        junction = one_of("t", "crossing", "corner") if chance(15) else None
         turn = Turn(
             way,  # type: ignore[arg-type]
             ordinal=ordinal,  # type: ignore[arg-type]
             or_ordinal=ordinal + 1 if open_ else None,  # type: ignore[operator]
             counted_after=before[-1] if before and counted else None,
-            at_end=not spot and chance(15),
-            junction=one_of("t", "crossing", "corner")
-            if not spot and chance(15)
-            else None,  # type: ignore[arg-type]
+            at_end=not spot and (junction == "t" or chance(15)),
+            junction=None if spot else junction,  # type: ignore[arg-type]
             immediate=bool(number) and plain and not forced and chance(10),
             forced=forced,
             doubt=one_of(0.0, 0.0, 0.0, 0.4, 0.7),  # type: ignore[arg-type]

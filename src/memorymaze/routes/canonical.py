@@ -36,6 +36,7 @@ def why_not_canonical(plan: RoutePlan) -> str | None:
     - Only plain left and right turns are counted or left open; a turn that is counted
       from a thing has that thing as its last one `before_turn`. Only these turns are
       `immediate`, and only they and turns without a side are `forced`.
+    - A T is at the end of the way.
     - On the spot is the first turn alone, and nothing is said of it but its way, its
       doubt, and what it leads to.
     - Lengths in steps, seconds and places are whole numbers of them; vague ones are a
@@ -86,6 +87,8 @@ def _of_turn(leg: Leg, number: int) -> Iterator[str]:
         yield "a turn is counted or immediate that is not plainly left or right"
     if turn.forced and not (plain or turn.way == "either"):
         yield "a slight turn, or one back, is forced"
+    if turn.junction == "t" and not turn.at_end:
+        yield "at a T one can go straight on"
     if turn.immediate and not number:
         yield "the first turn is immediate"
     if counted and not -1 <= (turn.ordinal or 0) <= len(ORDINALS):

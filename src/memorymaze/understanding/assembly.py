@@ -43,6 +43,8 @@ class _Assembly:
         self._way: Event | None = None
         """An opening that was named but neither taken nor left yet."""
         self._way_age = 0
+        self._since_thing = 9
+        """Clauses since a thing was named on this leg, in this sentence."""
         self._counted: set[int] = set()
         """Numbers of junctions told on the legs before, for counts that go on."""
         self._left: dict[int, Side | None] = {}
@@ -107,9 +109,7 @@ class _Assembly:
             case "forced" if self._done and self._draft.is_new:
                 self._change_last_turn(forced=True)
             case "straight":
-                if self._way is not None and not self._way.likely:
-                    self._leave(self._way)
-                self._draft.straight = True
+                self._go_straight(event, at)
             case _:
                 pass
 
@@ -120,6 +120,7 @@ class _Assembly:
     def _close_clause(self, event: Event) -> None:
         self._side = None
         self._way_age += 1
+        self._since_thing += 1 if event.kind != "sentence" else 2
         if event.kind == "sentence":
             if self._way and (self._way.taken or self._counts_on(self._way)):
                 self._settle_way()
@@ -151,16 +152,18 @@ class _Assembly:
             ordinal=ordinal,
             or_ordinal=event.or_ordinal,
             counted_after=before[-1] if before and ordinal is not None else None,
-            at_end=draft.at_end,
+            at_end=draft.at_end or draft.junction == "t",
             junction=draft.junction,
             immediate=at_once,
             forced=event.forced,
             doubt=event.doubt,
         )
-        draft.bare_turn = event.emphatic and not event.commanded
+        if self._since_thing <= 1:
+            draft.turn_at_last_thing()
+        draft.bare_turn = event.emphatic and not (event.commanded or event.again)
         draft.plain_last = draft.bare_turn and self._follows_a_thing(at)
         self._done.append(draft)
-        self._draft = PartialLeg()
+        self._draft, self._since_thing = PartialLeg(), 9
         self._counted |= self._counting
         self._counting, self._left = set(), {}
         self._last = []
@@ -265,6 +268,15 @@ class _Assembly:
         self._way = None
         self._add_turn(replace(way, kind="turn", way=_flank(way)), at)
 
+    def _go_straight(self, event: Event, at: int) -> None:
+        way = self._way
+        if way and _flank(way) and event.phrase and way.phrase.endswith(event.phrase):
+            self._turn_into(way, at)  # "walk down this hallway"
+            return
+        if way is not None and not way.likely:
+            self._leave(way)
+        self._draft.straight = True
+
     def _leave(self, way: Event) -> None:
         self._way = None
         if way.ordinal is not None and way.side is not None:
@@ -328,6 +340,7 @@ class _Assembly:
             )
         )
         self._side = None
+        self._since_thing = 9 if back else 0
         self._last = draft.mentions
 
     def _count_from(self, phrase: str) -> None:
@@ -376,6 +389,8 @@ class _Assembly:
             self._change_last_turn(at_end=True)
         else:
             self._change_last_turn(junction=event.junction)
+            if event.junction == "t":
+                self._change_last_turn(at_end=True)
 
     def _ends_the_turn(self, event: Event, at: int) -> bool:
         """`Turn right, opposite the hall.`: a place said last is that of the turn."""

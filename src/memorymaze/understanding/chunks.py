@@ -67,7 +67,7 @@ _PROPER_WAY = re.compile(
 _PLAIN_SIGNS = {
     "\u2019": "'", "\u2018": "'", "`": "'", "\u201c": '"', "\u201d": '"',
     "\u2026": "...", "\u2014": ", ", " \u2013 ": ", ", "\u2013": "-",
-    " - ": ", ", "\u2192": " then ", "\u00bd": ".5", "\t": " ", "\r": "\n",
+    " - ": ", ", "->": " then ", "w/": "with ", "\u2192": " then ", "\u00bd": ".5", "\t": " ", "\r": "\n",
 }  # fmt: skip
 """Quotes, dashes and arrows, and what is read for them."""
 

@@ -175,6 +175,8 @@ class ClauseReader:
             self._add(Event("side", side="ahead"))
         elif kind == "H" and _AHEAD.match(chunk.text) and _is_of_the_goal(clause):
             self._add(Event("side", side="ahead", of_goal=True))
+        elif kind == "H" and re.fullmatch("A?HB?N[^N]*", clause.kinds):
+            self._add(Event("side", side="ahead", likely=True))
         elif kind == "H":
             self._add(Event("straight"))
         elif kind == "K" and clause.kinds == "K" and _names_an_opening(clause):

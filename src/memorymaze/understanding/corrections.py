@@ -38,8 +38,8 @@ def apply_corrections(chunks: list[Chunk]) -> list[Chunk]:
             or (chunks[end].kind == "X" and chunks[end].text == "no")
         ):
             end += 1
-        new = _first_value(chunks, end) or _value_before(chunks, at, end)
-        old = None if new is None else _last_value(chunks, min(at, new), chunks[new])
+        new = _first_value(chunks, end)
+        old = None if new is None else _last_value(chunks, at, chunks[new])
         if new is None or old is None:
             at = end
             continue
@@ -63,7 +63,9 @@ def _without_adverbs(chunks: list[Chunk]) -> list[Chunk]:
     kinds = "".join("f" if chunk.kind in "hir" else chunk.kind for chunk in chunks)
     adverbs = {
         match.start(1)
-        for match in re.finditer(r"[,.]f*(L)[QA]f*(?:Nf*)+,f*[TG]f*[LS]", kinds)
+        for match in re.finditer(
+            r"(?:^|[,.])f*(L)(?:[QA]f*(?:Nf*)+|E),f*[TG]f*[LS]", kinds
+        )
         if chunks[match.start(1)].text == "right"
         and not chunks[match.start(1) + 1].text.startswith("toward")
     }
@@ -76,7 +78,7 @@ def _without_echoes(chunks: list[Chunk]) -> list[Chunk]:
     for at, chunk in enumerate(chunks):
         if chunk.kind == "d" and any(c.kind == "d" for c in kept[-4:]):
             continue
-        if chunk.kind == "L" and _repeats(kept, chunk, chunks[at + 1 :]):
+        if chunk.kind == "L" and _repeats(kept, chunk, chunks[at + 1 : at + 9]):
             continue
         confirmed = chunks[at + 1 : at + 3]
         kinds = "".join(each.kind for each in confirmed)
@@ -94,14 +96,14 @@ def _repeats(before: list[Chunk], chunk: Chunk, after: list[Chunk]) -> bool:
     kinds = "".join(each.kind for each in said)
     if re.search("[TGAEJNOt]L,$", kinds) is None or said[-2].way != chunk.way:
         return False
-    return re.match("f*,f*[&>]?f*L", "".join(each.kind for each in after[:8])) is None
+    return re.match("f*,f*[&>]?f*L", "".join(each.kind for each in after)) is None
 
 
 def _is_echo(before: list[Chunk], chunk: Chunk, *, confirmed: bool) -> bool:
     gap = ""
-    for earlier in reversed(before):
+    for at in range(len(before) - 1, -1, -1):
+        earlier = before[at]
         if earlier.kind in "LS":
-            at = before.index(earlier)
             told = before[at - 1].number if at and before[at - 1].kind == "O" else None
             same = told is not None and told == before[-1].number
             ordinals = same and re.fullmatch("O[,f]+", gap) is not None
@@ -145,15 +147,6 @@ def _first_value(chunks: list[Chunk], start: int) -> int | None:
         if kind not in _NEUTRAL:
             others += 1
     return None
-
-
-def _value_before(chunks: list[Chunk], marker: int, end: int) -> int | None:
-    """`Left, er, right I mean`: the value just said where the marker comes last."""
-    last = end == len(chunks) or any(chunk.kind == "." for chunk in chunks[marker:end])
-    if not last or marker < 3 or chunks[marker - 1].kind not in _CLASSES:
-        return None
-    between = [chunk.kind for chunk in chunks[marker - 3 : marker - 1]]
-    return marker - 1 if "," in between else None
 
 
 def _last_value(chunks: list[Chunk], marker: int, new: Chunk) -> int | None:

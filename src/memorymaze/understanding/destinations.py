@@ -185,13 +185,13 @@ def _weights_in_text(chunks: list[Chunk], text: str) -> dict[str, float]:
             continue
         before = text[max(0, chunk.start - 40) : chunk.start]
         weight = min(weights.get(phrase, -0.4) + 0.4, 4.0)
-        after = text[chunk.start + len(chunk.text) :]
-        if _ASIDE.match(after):
+        end = chunk.start + len(chunk.text)
+        if _ASIDE.match(text, end):
             weight -= 1.5
         share = chunk.start / max(len(text), 1)
         if _DEFINED.search(before):
             weight += 4.0
-        elif chunk.start < 25 and _ASKED.match(after) and _ALONE.fullmatch(before):
+        elif chunk.start < 25 and _ASKED.match(text, end) and _ALONE.fullmatch(before):
             weight += 3.0
         elif _ANNOUNCED.search(before):
             weight += 3.0 if share < 0.25 or share > 0.8 else 1.0

@@ -101,8 +101,6 @@ def _is_turn_to_side(clause: Clause, chunk: Chunk, before: str, after: str) -> b
         return True
     if before or re.match("[BN]", after):
         return before.endswith("Z") and not is_aside(chunk)
-    if clause.kinds == "S" and not chunk.text.endswith("side") and _only_walks(clause):
-        return True
     clock = "clock" in chunk.text and re.match(r"(?:on|at|in) ", chunk.text) is None
     if is_aside(chunk) and not clock:
         return False
@@ -115,12 +113,6 @@ def _is_turn_to_side(clause: Clause, chunk: Chunk, before: str, after: str) -> b
     if not (towards_a_side(chunk) or clock):
         return place and after == ""  # "walk to the desk, right hand"
     return last.kind != "thing" or clock or place
-
-
-def _only_walks(clause: Clause) -> bool:
-    """`Go straight, then on the right`: nothing was named that could be there."""
-    said = [e.kind for e in clause.before if e.kind != "clause"]
-    return said[-2:] in (["straight", "then"], ["length", "then"])
 
 
 def _place_is_named(clause: Clause) -> bool:
@@ -237,8 +229,8 @@ def read_opening(
         opening.side = side_of(clause.chunks[start - 2])
     if not opening.noun and opening.side is None and after.startswith("N"):
         return [], at  # the ordinal of a thing: "the second door"
-    if not before and kinds_are_order(opening, clause, at):
-        return [], at  # "first go to the desk", "next comes a corner"
+    if not (before or opening.noun or opening.side) and re.match("[VGKR]", after):
+        return [], at  # "first go to the desk"
     way = Event(
         "way",
         side=opening.side,
@@ -256,7 +248,7 @@ def read_opening(
             Event("pass_ways", count=count, side=opening.side, phrase=opening.name)
         ], at
     if opening.side is None and opening.ordinal is None:
-        return _bare(opening, before, after, turned=turned), at
+        return _bare(clause, start, opening, after, turned=turned), at
     if opening.side == "left" or opening.side == "right":
         if opening.stated or _is_taken(clause, opening, start, after):
             turn = Event(
@@ -278,14 +270,6 @@ def read_opening(
     if opening.ordinal is not None and not exists and before.strip("Q") == "":
         return [_likely(way)], at
     return [way], at
-
-
-def kinds_are_order(opening: _Opening, clause: Clause, at: int) -> bool:
-    """Tell whether an ordinal only says when something is done."""
-    if opening.noun or opening.side is not None or at == len(clause.kinds):
-        return False
-    verb = clause.chunks[at]
-    return verb.kind in "VGKR" or (verb.kind == "B" and verb.text.startswith("come"))
 
 
 def _words_of(clause: Clause, start: int) -> tuple[_Opening, int]:
@@ -346,8 +330,11 @@ def _is_taken(clause: Clause, opening: _Opening, start: int, after: str) -> bool
     return re.search("[AU]$", before) is not None and opening.ordinal is not None
 
 
-def _bare(opening: _Opening, before: str, after: str, *, turned: bool) -> list[Event]:
+def _bare(
+    clause: Clause, start: int, opening: _Opening, after: str, *, turned: bool
+) -> list[Event]:
     """Read a junction noun without ordinal and side."""
+    before = clause.kinds[:start]
     junction = _junction_of(opening.noun)
     if junction is not None:
         back = turned and before[-1:] in {"A", "Q", "J"}
@@ -359,7 +346,9 @@ def _bare(opening: _Opening, before: str, after: str, *, turned: bool) -> list[E
     if before.endswith("T") and not turned and _TAKEN.search(opening.noun):
         return [] if after.startswith("L") else [Event("turn")]
     if re.search("[tG]$", before):
-        return [Event("straight")]
+        into = re.search(r"into|down|through", clause.chunks[start - 1].text)
+        noun = opening.noun.split()[-1] if into else ""
+        return [Event("straight", phrase=noun)]
     return []
 
 

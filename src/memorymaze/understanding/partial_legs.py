@@ -1,7 +1,7 @@
 """Legs in the making, and how they become records."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from memorymaze.routes import (
     Arrival,
@@ -18,7 +18,7 @@ from memorymaze.routes import (
 )
 from memorymaze.understanding.clause import Event
 from memorymaze.understanding.lengths import combine_lengths
-from memorymaze.understanding.things import kind_of
+from memorymaze.understanding.things import is_floor, kind_of
 
 JUNCTION_NAMES: dict[Junction, str] = {
     "t": "t junction",
@@ -83,6 +83,12 @@ class PartialLeg:
             or self.entered
             or self.junction
         )
+
+    def turn_at_last_thing(self) -> None:
+        """`Information desk, right.`: what was named just before is where one turns."""
+        last = self.mentions[-1]
+        if last.place == "along" and not (last.ignored or is_floor(last.phrase)):
+            self.mentions[-1] = replace(last, place="turn")
 
     @property
     def has_only_a_door(self) -> bool:

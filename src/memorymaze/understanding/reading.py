@@ -110,6 +110,8 @@ def read_clauses(
     for number, clause in enumerate(clauses):
         joint = clause[-1] if clause[-1].kind in ".,>&" else None
         body = clause[:-1] if joint is not None else clause
+        if body and body[0].kind == "r" and _commands_a_turn(body):
+            missing = False  # "if you go right you meet the stairs, so go left"
         missing = missing or _speaks_of_missing(body, clauses[number:])
         if missing:
             kind = "wrong_way" if _turned_wrong(body, clauses[number:]) else "too_far"
@@ -126,6 +128,10 @@ def read_clauses(
         events.extend(said)
         told.extend(said)
     return events
+
+
+def _commands_a_turn(body: list[Chunk]) -> bool:
+    return re.search("[TG].*[LS]", "".join(chunk.kind for chunk in body)) is not None
 
 
 def _mark(joint: Chunk | None) -> Event:
@@ -151,10 +157,8 @@ def _speaks_of_missing(body: list[Chunk], rest: Sequence[list[Chunk]]) -> bool:
     """
     kinds = "".join(chunk.kind for chunk in body)
     later = "".join(chunk.kind for clause in rest[:12] for chunk in clause)
-    if "o" not in later and not ("b" in later and "c" in later):
-        return re.match("h*c", kinds) is not None and bool(
-            re.search("[TG].*[LS]", kinds)
-        )
+    if "o" not in later and not (re.search("[bu]", later) and "c" in later):
+        return re.match("h*c", kinds) is not None and _commands_a_turn(body)
     if re.search("[cob]", kinds):
         return True
     return re.search("[L2M]", later) is None

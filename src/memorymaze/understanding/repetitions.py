@@ -35,7 +35,7 @@ def without_overviews(sentences: list[tuple[str, list[Event]]]) -> list[Event]:
     turns = [[e.way for e in events if e.kind == "turn"] for _, events in sentences]
     kept: list[Event] = []
     for at, (words, events) in enumerate(sentences):
-        others = [way for ways in turns[at + 1 :] for way in ways]
+        others = [way for ways in turns[at + 1 :] for way in ways] if at <= 2 else []
         if at <= 1 and _OVERVIEW.search(words) and len(others) >= 2:
             said = [e for e in events if e.kind == "turn"]
             if not said or (len(said) == 1 and not said[0].commanded):
@@ -49,9 +49,6 @@ def without_overviews(sentences: list[tuple[str, list[Event]]]) -> list[Event]:
                 return [*kept, *events, *ending]
         if at <= 2 and len(turns[at]) >= 2 and _OVERVIEW.search(words):
             if _within(turns[at], others):
-                continue
-        elif at <= 2 and len(turns[at]) >= 3 and _is_bare(events):
-            if len(others) <= len(turns[at]) + 1 and _within(turns[at], others):
                 continue
         elif at and re.match(r"\W*so,? (?:again|that's|in short|overall)", words):
             before = [way for ways in turns[:at] for way in ways]
@@ -91,12 +88,6 @@ def _without_announcements(events: list[Event]) -> list[Event]:
                 continue
         kept.append(events[at])
     return kept
-
-
-def _is_bare(events: Sequence[Event]) -> bool:
-    """Tell whether a sentence only lists turns, with nothing said of any."""
-    idle = {"turn", "clause", "then", "sentence", "recap"}
-    return all(e.kind in idle and e.ordinal is None for e in events)
 
 
 def _without_recaps(events: list[Event]) -> list[Event]:
@@ -193,8 +184,6 @@ class Restating:
             return True
         if self._sentence and not draft.lengths and not self._goes_on(at):
             return True
-        if self._sums_up(at, draft):
-            return True
         if not draft.is_new:
             same = ordinal is not None and ordinal == last.ordinal and event.emphatic
             more = draft.mentions or draft.passings or draft.at_end or event.commanded
@@ -216,32 +205,6 @@ class Restating:
         for number in range(at - 1, -1, -1):
             if self._events[number].kind in {"then", "turn"}:
                 return self._events[number].kind == "then"
-        return False
-
-    def _sums_up(self, at: int, draft: PartialLeg) -> bool:
-        """`The sign says Labs, right, Exit ahead. Turn right.`: now as a command.
-
-        Likewise `right onto the bridge. So right, bridge.`
-        """
-        if draft.lengths or draft.passings or draft.at_end or draft.straight:
-            return False
-        sentences, summed = 0, self._events[at].commanded
-        for number in range(at - 1, -1, -1):
-            earlier = self._events[number]
-            if earlier.kind == "turn":
-                told = not earlier.commanded or not self._events[at].commanded
-                return sentences == 1 and summed and told
-            if earlier.kind == "recap" and not sentences:
-                summed = True
-            elif earlier.kind == "sentence":
-                if earlier.counted:
-                    return False
-                sentences += 1
-            elif earlier.kind in {"side", "thing"} and sentences:
-                if earlier.relation not in {"", "see", "into"}:
-                    return False
-            elif earlier.kind != "clause":
-                return False
         return False
 
     def _follows_directly(self, at: int, *, same: bool) -> bool:

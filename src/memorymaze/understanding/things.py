@@ -4,7 +4,6 @@ import re
 
 from memorymaze.routes import Kind
 from memorymaze.understanding.vocabulary import (
-    COLOURS,
     COMMON,
     FILLERS,
     FLOORS,
@@ -62,7 +61,7 @@ _LABELLED = re.compile(
 _NUMBERED = re.compile(
     r"(?:(?:professor's|room|office|door|number|numbers) )*\d{3,}\w?"
 )
-_LOOK = "(?:dark|light|hanging|" + "|".join(sorted(COLOURS | LOOKS)) + ")"
+_LOOK = "(?:" + "|".join(sorted(LOOKS)) + ")"
 _SIGN = re.compile(
     rf"(?P<looks>(?:{_LOOK} )+)?(?:signs? (?:(?:that says?|which says|of|for|with|to)"
     rf" )?(?:the )?(?P<says>.+)|(?!exit )(?P<said>.*(?!{_LOOK})\b\w+) signs?)"

@@ -95,7 +95,6 @@ SURFACES = _list("surfaces")
 UNSEEN = _list("unseen")
 COMMON = _list("common")
 PLAIN = _list("plain") | SURFACES
-COLOURS = _list("colours")
 LOOKS = _list("looks")
 PLURALS = _list("plurals")
 SIGNS = _list("signs")
