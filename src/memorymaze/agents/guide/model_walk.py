@@ -1,6 +1,7 @@
 """The closed loop: at each turning point a language model says what to do next."""
 
 import math
+from textwrap import shorten
 
 from memorymaze.agents.agent import ARRIVAL, GAVE_UP, Journal
 from memorymaze.agents.guide.arriving import IN_FRONT, is_sign, walk_up_to
@@ -13,6 +14,8 @@ from memorymaze.geometry.pose import wrap_angle
 
 WITHIN_REACH = 8.0
 """Metres within which a thing can be walked up to."""
+LONGEST_REASON = 200
+"""Characters of a reason that reports show."""
 
 
 class ModelWalk:
@@ -137,7 +140,8 @@ class ModelWalk:
         exit = answer.exit
         if place != walker.at or (place, exit) in walker.map.stretches:
             leg = answer.turns_done + 1
-            self._journal.note("repair", leg=leg, at=place, reason=answer.note)
+            reason = shorten(answer.note, LONGEST_REASON, placeholder=" …")
+            self._journal.note("repair", leg=leg, at=place, reason=reason)
             walker.say("I think we went wrong. We go back.")
         if exit is not None:
             self._journal.note(
