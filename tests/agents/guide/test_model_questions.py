@@ -4,6 +4,8 @@ import pytest
 
 from memorymaze.agents import Journal
 from memorymaze.agents.guide.model_questions import ModelQuestions, guide_prompts
+from memorymaze.agents.guide.walk_log import WalkLog
+from memorymaze.agents.walking.floor_map import FloorMap
 from memorymaze.errors import LanguageModelError
 from memorymaze.language.scripted_model import ScriptedLanguageModel
 
@@ -14,11 +16,12 @@ def ask(
     """Ask twice for a number."""
     model, journal = ScriptedLanguageModel(replies, name="small"), Journal()
     questions = ModelQuestions(" To the clock. ", model, journal, most)
-    log = {"places": "Place 0.", "steps": "(none yet)", "now": "Here."}
+    log = WalkLog(FloorMap())
+    log.arrive(0, 0.0)
     return (
         model,
         journal,
-        [questions.ask("decision", int, **log) for _ in range(2)],
+        [questions.ask("decision", int, log, "Here.") for _ in range(2)],
     )
 
 
@@ -27,7 +30,7 @@ def test_each_question_has_the_text_the_log_and_its_number() -> None:
     assert answers == [1, 2]
     told = model.requests[0].messages[1].content
     assert '"""\nTo the clock.\n"""' in told
-    assert "Place 0." in told
+    assert "Place 0 (the start)" in told
     questions = [each.question for each in model.requests]
     assert [each.number for each in questions if each] == [1, 2]
     assert {each.prompt for each in questions if each} == set(

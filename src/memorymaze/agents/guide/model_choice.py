@@ -37,10 +37,9 @@ class ModelChoice:
     def __call__(self, ranked: Sequence[tuple[Step, float]]) -> Step:
         """Return one of some steps, which come the best first with their worth in nats."""
         steps = self._near(ranked)
-        best = steps[0][0]
         choice = self._ask(steps) if len(steps) > 1 else None
         if choice is None:
-            return best
+            return steps[0][0]
         self.journal.note(
             "choice",
             step=choice.step,
@@ -82,25 +81,18 @@ class ModelChoice:
             *told,
             "",
         ))
+        count = len(steps)
         return self.questions.ask(
-            "choice",
-            lambda reply: read_choice(reply, len(steps)),
-            places=self.log.places,
-            steps=self.log.steps,
-            now=now,
+            "choice", lambda reply: read_choice(reply, count), self.log, now
         )
 
 
 def _in_words(step: Step) -> str:
     """Say what a step is, and what it takes for the turns that were told."""
     if isinstance(step, Ending):
-        story = step.segment.story
-        where = f"stop, {step.reason}, at place {step.at}"
+        story, where = step.segment.story, f"stop, {step.reason}, at place {step.at}"
         if step.exit is not None:
-            where = (
-                f"stop, {step.reason}, {step.distance:.0f} m along way "
-                f"{way_name(step.exit)} of place {step.at}"
-            )
+            where += f", {step.distance:.0f} m along way {way_name(step.exit)}"
     else:
         story = step.best.story
         where = f"take way {way_name(step.exit)} of place {step.at}"

@@ -4,6 +4,7 @@ from collections.abc import Callable
 from typing import TypeVar
 
 from memorymaze.agents.agent import Journal
+from memorymaze.agents.guide.walk_log import WalkLog
 from memorymaze.errors import LanguageModelError
 from memorymaze.language.model import (
     CompletionRequest,
@@ -56,9 +57,7 @@ class ModelQuestions:
         self,
         stage: str,
         read: Callable[[str], Answer],
-        *,
-        places: str,
-        steps: str,
+        log: WalkLog,
         now: str,
     ) -> Answer | None:
         """Return what is read from the reply; None where no request is left.
@@ -69,8 +68,8 @@ class ModelQuestions:
         task = load_prompt(
             "guide_task",
             instruction=self._instruction,
-            places=places,
-            steps=steps,
+            places=log.places,
+            steps=log.steps,
             now=now,
         )
         messages = Message("system", load_rules(stage)), Message("user", task)

@@ -6,7 +6,7 @@ the side of one who goes that way.
 
 import math
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from operator import itemgetter
 
 from memorymaze.agents.walking.floor_map import Crossing, FloorMap, Sighting
 from memorymaze.geometry.pose import wrap_angle
@@ -32,23 +32,9 @@ def direction_words(angle: float) -> str:
     return next((n.format(side) for most, n in _DIRECTIONS if degrees <= most), "back")
 
 
-def is_back(angle: float) -> bool:
-    """Tell whether an angle, radians, is that of the way back."""
-    return direction_words(angle) == "back"
-
-
 def way_name(exit: int) -> str:
     """Name a way out of a place: A for the first, and so on."""
     return chr(ord("A") + exit)
-
-
-@dataclass(frozen=True, slots=True)
-class _Told:
-    """A thing or text, as it lies along a way."""
-
-    side: str
-    metres: int
-    words: str
 
 
 class WalkLog:
@@ -116,9 +102,9 @@ class WalkLog:
     def _place_line(self, number: int) -> str:
         crossing = self._floor.crossings[number]
         angles = {exit: self.angle(number, exit) for exit in range(len(crossing.exits))}
-        from_left = sorted(
-            angles, key=lambda exit: (is_back(angles[exit]), -angles[exit])
-        )
+        from_left = sorted(angles, key=lambda exit: -angles[exit])
+        # The way back is last, to whichever side it lies.
+        from_left.sort(key=lambda exit: direction_words(angles[exit]) == "back")
         ways = "; ".join(self._way(crossing, exit) for exit in from_left)
         return f"Place {number} ({self._kind(crossing)}): {ways or 'no way out'}."
 
@@ -150,23 +136,25 @@ def seen_along(floor: FloorMap, number: int, exit: int) -> str:
 
     Doors and other things of one kind share their word: `left door 3, 7 m`.
     """
-    told = sorted(_told_along(floor, number, exit), key=lambda each: each.metres)
-    sides: list[str] = []
-    for side in ("left", "right", "ahead"):
-        metres: dict[str, list[str]] = {}
-        for each in told:
-            if each.side == side:
-                at = metres.setdefault(each.words, [])
-                # One sign may be read as two, on a door and beside it.
-                if not (each.words.startswith('"') and str(each.metres) in at):
-                    at.append(str(each.metres))
-        things = (f"{words} {', '.join(at)} m" for words, at in metres.items())
-        if metres:
-            sides.append(f"{side} " + ", ".join(things))
-    return " | ".join(sides)
+    sides: dict[str, dict[str, list[str]]] = {"left": {}, "right": {}, "ahead": {}}
+    told = sorted(_told_along(floor, number, exit), key=itemgetter(0))
+    for metres, side, words in told:
+        at = sides[side].setdefault(words, [])
+        # One sign may be read as two, on a door and beside it.
+        if not (words.startswith('"') and str(metres) in at):
+            at.append(str(metres))
+    return " | ".join(
+        f"{side} "
+        + ", ".join(f"{words} {', '.join(at)} m" for words, at in things.items())
+        for side, things in sides.items()
+        if things
+    )
 
 
-def _told_along(floor: FloorMap, number: int, exit: int) -> Iterator[_Told]:
+def _told_along(
+    floor: FloorMap, number: int, exit: int
+) -> Iterator[tuple[int, str, str]]:
+    """Yield how far along a way what was seen lies, on which side, and its name."""
     things: dict[int, list[Sighting]] = {}
     for each in floor.sightings:
         things.setdefault(each.track, []).append(each)
@@ -187,7 +175,7 @@ def _told_along(floor: FloorMap, number: int, exit: int) -> Iterator[_Told]:
         side = "left" if beside > 0 else "right"
         if abs(beside) < IN_THE_WAY:
             side = "ahead"
-        yield _Told(side, max(round(along), 0), words)
+        yield max(round(along), 0), side, words
 
 
 def _thing_words(sightings: Iterable[Sighting]) -> str:
