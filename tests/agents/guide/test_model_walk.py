@@ -21,7 +21,7 @@ from memorymaze.evaluation.sampling import sample
 from memorymaze.evaluation.settings import AgentSettings
 from memorymaze.geometry.pose import Pose
 from memorymaze.instructions import load_corpus
-from memorymaze.language.answers import AboutInstruction, RecordingModel
+from memorymaze.language.answers import AboutInstruction, RecordingModel, ReplayingModel
 from memorymaze.language.model_settings import ModelSettings
 from memorymaze.language.scripted_model import ScriptedLanguageModel
 from memorymaze.routes import RoutePlan
@@ -30,6 +30,7 @@ from memorymaze.sites import BUILTIN_SITE_NAMES, Route, Site
 from memorymaze.writing.route_facts import RouteFacts
 from memorymaze.writing.turning_point_graph import TurningPointGraph
 
+REPLIES = Path(__file__).with_name("wrong_side.jsonl")
 RECORDED = Path(__file__).parents[3] / "examples/recorded/plans.jsonl"
 STARTS = {
     "corridor": (2.0, 0.0, 0.0),
@@ -227,6 +228,25 @@ def test_a_model_is_given_where_one_decides_and_only_there() -> None:
         GuideOptions(decide="model", reader="plan")
     with pytest.raises(SettingsError, match="most_requests: expected at least 1"):
         GuideOptions(most_requests=0)
+
+
+def test_a_text_that_says_left_for_right_is_noticed_and_repaired(
+    builtin_sites: dict[str, Site],
+) -> None:
+    # What a large language model said to this text, at its eleven turning points.
+    name = "ons-museum_7f-r2-21-1"
+    texts = (each.instruction for each in load_corpus().episodes)
+    told = next(each for each in texts if each.id == name)
+    model = AboutInstruction(ReplayingModel(REPLIES), name)
+    site = builtin_sites[told.site]
+    agent = GuideAgent(GuideOptions(decide="model"), model=model)
+    run = navigate(site, site.route(told.reference_route), told.text, agent)
+    assert [failure.kind for failure in told.failures] == ["wrong_direction_at_turn"]
+    assert run.result.success
+    notes = [entry for entry in run.trace if entry["kind"] == "note"]
+    [repair] = [each for each in notes if each["about"] == "repair"]
+    assert (repair["leg"], repair["at"]) == (1, 1)
+    assert run.result.confidence == 0.8
 
 
 StandIn = Callable[[RoutePlan], ScriptedLanguageModel]
