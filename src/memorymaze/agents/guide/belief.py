@@ -32,10 +32,12 @@ from memorymaze.agents.walking.outlooks import faces, length_of
 from memorymaze.geometry.pose import wrap_angle
 from memorymaze.routes import Leg, Length, RoutePlan
 
-LEAST_WEIGHT = 1e-5
+LEAST_WEIGHT = 1e-4
 """Share of the heaviest alignment below which one is not followed."""
-MOST_PLACES, MOST_METRES = 25, 200.0
+MOST_PLACES = 25
 """Of a segment."""
+MOST_ALIGNMENTS = 2000
+"""Stretches that are followed at a time, over all alignments."""
 POINTED_AT = math.radians(50)
 """A way that differs less from where a sign points is meant by it."""
 LEGS_LEFT_OUT = 2
@@ -75,6 +77,8 @@ class Segment:
     """Places passed since then where one has to choose."""
     line: tuple[Point, ...] = ()
     """Corners of the walk since then."""
+    passed: tuple[int, ...] = ()
+    """Crossings since then, the present one included."""
     asked: frozenset[str] | None = None
     """What was looked for all along since then; None before the first stretch."""
     story: tuple[str, ...] = ()
@@ -141,7 +145,17 @@ class Belief:
     visits: list[Visit] = field(default_factory=list[Visit])
 
     def update(self, starts: list[Start]) -> None:
-        """Sum all alignments anew, from all ways to begin."""
+        """Sum all alignments anew, from all ways to begin.
+
+        Where there are too many, those that weigh least are left out.
+        """
+        least = self.least_weight
+        while not self._sum_up(starts, least):
+            least *= 10
+
+    def _sum_up(self, starts: list[Start], least: float) -> bool:
+        """Sum the alignments that weigh so much; False where there are too many."""
+        self._least, self._followed = least, 0
         self.frontiers.clear()
         self.visits.clear()
         self._heaviest = 0.0
@@ -167,6 +181,9 @@ class Belief:
             for (_, exit), segments in self._levels[level].items():
                 for segment in _summed(segments):
                     self._leave(segment, exit)
+                    if self._followed > MOST_ALIGNMENTS:
+                        return False
+        return True
 
     # -- one alignment
 
@@ -183,7 +200,11 @@ class Belief:
                 frontier.segments.append(segment)
                 frontier.weights.append(self._to_come(segment))
             return
-        if segment.places >= MOST_PLACES or segment.walked > MOST_METRES:
+        self._followed += 1
+        if segment.places >= MOST_PLACES or self._followed > MOST_ALIGNMENTS:
+            return
+        # Nobody goes in a circle without telling of a turn.
+        if stretch.end in segment.passed:
             return
         if segment.leg == len(self.plan.legs):
             self.visits.append(Visit(segment, stretch))
@@ -200,6 +221,7 @@ class Belief:
             walked=segment.walked + stretch.length,
             line=(*segment.line, self.floor.crossings[stretch.end].place),
             asked=asked,
+            passed=(*segment.passed, stretch.end),
         )
 
     def _come_to(self, segment: Segment) -> None:
@@ -238,8 +260,8 @@ class Belief:
                 self._leave(replace(passed, weights=base * chance), index)
             else:
                 chance = model.choice_untold if ahead is None else model.turn_untold
-                if self._tells_side(segment, angle):
-                    chance = max(chance, 0.5)
+                if ahead is None and self._tells_side(segment, angle):
+                    chance = 0.5
                     weights = base * chance
                     self._leave(replace(passed, weights=weights), index)
                     continue
@@ -285,6 +307,8 @@ class Belief:
         lead = 0.0
         last = min(segment.leg + LEGS_LEFT_OUT + 1, len(self.plan.legs))
         for number in range(segment.leg, last):
+            if self._is_light(weights):
+                return
             leg = self.plan.legs[number]
             here = self._at_place(segment, number, weights, lead, choices)
             if not self._is_light(here):
@@ -459,7 +483,7 @@ class Belief:
             level.setdefault((segment.at, exit), []).append(segment)
 
     def _is_light(self, weights: Weights) -> bool:
-        return float(weights.sum()) < self.least_weight * self._heaviest
+        return float(weights.sum()) < self._least * self._heaviest
 
     def _choices(self, at: int, heading: float) -> Choices:
         """Return the ways out of a crossing; there are few headings to come in by."""
