@@ -32,8 +32,10 @@ from memorymaze.understanding import ANY_FLOOR, is_floor
 
 SAME_HEADING = math.radians(35)
 """Ways to face that differ by less are one."""
-FEWEST_METRES, MOST_METRES = 150.0, 400.0
+FEWEST_METRES, MOST_METRES = 120.0, 400.0
 """Bounds of the walk after which the agent stops at the best place it knows."""
+WAYS = 2.2
+"""Times the way told that the robot walks at most."""
 LEG_METRES = 15.0
 """Expected length of a leg whose length was not said."""
 MOST_DECISIONS = 400
@@ -58,6 +60,10 @@ class Patience:
     """Probability from which on a way is taken without looking along the others."""
     near: float = 0.4
     """Probability that all turns are made, from which on it looks about for the place."""
+    stops: float = 0.5
+    """Probability of a place from which on it goes there while other ways are open."""
+    hope: float = 0.05
+    """Probability of a way below which it is not worth walking any more."""
     claims: float = 0.2
     """Probability below which it says that it could not find the place."""
 
@@ -236,6 +242,16 @@ class Search:
             if math.dist(each.place, ending.place) < SAME_PLACE
         )
 
+    def _is_enough(self, ending: Ending, frontier: Frontier) -> bool:
+        """Tell whether what going on may still show is worth less than stopping."""
+        chance = self._chance(ending)
+        if (
+            chance < self._patience.stops
+            and frontier.mass >= self._patience.hope * self._total
+        ):
+            return False
+        return self._value(ending) >= self._value(frontier)
+
     def _chance(self, ending: Ending) -> float:
         """Return how likely a place is the one to arrive at."""
         return min(self._mass_about(ending) / self._total, 1.0)
@@ -245,11 +261,11 @@ class Search:
         frontier, ending = self._best_frontier(), self._best_ending()
         if frontier is None:
             return ending
-        best = frontier
-        if ending is not None and self._value(ending) >= self._value(frontier):
-            best = ending
-        elif self._too_far_for(frontier, ending):
+        best: Step = frontier
+        if self._too_far_for(frontier, ending):
             return ending
+        if ending is not None and self._is_enough(ending, frontier):
+            best = ending
         if self._advise is None:
             return best
         steps = [best, *self._belief.frontiers.values(), *self._endings]
@@ -271,12 +287,19 @@ class Search:
         return max(same, key=lambda each: each.mass)
 
     def _too_far_for(self, frontier: Frontier, ending: Ending | None) -> bool:
-        """Tell whether after one more stretch there is no time to come back."""
-        back = 0.0
+        """Tell whether after one more stretch there is no time to come back.
+
+        There is time for a small multiple of the way told; if a place seen already is the
+        one, the way told is the way to it.
+        """
+        back, limit = 0.0, self._limit
         if ending is not None and self._chance(ending) >= self._patience.claims:
             back = self._distances.get(ending.at, math.inf) + ending.distance
+            way = self._walker.map.distances_from(self._starts[0][0]).get(ending.at)
+            if way is not None:
+                limit = min(limit, WAYS * (way + ending.distance))
         further = self._distances.get(frontier.at, math.inf) + LEG_METRES
-        return self._walker.travelled + further + back > self._limit
+        return self._walker.travelled + further + back > limit
 
     # -- walking
 
@@ -473,4 +496,4 @@ def _walk_limit(plan: RoutePlan) -> float:
         for leg in plan.legs
     )
     expected += plan.arrival.length.metres if plan.arrival.length else LEG_METRES
-    return min(max(FEWEST_METRES, 2.7 * expected), MOST_METRES)
+    return min(max(FEWEST_METRES, WAYS * expected), MOST_METRES)
