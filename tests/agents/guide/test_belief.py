@@ -1,0 +1,370 @@
+"""What the guide believes of its way, on small maps."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+from memorymaze.agents.guide.arriving import Arrivals
+from memorymaze.agents.guide.belief import (
+    MOST_ALIGNMENTS,
+    Belief,
+    Segment,
+    Start,
+)
+from memorymaze.agents.guide.likelihoods import Likelihoods
+from memorymaze.agents.guide.search import starts_ahead
+from memorymaze.agents.guide.things import Things
+from memorymaze.agents.walking.floor_map import Crossing, FloorMap, Sighting, Stretch
+from memorymaze.routes import Arrival, Leg, RoutePlan, Turn
+from memorymaze.understanding import parse_route_description
+
+AHEAD, LEFT, RIGHT, BACK = 0.0, math.pi / 2, -math.pi / 2, math.pi
+EAST, NORTH, SOUTH, WEST = AHEAD, LEFT, RIGHT, BACK
+ALL_SIDES = (EAST, NORTH, SOUTH, WEST)
+MODEL = Likelihoods()
+STRETCH = 10.0
+"""Metres between two crossings."""
+
+Cell = tuple[int, int]
+
+
+class Grid:
+    """A map of crossings 10 m apart, walked in part; one starts at (0, 0), facing east."""
+
+    def __init__(self, exits: dict[Cell, Sequence[float]]) -> None:
+        self.floor = FloorMap()
+        self._numbers = {cell: number for number, cell in enumerate(exits)}
+        for cell, headings in exits.items():
+            number, place = self._numbers[cell], (STRETCH * cell[0], STRETCH * cell[1])
+            self.floor.crossings[number] = Crossing(number, place, list(headings))
+
+    def at(self, x: int, y: int) -> int:
+        return self._numbers[x, y]
+
+    def exit(self, x: int, y: int, heading: float) -> tuple[int, int]:
+        crossing = self.floor.crossings[self.at(x, y)]
+        found = crossing.find_exit(heading)
+        assert found is not None
+        return crossing.number, found
+
+    def walk(self, *cells: Cell, asked: frozenset[str] = frozenset()) -> "Grid":
+        """Note ways as walked, in both directions."""
+        for here, there in pairwise(cells):
+            heading = math.atan2(there[1] - here[1], there[0] - here[0])
+            for start, end, along in (
+                (here, there, heading),
+                (there, here, heading + math.pi),
+            ):
+                key = self.exit(*start, along)
+                self.floor.stretches[key] = Stretch(
+                    *key, self.at(*end), along, STRETCH, asked
+                )
+            self.floor.metres += STRETCH
+        return self
+
+    def see(self, phrase: str, x: float, y: float) -> None:
+        """Note a thing seen beside a place, in cells."""
+        place = STRETCH * x, STRETCH * y + 1.5
+        seen_from = STRETCH * x, STRETCH * y
+        self.floor.note(
+            Sighting(phrase, phrase, 1.0, place, seen_from, 1.5, 1, (0, 0), "left")
+        )
+
+
+def _hall(crossings: int) -> Grid:
+    """Return a hall to the east with a crossing each 10 m, walked up to the last."""
+    cells: dict[Cell, Sequence[float]] = {(0, 0): (EAST,)}
+    cells |= {(x, 0): ALL_SIDES for x in range(1, crossings + 1)}
+    return Grid(cells).walk(*cells)
+
+
+def _believe(
+    plan: RoutePlan | str, grid: Grid, starts: list[Start] | None = None
+) -> Belief:
+    if isinstance(plan, str):
+        plan = parse_route_description(plan)
+    belief = Belief(plan, grid.floor, MODEL, Things(plan, grid.floor, MODEL))
+    belief.update(starts or starts_ahead(MODEL, grid.floor, 0))
+    return belief
+
+
+def _shares(belief: Belief) -> dict[tuple[int, int], float]:
+    """Return how likely each way out is that was not walked."""
+    masses = {key: each.mass for key, each in belief.frontiers.items()}
+    return {key: mass / sum(masses.values()) for key, mass in masses.items()}
+
+
+def _best(belief: Belief) -> tuple[int, int]:
+    shares = _shares(belief)
+    return max(shares, key=lambda key: shares[key])
+
+
+# -- turns told
+
+
+@pytest.mark.parametrize(
+    ("text", "way"),
+    [
+        ("Turn left.", (1, 0, NORTH)),
+        ("Turn right.", (1, 0, SOUTH)),
+        ("Take the first left.", (1, 0, NORTH)),
+        ("Take the second left.", (2, 0, NORTH)),
+        ("Take the third right.", (3, 0, SOUTH)),
+        ("Walk 20 metres and turn left.", (2, 0, NORTH)),
+        ("Go to the end and turn left.", (3, 0, EAST)),
+        ("Walk 150 metres and turn left.", (3, 0, EAST)),
+        ("Take the fifth left.", (3, 0, EAST)),
+    ],
+)
+def test_the_way_told_is_the_likeliest(text: str, way: tuple[int, int, float]) -> None:
+    grid = _hall(3)
+    assert _best(_believe(text, grid)) == grid.exit(*way)
+
+
+def test_turns_are_found_one_after_the_other() -> None:
+    cells: dict[Cell, Sequence[float]] = {(0, 0): (EAST,)}
+    cells |= {(x, y): ALL_SIDES for x in (1, 2) for y in (0, 1, 2)}
+    grid = Grid(cells).walk((0, 0), (1, 0), (1, 1), (1, 2)).walk((1, 1), (2, 1))
+    belief = _believe("Turn left. Take the first right. Then turn left.", grid)
+    best = belief.frontiers[_best(belief)]
+    assert (best.at, best.exit) == grid.exit(2, 1, NORTH)
+    assert best.best.leg == 3
+    assert [at for _, at in best.best.turns] == [grid.at(*c) for c in ((1, 0), (1, 1), (2, 1))]  # fmt: skip
+
+
+def test_a_corner_without_a_choice_is_followed_though_nobody_told_of_it() -> None:
+    cells: dict[Cell, Sequence[float]] = {
+        (0, 0): (EAST,),
+        (1, 0): (NORTH, WEST),
+        (1, 1): ALL_SIDES,
+    }
+    grid = Grid(cells).walk(*cells)
+    belief = _believe("Turn right at the crossing.", grid)
+    assert _best(belief) == grid.exit(1, 1, EAST)
+    assert not belief.frontiers[_best(belief)].best.slips
+
+
+def test_a_closed_way_is_not_believed_in() -> None:
+    grid = _hall(2)
+    at, exit = grid.exit(1, 0, NORTH)
+    grid.floor.crossings[at].closed.add(exit)
+    assert (at, exit) not in _believe("Turn left.", grid).frontiers
+
+
+# -- sums
+
+
+def test_what_may_be_begun_in_two_ways_has_the_weight_of_both() -> None:
+    grid, plan = _hall(2), parse_route_description("Take the second left.")
+    alone = _believe(plan, grid, [(0, EAST, 0, 0.4)])
+    twice = _believe(plan, grid, [(0, EAST, 0, 0.4), (0, EAST, 0, 0.4)])
+    assert alone.frontiers.keys() == twice.frontiers.keys()
+    for key, frontier in alone.frontiers.items():
+        assert twice.frontiers[key].mass == pytest.approx(2 * frontier.mass, rel=0.01)
+
+
+def test_two_alignments_that_meet_become_one_with_the_weight_of_both() -> None:
+    """Round a block either way and out by the same exit: what was told fits both."""
+    grid = Grid(dict.fromkeys([(0, 0), (1, 0), (1, 1), (0, 1)], ALL_SIDES))
+    grid.walk((0, 0), (1, 0), (1, 1), (0, 1), (0, 0))
+    turn = Leg(Turn("either"))
+    plan = RoutePlan(legs=(turn, replace(turn)))
+    starts = [(0, EAST, grid.exit(0, 0, EAST)[1], 0.5)]
+    starts += [(0, NORTH, grid.exit(0, 0, NORTH)[1], 0.5)]
+    both = _believe(plan, grid, starts)
+    each = [_believe(plan, grid, [start]) for start in starts]
+    for key in both.frontiers:
+        apart = sum(b.frontiers[key].mass for b in each if key in b.frontiers)
+        assert both.frontiers[key].mass == pytest.approx(apart, rel=0.05)
+
+
+def test_all_that_is_believed_is_in_ways_not_walked_and_in_places_to_arrive_at() -> (
+    None
+):
+    grid = _hall(3)
+    belief = _believe("Turn left and walk to the end.", grid)
+    done = [each for each in belief.visits if each.stretch is None]
+    weights = [*(w for f in belief.frontiers.values() for w in f.weights)]
+    weights += [visit.segment.weights for visit in done]
+    assert all(np.isfinite(each).all() and (each >= 0).all() for each in weights)
+    assert sum(f.mass for f in belief.frontiers.values()) > 0
+
+
+def test_an_ending_is_found_where_the_way_told_ends() -> None:
+    cells: dict[Cell, Sequence[float]] = {
+        (0, 0): (EAST,),
+        (1, 0): ALL_SIDES,
+        (1, 1): (SOUTH,),
+        (1, -1): (NORTH,),
+    }
+    grid = Grid(cells).walk((0, 0), (1, 0), (1, 1)).walk((1, 0), (1, -1))
+    plan = parse_route_description("Turn left at the crossing and walk to the end.")
+    belief = _believe(plan, grid)
+    endings = Arrivals(plan, grid.floor, MODEL, belief.things).endings(belief)
+    best = max(endings, key=lambda each: each.mass)
+    assert best.at == grid.at(1, 1)
+    assert best.mass > _most_elsewhere(belief)
+
+
+def _most_elsewhere(belief: Belief) -> float:
+    return max((f.mass for f in belief.frontiers.values()), default=0.0)
+
+
+# -- errors
+
+
+def _fork(*, dead_end: bool) -> tuple[Grid, str]:
+    """Return a T of which the way told was walked, to a crossing or to a dead end."""
+    cells: dict[Cell, Sequence[float]] = {
+        (0, 0): (EAST,),
+        (1, 0): (NORTH, SOUTH, WEST),
+        (1, 1): (SOUTH,) if dead_end else ALL_SIDES,
+    }
+    grid = Grid(cells).walk(*cells)
+    return grid, "At the T junction turn left. At the crossing turn right."
+
+
+def test_a_wrong_side_is_unlikely_while_the_one_told_goes_on() -> None:
+    grid, text = _fork(dead_end=False)
+    belief = _believe(text, grid)
+    assert _best(belief) == grid.exit(1, 1, EAST)
+    assert 0 < _shares(belief)[grid.exit(1, 0, SOUTH)] < 0.2
+
+
+def test_a_wrong_side_is_believed_once_the_one_told_proves_a_dead_end() -> None:
+    grid, text = _fork(dead_end=True)
+    belief = _believe(text, grid)
+    assert _best(belief) == grid.exit(1, 0, SOUTH)
+    best = belief.frontiers[_best(belief)].best
+    assert [(slip.kind, slip.leg) for slip in best.slips] == [("wrong side", 0)]
+    assert best.weights[1].sum() > best.weights[0].sum()
+
+
+def test_a_turn_that_is_not_there_is_left_out_in_the_end() -> None:
+    cells: dict[Cell, Sequence[float]] = {
+        (0, 0): (EAST,),
+        (1, 0): (NORTH, WEST),
+        (1, 1): (NORTH, SOUTH),
+        (1, 2): (SOUTH,),
+    }
+    grid = Grid(cells).walk(*cells)
+    plan = parse_route_description("Turn right, then turn left. The clock is there.")
+    belief = _believe(plan, grid)
+    done = [visit for visit in belief.visits if visit.segment.leg == 2]
+    assert any("no such turn" in _kinds(visit.segment) for visit in done)
+
+
+def _kinds(segment: Segment) -> set[str]:
+    return {slip.kind for slip in segment.slips}
+
+
+def test_the_way_may_have_begun_in_the_other_direction() -> None:
+    cells: dict[Cell, Sequence[float]] = {(0, 0): (EAST, WEST), (1, 0): (WEST,)}
+    grid = Grid(cells).walk(*cells)
+    belief = _believe("Go straight on and take the second left.", grid)
+    assert _best(belief) == grid.exit(0, 0, WEST)
+    assert "wrong start" in _kinds(belief.frontiers[_best(belief)].best)
+
+
+# -- what is seen late
+
+
+def test_a_thing_seen_late_tells_which_turn_was_meant() -> None:
+    text = "Turn left. Pass the clock and take the first right."
+    cells: dict[Cell, Sequence[float]] = {(0, 0): (EAST,)}
+    cells |= {(x, y): ALL_SIDES for x in (1, 2) for y in (0, 1)}
+    asked = frozenset({"clock"})
+    grid = Grid(cells).walk((0, 0), (1, 0), (2, 0), asked=asked)
+    grid.walk((1, 0), (1, 1), asked=asked).walk((2, 0), (2, 1), asked=asked)
+    first, second = grid.exit(1, 1, EAST), grid.exit(2, 1, EAST)
+    before = _shares(_believe(text, grid))
+    grid.see("clock", 2, 0.5)
+    after = _shares(_believe(text, grid))
+    assert after[second] / after[first] > 3 * before[second] / before[first]
+
+
+def test_a_length_that_proves_wrong_speaks_against_the_turns_before_it() -> None:
+    text = "Turn left. Walk 10 metres and turn right."
+    cells: dict[Cell, Sequence[float]] = {(0, 0): (EAST,)}
+    cells |= {(1, 0): ALL_SIDES, (2, 0): ALL_SIDES, (2, 1): ALL_SIDES}
+    cells |= {(1, y): (NORTH, SOUTH) for y in range(1, 6)}
+    up = [(1, y) for y in range(6)]
+    hall = Grid(cells).walk((0, 0), (1, 0), (2, 0)).walk((2, 0), (2, 1))
+    second = hall.exit(2, 1, EAST)
+    before = _shares(_believe(text, hall))[second]
+    hall.walk(*up)
+    assert _shares(_believe(text, hall))[second] > before
+
+
+# -- signs
+
+
+def test_a_sign_that_points_speaks_for_its_way() -> None:
+    grid = _hall(1)
+    plan = RoutePlan(arrival=Arrival(("library",)))
+    belief = _believe(plan, grid)
+    before = _shares(belief)
+    belief.pointers = {grid.at(1, 0): [NORTH]}
+    belief.update(starts_ahead(MODEL, grid.floor, 0))
+    after = _shares(belief)
+    north, south = grid.exit(1, 0, NORTH), grid.exit(1, 0, SOUTH)
+    assert after[north] > before[north]
+    assert after[south] < before[south]
+
+
+# -- no explosion
+
+
+class CountedStretches(dict[tuple[int, int], Stretch]):
+    """Stretches that count how often one is looked up."""
+
+    looked_up = 0
+
+    def get(self, key: tuple[int, int], default: object = None) -> Stretch | None:  # type: ignore[override]
+        self.looked_up += 1
+        return super().get(key)
+
+
+def _town(size: int) -> Grid:
+    """Return a grid of streets of which all between crossings were walked."""
+    cells: dict[Cell, Sequence[float]] = {
+        (x, y): ALL_SIDES for x in range(size) for y in range(size)
+    }
+    grid = Grid(cells)
+    for k in range(size):
+        grid.walk(*((x, k) for x in range(size)))
+        grid.walk(*((k, y) for y in range(size)))
+    return grid
+
+
+def test_a_long_plan_in_a_grid_of_streets_is_weighed_in_bounded_work() -> None:
+    grid = _town(5)
+    grid.floor.stretches = counted = CountedStretches(grid.floor.stretches)
+    plan = RoutePlan(legs=_zigzag(10))
+    at, exit = grid.exit(0, 0, NORTH)
+    belief = _believe(plan, grid, [(at, NORTH, exit, 1.0)])
+    assert belief.frontiers
+    assert counted.looked_up < 25 * MOST_ALIGNMENTS
+
+
+def _zigzag(legs: int) -> tuple[Leg, ...]:
+    return tuple(Leg(Turn("left" if n % 2 else "right")) for n in range(legs))
+
+
+def test_a_way_in_a_circle_ends() -> None:
+    corners: dict[Cell, Sequence[float]] = {
+        (0, 0): (EAST, NORTH),
+        (1, 0): (NORTH, WEST),
+        (1, 1): (SOUTH, WEST),
+        (0, 1): (SOUTH, EAST),
+    }
+    grid = Grid(corners).walk(*corners, (0, 0))
+    plan = "Take the ninth left. Then turn right."
+    belief = _believe(plan, grid, [(0, EAST, grid.exit(0, 0, EAST)[1], 1.0)])
+    assert not belief.frontiers
+    lines = [visit.segment.line for visit in belief.visits]
+    assert all(len(set(line)) >= len(line) - 1 for line in lines)
