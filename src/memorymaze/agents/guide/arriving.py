@@ -136,7 +136,7 @@ class Arrivals:
                 f"{sighting.phrase} seen",
             )
         length = self._arrival.length
-        if length is not None and length.unit != "places":
+        if length is not None and length.unit != "places" and not segment.lost:
             rest = length.metres - segment.walked
             if 0.5 < rest < stretch.length - 0.5:
                 there = _on_line(start, end, rest)
@@ -252,6 +252,8 @@ class Arrivals:
         arrival, model = self._arrival, self._model
         walked = segment.walked + further
         fit = np.ones(segment.weights.shape[1])
+        if segment.lost:
+            return fit
         if arrival.length is not None and walked > 0:
             places = segment.places + bool(further)
             junctions = segment.junctions + bool(further)

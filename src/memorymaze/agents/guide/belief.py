@@ -34,6 +34,8 @@ from memorymaze.routes import Leg, Length, RoutePlan
 
 LEAST_WEIGHT = 1e-4
 """Share of the heaviest alignment below which one is not followed."""
+LIGHTEST, ENOUGH = 1e-9, 100.0
+"""The least such share, and how many times that has to be left of all."""
 MOST_PLACES = 25
 """Of a segment."""
 MOST_ALIGNMENTS = 2000
@@ -85,6 +87,8 @@ class Segment:
     """What it takes for the turns, in words; of the heaviest alignment."""
     slips: tuple[Slip, ...] = ()
     """The errors it believes in; of the heaviest alignment."""
+    lost: bool = False
+    """It takes all that was told of the way for wrong."""
     turns: tuple[tuple[int, int], ...] = ()
     """Leg and crossing of each turn; of the heaviest alignment."""
 
@@ -147,11 +151,19 @@ class Belief:
     def update(self, starts: list[Start]) -> None:
         """Sum all alignments anew, from all ways to begin.
 
-        Where there are too many, those that weigh least are left out.
+        Where there are too many, those that weigh least are left out; where those that
+        weighed most have come to nothing, lighter ones are followed.
         """
         least = self.least_weight
-        while not self._sum_up(starts, least):
-            least *= 10
+        while self._sum_up(starts, least):
+            left = sum(each.mass for each in self.frontiers.values())
+            if left > self._heaviest * least * ENOUGH or least <= LIGHTEST:
+                break
+            least /= 100
+        else:
+            while not self._sum_up(starts, least):
+                least *= 10
+        self._add_lost()
 
     def _sum_up(self, starts: list[Start], least: float) -> bool:
         """Sum the alignments that weigh so much; False where there are too many."""
@@ -184,6 +196,36 @@ class Belief:
                     if self._followed > MOST_ALIGNMENTS:
                         return False
         return True
+
+    def _add_lost(self) -> None:
+        """Believe a little that nothing of the way told is right: then any way may do."""
+        ways = [
+            (crossing, exit)
+            for crossing in self.floor.crossings.values()
+            for exit in range(len(crossing.exits))
+            if exit not in crossing.closed
+        ]
+        share = self.model.speakers[0] * self.model.lost / max(len(ways), 1)
+        weights = np.stack([np.zeros_like(share), share])
+        for crossing, exit in ways:
+            segment = Segment(
+                crossing.number,
+                crossing.exits[exit],
+                len(self.plan.legs),
+                weights,
+                line=(crossing.place,),
+                story=("nothing that was told fits",),
+                slips=(Slip("lost", len(self.plan.legs), crossing.number),),
+                lost=True,
+            )
+            stretch = self.floor.stretches.get((crossing.number, exit))
+            if stretch is not None:
+                self.visits.append(Visit(segment, stretch))
+                continue
+            key = crossing.number, exit
+            frontier = self.frontiers.setdefault(key, Frontier(*key))
+            frontier.segments.append(segment)
+            frontier.weights.append(weights)
 
     # -- one alignment
 

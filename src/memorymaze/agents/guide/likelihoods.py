@@ -49,6 +49,8 @@ class Likelihoods:
     """That all is wrong that is said of where to turn (an error)."""
     wrong_start: float = 0.03
     """That the way begins in another direction (an error)."""
+    lost: float = 0.01
+    """That nothing is right that is said of the way (an error)."""
     again: float = 2.0
     """How much likelier an error is once there was one (a factor)."""
     # -- lengths

@@ -34,6 +34,8 @@ SAME_HEADING = math.radians(35)
 """Ways to face that differ by less are one."""
 FEWEST_METRES, MOST_METRES = 120.0, 400.0
 """Bounds of the walk after which the agent stops at the best place it knows."""
+PATIENCE = 2.0
+"""Times as long as that, while there is no place that it takes for the destination."""
 WAYS = 2.2
 """Times the way told that the robot walks at most."""
 LEG_METRES = 15.0
@@ -292,7 +294,7 @@ class Search:
         There is time for a small multiple of the way told; if a place seen already is the
         one, the way told is the way to it.
         """
-        back, limit = 0.0, self._limit
+        back, limit = 0.0, self._limit * PATIENCE
         if ending is not None and self._chance(ending) >= self._patience.claims:
             back = self._distances.get(ending.at, math.inf) + ending.distance
             way = self._walker.map.distances_from(self._starts[0][0]).get(ending.at)
@@ -470,6 +472,7 @@ def _doubt_in_words(slip: Slip, legs: int) -> str:
         "wrong start": "I think we should have begun the other way.",
         "wrong side": f"I think {told} goes to the other side.",
         "no such turn": f"I think there is no {told} as it was told.",
+        "lost": "I think the way was told wrongly. I look for the place.",
         "turn left out": f"I think a turn was left out before {told}.",
     }
     return words.get(slip.kind, f"I doubt what was told of {told}.")
