@@ -72,6 +72,8 @@ TURNS = {
     "Turn right after 12 meters.": Told("right", metres=(12.0,)),
     "Walk straight ahead for 30 m, then go left.": Told("left", metres=(30.0,)),
     "Walk 10 to 20 metres and turn left.": Told("left", metres=(15.0,)),
+    "Follow the long corridor and turn left.": Told("left", metres=(25.0,)),
+    "There is a long corridor on the left, take it.": Told("left", metres=(None,)),
     "Go 50 feet and make a right.": Told("right", metres=(15.24,)),
     # what one sees
     "Go past the kitchen and turn left.": Told("left", things=("kitchen",)),

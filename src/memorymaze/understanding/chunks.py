@@ -196,7 +196,7 @@ def _chunk_at(text: str, at: int) -> Chunk | None:
         return Chunk("M", match[0], at, length=read_places(match))
     match = _VAGUE.match(text, at)
     if match:
-        return Chunk("M", match[0], at, length=read_vague(match))
+        return Chunk("M", match[0], at, length=read_vague(match[0]))
     found = claimed_at(text, at)
     if found is not None:
         pattern, words = found

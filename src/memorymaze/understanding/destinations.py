@@ -60,7 +60,7 @@ def find_destinations(
     sides: dict[str, Side | None] = {}
     named = _weights_in_text(chunks, text)
     entered = [each for each in _candidates(drafts[-1:]) if each[0].place == "target"]
-    candidates = [*(entered if last.entered else ()), *_candidates([last])]
+    candidates = _candidates([last]) or (entered if last.entered else [])
     counted = any(length.unit == "places" for length in last.lengths)
     if counted or any(is_floor(m.phrase) and m.place == "turn" for m in last.mentions):
         # "You see a clock. Go two blocks.": the end is told by the blocks.
@@ -76,7 +76,7 @@ def find_destinations(
         if mention.phrase in passed or mention.ignored or is_floor(mention.phrase):
             continue
         score = _score(mention, subject=subject) + named.get(mention.phrase, 0.0)
-        score += 1.2 * (order + 1) / len(candidates)
+        score += 3.0 * (order + 1) / len(candidates)
         if score > scores.get(mention.phrase, -9.0):
             scores[mention.phrase] = score
             sides[mention.phrase] = mention.side or sides.get(mention.phrase)
@@ -162,7 +162,7 @@ def _score(mention: Mention, *, subject: bool) -> float:
     if mention.side == "ahead":
         score += 1.2
     elif mention.side is not None:
-        score += 0.6
+        score += 0.2
     if mention.place in {"turn", "target"}:
         score += 0.6
     if subject:

@@ -16,6 +16,7 @@ from memorymaze.understanding.clause import (
     side_of,
     towards_a_side,
 )
+from memorymaze.understanding.lengths import read_vague
 from memorymaze.understanding.vocabulary import ORDINALS
 
 _SIGN = re.compile(
@@ -345,11 +346,13 @@ def _bare(
         return [Event("pass_ways", count=opening.count, phrase=opening.name)]
     if before.endswith("T") and not turned and _TAKEN.search(opening.noun):
         return [] if after.startswith("L") else [Event("turn")]
+    vague = re.search(r"\b(?:long|short)\b", opening.noun)
+    length = [Event("length", length=read_vague(vague[0]))] if vague else []
     if re.search("[tG]$", before):
         into = re.search(r"into|down|through", clause.chunks[start - 1].text)
         noun = opening.noun.split()[-1] if into else ""
-        return [Event("straight", phrase=noun)]
-    return []
+        return [Event("straight", phrase=noun), *length]
+    return length
 
 
 def _junction_of(noun: str) -> Junction | None:

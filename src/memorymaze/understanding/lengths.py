@@ -138,6 +138,7 @@ def read_totals(text: str) -> tuple[str, Totals]:
 _VAGUE_METRES = (("little", 4.0), ("short", 6.0), ("quite", 25.0), ("long", 25.0))
 _A_WHILE = 12.0
 VAGUE = (
+    r"(?P<size>long|short)(?= (?:one|walk|stretch|straight)\b)|"
     rf"(?:{_GOING}|(?<=\bon )|(?<=\bgoing ))(?P<vague>for (?:quite )?a (?:long |short |little )?"
     r"(?:way|while|distance|stretch|bit|time)|(?:for )?a little(?: bit| way)?"
     r"|(?:quite )?a (?:short |long |little )?(?:bit|way|while|distance|stretch))"
@@ -146,9 +147,8 @@ VAGUE = (
 """Pattern of a length without a number, after a word for going."""
 
 
-def read_vague(match: re.Match[str]) -> Length:
-    """Return the length of a match of `VAGUE`."""
-    words = match["vague"]
+def read_vague(words: str) -> Length:
+    """Return the length of words that `VAGUE` matches, or that name a way by it."""
     found = (metres for word, metres in _VAGUE_METRES if word in words)
     return Length(next(found, _A_WHILE), "vague")
 

@@ -102,7 +102,7 @@ SIGN_BINDERS = _list("sign_binders")
 IDLE_ENDS = _list("idle_ends")
 THINGS_IN_ING = _list("things_in_ing")
 ORDINALS: Mapping[str, int] = _words["ordinals"]
-SPELLINGS: Mapping[str, str] = _words["spellings"]
+SPELLINGS = dict(pair.split("=") for pair in _words["spellings"].split())
 CLOCK: Mapping[str, str] = _words["clock"]
 ONES: Mapping[str, int] = _words["ones"]
 TENS: Mapping[str, int] = _words["tens"]
