@@ -1,106 +1,23 @@
 """Walks of the rules agent through the tiny sites, with the simulated robot."""
 
-import math
 from collections.abc import Callable
+from functools import partial
 from types import SimpleNamespace
-from typing import Any, NamedTuple, cast
+from typing import Any, cast
 
-import numpy as np
 import pytest
 
-from memorymaze.agents import Journal, RulesAgent
-from memorymaze.errors import EpisodeOver
-from memorymaze.geometry.pose import Pose
+from memorymaze.agents import RulesAgent
 from memorymaze.robot.api import Robot
 from memorymaze.robot.specification import API_NAMES
-from memorymaze.simulation import (
-    Scene,
-    SimulatedRobot,
-    SimulationSettings,
-    TraceEvent,
-    build_scene,
-)
-from memorymaze.sites import Site
 
-STARTS = {
-    "corridor": (2.0, 0.0, 0.0),
-    "l_shape": (1.0, 0.0, 0.0),
-    "t_junction": (0.0, -9.0, 90.0),
-    "crossing": (-10.0, 0.0, 0.0),
-    "slanted_crossing": (-10.0, 0.0, 0.0),
-    "loop": (1.0, 4.0, 90.0),
-    "loop, the other way": (1.0, 4.0, -90.0),
-    "two_rooms": (1.5, 3.0, 0.0),
-}
-"""Where walks begin: x, y, and degrees."""
-
-NEAR = 3.0
-"""Metres from the place meant that count as there."""
-
-
-class Walk(NamedTuple):
-    """How a walk went."""
-
-    end: tuple[float, float]
-    points: tuple[tuple[float, float], ...]
-    metres: float
-    stopped_by: str
-    calls: tuple[str, ...]
-    journal: Journal
-
-    def ends_near(self, x: float, y: float) -> bool:
-        return math.dist(self.end, (x, y)) <= NEAR
-
-    def came_by(self, x: float, y: float) -> bool:
-        return any(math.dist(point, (x, y)) <= NEAR for point in self.points)
-
-    def notes(self, kind: str) -> list[dict[str, Any]]:
-        return [note for note in self.journal.notes if note["kind"] == kind]
-
-
-TakeWalk = Callable[..., Walk]
-
-
-@pytest.fixture(scope="module")
-def scenes(tiny_sites: dict[str, Site]) -> dict[str, Scene]:
-    return {name: build_scene(site) for name, site in tiny_sites.items()}
+TakeWalk = Callable[..., Any]
 
 
 @pytest.fixture
-def take_walk(scenes: dict[str, Scene]) -> TakeWalk:
+def take_walk(walk_with: TakeWalk) -> TakeWalk:
     """Walk as told: `take_walk(start, text, seed=…, as_seen=…)`."""
-
-    def walk(
-        start: str,
-        text: str,
-        *,
-        seed: int = 0,
-        as_seen: Callable[[Robot], Robot] = lambda robot: robot,
-    ) -> Walk:
-        x, y, degrees = STARTS[start]
-        events: list[TraceEvent] = []
-        robot = SimulatedRobot(
-            scenes[start.partition(",")[0]],
-            Pose(x, y, math.radians(degrees)),
-            SimulationSettings(),
-            np.random.default_rng(0),
-            events.append,
-        )
-        journal = Journal()
-        with pytest.raises(EpisodeOver) as over:
-            RulesAgent().follow(
-                text, as_seen(robot), journal, np.random.default_rng(seed)
-            )
-        return Walk(
-            (robot.pose.x, robot.pose.y),
-            tuple((at[0], at[1]) for at in robot.trajectory().points),
-            robot.trajectory().length,
-            over.value.stopped_by,
-            tuple(event.call for event in events),
-            journal,
-        )
-
-    return walk
+    return partial(walk_with, RulesAgent())
 
 
 @pytest.mark.parametrize(
@@ -163,7 +80,19 @@ def test_the_long_way_round_is_taken_when_it_is_the_one_told(
 @pytest.mark.parametrize(
     ("start", "text"),
     [
-        *((start, "") for start in STARTS),
+        *(
+            (start, "")
+            for start in (
+                "corridor",
+                "l_shape",
+                "t_junction",
+                "crossing",
+                "slanted_crossing",
+                "loop",
+                "loop, the other way",
+                "two_rooms",
+            )
+        ),
         ("crossing", "Colourless green ideas sleep furiously."),
         ("corridor", "🙂 12 %% 右に曲がる"),
         ("loop", "🙂 12 %% 右に曲がる"),

@@ -1,0 +1,236 @@
+"""Walks of the guide through the tiny sites, with the simulated robot."""
+
+from collections.abc import Callable
+from functools import partial
+from types import SimpleNamespace
+from typing import Any, cast
+
+import numpy as np
+import pytest
+
+from memorymaze.agents import GuideAgent, Journal
+from memorymaze.agents.guide.agent import GuideOptions
+from memorymaze.agents.guide.search import Patience, Search
+from memorymaze.agents.walking.walker import Walker
+from memorymaze.robot.api import Robot
+from memorymaze.robot.specification import API_NAMES
+
+Walk = Any
+TakeWalk = Callable[..., Walk]
+
+
+@pytest.fixture
+def take_walk(walk_with: TakeWalk) -> TakeWalk:
+    """Walk as told: `take_walk(start, text, seed=…, as_seen=…)`."""
+    return partial(walk_with, GuideAgent())
+
+
+@pytest.mark.parametrize(
+    ("start", "text", "goal"),
+    [
+        ("corridor", "Walk to the end of the corridor.", (19.3, 0)),
+        ("corridor", "Stop at the bench on your right.", (10, 0)),
+        ("l_shape", "Go to the end and turn left.", (11, 11)),
+        ("l_shape", "Go left at the corner. Stop before the red vending machine.", (11, 6)),
+        ("t_junction", "Turn left at the T junction and go to the end.", (-11, 0)),
+        ("t_junction", "Turn right at the end. The lift is at the end.", (11, 0)),
+        ("t_junction", "Turn left and walk up to the clock.", (-4, 0)),
+        ("crossing", "Turn left at the crossing and walk to the end.", (0, 11)),
+        ("crossing", "Turn right at the crossing and walk to the end.", (0, -11)),
+        ("crossing", "Stop at the white statue.", (-5, 0)),
+        ("crossing", "Pass the statue, turn left and walk to the kitchen.", (0, 11)),
+        ("slanted_crossing", "Bear left and walk to the piano.", (7, 8.4)),
+        ("loop", "Turn right at the corner and walk to the drinking fountain.", (6, 13)),
+        ("two_rooms", "Go through the passage and stop at the sofa.", (16, 3)),
+    ],
+)  # fmt: skip
+def test_simple_instructions_lead_to_their_goal(
+    take_walk: TakeWalk, start: str, text: str, goal: tuple[float, float]
+) -> None:
+    walk = take_walk(start, text)
+    assert walk.ends_near(*goal)
+    assert walk.stopped_by == "agent"
+    (arrival,) = walk.notes("arrival")
+    assert not walk.notes("gave_up")
+    assert 0.3 < arrival["confidence"] <= 1
+
+
+def test_opposite_words_lead_to_opposite_ends(take_walk: TakeWalk) -> None:
+    assert take_walk("t_junction", "At the end turn left.").ends_near(-11, 0)
+    assert take_walk("t_junction", "At the end turn right.").ends_near(11, 0)
+
+
+def test_a_corner_that_was_not_told_is_taken_where_there_is_no_choice(
+    take_walk: TakeWalk,
+) -> None:
+    text = "Walk until you see the vending machine."
+    assert take_walk("l_shape", text).ends_near(11, 6)
+
+
+# -- what was told wrongly
+
+WRONG_SIDE = (
+    "slanted_crossing",
+    "Turn right at the crossing. Then turn left. Walk to the piano.",
+)
+"""The way to the right is a dead end; the piano stands on the left."""
+
+
+def test_it_goes_back_from_a_dead_end_and_tries_the_other_side(
+    take_walk: TakeWalk,
+) -> None:
+    walk = take_walk(*WRONG_SIDE)
+    assert walk.came_by(0, -11)
+    assert walk.ends_near(7, 8.4)
+    repairs = walk.notes("repair")
+    assert repairs
+    assert repairs[0]["leg"] == 1
+
+
+def test_it_says_what_it_doubts_and_where(take_walk: TakeWalk) -> None:
+    walk = take_walk(*WRONG_SIDE)
+    told = [note for note in walk.notes("doubt") if "leg" in note]
+    assert told[0]["leg"] == 1
+    assert 0.5 <= told[0]["score"] <= 1
+    assert any("turn 1" in words for words in walk.said)
+
+
+def test_it_doubts_more_where_something_is_wrong(take_walk: TakeWalk) -> None:
+    right = take_walk("slanted_crossing", "Bear left and walk to the piano.")
+    wrong = take_walk(*WRONG_SIDE)
+    assert _last(right, "doubt")["score"] < 0.5 < _last(wrong, "doubt")["score"]
+    assert not right.notes("repair")
+
+
+def _last(walk: Walk, kind: str) -> dict[str, Any]:
+    return walk.notes(kind)[-1]
+
+
+def test_it_comes_back_for_a_turn_when_there_is_no_later_one(
+    take_walk: TakeWalk,
+) -> None:
+    walk = take_walk("crossing", "Take the third left and walk to the end.")
+    assert walk.came_by(11, 0)
+    assert walk.ends_near(0, 11)
+
+
+# -- giving up
+
+
+@pytest.mark.parametrize(("claims", "gives_up"), [(0.0, False), (0.99, True)])
+def test_what_is_too_unlikely_is_not_claimed_but_said_not_to_be_found(
+    walk_with: TakeWalk, claims: float, *, gives_up: bool
+) -> None:
+    agent = Impatient(Patience(claims=claims))
+    walk = walk_with(agent, "crossing", "Turn left, then right. Stop at the piano.")
+    assert walk.journal.gave_up == gives_up
+    assert bool(walk.notes("arrival")) != gives_up
+    assert ("I could not find it." in walk.said) == gives_up
+    assert walk.journal.notes[-1]["confidence"] < 0.99
+
+
+class Impatient(GuideAgent):
+    """Walks with a patience of its own."""
+
+    def __init__(self, patience: Patience) -> None:
+        super().__init__()
+        self._patience = patience
+
+    def follow(
+        self,
+        instruction: str,
+        robot: Robot,
+        journal: Journal,
+        rng: np.random.Generator,
+    ) -> None:
+        plan = self.reader.read(instruction, journal)
+        walker = Walker(robot, reads_signs=True)
+        Search(plan, walker, journal, patience=self._patience).run()
+        robot.stop()
+
+
+# -- what it writes down
+
+
+def test_the_journal_tells_the_plan_what_it_believes_and_why_it_stopped(
+    take_walk: TakeWalk,
+) -> None:
+    walk = take_walk(*WRONG_SIDE)
+    (plan,) = walk.notes("plan")
+    assert walk.journal.notes[0] is plan
+    decisions = walk.notes("decision")
+    assert len(decisions) >= 2
+    fields = {"at", "exit", "probability", "legs_done", "because"}
+    assert all(fields <= set(note) for note in decisions)
+    assert all(0 <= note["probability"] <= 1 for note in decisions)
+    (arrival,) = walk.notes("arrival")
+    assert walk.journal.notes[-1] is arrival
+    assert "piano" in arrival["reason"]
+
+
+def test_a_belief_is_a_distribution_over_the_legs_done(take_walk: TakeWalk) -> None:
+    walk = take_walk("crossing", "Turn left at the crossing. Turn right at the end.")
+    beliefs = walk.notes("belief")
+    assert all(len(note["legs"]) == 3 for note in beliefs)
+    assert all(sum(note["legs"]) == pytest.approx(1, abs=0.01) for note in beliefs)
+    assert all(0 <= note["doubt"] <= 1 for note in beliefs)
+    assert beliefs[0]["legs"][0] > 0.5 > beliefs[-1]["legs"][0]
+
+
+# -- always
+
+STARTS = (
+    "corridor",
+    "l_shape",
+    "t_junction",
+    "crossing",
+    "slanted_crossing",
+    "loop",
+    "two_rooms",
+)
+
+
+@pytest.mark.parametrize(
+    ("start", "text"),
+    [
+        *((start, "") for start in STARTS),
+        ("crossing", "Colourless green ideas sleep furiously."),
+        ("loop", "🙂 12 %% 右に曲がる"),
+        ("corridor", "Turn left, then turn right."),
+        ("corridor", "Take the ninth corridor on the right."),
+        ("loop", "Turn left, left, left, left, left, left, left and left."),
+    ],
+)
+def test_whatever_is_said_the_walk_ends_by_itself(
+    take_walk: TakeWalk, start: str, text: str
+) -> None:
+    walk = take_walk(start, text)
+    assert walk.stopped_by == "agent"
+    assert walk.metres < 450
+    assert 0 <= walk.journal.notes[-1]["confidence"] <= 1
+
+
+def test_the_same_words_give_the_same_walk_whatever_the_seed(
+    take_walk: TakeWalk,
+) -> None:
+    first, second = (take_walk(*WRONG_SIDE, seed=seed) for seed in (0, 1))
+    assert first.points == second.points
+    assert first.journal.notes == second.journal.notes
+
+
+def test_the_functions_of_the_control_api_are_all_that_it_needs(
+    take_walk: TakeWalk,
+) -> None:
+    def api_alone(robot: Robot) -> Robot:
+        functions = {name: getattr(robot, name) for name in API_NAMES}
+        return cast("Robot", SimpleNamespace(**functions))
+
+    alone = take_walk(*WRONG_SIDE, as_seen=api_alone)
+    assert alone.points == take_walk(*WRONG_SIDE).points
+    assert set(alone.calls) <= set(API_NAMES)
+
+
+def test_it_may_have_to_face_any_way_first(walk_with: TakeWalk) -> None:
+    agent = GuideAgent(GuideOptions(start_heading="unknown"))
+    text = "Go ahead and turn right. Walk to the lift at the end."
+    assert walk_with(agent, "t_junction", text).ends_near(11, 0)
