@@ -284,5 +284,5 @@ def test_the_log_tells_the_belief_most_of_what_the_map_does(believes: StandIn) -
         site = corpus.sites[told.site]
         route = site.route(told.reference_route)
         arrived += arrives(site, route, plans[told.id], believes)
-    # 46 where it sees the map itself.
-    assert arrived >= 38
+    # 43 where it sees the map itself.
+    assert arrived >= 36

@@ -81,7 +81,8 @@ class GuideAgent(ReadsFirst):
 
     Everything that was said weighs in every explanation of the walk so far; the robot
     goes where success is likeliest for the metres, says what it doubts, goes back to
-    the likeliest place of a mistake, and tells how sure it is to have arrived.
+    the likeliest place of a mistake, and tells how sure it is to have arrived. A language
+    model may decide instead, or where the belief cannot.
     """
 
     def __init__(
