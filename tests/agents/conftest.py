@@ -43,6 +43,7 @@ class Walk(NamedTuple):
     stopped_by: str
     calls: tuple[str, ...]
     said: tuple[str, ...]
+    looked_for: frozenset[str]
     journal: Journal
 
     def ends_near(self, x: float, y: float) -> bool:
@@ -60,7 +61,7 @@ TakeWalk = Callable[..., Walk]
 
 @pytest.fixture
 def walk_with(scenes: dict[str, Scene]) -> TakeWalk:
-    """Walk as told: `walk_with(agent, start, text, seed=…, as_seen=…, time_budget=…)`."""
+    """Walk as told: `walk_with(agent, start, text, seed=…, as_seen=…)`."""
 
     def walk(
         agent: Agent,
@@ -69,14 +70,13 @@ def walk_with(scenes: dict[str, Scene]) -> TakeWalk:
         *,
         seed: int = 0,
         as_seen: Callable[[Robot], Robot] = lambda robot: robot,
-        **settings: Any,
     ) -> Walk:
         x, y, degrees = STARTS[start]
         events: list[TraceEvent] = []
         robot = SimulatedRobot(
             scenes[start.partition(",")[0]],
             Pose(x, y, math.radians(degrees)),
-            SimulationSettings(**settings),
+            SimulationSettings(),
             np.random.default_rng(0),
             events.append,
         )
@@ -92,6 +92,7 @@ def walk_with(scenes: dict[str, Scene]) -> TakeWalk:
             tuple(
                 str(event.arguments["text"]) for event in events if event.call == "say"
             ),
+            frozenset(str(event.arguments.get("object")) for event in events),
             journal,
         )
 

@@ -114,6 +114,23 @@ def test_it_comes_back_for_a_turn_when_there_is_no_later_one(
     assert walk.ends_near(0, 11)
 
 
+def test_without_repair_it_never_goes_back(walk_with: TakeWalk) -> None:
+    walk = walk_with(GuideAgent(GuideOptions(repair=False)), *WRONG_SIDE)
+    assert walk.ends_near(0, -11)
+    assert not walk.notes("repair")
+
+
+@pytest.mark.parametrize("things", [True, False])
+def test_things_told_count_unless_they_are_left_out(
+    walk_with: TakeWalk, *, things: bool
+) -> None:
+    agent = GuideAgent(GuideOptions(things=things))
+    text = "Pass the plant, turn left at the end and walk to the clock."
+    walk = walk_with(agent, "t_junction", text)
+    assert ("plant" in walk.looked_for) == things
+    assert "clock" in walk.looked_for
+
+
 # -- giving up
 
 

@@ -1,6 +1,6 @@
 """The guide: reads what was told, walks, doubts, repairs, arrives or gives up."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
@@ -25,7 +25,7 @@ from memorymaze.agents.walking.walker import Walker
 from memorymaze.errors import SettingsError
 from memorymaze.language.model import CompletionRequest, LanguageModel
 from memorymaze.robot.api import Robot
-from memorymaze.routes import describe
+from memorymaze.routes import RoutePlan, describe
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,6 +47,12 @@ class GuideOptions:
     to be asked (`decide=both`), above 0 to 1."""
     most_requests: int = MOST_REQUESTS
     """Requests to a deciding model in an episode, after which the robot gives up."""
+    things: bool = True
+    """Whether things said to be on the way count (false is for ablations)."""
+    signs: bool = True
+    """Whether it reads signs (false is for ablations)."""
+    repair: bool = True
+    """Whether it goes back to try another explanation (false is for ablations)."""
 
     @property
     def needs(self) -> frozenset[Need]:
@@ -68,6 +74,11 @@ class GuideOptions:
         if not 0 < self.near <= 1:
             raise SettingsError(
                 f"--set near: expected more than 0, up to 1, got {self.near}"
+            )
+        if self.decide == "model" and not (self.things and self.repair):
+            raise SettingsError(
+                "--set things, repair: they are of the belief; with decide=model leave "
+                "them out"
             )
         if self.decide == "model" and self.reader != "grammar":
             raise SettingsError(
@@ -139,7 +150,7 @@ class GuideAgent(ReadsFirst):
     ) -> None:
         """Drive the robot as the instruction says, and stop."""
         options = self.options
-        walker = Walker(robot, reads_signs=True)
+        walker = Walker(robot, reads_signs=options.signs)
         anyhow = options.start_heading == "unknown"
         questions = self._questions(instruction, journal)
         if questions is not None and options.decide == "model":
@@ -147,10 +158,19 @@ class GuideAgent(ReadsFirst):
             return robot.stop()
         plan = self.reader.read(instruction, journal)
         journal.note("plan", steps=describe(plan))
+        if not options.things:
+            plan = _without_things(plan)
         advise = None
         if questions is not None:
             advise = ModelChoice(plan, walker, questions, journal, options.near)
-        Search(plan, walker, journal, any_heading=anyhow, advise=advise).run()
+        Search(
+            plan,
+            walker,
+            journal,
+            any_heading=anyhow,
+            goes_back=options.repair,
+            advise=advise,
+        ).run()
         robot.stop()
 
     def _questions(self, instruction: str, journal: Journal) -> ModelQuestions | None:
@@ -159,3 +179,10 @@ class GuideAgent(ReadsFirst):
             return None
         most = self.options.most_requests
         return ModelQuestions(instruction, self._model, journal, most)
+
+
+def _without_things(plan: RoutePlan) -> RoutePlan:
+    """Forget what was said to be on the way; the names of the destination stay."""
+    nothing = {"mentions": (), "too_far": (), "wrong_way": ()}
+    legs = tuple(replace(leg, **nothing) for leg in plan.legs)
+    return replace(plan, legs=legs, arrival=replace(plan.arrival, **nothing))

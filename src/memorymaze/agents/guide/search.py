@@ -1,7 +1,7 @@
 """The walk of the guide: believe, choose, walk on, doubt, go back, arrive or give up."""
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -80,6 +80,7 @@ class Search:
         journal: Journal,
         *,
         any_heading: bool = False,
+        goes_back: bool = True,
         model: Likelihoods | None = None,
         patience: Patience | None = None,
         advise: Advise | None = None,
@@ -91,6 +92,7 @@ class Search:
             walker: Drives the robot and draws the map.
             journal: Takes the notes.
             any_heading: The robot may have to face any way at the start.
+            goes_back: It may go back for another explanation.
             model: How speakers are.
             patience: What metres are worth.
             advise: Has the last word on what to do next.
@@ -99,6 +101,7 @@ class Search:
         self._walker = walker
         self._journal = journal
         self._any_heading = any_heading
+        self._goes_back = goes_back
         self._model = model or Likelihoods()
         self._patience = patience or Patience()
         self._advise = advise
@@ -275,7 +278,10 @@ class Search:
         return self._advise([(each, self._value(each)) for each in reversed(ranked)])
 
     def _best_frontier(self) -> Frontier | None:
-        return max(self._belief.frontiers.values(), key=self._value, default=None)
+        ways: Iterable[Frontier] = self._belief.frontiers.values()
+        if not self._goes_back:
+            ways = [each for each in ways if each.at == self._walker.at]
+        return max(ways, key=self._value, default=None)
 
     def _best_ending(self) -> Ending | None:
         best = max(self._endings, key=self._value, default=None)
