@@ -41,10 +41,10 @@ class Walk(NamedTuple):
 def walk(scenes: dict[str, Scene]) -> Callable[..., Walk]:
     """Walk up to a T junction as told, where the model says what is asked of it."""
 
-    def take(text: str, *replies: str, **options: Any) -> Walk:
+    def take(text: str, *replies: str, y: float = -7, **options: Any) -> Walk:
         robot = SimulatedRobot(
             scenes["t_junction"],
-            Pose(0, -7, math.pi / 2),
+            Pose(0, y, math.pi / 2),
             SimulationSettings(),
             np.random.default_rng(0),
         )
@@ -93,3 +93,10 @@ def test_the_belief_goes_on_alone_when_no_request_is_left(
     taken = walk(UNCLEAR, choose(2), most_requests=1)
     assert len(taken.asked) == 1
     assert taken.journal.confidence is not None
+
+
+def test_only_places_that_were_come_to_are_told(walk: Callable[..., Walk]) -> None:
+    # It begins inside the turning point at the south end.
+    first = walk(UNCLEAR, *[choose(1)] * 9, y=-9).asked[0]
+    assert "Place 0" not in first
+    assert "Place 1 (the start): " in first

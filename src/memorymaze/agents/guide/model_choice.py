@@ -64,7 +64,8 @@ class ModelChoice:
 
     def _ask(self, steps: Sequence[tuple[Step, float]]) -> Choice | None:
         floor = self.walker.map
-        for number in floor.crossings:
+        reached = floor.distances_from(self.walker.at)
+        for number in [each for each in floor.crossings if each in reached]:
             ways = floor.stretches.values()
             arrivals = (each.arrival for each in ways if each.end == number)
             self.log.arrive(number, next(arrivals, 0.0) if number else 0.0)
