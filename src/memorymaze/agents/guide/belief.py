@@ -156,6 +156,8 @@ class Belief:
         """
         least = self.least_weight
         while self._sum_up(starts, least):
+            if self._knows_all_ways():
+                break
             left = sum(each.mass for each in self.frontiers.values())
             if left > self._heaviest * least * ENOUGH or least <= LIGHTEST:
                 break
@@ -196,6 +198,14 @@ class Belief:
                     if self._followed > MOST_ALIGNMENTS:
                         return False
         return True
+
+    def _knows_all_ways(self) -> bool:
+        """Tell whether there is no way left that a lighter alignment could lead to."""
+        return all(
+            exit in crossing.closed or (number, exit) in self.floor.stretches
+            for number, crossing in self.floor.crossings.items()
+            for exit in range(len(crossing.exits))
+        )
 
     def _add_lost(self) -> None:
         """Believe a little that nothing of the way told is right: then any way may do."""
