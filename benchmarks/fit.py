@@ -47,11 +47,9 @@ FITTED = (
 """What SAIL can tell. It has no bends and no signs, and its lengths are counted in places."""
 ABOVE_ZERO = frozenset({"again", "common_rate", "rare_rate"})
 """Those that are no probabilities."""
-ONE_OFF = 0.8
-"""Of the counts that are not right so many are one off."""
 FLOOR = 1e-3
 """Share of the belief that every place has, so that unreadable texts do not rule."""
-PRIOR_SD = 0.7
+PRIOR_SD = 0.3
 """Of each parameter about its value set by hand, as a log odds ratio or a logarithm."""
 STEP = 0.3
 """Of the differences, on that scale."""
@@ -59,7 +57,6 @@ ROUNDS = (1.0, 0.5)
 """How far parameters may go on that scale from where the likelihood was made linear."""
 LEAST_WEIGHT = 3e-3
 """Of alignments followed: a fit follows each text dozens of times."""
-RESAMPLES = 300
 MATTERS = 0.02
 """Slope of a paragraph's objective from which on a parameter matters to it."""
 
@@ -190,8 +187,7 @@ def model_of(vector: Vector) -> Likelihoods:
         name: float(np.exp(value) if name in ABOVE_ZERO else expit(value))
         for name, value in zip(FITTED, vector, strict=True)
     }
-    off = ONE_OFF * (1 - values["count_right"])
-    return replace(Likelihoods(), **values, count_one_off=off)
+    return replace(Likelihoods(), **values)
 
 
 # -- maximising
@@ -251,14 +247,12 @@ class Fit:
     left_out: dict[str, Vector]
     """By the name of a writer or a map."""
 
-    def interval(self, rng: np.random.Generator) -> Vector:
-        """Return 95 % intervals, shape (2, parameters): paragraphs drawn again."""
-        count = len(self.linear.value)
-        drawn = [
-            self.linear.best(rng.integers(0, count, count), _by_hand())
-            for _ in range(RESAMPLES)
-        ]
-        return np.quantile(drawn, [0.025, 0.975], axis=0)
+    def interval(self) -> tuple[Vector, Vector]:
+        """Return 95 % intervals by the curvature, prior included, the others held."""
+        slopes = objective_slopes(self.linear)
+        curvature = np.square(slopes).sum(axis=0) + PRIOR_SD**-2
+        half = 1.96 / np.sqrt(curvature)
+        return self.vector - half, self.vector + half
 
 
 def fit(cases: Sequence[Case]) -> Fit:
@@ -297,11 +291,11 @@ def _others(cases: Sequence[Case], group: str) -> NDArray[np.intp]:
 
 def parameter_rows(found: Fit) -> Iterator[dict[str, object]]:
     """Yield each parameter with its values and what there is to tell it."""
-    low, high = found.interval(np.random.default_rng(0))
+    low, high = found.interval()
     by_hand, fitted = Likelihoods(), model_of(found.vector)
     ends = model_of(low), model_of(high)
     for number, name in enumerate(FITTED):
-        slopes = np.abs(_objective_slopes(found.linear)[:, number])
+        slopes = np.abs(objective_slopes(found.linear)[:, number])
         yield {
             "parameter": name,
             "by_hand": getattr(by_hand, name),
@@ -313,7 +307,8 @@ def parameter_rows(found: Fit) -> Iterator[dict[str, object]]:
         }
 
 
-def _objective_slopes(linear: Linear) -> NDArray[np.float64]:
+def objective_slopes(linear: Linear) -> NDArray[np.float64]:
+    """Return the slopes of each case's objective, shape (cases, parameters)."""
     share = expit(linear.value)
     factor = (1 - FLOOR) * share * (1 - share) / ((1 - FLOOR) * share + FLOOR)
     return factor[:, np.newaxis] * linear.slopes
@@ -334,12 +329,28 @@ def comparison_row(
 
 def left_out_rows(cases: Sequence[Case], found: Fit) -> Iterator[dict[str, object]]:
     """Yield what comes of each writer's and map's texts by values fitted without them."""
-    writers = {each.writer: each.half for each in cases}
-    for name, vector in found.left_out.items():
-        out = [each for each in cases if name in {each.writer, each.site}]
-        half = "read" if writers.get(name) == DEVELOPED else "not read"
-        what = f"writer left out ({half})" if name in writers else "map left out"
-        yield comparison_row(what, name, out, model_of(vector))
+    for what, told in (
+        ("writer left out", {each.writer: f" ({each.half})" for each in cases}),
+        ("map left out", {each.site: "" for each in cases}),
+    ):
+        rows = [
+            comparison_row(
+                what,
+                f"{name}{half}",
+                [each for each in cases if name in {each.writer, each.site}],
+                model_of(found.left_out[name]),
+            )
+            for name, half in sorted(told.items())
+        ]
+        counts = [int(str(row["n"])) for row in rows]
+        means = {
+            name: float(
+                np.average([float(str(row[name])) for row in rows], weights=counts)
+            )
+            for name in rows[0]
+            if name.startswith(("log_", "first_"))
+        }
+        yield from [*rows, {"group": what, "name": "all", "n": sum(counts), **means}]
 
 
 def shipped_rows(
@@ -395,7 +406,7 @@ def parameter_table(rows: Sequence[dict[str, object]]) -> Table:
         ),
         tuple(rows),
         notes=(
-            "Intervals: 95 %, paragraphs drawn again. Paragraphs: those to which the "
+            "Intervals: 95 %, by the curvature. Paragraphs: those to which the "
             "parameter matters. Information: sum of squared slopes, in units of the "
             f"prior, whose standard deviation is {PRIOR_SD:g} about the values by hand.",
         ),

@@ -8,6 +8,8 @@ from benchmarks.fit import (
     Cases,
     Linear,
     comparison_row,
+    fit,
+    left_out_rows,
     linear_about,
     model_of,
     vector_of,
@@ -64,3 +66,14 @@ def test_values_are_compared_by_what_they_give_the_goal(case: Case) -> None:
     row = comparison_row("all", "tiny", [case], replace(Likelihoods(), wrong_side=0.5))
     assert row["first_by_hand"] == 1.0
     assert float(str(row["log_by_hand"])) > float(str(row["log_fitted"]))
+
+
+def test_texts_are_judged_by_values_fitted_without_them(case: Case) -> None:
+    other = replace(case, writer="somebody else", site="another map")
+    rows = list(left_out_rows([case, other], fit([case, other])))
+    told = {str(row["name"]): row for row in rows}
+    assert f"{case.writer} ({case.half})" in told
+    assert {"another map", case.site} <= set(told)
+    pooled = [row for row in rows if row["name"] == "all"]
+    assert [row["n"] for row in pooled] == [2, 2]
+    assert all(row["first_fitted"] == 1.0 for row in pooled)

@@ -67,8 +67,6 @@ class Likelihoods:
     # -- counts
     count_right: float = 0.85
     """That a count is right."""
-    count_one_off: float = 0.12
-    """That it is one off."""
     one_side: float = 0.75
     """That a speaker counts the openings of one side, not of both."""
     # -- kinds of place
@@ -115,6 +113,8 @@ WAY_METRES = 12.0
 """Length of the ways between two turns, in the middle."""
 PLACE_METRES = 8.0
 """From one place where one can turn to the next, where only metres are told."""
+ONE_OFF = 0.8
+"""Of the counts that are wrong so many are one off."""
 FEWEST_METRES = 1.5
 """Shorter ways are told like this one."""
 
@@ -251,10 +251,12 @@ def _nth(model: Likelihoods, told: int, met: int) -> float:
 
 
 def _count_right(model: Likelihoods, off: float) -> float:
-    rest = max(1.0 - model.count_right - model.count_one_off, 0.01)
     if off < 0.5:
         return model.count_right
-    return model.count_one_off if off < 1.5 else rest / max(off, 1.0)
+    wrong = 1.0 - model.count_right
+    if off < 1.5:
+        return ONE_OFF * wrong
+    return max((1.0 - ONE_OFF) * wrong, 0.01) / off
 
 
 def passings_ratio(
