@@ -165,7 +165,7 @@ class Belief:
         else:
             while not self._sum_up(starts, least):
                 least *= 10
-        self._add_lost()
+        self._add_lost(sum(chance for *_, chance in starts))
 
     def _sum_up(self, starts: list[Start], least: float) -> bool:
         """Sum the alignments that weigh so much; False where there are too many."""
@@ -207,7 +207,7 @@ class Belief:
             for exit in range(len(crossing.exits))
         )
 
-    def _add_lost(self) -> None:
+    def _add_lost(self, chance: float) -> None:
         """Believe a little that nothing of the way told is right: then any way may do."""
         ways = [
             (crossing, exit)
@@ -215,7 +215,7 @@ class Belief:
             for exit in range(len(crossing.exits))
             if exit not in crossing.closed
         ]
-        share = self.model.speakers[0] * self.model.lost / max(len(ways), 1)
+        share = self.model.speakers[0] * self.model.lost * chance / max(len(ways), 1)
         weights = np.stack([np.zeros_like(share), share])
         for crossing, exit in ways:
             segment = Segment(
