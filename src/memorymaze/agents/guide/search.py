@@ -40,6 +40,8 @@ WAYS = 2.2
 """Times the way told that the robot walks at most."""
 LEG_METRES = 15.0
 """Expected length of a leg whose length was not said."""
+MOST_PHRASES, LIKELY_ENOUGH = 15, 0.02
+"""Things looked for at a time, and how likely a leg has to be for its things to count."""
 MOST_DECISIONS = 400
 SHORT_OF_THE_END = 1.5
 """Metres before the end of a way at which to stop where nothing was seen of the place."""
@@ -379,12 +381,12 @@ class Search:
         masses = np.zeros(legs + 1)
         for segment, weights in zip(frontier.segments, frontier.weights, strict=True):
             masses[segment.leg] += weights.sum()
-        for number in range(legs + 1):
-            near = masses[max(number - 1, 0) : number + 2].sum()
-            if near < 0.02 * masses.sum():
-                continue
-            phrases.extend(self._things.phrases(number))
-        return list(dict.fromkeys(phrases))
+        shares = masses / max(masses.sum(), 1e-300)
+        near = [shares[max(n - 1, 0) : n + 2].sum() for n in range(legs + 1)]
+        for number in sorted(range(legs + 1), key=lambda n: -near[n]):
+            if near[number] >= LIKELY_ENOUGH:
+                phrases.extend(self._things.phrases(number))
+        return list(dict.fromkeys(phrases))[:MOST_PHRASES]
 
     # -- ending
 

@@ -19,6 +19,8 @@ STRIDE = 0.8
 """Metres between two looks."""
 LONG_STRIDE = 1.2
 """Metres between two looks for turning points alone; they are 1.5 m long or more."""
+READING_STRIDE = 1.5
+"""Metres between two readings of signs."""
 IN_PLACE = math.radians(12)
 """A way that differs less from the heading needs no turn."""
 AHEAD = math.radians(12)
@@ -52,6 +54,7 @@ class Walker:
         self.map = FloorMap()
         self._robot = robot
         self._reads_signs = reads_signs
+        self._read_at = -math.inf
         self.place: Point = (0.0, 0.0)
         self.heading = 0.0
         self.at = 0
@@ -354,10 +357,18 @@ class Walker:
                 sighting = self._placed(phrase, found.label, found.score, found)
                 self.map.note(sighting)
                 seen.append(sighting)
-        if self._reads_signs:
+        if self._reads_signs and self._is_time_to_read():
             for text in self._robot.read_signs():
                 self.map.note_text(self._placed(text.text, text.text, 1.0, text))
         return seen
+
+    def _is_time_to_read(self) -> bool:
+        """Tell whether it came far enough since it last read, or turned: signs are large."""
+        here = self.travelled + 10 * self.heading
+        if abs(here - self._read_at) < READING_STRIDE:
+            return False
+        self._read_at = here
+        return True
 
     def _placed(
         self, phrase: str, label: str, score: float, found: Detection | SignText
