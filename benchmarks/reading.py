@@ -168,7 +168,7 @@ def _shared(one: Counter[Hashable], two: Counter[Hashable]) -> int:
 
 
 def _names(arrival: Arrival) -> set[str]:
-    """Return the names of the destination; of a sign or door what it says."""
+    """Return the names of the destination; of a sign what it says."""
     return {(place_on_sign(each) or each).casefold() for each in arrival.destinations}
 
 

@@ -250,6 +250,8 @@ def test_a_warning_names_what_lies_behind_the_turn_and_adds_no_turn(
         ("And six is on the left.", "door that says room 6", "left", None),
         ("Right, then office 2347, left.", "door that says 2347", "left", None),
         ("Stop at the kitchen sign.", "kitchen", None, None),
+        ("Turn left and walk under the library sign.", "library", None, None),
+        ("Left. Robots dead ahead, cant miss it.", "robot", "ahead", None),
         ("Take the first right and stop at the aquarium.", "aquarium", None, None),
         ("Stop in front of the aquarium.", "aquarium", None, None),
         ("The piano is the destination.", "piano", None, None),

@@ -394,7 +394,7 @@ class _Assembly:
 
     def _ends_the_turn(self, event: Event, at: int) -> bool:
         """`Turn right, opposite the hall.`: a place said last is that of the turn."""
-        if event.relation not in AT_THE_TURN or not self._done:
+        if event.relation not in AT_THE_TURN or event.walks or not self._done:
             return False
         if not self._draft.is_new:
             return False

@@ -108,7 +108,7 @@ class Event:
     turns: bool = False
     """For `ahead`: one turns to it, unless one stands so already."""
     walks: bool = False
-    """For `ahead`: one walks that way, not only faces it."""
+    """For `ahead` and `thing`: one walks there, not only faces it."""
     counted: bool = False
     """For `sentence`: the next sentence is an item of a counted list."""
 

@@ -293,6 +293,7 @@ class ClauseReader:
                 subject=clause.kinds[at + 1 : at + 2] == "B",
                 back=back,
                 ordinal=nth,
+                walks=not self._turned and "G" in clause.kinds[:at],
             )
         )
 

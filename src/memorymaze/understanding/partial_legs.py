@@ -107,11 +107,6 @@ class PartialLeg:
             or any(m.place in {"turn", "beside", "opposite"} for m in self.mentions)
         )
 
-    @property
-    def has_passed_things(self) -> bool:
-        """Whether something was named that lies before what is said next."""
-        return any(m.place in {"passed", "before_turn"} for m in self.mentions)
-
 
 def place_of(event: Event, back: bool) -> Place:
     """Return where on its leg a thing is, from how it was bound to its clause."""
