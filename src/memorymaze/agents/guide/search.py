@@ -68,6 +68,8 @@ class Patience:
     """Probability of a place from which on it goes there while other ways are open."""
     hope: float = 0.05
     """Probability of a way below which it is not worth walking any more."""
+    hopeless: float = 0.02
+    """Probability below which it does not go to a place."""
     claims: float = 0.2
     """Probability below which it says that it could not find the place."""
 
@@ -394,7 +396,7 @@ class Search:
         """Go to a place to arrive at; False where it turns out not to be it."""
         walker = self._walker
         chance = self._chance(ending)
-        if chance < self._patience.claims:
+        if chance < self._patience.hopeless:
             self._give_up("nothing fits what was told", chance)
             return True
         if not walker.go_to(ending.at):
@@ -404,7 +406,10 @@ class Search:
             return ending.sighting is None
         if ending.exit is not None and not walker.face(ending.exit):
             return True
-        self._arrive(ending.reason, chance, ending.segment.story)
+        if chance < self._patience.claims:
+            self._give_up(f"unlikely: {ending.reason}", chance)
+        else:
+            self._arrive(ending.reason, chance, ending.segment.story)
         if ending.sighting is None and walker.map.is_dead_end(ending.at):
             # The place is here or short of here, and never beyond.
             walker.turn_by(180.0)
