@@ -15,7 +15,7 @@ from memorymaze.agents.walking.floor_map import (
     Sighting,
     Stretch,
 )
-from memorymaze.routes import Arrival, Mention, RoutePlan
+from memorymaze.routes import Arrival, Length, Mention, RoutePlan
 
 EAST, WEST = (12.0, 0.0), (-12.0, 0.0)
 BOTH_WAYS = [(0, 0.0, 0, 0.5), (0, math.pi, 1, 0.5)]
@@ -83,3 +83,40 @@ def test_a_corner_to_arrive_at_is_one_where_the_way_does_not_go_on() -> None:
     corner = Arrival(mentions=(Mention("corner", "place", "turn"),), at_end=False)
     plain = _share_in_the_east(floor, Arrival())
     assert _share_in_the_east(floor, corner) < plain
+
+
+def test_a_destination_that_was_seen_is_likelier_than_one_that_was_not() -> None:
+    floor = _floor(frozenset({"piano"}), ("piano", (8.0, 1.0)))
+    assert _share_in_the_east(floor, Arrival(("piano",))) > 0.8
+
+
+def test_where_a_number_is_told_only_that_door_will_do() -> None:
+    model = Likelihoods()
+    floor = _floor(frozenset())
+    plan = RoutePlan(arrival=Arrival(("office", "door that says 2347")))
+    names = Arrivals(plan, floor, model, Things(plan, floor, model)).names
+    assert names == ("door that says 2347",)
+
+
+def test_what_was_found_not_to_be_the_destination_is_no_place_to_arrive_at() -> None:
+    floor = _floor(frozenset({"piano"}), ("piano", (8.0, 1.0)))
+    plan, model = RoutePlan(arrival=Arrival(("piano",))), Likelihoods()
+    things = Things(plan, floor, model)
+    belief = Belief(plan, floor, model, things)
+    belief.update(BOTH_WAYS)
+    arrivals = Arrivals(plan, floor, model, things)
+    assert any(each.sighting for each in arrivals.endings(belief))
+    arrivals.refuted.add(0)
+    assert not any(each.sighting for each in arrivals.endings(belief))
+
+
+def test_the_length_of_the_last_stretch_tells_where_on_it_one_arrives() -> None:
+    floor = _floor(frozenset())
+    plan = RoutePlan(arrival=Arrival(length=Length(6.0, "metres")))
+    model = Likelihoods()
+    things = Things(plan, floor, model)
+    belief = Belief(plan, floor, model, things)
+    belief.update(BOTH_WAYS)
+    endings = Arrivals(plan, floor, model, things).endings(belief)
+    best = max(endings, key=lambda each: each.mass)
+    assert abs(best.place[0]) == pytest.approx(6.0)
