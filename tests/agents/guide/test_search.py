@@ -5,13 +5,10 @@ from functools import partial
 from types import SimpleNamespace
 from typing import Any, cast
 
-import numpy as np
 import pytest
 
-from memorymaze.agents import GuideAgent, Journal
+from memorymaze.agents import GuideAgent
 from memorymaze.agents.guide.agent import GuideOptions
-from memorymaze.agents.guide.search import Patience, Search
-from memorymaze.agents.walking.walker import Walker
 from memorymaze.robot.api import Robot
 from memorymaze.robot.specification import API_NAMES
 
@@ -134,36 +131,21 @@ def test_things_told_count_unless_they_are_left_out(
 # -- giving up
 
 
-@pytest.mark.parametrize(("claims", "gives_up"), [(0.0, False), (0.99, True)])
-def test_what_is_too_unlikely_is_not_claimed_but_said_not_to_be_found(
-    walk_with: TakeWalk, claims: float, *, gives_up: bool
+def test_what_is_not_in_the_building_is_not_claimed_but_said_not_to_be_found(
+    take_walk: TakeWalk,
 ) -> None:
-    agent = Impatient(Patience(claims=claims))
-    walk = walk_with(agent, "crossing", "Turn left, then right. Stop at the piano.")
-    assert walk.journal.gave_up == gives_up
-    assert bool(walk.notes("arrival")) != gives_up
-    assert ("I could not find it." in walk.said) == gives_up
-    assert walk.journal.notes[-1]["confidence"] < 0.99
+    walk = take_walk("crossing", "Turn left, then right. Stop at the piano.")
+    assert walk.journal.gave_up
+    assert not walk.notes("arrival")
+    assert walk.notes("gave_up")[-1]["confidence"] < 0.5
+    assert "I could not find it." in walk.said
 
 
-class Impatient(GuideAgent):
-    """Walks with a patience of its own."""
-
-    def __init__(self, patience: Patience) -> None:
-        super().__init__()
-        self._patience = patience
-
-    def follow(
-        self,
-        instruction: str,
-        robot: Robot,
-        journal: Journal,
-        rng: np.random.Generator,
-    ) -> None:
-        plan = self.reader.read(instruction, journal)
-        walker = Walker(robot, reads_signs=True)
-        Search(plan, walker, journal, patience=self._patience).run()
-        robot.stop()
+def test_what_was_found_is_claimed(take_walk: TakeWalk) -> None:
+    walk = take_walk("slanted_crossing", "Bear left and walk to the piano.")
+    assert not walk.journal.gave_up
+    assert walk.notes("arrival")[-1]["confidence"] > 0.5
+    assert "I could not find it." not in walk.said
 
 
 # -- what it writes down
