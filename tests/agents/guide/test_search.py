@@ -134,7 +134,7 @@ def test_things_told_count_unless_they_are_left_out(
 def test_what_is_not_in_the_building_is_not_claimed_but_said_not_to_be_found(
     take_walk: TakeWalk,
 ) -> None:
-    walk = take_walk("crossing", "Turn left, then right. Stop at the piano.")
+    walk = take_walk("corridor", "Turn left, right, left. Stop at room 512.")
     assert walk.journal.gave_up
     assert not walk.notes("arrival")
     assert walk.notes("gave_up")[-1]["confidence"] < 0.5
