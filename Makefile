@@ -6,7 +6,7 @@ INPUTS := pyproject.toml constraints.txt scripts/setup.sh
 WORKERS ?= 0
 # Results belong to the code that made them, so each version has a run folder of its own.
 VERSION := $(shell git rev-parse --short HEAD 2>/dev/null || echo release)
-RUN ?= runs/rules-$(VERSION)
+RUN ?= runs/guide-$(VERSION)
 # Of `make table-two`: which model (none replays what is recorded), how many episodes of
 # each method it is asked for, and where.
 MODEL ?=
@@ -16,7 +16,7 @@ TABLE_TWO ?= runs/table-two-$(VERSION)
 .PHONY: benchmark table-two test proof test-local-llm check bench setup install clean
 
 benchmark: install
-	$(BIN)/memorymaze evaluate --agent rules --workers $(WORKERS) --out $(RUN) --resume
+	$(BIN)/memorymaze evaluate --agent guide --workers $(WORKERS) --out $(RUN) --resume
 	$(BIN)/memorymaze table $(RUN)
 
 # Every method of the paper's Table II, from recorded answers or on a sample with any model.

@@ -40,6 +40,8 @@ if [ -z "$model" ]; then
     plans=(--set reader=model --replay $recorded/plans.jsonl)
     run rules rules --instructions "$all"
     run rules_plans rules --instructions "$all" "${plans[@]}"
+    run guide guide --instructions "$all"
+    run guide_plans guide --instructions "$all" "${plans[@]}"
     run explorer explorer --instructions "$all"
     run code_generation code_generation --instructions "$all" \
         --replay $recorded/programs_without_parser.jsonl
@@ -89,6 +91,8 @@ for round in asked replayed; do
     fi
     run rules rules --limit "$limit"
     run rules_plans rules --set reader=model "${ask[@]}"
+    run guide guide --limit "$limit"
+    run guide_plans guide --set reader=model "${ask[@]}"
     run explorer explorer --limit "$limit"
     run code_generation code_generation --no-parser "${code_generation[@]}" "${ask[@]}"
     run code_generation_parser code_generation "${code_generation[@]}" "${ask[@]}"

@@ -39,7 +39,7 @@ def add_parser(verbs: Verbs) -> None:
 def _add_options(parser: argparse.ArgumentParser) -> None:
     add_site_and_route(parser)
     parser.add_argument("text", metavar="TEXT", help="the instruction")
-    add_agent_name(parser, default="rules")
+    add_agent_name(parser, default="guide")
     parser.add_argument(
         "--out", metavar="DIR", help="folder (default: runs/navigate-SITE-ROUTE-TIME)"
     )

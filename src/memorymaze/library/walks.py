@@ -97,7 +97,7 @@ class Walk:
 
 def follow(
     text: str,
-    agent: AgentChoice = "rules",
+    agent: AgentChoice = "guide",
     *,
     site: Site | str | Path,
     route: str = "R1",
