@@ -233,7 +233,8 @@ def test_a_model_is_given_where_one_decides_and_only_there() -> None:
 def test_a_text_that_says_left_for_right_is_noticed_and_repaired(
     builtin_sites: dict[str, Site],
 ) -> None:
-    # What a large language model said to this text, at its eleven turning points.
+    # What a large language model said to this text, at its eleven turning points; one
+    # reply was replaced by hand, so it proves the loop and measures nothing.
     name = "ons-museum_7f-r2-21-1"
     texts = (each.instruction for each in load_corpus().episodes)
     told = next(each for each in texts if each.id == name)
