@@ -24,6 +24,7 @@ from memorymaze.agents.walking.floor_map import (
     Point,
     Sighting,
     distance_to_line,
+    metres_along,
 )
 from memorymaze.agents.walking.outlooks import junction_at_the_end
 from memorymaze.agents.walking.walker import Walker
@@ -123,7 +124,7 @@ class Arrivals:
                 continue
             if distance_to_line(sighting.seen_from, (start, end)) > BESIDE:
                 continue
-            along = _along(sighting.place, start, end)
+            along = metres_along(sighting.place, start, end)
             ratio = self.seen(sighting, (start, end))
             yield Ending(
                 stretch.start,
@@ -145,7 +146,7 @@ class Arrivals:
                     stretch.exit,
                     rest,
                     there,
-                    self._weigh(visit, rest, there) * self._unseen(there),
+                    self._weigh(visit, rest, there) * self._unseen,
                     segment,
                     None,
                     f"{length.metres:.0f} m walked",
@@ -157,7 +158,7 @@ class Arrivals:
             return
         crossing = self._floor.crossings[segment.at]
         choices = choices_at(crossing.exits, crossing.closed, segment.heading)
-        ratio = self._unseen(crossing.place)
+        ratio = self._unseen
         goes_on = choices.forward is not None
         if arrival.at_end:
             ratio *= 2 * (1 - model.kind_right if goes_on else model.kind_right)
@@ -223,7 +224,8 @@ class Arrivals:
         """A sign that says `Library` is not the library."""
         return is_sign(sighting.label) and place_on_sign(sighting.phrase) is None
 
-    def _unseen(self, place: Point) -> float:
+    @property
+    def _unseen(self) -> float:
         """Weigh a place where nothing of the destination was seen."""
         if not self.names:
             return 1.0
@@ -274,17 +276,17 @@ def walk_up_to(walker: Walker, sighting: Sighting, names: tuple[str, ...] = ()) 
         sighting = again[0] if again else sighting
         opens = _OPENS.search(sighting.label) is not None
         if opens and sighting.side != "ahead" and walker.turn_in(sighting.side):
-            _walk_on(walker, 2 * INSIDE)
+            walker.walk_on(2 * INSIDE)
             return
         if again and sighting.distance <= IN_FRONT and not opens:
             return
-        rest = _ahead(walker, sighting) - (0.0 if opens else 0.3)
+        rest = walker.metres_until_abreast(sighting) - (0.0 if opens else 0.3)
         if rest <= 0.2:
             break
         if not walker.step(min(rest, 0.8)):
             break
     if _OPENS.search(sighting.label):
-        _walk_on(walker, _ahead(walker, sighting) + INSIDE)
+        walker.walk_on(walker.metres_until_abreast(sighting) + INSIDE)
     elif "hanging" in sighting.label:
         _enter(walker, sighting, names)
     else:
@@ -321,28 +323,6 @@ def _variants(phrase: str) -> list[str]:
     """Return a name, and its head alone: `robot` for `robot of human shape`."""
     head = re.split(r" (?:of|with|that|for) ", phrase)[0]
     return [phrase] if head == phrase or is_common(head) else [phrase, head]
-
-
-def _walk_on(walker: Walker, distance: float) -> None:
-    while distance > 0.2 and walker.step(min(distance, 1.0)):
-        distance -= 1.0
-
-
-def _ahead(walker: Walker, sighting: Sighting) -> float:
-    """Metres to walk until the thing is abreast."""
-    dx = sighting.place[0] - walker.place[0]
-    dy = sighting.place[1] - walker.place[1]
-    return dx * math.cos(walker.heading) + dy * math.sin(walker.heading)
-
-
-def _along(place: Point, start: Point, end: Point) -> float:
-    """Return how far along a straight piece a place lies, metres."""
-    length = math.dist(start, end)
-    if length == 0.0:
-        return 0.0
-    dx, dy = end[0] - start[0], end[1] - start[1]
-    along = ((place[0] - start[0]) * dx + (place[1] - start[1]) * dy) / length
-    return min(max(along, 0.0), length)
 
 
 def _on_line(start: Point, end: Point, metres: float) -> Point:

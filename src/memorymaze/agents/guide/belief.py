@@ -232,10 +232,14 @@ class Belief:
             if stretch is not None:
                 self.visits.append(Visit(segment, stretch))
                 continue
-            key = crossing.number, exit
-            frontier = self.frontiers.setdefault(key, Frontier(*key))
-            frontier.segments.append(segment)
-            frontier.weights.append(weights)
+            self._reach(segment, exit, weights)
+
+    def _reach(self, segment: Segment, exit: int, weights: Weights) -> None:
+        """Let an alignment lead into a way that was not walked yet."""
+        key = segment.at, exit
+        frontier = self.frontiers.setdefault(key, Frontier(*key))
+        frontier.segments.append(segment)
+        frontier.weights.append(weights)
 
     # -- one alignment
 
@@ -247,10 +251,7 @@ class Belief:
         stretch = self.floor.stretches.get((segment.at, exit))
         if stretch is None:
             if exit not in self.floor.crossings[segment.at].closed:
-                key = segment.at, exit
-                frontier = self.frontiers.setdefault(key, Frontier(*key))
-                frontier.segments.append(segment)
-                frontier.weights.append(self._to_come(segment))
+                self._reach(segment, exit, self._to_come(segment))
             return
         self._followed += 1
         if segment.places >= MOST_PLACES or self._followed > MOST_ALIGNMENTS:

@@ -19,27 +19,23 @@ from memorymaze.agents.guide.signs import Pointers
 from memorymaze.agents.guide.things import Things
 from memorymaze.agents.walking.floor_map import FloorMap, Sighting
 from memorymaze.agents.walking.outlooks import (
-    faces,
+    LEG_METRES,
+    expected_metres,
     first_heading_cost,
-    length_of,
+    headings_to_begin,
+    looks_of,
     outlook_of,
     things_on,
 )
 from memorymaze.agents.walking.walker import Walker
-from memorymaze.geometry.pose import wrap_angle
 from memorymaze.routes import RoutePlan
-from memorymaze.understanding import ANY_FLOOR, is_floor
 
-SAME_HEADING = math.radians(35)
-"""Ways to face that differ by less are one."""
 FEWEST_METRES, MOST_METRES = 120.0, 400.0
 """Bounds of the walk after which the agent stops at the best place it knows."""
 PATIENCE = 2.0
 """Times as long as that, while there is no place that it takes for the destination."""
 WAYS = 2.2
 """Times the way told that the robot walks at most."""
-LEG_METRES = 15.0
-"""Expected length of a leg whose length was not said."""
 MOST_PHRASES, LIKELY_ENOUGH = 15, 0.02
 """Things looked for at a time, and how likely a leg has to be for its things to count."""
 MOST_DECISIONS = 400
@@ -116,7 +112,7 @@ class Search:
         self._endings: list[Ending] = []
         self._starts: list[Start] = []
         self._limit = _walk_limit(plan)
-        self._looks = _looks_of(plan)
+        self._looks = looks_of(plan)
         """What tells ways apart: looked for at every crossing."""
         self._doubted: frozenset[tuple[str, int]] = frozenset()
 
@@ -162,8 +158,7 @@ class Search:
         wanted: list[str] = []
         if best is None or best.mass < self._patience.plain * self._total:
             wanted.extend(self._looks)
-        legs, _ = self._summary()
-        if legs[-1] >= self._patience.near and not any(
+        if self._legs_done[-1] >= self._patience.near and not any(
             each.sighting is not None for each in self._endings
         ):
             wanted.extend(self._arrivals.names)
@@ -182,15 +177,15 @@ class Search:
         self._total += sum(each.mass for each in self._endings)
         self._distances = self._walker.map.distances_from(self._walker.at)
         best = self._likeliest()
-        legs, doubt = self._summary()
+        self._legs_done, self._doubt = self._summary()
         self._journal.note(
             "belief",
             at=self._walker.at,
-            legs=[round(each, 3) for each in legs],
-            doubt=round(doubt, 3),
+            legs=[round(each, 3) for each in self._legs_done],
+            doubt=round(self._doubt, 3),
         )
         if best is not None:
-            self._say_doubts(best, doubt)
+            self._say_doubts(best, self._doubt)
 
     def _summary(self) -> tuple[list[float], float]:
         """Return the probabilities of legs done, and that something told is wrong."""
@@ -245,11 +240,14 @@ class Search:
 
     def _mass_about(self, ending: Ending) -> float:
         """Sum the belief in places to arrive at that are as good as this one."""
-        return sum(
-            each.mass
+        return sum(each.mass for each in self._same_place(ending))
+
+    def _same_place(self, ending: Ending) -> list[Ending]:
+        return [
+            each
             for each in self._endings
             if math.dist(each.place, ending.place) < SAME_PLACE
-        )
+        ]
 
     def _is_enough(self, ending: Ending, frontier: Frontier) -> bool:
         """Tell whether what going on may still show is worth less than stopping."""
@@ -291,12 +289,7 @@ class Search:
         best = max(self._endings, key=self._value, default=None)
         if best is None or best.mass <= 0.0:
             return None
-        same = [
-            each
-            for each in self._endings
-            if math.dist(each.place, best.place) < SAME_PLACE
-        ]
-        return max(same, key=lambda each: each.mass)
+        return max(self._same_place(best), key=lambda each: each.mass)
 
     def _too_far_for(self, frontier: Frontier, ending: Ending | None) -> bool:
         """Tell whether after one more stretch there is no time to come back.
@@ -400,10 +393,10 @@ class Search:
             self._give_up("nothing fits what was told", chance)
             return True
         if not walker.go_to(ending.at):
-            self._arrivals.refuted.update(
-                {ending.sighting.track} if ending.sighting else set()
-            )
-            return ending.sighting is None
+            if ending.sighting is None:
+                return True
+            self._arrivals.refuted.add(ending.sighting.track)
+            return False
         if ending.exit is not None and not walker.face(ending.exit):
             return True
         if chance < self._patience.claims:
@@ -432,12 +425,14 @@ class Search:
             goal -= step
         return True
 
+    def _note_last_doubt(self) -> None:
+        self._journal.note("doubt", score=round(self._doubt, 3), at=self._walker.at)
+
     def _arrive(
         self, reason: str, confidence: float, story: tuple[str, ...] = ()
     ) -> None:
         self._said = "arrival"
-        _, doubt = self._summary()
-        self._journal.note("doubt", score=round(doubt, 3), at=self._walker.at)
+        self._note_last_doubt()
         self._journal.note(
             "arrival",
             reason=reason,
@@ -447,8 +442,7 @@ class Search:
 
     def _give_up(self, reason: str, confidence: float = 0.0) -> None:
         self._said = "gave_up"
-        _, doubt = self._summary()
-        self._journal.note("doubt", score=round(doubt, 3), at=self._walker.at)
+        self._note_last_doubt()
         self._journal.note("gave_up", reason=reason, confidence=round(confidence, 3))
         self._walker.say("I could not find it.")
 
@@ -464,13 +458,7 @@ def starts_ahead(model: Likelihoods, floor: FloorMap, at: int) -> list[Start]:
 
 def starts_any_way(plan: RoutePlan, floor: FloorMap, at: int) -> list[Start]:
     """Return the ways to begin where the robot may have to face any way."""
-    exits = floor.crossings[at].exits
-    headings = list(exits)
-    for exit in exits:
-        for angle in (math.pi / 2, math.pi, -math.pi / 2):
-            heading = wrap_angle(exit + angle)
-            if all(abs(wrap_angle(heading - h)) > SAME_HEADING for h in headings):
-                headings.append(heading)
+    headings = headings_to_begin(floor.crossings[at].exits)
     costs = [first_heading_cost(plan, floor, at, heading) for heading in headings]
     chances = [math.exp(-cost) for cost in costs]
     return [
@@ -491,25 +479,6 @@ def _doubt_in_words(slip: Slip, legs: int) -> str:
     return words.get(slip.kind, f"I doubt what was told of {told}.")
 
 
-def _looks_of(plan: RoutePlan) -> tuple[str, ...]:
-    """Return what to look for along every way; nothing where no way is told by looks."""
-    parts = range(len(plan.legs) + 1)
-    outlooks = [outlook_of(plan, number) for number in parts]
-    ahead = [phrase for outlook in outlooks for phrase in outlook.ahead]
-    things = [each for number in parts for each in things_on(plan, number)]
-    named = [each.phrase for each in things if is_floor(each.phrase)]
-    floors = [phrase for phrase in (*ahead, *named) if is_floor(phrase)]
-    turns = any(faces(plan, number) for number in range(len(plan.legs)))
-    if not floors and not turns:
-        return ()
-    return tuple(dict.fromkeys([*([ANY_FLOOR] if floors else []), *ahead, *floors]))
-
-
 def _walk_limit(plan: RoutePlan) -> float:
     """Metres after which to stop at the best place known."""
-    expected = sum(
-        length.metres if (length := length_of(leg)) is not None else LEG_METRES
-        for leg in plan.legs
-    )
-    expected += plan.arrival.length.metres if plan.arrival.length else LEG_METRES
-    return min(max(FEWEST_METRES, WAYS * expected), MOST_METRES)
+    return min(max(FEWEST_METRES, WAYS * expected_metres(plan)), MOST_METRES)

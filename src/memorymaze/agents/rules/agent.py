@@ -19,20 +19,18 @@ from memorymaze.agents.rules.arriving import Arrivals, approach
 from memorymaze.agents.walking.choices import choices_at
 from memorymaze.agents.walking.floor_map import Sighting
 from memorymaze.agents.walking.outlooks import (
-    faces,
+    LEG_METRES,
+    expected_metres,
     first_heading_cost,
-    length_of,
+    headings_to_begin,
+    looks_of,
     outlook_of,
     things_on,
 )
 from memorymaze.agents.walking.walker import Walker
-from memorymaze.geometry.pose import wrap_angle
 from memorymaze.robot.api import Robot
 from memorymaze.routes import RoutePlan, describe
-from memorymaze.understanding import ANY_FLOOR, is_floor
 
-SAME_HEADING = math.radians(35)
-"""Ways to face that differ by less are one."""
 METRE_BACK = 0.012
 """Nats for each metre to walk back to another hypothesis."""
 RIVALS = 3.0
@@ -41,8 +39,6 @@ FRONTIER = 300
 """Hypotheses kept at a time."""
 FEWEST_METRES, MOST_METRES = 120.0, 300.0
 """Bounds of the walk after which the agent stops at the best place it knows."""
-LEG_METRES = 15.0
-"""Expected length of a leg whose length was not said."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -112,7 +108,7 @@ class _Search:
         self._best_known: dict[tuple[int, int, int], list[float]] = {}
         self._limit = _walk_limit(plan)
         self._any_heading = options.start_heading == "unknown"
-        self._looks = _looks_of(plan)
+        self._looks = looks_of(plan)
         """What tells ways apart: looked for at every crossing."""
 
     def run(self) -> None:
@@ -147,13 +143,7 @@ class _Search:
         phrases = dict.fromkeys([*self._looks, *self._first_things()])
         self._walker.look_about(phrases)
         exits = self._walker.map.crossings[standing.at].exits
-        headings = list(exits)
-        for exit in exits:
-            for angle in (math.pi / 2, math.pi, -math.pi / 2):
-                heading = wrap_angle(exit + angle)
-                if all(abs(wrap_angle(heading - h)) > SAME_HEADING for h in headings):
-                    headings.append(heading)
-        for heading in headings:
+        for heading in headings_to_begin(exits):
             cost = first_heading_cost(
                 self._plan, self._walker.map, standing.at, heading
             )
@@ -331,25 +321,6 @@ class _Search:
             goal -= step
 
 
-def _looks_of(plan: RoutePlan) -> tuple[str, ...]:
-    """Return what to look for along every way; nothing where no way is told by looks."""
-    parts = range(len(plan.legs) + 1)
-    outlooks = [outlook_of(plan, number) for number in parts]
-    ahead = [phrase for outlook in outlooks for phrase in outlook.ahead]
-    things = [each for number in parts for each in things_on(plan, number)]
-    named = [each.phrase for each in things if is_floor(each.phrase)]
-    floors = [phrase for phrase in (*ahead, *named) if is_floor(phrase)]
-    turns = any(faces(plan, number) for number in range(len(plan.legs)))
-    if not floors and not turns:
-        return ()
-    return tuple(dict.fromkeys([*([ANY_FLOOR] if floors else []), *ahead, *floors]))
-
-
 def _walk_limit(plan: RoutePlan) -> float:
     """Metres after which to stop at the best place known."""
-    expected = sum(
-        length.metres if (length := length_of(leg)) is not None else LEG_METRES
-        for leg in plan.legs
-    )
-    expected += plan.arrival.length.metres if plan.arrival.length else LEG_METRES
-    return min(max(FEWEST_METRES, 2.2 * expected), MOST_METRES)
+    return min(max(FEWEST_METRES, 2.2 * expected_metres(plan)), MOST_METRES)

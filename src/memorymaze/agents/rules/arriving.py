@@ -12,7 +12,12 @@ from memorymaze.agents.rules.evidence import (
     passings_cost,
 )
 from memorymaze.agents.walking.choices import Choices
-from memorymaze.agents.walking.floor_map import FloorMap, Point, Sighting, Stretch
+from memorymaze.agents.walking.floor_map import (
+    FloorMap,
+    Sighting,
+    Stretch,
+    metres_along,
+)
 from memorymaze.agents.walking.outlooks import junction_at_the_end, things_on
 from memorymaze.agents.walking.walker import Walker
 from memorymaze.routes import RoutePlan, Turn
@@ -85,7 +90,7 @@ class Arrivals:
                 continue
             if self._only_names(sighting):
                 continue
-            along = _along(sighting.seen_from, start, end)
+            along = metres_along(sighting.seen_from, start, end)
             cost = base + loss + self._fit(standing, along, to_come)
             cost += self._side_cost(sighting)
             yield Ending(
@@ -271,43 +276,21 @@ def approach(walker: Walker, sighting: Sighting) -> None:
         sighting = seen[0]
         opens = _OPENS.search(sighting.label) is not None
         if opens and sighting.side != "ahead" and walker.turn_in(sighting.side):
-            _walk_on(walker, 2 * INSIDE)
+            walker.walk_on(2 * INSIDE)
             return
         rest = sighting.distance - CLOSE
         if opens:
-            rest = _ahead(walker, sighting)
+            rest = walker.metres_until_abreast(sighting)
         if rest <= 0.1 or not walker.step(min(rest, 0.8)):
             break
     if _OPENS.search(sighting.label):
-        _walk_on(walker, _ahead(walker, sighting) + INSIDE)
+        walker.walk_on(walker.metres_until_abreast(sighting) + INSIDE)
 
 
 def _variants(phrase: str) -> list[str]:
     """Return a name, and its head alone: `robot` for `robot of human shape`."""
     head = re.split(r" (?:of|with|that|for) ", phrase)[0]
     return [phrase] if head == phrase or is_common(head) else [phrase, head]
-
-
-def _walk_on(walker: Walker, distance: float) -> None:
-    while distance > 0.2 and walker.step(min(distance, 1.0)):
-        distance -= 1.0
-
-
-def _ahead(walker: Walker, sighting: Sighting) -> float:
-    """Metres to walk until the thing is abreast."""
-    dx = sighting.place[0] - walker.place[0]
-    dy = sighting.place[1] - walker.place[1]
-    return dx * math.cos(walker.heading) + dy * math.sin(walker.heading)
-
-
-def _along(place: Point, start: Point, end: Point) -> float:
-    """Return how far along a straight piece a place lies, metres."""
-    length = math.dist(start, end)
-    if length == 0.0:
-        return 0.0
-    dx, dy = end[0] - start[0], end[1] - start[1]
-    along = ((place[0] - start[0]) * dx + (place[1] - start[1]) * dy) / length
-    return min(max(along, 0.0), length)
 
 
 def _is_sign(words: str) -> bool:

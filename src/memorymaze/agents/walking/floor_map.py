@@ -293,3 +293,13 @@ def side_of_line(point: Point, line: Sequence[Point]) -> str:
     if abs(aside) <= ON_LINE * math.hypot(dx, dy):
         return "ahead"
     return "left" if aside > 0 else "right"
+
+
+def metres_along(place: Point, start: Point, end: Point) -> float:
+    """Return how far along a straight piece a place lies, metres."""
+    length = math.dist(start, end)
+    if length == 0.0:
+        return 0.0
+    dx, dy = end[0] - start[0], end[1] - start[1]
+    along = ((place[0] - start[0]) * dx + (place[1] - start[1]) * dy) / length
+    return min(max(along, 0.0), length)

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from memorymaze.agents.walking.floor_map import SEES_FAR, FloorMap
 from memorymaze.geometry.pose import wrap_angle
 from memorymaze.routes import Arrival, Junction, Leg, Length, Mention, RoutePlan, Side
-from memorymaze.understanding import is_floor
+from memorymaze.understanding import ANY_FLOOR, is_floor
 
 OTHER_FLOOR = 2.8
 """The way has another floor than the one said."""
@@ -28,6 +28,10 @@ INTO_WALL = 1.0
 """One is to go at first, and faces a wall."""
 FIRST_THING = 0.5
 """Share that counts of a thing where the first leg ends; it may lie round a corner."""
+SAME_HEADING = math.radians(35)
+"""Ways to face that differ by less are one."""
+LEG_METRES = 15.0
+"""Expected length of a leg whose length was not said."""
 AT_ONCE = Length(4.0, "vague")
 OPEN = math.radians(60)
 """A way that differs less from a direction lies there."""
@@ -220,3 +224,39 @@ def first_heading_cost(
     )
     seen = outlook_cost(Outlook(things[:1]), floor, at, exit)
     return cost + FIRST_THING * seen
+
+
+def looks_of(plan: RoutePlan) -> tuple[str, ...]:
+    """Return what to look for along every way; nothing where no way is told by looks."""
+    parts = range(len(plan.legs) + 1)
+    outlooks = [outlook_of(plan, number) for number in parts]
+    ahead = [phrase for outlook in outlooks for phrase in outlook.ahead]
+    things = [each for number in parts for each in things_on(plan, number)]
+    named = [each.phrase for each in things if is_floor(each.phrase)]
+    floors = [phrase for phrase in (*ahead, *named) if is_floor(phrase)]
+    turns = any(faces(plan, number) for number in range(len(plan.legs)))
+    if not floors and not turns:
+        return ()
+    return tuple(dict.fromkeys([*([ANY_FLOOR] if floors else []), *ahead, *floors]))
+
+
+def expected_metres(plan: RoutePlan) -> float:
+    """Return the length of the way told, as far as one can tell before walking it."""
+    expected = sum(
+        length.metres if (length := length_of(leg)) is not None else LEG_METRES
+        for leg in plan.legs
+    )
+    return expected + (
+        plan.arrival.length.metres if plan.arrival.length else LEG_METRES
+    )
+
+
+def headings_to_begin(exits: Sequence[float]) -> list[float]:
+    """Return all ways to face where ways lead out: along each of them, or off it."""
+    headings = list(exits)
+    for exit in exits:
+        for angle in (math.pi / 2, math.pi, -math.pi / 2):
+            heading = wrap_angle(exit + angle)
+            if all(abs(wrap_angle(heading - h)) > SAME_HEADING for h in headings):
+                headings.append(heading)
+    return headings

@@ -217,6 +217,17 @@ class Walker:
         self._advance(result.distance)
         return result.reason == "done"
 
+    def walk_on(self, distance: float) -> None:
+        """Walk on by small steps until something is in the way."""
+        while distance > 0.2 and self.step(min(distance, 1.0)):
+            distance -= 1.0
+
+    def metres_until_abreast(self, sighting: Sighting) -> float:
+        """Return the metres to walk ahead until something is abreast."""
+        dx = sighting.place[0] - self.place[0]
+        dy = sighting.place[1] - self.place[1]
+        return dx * math.cos(self.heading) + dy * math.sin(self.heading)
+
     def _advance(self, distance: float) -> None:
         x, y = self.place
         self.place = (
