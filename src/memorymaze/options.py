@@ -352,3 +352,11 @@ def check_word(name: str, value: object, words: Any) -> None:
 def check_whole(name: str, value: int, *, least: int) -> None:
     """Refuse what is not a whole number of at least `least`; see `check_number`."""
     check_number(name, value, least, whole=True)
+
+
+def check_least(options: object, **least: int) -> None:
+    """Refuse an agent's options that are given and no whole numbers of at least so much."""
+    for name, lowest in least.items():
+        value = getattr(options, name)
+        if value is not None:
+            check_whole(f"--set {name}", value, least=lowest)

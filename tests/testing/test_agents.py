@@ -10,7 +10,7 @@ from memorymaze.agents import AGENTS, Agent, Journal, StopAgent
 from memorymaze.agents.code_generation import CodeGenerationAgent
 from memorymaze.agents.navgpt import NavGPTAgent, NavGPTOptions
 from memorymaze.agents.navid import NavidAgent
-from memorymaze.agents.navid.model_policies import VisionPolicy
+from memorymaze.agents.navid.model_policies import ModelPolicy
 from memorymaze.agents.see_and_go import SeeAndGoAgent
 from memorymaze.errors import EpisodeOver
 from memorymaze.evaluation.graph_agents import NavGPTOnGraph
@@ -68,7 +68,7 @@ def test_an_agent_that_goes_by_single_steps_keeps_the_contract(
     make_robot: Callable[[], SteppingRobot], reply: str
 ) -> None:
     model = ScriptedLanguageModel(lambda _: reply)
-    check_agent(NavidAgent(VisionPolicy(model)), make_robot)
+    check_agent(NavidAgent(ModelPolicy(model)), make_robot)
     check_agent(SeeAndGoAgent(model), make_robot)
 
 
@@ -86,7 +86,7 @@ def test_agents_that_are_given_more_of_the_site_keep_the_contract(
     make_robot: Callable[[], SteppingRobot],
 ) -> None:
     silent = ScriptedLanguageModel(lambda _: "Thought: There.\nFinal Answer: arrived")
-    policy = VisionPolicy(ScriptedLanguageModel(lambda _: "turn left 90 degrees"))
+    policy = ModelPolicy(ScriptedLanguageModel(lambda _: "turn left 90 degrees"))
     for agent in (
         OracleAgent([(2, 0), (9, 0)]),
         NavGPTOnGraph(NavGPTAgent(silent, NavGPTOptions())),

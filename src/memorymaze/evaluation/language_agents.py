@@ -14,7 +14,7 @@ from memorymaze.agents.guide import GuideAgent, GuideOptions
 from memorymaze.agents.navgpt import NavGPTAgent, NavGPTOptions
 from memorymaze.agents.navgpt.agent import loop_limits
 from memorymaze.agents.navid import NavidAgent, NavidOptions
-from memorymaze.agents.navid.model_policies import BlindPolicy, VisionPolicy
+from memorymaze.agents.navid.model_policies import ModelPolicy
 from memorymaze.agents.navid.policy import Policy
 from memorymaze.agents.plan_readers import ModelReader
 from memorymaze.agents.rules import RulesAgent
@@ -180,7 +180,8 @@ def navid_for_runs(
         return lambda _: NavidOnSite(NavidAgent(policy, options))
     model = _checked_model(settings.language_model, options)
     return _asking(
-        model, lambda asked: NavidOnSite(NavidAgent(_policy(asked, options), options))
+        model,
+        lambda asked: NavidOnSite(NavidAgent(ModelPolicy(asked, options), options)),
     )
 
 
@@ -202,20 +203,6 @@ def _refuse_blind(settings: ModelSettings, way_out: str = "") -> None:
             f"--model {settings.model}: models that run here see no pictures; name a "
             f"vision model on a server (--base-url){way_out}"
         )
-
-
-def _policy(model: LanguageModel, options: NavidOptions) -> Policy:
-    if options.pictures == "none":
-        return BlindPolicy(
-            model, temperature=options.temperature, max_tokens=options.max_tokens
-        )
-    return VisionPolicy(
-        model,
-        history=options.history,
-        history_width=options.history_width,
-        temperature=options.temperature,
-        max_tokens=options.max_tokens,
-    )
 
 
 def _remote_policy(

@@ -13,8 +13,7 @@ from memorymaze.agents.agent import Journal
 from memorymaze.agents.navid import NavidAgent, NavidOptions
 from memorymaze.agents.navid.model_policies import (
     SAID_MOTIONS,
-    BlindPolicy,
-    VisionPolicy,
+    ModelPolicy,
     chosen_frames,
     rules,
 )
@@ -33,8 +32,8 @@ def follow(
 ) -> Journal:
     """Follow until the model says stop."""
     journal = Journal()
-    policy = VisionPolicy(model, history=history)
-    agent = NavidAgent(policy, NavidOptions(history=history, **options))
+    chosen = NavidOptions(history=history, **options)
+    agent = NavidAgent(ModelPolicy(model, chosen), chosen)
     with pytest.raises(EpisodeOver, match="agent"):
         agent.follow("To the desk.", robot, journal, np.random.default_rng(0))
     return journal
@@ -145,7 +144,7 @@ def test_a_model_that_never_makes_sense_moves_nothing(robot):
 def test_an_instruction_cannot_fill_slots_of_the_prompt(robot):
     model = ScriptedLanguageModel([STOP])
     with pytest.raises(EpisodeOver):
-        NavidAgent(VisionPolicy(model)).follow(
+        NavidAgent(ModelPolicy(model)).follow(
             "{FORWARD}", robot, Journal(), np.random.default_rng(0)
         )
     assert '"""\n{FORWARD}\n"""' in question(model.requests[0])
@@ -186,7 +185,7 @@ STOP = '{"reason": "There", "action": "stop"}'
 def questions(robot: object, *replies: str) -> list[str]:
     """Follow until the model says stop; return what it was asked."""
     model = ScriptedLanguageModel(replies, name="reader")
-    agent = NavidAgent(BlindPolicy(model))
+    agent = NavidAgent(ModelPolicy(model, NavidOptions(pictures="none")))
     assert agent.name == "NaVid protocol with reader, blind+fair"
     with pytest.raises(EpisodeOver, match="agent"):
         agent.follow("To the desk.", robot, Journal(), np.random.default_rng(0))

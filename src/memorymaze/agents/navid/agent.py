@@ -29,12 +29,8 @@ from memorymaze.agents.navid.replies import (
     read_reply,
     read_reply_as_released,
 )
-from memorymaze.errors import (
-    CommandError,
-    EpisodeOver,
-    LanguageModelError,
-    SettingsError,
-)
+from memorymaze.errors import CommandError, EpisodeOver, LanguageModelError
+from memorymaze.options import check_least, check_number
 from memorymaze.robot.api import Robot
 from memorymaze.robot.steps import SteppingRobot
 
@@ -85,29 +81,11 @@ class NavidOptions:
 
     def __post_init__(self) -> None:
         """Refuse values without meaning."""
-        least = {
-            "max_steps": 1,
-            "still_steps": 1,
-            "failures": 1,
-            "history": 0,
-            "history_width": 32,
-            "max_tokens": 1,
-        }
-        for name, lowest in least.items():
-            value = getattr(self, name)
-            if value is not None and value < lowest:
-                raise SettingsError(
-                    f"--set {name}: expected a whole number of at least {lowest}, "
-                    f"got {value}"
-                )
-        if self.history_width > 640:
-            raise SettingsError(
-                f"--set history_width: expected 32 to 640, got {self.history_width}"
-            )
-        if not (math.isfinite(self.temperature) and self.temperature >= 0):
-            raise SettingsError(
-                f"--set temperature: expected at least 0, got {self.temperature}"
-            )
+        check_least(
+            self, max_steps=1, still_steps=1, failures=1, history=0, max_tokens=1
+        )
+        check_number("--set history_width", self.history_width, 32, WIDTH, whole=True)
+        check_number("--set temperature", self.temperature, 0)
 
     @property
     def motions(self) -> Motions:
@@ -136,24 +114,20 @@ class NavidAgent:
     def __init__(self, policy: Policy, options: NavidOptions | None = None) -> None:
         """Prepare the agent."""
         self._policy = policy
-        self._options = options or NavidOptions()
+        self.options = options or NavidOptions()
+        """What was set."""
         self.prompts: dict[str, str] = getattr(policy, "prompts", {})
         """Version of the prompt of a language model; answers are compared with it."""
 
     @property
     def name(self) -> str:
         """`NaVid protocol with <model>+<budget>`, and what else changes the rules."""
-        options = self._options
+        options = self.options
         given = f"+max_steps={options.max_steps}" if options.max_steps else ""
         return (
             f"NaVid protocol with {self._policy.name}+{options.budget}{given}"
             + "+faithful" * options.faithful
         )
-
-    @property
-    def options(self) -> NavidOptions:
-        """What was set."""
-        return self._options
 
     def follow(
         self,
@@ -177,10 +151,10 @@ class NavidAgent:
                 f"(memorymaze.robot.steps), got {type(robot).__name__}"
             )
         seed = int(rng.integers(2**31))
-        session = self._policy.begin(Task(instruction, self._options.motions, seed))
+        session = self._policy.begin(Task(instruction, self.options.motions, seed))
         try:
-            limit = self._options.step_limit(fair_steps)
-            _Walk(session, robot, journal, rng, self._options, limit, str(seed)).run()
+            limit = self.options.step_limit(fair_steps)
+            _Walk(session, robot, journal, rng, self.options, limit, str(seed)).run()
         finally:
             session.close()
         robot.stop()

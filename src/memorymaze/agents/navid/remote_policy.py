@@ -309,18 +309,12 @@ class RemotePolicy:
         self._server = server
         self._recorder = recorder
         info = server.info()
-        self._name = f"{info.name} {info.version}".strip()
-
-    @property
-    def name(self) -> str:
+        self.name = f"{info.name} {info.version}".strip()
         """What the server calls itself, with its version."""
-        return self._name
 
-    def begin(self, task: Task) -> "RemoteSession":
+    def begin(self, task: Task) -> "_RemoteSession":
         """Begin an episode on the server."""
-        line = _Line(self._server, self._name, task)
-        model: LanguageModel = line if self._recorder is None else self._recorder(line)
-        return RemoteSession(model, task, line)
+        return _RemoteSession(self._server, self.name, task, self._recorder)
 
 
 class ReplayedPolicy:
@@ -329,62 +323,50 @@ class ReplayedPolicy:
     def __init__(self, model: LanguageModel) -> None:
         """Prepare."""
         self._model = model
-
-    @property
-    def name(self) -> str:
+        self.name = model.name
         """What the server called itself when it was recorded."""
-        return self._model.name
 
-    def begin(self, task: Task) -> "RemoteSession":
+    def begin(self, task: Task) -> "_ReplayedSession":
         """Begin an episode."""
-        return RemoteSession(self._model, task, None)
+        return _ReplayedSession(self._model, task)
 
 
-class RemoteSession:
-    """One episode with a server, or with what is recorded of one."""
+class _ReplayedSession:
+    """One episode with what is recorded of a server."""
 
-    def __init__(self, model: LanguageModel, task: Task, line: "_Line | None") -> None:
-        """Prepare; used by the policies."""
+    def __init__(self, model: LanguageModel, task: Task) -> None:
         self._model = model
         self._task = task
-        self._line = line
 
     def observe(self, frame: Frame) -> None:
-        """See `PolicySession.observe`."""
-        if self._line is not None:
-            self._line.observe(frame)
+        """Nobody looks at it."""
 
     def act(self, frame: Frame, problem: str | None = None) -> Answer:
-        """See `PolicySession.act`."""
-        if self._line is not None:
-            self._line.put(frame, problem)
         asked = f"Step {frame.step}: {self._task.instruction}"
         if problem is not None:
             asked += f"\n(asked again: {problem})"
         request = CompletionRequest(
             (Message("user", asked, (frame.jpeg(),)),), seed=self._task.seed
         )
-        completion = self._model.complete(request)
-        if self._line is not None:
-            # An answer that was recorded before: the server still has to see this.
-            self._line.observe(frame)
-        return _answer(completion, self._task.motions.most)
+        return _answer(self._model.complete(request), self._task.motions.most)
 
     def close(self) -> None:
-        """See `PolicySession.close`."""
-        if self._line is not None:
-            self._line.close()
+        """Nobody waits for it."""
 
 
-class _Line:
-    """A session on the server; as a language model it asks about the picture put."""
+class _RemoteSession(_ReplayedSession):
+    """One episode on the server; as a language model it asks about the picture shown."""
 
-    def __init__(self, server: PolicyServer, name: str, task: Task) -> None:
+    _waiting: tuple[Frame, str | None]
+
+    def __init__(
+        self, server: PolicyServer, name: str, task: Task, recorder: Recorder | None
+    ) -> None:
+        super().__init__(self if recorder is None else recorder(self), task)
+        self.name = name
         self._server = server
-        self._name = name
         self._session = secrets.token_hex(16)
         self._shown = -1
-        self._waiting: tuple[Frame, str | None] | None = None
         motions = task.motions
         server.tell(
             "/reset",
@@ -406,25 +388,19 @@ class _Line:
             ),
         )
 
-    @property
-    def name(self) -> str:
-        """Name of the model behind the server."""
-        return self._name
-
-    def put(self, frame: Frame, problem: str | None) -> None:
-        """Say which picture the next question is about."""
-        self._waiting = frame, problem
-
     def observe(self, frame: Frame) -> None:
-        """Send a picture that was not sent yet."""
         if frame.step > self._shown:
             self._server.tell("/act", self._request(frame, observe_only=True))
             self._shown = frame.step
 
+    def act(self, frame: Frame, problem: str | None = None) -> Answer:
+        self._waiting = frame, problem
+        answer = super().act(frame, problem)
+        # An answer that was recorded before: the server still has to see this.
+        self.observe(frame)
+        return answer
+
     def complete(self, request: CompletionRequest) -> Completion:
-        """Ask about the picture that was put."""
-        if self._waiting is None:
-            raise LanguageModelError("policy server: asked without a picture")
         frame, problem = self._waiting
         message = self._request(frame, problem=problem)
         began = time.monotonic()
@@ -434,13 +410,13 @@ class _Line:
         usage = reply.usage
         return Completion(
             text=reply.model_dump_json(exclude_defaults=True),
-            model=self._name,
+            model=self.name,
             usage=Usage(usage.prompt_tokens, usage.completion_tokens, usage.cost_usd),
             latency=latency,
         )
 
     def close(self) -> None:
-        """Say that it is over; a server that is gone has nothing to tidy up."""
+        # A server that is gone has nothing to tidy up.
         with contextlib.suppress(LanguageModelError):
             self._server.tell("/close", CloseRequest(session=self._session))
 
