@@ -130,7 +130,9 @@ def test_a_sign_is_arrived_at_where_it_names_the_place(
 
 
 def test_a_score_beyond_one_is_refused() -> None:
-    with pytest.raises(SettingsError, match=r"least_score: expected 0 to 1, got 1\.5"):
+    with pytest.raises(
+        SettingsError, match=r"least_score: expected a number from 0 to 1, got 1\.5"
+    ):
         ExplorerOptions(least_score=1.5)
 
 

@@ -138,8 +138,11 @@ def test_who_only_turns_is_stuck(follow: Callable[..., str]) -> None:
     [
         ({"requests": 0}, "requests: expected a whole number of at least 1, got 0"),
         ({"failures": 0}, "failures: expected a whole number of at least 1"),
-        ({"memory": -1}, "at least 0, got -1 and 0.0"),
-        ({"temperature": math.nan}, "at least 0, got 10 and nan"),
+        ({"memory": -1}, "memory: expected a whole number of at least 0, got -1"),
+        (
+            {"temperature": math.nan},
+            "temperature: expected a number of at least 0, got nan",
+        ),
     ],
 )
 def test_options_without_meaning_are_refused(

@@ -8,7 +8,7 @@ from typing import Any, Literal, Protocol, cast, get_args
 
 import numpy as np
 
-from memorymaze.language.model import Completion
+from memorymaze.language.model import Completion, CompletionRequest, LanguageModel
 from memorymaze.robot.steps import SteppingRobot
 
 Need = Literal["language_model", "graph", "camera", "steps", "answers"]
@@ -76,6 +76,12 @@ class Journal:
     @property
     def _endings(self) -> list[dict[str, Any]]:
         return [each for each in self.notes if each["kind"] in {ARRIVAL, GAVE_UP}]
+
+    def ask(self, model: LanguageModel, request: CompletionRequest, stage: str) -> str:
+        """Return a model's reply to what it is asked at a stage, such as `program`."""
+        completion = model.complete(request)
+        self.count(completion, stage=stage)
+        return completion.text
 
     def count(self, completion: Completion, *, stage: str) -> None:
         """Take note of a model's reply and of what it cost; once for each reply.

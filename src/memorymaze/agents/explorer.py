@@ -18,8 +18,8 @@ from memorymaze.agents.plan_readers import (
 from memorymaze.agents.rules.arriving import approach
 from memorymaze.agents.walking.floor_map import Sighting
 from memorymaze.agents.walking.walker import BACK, Walker
-from memorymaze.errors import SettingsError
 from memorymaze.geometry.pose import wrap_angle
+from memorymaze.options import check_number
 from memorymaze.robot.api import Robot
 from memorymaze.routes import Arrival
 from memorymaze.understanding import (
@@ -31,11 +31,7 @@ from memorymaze.understanding import (
 
 @dataclass(frozen=True, slots=True)
 class ExplorerOptions:
-    """What can be set of the explorer.
-
-    Raises:
-        SettingsError: A value has no meaning.
-    """
+    """What can be set of the explorer."""
 
     least_score: float = 0.65
     """Score of a detection from which on it is taken for the destination, 0 to 1."""
@@ -50,10 +46,7 @@ class ExplorerOptions:
 
     def __post_init__(self) -> None:
         """Refuse values without meaning."""
-        if not 0 <= self.least_score <= 1:
-            raise SettingsError(
-                f"--set least_score: expected 0 to 1, got {self.least_score}"
-            )
+        check_number("--set least_score", self.least_score, 0, 1)
 
 
 class ExplorerAgent(ReadsFirst):

@@ -163,24 +163,19 @@ class ModelReader:
         Raises:
             LanguageModelError: The model did not answer, or twice not with a plan.
         """
-        first = self._ask(self.request(instruction), journal)
+        first = journal.ask(self._model, self.request(instruction), "plan")
         try:
             return read_plan_reply(first)
         except PlanFileError as error:
             journal.note("repair", error=str(error))
             refused = (first, str(error))
-        second = self._ask(self.request(instruction, refused), journal)
+        second = journal.ask(self._model, self.request(instruction, refused), "plan")
         try:
             return read_plan_reply(second)
         except PlanFileError as error:
             raise LanguageModelError(
                 f"{self._model.name}: expected a plan, got twice something else: {error}"
             ) from None
-
-    def _ask(self, request: CompletionRequest, journal: Journal) -> str:
-        completion = self._model.complete(request)
-        journal.count(completion, stage="plan")
-        return completion.text
 
 
 def read_plan_reply(reply: str) -> RoutePlan:

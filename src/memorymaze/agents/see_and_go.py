@@ -14,9 +14,10 @@ from typing import ClassVar
 import numpy as np
 
 from memorymaze.agents.agent import Journal, Need
+from memorymaze.agents.asking import ask_until_read
 from memorymaze.agents.navid.policy import Command, Motions, frame_name
 from memorymaze.agents.navid.replies import read_reply, reply_grammar
-from memorymaze.errors import EpisodeOver, LanguageModelError, SettingsError
+from memorymaze.errors import EpisodeOver
 from memorymaze.language.model import (
     CompletionRequest,
     LanguageModel,
@@ -25,23 +26,18 @@ from memorymaze.language.model import (
     Question,
 )
 from memorymaze.language.prompt_texts import load_prompt, prompt_version
+from memorymaze.options import check_least, check_number
 from memorymaze.robot.steps import SteppingRobot
 
 MOTIONS = Motions(forward_m=0.5, turn_deg=30, most=6)
 """One move: up to 3 m ahead, or a turn on the spot by up to 180 degrees."""
-TRIES = 2
-"""Requests for a move, where a reply is none."""
 STILL_METRES = 0.01
 """Who gets ahead by less stands still."""
 
 
 @dataclass(frozen=True, slots=True)
 class SeeAndGoOptions:
-    """What can be set of the agent.
-
-    Raises:
-        SettingsError: A value has no meaning.
-    """
+    """What can be set of the agent."""
 
     requests: int | None = None
     """Requests in an episode at most; none for as many as NavGPT has with the budget
@@ -58,17 +54,8 @@ class SeeAndGoOptions:
 
     def __post_init__(self) -> None:
         """Refuse values without meaning."""
-        for name in ("requests", "failures", "max_tokens"):
-            value = getattr(self, name)
-            if value is not None and value < 1:
-                raise SettingsError(
-                    f"--set {name}: expected a whole number of at least 1, got {value}"
-                )
-        if self.memory < 0 or not 0 <= self.temperature < math.inf:
-            raise SettingsError(
-                "--set: expected memory and temperature of at least 0, got "
-                f"{self.memory} and {self.temperature}"
-            )
+        check_least(self, requests=1, failures=1, memory=0, max_tokens=1)
+        check_number("--set temperature", self.temperature, 0)
 
 
 class SeeAndGoAgent:
@@ -107,18 +94,11 @@ class SeeAndGoAgent:
         rng: np.random.Generator,
         requests: int | None = None,
     ) -> None:
-        """Look, ask and go until the model says stop.
+        """Look, ask and go until the model says stop, is out of requests, or stuck.
 
-        Args:
-            instruction: Is shown to the model as it is.
-            robot: Takes pictures and single steps.
-            journal: Gets a `move` for each move, with what the model said.
-            rng: Gives the episode a number, by which its pictures are named.
-            requests: Most requests, where the options leave it open; None for no limit.
-
-        Raises:
-            LanguageModelError: The model did not answer, or twice without a move.
-            EpisodeOver: Stopped; `budget` after the last request; `stuck`.
+        Notes in the journal: `move` for each, with what the model said. Where the options
+        leave it open, there are `requests` at most; None is no limit. The generator gives
+        the episode a number, by which its pictures are named.
         """
         limit = self.options.requests or requests
         numbers = count(1) if limit is None else iter(range(1, limit + 1))
@@ -145,38 +125,24 @@ class SeeAndGoAgent:
     def _ask(
         self, task: str, view: Picture, numbers: Iterator[int], journal: Journal
     ) -> tuple[Command, str]:
-        """Return the next move, and what the model said; ask twice if need be."""
-        messages = (
-            Message("system", self._rules),
-            Message("user", task, (view,)),
+        """Return the next move, and what the model said."""
+        request = CompletionRequest(
+            (Message("system", self._rules), Message("user", task, (view,))),
+            temperature=self.options.temperature,
+            max_tokens=self.options.max_tokens,
+            grammar=reply_grammar(MOTIONS),
         )
-        problem = ""
-        for _ in range(TRIES):
-            number = next(numbers, None)
-            if number is None:
-                raise EpisodeOver("budget")
-            completion = self._model.complete(
-                CompletionRequest(
-                    messages,
-                    temperature=self.options.temperature,
-                    max_tokens=self.options.max_tokens,
-                    grammar=reply_grammar(MOTIONS),
-                    question=Question("move", self.prompts["move"], number),
-                )
-            )
-            journal.count(completion, stage="move")
-            said = " ".join(completion.text.split())
-            read = read_reply(completion.text, MOTIONS)
-            if isinstance(read, Command):
-                return read, said
-            problem = read.problem
-            messages += (
-                Message("assistant", said or "(nothing)"),
-                Message("user", f"That cannot be used: {problem}. Answer again."),
-            )
-        raise LanguageModelError(
-            f"{self._model.name}: no move in {TRIES} replies: {problem}"
+        question = Question("move", self.prompts["move"])
+        read = ask_until_read(
+            self._model, journal, request, question, numbers, _read_move
         )
+        if read is None:
+            raise EpisodeOver("budget")
+        return read
+
+
+def _read_move(reply: str) -> tuple[Command, str]:
+    return read_reply(reply, MOTIONS), " ".join(reply.split())
 
 
 def make_move(robot: SteppingRobot, command: Command) -> tuple[float, str]:

@@ -83,7 +83,7 @@ def test_nobody_is_asked_where_one_explanation_is_clear(
 
 def test_how_near_explanations_must_be_is_an_option(walk: Callable[..., Walk]) -> None:
     assert walk(PLAIN, *[choose(1)] * 9, near=1e-9).asked
-    with pytest.raises(SettingsError, match="near: expected more than 0, up to 1"):
+    with pytest.raises(SettingsError, match="near: expected a number greater than 0"):
         walk(PLAIN, near=0.0)
 
 

@@ -226,7 +226,7 @@ def test_a_model_is_given_where_one_decides_and_only_there() -> None:
         GuideAgent(model=ScriptedLanguageModel([], name="m"))
     with pytest.raises(SettingsError, match="reader: with decide=model"):
         GuideOptions(decide="model", reader="plan")
-    with pytest.raises(SettingsError, match="most_requests: expected at least 1"):
+    with pytest.raises(SettingsError, match="most_requests: expected a whole number"):
         GuideOptions(most_requests=0)
 
 

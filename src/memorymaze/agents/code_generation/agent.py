@@ -81,11 +81,11 @@ class CodeGenerationAgent:
         """
         way = instruction
         if self._requests.parser:
-            reply = self._ask("parse", self._requests.parse(instruction), journal)
+            reply = journal.ask(self._model, self._requests.parse(instruction), "parse")
             steps = read_steps(reply)
             journal.note("steps", steps=steps)
             way = numbered(steps)
-        reply = self._ask("program", self._requests.program(way), journal)
+        reply = journal.ask(self._model, self._requests.program(way), "program")
         if not self._requests.options.repair:
             self._run(reply, robot, journal)
             return
@@ -99,17 +99,13 @@ class CodeGenerationAgent:
                 raise
             journal.note("repair", error=str(error), calls=len(witness.done))
             asked = self._requests.repair(way, reply, str(error), witness.told())
-            self._run(self._ask("repair", asked, journal), robot, journal)
+            reply = journal.ask(self._model, asked, "repair")
+            self._run(reply, robot, journal)
 
     def _run(self, reply: str, robot: Robot, journal: Journal) -> None:
         program = read_program(reply)
         journal.note("program", program=program)
         run_program(program, robot, on_event=lambda event: journal.note(**event))
-
-    def _ask(self, stage: str, request: CompletionRequest, journal: Journal) -> str:
-        completion = self._model.complete(request)
-        journal.count(completion, stage=stage)
-        return completion.text
 
 
 class _Witness:

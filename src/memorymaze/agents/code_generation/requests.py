@@ -10,9 +10,9 @@ from dataclasses import dataclass
 from typing import Literal
 
 from memorymaze.agents.code_generation.replies import program_grammar, steps_grammar
-from memorymaze.errors import SettingsError
 from memorymaze.language.model import CompletionRequest, Message, Question
 from memorymaze.language.prompt_texts import load_prompt, prompt_version
+from memorymaze.options import check_least, check_number
 from memorymaze.robot.specification import api_specification
 
 _FIRST_STAGE = re.compile(r"^First (\w+):\n.*?^Refined \1:", re.MULTILINE | re.DOTALL)
@@ -42,14 +42,8 @@ class CodeGenerationOptions:
 
     def __post_init__(self) -> None:
         """Refuse values without meaning."""
-        if not 0 <= self.temperature <= 2:
-            raise SettingsError(
-                f"--set temperature: expected 0 to 2, got {self.temperature:g}"
-            )
-        if self.max_tokens < 1:
-            raise SettingsError(
-                f"--set max_tokens: expected at least 1, got {self.max_tokens}"
-            )
+        check_number("--set temperature", self.temperature, 0, 2)
+        check_least(self, max_tokens=1)
 
 
 class CodeGenerationRequests:

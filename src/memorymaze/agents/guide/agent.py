@@ -24,6 +24,7 @@ from memorymaze.agents.plan_readers import (
 from memorymaze.agents.walking.walker import Walker
 from memorymaze.errors import SettingsError
 from memorymaze.language.model import CompletionRequest, LanguageModel
+from memorymaze.options import check_least, check_number
 from memorymaze.robot.api import Robot
 from memorymaze.routes import RoutePlan, describe
 
@@ -67,14 +68,8 @@ class GuideOptions:
 
     def __post_init__(self) -> None:
         """Refuse values without meaning."""
-        if self.most_requests < 1:
-            raise SettingsError(
-                f"--set most_requests: expected at least 1, got {self.most_requests}"
-            )
-        if not 0 < self.near <= 1:
-            raise SettingsError(
-                f"--set near: expected more than 0, up to 1, got {self.near}"
-            )
+        check_least(self, most_requests=1)
+        check_number("--set near", self.near, above=0, most=1)
         if self.decide == "model" and not (self.things and self.repair):
             raise SettingsError(
                 "--set things, repair: they are of the belief; with decide=model leave "

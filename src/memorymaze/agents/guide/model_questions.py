@@ -1,11 +1,11 @@
 """Asking a language model about a walk: a bounded number of times, once more if need be."""
 
 from collections.abc import Callable
-from typing import TypeVar
+from operator import length_hint
 
 from memorymaze.agents.agent import Journal
+from memorymaze.agents.asking import Answer, ask_until_read
 from memorymaze.agents.guide.walk_log import WalkLog
-from memorymaze.errors import LanguageModelError
 from memorymaze.language.model import (
     CompletionRequest,
     LanguageModel,
@@ -14,13 +14,9 @@ from memorymaze.language.model import (
 )
 from memorymaze.language.prompt_texts import load_prompt, prompt_version
 
-TRIES = 2
-"""Requests for an answer, where a reply is none."""
 MOST_REQUESTS = 40
 MAX_TOKENS = 1000
 """Of a reply."""
-
-Answer = TypeVar("Answer")
 
 
 def load_rules(stage: str) -> str:
@@ -49,9 +45,12 @@ class ModelQuestions:
         self._instruction = instruction.strip()
         self._model = model
         self._journal = journal
-        self.left = most_requests
-        """Requests that may still be made."""
-        self._asked: dict[str, int] = {}
+        self._numbers = iter(range(1, most_requests + 1))
+
+    @property
+    def left(self) -> int:
+        """How many requests may still be made."""
+        return length_hint(self._numbers)
 
     def ask(
         self,
@@ -60,11 +59,7 @@ class ModelQuestions:
         log: WalkLog,
         now: str,
     ) -> Answer | None:
-        """Return what is read from the reply; None where no request is left.
-
-        What `read` refuses with `ValueError` is asked for once more, with the reason; a
-        second such reply raises `LanguageModelError`.
-        """
+        """Return what is read from the reply; None where no request is left."""
         task = load_prompt(
             "guide_task",
             instruction=self._instruction,
@@ -72,35 +67,11 @@ class ModelQuestions:
             steps=log.steps,
             now=now,
         )
-        messages = Message("system", load_rules(stage)), Message("user", task)
-        problem = ""
-        for _ in range(TRIES):
-            if self.left < 1:
-                return None
-            reply = self._complete(stage, messages)
-            try:
-                return read(reply)
-            except ValueError as error:
-                problem = str(error)
-            self._journal.note("unusable_reply", stage=stage, problem=problem)
-            messages += (
-                Message("assistant", reply.strip() or "(nothing)"),
-                Message("user", f"That cannot be used: {problem}. Answer again."),
-            )
-        raise LanguageModelError(
-            f"{self._model.name}: no {stage} in {TRIES} replies: {problem}"
+        request = CompletionRequest(
+            (Message("system", load_rules(stage)), Message("user", task)),
+            max_tokens=MAX_TOKENS,
         )
-
-    def _complete(self, stage: str, messages: tuple[Message, ...]) -> str:
-        self.left -= 1
-        self._asked[stage] = number = self._asked.get(stage, 0) + 1
-        version = guide_prompts(stage)[stage]
-        completion = self._model.complete(
-            CompletionRequest(
-                messages,
-                max_tokens=MAX_TOKENS,
-                question=Question(stage, version, number),
-            )
+        question = Question(stage, guide_prompts(stage)[stage])
+        return ask_until_read(
+            self._model, self._journal, request, question, self._numbers, read
         )
-        self._journal.count(completion, stage=stage)
-        return completion.text

@@ -36,6 +36,7 @@ from memorymaze.language.model import (
     Question,
 )
 from memorymaze.language.prompt_texts import load_prompt, prompt_version
+from memorymaze.options import check_least, check_number
 from memorymaze.robot.viewpoints import Journey, ViewpointRobot
 
 RELEASED_ITERATIONS = 10
@@ -83,16 +84,8 @@ class NavGPTOptions:
 
     def __post_init__(self) -> None:
         """Refuse values without meaning."""
-        for name in ("iterations", "scratchpad", "failures", "max_tokens"):
-            value = getattr(self, name)
-            if value is not None and value < 1:
-                raise SettingsError(
-                    f"--set {name}: expected a whole number of at least 1, got {value}"
-                )
-        if not (math.isfinite(self.temperature) and self.temperature >= 0):
-            raise SettingsError(
-                f"--set temperature: expected at least 0, got {self.temperature}"
-            )
+        check_least(self, iterations=1, scratchpad=1, failures=1, max_tokens=1)
+        check_number("--set temperature", self.temperature, 0)
         if self.captions == "templates" and self.caption_model is not None:
             raise SettingsError(
                 "--set caption_model: templates ask no model; add --set captions=vision"
@@ -209,18 +202,15 @@ class NavGPTAgent:
             start=start,
             steps=steps.strip() or "(none yet)",
         )
-        completion = self._model.complete(
-            CompletionRequest(
-                messages=(Message("system", self._rules), Message("user", task)),
-                temperature=self.options.temperature,
-                max_tokens=self.options.max_tokens,
-                seed=self.options.seed,
-                grammar=reply_grammar(listed) if self.options.grammar else None,
-                question=Question("step", self.prompts["step"], number),
-            )
+        request = CompletionRequest(
+            messages=(Message("system", self._rules), Message("user", task)),
+            temperature=self.options.temperature,
+            max_tokens=self.options.max_tokens,
+            seed=self.options.seed,
+            grammar=reply_grammar(listed) if self.options.grammar else None,
+            question=Question("step", self.prompts["step"], number),
         )
-        journal.count(completion, stage="step")
-        return completion.text
+        return journal.ask(self._model, request, "step")
 
 
 Ask = Callable[[str, str, Sequence[str]], str]

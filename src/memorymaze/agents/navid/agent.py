@@ -2,9 +2,7 @@
 
 import hashlib
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import repeat
 from typing import ClassVar, Literal
 
 import numpy as np
@@ -14,7 +12,6 @@ from memorymaze.agents.navid.policy import (
     FIELD_OF_VIEW_DEG,
     HEIGHT,
     WIDTH,
-    Answer,
     Command,
     Frame,
     Motion,
@@ -24,11 +21,7 @@ from memorymaze.agents.navid.policy import (
     Task,
     frame_name,
 )
-from memorymaze.agents.navid.replies import (
-    Unreadable,
-    read_reply,
-    read_reply_as_released,
-)
+from memorymaze.agents.navid.replies import read_reply, read_reply_as_released
 from memorymaze.errors import CommandError, EpisodeOver, LanguageModelError
 from memorymaze.options import check_least, check_number
 from memorymaze.robot.api import Robot
@@ -207,19 +200,22 @@ class _Walk:
 
     def _decide(self, frame: Frame) -> list[Motion]:
         """Return the primitives to do next; none where no answer could be read."""
-        answer = self._ask(frame, None)
-        read = self._read(answer)
-        if isinstance(read, Unreadable) and not self._options.faithful:
-            self._note_decision(frame, read)
-            answer = self._ask(frame, read.problem)
-            read = self._read(answer)
-        self._note_decision(frame, read)
-        if not isinstance(read, Unreadable):
+        problem: str | None = None
+        name = ""
+        for _ in range(1 if self._options.faithful else 2):
+            answer = self._session.act(frame, problem)
+            self._journal.count(answer.completion, stage="act")
+            name = answer.completion.model
+            try:
+                commands = answer.commands or (self._read(answer.text),)
+            except ValueError as error:
+                problem = str(error)
+                self._note_decision(frame, problem=problem)
+                continue
+            motions = [[each.motion, each.count] for each in commands]
+            self._note_decision(frame, motions=motions)
             self._unreadable = 0
-            queue: list[Motion] = []
-            for command in read:
-                queue.extend(repeat(command.motion, command.count))
-            return queue
+            return [each.motion for each in commands for _ in range(each.count)]
         if self._options.faithful:
             drawn = RANDOM_MOTIONS[int(self._rng.integers(len(RANDOM_MOTIONS)))]
             self._journal.note("random_motion", step=frame.step, motion=drawn)
@@ -227,32 +223,18 @@ class _Walk:
         self._unreadable += 1
         if self._unreadable >= self._options.failures:
             raise LanguageModelError(
-                f"{answer.completion.model}: {self._unreadable} decisions in a row "
-                f"could not be read, each asked for twice; the last time {read.problem}"
+                f"{name}: {self._unreadable} decisions in a row could not be read, each "
+                f"asked for twice; the last time {problem}"
             )
         return []
 
-    def _ask(self, frame: Frame, problem: str | None) -> Answer:
-        answer = self._session.act(frame, problem)
-        self._journal.count(answer.completion, stage="act")
-        return answer
-
-    def _read(self, answer: Answer) -> Sequence[Command] | Unreadable:
-        if answer.commands:
-            return answer.commands
+    def _read(self, text: str) -> Command:
         reader = read_reply_as_released if self._options.faithful else read_reply
-        read = reader(answer.text, self._options.motions)
-        return read if isinstance(read, Unreadable) else (read,)
+        return reader(text, self._options.motions)
 
-    def _note_decision(
-        self, frame: Frame, read: Sequence[Command] | Unreadable
-    ) -> None:
+    def _note_decision(self, frame: Frame, **read: object) -> None:
         seen = hashlib.sha256(frame.rgb.tobytes()).hexdigest()[:16]
-        if isinstance(read, Unreadable):
-            details: dict[str, object] = {"problem": read.problem}
-        else:
-            details = {"motions": [[each.motion, each.count] for each in read]}
-        self._journal.note("decision", step=frame.step, picture=seen, **details)
+        self._journal.note("decision", step=frame.step, picture=seen, **read)
 
     def _do(self, motion: Motion) -> bool:
         """Do a primitive; return whether the robot got ahead."""

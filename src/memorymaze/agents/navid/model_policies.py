@@ -143,7 +143,8 @@ class _Session:
         """Return the motions so far, those of a kind in a row taken together."""
         motions = self._task.motions
         told: list[str] = []
-        for motion, group in groupby(each.after for each in self._past if each.after):
+        made: list[Motion] = [each.after for each in self._past if each.after]
+        for motion, group in groupby(made):
             unit = "cm" if motion == "forward" else "degrees"
             told.append(f"{motion} {motions.unit(motion) * len(list(group))} {unit}")
         left_out = ["…"] if len(told) > SAID_MOTIONS else []

@@ -1,7 +1,8 @@
-"""Reads the next motion from what a model says; two readers, and neither ever raises.
+"""Reads the next motion from what a model says; two readers, which refuse by `ValueError`.
 
 `read_reply` takes JSON or one clear sentence, and nothing else moves the robot.
-`read_reply_as_released` does as the released NaVid evaluation does, faults and all.
+`read_reply_as_released` does as the released NaVid evaluation does, faults and all. What
+they say of a reply that they refuse is for people and the model.
 """
 
 import functools
@@ -9,21 +10,12 @@ import json
 import math
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import Any, cast
 
 from memorymaze.agents.navid.policy import Command, Motion, Motions
 
 LONGEST_REPLY = 20_000
 """Characters beyond which a reply is not read."""
-
-
-@dataclass(frozen=True, slots=True)
-class Unreadable:
-    """A reply that says no motion, or more than one."""
-
-    problem: str
-    """What is wrong with it, to tell people and the model."""
 
 
 _NUMBER = r"[-+]?[0-9]{1,6}(?:\.[0-9]{1,6})?"
@@ -60,26 +52,25 @@ _ACTIONS: dict[str, Motion] = {
 }
 
 
-def read_reply(text: str, motions: Motions) -> Command | Unreadable:
+def read_reply(text: str, motions: Motions) -> Command:
     """Read a reply strictly.
 
     A JSON object with `action` and `amount` decides, wherever in the reply it is.
     Without one, the reply must have exactly one command such as `move forward 50 cm`,
     `turn left 30 degrees` or `stop`. What contradicts itself, negates, names no amount
-    or less than one primitive is unreadable.
+    or less than one primitive is refused.
 
     Amounts beyond the largest of the motions are cut to it.
     """
     if len(text) > LONGEST_REPLY:
-        return Unreadable(f"the reply has more than {LONGEST_REPLY} characters")
+        raise ValueError(f"the reply has more than {LONGEST_REPLY} characters")
     objects = list(_objects_with_action(text))
     if objects:
-        read = [_read_object(each, motions) for each in objects]
-        return _agreed(read)
+        return _agreed([_read_object(each, motions) for each in objects])
     return _read_sentence(text, motions)
 
 
-def read_reply_as_released(text: str, motions: Motions) -> Command | Unreadable:
+def read_reply_as_released(text: str, motions: Motions) -> Command:
     """Read a reply as the released evaluation does.
 
     Its last character is dropped, because a full stop is expected there: a bare `stop`
@@ -93,10 +84,10 @@ def read_reply_as_released(text: str, motions: Motions) -> Command | Unreadable:
         return Command("stop")
     named: list[Motion] = [motion for motion in _MOVES if motion in text]
     if not named:
-        return Unreadable("the reply names no motion")
+        raise ValueError("the reply names no motion")
     number = re.search(r"-?[0-9]+", text)
     if number is None:
-        return Unreadable(f"the reply names no amount for {named[0]}")
+        raise ValueError(f"the reply names no amount for {named[0]}")
     # Longer numbers than Python reads at once are the largest amount anyway.
     return _counted(named[0], float(number[0][:20]), motions)
 
@@ -119,10 +110,10 @@ def _objects_with_action(text: str) -> Iterator[dict[str, Any]]:
         start = text.find("{", end)
 
 
-def _read_object(value: dict[str, Any], motions: Motions) -> Command | Unreadable:
+def _read_object(value: dict[str, Any], motions: Motions) -> Command:
     action = value["action"]
     if not isinstance(action, str):
-        return Unreadable(f"`action` is not a text but {_shown(action)}")
+        raise ValueError(f"`action` is not a text but {_shown(action)}")
     motion = _ACTIONS.get(" ".join(re.split(r"[\s_-]+", action.strip().lower())))
     amount = value.get("amount")
     if motion == "stop":
@@ -134,58 +125,44 @@ def _read_object(value: dict[str, Any], motions: Motions) -> Command | Unreadabl
         return _read_sentence(f"{motion} {amount}", motions)
     if isinstance(amount, int | float) and not isinstance(amount, bool):
         return _counted(motion, amount, motions)
-    return Unreadable(f"`amount` is not a number but {_shown(amount)}")
+    raise ValueError(f"`amount` is not a number but {_shown(amount)}")
 
 
-def _read_sentence(text: str, motions: Motions) -> Command | Unreadable:
+def _read_sentence(text: str, motions: Motions) -> Command:
     # One blank between words: patterns with room for blanks stay linear.
     lines = (" ".join(line.split()) for line in text.lower().splitlines())
     text = "\n".join(line for line in lines if line)
-    read: list[Command | Unreadable] = []
-    for command in _FORWARD.finditer(text):
-        in_metres = (command["unit"] or "cm").startswith("m")
-        amount = float(command["amount"]) * (100 if in_metres else 1)
-        read.append(
-            _unless_negated(text, command, _counted, "forward", amount, motions)
-        )
-    for command in _TURN.finditer(text):
-        side = cast(Motion, command["side"])
-        amount = float(command["amount"])
-        read.append(_unless_negated(text, command, _counted, side, amount, motions))
+    read: list[Command] = []
+    for command in (*_FORWARD.finditer(text), *_TURN.finditer(text)):
+        before = text[max(0, command.start() - 40) : command.start()]
+        if _NEGATION.search(before):
+            raise ValueError(f"the reply negates a command: {command[0].strip()!r}")
+        said = command.groupdict()
+        motion = cast(Motion, said.get("side", "forward"))
+        scale = 100 if (said.get("unit") or "cm").startswith("m") else 1
+        read.append(_counted(motion, float(said["amount"]) * scale, motions))
     stops = [Command("stop")] * len(_STOP.findall(text))
     if len(re.findall(r"\bstop\b", text)) > len(stops):
-        return Unreadable("the reply speaks of a stop, but not as the next action")
+        raise ValueError("the reply speaks of a stop, but not as the next action")
     read += stops
     if not read:
-        return Unreadable("the reply has no command with an amount, and no stop")
+        raise ValueError("the reply has no command with an amount, and no stop")
     return _agreed(read)
 
 
-def _unless_negated(
-    text: str, command: re.Match[str], make: Any, *arguments: Any
-) -> Command | Unreadable:
-    before = text[max(0, command.start() - 40) : command.start()]
-    if _NEGATION.search(before):
-        return Unreadable(f"the reply negates a command: {command[0].strip()!r}")
-    return make(*arguments)
-
-
-def _counted(motion: Motion, amount: float, motions: Motions) -> Command | Unreadable:
+def _counted(motion: Motion, amount: float, motions: Motions) -> Command:
     if not math.isfinite(amount):
-        return Unreadable(f"the amount of {motion} is {amount}")
+        raise ValueError(f"the amount of {motion} is {amount}")
     if (count := motions.count(motion, amount)) < 1:
         unit = motions.unit(motion)
-        return Unreadable(f"{motion} {amount:g} is less than one motion of {unit}")
+        raise ValueError(f"{motion} {amount:g} is less than one motion of {unit}")
     return Command(motion, count)
 
 
-def _agreed(read: list[Command | Unreadable]) -> Command | Unreadable:
-    """Return what all say; what is unreadable in one spoils all."""
-    unreadable = next((each for each in read if isinstance(each, Unreadable)), None)
-    if unreadable is not None:
-        return unreadable
+def _agreed(read: list[Command]) -> Command:
+    """Return what all say."""
     if any(each != read[0] for each in read):
-        return Unreadable("the reply has several different commands")
+        raise ValueError("the reply has several different commands")
     return read[0]
 
 
