@@ -290,9 +290,11 @@ def _as_given(value: Any, between: str = ",") -> str:
 
 def _strings_beneath(cls: type) -> dict[str, str]:
     """Return the string beneath each field of a class, by the field's name."""
+    found: dict[str, str] = {}
+    for base in cls.__bases__:
+        found |= {} if base is object else _strings_beneath(base)
     tree = ast.parse(textwrap.dedent(inspect.getsource(cls)))
     body = tree.body[0].body if isinstance(tree.body[0], ast.ClassDef) else []
-    found: dict[str, str] = {}
     for field, beneath in pairwise(body):
         match field, beneath:
             case (

@@ -46,7 +46,7 @@ def test_a_reply_that_is_no_plan_is_asked_for_once_more_with_what_is_wrong() -> 
 @pytest.mark.parametrize("reply", ["I cannot.", "{]}", '{"legs": 3}', "[1, 2]"])
 def test_two_replies_without_a_plan_are_the_models_failure(reply: str) -> None:
     with pytest.raises(
-        LanguageModelError, match=r"scripted: expected a plan, got twice"
+        LanguageModelError, match="scripted: no plan in 2 replies: plan"
     ):
         ModelReader(ScriptedLanguageModel([reply, reply])).read(TEXT, Journal())
 

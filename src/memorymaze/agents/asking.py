@@ -6,12 +6,14 @@ from typing import TypeVar
 
 from memorymaze.agents.agent import Journal
 from memorymaze.errors import LanguageModelError
+from memorymaze.input_files import shown
 from memorymaze.language.model import (
     CompletionRequest,
     LanguageModel,
     Message,
     Question,
 )
+from memorymaze.language.prompt_texts import load_prompt
 
 TRIES = 2
 """Requests for an answer, where a reply is none."""
@@ -26,18 +28,17 @@ def ask_until_read(
     question: Question,
     numbers: Iterator[int],
     read: Callable[[str], Answer],
-) -> Answer | None:
-    """Return what is read from the reply; None where no number is left for a request.
+    refusal: str = "unusable_reply",
+) -> Answer:
+    """Return what is read from the reply.
 
-    What `read` refuses with `ValueError` is asked for once more; a second such reply
-    raises `LanguageModelError`.
+    `numbers` gives each request its number, and raises where no more may be made. What
+    `read` refuses with `ValueError` is asked for once more, by a prompt; a second such
+    reply raises `LanguageModelError`.
     """
     problem = ""
     for _ in range(TRIES):
-        number = next(numbers, None)
-        if number is None:
-            return None
-        asked = replace(request, question=replace(question, number=number))
+        asked = replace(request, question=replace(question, number=next(numbers)))
         reply = journal.ask(model, asked, question.stage)
         try:
             return read(reply)
@@ -45,8 +46,17 @@ def ask_until_read(
             problem = str(error)
         journal.note("unusable_reply", stage=question.stage, problem=problem)
         said = Message("assistant", reply.strip() or "(nothing)")
-        again = Message("user", f"That cannot be used: {problem}. Answer again.")
+        again = Message("user", load_prompt(refusal, problem=problem))
         request = replace(request, messages=(*request.messages, said, again))
     raise LanguageModelError(
         f"{model.name}: no {question.stage} in {TRIES} replies: {problem}"
     )
+
+
+def object_in(reply: str) -> str:
+    """Return the JSON object in a reply, whatever stands around it."""
+    reply = reply.rpartition("</think>")[2]
+    begin, end = reply.find("{"), reply.rfind("}")
+    if not 0 <= begin < end:
+        raise ValueError(f"expected one JSON object, got {shown(reply)}")
+    return reply[begin : end + 1]

@@ -7,14 +7,8 @@ from itertools import islice
 
 import numpy as np
 
-from memorymaze.agents.agent import Journal, Need
-from memorymaze.agents.plan_readers import (
-    PlanReader,
-    ReaderName,
-    ReadsFirst,
-    needs_of_reader,
-    reader_without_model,
-)
+from memorymaze.agents.agent import Journal
+from memorymaze.agents.plan_readers import PlanReader, ReaderOptions, ReadsFirst
 from memorymaze.agents.rules.arriving import approach
 from memorymaze.agents.walking.floor_map import Sighting
 from memorymaze.agents.walking.walker import BACK, Walker
@@ -30,19 +24,11 @@ from memorymaze.understanding import (
 
 
 @dataclass(frozen=True, slots=True)
-class ExplorerOptions:
+class ExplorerOptions(ReaderOptions):
     """What can be set of the explorer."""
 
     least_score: float = 0.65
     """Score of a detection from which on it is taken for the destination, 0 to 1."""
-    reader: ReaderName = "grammar"
-    """What finds the destination in the text: the grammar, offline, a language model, or
-    nobody, where the text is the JSON of a plan (`plan`)."""
-
-    @property
-    def needs(self) -> frozenset[Need]:
-        """What the agent needs with these options."""
-        return needs_of_reader(self.reader)
 
     def __post_init__(self) -> None:
         """Refuse values without meaning."""
@@ -61,7 +47,7 @@ class ExplorerAgent(ReadsFirst):
     ) -> None:
         """Make the agent with its options, and what reads; that of the options when None."""
         self.options = options or ExplorerOptions()
-        self.reader = reader or reader_without_model(self.options.reader)
+        super().__init__(self.options, reader)
 
     @property
     def name(self) -> str:

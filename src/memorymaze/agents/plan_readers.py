@@ -4,11 +4,15 @@ By the grammar, offline; by a language model that is asked once, and once more w
 reply is no plan; or not at all, where the text is a plan already.
 """
 
-from typing import Literal, Protocol
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+from itertools import count
+from typing import Literal
 
 from memorymaze.agents.agent import Journal, Need
-from memorymaze.errors import LanguageModelError, PlanFileError
-from memorymaze.input_files import parse_record, shown
+from memorymaze.agents.asking import ask_until_read, object_in
+from memorymaze.errors import PlanFileError
+from memorymaze.input_files import parse_record
 from memorymaze.language.model import (
     CompletionRequest,
     LanguageModel,
@@ -23,39 +27,113 @@ ReaderName = Literal["grammar", "model", "plan"]
 """The grammar, a language model, or nobody: the instruction is the JSON of a plan."""
 
 
-class PlanReader(Protocol):
-    """Turns a text into a plan."""
+class PlanReader(ABC):
+    """Turns a text into a plan; asks nobody unless it says so."""
 
     @property
     def variant(self) -> str:
         """What tells an agent with this reader from one with the grammar: `[model]`."""
-        ...
+        return ""
 
     @property
     def prompts(self) -> dict[str, str]:
-        """The versions of its prompts, by stage; none where nobody is asked."""
-        ...
+        """The versions of its prompts, by stage."""
+        return {}
 
     def requests_expected(self, instruction: str) -> list[CompletionRequest]:
         """Return what it will ask."""
-        ...
+        return []
+
+    @abstractmethod
+    def read(self, instruction: str, journal: Journal) -> RoutePlan:
+        """Return what an instruction says."""
+
+
+class GrammarReader(PlanReader):
+    """Reads with the grammar of `understanding`."""
 
     def read(self, instruction: str, journal: Journal) -> RoutePlan:
-        """Return what an instruction says.
+        """Return what an instruction says."""
+        return parse_route_description(instruction)
 
-        Raises:
-            LanguageModelError: A model did not answer, or not with a plan.
-        """
-        ...
+
+class WrittenPlanReader(PlanReader):
+    """Takes instructions that are plans already, as JSON in the plan language.
+
+    So one measures how an agent walks what was said, whoever understands it.
+    """
+
+    @property
+    def variant(self) -> str:
+        """`[plan]`."""
+        return "[plan]"
+
+    def read(self, instruction: str, journal: Journal) -> RoutePlan:
+        """Return the plan that an instruction is; `PlanFileError` where it is none."""
+        return read_plan_reply(instruction)
+
+
+class ModelReader(PlanReader):
+    """Has a language model write the plan, in the plan language (`routes.records`)."""
+
+    def __init__(self, model: LanguageModel) -> None:
+        """Prepare the prompt."""
+        self._model = model
+        self._prompt = load_prompt("read_plan")
+        self._question = Question("plan", prompt_version(self._prompt))
+
+    @property
+    def prompts(self) -> dict[str, str]:
+        """The version of its prompt, by stage."""
+        return {"plan": self._question.prompt}
+
+    @property
+    def variant(self) -> str:
+        """`[model]`."""
+        return f"[{self._model.name}]"
+
+    def requests_expected(self, instruction: str) -> list[CompletionRequest]:
+        """Return the request for a plan."""
+        turns = Message("system", self._prompt), Message("user", instruction.strip())
+        return [CompletionRequest(turns, max_tokens=4096, question=self._question)]
+
+    def read(self, instruction: str, journal: Journal) -> RoutePlan:
+        """Return what an instruction says, as the model answers."""
+        [request] = self.requests_expected(instruction)
+        return ask_until_read(
+            self._model,
+            journal,
+            request,
+            self._question,
+            count(1),
+            _read_plan,
+            "repair_plan",
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class ReaderOptions:
+    """What can be set of an agent that begins by reading."""
+
+    reader: ReaderName = "grammar"
+    """What turns the text into a plan: the grammar, offline, a language model, or nobody,
+    where the text is the JSON of a plan (`plan`)."""
+
+    @property
+    def needs(self) -> frozenset[Need]:
+        """What the agent needs with these options."""
+        return frozenset({"language_model"} if self.reader == "model" else ())
 
 
 class ReadsFirst:
     """An agent that reads its instruction before it moves; what runs ask it about that."""
 
-    reader: PlanReader
-
-    asks_beforehand = True
-    """It asks nothing on the way."""
+    def __init__(self, options: ReaderOptions, reader: PlanReader | None) -> None:
+        """Take a reader, or that of the options."""
+        other = WrittenPlanReader() if options.reader == "plan" else GrammarReader()
+        self.reader = reader or other
+        self.asks_beforehand = True
+        """Whether nothing is asked on the way."""
 
     @property
     def prompts(self) -> dict[str, str]:
@@ -67,128 +145,20 @@ class ReadsFirst:
         return self.reader.requests_expected(instruction)
 
 
-def needs_of_reader(reader: ReaderName) -> frozenset[Need]:
-    """Return what an agent needs for its reader."""
-    return frozenset({"language_model"} if reader == "model" else ())
-
-
-class _AsksNobody:
-    """A reader without a model."""
-
-    @property
-    def prompts(self) -> dict[str, str]:
-        """None."""
-        return {}
-
-    def requests_expected(self, instruction: str) -> list[CompletionRequest]:
-        """Return no request."""
-        return []
-
-
-class GrammarReader(_AsksNobody):
-    """Reads with the grammar of `understanding`."""
-
-    variant = ""
-
-    def read(self, instruction: str, journal: Journal) -> RoutePlan:
-        """Return what an instruction says."""
-        return parse_route_description(instruction)
-
-
-class WrittenPlanReader(_AsksNobody):
-    """Takes instructions that are plans already, as JSON in the plan language.
-
-    So one measures how an agent walks what was said, whoever understands it.
-    """
-
-    variant = "[plan]"
-
-    def read(self, instruction: str, journal: Journal) -> RoutePlan:
-        """Return the plan that an instruction is.
-
-        Raises:
-            PlanFileError: It is none.
-        """
-        return read_plan_reply(instruction)
-
-
-def reader_without_model(reader: ReaderName) -> PlanReader:
-    """Return the reader of a name where there is no model to ask: the grammar, or none."""
-    return WrittenPlanReader() if reader == "plan" else GrammarReader()
-
-
-class ModelReader:
-    """Has a language model write the plan, in the plan language (`routes.records`)."""
-
-    def __init__(self, model: LanguageModel, *, max_tokens: int = 4096) -> None:
-        """Prepare the prompt.
-
-        Args:
-            model: Is asked once, and once more where the reply is no plan.
-            max_tokens: Of a reply.
-        """
-        self._model = model
-        self._max_tokens = max_tokens
-        self._prompt = load_prompt("read_plan")
-
-    @property
-    def prompts(self) -> dict[str, str]:
-        """The version of its prompt, by stage."""
-        return {"plan": prompt_version(self._prompt)}
-
-    @property
-    def variant(self) -> str:
-        """`[model]`."""
-        return f"[{self._model.name}]"
-
-    def requests_expected(self, instruction: str) -> list[CompletionRequest]:
-        """Return the request for a plan."""
-        return [self.request(instruction)]
-
-    def request(self, instruction: str, *refused: tuple[str, str]) -> CompletionRequest:
-        """Return what is asked, after replies that were refused and why."""
-        turns = [Message("user", instruction.strip())]
-        for reply, problem in refused:
-            said = load_prompt("repair_plan", problem=problem)
-            turns += [Message("assistant", reply), Message("user", said)]
-        return CompletionRequest(
-            messages=(Message("system", self._prompt), *turns),
-            max_tokens=self._max_tokens,
-            question=Question("plan", self.prompts["plan"], number=len(refused) + 1),
-        )
-
-    def read(self, instruction: str, journal: Journal) -> RoutePlan:
-        """Return what an instruction says.
-
-        Raises:
-            LanguageModelError: The model did not answer, or twice not with a plan.
-        """
-        first = journal.ask(self._model, self.request(instruction), "plan")
-        try:
-            return read_plan_reply(first)
-        except PlanFileError as error:
-            journal.note("repair", error=str(error))
-            refused = (first, str(error))
-        second = journal.ask(self._model, self.request(instruction, refused), "plan")
-        try:
-            return read_plan_reply(second)
-        except PlanFileError as error:
-            raise LanguageModelError(
-                f"{self._model.name}: expected a plan, got twice something else: {error}"
-            ) from None
-
-
 def read_plan_reply(reply: str) -> RoutePlan:
     """Return the plan in a reply: one JSON object, whatever stands around it.
 
-    Raises:
-        PlanFileError: There is none; says what is wrong with it.
+    `PlanFileError` says why there is none.
     """
-    begin, end = reply.find("{"), reply.rfind("}")
-    if not 0 <= begin < end:
-        raise PlanFileError(f"plan: expected one JSON object, got {shown(reply)}")
     try:
-        record = parse_record(reply[begin : end + 1])
+        record = parse_record(object_in(reply))
     except ValueError as error:
         raise PlanFileError(f"plan: {error}") from None
     return parse_plan(record, "plan")
+
+
+def _read_plan(reply: str) -> RoutePlan:
+    try:
+        return read_plan_reply(reply)
+    except PlanFileError as error:
+        raise ValueError(str(error)) from None

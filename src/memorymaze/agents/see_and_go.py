@@ -100,8 +100,7 @@ class SeeAndGoAgent:
         leave it open, there are `requests` at most; None is no limit. The generator gives
         the episode a number, by which its pictures are named.
         """
-        limit = self.options.requests or requests
-        numbers = count(1) if limit is None else iter(range(1, limit + 1))
+        numbers = _numbers(self.options.requests or requests)
         steps = deque[str](maxlen=self.options.memory)
         episode = str(rng.integers(2**31))
         place, still = frame_name(episode, "", "start"), 0
@@ -133,12 +132,17 @@ class SeeAndGoAgent:
             grammar=reply_grammar(MOTIONS),
         )
         question = Question("move", self.prompts["move"])
-        read = ask_until_read(
+        return ask_until_read(
             self._model, journal, request, question, numbers, _read_move
         )
-        if read is None:
+
+
+def _numbers(limit: int | None) -> Iterator[int]:
+    """Number the requests; more than the limit are not made."""
+    for number in count(1):
+        if limit is not None and number > limit:
             raise EpisodeOver("budget")
-        return read
+        yield number
 
 
 def _read_move(reply: str) -> tuple[Command, str]:

@@ -14,13 +14,7 @@ from memorymaze.agents.guide.model_questions import (
 )
 from memorymaze.agents.guide.model_walk import ModelWalk
 from memorymaze.agents.guide.search import Search
-from memorymaze.agents.plan_readers import (
-    PlanReader,
-    ReaderName,
-    ReadsFirst,
-    needs_of_reader,
-    reader_without_model,
-)
+from memorymaze.agents.plan_readers import PlanReader, ReaderOptions, ReadsFirst
 from memorymaze.agents.walking.walker import Walker
 from memorymaze.errors import SettingsError
 from memorymaze.language.model import CompletionRequest, LanguageModel
@@ -30,15 +24,11 @@ from memorymaze.routes import RoutePlan, describe
 
 
 @dataclass(frozen=True, slots=True)
-class GuideOptions:
+class GuideOptions(ReaderOptions):
     """What can be set of the guide."""
 
     start_heading: Literal["given", "unknown"] = "given"
     """Whether the robot faces the way the description begins with, or any way."""
-    reader: ReaderName = "grammar"
-    """What turns the text into a plan: the grammar, offline, a language model, or nobody,
-    where the text is the JSON of a plan (`plan`)."""
-
     decide: Literal["belief", "model", "both"] = "belief"
     """What decides on the way: a belief over the way told, offline; a language model,
     asked at each turning point, which reads the text itself; or both: the belief, and the
@@ -59,7 +49,8 @@ class GuideOptions:
     def needs(self) -> frozenset[Need]:
         """What the agent needs with these options."""
         deciding = frozenset[Need]({"language_model"} if self.asks_on_the_way else ())
-        return needs_of_reader(self.reader) | deciding
+        # Dataclasses with slots know no bare super().
+        return super(GuideOptions, self).needs | deciding
 
     @property
     def asks_on_the_way(self) -> bool:
@@ -105,7 +96,7 @@ class GuideAgent(ReadsFirst):
             model: What decides on the way, where the options say that a model does.
         """
         self.options = options or GuideOptions()
-        self.reader = reader or reader_without_model(self.options.reader)
+        super().__init__(self.options, reader)
         self._model = model
         if self.options.asks_on_the_way != (model is not None):
             got = "none" if model is None else model.name

@@ -1,7 +1,6 @@
 """Asking a language model about a walk: a bounded number of times, once more if need be."""
 
-from collections.abc import Callable
-from operator import length_hint
+from collections.abc import Callable, Iterator
 
 from memorymaze.agents.agent import Journal
 from memorymaze.agents.asking import Answer, ask_until_read
@@ -45,12 +44,15 @@ class ModelQuestions:
         self._instruction = instruction.strip()
         self._model = model
         self._journal = journal
-        self._numbers = iter(range(1, most_requests + 1))
+        self.left = most_requests
+        """Requests that may still be made."""
+        self._numbers = self._count(most_requests)
 
-    @property
-    def left(self) -> int:
-        """How many requests may still be made."""
-        return length_hint(self._numbers)
+    def _count(self, most_requests: int) -> Iterator[int]:
+        for number in range(1, most_requests + 1):
+            self.left -= 1
+            yield number
+        raise _NoneLeft
 
     def ask(
         self,
@@ -72,6 +74,13 @@ class ModelQuestions:
             max_tokens=MAX_TOKENS,
         )
         question = Question(stage, guide_prompts(stage)[stage])
-        return ask_until_read(
-            self._model, self._journal, request, question, self._numbers, read
-        )
+        try:
+            return ask_until_read(
+                self._model, self._journal, request, question, self._numbers, read
+            )
+        except _NoneLeft:
+            return None
+
+
+class _NoneLeft(Exception):
+    """No more requests may be made."""

@@ -5,7 +5,8 @@ from typing import Annotated, Literal, TypeVar
 
 from pydantic import ConfigDict, Field, StringConstraints, TypeAdapter, ValidationError
 
-from memorymaze.input_files import mistakes, parse_record, shown
+from memorymaze.agents.asking import object_in
+from memorymaze.input_files import mistakes, parse_record
 
 MOST_PHRASES = 12
 """Things to look for at a time."""
@@ -84,11 +85,7 @@ Record = TypeVar("Record", Answer, Choice)
 
 def _read(kind: type[Record], reply: str) -> Record:
     """Return the record in a reply: one JSON object, whatever stands around it."""
-    reply = reply.rpartition("</think>")[2]
-    begin, end = reply.find("{"), reply.rfind("}")
-    if not 0 <= begin < end:
-        raise ValueError(f"expected one JSON object, got {shown(reply)}")
-    text = reply[begin : end + 1]
+    text = object_in(reply)
     parse_record(text)
     try:
         return TypeAdapter(kind).validate_json(text)

@@ -6,14 +6,8 @@ from typing import Literal
 
 import numpy as np
 
-from memorymaze.agents.agent import Journal, Need
-from memorymaze.agents.plan_readers import (
-    PlanReader,
-    ReaderName,
-    ReadsFirst,
-    needs_of_reader,
-    reader_without_model,
-)
+from memorymaze.agents.agent import Journal
+from memorymaze.agents.plan_readers import PlanReader, ReaderOptions, ReadsFirst
 from memorymaze.agents.rules.alignment import Aligner, Branch, Ending, Standing
 from memorymaze.agents.rules.arriving import Arrivals, approach
 from memorymaze.agents.walking.choices import choices_at
@@ -42,19 +36,11 @@ FEWEST_METRES, MOST_METRES = 120.0, 300.0
 
 
 @dataclass(frozen=True, slots=True)
-class RulesOptions:
+class RulesOptions(ReaderOptions):
     """What can be set of the rules agent."""
 
     start_heading: Literal["given", "unknown"] = "given"
     """Whether the robot faces the way the description begins with, or any way."""
-    reader: ReaderName = "grammar"
-    """What turns the text into a plan: the grammar, offline, a language model, or nobody,
-    where the text is the JSON of a plan (`plan`)."""
-
-    @property
-    def needs(self) -> frozenset[Need]:
-        """What the agent needs with these options."""
-        return needs_of_reader(self.reader)
 
 
 class RulesAgent(ReadsFirst):
@@ -70,7 +56,7 @@ class RulesAgent(ReadsFirst):
     ) -> None:
         """Make the agent with its options, and what reads; that of the options when None."""
         self.options = options or RulesOptions()
-        self.reader = reader or reader_without_model(self.options.reader)
+        super().__init__(self.options, reader)
 
     @property
     def name(self) -> str:
