@@ -6,7 +6,6 @@ Large Language Models" (AAAI). What is as in its released code and what is not:
 """
 
 import math
-from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, field
 from typing import ClassVar, Literal
 
@@ -23,6 +22,7 @@ from memorymaze.agents.navgpt.observation import (
 from memorymaze.agents.navgpt.replies import (
     MOVE_ACTION,
     Finish,
+    Move,
     Unreadable,
     read_reply,
     reply_grammar,
@@ -175,33 +175,34 @@ class NavGPTAgent:
         `blocked_move`, `refused_move`, `parse_failure` or `final_answer`; at the end, in
         any case, `navgpt` with all counts.
         """
-
-        def ask(start: str, steps: str, listed: Sequence[str]) -> str:
-            number = walk.counts.requests
-            return self._ask(instruction, start, steps, listed, number, journal)
-
-        walk = Walk(ask, robot, journal, limits, faithful=self.options.faithful)
+        walk = _Walk(robot, journal, limits, faithful=self.options.faithful)
         try:
-            walk.run()
+            start = walk.look(compass_degrees(robot.start_heading))
+            for number in range(1, limits.iterations + 1):
+                walk.counts.requests = number
+                told = summary_text(start) if walk.counts.moves else walk.full(start)
+                reply = self._ask(instruction, told, walk, journal)
+                journal.note("thought", text=thought_of(reply))
+                wish = read_reply(reply)
+                if isinstance(wish, Finish):
+                    return journal.note("final_answer", text=wish.answer)
+                walk.take(wish, reply)
+            raise EpisodeOver("budget")
         finally:
             journal.note("navgpt", **asdict(walk.counts), **asdict(limits))
 
     def _ask(
-        self,
-        instruction: str,
-        start: str,
-        steps: str,
-        listed: Sequence[str],
-        number: int,
-        journal: Journal,
+        self, instruction: str, start: str, walk: "_Walk", journal: Journal
     ) -> str:
-        """Return the model's next reply; counted in the journal."""
+        """Return the model's reply, given what is told of the start and of the walk."""
         task = load_prompt(
             "navgpt_step",
             instruction=instruction.strip(),
             start=start,
-            steps=steps.strip() or "(none yet)",
+            steps=walk.pad.text().strip() or "(none yet)",
         )
+        listed = [way.viewpoint for way in walk.place.ways]
+        number = walk.counts.requests
         request = CompletionRequest(
             messages=(Message("system", self._rules), Message("user", task)),
             temperature=self.options.temperature,
@@ -211,11 +212,6 @@ class NavGPTAgent:
             question=Question("step", self.prompts["step"], number),
         )
         return journal.ask(self._model, request, "step")
-
-
-Ask = Callable[[str, str, Sequence[str]], str]
-"""Returns the model's reply, given what is told of the start, the steps so far, and the
-ids of the viewpoints listed."""
 
 
 @dataclass
@@ -230,59 +226,36 @@ class Counts:
     parse_failures: dict[str, int] = field(default_factory=dict[str, int])
 
 
-class Walk:
-    """One episode: asks and goes, and keeps what the model is shown."""
+class _Walk:
+    """One episode: goes where the model says, and keeps what it is shown."""
+
+    place: Place
+    """Where the robot is."""
 
     def __init__(
         self,
-        ask: Ask,
         robot: ViewpointRobot,
         journal: Journal,
         limits: LoopLimits,
         *,
-        faithful: bool = False,
+        faithful: bool,
     ) -> None:
-        """Begin where the robot is."""
         self.counts = Counts()
-        """What happened so far."""
-        self._ask = ask
+        self.pad = Scratchpad(limits.scratchpad, whole_steps=not faithful)
         self._robot = robot
         self._journal = journal
         self._limits = limits
         self._faithful = faithful
-        self._pad = Scratchpad(limits.scratchpad, whole_steps=not self._faithful)
         self._failures = 0
 
-    def run(self) -> None:
-        """Ask and go until the model says that it has arrived.
-
-        The episode is over as `budget` after the last iteration, and as `stuck` after too
-        many failures in a row.
-        """
-        self._place = self._look(compass_degrees(self._robot.start_heading))
-        start = self._place
-        for _ in range(self._limits.iterations):
-            moved = self.counts.moves > 0
-            told = summary_text(start) if moved else self._full(start)
-            self.counts.requests += 1
-            listed = [way.viewpoint for way in self._place.ways]
-            reply = self._ask(told, self._pad.text(), listed)
-            self._journal.note("thought", text=thought_of(reply))
-            wish = read_reply(reply)
-            if isinstance(wish, Finish):
-                self._journal.note("final_answer", text=wish.answer)
-                return
-            if isinstance(wish, Unreadable):
-                faults = self.counts.parse_failures
-                faults[wish.fault] = faults.get(wish.fault, 0) + 1
-                self._journal.note("parse_failure", fault=wish.fault, told=wish.told)
-                self._fail(reply, wish.told)
-            else:
-                self._go(wish.viewpoint, reply)
-        raise EpisodeOver("budget")
-
-    def _go(self, viewpoint: str, reply: str) -> None:
-        before = self._place
+    def take(self, wish: Move | Unreadable, reply: str) -> None:
+        """Do what a reply wishes; `EpisodeOver` after too many failures in a row."""
+        if isinstance(wish, Unreadable):
+            faults = self.counts.parse_failures
+            faults[wish.fault] = faults.get(wish.fault, 0) + 1
+            self._journal.note("parse_failure", fault=wish.fault, told=wish.told)
+            return self._fail(reply, wish.told)
+        viewpoint, before = wish.viewpoint, self.place
         journey = self._robot.go_to(viewpoint)
         if journey.end == "arrived":
             self._arrive(before, journey, reply)
@@ -294,11 +267,11 @@ class Walk:
                 reason=journey.reason,
                 distance=journey.distance,
             )
-            self._place = self._look(before.heading)
-            self._pad.add_move(
+            self.look(before.heading)
+            self.pad.add_move(
                 reply,
                 f"The way to {viewpoint} is blocked ({journey.reason}). You are back.\n"
-                + self._full(self._place),
+                + self.full(self.place),
                 f"The way to {viewpoint} was blocked ({journey.reason}).",
             )
         else:
@@ -308,17 +281,16 @@ class Walk:
         self.counts.moves += 1
         self._failures = 0
         way = next(way for way in before.ways if way.viewpoint == self._robot.viewpoint)
+        heading = compass_degrees(way.heading)
         self._journal.note(
             "move",
             start=before.viewpoint,
             end=way.viewpoint,
-            heading_deg=round(compass_degrees(way.heading), 2),
+            heading_deg=round(heading, 2),
             distance=journey.distance,
         )
-        self._place = self._look(compass_degrees(way.heading))
-        self._pad.add_move(
-            reply, self._full(self._place), history_line(before, self._place)
-        )
+        here = self.look(heading)
+        self.pad.add_move(reply, self.full(here), history_line(before, here))
 
     def _refuse(self, viewpoint: str, journey: Journey, reply: str) -> None:
         if journey.end == "unknown":
@@ -333,29 +305,28 @@ class Walk:
         self._fail(
             reply,
             f"{why} You did not move and are still at viewpoint "
-            f"{self._place.viewpoint}. From here you can go to: "
-            f"{ways_text(self._place)}.",
+            f"{self.place.viewpoint}. From here you can go to: {ways_text(self.place)}.",
         )
 
     def _fail(self, reply: str, told: str) -> None:
-        self._pad.add_failure(reply, told)
+        self.pad.add_failure(reply, told)
         self._failures += 1
         limit = self._limits.failures
         if limit is not None and self._failures >= limit:
             raise EpisodeOver("stuck")
 
-    def _look(self, heading: float) -> Place:
+    def look(self, heading: float) -> Place:
+        """Look about; who came by this heading, in compass degrees."""
         robot = self._robot
-        place = Place(
-            robot.viewpoint, heading, robot.look_around(), tuple(robot.ways_on())
-        )
+        ways = tuple(robot.ways_on())
+        self.place = Place(robot.viewpoint, heading, robot.look_around(), ways)
         self._journal.note(
             "observation",
-            viewpoint=place.viewpoint,
-            described_by=place.panorama.described_by,
-            text=self._full(place),
+            viewpoint=self.place.viewpoint,
+            described_by=self.place.panorama.described_by,
+            text=self.full(self.place),
         )
-        return place
+        return self.place
 
-    def _full(self, place: Place) -> str:
+    def full(self, place: Place) -> str:
         return observation_text(place, faithful=self._faithful)
