@@ -21,7 +21,7 @@ from typing import Any, cast
 import cloudpickle
 import numpy as np
 
-from memorymaze.agents.agent import Agent, Journal
+from memorymaze.agents.agent import AMOUNTS, COUNTS, Agent, Journal
 from memorymaze.agents.failures import failure_line, failure_traceback
 from memorymaze.agents.own_agents import make_own_agent
 from memorymaze.errors import EpisodeOver, MemoryMazeError, SettingsError
@@ -76,31 +76,22 @@ class IsolatedAgent:
     ) -> None:
         """Let the agent follow; its calls and notes come here."""
         try:
-            end = self._converse(self._started(), instruction, robot, journal, rng)
+            end, spent = self._converse(instruction, robot, journal, rng)
         except BaseException as problem:
             # What is still said is of an episode that is over.
             self._give_up()
             if isinstance(problem, EOFError | OSError):
                 raise IsolatedAgentError("the agent's process ended") from None
             raise
-        for name, value in end.spent.items():
+        for name, value in spent.items():
             setattr(journal, name, value)
-        if end.over is not None:
-            raise EpisodeOver(end.over)
-        if end.traceback:
-            journal.note("traceback", lines=end.traceback)
-        if end.error is not None:
-            raise end.error
+        _take(*end)
 
     def _converse(
-        self,
-        connection: Connection,
-        instruction: str,
-        robot: Robot,
-        journal: Journal,
-        rng: np.random.Generator,
-    ) -> "_End":
-        """Answer what the agent says until the episode is over."""
+        self, instruction: str, robot: Robot, journal: Journal, rng: np.random.Generator
+    ) -> tuple[tuple[str, Any], dict[str, float]]:
+        """Answer until the episode is over; return how it ended, and what was spent."""
+        connection = self._started()
         names = frozenset(name for name in dir(robot) if not name.startswith("_"))
         connection.send((instruction, names, rng))
         while True:
@@ -112,8 +103,8 @@ class IsolatedAgent:
                 case "completion", content:
                     stand = journal.on_completion
                     connection.send(0.0 if stand is None else stand(content))
-                case "end", _End() as end:
-                    return end
+                case "end", (end, spent):
+                    return end, spent
                 case other:
                     raise IsolatedAgentError(
                         f"expected a call of the robot, got {type(other).__name__}"
@@ -175,22 +166,30 @@ def _answer(
         return "error", AttributeError(f"a robot has no {name!r}")
     try:
         return "value", getattr(robot, name)(*arguments, **named)
-    except EpisodeOver as over:
-        return "over", over.stopped_by
     except (AttributeError, TypeError) as error:
         return "error", type(error)(*error.args)
     except Exception as error:
-        return "error", _sendable(error, None)
+        return _sendable(error)
 
 
-@dataclass(frozen=True, slots=True)
-class _End:
-    """How the agent ended an episode, and what it spent."""
+def _sendable(problem: Exception, agent: object = None) -> tuple[str, Any]:
+    """Return an error of ours as it is; what else was raised as its line."""
+    if isinstance(problem, EpisodeOver):
+        return "over", problem.stopped_by
+    if isinstance(problem, MemoryMazeError):
+        with contextlib.suppress(Exception):
+            if type(pickle.loads(pickle.dumps(problem))) is type(problem):
+                return "error", problem
+    return "error", IsolatedAgentError(failure_line(problem, agent))
 
-    spent: dict[str, float]
-    over: str | None = None
-    error: Exception | None = None
-    traceback: tuple[str, ...] = ()
+
+def _take(how: str, content: Any) -> Any:
+    """Return what a call gave at the other end, or raise what it raised."""
+    if how == "over":
+        raise EpisodeOver(content)
+    if how == "error":
+        raise content
+    return content
 
 
 # In the agent's process.
@@ -214,12 +213,7 @@ class _FarRobot:
 
         def call(*arguments: Any, **named: Any) -> Any:
             self.__connection.send(("call", (name, arguments, named)))
-            how, content = self.__connection.recv()
-            if how == "over":
-                raise EpisodeOver(content)
-            if how == "error":
-                raise content
-            return content
+            return _take(*self.__connection.recv())
 
         return call
 
@@ -241,40 +235,24 @@ def _live(connection: Connection) -> None:
             listener=lambda entry: connection.send(("note", dict(entry))),
             on_completion=lambda reply: _stood(connection, reply),
         )
-        over, error, lines = None, None, ()
+        end: tuple[str, Any] = "value", None
         try:
             if agent is None:
                 agent = make_own_agent(*made_from) if own else pickle.loads(made_from)
-            cast(Agent, agent).follow(
-                instruction,
-                cast(SteppingRobot, _FarRobot(connection, names)),
-                journal,
-                rng,
-            )
-        except EpisodeOver as end:
-            over = end.stopped_by
+            robot = cast(SteppingRobot, _FarRobot(connection, names))
+            cast(Agent, agent).follow(instruction, robot, journal, rng)
         except Exception as problem:
-            lines = tuple(failure_traceback(problem))
-            error = _sendable(problem, agent)
-        spent = {
-            name: getattr(journal, name)
-            for name in ("model_calls", "tokens", "cost_usd", "inference_s")
-        }
-        connection.send(("end", _End(spent, over, error, lines)))
+            end = _sendable(problem, agent)
+            lines = failure_traceback(problem)
+            if lines and end[0] == "error":
+                journal.note("traceback", lines=tuple(lines))
+        spent = {name: getattr(journal, name) for name in COUNTS | AMOUNTS}
+        connection.send(("end", (end, spent)))
 
 
 def _stood(connection: Connection, reply: Completion) -> float:
     connection.send(("completion", reply))
     return connection.recv()
-
-
-def _sendable(problem: Exception, agent: object) -> Exception:
-    """Return an error of ours as it is; what else was raised as its line."""
-    if isinstance(problem, MemoryMazeError):
-        with contextlib.suppress(Exception):
-            if type(pickle.loads(pickle.dumps(problem))) is type(problem):
-                return problem
-    return IsolatedAgentError(failure_line(problem, agent))
 
 
 _REACHES_FILES = frozenset({"open", "os.link", "os.rename"})
