@@ -153,58 +153,45 @@ class NavidAgent:
         robot.stop()
 
 
+@dataclass
 class _Walk:
     """The walk of one episode."""
 
-    def __init__(
-        self,
-        session: PolicySession,
-        robot: SteppingRobot,
-        journal: Journal,
-        rng: np.random.Generator,
-        options: NavidOptions,
-        limit: int | None,
-        episode: str,
-    ) -> None:
-        self._session = session
-        self._robot = robot
-        self._journal = journal
-        self._rng = rng
-        self._options = options
-        self._limit = limit
-        self._episode = episode
-        self._steps = 0
-        self._still = 0
-        self._unreadable = 0
-        self._frame_name = ""
+    session: PolicySession
+    robot: SteppingRobot
+    journal: Journal
+    rng: np.random.Generator
+    options: NavidOptions
+    limit: int | None
+    episode: str
+    steps: int = 0
+    still: int = 0
+    """Steps in a row without one ahead."""
+    unreadable: int = 0
+    """Decisions in a row."""
+    picture_name: str = ""
 
     def run(self) -> None:
         """Walk until the policy says stop."""
         frame = self._picture(None)
         while True:
-            queue = self._decide(frame)
-            if not queue:
-                self._begin_step()
-                self._count_step(moved=False)
-                frame = self._picture(None)
-            for left_to_do, motion in zip(
-                reversed(range(len(queue))), queue, strict=True
-            ):
+            # Where no answer can be read, a step is spent without a motion.
+            queue = self._decide(frame) or [None]
+            for number, motion in enumerate(queue, 1):
                 if motion == "stop":
                     return
-                self._begin_step()
-                self._count_step(moved=self._do(motion))
+                self._take_step(motion)
                 frame = self._picture(motion)
-                if left_to_do:
-                    self._session.observe(frame)
+                if number < len(queue):
+                    self.session.observe(frame)
 
     def _decide(self, frame: Frame) -> list[Motion]:
         """Return the primitives to do next; none where no answer could be read."""
         problem: str | None = None
         name = ""
-        for _ in range(1 if self._options.faithful else 2):
-            answer = self._session.act(frame, problem)
-            self._journal.count(answer.completion, stage="act")
+        for _ in range(1 if self.options.faithful else 2):
+            answer = self.session.act(frame, problem)
+            self.journal.count(answer.completion, stage="act")
             name = answer.completion.model
             try:
                 commands = answer.commands or (self._read(answer.text),)
@@ -214,53 +201,49 @@ class _Walk:
                 continue
             motions = [[each.motion, each.count] for each in commands]
             self._note_decision(frame, motions=motions)
-            self._unreadable = 0
+            self.unreadable = 0
             return [each.motion for each in commands for _ in range(each.count)]
-        if self._options.faithful:
-            drawn = RANDOM_MOTIONS[int(self._rng.integers(len(RANDOM_MOTIONS)))]
-            self._journal.note("random_motion", step=frame.step, motion=drawn)
+        if self.options.faithful:
+            drawn = RANDOM_MOTIONS[int(self.rng.integers(len(RANDOM_MOTIONS)))]
+            self.journal.note("random_motion", step=frame.step, motion=drawn)
             return [drawn]
-        self._unreadable += 1
-        if self._unreadable >= self._options.failures:
+        self.unreadable += 1
+        if self.unreadable >= self.options.failures:
             raise LanguageModelError(
-                f"{name}: {self._unreadable} decisions in a row could not be read, each "
+                f"{name}: {self.unreadable} decisions in a row could not be read, each "
                 f"asked for twice; the last time {problem}"
             )
         return []
 
     def _read(self, text: str) -> Command:
-        reader = read_reply_as_released if self._options.faithful else read_reply
-        return reader(text, self._options.motions)
+        reader = read_reply_as_released if self.options.faithful else read_reply
+        return reader(text, self.options.motions)
 
     def _note_decision(self, frame: Frame, **read: object) -> None:
         seen = hashlib.sha256(frame.rgb.tobytes()).hexdigest()[:16]
-        self._journal.note("decision", step=frame.step, picture=seen, **read)
+        self.journal.note("decision", step=frame.step, picture=seen, **read)
 
-    def _do(self, motion: Motion) -> bool:
-        """Do a primitive; return whether the robot got ahead."""
-        motions = self._options.motions
-        if motion == "forward":
-            return self._robot.step_forward(motions.forward_m) > STILL_METRES
+    def _take_step(self, motion: Motion | None) -> None:
+        """Do a primitive, or nothing, within the budgets."""
+        if self.limit is not None and self.steps >= self.limit:
+            self.journal.note("out_of_steps", step=self.steps, limit=self.limit)
+            raise EpisodeOver("budget")
+        motions, moved = self.options.motions, False
         turn = math.radians(motions.turn_deg)
-        self._robot.rotate(turn if motion == "left" else -turn)
-        return False
-
-    def _count_step(self, *, moved: bool) -> None:
-        self._steps += 1
-        self._still = 0 if moved else self._still + 1
-        if self._still >= self._options.still_steps:
-            self._journal.note("stuck", step=self._steps, still_steps=self._still)
+        if motion == "forward":
+            moved = self.robot.step_forward(motions.forward_m) > STILL_METRES
+        elif motion is not None:
+            self.robot.rotate(turn if motion == "left" else -turn)
+        self.steps += 1
+        self.still = 0 if moved else self.still + 1
+        if self.still >= self.options.still_steps:
+            self.journal.note("stuck", step=self.steps, still_steps=self.still)
             raise EpisodeOver("stuck")
 
-    def _begin_step(self) -> None:
-        if self._limit is not None and self._steps >= self._limit:
-            self._journal.note("out_of_steps", step=self._steps, limit=self._limit)
-            raise EpisodeOver("budget")
-
     def _picture(self, after: Motion | None) -> Frame:
-        rgb = self._robot.camera_picture(
+        rgb = self.robot.camera_picture(
             WIDTH, HEIGHT, math.radians(FIELD_OF_VIEW_DEG)
         ).rgb
-        done = f"{after} {self._options.turn_deg}" if after else f"none {self._steps}"
-        self._frame_name = frame_name(self._episode, self._frame_name, done)
-        return Frame(self._steps, after, rgb, self._frame_name)
+        done = f"{after} {self.options.turn_deg}" if after else f"none {self.steps}"
+        self.picture_name = frame_name(self.episode, self.picture_name, done)
+        return Frame(self.steps, after, rgb, self.picture_name)
