@@ -46,7 +46,7 @@ _WORD = re.compile(r"[^\W_][\w&+-]*(?:'(?!(?:s|d|ll)\b)\w+)?")
 _SPELT = re.compile(r"(?<![\w'-])[a-z']+(?![\w'-])")
 _COUNTED = re.compile(
     r"(?:(?<=^)|(?<=[.;!?\n]))\s*(?:and |ok(?:ay)?,? |so,? )?"
-    r"(?:\(?\d{1,2}[.):]+(?!\d)"
+    r"(?:\(?(?:\d{1,2}|[a-h](?=\)))[.):]+(?!\d)"
     r"|(?:(?:number|step|point|sign|part|stage)\s+)?"
     r"(?:one|two|three|four|five|six|seven|eight|nine|ten|\d{1,2})\s*[,:.)]"
     r"(?!\s*(?:two|three|four|five|six|seven|eight|nine|ten|\d)\b)"
@@ -67,7 +67,7 @@ _PROPER_WAY = re.compile(
 _PLAIN_SIGNS = {
     "\u2019": "'", "\u2018": "'", "`": "'", "\u201c": '"', "\u201d": '"',
     "\u2026": "...", "\u2014": ", ", " \u2013 ": ", ", "\u2013": "-",
-    " - ": ", ", "->": " then ", "w/": "with ", "\u2192": " then ", "\u00bd": ".5", "\t": " ", "\r": "\n",
+    " - ": ", ", "->": " then ", ">": " then ", "@": " at ", "w/": "with ", "\u2192": " then ", "\u00bd": ".5", "\t": " ", "\r": "\n",
 }  # fmt: skip
 """Quotes, dashes and arrows, and what is read for them."""
 
