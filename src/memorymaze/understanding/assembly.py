@@ -133,13 +133,16 @@ class _Assembly:
     def _add_turn(self, event: Event, at: int) -> None:
         event = self._with_named_way(event)
         way: Way | None = event.way
+        if way is not None and self._tells_side_of_bend(at):
+            self._change_last_turn(way=way)
+            return
         if way is None and event.ordinal is not None:
             way = self._passed_side()
         if self._restating.repeats(at, way, event.ordinal, self._done, self._draft):
             self._done[-1].lengths.extend(self._draft.lengths)
             self._draft = PartialLeg()
             return
-        if way is None and self._draft.is_new and self._done:
+        if way is None and self._draft.is_new and self._done and not event.subject:
             return
         draft = self._draft
         ordinal = event.ordinal
@@ -167,6 +170,16 @@ class _Assembly:
         self._counted |= self._counting
         self._counting, self._left = set(), {}
         self._last = []
+
+    def _tells_side_of_bend(self, at: int) -> bool:
+        """`There is a bend and you go left with it`: one turn, its side told late."""
+        turn = self._done[-1].turn if self._done else None
+        if turn is None or turn.way != "either" or not self._draft.is_new:
+            return False
+        for earlier in reversed(self._events[:at]):
+            if earlier.kind in {"turn", "sentence", "then"}:
+                return earlier.kind == "turn"
+        return False
 
     def _newly_counted(self, way: Event) -> Event:
         """`At the third junction`, the second being that of the turn before: the next."""

@@ -33,6 +33,7 @@ from memorymaze.understanding.things import (
 _AT_IT = re.compile(r"(?:at|in|when|where|once|the|far|very|its|by)\b")
 _AHEAD = re.compile(r"(?:straight |dead |right )?(?:ahead|front)\b")
 _ROUND = re.compile(r"round|around|bend|curve|curl|wind|turns?$")
+_ROUND_IT = re.compile(r"(?:round|around|follow|go|walk|come|keep)")
 _SMALL = re.compile(r"small|lean|slight|little|gentle|soft|light|bit of")
 _SLANTED: dict[Way | None, Way] = {"left": "slight_left", "right": "slight_right"}
 _REACHED = re.compile(r"reach|come|comes|get to|arrive|hit|face|facing|meet")
@@ -170,6 +171,8 @@ class ClauseReader:
             self._add(Event("take"))
             self._taken = True
         elif kind == "R":
+            if chunk.text.endswith(" it"):
+                self._add(Event("take"))  # "another one on the right, that is it"
             self._add(Event("arrive"))
         elif kind == "H" and _AHEAD.match(chunk.text) and re.search("NB?A?$", before):
             self._add(Event("side", side="ahead"))
@@ -188,7 +191,8 @@ class ClauseReader:
             and not re.search("[LS]", clause.kinds[at + 1 :])
             and not (self._turned and before[-1:] in {"L", "J"})
         ):
-            self._take(Event("turn", forced=True))
+            about = self._clause.has("D") and not _ROUND_IT.match(chunk.text)
+            self._take(Event("turn", forced=True, subject=about))
         return at + 1
 
     def _take(self, event: Event) -> None:

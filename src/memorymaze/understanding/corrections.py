@@ -182,7 +182,9 @@ def _replaced(chunks: list[Chunk], old: int, new: int) -> list[Chunk]:
         value = Chunk("M", value.text, value.start, length=length)
     if chunks[old].kind == "S" and value.kind == "L":
         value = replace(value, kind="S", text=chunks[old].text)
-    kept = [chunk for chunk in chunks[old + 1 : new] if chunk.kind == "N"]
+    kept = [chunk for chunk in chunks[old + 1 : new] if chunk.kind in "AN"]
+    if "N" not in {chunk.kind for chunk in kept} or chunks[new + 1 : new + 2] == []:
+        kept = [chunk for chunk in kept if chunk.kind == "N"]
     start = old
     if (
         value.kind in "LS2"

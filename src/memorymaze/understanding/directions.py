@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 from memorymaze.routes import Junction, Side
 from memorymaze.understanding.chunks import Chunk
 from memorymaze.understanding.clause import (
+    AT_THE_TURN,
     Clause,
     Event,
     is_aside,
@@ -29,6 +30,8 @@ _DOOR = re.compile(r"^(?:hand )?(?:door|wall|window|room)s?\b")
 _LOOSE = ("with", "among")
 _AWAY = re.compile(r"(?:away|from|out|off)\b")
 _FACE = re.compile(r"(?:turn to )?face")
+_BEND = re.compile(r"corner|bend|curve")
+"""Nouns for what one cannot pass without turning."""
 _TAKEN = re.compile(r"opening|turn|gap|exit|fork|branch")
 """Nouns for openings that one takes, not merely walks along."""
 
@@ -74,6 +77,8 @@ def _is_bare_turn(
     last = before[-1:]
     if not before and after.startswith("B"):
         return False
+    if before == "N" and not after and _turned_at_a_thing(clause):
+        return True  # "at the windows left, and the glass doors right"
     if not before and after.startswith("N"):
         return _DOOR.search(clause.chunks[at + 1].text) is None
     if last == "N":
@@ -124,6 +129,13 @@ def _place_is_named(clause: Clause) -> bool:
         if event.kind == "end" or event.relation in {"at", "until", "after"}:
             return True
     return False
+
+
+def _turned_at_a_thing(clause: Clause) -> bool:
+    """Tell whether the clause before this one, in its sentence, is `at the desk left`."""
+    said = [event for event in clause.before[-4:] if event.kind != "clause"]
+    bound = [event.relation in AT_THE_TURN for event in said if event.kind == "thing"]
+    return len(said) > 1 and said[-1].kind == "turn" and bound[-1:] == [True]
 
 
 def faces(clause: Clause, at: int) -> bool:
@@ -207,6 +219,8 @@ class _Opening:
     count: int | None = None
     noun: str = ""
     side: Side | None = None
+    towards: bool = False
+    """Whether its side was said as `to the left`, not as `on the left`."""
     stated: bool = False
     """Whether its side was said as a bare direction: `third turning is left`."""
 
@@ -228,8 +242,11 @@ def read_opening(
     before, after = clause.kinds[:start], clause.kinds[at:]
     if opening.side is None and before.endswith("SB"):
         opening.side = side_of(clause.chunks[start - 2])
-    if not opening.noun and opening.side is None and after.startswith("N"):
-        return [], at  # the ordinal of a thing: "the second door"
+    if not opening.noun and after.startswith("N"):
+        if opening.side is None:
+            return [], at  # the ordinal of a thing: "the second door"
+        if _DOOR.search(clause.chunks[at].text) and not re.search("[TG]", before):
+            return [Event("side", side=opening.side, likely=True)], at
     if not (before or opening.noun or opening.side) and re.match("[VGKR]", after):
         return [], at  # "first go to the desk"
     way = Event(
@@ -303,6 +320,7 @@ def _words_of(clause: Clause, start: int) -> tuple[_Opening, int]:
             opening.side = side_of(chunk)
         elif chunk.kind == "S" and sided:
             opening.side = side_of(chunk)
+            opening.towards = towards_a_side(chunk)
         elif (
             chunk.kind == "B" and opening.side is None and kinds[at + 1 : at + 2] == "L"
         ):
@@ -328,6 +346,12 @@ def _is_taken(clause: Clause, opening: _Opening, start: int, after: str) -> bool
         return True
     if not opening.noun or clause.kinds[start] == "L":
         return not after.startswith("B") or opening.ordinal is None
+    if _BEND.search(opening.noun):
+        return True
+    if before.endswith("Z") and clause.chunks[start - 1].text.endswith(" the"):
+        return True  # "it is the only turning on the left"
+    if opening.towards and opening.ordinal is not None:
+        return "B" not in before and not after.startswith("B")
     return re.search("[AU]$", before) is not None and opening.ordinal is not None
 
 
