@@ -64,6 +64,9 @@ _PROPER_WAY = re.compile(
 )
 
 
+_HESITATION = re.compile(
+    r"(?P<before>(?<!first)(?<!second)(?<!third)(?<!last),)? *\b(?:u+h+m*|u+m+|e+r+m?|e+hm*|h+m+)\b(?: *(?:\.\.\.|(?P<after>,)))?"
+)
 _PLAIN_SIGNS = {
     "\u2019": "'", "\u2018": "'", "`": "'", "\u201c": '"', "\u201d": '"',
     "\u2026": "...", "\u2014": ", ", " \u2013 ": ", ", "\u2013": "-",
@@ -106,12 +109,19 @@ def normalise(text: str) -> str:
     text = text.lower()
     for old, new in _PLAIN_SIGNS.items():
         text = text.replace(old, new)
+    text = _HESITATION.sub(_without_hesitation, text)
     text = _SPELT.sub(lambda match: SPELLINGS.get(match[0], match[0]), text)
     text = re.sub(r"\b(left|right)-(\w+)-(left|right)\b(?! hand)", _unless_and, text)
     text = _drop_inline_counting(text)
     for row in PLAIN_WORDS:
         text = row.regex.sub(row.plain, text)
     return _COUNTED.sub("; ", text)
+
+
+def _without_hesitation(match: re.Match[str]) -> str:
+    """Leave one comma where `um` stands beside one, none where it stands in two."""
+    both = match["before"] and match["after"]
+    return " " if both else (match["before"] or match["after"] or "") + " "
 
 
 def _unless_and(match: re.Match[str]) -> str:

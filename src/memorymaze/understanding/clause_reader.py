@@ -33,6 +33,7 @@ from memorymaze.understanding.things import (
 _AT_IT = re.compile(r"(?:at|in|when|where|once|the|far|very|its|by)\b")
 _AHEAD = re.compile(r"(?:straight |dead |right )?(?:ahead|front)\b")
 _ROUND = re.compile(r"round|around|bend|curve|curl|wind|turns?$")
+_WHEN = re.compile(r"when|where|once|as soon")
 _ROUND_IT = re.compile(r"(?:round|around|follow|go|walk|come|keep)")
 _SMALL = re.compile(r"small|lean|slight|little|gentle|soft|light|bit of")
 _SLANTED: dict[Way | None, Way] = {"left": "slight_left", "right": "slight_right"}
@@ -326,8 +327,11 @@ class ClauseReader:
             if chunk.text in _LOOSE and re.search("JS?$", self._clause.kinds[:index]):
                 junction = True  # "at the crossing with the clock": it is bound so
                 continue
-            if is_look and chunk.kind == "V" and self._clause.kind_before(index) == "U":
-                return "until"  # "until you see a blue carpet"
+            if chunk.kind == "V" and (
+                self._clause.kind_before(index) == "U"
+                or _WHEN.match(chunks[index - 1].text if index else "")
+            ):
+                return "until"  # "until you see a blue carpet", "when you see the desk"
             relation = self._bond(chunk)
             if relation is not None:
                 return relation

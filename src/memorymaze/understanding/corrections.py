@@ -94,7 +94,7 @@ def _repeats(before: list[Chunk], chunk: Chunk, after: list[Chunk]) -> bool:
     """`At the desk right, right`, but not `right, right, left`, a list of turns."""
     said = [each for each in before[-8:] if each.kind != "f"]
     kinds = "".join(each.kind for each in said)
-    if re.search("[TGAEJNOt]L,$", kinds) is None or said[-2].way != chunk.way:
+    if re.search("[TGZAEJNOt]L,$", kinds) is None or said[-2].way != chunk.way:
         return False
     return re.match("f*,f*[&>]?f*L", "".join(each.kind for each in after)) is None
 
@@ -110,9 +110,9 @@ def _is_echo(before: list[Chunk], chunk: Chunk, *, confirmed: bool) -> bool:
             return earlier.way == chunk.way and (
                 ordinals
                 or (confirmed and re.fullmatch("J?O[,f]+", gap) is not None)
-                or ("e" in gap and re.fullmatch("O?[,.fherZ>&]*", gap) is not None)
+                or (re.search("e|h,", gap) and re.fullmatch("O?[,.fherZ>&]*", gap) is not None)
             )
-        gap += earlier.kind
+        gap += "" if earlier.kind == "f" else earlier.kind
         if len(gap) > 8:
             return False
     return False

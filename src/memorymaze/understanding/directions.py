@@ -75,8 +75,10 @@ def _is_bare_turn(
 ) -> bool:
     """Decide about `left` without `to the` or `on the`."""
     last = before[-1:]
-    if not before and after.startswith("B"):
+    if not before and re.match("J?B", after):
         return False
+    if before == "B" and clause.chunks[0].text in {"is", "are", "'s"}:
+        return False  # "six, the door you want, is left"
     if before == "N" and not after and _turned_at_a_thing(clause):
         return True  # "at the windows left, and the glass doors right"
     if not before and after.startswith("N"):

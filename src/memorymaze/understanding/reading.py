@@ -80,7 +80,9 @@ def _joins(chunks: Sequence[Chunk], at: int) -> bool:
     kind = chunks[following].kind
     if kind == "L":
         return at == 0 or chunks[at - 1].kind not in "LS"
-    return kind in _OPENERS
+    return kind in _OPENERS or (
+        kind == "B" and chunks[following].text.startswith(("there", "here", "you"))
+    )
 
 
 def _starts_anew(clause: Sequence[Chunk], chunk: Chunk) -> bool:

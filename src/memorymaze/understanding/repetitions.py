@@ -192,7 +192,7 @@ class Restating:
             )
         if ordinal is not None and last.ordinal is None:
             return False
-        if self._names_something_new(at, done):
+        if not _is_bare(done[-1]) and self._names_something_new(at, done):
             return False
         if event.forced or event.apposed:
             return True
@@ -238,6 +238,13 @@ class Restating:
             if later.back and not known & set(later.phrase.split()):
                 return True
         return False
+
+
+def _is_bare(draft: PartialLeg) -> bool:
+    """Tell whether of a leg only its turn was told."""
+    return not (
+        draft.lengths or draft.mentions or draft.passings or draft.at_end or draft.origin
+    )
 
 
 def _is_at(draft: PartialLeg, last: PartialLeg) -> bool:
