@@ -110,7 +110,10 @@ def _is_echo(before: list[Chunk], chunk: Chunk, *, confirmed: bool) -> bool:
             return earlier.way == chunk.way and (
                 ordinals
                 or (confirmed and re.fullmatch("J?O[,f]+", gap) is not None)
-                or (re.search("e|h,", gap) and re.fullmatch("O?[,.fherZ>&]*", gap) is not None)
+                or (
+                    re.search("e|h,", gap)
+                    and re.fullmatch("O?[,.fherZ>&]*", gap) is not None
+                )
             )
         gap += "" if earlier.kind == "f" else earlier.kind
         if len(gap) > 8:

@@ -243,7 +243,11 @@ class Restating:
 def _is_bare(draft: PartialLeg) -> bool:
     """Tell whether of a leg only its turn was told."""
     return not (
-        draft.lengths or draft.mentions or draft.passings or draft.at_end or draft.origin
+        draft.lengths
+        or draft.mentions
+        or draft.passings
+        or draft.at_end
+        or draft.origin
     )
 
 
