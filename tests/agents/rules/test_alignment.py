@@ -5,7 +5,8 @@ from collections.abc import Sequence
 
 import pytest
 
-from memorymaze.agents.rules.alignment import Aligner, Branch, Standing
+from memorymaze.agents.rules.alignment import Aligner, Branch
+from memorymaze.agents.rules.evidence import Standing
 from memorymaze.agents.walking.floor_map import Crossing, FloorMap, Sighting, View
 from memorymaze.understanding import ANY_FLOOR, parse_route_description
 
@@ -120,7 +121,9 @@ def test_a_decision_says_which_leg_it_took_for_done_and_what_speaks_against_it()
     assert best.standing.leg == 1
     (told,) = best.standing.story
     assert told.startswith(f"leg 1 left at {FORK} (+")
-    assert best.cost == pytest.approx(float(told.rpartition("+")[2][:-1]), abs=0.06)
+    assert best.standing.cost == pytest.approx(
+        float(told.rpartition("+")[2][:-1]), abs=0.06
+    )
 
 
 def test_a_corner_without_a_choice_is_followed_though_nobody_told_of_it() -> None:

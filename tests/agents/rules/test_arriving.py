@@ -2,8 +2,9 @@
 
 import pytest
 
-from memorymaze.agents.rules.alignment import Branch, Ending, Standing
+from memorymaze.agents.rules.alignment import Branch, Ending
 from memorymaze.agents.rules.arriving import Arrivals
+from memorymaze.agents.rules.evidence import Standing
 from memorymaze.agents.walking.choices import Choices
 from memorymaze.agents.walking.floor_map import Crossing, FloorMap, Sighting, Stretch
 from memorymaze.understanding import parse_route_description

@@ -8,9 +8,9 @@ import numpy as np
 
 from memorymaze.agents.agent import Journal
 from memorymaze.agents.plan_readers import PlanReader, ReaderOptions, ReadsFirst
-from memorymaze.agents.rules.alignment import Aligner, Branch, Ending, Standing
+from memorymaze.agents.rules.alignment import Aligner, Branch, Ending
 from memorymaze.agents.rules.arriving import Arrivals, approach
-from memorymaze.agents.walking.choices import choices_at
+from memorymaze.agents.rules.evidence import Standing
 from memorymaze.agents.walking.floor_map import Sighting
 from memorymaze.agents.walking.outlooks import (
     LEG_METRES,
@@ -200,8 +200,7 @@ class _Search:
     def _branch_out(self, standing: Standing) -> None:
         if len(standing.line) > 25 or standing.cost > 25:
             return
-        crossing = self._walker.map.crossings[standing.at]
-        choices = choices_at(crossing.exits, crossing.closed, standing.heading)
+        choices = self._aligner.choices(standing)
         self._endings.extend(self._arrivals.at_crossing(standing, choices))
         for branch in self._aligner.branches(standing):
             self._endings.extend(self._arrivals.after_turn(branch.standing))

@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from memorymaze.agents.rules.evidence import (
+    Standing,
     junction_cost,
     length_cost,
     mentions_cost,
@@ -19,7 +20,7 @@ from memorymaze.agents.rules.evidence import (
     way_cost,
 )
 from memorymaze.agents.walking.choices import Choices, choices_at
-from memorymaze.agents.walking.floor_map import FloorMap, Point, Stretch
+from memorymaze.agents.walking.floor_map import FloorMap, Stretch
 from memorymaze.agents.walking.outlooks import (
     faces,
     length_of,
@@ -56,47 +57,11 @@ UNTOLD_WAY_ON = 0.05
 
 
 @dataclass(frozen=True, slots=True)
-class Standing:
-    """A hypothesis: the robot is at a crossing, with some legs of the plan done."""
-
-    at: int
-    heading: float
-    leg: int
-    """Legs done; as many as the plan has when only the arrival is left."""
-    walked: float = 0.0
-    """Metres since the last turn of the plan."""
-    left: int = 0
-    """Openings passed on the left since then."""
-    right: int = 0
-    crossings: int = 0
-    """Junctions passed since then."""
-    line: tuple[Point, ...] = ()
-    """Corners of the walk since then."""
-    asked: frozenset[str] | None = None
-    """What was looked for all along since then; None before the first stretch."""
-    lead: float = 0.0
-    """Metres of legs that were left out and add to the present one."""
-    cost: float = 0.0
-    story: tuple[str, ...] = ()
-    """The decisions so far, in words."""
-
-    @property
-    def places(self) -> int:
-        """Places where one can turn that were come to since the last turn."""
-        return len(self.line) - 1
-
-
-@dataclass(frozen=True, slots=True)
 class Branch:
     """A hypothesis that leaves a crossing by an exit."""
 
     standing: Standing
     exit: int
-
-    @property
-    def cost(self) -> float:
-        """What speaks against it so far."""
-        return self.standing.cost
 
 
 @dataclass(frozen=True, slots=True)
@@ -137,23 +102,17 @@ class Aligner:
             if length is not None and _is_passed(length, standing):
                 ahead += _walked_cost(length, standing, 0)
             if standing.walked > 6.0 and standing.asked:
-                ahead += UNSEEN_YET * max(
-                    mentions_cost(
-                        [
-                            m
-                            for m in things_on(self.plan, standing.leg)
-                            if m.place in {"along", "passed"}
-                        ],
-                        self._floor,
-                        standing.line,
-                        standing.line[-1],
-                        standing.asked,
-                    ),
-                    0.0,
-                )
+                passed = [
+                    m
+                    for m in things_on(self.plan, standing.leg)
+                    if m.place in {"along", "passed"}
+                ]
+                end = standing.line[-1]
+                unseen = mentions_cost(passed, self._floor, standing, end)
+                ahead += UNSEEN_YET * max(unseen, 0.0)
             turn = leg.turn
             if turn.ordinal is not None and turn.ordinal > 0:
-                met = min(self._on_side(standing, leg), standing.crossings) + 1
+                met = min(standing.passed(turn.way), standing.crossings) + 1
                 ahead += min(1.4 * max(met - turn.ordinal, 0), 3.0)
         return standing.cost + ahead
 
@@ -173,8 +132,7 @@ class Aligner:
 
     def branches(self, standing: Standing) -> Iterator[Branch]:
         """Yield what may be meant at the crossing where a hypothesis stands."""
-        crossing = self._floor.crossings[standing.at]
-        choices = choices_at(crossing.exits, crossing.closed, standing.heading)
+        choices = self.choices(standing)
         yield from self._ways_on(standing, choices)
         yield from self._turns(standing, choices)
 
@@ -267,14 +225,15 @@ class Aligner:
                 )
                 yield Branch(done, index)
                 if anew and self._turns_at_once(done):
-                    yield from self._turns(done, self._choices(done))
+                    yield from self._turns(done, self.choices(done))
             skip = self._skip_cost(number)
             skipped += skip
             length = length_of(leg)
             lead += length.metres if length else 0.0
             story = (*story, f"leave out leg {number + 1} (+{skip:.1f})")
 
-    def _choices(self, standing: Standing) -> Choices:
+    def choices(self, standing: Standing) -> Choices:
+        """Return the ways out of the crossing where a hypothesis stands."""
         crossing = self._floor.crossings[standing.at]
         return choices_at(crossing.exits, crossing.closed, standing.heading)
 
@@ -329,33 +288,16 @@ class Aligner:
         cost += junction_cost(turn, choices)
         cost += ordinal_cost(
             turn,
-            self._on_side(standing, leg) + 1,
+            standing.passed(turn.way) + 1,
             standing.crossings + junction,
             choices,
         )
-        cost += passings_cost(
-            leg.passings, standing.left, standing.right, standing.crossings
-        )
-        cost += mentions_cost(
-            things_on(self.plan, number),
-            self._floor,
-            standing.line,
-            crossing.place,
-            standing.asked or frozenset(),
-            standing.at,
-        )
-        cost += too_far_cost(
-            (*leg.too_far, *leg.wrong_way), self._floor, standing.line, crossing.place
-        )
-        return cost
-
-    def _on_side(self, standing: Standing, leg: Leg) -> int:
-        way = leg.turn.way
-        if way.endswith("left"):
-            return standing.left
-        if way.endswith("right"):
-            return standing.right
-        return standing.crossings
+        cost += passings_cost(leg.passings, standing)
+        things = things_on(self.plan, number)
+        place = crossing.place
+        cost += mentions_cost(things, self._floor, standing, place, standing.at)
+        missed = (*leg.too_far, *leg.wrong_way)
+        return cost + too_far_cost(missed, self._floor, standing, place)
 
     def _leg(self, standing: Standing) -> Leg | None:
         if standing.leg < len(self.plan.legs):

@@ -4,8 +4,9 @@ import math
 import re
 from collections.abc import Iterator
 
-from memorymaze.agents.rules.alignment import Branch, Ending, Standing
+from memorymaze.agents.rules.alignment import Branch, Ending
 from memorymaze.agents.rules.evidence import (
+    Standing,
     junction_cost,
     length_cost,
     mentions_cost,
@@ -67,14 +68,9 @@ class Arrivals:
         if names and names[0].split()[-1] in _ROOMS and is_common(names[0]):
             names = ("door", *names)
         self._first = tuple(_variants(names[0])) if names else ()
-        self._names = tuple(
-            name for name in dict.fromkeys([*self._first, *names]) if not is_floor(name)
-        )
-
-    @property
-    def phrases(self) -> tuple[str, ...]:
+        told = dict.fromkeys([*self._first, *names])
+        self.phrases = tuple(name for name in told if not is_floor(name))
         """What to look for."""
-        return self._names
 
     def on_stretch(self, branch: Branch, stretch: Stretch) -> Iterator[Ending]:
         """Yield the endings on a stretch walked by a hypothesis."""
@@ -232,24 +228,14 @@ class Arrivals:
             places, crossings = places - begun, max(crossings - begun, 0)
         told = length_cost(arrival.length, walked, places, crossings)
         cost = told if counted else 0.7 * told
-        cost += passings_cost(
-            arrival.passings, standing.left, standing.right, standing.crossings
-        )
-        line = standing.line
+        cost += passings_cost(arrival.passings, standing)
         others = [
             m
             for m in things_on(self._plan, len(self._plan.legs))
             if m.phrase not in self.phrases
         ]
-        cost += 0.5 * mentions_cost(
-            others,
-            self._floor,
-            line,
-            line[-1],
-            standing.asked or frozenset(),
-            None if further else standing.at,
-        )
-        return cost
+        end, at = standing.line[-1], None if further else standing.at
+        return cost + 0.5 * mentions_cost(others, self._floor, standing, end, at)
 
     def _counted_from(self, standing: Standing) -> int:
         """Return where counting begins: `one crossing past the clock`."""

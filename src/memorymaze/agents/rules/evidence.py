@@ -7,6 +7,7 @@ place. Negative costs are evidence for a place.
 
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 from memorymaze.agents.walking.choices import BACK, FORWARD, SLIGHT, Choices
 from memorymaze.agents.walking.floor_map import (
@@ -34,6 +35,43 @@ PLACE_METRES = 8.0
 """From one place where one can turn to the next, where only metres are told."""
 BESIDE = 5.0
 """Metres from the line of a leg within which a thing is on it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Standing:
+    """A hypothesis: the robot is at a crossing, with some legs of the plan done."""
+
+    at: int
+    heading: float
+    leg: int
+    """Legs done; as many as the plan has when only the arrival is left."""
+    walked: float = 0.0
+    """Metres since the last turn of the plan."""
+    left: int = 0
+    """Openings passed on the left since then."""
+    right: int = 0
+    crossings: int = 0
+    """Junctions passed since then."""
+    line: tuple[Point, ...] = ()
+    """Corners of the walk since then."""
+    asked: frozenset[str] | None = None
+    """What was looked for all along since then; None before the first stretch."""
+    lead: float = 0.0
+    """Metres of legs that were left out and add to the present one."""
+    cost: float = 0.0
+    story: tuple[str, ...] = ()
+    """The decisions so far, in words."""
+
+    @property
+    def places(self) -> int:
+        """Places where one can turn that were come to since the last turn."""
+        return len(self.line) - 1
+
+    def passed(self, way: str) -> int:
+        """Return how many openings were passed on the side of a way; or junctions."""
+        if way.endswith("left"):
+            return self.left
+        return self.right if way.endswith("right") else self.crossings
 
 
 def length_cost(
@@ -114,9 +152,7 @@ def ordinal_cost(turn: Turn, on_side: int, of_all: int, choices: Choices) -> flo
     return 0.0
 
 
-def passings_cost(
-    passings: Sequence[Passing], left: int, right: int, crossings: int
-) -> float:
+def passings_cost(passings: Sequence[Passing], standing: Standing) -> float:
     """Compare the openings that were to be left alone with those left alone."""
     cost = 0.0
     told: dict[str | None, int] = {}
@@ -124,8 +160,7 @@ def passings_cost(
         if passing.count is not None:
             told[passing.side] = told.get(passing.side, 0) + passing.count
     for side, count in told.items():
-        met = left if side == "left" else right if side == "right" else crossings
-        missing = count - met
+        missing = count - standing.passed(side or "")
         cost += 0.7 * missing if missing > 0 else -0.25 * missing
     return min(cost, 2.4)
 
@@ -133,31 +168,25 @@ def passings_cost(
 def mentions_cost(
     mentions: Sequence[Mention],
     floor: FloorMap,
-    line: Sequence[Point],
+    standing: Standing,
     place: Point,
-    asked: frozenset[str],
     at: int | None = None,
 ) -> float:
     """Compare the things named on a leg with those seen along the line of its corners.
 
-    `asked` was looked for all along it; the turn would be at `place`, and at the
-    crossing `at` if it is at one.
+    The turn would be at `place`, and at the crossing `at` if it is at one.
     """
     total = 0.0
     for mention in mentions:
         if is_floor(mention.phrase):
             total += crossing_floor_cost(mention, floor, at)
         else:
-            total += _mention_cost(mention, floor, line, place, asked)
+            total += _mention_cost(mention, floor, standing, place)
     return max(min(total, 3.0 if at is not None else 1.5), -4.0)
 
 
 def _mention_cost(
-    mention: Mention,
-    floor: FloorMap,
-    line: Sequence[Point],
-    place: Point,
-    asked: frozenset[str],
+    mention: Mention, floor: FloorMap, standing: Standing, place: Point
 ) -> float:
     weight = (
         0.4 if mention.place == "target" else 0.5 if is_common(mention.phrase) else 1.0
@@ -165,7 +194,7 @@ def _mention_cost(
     at_turn = mention.place in AT_THE_TURN
     best = 0.0
     for sighting in floor.seen(mention.phrase):
-        beside = distance_to_line(sighting.place, line)
+        beside = distance_to_line(sighting.place, standing.line)
         if at_turn:
             is_there = floor.is_at(sighting.place, place)
             sees_far = floor.farthest > SEES_FAR
@@ -181,14 +210,14 @@ def _mention_cost(
         return -best * weight
     if at_turn and floor.seen(mention.phrase):
         return weight * ELSEWHERE
-    if mention.phrase in asked:
+    if mention.phrase in (standing.asked or ()):
         ordered = at_turn or mention.place == "passed"
         return weight * (0.6 if ordered else 0.25)
     return 0.0
 
 
 def too_far_cost(
-    too_far: Sequence[str], floor: FloorMap, line: Sequence[Point], place: Point
+    too_far: Sequence[str], floor: FloorMap, standing: Standing, place: Point
 ) -> float:
     """Charge for things that are met only after missing the turn."""
     cost = 0.0
@@ -196,7 +225,7 @@ def too_far_cost(
         if is_common(phrase):
             continue
         for sighting in floor.seen(phrase):
-            passed = distance_to_line(sighting.place, line) <= BESIDE
+            passed = distance_to_line(sighting.place, standing.line) <= BESIDE
             if passed and not floor.is_at(sighting.place, place):
                 cost = 2.0
     return cost
