@@ -1,10 +1,11 @@
 """The role of an agent: text and a robot in, motion out."""
 
+import contextlib
 import math
 import operator
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Any, Literal, Protocol, cast, get_args
+from typing import Any, Literal, Protocol
 
 import numpy as np
 
@@ -28,11 +29,7 @@ class Journal:
 
     Everything noted goes to the episode's trace. Of an `arrival`, and where the agent
     `gave_up`, a note may tell its `confidence`: how probable it is, 0 to 1, that it is
-    there.
-
-    Raises:
-        ValueError: Something that is no count, or no amount, is assigned as one, or a
-            confidence is no probability.
+    there. What is no count, amount or probability, and is told as one, is a `ValueError`.
     """
 
     model_calls: int = 0
@@ -48,14 +45,20 @@ class Journal:
 
     def __setattr__(self, name: str, value: Any) -> None:
         """Refuse what could not be added up, in the line that assigns it."""
-        if name in COUNTS or name in AMOUNTS:
-            value = _amount(name, value)
+        if name in COUNTS:
+            value = _checked(
+                f"journal.{name}", "a whole number of at least 0", value, operator.index
+            )
+        elif name in AMOUNTS:
+            value = _checked(f"journal.{name}", "an amount of at least 0", value, float)
         super().__setattr__(name, value)
 
     def note(self, kind: str, **details: Any) -> None:
         """Write down a thought: `kind` such as `steps`, `program`, `model_reply`."""
-        if kind in {ARRIVAL, GAVE_UP} and details.get("confidence") is not None:
-            _check_confidence(kind, details["confidence"])
+        told = details.get("confidence")
+        if kind in {ARRIVAL, GAVE_UP} and told is not None:
+            what = f"journal.note({kind!r}, confidence=…)"
+            _checked(what, "a probability from 0 to 1", told, float, most=1)
         entry = {"kind": kind, **details}
         self.notes.append(entry)
         if self.listener is not None:
@@ -86,11 +89,8 @@ class Journal:
     def count(self, completion: Completion, *, stage: str) -> None:
         """Take note of a model's reply and of what it cost; once for each reply.
 
-        The robot stands while the model thinks: in a run, simulated time passes here.
-
-        Args:
-            completion: The reply.
-            stage: What was asked for, such as `program`.
+        The robot stands while the model thinks: in a run, simulated time passes here. The
+        stage is what was asked for, such as `program`.
         """
         if not completion.inferred:
             return
@@ -99,9 +99,7 @@ class Journal:
         self.tokens += usage.prompt_tokens + usage.completion_tokens
         self.cost_usd += usage.cost_usd or 0.0
         self.inference_s += completion.latency
-        stood = 0.0
-        if self.on_completion is not None:
-            stood = self.on_completion(completion)
+        stood = 0.0 if self.on_completion is None else self.on_completion(completion)
         self.note(
             "model_reply",
             stage=stage,
@@ -115,27 +113,18 @@ class Journal:
         )
 
 
-def _check_confidence(kind: str, value: Any) -> None:
-    try:
-        if 0 <= float(value) <= 1:
-            return
-    except (TypeError, ValueError):
-        pass
-    raise ValueError(
-        f"journal.note({kind!r}, confidence=…): expected a probability from 0 to 1, got "
-        f"{value!r}"
-    )
-
-
-def _amount(name: str, value: Any) -> int | float:
-    try:
-        amount = float(value) if name in AMOUNTS else operator.index(value)
-        if math.isfinite(amount) and amount >= 0:
-            return amount
-    except (TypeError, ValueError):
-        pass
-    what = "an amount" if name in AMOUNTS else "a whole number"
-    raise ValueError(f"journal.{name}: expected {what} of at least 0, got {value!r}")
+def _checked(
+    what: str,
+    expected: str,
+    value: Any,
+    read: Callable[[Any], float],
+    most: float = math.inf,
+) -> float:
+    with contextlib.suppress(TypeError, ValueError):
+        number = read(value)
+        if math.isfinite(number) and 0 <= number <= most:
+            return number
+    raise ValueError(f"{what}: expected {expected}, got {value!r}")
 
 
 class Agent(Protocol):
@@ -176,18 +165,3 @@ class Agent(Protocol):
         An agent that needs neither steps nor pictures takes a `Robot`.
         """
         ...
-
-
-def needs_of(agent: object) -> frozenset[Need]:
-    """Return what an agent, or its class, declares in its attribute `needs`.
-
-    Raises:
-        TypeError: It declares something else than needs.
-    """
-    declared = getattr(agent, "needs", frozenset())
-    known = get_args(Need)
-    if isinstance(declared, str) or not all(each in known for each in declared):
-        raise TypeError(
-            f"needs: expected a set of some of {', '.join(known)}; got {declared!r}"
-        )
-    return cast(frozenset[Need], frozenset(declared))

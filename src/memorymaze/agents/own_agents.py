@@ -8,9 +8,9 @@ from dataclasses import is_dataclass
 from functools import cache
 from pathlib import Path
 from types import ModuleType
-from typing import Any
+from typing import Any, cast, get_args
 
-from memorymaze.agents.agent import Agent, Need, needs_of
+from memorymaze.agents.agent import Agent, Need
 from memorymaze.agents.failures import failure_line
 from memorymaze.errors import SettingsError
 from memorymaze.options import read_options
@@ -38,11 +38,15 @@ def own_needs(name: str) -> frozenset[Need]:
 
 
 def checked_needs(name: str, agent: object) -> frozenset[Need]:
-    """Return what an agent, or its class, declares that it needs."""
-    try:
-        return needs_of(agent)
-    except TypeError as error:
-        raise SettingsError(f"agent {name!r}: {error}") from None
+    """Return what an agent, or its class, declares in its attribute `needs`."""
+    declared = getattr(agent, "needs", frozenset())
+    known = get_args(Need)
+    if isinstance(declared, str) or not all(each in known for each in declared):
+        raise SettingsError(
+            f"agent {name!r}: needs: expected a set of some of {', '.join(known)}; got "
+            f"{declared!r}"
+        )
+    return cast(frozenset[Need], frozenset(declared))
 
 
 def make_own_agent(

@@ -6,9 +6,8 @@ from typing import Any, cast
 import numpy as np
 
 from memorymaze.agents import Agent, Journal
-from memorymaze.agents.agent import needs_of
 from memorymaze.agents.failures import failure_line
-from memorymaze.agents.own_agents import checked_agent
+from memorymaze.agents.own_agents import checked_agent, checked_needs
 from memorymaze.errors import (
     EpisodeOver,
     LanguageModelError,
@@ -90,7 +89,9 @@ def _followed(agent: Agent, text: str, robot: SteppingRobot) -> list[str]:
     """Let an agent follow a text; return what it called."""
     heard = _Calls(robot)
     named = f"follow({text[:30]!r}…) to end"
-    guarded = GuardedRobot(cast(SimulatedRobot, robot), needs_of(agent))
+    guarded = GuardedRobot(
+        cast(SimulatedRobot, robot), checked_needs(agent.name, agent)
+    )
     try:
         agent.follow(text, guarded, Journal(), np.random.default_rng(0))
     except (EpisodeOver, ProgramError, LanguageModelError):

@@ -10,7 +10,6 @@ there is.
 
 import dataclasses
 import functools
-import inspect
 import re
 import types
 import typing
@@ -153,12 +152,8 @@ def program_grammar() -> str:
     Its statements are calls of the control API, `for` loops with a fixed count, `if`
     and `else` with what a call returns as the condition, and `break`.
     """
-    signatures = {name: inspect.signature(getattr(Robot, name)) for name in API_NAMES}
     hints = {name: typing.get_type_hints(getattr(Robot, name)) for name in API_NAMES}
-    calls = {
-        name: _call(name, signature, hints[name])
-        for name, signature in signatures.items()
-    }
+    calls = {name: _call(name, kinds) for name, kinds in hints.items()}
     actions = [call for name, call in calls.items() if name != "stop"]
     conditions = [
         condition
@@ -195,18 +190,19 @@ def _statement(depth: int, *, looped: bool) -> str:
     return " | ".join(choices)
 
 
-def _call(name: str, signature: inspect.Signature, hints: dict[str, object]) -> str:
+def _call(name: str, hints: dict[str, object]) -> str:
     """Return the rule of a call with all that can stand between its brackets."""
     given: list[str] = []
-    for parameter in list(signature.parameters.values())[1:]:
-        kind = hints[parameter.name]
+    for parameter, kind in hints.items():
+        if parameter == "return":
+            continue
         if kind is float:
-            given.append("angle" if parameter.name == "degrees" else "number")
+            given.append("angle" if parameter == "degrees" else "number")
         elif kind is str:
-            rule = "direction" if parameter.name == "direction" else "words"
+            rule = "direction" if parameter == "direction" else "words"
             given.append(f'"\\"" {rule} "\\""')
         else:
-            raise TypeError(f"{name}: no grammar for its parameter {parameter.name}")
+            raise TypeError(f"{name}: no grammar for its parameter {parameter}")
     between = ' ", " '.join(given)
     return f'"{name}(" {between} ")"' if given else f'"{name}()"'
 

@@ -88,13 +88,7 @@ class GuideAgent(ReadsFirst):
         reader: PlanReader | None = None,
         model: LanguageModel | None = None,
     ) -> None:
-        """Make the agent with its options; what they leave open is what they say.
-
-        Args:
-            options: What is set; the defaults when None.
-            reader: What reads; that of the options when None.
-            model: What decides on the way, where the options say that a model does.
-        """
+        """Make the agent with its options, what reads, and a model where one decides."""
         self.options = options or GuideOptions()
         super().__init__(self.options, reader)
         self._model = model
@@ -138,17 +132,20 @@ class GuideAgent(ReadsFirst):
         options = self.options
         walker = Walker(robot, reads_signs=options.signs)
         anyhow = options.start_heading == "unknown"
-        questions = self._questions(instruction, journal)
-        if questions is not None and options.decide == "model":
-            ModelWalk(walker, questions, journal, any_heading=anyhow).run()
-            return robot.stop()
+        questions = None
+        if self._model is not None:
+            most = options.most_requests
+            questions = ModelQuestions(instruction, self._model, journal, most)
+            if options.decide == "model":
+                ModelWalk(walker, questions, journal, any_heading=anyhow).run()
+                return robot.stop()
         plan = self.reader.read(instruction, journal)
         journal.note("plan", steps=describe(plan))
         if not options.things:
             plan = _without_things(plan)
-        advise = None
-        if questions is not None:
-            advise = ModelChoice(plan, walker, questions, journal, options.near)
+        advise = questions and ModelChoice(
+            plan, walker, questions, journal, options.near
+        )
         Search(
             plan,
             walker,
@@ -158,13 +155,6 @@ class GuideAgent(ReadsFirst):
             advise=advise,
         ).run()
         robot.stop()
-
-    def _questions(self, instruction: str, journal: Journal) -> ModelQuestions | None:
-        """Return the questions of an episode; None where nobody is asked on the way."""
-        if self._model is None:
-            return None
-        most = self.options.most_requests
-        return ModelQuestions(instruction, self._model, journal, most)
 
 
 def _without_things(plan: RoutePlan) -> RoutePlan:

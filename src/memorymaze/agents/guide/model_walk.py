@@ -207,11 +207,9 @@ class ModelWalk:
 
     def _is_reached(self, thing: Sighting) -> bool:
         """Tell whether a thing is right before the robot, or beside it."""
-        x, y = self._walker.place
-        heading = self._walker.heading
-        dx, dy = thing.place[0] - x, thing.place[1] - y
-        along = dx * math.cos(heading) + dy * math.sin(heading)
-        return along <= STRIDE / 2 or math.hypot(dx, dy) <= IN_FRONT
+        walker = self._walker
+        is_near = math.dist(thing.place, walker.place) <= IN_FRONT
+        return is_near or walker.metres_until_abreast(thing) <= STRIDE / 2
 
     # -- looking
 
