@@ -13,7 +13,7 @@ import pickle
 import signal
 import sys
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from functools import partial
 from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any, cast
@@ -55,21 +55,37 @@ class IsolatedAgentError(MemoryMazeError):
     """Stands for what an agent raised in its own process; the message is its line."""
 
 
-@dataclass
 class IsolatedAgent:
     """Stands for an agent in a process of its own, which starts with the first episode.
 
     It needs what the agent itself needs, but for what no isolated agent gets.
     """
 
-    name: str
-    """As tables show it."""
-    made_from: tuple[str, tuple[tuple[str, str], ...]] | bytes
-    """`file.py:Class` with options, or the agent itself, pickled."""
-    kept_from: tuple[str, ...] = ()
-    """Files and folders that it may not read, besides those of the package."""
-    _process: Any = field(default=None, init=False, repr=False)
-    _connection: Connection | None = field(default=None, init=False, repr=False)
+    def __init__(
+        self,
+        name: str,
+        options: tuple[tuple[str, str], ...],
+        agent: Agent,
+        kept_from: Sequence[str | Path] = (),
+        *,
+        by_name: bool,
+    ) -> None:
+        """Stand for an agent that may not read some files and folders.
+
+        With `by_name` it is made there by its name and options; else it is sent as it is.
+        """
+        self.name = agent.name
+        self._kept_from = tuple(str(Path(place).absolute()) for place in kept_from)
+        self._process: Any = None
+        self._connection: Connection | None = None
+        make = partial(make_own_agent, name, options) if by_name else lambda: agent
+        try:
+            self._maker = cloudpickle.dumps(make)
+        except Exception as error:
+            raise SettingsError(
+                f"--isolate: the agent {name!r} cannot be sent to a process of its own "
+                f"({failure_line(error)})"
+            ) from error
 
     def follow(
         self, instruction: str, robot: Robot, journal: Journal, rng: np.random.Generator
@@ -125,33 +141,8 @@ class IsolatedAgent:
             with main_left_out():
                 self._process.start()
             theirs.close()
-            self._connection.send((self.made_from, self.kept_from))
+            self._connection.send((self._maker, self._kept_from))
         return self._connection
-
-
-def isolated(
-    name: str,
-    options: tuple[tuple[str, str], ...],
-    agent: Agent,
-    kept_from: Sequence[str | Path] = (),
-    *,
-    by_name: bool,
-) -> IsolatedAgent:
-    """Return an agent that will live in a process of its own.
-
-    With `by_name` it is made there by its name and options; else it is sent as it is.
-    """
-    made_from: tuple[str, tuple[tuple[str, str], ...]] | bytes = (name, options)
-    if not by_name:
-        try:
-            made_from = cloudpickle.dumps(agent)
-        except Exception as error:
-            raise SettingsError(
-                f"--isolate: the agent {name!r} cannot be sent to a process of its own "
-                f"({failure_line(error)})"
-            ) from error
-    places = tuple(str(Path(place).absolute()) for place in kept_from)
-    return IsolatedAgent(agent.name, made_from, places)
 
 
 def _answer(
@@ -222,8 +213,7 @@ def _live(connection: Connection) -> None:
     """Make the agent and let it follow, episode after episode."""
     die_with_parent()
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    made_from, kept_from = connection.recv()
-    own = isinstance(made_from, tuple)
+    maker, kept_from = connection.recv()
     sys.addaudithook(_keeper(kept_from))
     agent: Agent | None = None
     while True:
@@ -238,9 +228,9 @@ def _live(connection: Connection) -> None:
         end: tuple[str, Any] = "value", None
         try:
             if agent is None:
-                agent = make_own_agent(*made_from) if own else pickle.loads(made_from)
+                agent = cast(Agent, pickle.loads(maker)())
             robot = cast(SteppingRobot, _FarRobot(connection, names))
-            cast(Agent, agent).follow(instruction, robot, journal, rng)
+            agent.follow(instruction, robot, journal, rng)
         except Exception as problem:
             end = _sendable(problem, agent)
             lines = failure_traceback(problem)

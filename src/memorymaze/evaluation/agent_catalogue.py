@@ -13,7 +13,7 @@ from memorymaze.agents.agent import Agent, Need
 from memorymaze.agents.code_generation import CodeGenerationAgent, CodeGenerationOptions
 from memorymaze.agents.explorer import ExplorerAgent, ExplorerOptions
 from memorymaze.agents.guide import GuideOptions
-from memorymaze.agents.isolated import isolated
+from memorymaze.agents.isolated import IsolatedAgent
 from memorymaze.agents.navgpt import NavGPTAgent, NavGPTOptions
 from memorymaze.agents.navid import NavidAgent, NavidOptions
 from memorymaze.agents.own_agents import (
@@ -240,7 +240,9 @@ def build_agent(
     own = make_own_agent(settings.name, settings.options) if given is None else given
     if isolate:
         by_name = given is None
-        own = isolated(settings.name, settings.options, own, kept_from, by_name=by_name)
+        own = IsolatedAgent(
+            settings.name, settings.options, own, kept_from, by_name=by_name
+        )
     return lambda _: own
 
 
