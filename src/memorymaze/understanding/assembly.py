@@ -31,7 +31,21 @@ _LONGEST_OPEN = 3
 
 def assemble(events: Sequence[Event]) -> list[PartialLeg]:
     """Return the legs in order; the last has no turn and leads to the destination."""
-    return _Assembly(events).run()
+    return _Assembly(_with_counted_goal(events)).run()
+
+
+def _with_counted_goal(events: Sequence[Event]) -> Sequence[Event]:
+    """`It is the second on the right.`, said last after other turns: a door."""
+    turns = [at for at, event in enumerate(events) if event.kind == "turn"]
+    after = {event.kind for event in events[turns[-1] + 1 :]} if turns else {""}
+    if len(turns) < 2 or after - {"sentence", "clause", "recap"}:
+        return events
+    told = events[turns[-1]]
+    if not told.of_goal or told.ordinal is None:
+        return events
+    door = Event("thing", phrase="door", relation="see", ordinal=told.ordinal)
+    side = Event("side", side="left" if told.way == "left" else "right", likely=True)
+    return [*events[: turns[-1]], side, door]
 
 
 class _Assembly:
@@ -91,8 +105,12 @@ class _Assembly:
                 self._last = []
             case "take" if self._way is not None:
                 self._turn_into(self._way, at)
+            case "take":
+                self._go_through_a_door(at)
             case "refuse" if self._way is not None:
                 self._leave(self._way)
+            case "refuse" if event.taken and self._since_turn(at) == 0:
+                self._take_back()
             case "too_far":
                 self._warned_draft().too_far.append(event.phrase)
             case "wrong_way":
@@ -176,10 +194,27 @@ class _Assembly:
         turn = self._done[-1].turn if self._done else None
         if turn is None or turn.way != "either" or not self._draft.is_new:
             return False
+        placed = [e.back for e in self._events[at + 1 : at + 2]]
+        return self._since_turn(at) is not None and placed != [True]
+
+    def _since_turn(self, at: int) -> int | None:
+        """Count what was told since the last turn of this sentence; None without one."""
+        told = 0
         for earlier in reversed(self._events[:at]):
             if earlier.kind in {"turn", "sentence", "then"}:
-                return earlier.kind == "turn"
-        return False
+                return told if earlier.kind == "turn" else None
+            told += earlier.kind != "clause"
+        return None
+
+    def _take_back(self) -> None:
+        """`It goes off to the right, not that.`: an opening, and left alone."""
+        last = self._done[-1] if self._done else self._draft
+        if last.turn is None or last.turn.way not in {"left", "right"}:
+            return
+        side: Side = "left" if last.turn.way == "left" else "right"
+        last.turn = None
+        self._draft = self._done.pop()
+        self._leave(Event("way", side=side))
 
     def _newly_counted(self, way: Event) -> Event:
         """`At the third junction`, the second being that of the turn before: the next."""
@@ -280,6 +315,18 @@ class _Assembly:
     def _turn_into(self, way: Event, at: int) -> None:
         self._way = None
         self._add_turn(replace(way, kind="turn", way=_flank(way)), at)
+
+    def _go_through_a_door(self, at: int) -> None:
+        """`The glass door is on your right, go out.`: one turns to it."""
+        named = self._draft.mentions[-1] if self._draft.mentions else None
+        if named is None or kind_of(named.phrase) != "door" or self._since_thing > 1:
+            return
+        if named.side == "left" or named.side == "right":
+            self._draft.mentions.pop()
+            self._since_thing = 9
+            self._add_turn(Event("turn", way=named.side), at)
+            told = replace(named, side=None, place="target")
+            self._done[-1].mentions.append(told)
 
     def _go_straight(self, event: Event, at: int) -> None:
         way = self._way

@@ -81,7 +81,8 @@ class Event:
     ignored: bool = False
     """For `thing`: to be left alone."""
     of_goal: bool = False
-    """For `side`: of what is spoken of all the time: `it is on your left`."""
+    """Of what is spoken of all the time: `it is on your left`; for `turn`, where
+    nothing follows: `it is the second on the right`."""
     back: bool = False
     """True when it was said after a turn in the same clause and belongs to it."""
     subject: bool = False
@@ -91,7 +92,8 @@ class Event:
     likely: bool = False
     """For `way`: true when it sounds like the one to take."""
     taken: bool = False
-    """For `way`: said to be taken, only its side is still to come."""
+    """For `way`: said to be taken, only its side is still to come; for `refuse`: said of
+    a way, not of anything."""
     doubt: float = 0.0
     forced: bool = False
     at_once: bool = False

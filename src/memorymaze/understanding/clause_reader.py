@@ -114,7 +114,8 @@ class ClauseReader:
                 self._add(Event("length", length=chunk.length))
             at += 1
         if not found:
-            self._add(Event("refuse"))
+            firm = re.search("I|XY", clause.kinds) is not None
+            self._add(Event("refuse", taken=firm))
 
     def _is_of_ways(self, at: int) -> bool:
         """`Two openings`, or `on the left` next to a word for a way."""

@@ -54,7 +54,7 @@ def _without_adverbs(chunks: list[Chunk]) -> list[Chunk]:
     kept: list[Chunk] = []
     for chunk in chunks:
         contrast = "".join(c.kind for c in kept[-5:] if c.kind != "f")
-        if chunk.kind == "L" and re.search("L,XL,$", contrast):
+        if chunk.kind == "L" and re.search("L,+XL,$", contrast):
             lefts = [c for c in kept[-6:] if c.kind == "L"]
             if lefts[0].way == chunk.way != lefts[-1].way:
                 continue
@@ -94,7 +94,7 @@ def _repeats(before: list[Chunk], chunk: Chunk, after: list[Chunk]) -> bool:
     """`At the desk right, right`, but not `right, right, left`, a list of turns."""
     said = [each for each in before[-8:] if each.kind != "f"]
     kinds = "".join(each.kind for each in said)
-    if re.search("[TGZAEJNOt]L,$", kinds) is None or said[-2].way != chunk.way:
+    if re.search("[TGZAEJNOt>]L,$", kinds) is None or said[-2].way != chunk.way:
         return False
     return re.match("f*,f*[&>]?f*L", "".join(each.kind for each in after)) is None
 
@@ -128,7 +128,7 @@ def _is_marker(chunks: list[Chunk], at: int) -> bool:
     if chunk.kind == "X" and chunk.text == "no":
         before = at == 0 or chunks[at - 1].kind in ",."
         if at and chunks[at - 1].text.startswith("..") and at + 1 < len(chunks):
-            return chunks[at + 1].kind == "L"
+            return chunks[at + 1].kind in "L."
         after = at + 1 < len(chunks) and chunks[at + 1].kind in ",."
         if "".join(c.kind for c in chunks[at + 1 : at + 3]) == ",&":
             return False  # "one on the left, no, and one on the right"

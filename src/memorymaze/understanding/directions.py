@@ -222,7 +222,9 @@ class _Opening:
     noun: str = ""
     side: Side | None = None
     towards: bool = False
-    """Whether its side was said as `to the left`, not as `on the left`."""
+    """Whether its side was said as `to the left`."""
+    aside: bool = False
+    """Whether only its number and a side were said, as `on the left`."""
     stated: bool = False
     """Whether its side was said as a bare direction: `third turning is left`."""
 
@@ -278,6 +280,9 @@ def read_opening(
                 or_ordinal=opening.or_ordinal,
                 nearest=opening.nearest,
                 forced="K" in before,
+                of_goal=re.fullmatch("Z?", before) is not None
+                and opening.aside
+                and after == "",
             )
             return [turn], at
     elif turned and before.endswith("A"):
@@ -323,6 +328,7 @@ def _words_of(clause: Clause, start: int) -> tuple[_Opening, int]:
         elif chunk.kind == "S" and sided:
             opening.side = side_of(chunk)
             opening.towards = towards_a_side(chunk)
+            opening.aside = is_aside(chunk) and not opening.name
         elif (
             chunk.kind == "B" and opening.side is None and kinds[at + 1 : at + 2] == "L"
         ):

@@ -80,6 +80,10 @@ def _joins(chunks: Sequence[Chunk], at: int) -> bool:
     kind = chunks[following].kind
     if kind == "L":
         return at == 0 or chunks[at - 1].kind not in "LS"
+    if kind == "N":  # "left and the room is on the right"
+        rest = "".join(each.kind for each in chunks[following + 1 : following + 3])
+        before = "".join(each.kind for each in chunks[max(at - 6, 0) : at])
+        return rest.startswith("B") and re.search("L[fha]*$", before) is not None
     return kind in _OPENERS or (
         kind == "B" and chunks[following].text.startswith(("there", "here", "you"))
     )
@@ -133,7 +137,8 @@ def read_clauses(
 
 
 def _commands_a_turn(body: list[Chunk]) -> bool:
-    return re.search("[TG].*[LS]", "".join(chunk.kind for chunk in body)) is not None
+    kinds = "".join(chunk.kind for chunk in body)
+    return re.search("[TG].*[LS]|^r[fh]*L", kinds) is not None
 
 
 def _mark(joint: Chunk | None) -> Event:

@@ -50,7 +50,7 @@ def without_overviews(sentences: list[tuple[str, list[Event]]]) -> list[Event]:
         if at <= 2 and len(turns[at]) >= 2 and _OVERVIEW.search(words):
             if _within(turns[at], others):
                 continue
-        elif at and re.match(r"\W*so,? (?:again|that's|in short|overall)", words):
+        elif at and re.match(r"\W*(?:so,? (?:again|that's|in short|overall)|(?:once )?(?:again|more)[,:])", words):
             before = [way for ways in turns[:at] for way in ways]
             if len(turns[at]) >= 2 and _within(turns[at], before):
                 continue
@@ -190,6 +190,8 @@ class Restating:
             return (same and not more) or (
                 ordinal in {None, last.ordinal} and _is_at(draft, done[-1])
             )
+        if self._says_it_twice(at):
+            return True
         if ordinal is not None and last.ordinal is None:
             return False
         if not _is_bare(done[-1]) and self._names_something_new(at, done):
@@ -199,6 +201,18 @@ class Restating:
         return self._follows_directly(
             at, same=ordinal is not None and ordinal == last.ordinal
         )
+
+    def _says_it_twice(self, at: int) -> bool:
+        """`Go right, the first right.`: two turns side by side, and no others."""
+        event, joint, earlier = (self._events[max(at - n, 0)] for n in range(3))
+        if (earlier.kind, joint.kind) != ("turn", "clause") or event.commanded:
+            return False
+        if event.ordinal is not None and not earlier.commanded:
+            return False  # "left, second left"
+        told = [each.kind for each in self._events]
+        start = at - told[:at][::-1].index("sentence") if "sentence" in told[:at] else 0
+        end = told.index("sentence", at) if "sentence" in told[at:] else None
+        return told[start:end].count("turn") == 2
 
     def _goes_on(self, at: int) -> bool:
         """Tell whether `then` stands between a turn and the one before it."""
