@@ -50,7 +50,10 @@ def without_overviews(sentences: list[tuple[str, list[Event]]]) -> list[Event]:
         if at <= 2 and len(turns[at]) >= 2 and _OVERVIEW.search(words):
             if _within(turns[at], others):
                 continue
-        elif at and re.match(r"\W*(?:so,? (?:again|that's|in short|overall)|(?:once )?(?:again|more)[,:])", words):
+        elif at and re.match(
+            r"\W*(?:so,? (?:again|that's|in short|overall)|(?:once )?(?:again|more)[,:])",
+            words,
+        ):
             before = [way for ways in turns[:at] for way in ways]
             if len(turns[at]) >= 2 and _within(turns[at], before):
                 continue
