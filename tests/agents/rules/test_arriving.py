@@ -2,8 +2,8 @@
 
 import pytest
 
-from memorymaze.agents.rules.alignment import Branch, Ending
-from memorymaze.agents.rules.arriving import Arrivals
+from memorymaze.agents.rules.alignment import Branch
+from memorymaze.agents.rules.arriving import Arrivals, Ending
 from memorymaze.agents.rules.evidence import Standing
 from memorymaze.agents.walking.choices import Choices
 from memorymaze.agents.walking.floor_map import Crossing, FloorMap, Sighting, Stretch
@@ -59,7 +59,7 @@ def test_of_two_alike_the_one_at_the_length_said_is_meant() -> None:
 
 def test_without_the_destination_it_goes_to_the_end_of_the_way() -> None:
     best = _best("Walk to the end. The red sofa is there.", _floor())
-    assert (best.at, best.exit, best.reason) == (NEXT, None, "end of the way")
+    assert (best.standing.at, best.exit, best.reason) == (NEXT, None, "end of the way")
 
 
 def test_without_a_name_it_stops_after_the_length_said() -> None:

@@ -8,8 +8,8 @@ import numpy as np
 
 from memorymaze.agents.agent import Journal
 from memorymaze.agents.plan_readers import PlanReader, ReaderOptions, ReadsFirst
-from memorymaze.agents.rules.alignment import Aligner, Branch, Ending
-from memorymaze.agents.rules.arriving import Arrivals, approach
+from memorymaze.agents.rules.alignment import Aligner, Branch
+from memorymaze.agents.rules.arriving import Arrivals, Ending, approach
 from memorymaze.agents.rules.evidence import Standing
 from memorymaze.agents.walking.floor_map import Sighting
 from memorymaze.agents.walking.outlooks import (
@@ -153,7 +153,9 @@ class _Search:
 
     def _too_far_for(self, branch: Branch, ending: Ending | None) -> bool:
         """Tell whether after one more stretch there is no time to come back."""
-        back = 0.0 if ending is None else self._away(ending.at) + ending.distance
+        back = (
+            0.0 if ending is None else self._away(ending.standing.at) + ending.distance
+        )
         further = self._away(branch.standing.at) + LEG_METRES
         return self._walker.travelled + further + back > self._limit
 
@@ -163,7 +165,9 @@ class _Search:
         )
 
     def _ending_cost(self, ending: Ending) -> float:
-        return ending.cost + METRE_BACK * (self._away(ending.at) + ending.distance)
+        return ending.cost + METRE_BACK * (
+            self._away(ending.standing.at) + ending.distance
+        )
 
     def _away(self, crossing: int) -> float:
         return self._distances.get(crossing, math.inf)
@@ -285,9 +289,9 @@ class _Search:
             "arrival",
             reason=ending.reason,
             cost=round(ending.cost, 2),
-            because=list(ending.story),
+            because=list(ending.standing.story),
         )
-        if not walker.go_to(ending.at) or ending.exit is None:
+        if not walker.go_to(ending.standing.at) or ending.exit is None:
             return
         if not walker.face(ending.exit):
             return

@@ -64,21 +64,6 @@ class Branch:
     exit: int
 
 
-@dataclass(frozen=True, slots=True)
-class Ending:
-    """A hypothesis that the destination is here."""
-
-    at: int
-    """Crossing to start from."""
-    exit: int | None
-    """Exit to leave it by; None when the place is the crossing."""
-    distance: float
-    """Metres from the crossing."""
-    cost: float
-    reason: str
-    story: tuple[str, ...]
-
-
 class Aligner:
     """Branches hypotheses of one plan."""
 

@@ -3,8 +3,10 @@
 import math
 import re
 from collections.abc import Iterator
+from dataclasses import dataclass
+from operator import itemgetter
 
-from memorymaze.agents.rules.alignment import Branch, Ending
+from memorymaze.agents.rules.alignment import Branch
 from memorymaze.agents.rules.evidence import (
     Standing,
     junction_cost,
@@ -56,6 +58,20 @@ _ROOMS = frozenset({"room", "office", "classroom"})
 _OPENS = re.compile(r"automatic|sliding|revolving|gate|entrance")
 
 
+@dataclass(frozen=True, slots=True)
+class Ending:
+    """A hypothesis that the destination is here."""
+
+    standing: Standing
+    """At the crossing to start from."""
+    exit: int | None
+    """Exit to leave it by; None when the place is the crossing."""
+    distance: float
+    """Metres from the crossing."""
+    cost: float
+    reason: str
+
+
 class Arrivals:
     """Finds the places where the walk of a plan may end."""
 
@@ -89,27 +105,15 @@ class Arrivals:
             along = metres_along(sighting.seen_from, start, end)
             cost = base + loss + self._fit(standing, along, to_come)
             cost += self._side_cost(sighting)
-            yield Ending(
-                stretch.start,
-                stretch.exit,
-                along,
-                cost,
-                f"{sighting.phrase} seen",
-                standing.story,
-            )
+            reason = f"{sighting.phrase} seen"
+            yield Ending(standing, branch.exit, along, cost, reason)
         length = self._plan.arrival.length
         if to_come == 0 and length is not None and length.unit != "places":
             rest = length.metres - standing.walked
             if 0.0 < rest < stretch.length:
-                unseen = self._unseen + self._fit(standing, rest, 0)
-                yield Ending(
-                    stretch.start,
-                    stretch.exit,
-                    rest,
-                    base + unseen,
-                    f"{length.metres:.0f} m walked",
-                    standing.story,
-                )
+                cost = base + (self._unseen + self._fit(standing, rest, 0))
+                reason = f"{length.metres:.0f} m walked"
+                yield Ending(standing, branch.exit, rest, cost, reason)
 
     def at_crossing(self, standing: Standing, choices: Choices) -> Iterator[Ending]:
         """Yield the ending at a crossing where all legs are done."""
@@ -138,21 +142,14 @@ class Arrivals:
             for _, s in self._sightings()
         ):
             cost -= min(SIGN_SEEN, unseen)
-        yield Ending(standing.at, None, 0.0, cost, "end of the way", standing.story)
+        yield Ending(standing, None, 0.0, cost, "end of the way")
 
     def after_turn(self, standing: Standing) -> Iterator[Ending]:
         """Yield the ending where the last turn is all there is to do."""
-        arrival = self._plan.arrival
-        if (
-            standing.leg < len(self._plan.legs)
-            or standing.walked
-            or not arrival.on_the_spot
-        ):
+        if standing.leg < len(self._plan.legs) or standing.walked:
             return
-        if self.phrases or not self._plan.legs:
-            return
-        cost = standing.cost + AFTER_TURN
-        yield Ending(standing.at, None, 0.0, cost, "turned", standing.story)
+        if self._plan.arrival.on_the_spot and self._plan.legs and not self.phrases:
+            yield Ending(standing, None, 0.0, standing.cost + AFTER_TURN, "turned")
 
     def best_now(
         self, branch: Branch, seen: list[Sighting], walked: float
@@ -161,20 +158,24 @@ class Arrivals:
         standing = branch.standing
         if standing.leg < len(self._plan.legs):
             return None
-        best: tuple[float, Sighting] | None = None
-        for sighting in seen:
-            if sighting.phrase not in self._first or self._only_names(sighting):
-                continue
-            if is_common(sighting.phrase) and not self._is_the_one(
-                sighting, standing.walked + walked
-            ):
-                continue
-            cost = standing.cost + self._loss(sighting)
-            cost += self._fit(standing, walked + sighting.distance, 0)
-            cost += self._side_cost(sighting)
-            if best is None or cost < best[0]:
-                best = (cost, sighting)
-        return best
+        fitting = [
+            sighting
+            for sighting in seen
+            if sighting.phrase in self._first
+            and not self._only_names(sighting)
+            and (
+                not is_common(sighting.phrase)
+                or self._is_the_one(sighting, standing.walked + walked)
+            )
+        ]
+        costs = [
+            standing.cost
+            + self._loss(sighting)
+            + self._fit(standing, walked + sighting.distance, 0)
+            + self._side_cost(sighting)
+            for sighting in fitting
+        ]
+        return min(zip(costs, fitting, strict=True), key=itemgetter(0), default=None)
 
     def _is_the_one(self, sighting: Sighting, walked: float) -> bool:
         """Tell one door from the next by its side, its number and how far it is."""
