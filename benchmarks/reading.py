@@ -168,8 +168,9 @@ def _shared(one: Counter[Hashable], two: Counter[Hashable]) -> int:
 
 
 def _names(arrival: Arrival) -> set[str]:
-    """Return the names of the destination; of a sign what it says."""
-    return {(place_on_sign(each) or each).casefold() for each in arrival.destinations}
+    """Return the names of the destination; of a sign or door what it says."""
+    told = (place_on_sign(each) or each for each in arrival.destinations)
+    return {each.removeprefix("door that says ").casefold() for each in told}
 
 
 def recorded_plans(name: str) -> dict[str, RoutePlan]:

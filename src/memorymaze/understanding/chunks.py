@@ -64,6 +64,7 @@ _PROPER_WAY = re.compile(
 )
 
 
+_ISH = re.compile(rf"\b({'|'.join(sorted(LOOKS))})ish\b")
 _HESITATION = re.compile(
     r"(?P<before>(?<!first)(?<!second)(?<!third)(?<!last),)? *\b(?:u+h+m*|u+m+|e+r+m?|e+hm*|h+m+)\b(?: *(?:\.\.\.|(?P<after>,)))?"
 )
@@ -109,6 +110,7 @@ def normalise(text: str) -> str:
     text = text.lower()
     for old, new in _PLAIN_SIGNS.items():
         text = text.replace(old, new)
+    text = _ISH.sub(r"\1", text)
     text = _HESITATION.sub(_without_hesitation, text)
     text = _SPELT.sub(lambda match: SPELLINGS.get(match[0], match[0]), text)
     text = re.sub(r"\b(left|right)-(\w+)-(left|right)\b(?! hand)", _unless_and, text)

@@ -14,7 +14,7 @@ from memorymaze.understanding.things import (
     thing_phrase,
     wall_phrase,
 )
-from memorymaze.understanding.vocabulary import ORDINALS
+from memorymaze.understanding.vocabulary import ORDINALS, PLAIN
 
 _ANNOUNCED = re.compile(
     r"(?:(?:way|route|directions?|looking|trying to (?:get|go)|want(?:s|ed)? to (?:get|go)"
@@ -42,8 +42,17 @@ _ROOM = re.compile(
 )
 """A room by its number or letter; what its door says."""
 _BEHIND_A_DOOR = re.compile(
-    r"(?:\w+ )*door (?:of|to|for) (?:the |a )?(.+)|(?!glass|sliding|automatic)(\w+) door"
+    r"(?:\w+ )*door (?:of|to|for) (?:the |a )?(.+)|(\w+?)(?:'s(?: \w+)?)? door"
 )
+_POINTED = re.compile(
+    r"[^.?!;]*?\b(?:that|this|it)(?:'s| is| will be) (?:it\b|your\b|the (?:one|place)\b|where you)"
+)
+"""What is said of the destination just named: `a wooden door, and that is the one`."""
+_ON = re.compile(r" (?:(?:is|stands|standing|up|waits) ){0,2}on (?:a|the) ([a-z]+)\b(?! side)")
+_NEAR = re.compile(
+    r"\b(?:near|next to|by|beside|behind|under|opposite|across from|close to|facing) (?:a |the |some )?$"
+)
+_TOO_FAR = re.compile(r" *\? *(?:that's |that is |is |then )*too far\b")
 _MAX = 3
 
 
@@ -71,7 +80,8 @@ def find_destinations(
             for each in _candidates(drafts[-1:])
             if each[0].place in {"target", "along"}
         ]
-    passed = {m.phrase for m in last.mentions if m.side == "behind"}
+    beyond = {p for each in (*drafts, last) for p in (*each.too_far, *each.wrong_way)}
+    passed = {m.phrase for m in last.mentions if m.side == "behind"} | beyond
     for order, (mention, subject) in enumerate(candidates):
         if mention.phrase in passed or mention.ignored or is_floor(mention.phrase):
             continue
@@ -87,18 +97,16 @@ def find_destinations(
             if place:
                 scores[place] = max(scores.get(place, 0.0), score)
     for phrase, weight in named.items():
-        if weight >= 3.0:
+        if weight >= 3.0 and phrase not in beyond:
             scores[phrase] = max(scores.get(phrase, 0.0), weight)
     if not scores and not counted:
         is_at_a_place = last.at_end or last.junction is not None
         before = _named_on_the_way(drafts if is_at_a_place else drafts[:-1])
-        for draft in (*drafts, last):
-            for phrase in (*draft.too_far, *draft.wrong_way, draft.origin):
-                named.pop(phrase, None)
+        before |= beyond | {draft.origin for draft in (*drafts, last)}
         scores = {
             p: w + text.rfind(p) / len(text)
             for p, w in named.items()
-            if p and p not in before
+            if p not in before
         }
     if not scores:
         return (), last.side, None
@@ -131,8 +139,8 @@ def _shown(names: tuple[str, ...]) -> tuple[str, ...]:
             shown.append(f"door that says {numbered[1]}")
         if numbered is None or not numbered[1].isdigit():
             shown.append(name)
-        if behind is not None:
-            shown.append(behind[1] or behind[2])
+        if behind is not None and (place := behind[1] or behind[2]) not in PLAIN:
+            shown.append(place)
     return tuple(dict.fromkeys(shown))[:_MAX]
 
 
@@ -169,8 +177,10 @@ def _score(mention: Mention, *, subject: bool) -> float:
         score += 0.8
     if mention.place in {"before_turn", "after_turn", "passed", "beside", "opposite"}:
         score -= 1.0
+    if mention.kind in {"sound", "smell"}:
+        score -= 2.0
     if re.search(r"\d", mention.phrase):
-        score += 0.4
+        score += 2.0 if re.search(r"\d{3}", mention.phrase) else 0.4
     return score
 
 
@@ -188,6 +198,13 @@ def _weights_in_text(chunks: list[Chunk], text: str) -> dict[str, float]:
         end = chunk.start + len(chunk.text)
         if _ASIDE.match(text, end):
             weight -= 1.5
+        if _NEAR.search(before):
+            weight -= 1.5
+        if _TOO_FAR.match(text, end):
+            weight -= 9.0
+        pointed = _POINTED.match(text, end)
+        if pointed and not any(end < c.start < pointed.end() for c in chunks if c.kind == "N"):
+            weight += 3.5
         share = chunk.start / max(len(text), 1)
         if _DEFINED.search(before):
             weight += 4.0
