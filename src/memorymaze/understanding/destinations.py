@@ -1,7 +1,7 @@
 """Which of the things named is the destination."""
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from memorymaze.routes import Mention, Side
 from memorymaze.understanding.chunks import Chunk
@@ -48,11 +48,15 @@ _POINTED = re.compile(
     r"[^.?!;]*?\b(?:that|this|it)(?:'s| is| will be) (?:it\b|your\b|the (?:one|place)\b|where you)"
 )
 """What is said of the destination just named: `a wooden door, and that is the one`."""
-_ON = re.compile(r" (?:(?:is|stands|standing|up|waits) ){0,2}on (?:a|the) ([a-z]+)\b(?! side)")
+_ON_IT = re.compile(r"[a-z] (?:(?:is|stands|standing|up|waits) ){0,2}on (?:a |the )?$")
+_ON = re.compile(r" (?:(?:is|stands|standing|up|waits) ){0,2}on (?:a |the )?(?!left|right|your|this|that|both)([a-z]{4,})\b(?! side)")
 _NEAR = re.compile(
-    r"\b(?:near|next to|by|beside|behind|under|opposite|across from|close to|facing) (?:a |the |some )?$"
+    r"\b(?:near|next to|by|beside|behind|under|opposite|across from|close to|facing|like) (?:a |the |some )?$"
 )
 _TOO_FAR = re.compile(r" *\? *(?:that's |that is |is |then )*too far\b")
+_NUMBER, _LONG_NUMBER = re.compile(r"\d"), re.compile(r"\d{3}")
+_DENIED = -5.0
+"""Weight of what was said to be too far."""
 _MAX = 3
 
 
@@ -82,6 +86,7 @@ def find_destinations(
         ]
     beyond = {p for each in (*drafts, last) for p in (*each.too_far, *each.wrong_way)}
     passed = {m.phrase for m in last.mentions if m.side == "behind"} | beyond
+    passed |= {phrase for phrase, weight in named.items() if weight <= _DENIED}
     for order, (mention, subject) in enumerate(candidates):
         if mention.phrase in passed or mention.ignored or is_floor(mention.phrase):
             continue
@@ -111,7 +116,10 @@ def find_destinations(
     if not scores:
         return (), last.side, None
     if not all(map(is_common, scores)):
-        scores = {p: score - 3.0 * is_common(p) for p, score in scores.items()}
+        scores = {
+            p: score - (1.5 if sides.get(p) else 3.0) * is_common(p)
+            for p, score in scores.items()
+        }
     ranked = sorted(scores, key=lambda phrase: -scores[phrase])
     best = scores[ranked[0]]
     kept = tuple(p for p in ranked if scores[p] >= best - 1.6)[:_MAX]
@@ -122,10 +130,36 @@ def find_destinations(
         side = next(
             (m.side for m in last.mentions if is_common(m.phrase) and m.side), None
         )
-    return _shown(kept), side, nth
+    names = [*kept, *_in_full(kept[0], named, text)]
+    if all(map(is_common, names)):
+        names += _on_signs(drafts[-3:])
+    # Any office is not office 2347: where a number is told, only it will do.
+    numbered = [name for name in names if _NUMBER.search(name)]
+    if numbered[:1] == names[:1] or is_common(names[0]) or any(map(_LONG_NUMBER.search, numbered)):
+        return _shown(numbered or names), side, nth
+    return _shown(names), side, nth
 
 
-def _shown(names: tuple[str, ...]) -> tuple[str, ...]:
+def _in_full(name: str, named: Iterable[str], text: str) -> Iterator[str]:
+    """Yield fuller names: the robot on a stage, the space station for `the station`."""
+    stands = _ON.match(text, text.rfind(name) + len(name))
+    if stands is not None:
+        yield f"{name} on a {stands[1]}"
+    yield from (each for each in named if each.endswith(f" {name}"))
+
+
+def _on_signs(drafts: Sequence[PartialLeg]) -> list[str]:
+    """Return what the last sign at a turn names: `at the sign Terrace`, then a door."""
+    signs = [
+        place_on_sign(mention.phrase)
+        for draft in drafts
+        for mention in draft.mentions
+        if mention.kind == "sign" and mention.place == "turn"
+    ]
+    return [signs[-1]] if signs and signs[-1] else []
+
+
+def _shown(names: Sequence[str]) -> tuple[str, ...]:
     """Return what shows each destination: of a numbered room first its door.
 
     >>> _shown(("room 6",)), _shown(("glass door of the library",))
@@ -179,8 +213,8 @@ def _score(mention: Mention, *, subject: bool) -> float:
         score -= 1.0
     if mention.kind in {"sound", "smell"}:
         score -= 2.0
-    if re.search(r"\d", mention.phrase):
-        score += 2.0 if re.search(r"\d{3}", mention.phrase) else 0.4
+    if _NUMBER.search(mention.phrase):
+        score += 2.0 if _LONG_NUMBER.search(mention.phrase) else 0.4
     return score
 
 
@@ -198,10 +232,11 @@ def _weights_in_text(chunks: list[Chunk], text: str) -> dict[str, float]:
         end = chunk.start + len(chunk.text)
         if _ASIDE.match(text, end):
             weight -= 1.5
-        if _NEAR.search(before):
+        is_on_it = _ON_IT.search(before) and not _ENTERED.search(before)
+        if _NEAR.search(before) or is_on_it:
             weight -= 1.5
         if _TOO_FAR.match(text, end):
-            weight -= 9.0
+            weight += _DENIED
         pointed = _POINTED.match(text, end)
         if pointed and not any(end < c.start < pointed.end() for c in chunks if c.kind == "N"):
             weight += 3.5

@@ -168,4 +168,6 @@ def _speaks_of_missing(body: list[Chunk], rest: Sequence[list[Chunk]]) -> bool:
         return re.match("h*c", kinds) is not None and _commands_a_turn(body)
     if re.search("[cob]", kinds):
         return True
+    if "c" in later:
+        return False  # "2347 is on the left, and if you meet a bench, it is too far"
     return re.search("[L2M]", later) is None
