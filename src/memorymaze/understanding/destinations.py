@@ -49,7 +49,9 @@ _POINTED = re.compile(
 )
 """What is said of the destination just named: `a wooden door, and that is the one`."""
 _ON_IT = re.compile(r"[a-z] (?:(?:is|stands|standing|up|waits) ){0,2}on (?:a |the )?$")
-_ON = re.compile(r" (?:(?:is|stands|standing|up|waits) ){0,2}on (?:a |the )?(?!left|right|your|this|that|both)([a-z]{4,})\b(?! side)")
+_ON = re.compile(
+    r" (?:(?:is|stands|standing|up|waits) ){0,2}on (?:a |the )?(?!left|right|your|this|that|both)([a-z]{4,})\b(?! side)"
+)
 _NEAR = re.compile(
     r"\b(?:near|next to|by|beside|behind|under|opposite|across from|close to|facing|like) (?:a |the |some )?$"
 )
@@ -135,7 +137,11 @@ def find_destinations(
         names += _on_signs(drafts[-3:])
     # Any office is not office 2347: where a number is told, only it will do.
     numbered = [name for name in names if _NUMBER.search(name)]
-    if numbered[:1] == names[:1] or is_common(names[0]) or any(map(_LONG_NUMBER.search, numbered)):
+    if (
+        numbered[:1] == names[:1]
+        or is_common(names[0])
+        or any(map(_LONG_NUMBER.search, numbered))
+    ):
         return _shown(numbered or names), side, nth
     return _shown(names), side, nth
 
@@ -238,7 +244,9 @@ def _weights_in_text(chunks: list[Chunk], text: str) -> dict[str, float]:
         if _TOO_FAR.match(text, end):
             weight += _DENIED
         pointed = _POINTED.match(text, end)
-        if pointed and not any(end < c.start < pointed.end() for c in chunks if c.kind == "N"):
+        if pointed and not any(
+            end < c.start < pointed.end() for c in chunks if c.kind == "N"
+        ):
             weight += 3.5
         share = chunk.start / max(len(text), 1)
         if _DEFINED.search(before):
