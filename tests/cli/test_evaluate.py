@@ -5,7 +5,7 @@ from typing import Any
 
 import pytest
 
-from memorymaze.agents import AGENTS
+from memorymaze.evaluation.agent_catalogue import agent_names
 from memorymaze.evaluation.run_folder import read_run
 
 Memorymaze = Callable[..., Any]
@@ -111,7 +111,7 @@ def test_a_bad_file_gives_code_1_and_its_name(
 def test_the_help_says_where_every_agent_is_listed(memorymaze: Memorymaze) -> None:
     assert "`memorymaze agents`" in memorymaze("evaluate", "--help").out
     text = memorymaze("agents").out
-    assert all(f"\n{name}: " in f"\n{text}" for name in [*AGENTS, "oracle"])
+    assert all(f"\n{name}: " in f"\n{text}" for name in agent_names())
 
 
 def test_the_source_of_turning_points_is_a_setting_of_a_run(

@@ -4,7 +4,6 @@ from pathlib import Path
 
 import pytest
 
-from memorymaze.agents import AGENTS
 from memorymaze.cli.agents import agent_listing
 from memorymaze.errors import SettingsError
 from memorymaze.evaluation.agent_catalogue import (
@@ -87,7 +86,7 @@ def own_agents(tmp_path: Path) -> Path:
 
 
 def test_all_names_are_known_and_the_oracle_is_one_of_them() -> None:
-    assert {*AGENTS, "code_generation", "oracle"} <= set(agent_names())
+    assert {"guide", "rules", "code_generation", "oracle"} <= set(agent_names())
 
 
 @pytest.mark.parametrize("name", agent_names())

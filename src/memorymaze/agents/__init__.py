@@ -5,8 +5,6 @@ are found, made and told apart, and the process of its own that one may live in
 (`isolated`). Does not hold sites or answers: agents see what their robot tells them.
 """
 
-from collections.abc import Callable
-
 from memorymaze.agents.agent import Agent, Journal
 from memorymaze.agents.explorer import ExplorerAgent
 from memorymaze.agents.guide import GuideAgent
@@ -14,7 +12,6 @@ from memorymaze.agents.rules import RulesAgent
 from memorymaze.agents.stop import StopAgent
 
 __all__ = [
-    "AGENTS",
     "Agent",
     "ExplorerAgent",
     "GuideAgent",
@@ -22,11 +19,3 @@ __all__ = [
     "RulesAgent",
     "StopAgent",
 ]
-
-AGENTS: dict[str, Callable[[], Agent]] = {
-    "explorer": ExplorerAgent,
-    "guide": GuideAgent,
-    "rules": RulesAgent,
-    "stop": StopAgent,
-}
-"""Makers of agents by the name they have on the command line."""

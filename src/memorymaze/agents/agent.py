@@ -132,7 +132,7 @@ class Agent(Protocol):
 
     The whole life of an agent:
 
-        agent = AGENTS["rules"]()
+        agent = RulesAgent()
         for episode in episodes:
             agent.follow(text, robot, journal, rng)   # returns: the agent stopped
 

@@ -60,7 +60,7 @@ class AgentSettings:
     """Which agent follows the instructions, and what it is given."""
 
     name: str
-    """A name from `AGENTS`, `oracle`, or `module:Class` or `file.py:Class`."""
+    """A name from `agent_names`, or `module:Class` or `file.py:Class`."""
     parser: bool | None = None
     """Whether instructions are parsed first; None for agents without that choice."""
     options: tuple[tuple[str, str], ...] = ()

@@ -71,18 +71,9 @@ def test_the_stronger_the_shade_the_likelier() -> None:
     assert {shades[y]: shade for _, y, _, shade in found.cells} == {1: 1, 2: 5, 3: 3}
 
 
-def test_the_words_say_what_the_picture_shows() -> None:
-    found = drawn(
-        belief(0, [0.9, 0.1, 0], 0.1),
-        belief(3, [0.6, 0.4, 0], 0.7),
-        belief(9, [0.1, 0.2, 0.7]),
-        note(12, "repair", leg=2),
-        note(20, "gave_up", confidence=0.25),
-    )
-    assert found.summary == (
-        "Most likely 0 of 2 legs done from 0 m, then 2 of 2 legs done from 9 m. Doubt at "
-        "most 0.70; 1 repair. After 20 m it gave up, confidence 0.25."
-    )
+def test_the_words_say_how_the_walk_ended() -> None:
+    found = drawn(belief(0, [1.0]), note(20, "gave_up", confidence=0.25))
+    assert found.end_words == "After 20 m it gave up, confidence 0.25."
     silent = drawn(belief(0, [1.0]))
     assert silent.end_words == "After 20 m it ended without a word."
 

@@ -201,7 +201,8 @@ def test_pages_show_how_the_belief_went_of_agents_that_tell_it(report: Path) -> 
         text = page.read_text(encoding="utf-8")
         # Of three agents one tells it.
         assert text.count('<figure class="belief">') == 1
-        assert "Most likely 0 of 2 legs done from 0 m, then 2 of 2 legs done" in text
+        assert "<td>0 of 2 legs done</td>" in text
+        assert "<td>2 of 2 legs done</td>" in text
         assert "doubts leg 1 (0.60); repairs leg 1: no such turn" in text
         assert "gave up, confidence 0.15." in text
 

@@ -128,7 +128,6 @@ def test_a_step_is_worked_on_from_the_note_that_those_before_are_done() -> None:
     ])
     assert found.steps == ("turn left", "turn right", "stop")
     assert found.marks == {0: (0,), 1: (1,), 2: (2,), 3: (2,)}
-    assert found.is_exact
 
 
 def test_lines_of_a_program_are_those_that_may_make_the_call() -> None:
@@ -141,7 +140,6 @@ def test_lines_of_a_program_are_those_that_may_make_the_call() -> None:
         call(0.0, "stop", {}, None),
     ])
     assert found.marks == {1: (1,), 2: (1, 2), 3: (3,), 4: ()}
-    assert not found.is_exact
 
 
 def test_a_program_that_is_none_is_shown_without_marks() -> None:

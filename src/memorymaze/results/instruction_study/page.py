@@ -2,12 +2,12 @@
 
 from importlib.resources import files
 
-from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
 from memorymaze.results.instruction_study.plots import study_plots, word_clouds
 from memorymaze.results.instruction_study.study import InstructionStudy
 from memorymaze.results.instruction_study.tables import study_tables
+from memorymaze.results.report.pages import templates_of
 
 ROOM = "memorymaze.results.instruction_study"
 POLICY = (
@@ -19,13 +19,7 @@ POLICY = (
 
 def study_page(study: InstructionStudy, *, seed: int = 0) -> str:
     """Return the page; who wrote the texts stands at its head and in every caption."""
-    templates = Environment(
-        loader=PackageLoader(ROOM),
-        autoescape=True,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-    )
+    templates = templates_of(ROOM)
     style = files("memorymaze.results.report") / "static" / "report.css"
     page = templates.get_template("statistics.html").render(
         policy=POLICY,

@@ -96,14 +96,11 @@ class InstructionStudy:
         return int(min(words, default=0))
 
     def rows(self, table: str, *about: str, **only: str) -> list[Row]:
-        """Arrange the figures of a table as rows.
+        """Arrange the figures of a table as rows, `only` those whose fields have values.
 
-        Args:
-            table: Of the figures.
-            about: Fields that say what a row is about. All other figures are its
-                values, named by measure and key: `words`, `hedges mean`. Published
-                figures stand beside them: `words_mean published`.
-            only: Values that fields must have.
+        What the rows are about stands in the fields of `about`. All other figures are
+        values, named by measure and key: `words`, `hedges mean`. Published figures stand
+        beside them: `words_mean published`.
         """
         rows: dict[tuple[Any, ...], dict[str, Any]] = {}
         for each in self.figures:

@@ -13,7 +13,6 @@ from pydantic import BaseModel, Field, TypeAdapter, ValidationError
 
 from memorymaze.geometry.trajectory import Trajectory
 from memorymaze.results.story.story import Story
-from memorymaze.wording import counted
 
 SAID = 0.5
 """Doubt from which on it counts as said."""
@@ -113,21 +112,6 @@ class BeliefTimeline:
     """Notes of these kinds that are not as docs/report.md says."""
 
     @property
-    def summary(self) -> str:
-        """Say in a few sentences what the picture shows."""
-        parts: list[str] = []
-        for place in self.places:
-            said = f"{place.likeliest} of {counted(self.legs, 'leg')} done"
-            if not parts or not parts[-1].startswith(said):
-                parts.append(f"{said} from {place.metres:.0f} m")
-        doubt = max(each.note.doubt for each in self.places)
-        repairs = sum(note.about == "repair" for _, note in self.marks)
-        return (
-            f"Most likely {', then '.join(parts)}. Doubt at most {doubt:.2f}; "
-            f"{counted(repairs, 'repair')}. {self.end_words}"
-        )
-
-    @property
     def end_words(self) -> str:
         """Say how the walk ended."""
         said = "ended without a word"
@@ -217,20 +201,13 @@ def belief_timeline(story: Story) -> BeliefTimeline | None:
     last = [*np.flatnonzero(np.diff(walked) >= STEP).tolist(), len(beliefs) - 1]
     begins = [0.0, *walked[last[1:]].tolist()]
     marks = tuple(zip(away(changes).tolist(), changes, strict=True))
-    at = [bisect_right(begins, metres + STEP) - 1 for metres, _ in marks]
+    changed: list[list[ChangeNote]] = [[] for _ in last]
+    for metres, change in marks:
+        changed[bisect_right(begins, metres + STEP) - 1].append(change)
+    spans = pairwise([*begins, story.walk.length])
     places = tuple(
-        BelievedPlace(
-            *span,
-            beliefs[note],
-            tuple(
-                mark
-                for (_, mark), place in zip(marks, at, strict=True)
-                if place == number
-            ),
-        )
-        for number, (span, note) in enumerate(
-            zip(pairwise([*begins, story.walk.length]), last, strict=True)
-        )
+        BelievedPlace(*span, beliefs[note], tuple(own))
+        for note, span, own in zip(last, spans, changed, strict=True)
     )
     legs = len(beliefs[0].legs) - 1
     return BeliefTimeline(places, marks, legs, story.walk.length, end, unread)

@@ -14,8 +14,12 @@ from memorymaze.metrics.calibration import (
     success_at_coverage,
 )
 from memorymaze.results.report.sources import ReportRun
-from memorymaze.results.tables.confidence import confidence_table, told_confidences
-from memorymaze.results.tables.runs import studies_of
+from memorymaze.results.tables.confidence import (
+    check_claims,
+    confidence_table,
+    told_confidences,
+)
+from memorymaze.results.tables.runs import MeasuredRun, studies_of
 from memorymaze.tables import Table
 
 
@@ -42,39 +46,39 @@ class ConfidencePlots:
 
 def plot_confidence(runs: Sequence[ReportRun]) -> list[ConfidencePlots]:
     """Return the plots study by study, of the runs whose agents tell a confidence."""
-    found: list[ConfidencePlots] = []
-    for study in studies_of(each for run in runs for each in run.measured.results):
-        for run in runs:
-            own = [each for each in run.measured.results if each.study == study]
-            confidences, outcomes = told_confidences(own)
-            if confidences:
-                found.append(
-                    ConfidencePlots(
-                        run=run,
-                        study=study,
-                        told=len(outcomes),
-                        bins=tuple(reliability(confidences, outcomes)),
-                        ece=expected_calibration_error(confidences, outcomes),
-                        risk_line=_risk_line(confidences, outcomes),
-                        best_line=_risk_line(outcomes, outcomes),
-                        aurc=risk_coverage_area(confidences, outcomes),
-                        risk=1 - sum(outcomes) / len(outcomes),
-                        risk_of_half=1
-                        - success_at_coverage(confidences, outcomes, 0.5),
-                    )
-                )
-    return found
+    studies = studies_of(each for run in runs for each in run.measured.results)
+    found = (_plots(run, study) for study in studies for run in runs)
+    return [each for each in found if each is not None]
+
+
+def _plots(run: ReportRun, study: str) -> ConfidencePlots | None:
+    own = [each for each in run.measured.results if each.study == study]
+    confidences, outcomes = told_confidences(own)
+    if not confidences:
+        return None
+    return ConfidencePlots(
+        run=run,
+        study=study,
+        told=len(outcomes),
+        bins=tuple(reliability(confidences, outcomes)),
+        ece=expected_calibration_error(confidences, outcomes),
+        risk_line=_risk_line(confidences, outcomes),
+        best_line=_risk_line(outcomes, outcomes),
+        aurc=risk_coverage_area(confidences, outcomes),
+        risk=1 - sum(outcomes) / len(outcomes),
+        risk_of_half=1 - success_at_coverage(confidences, outcomes, 0.5),
+    )
 
 
 def claims_table(runs: Sequence[ReportRun]) -> tuple[Table | None, list[str]]:
     """Return the table of confidence, and why runs of older versions are not in it."""
-    measured = [run.measured for run in runs]
+    measured: list[MeasuredRun] = []
     told: list[str] = []
     for run in runs:
         try:
-            confidence_table([run.measured])
+            check_claims(run.measured)
+            measured.append(run.measured)
         except RunFolderError as error:
-            measured.remove(run.measured)
             told.append(str(error))
     return (confidence_table(measured) if measured else None), told
 

@@ -60,12 +60,7 @@ def follow(
     A walk has left the way when it is farther from the part it could have got to than
     the tolerance, or has gone back by more than that. A walk that has come within the
     tolerance of the way's end has followed it; whether it also ends there is the
-    difference between `end` and `passed`.
-
-    Args:
-        way: Vertices of the way described, metres, shape (N, 2).
-        walk: Places of the walk, metres, shape (M, 2) with M >= 1.
-        tolerance: Metres, > 0; the report takes the success distance.
+    difference between `end` and `passed`. Way and walk are in metres, shape (N, 2).
     """
     places = polyline.resample(way, STEP)
     length = polyline.length(way)

@@ -38,19 +38,24 @@ ERROR_TITLES = {"none": "no error", "any": "any error"}
 """Of instructions, where they are not those of the corpus."""
 
 
+def templates_of(room: str) -> Environment:
+    """Return the templates of a room."""
+    return Environment(
+        loader=PackageLoader(room),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+
+
 class Pages:
     """Writes static pages into a folder that is there."""
 
     def __init__(self, folder: Path) -> None:
         """Prepare the templates."""
         self.folder = folder
-        self._templates = Environment(
-            loader=PackageLoader(ROOM),
-            autoescape=True,
-            undefined=StrictUndefined,
-            trim_blocks=True,
-            lstrip_blocks=True,
-        )
+        self._templates = templates_of(ROOM)
         words: dict[str, Any] = {
             "EPISODE_MEASURES": EPISODE_MEASURES,
             "PAPER_MEASURES": PAPER_MEASURES,

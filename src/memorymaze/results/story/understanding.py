@@ -26,9 +26,7 @@ class Understanding:
     """The lines of each program that was run; the last one replaced those before."""
     marks: dict[int, tuple[int, ...]]
     """What is worked on from an entry of the trace on, by the entry's number: numbers
-    of lines, counted through all programs, or without programs of a step, from 0."""
-    is_exact: bool
-    """Whether the trace tells what is worked on; otherwise lines are all those that
+    of a step, from 0; where there are programs, of all their lines, counted through, that
     make the call at hand."""
 
 
@@ -76,7 +74,7 @@ def understood(entries: Sequence[Mapping[str, Any]]) -> Understanding:
     if steps and at_steps:
         at_steps.setdefault(0, (0,))
     marks = at_lines if programs else at_steps
-    return Understanding(steps, tuple(programs), marks, is_exact=not programs)
+    return Understanding(steps, tuple(programs), marks)
 
 
 def step_of(

@@ -22,6 +22,7 @@ from memorymaze.results.tables.measures import (
     with_interval_notes,
 )
 from memorymaze.results.tables.runs import (
+    STUDY,
     MeasuredRun,
     Place,
     groups_of_places,
@@ -31,7 +32,6 @@ from memorymaze.results.tables.runs import (
     places_of,
     run_notes,
     studies_of,
-    study_title,
 )
 from memorymaze.tables import Column, Row, Table
 
@@ -185,7 +185,7 @@ def figure_columns(first: str, second: str) -> tuple[Column, ...]:
 
 def _columns(first: str, second: str) -> tuple[Column, ...]:
     return (
-        Column("study", "Study", "group", show=lambda r: study_title(r["study"])),
+        STUDY,
         Column("place", "Route", "group", is_data=False),
         Column("site"),
         Column("route"),

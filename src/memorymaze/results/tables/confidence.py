@@ -84,6 +84,12 @@ def confidence_table(runs: Sequence[MeasuredRun]) -> Table:
     return study_table(runs, title, columns, _fields, KEY, "confidence")
 
 
+def check_claims(run: MeasuredRun) -> None:
+    """Refuse a run whose results do not say what the table shows."""
+    check_told(run, "gave_up", "whether the agent gave up")
+    check_ways(run)
+
+
 def told_confidences(
     results: Sequence[EpisodeResult],
 ) -> tuple[list[float], list[bool]]:
@@ -97,8 +103,7 @@ def _at(coverage: float) -> str:
 
 
 def _fields(run: MeasuredRun, results: Sequence[EpisodeResult]) -> dict[str, Any]:
-    check_told(run, "gave_up", "whether the agent gave up")
-    check_ways(run)
+    check_claims(run)
     values = [*CLAIMS, *within_ways(run.record.settings.success_distance), WALKED]
     places = [place_of(result) for result in results]
     return value_fields(results, values, places) | _calibration(results)
@@ -107,18 +112,18 @@ def _fields(run: MeasuredRun, results: Sequence[EpisodeResult]) -> dict[str, Any
 def _calibration(results: Sequence[EpisodeResult]) -> dict[str, Any]:
     """Return what can be said of confidences; nothing where an agent tells none."""
     told = [each for each in results if each.confidence is not None]
-    confidences, outcomes = told_confidences(results)
     if not told:
         values = ("brier", "brier_reference", "ece", *map(_at, COVERAGES), "aurc")
         return {"told": 0} | dict.fromkeys(values)
-    return {
+    confidences, outcomes = told_confidences(told)
+    covered = {
+        _at(part): success_at_coverage(confidences, outcomes, part)
+        for part in COVERAGES
+    }
+    return covered | {
         "told": len(told),
         **value_fields(told, [BRIER]),
         "brier_reference": brier_reference(outcomes),
         "ece": expected_calibration_error(confidences, outcomes),
-        **{
-            _at(part): success_at_coverage(confidences, outcomes, part)
-            for part in COVERAGES
-        },
         "aurc": risk_coverage_area(confidences, outcomes),
     }

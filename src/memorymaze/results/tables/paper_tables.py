@@ -21,6 +21,7 @@ from memorymaze.results.tables.measures import (
     with_interval_notes,
 )
 from memorymaze.results.tables.runs import (
+    STUDY,
     MeasuredRun,
     Place,
     groups_of_places,
@@ -30,7 +31,6 @@ from memorymaze.results.tables.runs import (
     places_of,
     run_notes,
     studies_of,
-    study_title,
 )
 from memorymaze.tables import Column, Row, Table
 from memorymaze.wording import counted
@@ -188,7 +188,7 @@ def _columns(*, costs: bool) -> tuple[Column, ...]:
     settings += [f"{name}_per_100m" for name in PER_DISTANCE]
     return (
         Column("table"),
-        Column("study", "Study", "group", show=lambda row: study_title(row["study"])),
+        STUDY,
         Column("place", "Route", "group", is_data=False),
         Column("site"),
         Column("route"),

@@ -15,12 +15,12 @@ from memorymaze.results.tables.measures import (
     with_interval_notes,
 )
 from memorymaze.results.tables.runs import (
+    STUDY,
     MeasuredRun,
     check_told,
     place_of,
     run_notes,
     studies_of,
-    study_title,
 )
 from memorymaze.tables import Column, Row, Table
 
@@ -69,7 +69,7 @@ def study_table(
     table = Table(
         title,
         (
-            Column("study", "Study", "group", show=lambda r: study_title(r["study"])),
+            STUDY,
             Column("method", "Method", "label"),
             Column("run"),
             Column("episodes", "n"),

@@ -16,6 +16,7 @@ from memorymaze.instructions.published import PublishedResult, published_tables
 from memorymaze.instructions.records import WRITTEN_BY
 from memorymaze.perception.eyes import TRUTH
 from memorymaze.simulation.obstacles import ObstacleSettings
+from memorymaze.tables import Column
 from memorymaze.wording import counted
 
 STUDY_TITLES = {
@@ -112,6 +113,10 @@ def check_told(run: MeasuredRun, field: str, told: str) -> None:
 def study_title(study: str) -> str:
     """Return how a study is headed; its name where it is none of the paper's."""
     return STUDY_TITLES.get(study, f"Study {study}")
+
+
+STUDY = Column("study", "Study", "group", show=lambda row: study_title(row["study"]))
+"""Above the rows of a study."""
 
 
 def studies_of(results: Iterable[EpisodeResult]) -> list[str]:

@@ -94,11 +94,7 @@ class Onlooker:
         clock: Callable[[], float] = time.monotonic,
         sleep: Callable[[float], None] = time.sleep,
     ) -> None:
-        """Look on; a pace of None is as fast as it goes.
-
-        Raises:
-            SettingsError: The pace is out of range.
-        """
+        """Look on; a pace of None is as fast as it goes."""
         self._view = view
         self._pace = None if pace is None else check_pace(pace)
         self._clock, self._sleep = clock, sleep
