@@ -5,7 +5,7 @@ from collections.abc import Sequence
 
 import pytest
 
-from memorymaze.agents.rules.alignment import Aligner, Branch
+from memorymaze.agents.rules.alignment import Aligner
 from memorymaze.agents.rules.evidence import Standing
 from memorymaze.agents.walking.floor_map import Crossing, FloorMap, Sighting, View
 from memorymaze.understanding import ANY_FLOOR, parse_route_description
@@ -36,11 +36,9 @@ def _standing(walked: float = 10.0, *, left: int = 0) -> Standing:
     )
 
 
-def _best(text: str, floor: FloorMap, standing: Standing) -> Branch:
+def _best(text: str, floor: FloorMap, standing: Standing) -> Standing:
     aligner = Aligner(parse_route_description(text), floor)
-    return min(
-        aligner.branches(standing), key=lambda each: aligner.outlook(each.standing)
-    )
+    return min(aligner.branches(standing), key=lambda each: aligner.outlook(each))
 
 
 def _taken(text: str, floor: FloorMap, standing: Standing) -> str:
@@ -118,19 +116,17 @@ def test_a_decision_says_which_leg_it_took_for_done_and_what_speaks_against_it()
     None
 ):
     best = _best("Turn left.", _floor(), _standing())
-    assert best.standing.leg == 1
-    (told,) = best.standing.story
+    assert best.leg == 1
+    (told,) = best.story
     assert told.startswith(f"leg 1 left at {FORK} (+")
-    assert best.standing.cost == pytest.approx(
-        float(told.rpartition("+")[2][:-1]), abs=0.06
-    )
+    assert best.cost == pytest.approx(float(told.rpartition("+")[2][:-1]), abs=0.06)
 
 
 def test_a_corner_without_a_choice_is_followed_though_nobody_told_of_it() -> None:
     floor = _floor([RIGHT, BACK])
     best = _best("Take the third left.", floor, _standing())
-    assert best.standing.leg == 0
-    assert best.standing.story[-1].startswith("follow the only way")
+    assert best.leg == 0
+    assert best.story[-1].startswith("follow the only way")
 
 
 def test_a_closed_way_is_not_taken() -> None:

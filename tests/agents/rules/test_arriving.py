@@ -2,7 +2,6 @@
 
 import pytest
 
-from memorymaze.agents.rules.alignment import Branch
 from memorymaze.agents.rules.arriving import Arrivals, Ending
 from memorymaze.agents.rules.evidence import Standing
 from memorymaze.agents.walking.choices import Choices
@@ -11,7 +10,7 @@ from memorymaze.understanding import parse_route_description
 
 NEXT = 3
 STRETCH = Stretch(0, 0, NEXT, 0.0, 20.0, frozenset({"red sofa", "door"}))
-BEGUN = Branch(Standing(0, 0.0, 0, line=((0.0, 0.0),)), 0)
+BEGUN = Standing(0, 0.0, 0, line=((0.0, 0.0),), exit=0)
 
 
 def _floor() -> FloorMap:

@@ -6,7 +6,7 @@ Directions are compass degrees in eight sectors, left and right.
 import math
 from collections import Counter
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from memorymaze.geometry.pose import wrap_angle
 from memorymaze.robot.viewpoints import Panorama, SeenThing, WayOn
@@ -213,10 +213,6 @@ class Scratchpad:
 
     def add_move(self, said: str, observation: str, short: str) -> None:
         """Add a move that was made; earlier ones are told in short from now on."""
-        self._steps = [
-            replace(step, told=step.told if step.short is None else step.short)
-            for step in self._steps
-        ]
         self._steps.append(_Step(said.strip(), observation, short))
 
     def add_failure(self, said: str, told: str) -> None:
@@ -229,13 +225,17 @@ class Scratchpad:
     def text(self) -> str:
         """Return what is shown: the last characters of all steps."""
         steps = list(self._steps)
-        whole = _written(steps)
         here = next((step for step in reversed(steps) if step.short), None)
+        whole = _written(steps, here)
         while self._whole_steps and len(steps) > 1 and len(whole) > self._limit:
             del steps[1 if steps[0] is here else 0]
-            whole = _written(steps)
+            whole = _written(steps, here)
         return whole[-self._limit :]
 
 
-def _written(steps: list[_Step]) -> str:
-    return "\n".join(f"{step.said}\nObservation: {step.told}\n" for step in steps)
+def _written(steps: list[_Step], here: _Step | None) -> str:
+    told = [each.told if each is here else each.short or each.told for each in steps]
+    return "\n".join(
+        f"{step.said}\nObservation: {each}\n"
+        for step, each in zip(steps, told, strict=True)
+    )

@@ -8,7 +8,7 @@ import numpy as np
 
 from memorymaze.agents.agent import Journal
 from memorymaze.agents.plan_readers import PlanReader, ReaderOptions, ReadsFirst
-from memorymaze.agents.rules.alignment import Aligner, Branch
+from memorymaze.agents.rules.alignment import Aligner
 from memorymaze.agents.rules.arriving import Arrivals, Ending, approach
 from memorymaze.agents.rules.evidence import Standing
 from memorymaze.agents.walking.floor_map import Sighting
@@ -89,7 +89,7 @@ class _Search:
         self._aligner = Aligner(plan, walker.map)
         self._arrivals = Arrivals(plan, walker.map)
         self._distances: dict[int, float] = {}
-        self._frontier: list[Branch] = []
+        self._frontier: list[Standing] = []
         self._endings: list[Ending] = []
         self._best_known: dict[tuple[int, int, int], list[float]] = {}
         self._limit = _walk_limit(plan)
@@ -104,7 +104,7 @@ class _Search:
         if self._any_heading:
             self._begin_anywhere(Standing(start, 0.0, 0, line=(place,)))
         elif start == 0:
-            self._frontier.append(Branch(Standing(0, 0.0, 0, line=(place,)), 0))
+            self._frontier.append(Standing(0, 0.0, 0, line=(place,), exit=0))
         else:
             self._survey()
             self._branch_out(Standing(start, 0.0, 0, line=(place,)))
@@ -151,18 +151,16 @@ class _Search:
 
     # -- choosing
 
-    def _too_far_for(self, branch: Branch, ending: Ending | None) -> bool:
+    def _too_far_for(self, branch: Standing, ending: Ending | None) -> bool:
         """Tell whether after one more stretch there is no time to come back."""
         back = (
             0.0 if ending is None else self._away(ending.standing.at) + ending.distance
         )
-        further = self._away(branch.standing.at) + LEG_METRES
+        further = self._away(branch.at) + LEG_METRES
         return self._walker.travelled + further + back > self._limit
 
-    def _branch_cost(self, branch: Branch) -> float:
-        return self._aligner.outlook(branch.standing) + METRE_BACK * self._away(
-            branch.standing.at
-        )
+    def _branch_cost(self, branch: Standing) -> float:
+        return self._aligner.outlook(branch) + METRE_BACK * self._away(branch.at)
 
     def _ending_cost(self, ending: Ending) -> float:
         return ending.cost + METRE_BACK * (
@@ -172,7 +170,7 @@ class _Search:
     def _away(self, crossing: int) -> float:
         return self._distances.get(crossing, math.inf)
 
-    def _best_branch(self) -> Branch | None:
+    def _best_branch(self) -> Standing | None:
         self._distances = self._walker.map.distances_from(self._walker.at)
         return min(self._frontier, key=self._branch_cost, default=None)
 
@@ -185,20 +183,20 @@ class _Search:
         """Carry hypotheses along stretches that are known already."""
         stretches = self._walker.map.stretches
         while True:
-            known = [b for b in self._frontier if (b.standing.at, b.exit) in stretches]
+            known = [b for b in self._frontier if (b.at, b.exit) in stretches]
             if not known:
                 break
             self._frontier = [
-                b for b in self._frontier if (b.standing.at, b.exit) not in stretches
+                b for b in self._frontier if (b.at, b.exit) not in stretches
             ]
             for branch in known:
-                stretch = stretches[branch.standing.at, branch.exit]
+                stretch = stretches[branch.at, branch.exit]
                 self._endings.extend(self._arrivals.on_stretch(branch, stretch))
                 standing = self._aligner.advance(branch, stretch)
                 self._branch_out(standing)
         self._frontier = [b for b in self._frontier if not self._is_closed(b)]
         if len(self._frontier) > FRONTIER:
-            self._frontier.sort(key=lambda b: self._aligner.outlook(b.standing))
+            self._frontier.sort(key=lambda b: self._aligner.outlook(b))
             del self._frontier[FRONTIER:]
 
     def _branch_out(self, standing: Standing) -> None:
@@ -207,32 +205,32 @@ class _Search:
         choices = self._aligner.choices(standing)
         self._endings.extend(self._arrivals.at_crossing(standing, choices))
         for branch in self._aligner.branches(standing):
-            self._endings.extend(self._arrivals.after_turn(branch.standing))
-            key = (branch.standing.at, branch.exit, branch.standing.leg)
+            self._endings.extend(self._arrivals.after_turn(branch))
+            key = (branch.at, branch.exit, branch.leg)
             costs = self._best_known.setdefault(key, [])
-            cost = self._aligner.outlook(branch.standing)
+            cost = self._aligner.outlook(branch)
             if sum(known <= cost + 1e-9 for known in costs) >= 2:
                 continue
             costs.append(cost)
             self._frontier.append(branch)
 
-    def _is_closed(self, branch: Branch) -> bool:
-        return branch.exit in self._walker.map.crossings[branch.standing.at].closed
+    def _is_closed(self, branch: Standing) -> bool:
+        return branch.exit in self._walker.map.crossings[branch.at].closed
 
     # -- walking
 
-    def _walk(self, branch: Branch) -> bool:
+    def _walk(self, branch: Standing) -> bool:
         """Walk the stretch a hypothesis leads to; True when arrived on the way."""
         walker = self._walker
         self._journal.note(
             "decision",
-            at=branch.standing.at,
+            at=branch.at,
             exit=branch.exit,
-            cost=round(self._aligner.outlook(branch.standing), 2),
-            legs_done=branch.standing.leg,
-            because=list(branch.standing.story[-2:]),
+            cost=round(self._aligner.outlook(branch), 2),
+            legs_done=branch.leg,
+            because=list(branch.story[-2:]),
         )
-        if not walker.go_to(branch.standing.at):
+        if not walker.go_to(branch.at):
             self._frontier.remove(branch)
             return False
         rivals = self._rivals(branch)
@@ -258,23 +256,23 @@ class _Search:
             return True
         return False
 
-    def _rivals(self, branch: Branch) -> list[Branch]:
+    def _rivals(self, branch: Standing) -> list[Standing]:
         """Hypotheses that go the same way and are about as good, the best first."""
-        cost = self._aligner.outlook(branch.standing)
+        cost = self._aligner.outlook(branch)
         same = [
             b
             for b in self._frontier
-            if b.standing.at == branch.standing.at
+            if b.at == branch.at
             and b.exit == branch.exit
-            and self._aligner.outlook(b.standing) <= cost + RIVALS
+            and self._aligner.outlook(b) <= cost + RIVALS
         ]
-        return sorted(same, key=lambda b: self._aligner.outlook(b.standing))[:5]
+        return sorted(same, key=lambda b: self._aligner.outlook(b))[:5]
 
-    def _phrases(self, rivals: list[Branch]) -> list[str]:
+    def _phrases(self, rivals: list[Standing]) -> list[str]:
         phrases: list[str] = [*self._looks, *self._arrivals.phrases]
         legs = self._plan.legs
         for rival in rivals:
-            first = rival.standing.leg
+            first = rival.leg
             for number, leg in list(enumerate(legs))[max(first - 1, 0) : first + 2]:
                 phrases.extend(m.phrase for m in things_on(self._plan, number))
                 phrases.extend((*leg.too_far, *leg.wrong_way))

@@ -7,7 +7,7 @@ every decision before it.
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from memorymaze.agents.rules.evidence import (
     Standing,
@@ -56,14 +56,6 @@ UNTOLD_WAY_ON = 0.05
 """Going straight on past an opening."""
 
 
-@dataclass(frozen=True, slots=True)
-class Branch:
-    """A hypothesis that leaves a crossing by an exit."""
-
-    standing: Standing
-    exit: int
-
-
 class Aligner:
     """Branches hypotheses of one plan."""
 
@@ -101,9 +93,8 @@ class Aligner:
                 ahead += min(1.4 * max(met - turn.ordinal, 0), 3.0)
         return standing.cost + ahead
 
-    def advance(self, branch: Branch, stretch: Stretch) -> Standing:
+    def advance(self, before: Standing, stretch: Stretch) -> Standing:
         """Return the hypothesis after a stretch was walked."""
-        before = branch.standing
         end = self._floor.crossings[stretch.end]
         asked = stretch.asked if before.asked is None else before.asked & stretch.asked
         return replace(
@@ -113,9 +104,10 @@ class Aligner:
             walked=before.walked + stretch.length,
             line=(*before.line, end.place),
             asked=asked,
+            exit=-1,
         )
 
-    def branches(self, standing: Standing) -> Iterator[Branch]:
+    def branches(self, standing: Standing) -> Iterator[Standing]:
         """Yield what may be meant at the crossing where a hypothesis stands."""
         choices = self.choices(standing)
         yield from self._ways_on(standing, choices)
@@ -123,7 +115,7 @@ class Aligner:
 
     # -- going on without using up a leg
 
-    def _ways_on(self, standing: Standing, choices: Choices) -> Iterator[Branch]:
+    def _ways_on(self, standing: Standing, choices: Choices) -> Iterator[Standing]:
         ahead = choices.forward
         junction = len(choices.ways) > 1
         passed = replace(
@@ -140,7 +132,7 @@ class Aligner:
                     cost += 0.3 * junction
                 elif self._plain_turn_fits(standing.leg, choices):
                     cost += 0.9
-                yield Branch(replace(passed, cost=standing.cost + cost), index)
+                yield replace(passed, cost=standing.cost + cost, exit=index)
                 continue
             if not junction:
                 cost, word = UNSAID_CORNER, "follow the only way"
@@ -150,13 +142,11 @@ class Aligner:
                 cost, word = UNSAID_TURN, "turn though nobody said so"
             if leg is None:
                 cost *= self._final_turn_factor(angle)
-            yield Branch(
-                replace(
-                    passed,
-                    cost=standing.cost + cost,
-                    story=(*standing.story, f"{word} at {standing.at} (+{cost:.1f})"),
-                ),
-                index,
+            yield replace(
+                passed,
+                cost=standing.cost + cost,
+                story=(*standing.story, f"{word} at {standing.at} (+{cost:.1f})"),
+                exit=index,
             )
 
     def _plain_turn_fits(self, number: int, choices: Choices) -> bool:
@@ -184,7 +174,7 @@ class Aligner:
 
     # -- using up legs
 
-    def _turns(self, standing: Standing, choices: Choices) -> Iterator[Branch]:
+    def _turns(self, standing: Standing, choices: Choices) -> Iterator[Standing]:
         skipped = 0.0
         lead = standing.lead
         story = standing.story
@@ -208,7 +198,7 @@ class Aligner:
                     cost=standing.cost + cost,
                     story=(*story, told),
                 )
-                yield Branch(done, index)
+                yield replace(done, exit=index)
                 if anew and self._turns_at_once(done):
                     yield from self._turns(done, self.choices(done))
             skip = self._skip_cost(number)

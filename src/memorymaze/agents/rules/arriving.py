@@ -6,7 +6,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from operator import itemgetter
 
-from memorymaze.agents.rules.alignment import Branch
 from memorymaze.agents.rules.evidence import (
     Standing,
     junction_cost,
@@ -88,9 +87,8 @@ class Arrivals:
         self.phrases = tuple(name for name in told if not is_floor(name))
         """What to look for."""
 
-    def on_stretch(self, branch: Branch, stretch: Stretch) -> Iterator[Ending]:
+    def on_stretch(self, standing: Standing, stretch: Stretch) -> Iterator[Ending]:
         """Yield the endings on a stretch walked by a hypothesis."""
-        standing = branch.standing
         to_come = len(self._plan.legs) - standing.leg
         if to_come > 2:
             return
@@ -106,14 +104,14 @@ class Arrivals:
             cost = base + loss + self._fit(standing, along, to_come)
             cost += self._side_cost(sighting)
             reason = f"{sighting.phrase} seen"
-            yield Ending(standing, branch.exit, along, cost, reason)
+            yield Ending(standing, standing.exit, along, cost, reason)
         length = self._plan.arrival.length
         if to_come == 0 and length is not None and length.unit != "places":
             rest = length.metres - standing.walked
             if 0.0 < rest < stretch.length:
                 cost = base + (self._unseen + self._fit(standing, rest, 0))
                 reason = f"{length.metres:.0f} m walked"
-                yield Ending(standing, branch.exit, rest, cost, reason)
+                yield Ending(standing, standing.exit, rest, cost, reason)
 
     def at_crossing(self, standing: Standing, choices: Choices) -> Iterator[Ending]:
         """Yield the ending at a crossing where all legs are done."""
@@ -152,10 +150,9 @@ class Arrivals:
             yield Ending(standing, None, 0.0, standing.cost + AFTER_TURN, "turned")
 
     def best_now(
-        self, branch: Branch, seen: list[Sighting], walked: float
+        self, standing: Standing, seen: list[Sighting], walked: float
     ) -> tuple[float, Sighting] | None:
         """Return the cost of stopping at something just seen, and what it is."""
-        standing = branch.standing
         if standing.leg < len(self._plan.legs):
             return None
         fitting = [

@@ -61,6 +61,8 @@ class Standing:
     cost: float = 0.0
     story: tuple[str, ...] = ()
     """The decisions so far, in words."""
+    exit: int = -1
+    """By which it leaves the crossing; -1 while that is open."""
 
     @property
     def places(self) -> int:

@@ -11,7 +11,7 @@ import numpy as np
 
 from memorymaze.errors import RunFolderError
 from memorymaze.evaluation.measures import Measure
-from memorymaze.evaluation.outcomes import ENDINGS, GAVE_UP
+from memorymaze.evaluation.outcomes import ENDINGS, GAVE_UP, ending_words, outcome_of
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import RunRecord
 from memorymaze.instructions.records import WRITTEN_BY, Failure, Instruction
@@ -71,27 +71,15 @@ def count_endings(run: ReportRun) -> list[Ending]:
     """Count how the episodes of a run ended; what never happened is left out."""
     results = run.measured.results
     counts = Counter(
-        "arrived"
-        if each.success
-        else GAVE_UP
-        if each.gave_up
-        else f"by {each.stopped_by}"
+        (outcome_of(each).key, "arrived" if each.success else ending_words(each))
         for each in results
     )
-    titles = {
-        "arrived": ("arrived", "arrived"),
-        "by agent": ("elsewhere", "stopped elsewhere"),
-        GAVE_UP: ("elsewhere", GAVE_UP),
-    }
-    titles |= {
-        f"by {end}": ("broken", words)
-        for end, words in ENDINGS.items()
-        if end != "agent"
-    }
+    order = ["arrived", "stopped elsewhere", GAVE_UP, *ENDINGS.values()]
     return [
-        Ending(key, words, counts[name], counts[name] / len(results))
-        for name, (key, words) in titles.items()
-        if counts[name]
+        Ending(key, title, count, count / len(results))
+        for (key, title), count in sorted(
+            counts.items(), key=lambda each: order.index(each[0][1])
+        )
     ]
 
 
