@@ -59,7 +59,9 @@ def test_what_breaks_off_leaves_no_recording(
     def interrupted(*_: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("memorymaze.results.replay.recording._log_moving", interrupted)
+    monkeypatch.setattr(
+        "memorymaze.results.replay.recording._Log.log_moving", interrupted
+    )
     with pytest.raises(KeyboardInterrupt):
         record_replay(episode, tmp_path / "walk.rrd", BLIND)
     assert not any(tmp_path.iterdir())

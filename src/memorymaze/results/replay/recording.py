@@ -98,11 +98,12 @@ def record_replay(
             )
             stack.enter_context(closing(eyes))
         bar = stack.enter_context(progress_bar(len(times), "view", shown=progress))
-        _log_building(stream, episode, moments)
-        _log_moving(stream, episode, moments)
+        log = _Log(stream, episode, moments)
+        log.log_building()
+        log.log_moving()
         for time in times:
             moment = moments.at(time)
-            _log_view(stream, moment, scans.points(moment), eyes)
+            log.log_view(moment, scans.points(moment), eyes)
             bar.update()
 
 
@@ -188,187 +189,161 @@ def _blueprint_of(episode: RecordedEpisode) -> Any:
     )
 
 
-def _log_building(stream: Any, episode: RecordedEpisode, moments: Moments) -> None:
-    """Log what does not move: plan, the way described, the whole walk, things."""
-    import rerun as rr
+class _Log:
+    """Writes an episode to a stream."""
 
-    site, route = episode.site, episode.route
-    stream.log("world", rr.ViewCoordinates.RIGHT_HAND_Z_UP, static=True)
-    for entity, (kinds, colour, radius) in PLAN.items():
-        shapes = [each for each in plan_shapes(site) if each.kind in kinds]
-        lines = [line for shape in shapes for line in shape.outlines()]
-        _lines(stream, f"world/plan/{entity}", lines, colour, radius)
-    _names(stream, site)
-    way = np.array(route.line.coords)[:, :2]
-    color = ImageColor.getrgb(route_color(route.route))
-    _lines(stream, "world/way_described", [way], color, 0.08)
-    goal = [*way[-1].tolist(), ON_FLOOR]
-    stream.log(
-        "world/goal",
-        rr.Points3D([goal], radii=0.4, colors=[color], labels=[f"goal: {route.goal}"]),
-        static=True,
-    )
-    _lines(stream, "world/whole_walk", [moments.points], (150, 150, 150), 0.02)
-    focal = PICTURE_SIZE[0] / 2
-    stream.log(
-        CAMERA,
-        rr.Pinhole(
-            resolution=PICTURE_SIZE,
-            focal_length=focal,
-            camera_xyz=rr.ViewCoordinates.FLU,
-            image_plane_distance=1.0,
-        ),
-        rr.Transform3D(translation=[0.0, 0.0, CAMERA_HEIGHT]),
-        static=True,
-    )
-    stream.log(
-        "world/robot/body",
-        rr.Cylinders3D(
-            lengths=[0.9],
-            radii=[ROBOT_RADIUS],
-            centers=[[0.0, 0.0, 0.45]],
-            colors=[WALK],
-        ),
-        static=True,
-    )
-    _things(stream, episode, moments)
+    def __init__(self, stream: Any, episode: RecordedEpisode, moments: Moments) -> None:
+        self._rr = _library()
+        self._stream = stream
+        self._episode = episode
+        self._moments = moments
 
+    def _log(self, entity: str, *what: Any, time: float | None = None) -> None:
+        """Log what is there at a time, or always."""
+        if time is not None:
+            self._stream.set_time(TIMELINE, duration=time)
+        self._stream.log(entity, *what, static=time is None)
 
-def _log_moving(stream: Any, episode: RecordedEpisode, moments: Moments) -> None:
-    """Log poses, people, what the agent did and said, and what it detected."""
-    import rerun as rr
-
-    before = None
-    for time, x, y, heading in episode.story.walk.poses:
-        stream.set_time(TIMELINE, duration=time)
-        stream.log(
-            "world/robot",
-            rr.Transform3D(
-                translation=[x, y, 0.0],
-                rotation=rr.RotationAxisAngle([0, 0, 1], radians=heading),
+    def log_building(self) -> None:
+        """Log what does not move: plan, the way described, the whole walk, things."""
+        rr, site, route = self._rr, self._episode.site, self._episode.route
+        self._log("world", rr.ViewCoordinates.RIGHT_HAND_Z_UP)
+        for entity, (kinds, colour, radius) in PLAN.items():
+            shapes = [each for each in plan_shapes(site) if each.kind in kinds]
+            lines = [line for shape in shapes for line in shape.outlines()]
+            self._log_lines(f"world/plan/{entity}", lines, colour, radius)
+        self._log_names(site)
+        way = np.array(route.line.coords)[:, :2]
+        color = ImageColor.getrgb(route_color(route.route))
+        self._log_lines("world/way_described", [way], color, 0.08)
+        goal = [*way[-1].tolist(), ON_FLOOR]
+        title = f"goal: {route.goal}"
+        self._log(
+            "world/goal", rr.Points3D([goal], radii=0.4, colors=[color], labels=[title])
+        )
+        walk = [self._moments.points]
+        self._log_lines("world/whole_walk", walk, (150, 150, 150), 0.02)
+        self._log(
+            CAMERA,
+            rr.Pinhole(
+                resolution=PICTURE_SIZE,
+                focal_length=PICTURE_SIZE[0] / 2,
+                camera_xyz=rr.ViewCoordinates.FLU,
+                image_plane_distance=1.0,
+            ),
+            rr.Transform3D(translation=[0.0, 0.0, CAMERA_HEIGHT]),
+        )
+        self._log(
+            "world/robot/body",
+            rr.Cylinders3D(
+                lengths=[0.9],
+                radii=[ROBOT_RADIUS],
+                centers=[[0.0, 0.0, 0.45]],
+                colors=[WALK],
             ),
         )
-        here = [x, y, 2 * ON_FLOOR]
-        strip = [here if before is None else before, here]
-        stream.log("world/walk", rr.LineStrips3D([strip], colors=[WALK], radii=0.07))
-        before = here
-    for name, walk in moments.story.people.items():
-        for time, x, y in walk.T.tolist():
-            stream.set_time(TIMELINE, duration=time)
-            person = rr.Cylinders3D(
-                lengths=[1.7], radii=[0.25], centers=[[x, y, 0.85]], colors=[PEOPLE]
-            )
-            stream.log(f"world/people/{name}", person)
-    for event in episode.story.events:
-        stream.set_time(TIMELINE, duration=event.time)
-        stream.log("log", rr.TextLog(event.text, level=LEVELS.get(event.kind, "TRACE")))
-    shown = None
-    for time in sorted({event.time for event in episode.story.events}):
-        step = moments.at(time).step
-        if step != shown:
-            shown = step
-            stream.set_time(TIMELINE, duration=time)
-            text = "\n\n".join([step.heading, *step.lines])
-            stream.log("step", rr.TextDocument(text))
-    _log_boxes(stream, moments)
+        self._log_things()
 
+    def log_moving(self) -> None:
+        """Log poses, people, what the agent did and said, and what it detected."""
+        rr, story = self._rr, self._episode.story
+        before = None
+        for time, x, y, heading in story.walk.poses:
+            turned = rr.RotationAxisAngle([0, 0, 1], radians=heading)
+            pose = rr.Transform3D(translation=[x, y, 0.0], rotation=turned)
+            self._log("world/robot", pose, time=time)
+            here = [x, y, 2 * ON_FLOOR]
+            strip = [here if before is None else before, here]
+            walked = rr.LineStrips3D([strip], colors=[WALK], radii=0.07)
+            self._log("world/walk", walked, time=time)
+            before = here
+        for name, walk in story.people.items():
+            for time, x, y in walk.T.tolist():
+                person = rr.Cylinders3D(
+                    lengths=[1.7], radii=[0.25], centers=[[x, y, 0.85]], colors=[PEOPLE]
+                )
+                self._log(f"world/people/{name}", person, time=time)
+        for event in story.events:
+            level = LEVELS.get(event.kind, "TRACE")
+            self._log("log", rr.TextLog(event.text, level=level), time=event.time)
+        shown = None
+        for time in sorted({event.time for event in story.events}):
+            step = self._moments.at(time).step
+            if step != shown:
+                shown = step
+                text = "\n\n".join([step.heading, *step.lines])
+                self._log("step", rr.TextDocument(text), time=time)
+        self._log_boxes()
 
-def _log_view(
-    stream: Any, moment: Moment, scan: NDArray[np.float64], eyes: Eyes | None
-) -> None:
-    """Log what LiDAR and camera, if there is one, measured at a moment."""
-    import rerun as rr
+    def log_view(
+        self, moment: Moment, scan: NDArray[np.float64], eyes: Eyes | None
+    ) -> None:
+        """Log what LiDAR and camera, if there is one, measured at a moment."""
+        rr, time = self._rr, moment.time
+        points = rr.Points3D(scan, radii=0.04, colors=[SCAN])
+        self._log("world/robot/lidar", points, time=time)
+        if eyes is None:
+            return
+        frame = eyes.frame(moment)
+        file = _file(Image.fromarray(frame.rgb), "JPEG", quality=85)
+        colours = rr.EncodedImage(contents=file, media_type="image/jpeg")
+        self._log(f"{CAMERA}/image", colours, time=time)
+        # 0 is "not measured"; what is farther than 65 m does not fit 16 bits.
+        far = np.where(np.isfinite(frame.depth), frame.depth * MILLIMETRES, 0.0)
+        depth = np.where(far < 2**16, far, 0.0).astype(np.uint16)
+        file = _file(Image.fromarray(depth), "PNG")
+        measured = rr.EncodedDepthImage(
+            blob=file, media_type="image/png", meter=MILLIMETRES
+        )
+        self._log(f"{CAMERA}/depth", measured, time=time)
 
-    stream.set_time(TIMELINE, duration=moment.time)
-    stream.log("world/robot/lidar", rr.Points3D(scan, radii=0.04, colors=[SCAN]))
-    if eyes is None:
-        return
-    frame = eyes.frame(moment)
-    colours = _file(Image.fromarray(frame.rgb), "JPEG", quality=85)
-    stream.log(
-        f"{CAMERA}/image", rr.EncodedImage(contents=colours, media_type="image/jpeg")
-    )
-    # 0 is "not measured"; what is farther than 65 m does not fit 16 bits.
-    far = np.where(np.isfinite(frame.depth), frame.depth * MILLIMETRES, 0.0)
-    depth = np.where(far < 2**16, far, 0.0).astype(np.uint16)
-    stream.log(
-        f"{CAMERA}/depth",
-        rr.EncodedDepthImage(
-            blob=_file(Image.fromarray(depth), "PNG"),
-            media_type="image/png",
-            meter=MILLIMETRES,
-        ),
-    )
-
-
-def _log_boxes(stream: Any, moments: Moments) -> None:
-    import rerun as rr
-
-    times = sorted({each.time for each in moments.sightings})
-    for time in times:
-        found = [each for each in moments.sightings if each.time == time]
-        corners = np.array([each.box for each in found])
-        stream.set_time(TIMELINE, duration=time)
-        stream.log(
-            f"{CAMERA}/detections",
-            rr.Boxes2D(
-                array=corners,
+    def _log_boxes(self) -> None:
+        rr, sightings = self._rr, self._moments.sightings
+        for time in sorted({each.time for each in sightings}):
+            found = [each for each in sightings if each.time == time]
+            boxes = rr.Boxes2D(
+                array=np.array([each.box for each in found]),
                 array_format=rr.Box2DFormat.XYXY,
                 labels=[each.label for each in found],
-            ),
-        )
-        # A box fits only the picture that it was found in.
-        stream.set_time(TIMELINE, duration=math.nextafter(time, math.inf) + 0.5)
-        stream.log(f"{CAMERA}/detections", rr.Clear(recursive=False))
+            )
+            self._log(f"{CAMERA}/detections", boxes, time=time)
+            # A box fits only the picture that it was found in.
+            after = math.nextafter(time, math.inf) + 0.5
+            self._log(f"{CAMERA}/detections", rr.Clear(recursive=False), time=after)
 
+    def _log_lines(
+        self,
+        entity: str,
+        lines: list[NDArray[np.float64]],
+        colour: tuple[int, ...],
+        radius: float,
+    ) -> None:
+        strips = [
+            np.column_stack([line[:, :2], np.full(len(line), ON_FLOOR)])
+            for line in lines
+        ]
+        self._log(entity, self._rr.LineStrips3D(strips, colors=[colour], radii=radius))
 
-def _lines(
-    stream: Any,
-    entity: str,
-    lines: list[NDArray[np.float64]],
-    colour: tuple[int, ...],
-    radius: float,
-) -> None:
-    import rerun as rr
+    def _log_names(self, site: Site) -> None:
+        named = [
+            (each.polygon.representative_point(), each.name)
+            for each in (*site.rooms, *site.areas, *site.corridors)
+            if each.name
+        ]
+        if named:
+            places = [(at.x, at.y, ON_FLOOR) for at, _ in named]
+            labels = [name for _, name in named]
+            names = self._rr.Points3D(places, labels=labels, radii=0.05, colors=[WALL])
+            self._log("world/plan/names", names)
 
-    strips = [
-        np.column_stack([line[:, :2], np.full(len(line), ON_FLOOR)]) for line in lines
-    ]
-    stream.log(
-        entity,
-        rr.LineStrips3D(strips, colors=[colour], radii=radius),
-        static=True,
-    )
-
-
-def _names(stream: Any, site: Site) -> None:
-    import rerun as rr
-
-    named = [
-        (each.polygon.representative_point(), each.name)
-        for each in (*site.rooms, *site.areas, *site.corridors)
-        if each.name
-    ]
-    if named:
-        places = [(at.x, at.y, ON_FLOOR) for at, _ in named]
-        labels = [name for _, name in named]
-        stream.log(
-            "world/plan/names",
-            rr.Points3D(places, labels=labels, radii=0.05, colors=[WALL]),
-            static=True,
-        )
-
-
-def _things(stream: Any, episode: RecordedEpisode, moments: Moments) -> None:
-    import rerun as rr
-
-    for entry in episode.story.entries:
-        if entry["kind"] == "things" and entry["things"]:
-            poses = [moments.things[each["object_id"]] for each in entry["things"]]
-            sizes = [each["size"] for each in entry["things"]]
-            stream.log(
-                "world/things",
-                rr.Boxes3D(
+    def _log_things(self) -> None:
+        rr = self._rr
+        for entry in self._episode.story.entries:
+            if entry["kind"] == "things" and entry["things"]:
+                ids = [each["object_id"] for each in entry["things"]]
+                poses = [self._moments.things[each] for each in ids]
+                sizes = [each["size"] for each in entry["things"]]
+                things = rr.Boxes3D(
                     centers=[
                         [pose.x, pose.y, size[2] / 2]
                         for pose, size in zip(poses, sizes, strict=True)
@@ -380,9 +355,8 @@ def _things(stream: Any, episode: RecordedEpisode, moments: Moments) -> None:
                     ],
                     colors=[THINGS],
                     labels=[each["category"] for each in entry["things"]],
-                ),
-                static=True,
-            )
+                )
+                self._log("world/things", things)
 
 
 def _file(picture: Image.Image, kind: str, **options: Any) -> bytes:
