@@ -50,7 +50,7 @@ INSIDE = 2.0
 
 _ROOMS = frozenset({"room", "office", "classroom"})
 """Of a room without a name a camera sees the door."""
-_OPENS = re.compile(r"automatic|sliding|revolving|gate|entrance")
+OPENS = re.compile(r"automatic|sliding|revolving|gate|entrance")
 _NUMBER = re.compile(r"\d")
 _SIGN = re.compile(r"\b(sign|board|signboard|poster|screen)\b")
 
@@ -93,13 +93,11 @@ class Arrivals:
         self._doors: list[int] = []
         self.refuted: set[int] = set()
         """Tracks of what was found not to be the destination."""
-        names = plan.arrival.destinations
-        if names and names[0].split()[-1] in _ROOMS and is_common(names[0]):
-            names = ("door", *names)
+        names = with_door(plan.arrival.destinations)
         numbered = tuple(each for each in names if _NUMBER.search(each))
         # Any office is not office 2347: where a number is told, only it will do.
         names = numbered or names
-        self._first = tuple(_variants(names[0])) if names else ()
+        self._first = tuple(variants(names[0])) if names else ()
         told = dict.fromkeys([*self._first, *names])
         self.names = tuple(name for name in told if not is_floor(name))
         """What to look for, the best first."""
@@ -274,7 +272,7 @@ def walk_up_to(walker: Walker, sighting: Sighting, names: tuple[str, ...] = ()) 
             s for s in walker.look((sighting.phrase,)) if s.track == sighting.track
         ]
         sighting = again[0] if again else sighting
-        opens = _OPENS.search(sighting.label) is not None
+        opens = OPENS.search(sighting.label) is not None
         if opens and sighting.side != "ahead" and walker.turn_in(sighting.side):
             walker.walk_on(2 * INSIDE)
             return
@@ -285,7 +283,7 @@ def walk_up_to(walker: Walker, sighting: Sighting, names: tuple[str, ...] = ()) 
             break
         if not walker.step(min(rest, 0.8)):
             break
-    if _OPENS.search(sighting.label):
+    if OPENS.search(sighting.label):
         walker.walk_on(walker.metres_until_abreast(sighting) + INSIDE)
     elif "hanging" in sighting.label:
         _enter(walker, sighting, names)
@@ -319,7 +317,14 @@ def _face(walker: Walker, sighting: Sighting) -> None:
     walker.step(distance - CLOSE)
 
 
-def _variants(phrase: str) -> list[str]:
+def with_door(names: tuple[str, ...]) -> tuple[str, ...]:
+    """Return names of a destination; of a room without a name also what is seen of it."""
+    if names and names[0].split()[-1] in _ROOMS and is_common(names[0]):
+        return ("door", *names)
+    return names
+
+
+def variants(phrase: str) -> list[str]:
     """Return a name, and its head alone: `robot` for `robot of human shape`."""
     head = re.split(r" (?:of|with|that|for) ", phrase)[0]
     return [phrase] if head == phrase or is_common(head) else [phrase, head]
@@ -335,7 +340,7 @@ def _on_line(start: Point, end: Point, metres: float) -> Point:
 
 def leads_inside(label: str) -> bool:
     """Tell whether one goes on through what has this label, or under it."""
-    return _OPENS.search(label) is not None or "hanging" in label
+    return OPENS.search(label) is not None or "hanging" in label
 
 
 def is_sign(words: str) -> bool:

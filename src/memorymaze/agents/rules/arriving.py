@@ -1,11 +1,11 @@
 """Where the destination may be, and how to come close to it."""
 
 import math
-import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from operator import itemgetter
 
+from memorymaze.agents.guide.arriving import INSIDE, OPENS, variants, with_door
 from memorymaze.agents.rules.evidence import (
     Standing,
     junction_cost,
@@ -49,12 +49,6 @@ AFTER_TURN = 1.7
 """Nats lost by stopping where the last turn was made."""
 SIGN_NEAR = 9.0
 """Metres within which a sign that names the destination speaks for a place."""
-INSIDE = 2.0
-"""Metres to walk on into a place through its door."""
-
-_ROOMS = frozenset({"room", "office", "classroom"})
-"""Of a room without a name a camera sees the door."""
-_OPENS = re.compile(r"automatic|sliding|revolving|gate|entrance")
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,10 +73,8 @@ class Arrivals:
         self._plan = plan
         self._floor = floor
         self._doors: list[int] = []
-        names = plan.arrival.destinations
-        if names and names[0].split()[-1] in _ROOMS and is_common(names[0]):
-            names = ("door", *names)
-        self._first = tuple(_variants(names[0])) if names else ()
+        names = with_door(plan.arrival.destinations)
+        self._first = tuple(variants(names[0])) if names else ()
         told = dict.fromkeys([*self._first, *names])
         self.phrases = tuple(name for name in told if not is_floor(name))
         """What to look for."""
@@ -258,7 +250,7 @@ def approach(walker: Walker, sighting: Sighting) -> None:
         if not seen:
             break
         sighting = seen[0]
-        opens = _OPENS.search(sighting.label) is not None
+        opens = OPENS.search(sighting.label) is not None
         if opens and sighting.side != "ahead" and walker.turn_in(sighting.side):
             walker.walk_on(2 * INSIDE)
             return
@@ -267,14 +259,8 @@ def approach(walker: Walker, sighting: Sighting) -> None:
             rest = walker.metres_until_abreast(sighting)
         if rest <= 0.1 or not walker.step(min(rest, 0.8)):
             break
-    if _OPENS.search(sighting.label):
+    if OPENS.search(sighting.label):
         walker.walk_on(walker.metres_until_abreast(sighting) + INSIDE)
-
-
-def _variants(phrase: str) -> list[str]:
-    """Return a name, and its head alone: `robot` for `robot of human shape`."""
-    head = re.split(r" (?:of|with|that|for) ", phrase)[0]
-    return [phrase] if head == phrase or is_common(head) else [phrase, head]
 
 
 def _is_sign(words: str) -> bool:
