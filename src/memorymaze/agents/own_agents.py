@@ -16,13 +16,9 @@ from memorymaze.errors import SettingsError
 from memorymaze.options import read_options
 
 
-def own_options(name: str) -> type | None:
+def checked_options(name: str, agent: object) -> type | None:
     """Return the dataclass of an agent's options: its attribute `Options`, if any."""
-    return _options_of(name, _find(name))
-
-
-def _options_of(name: str, factory: Any) -> type | None:
-    options = getattr(factory, "Options", None)
+    options = getattr(agent, "Options", None)
     if options is not None and not (
         isinstance(options, type) and is_dataclass(options)
     ):
@@ -30,11 +26,6 @@ def _options_of(name: str, factory: Any) -> type | None:
             f"agent {name!r}: expected `Options` to be a dataclass, got {options!r}"
         )
     return options
-
-
-def own_needs(name: str) -> frozenset[Need]:
-    """Return what an agent of a user's own declares in its attribute `needs`."""
-    return checked_needs(name, _find(name))
 
 
 def checked_needs(name: str, agent: object) -> frozenset[Need]:
@@ -59,8 +50,8 @@ def make_own_agent(
     dataclass `Options` is called with one of these; any other without arguments.
     """
     name = agent if isinstance(agent, str) else agent.__qualname__
-    factory: Any = _find(agent) if isinstance(agent, str) else agent
-    kind = _options_of(name, factory)
+    factory: Any = find_agent(agent) if isinstance(agent, str) else agent
+    kind = checked_options(name, factory)
     if kind is None and options:
         raise SettingsError(
             f"--set {options[0][0]}: the agent {name!r} has no options to set; give its "
@@ -79,7 +70,8 @@ def make_own_agent(
         ) from error
 
 
-def _find(name: str) -> Any:
+def find_agent(name: str) -> Any:
+    """Return what `module:Class` or `file.py:Class` names; it can be called."""
     place, _, attribute = name.rpartition(":")
     try:
         module = _load(place)

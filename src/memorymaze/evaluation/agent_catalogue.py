@@ -19,9 +19,9 @@ from memorymaze.agents.navid import NavidAgent, NavidOptions
 from memorymaze.agents.own_agents import (
     checked_agent,
     checked_needs,
+    checked_options,
+    find_agent,
     make_own_agent,
-    own_needs,
-    own_options,
 )
 from memorymaze.agents.rules import RulesAgent, RulesOptions
 from memorymaze.agents.see_and_go import SeeAndGoAgent, SeeAndGoOptions
@@ -151,7 +151,7 @@ def agent_needs(settings: AgentSettings, given: Agent | None = None) -> frozense
     if given is not None:
         return checked_needs(settings.name, given)
     if settings.is_own:
-        return own_needs(settings.name)
+        return checked_needs(settings.name, find_agent(settings.name))
     needs = known_agent(settings.name).needs
     kind = agent_options(settings.name)
     if kind is None:
@@ -163,7 +163,7 @@ def agent_needs(settings: AgentSettings, given: Agent | None = None) -> frozense
 def agent_options(name: str) -> type | None:
     """Return the dataclass of an agent's options; None where it has none."""
     if ":" in name:
-        return own_options(name)
+        return checked_options(name, find_agent(name))
     return known_agent(name).options
 
 

@@ -17,8 +17,6 @@ WIDTH, HEIGHT = 640, 480
 """Pixels of the pictures that are sent."""
 FIELD_OF_VIEW_DEG = 90.0
 CAMERA_HEIGHT_M = 1.25
-QUALITY = 90
-"""Of JPEG."""
 
 
 Motion = Literal["forward", "left", "right", "stop"]
@@ -96,7 +94,7 @@ class Frame:
             height = round(image.height * width / image.width)
             image = image.resize((width, height), Image.Resampling.LANCZOS)
         name = f"{self.name}-{width}"
-        return Picture.of_pixels(np.asarray(image), name, quality=QUALITY)
+        return Picture.of_pixels(np.asarray(image), name)
 
 
 @dataclass(frozen=True, slots=True)
