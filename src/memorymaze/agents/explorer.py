@@ -61,22 +61,12 @@ class ExplorerAgent(ReadsFirst):
         journal: Journal,
         rng: np.random.Generator,
     ) -> None:
-        """Search for the destination that the instruction names, and stop.
+        """Try one way after another until the destination named is seen, and stop.
 
         Notes in the journal: `destination`, `decision` for each way tried, and at the
         end `arrival` or `gave_up`.
         """
         names = destination_names(self.reader.read(instruction, journal).arrival)
-        self.search(names, robot, journal, rng)
-
-    def search(
-        self,
-        names: tuple[str, ...],
-        robot: Robot,
-        journal: Journal,
-        rng: np.random.Generator,
-    ) -> None:
-        """Try one way after another until something of these names is seen, and stop."""
         journal.note("destination", names=list(names))
         walker = Walker(robot)
         walker.map.crossings[walker.at].add_exit(math.pi)

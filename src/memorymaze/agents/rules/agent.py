@@ -111,13 +111,12 @@ class _Search:
         for _ in range(400):
             self._walk_in_mind()
             branch = self._best_branch()
-            ending = self._best_ending()
-            if ending is not None and (
-                branch is None or self._ending_cost(ending) <= self._branch_cost(branch)
+            ending = min(self._endings, key=self._ending_cost, default=None)
+            if (
+                branch is None
+                or self._too_far_for(branch, ending)
+                or (ending and self._ending_cost(ending) <= self._branch_cost(branch))
             ):
-                self._finish(ending)
-                return
-            if branch is None or self._too_far_for(branch, ending):
                 if ending is not None:
                     self._finish(ending)
                 return
@@ -153,19 +152,18 @@ class _Search:
 
     def _too_far_for(self, branch: Standing, ending: Ending | None) -> bool:
         """Tell whether after one more stretch there is no time to come back."""
-        back = (
-            0.0 if ending is None else self._away(ending.standing.at) + ending.distance
-        )
+        back = 0.0 if ending is None else self._metres_to(ending)
         further = self._away(branch.at) + LEG_METRES
         return self._walker.travelled + further + back > self._limit
 
     def _branch_cost(self, branch: Standing) -> float:
         return self._aligner.outlook(branch) + METRE_BACK * self._away(branch.at)
 
+    def _metres_to(self, ending: Ending) -> float:
+        return self._away(ending.standing.at) + ending.distance
+
     def _ending_cost(self, ending: Ending) -> float:
-        return ending.cost + METRE_BACK * (
-            self._away(ending.standing.at) + ending.distance
-        )
+        return ending.cost + METRE_BACK * self._metres_to(ending)
 
     def _away(self, crossing: int) -> float:
         return self._distances.get(crossing, math.inf)
@@ -173,9 +171,6 @@ class _Search:
     def _best_branch(self) -> Standing | None:
         self._distances = self._walker.map.distances_from(self._walker.at)
         return min(self._frontier, key=self._branch_cost, default=None)
-
-    def _best_ending(self) -> Ending | None:
-        return min(self._endings, key=self._ending_cost, default=None)
 
     # -- hypotheses
 
@@ -192,11 +187,13 @@ class _Search:
             for branch in known:
                 stretch = stretches[branch.at, branch.exit]
                 self._endings.extend(self._arrivals.on_stretch(branch, stretch))
-                standing = self._aligner.advance(branch, stretch)
-                self._branch_out(standing)
-        self._frontier = [b for b in self._frontier if not self._is_closed(b)]
+                self._branch_out(self._aligner.advance(branch, stretch))
+        crossings = self._walker.map.crossings
+        self._frontier = [
+            b for b in self._frontier if b.exit not in crossings[b.at].closed
+        ]
         if len(self._frontier) > FRONTIER:
-            self._frontier.sort(key=lambda b: self._aligner.outlook(b))
+            self._frontier.sort(key=self._aligner.outlook)
             del self._frontier[FRONTIER:]
 
     def _branch_out(self, standing: Standing) -> None:
@@ -213,9 +210,6 @@ class _Search:
                 continue
             costs.append(cost)
             self._frontier.append(branch)
-
-    def _is_closed(self, branch: Standing) -> bool:
-        return branch.exit in self._walker.map.crossings[branch.at].closed
 
     # -- walking
 
@@ -266,7 +260,7 @@ class _Search:
             and b.exit == branch.exit
             and self._aligner.outlook(b) <= cost + RIVALS
         ]
-        return sorted(same, key=lambda b: self._aligner.outlook(b))[:5]
+        return sorted(same, key=self._aligner.outlook)[:5]
 
     def _phrases(self, rivals: list[Standing]) -> list[str]:
         phrases: list[str] = [*self._looks, *self._arrivals.phrases]
