@@ -15,13 +15,13 @@ def ask(
 ) -> tuple[ScriptedLanguageModel, Journal, list[int | None]]:
     """Ask twice for a number."""
     model, journal = ScriptedLanguageModel(replies, name="small"), Journal()
-    questions = ModelQuestions(" To the clock. ", model, journal, most)
     log = WalkLog(FloorMap())
     log.arrive(0, 0.0)
+    questions = ModelQuestions(" To the clock. ", model, journal, log, most)
     return (
         model,
         journal,
-        [questions.ask("decision", int, log, "Here.") for _ in range(2)],
+        [questions.ask("decision", int, "Here.") for _ in range(2)],
     )
 
 

@@ -13,6 +13,7 @@ from memorymaze.agents import Journal
 from memorymaze.agents.guide import GuideAgent, GuideOptions
 from memorymaze.agents.guide.model_questions import ModelQuestions
 from memorymaze.agents.guide.model_walk import ModelWalk
+from memorymaze.agents.guide.walk_log import WalkLog
 from memorymaze.agents.plan_readers import read_plan_reply
 from memorymaze.agents.walking.walker import Walker
 from memorymaze.errors import LanguageModelError, SettingsError
@@ -80,8 +81,10 @@ def walk(scenes: dict[str, Scene]) -> Callable[..., Walk]:
         )
         model, journal = ScriptedLanguageModel(replies), Journal()
         walker = Walker(robot, reads_signs=True)
-        questions = ModelQuestions("To the clock.", model, journal, **options)
-        ModelWalk(walker, questions, journal).run()
+        questions = ModelQuestions(
+            "To the clock.", model, journal, WalkLog(walker.map), **options
+        )
+        ModelWalk(walker, questions).run()
         asked = [each.messages[-1].content for each in model.requests]
         return Walk((robot.pose.x, robot.pose.y), asked, journal)
 

@@ -14,6 +14,7 @@ from memorymaze.agents.guide.model_questions import (
 )
 from memorymaze.agents.guide.model_walk import ModelWalk
 from memorymaze.agents.guide.search import Search
+from memorymaze.agents.guide.walk_log import WalkLog
 from memorymaze.agents.plan_readers import PlanReader, ReaderOptions, ReadsFirst
 from memorymaze.agents.walking.walker import Walker
 from memorymaze.errors import SettingsError
@@ -134,18 +135,17 @@ class GuideAgent(ReadsFirst):
         anyhow = options.start_heading == "unknown"
         questions = None
         if self._model is not None:
+            log = WalkLog(walker.map, any_heading=anyhow and options.decide == "model")
             most = options.most_requests
-            questions = ModelQuestions(instruction, self._model, journal, most)
+            questions = ModelQuestions(instruction, self._model, journal, log, most)
             if options.decide == "model":
-                ModelWalk(walker, questions, journal, any_heading=anyhow).run()
+                ModelWalk(walker, questions).run()
                 return robot.stop()
         plan = self.reader.read(instruction, journal)
         journal.note("plan", steps=describe(plan))
         if not options.things:
             plan = _without_things(plan)
-        advise = questions and ModelChoice(
-            plan, walker, questions, journal, options.near
-        )
+        advise = questions and ModelChoice(plan, walker, questions, options.near)
         Search(
             plan,
             walker,

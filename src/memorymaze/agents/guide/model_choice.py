@@ -2,14 +2,13 @@
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
-from memorymaze.agents.agent import Journal
 from memorymaze.agents.guide.arriving import SAME_PLACE, Ending
 from memorymaze.agents.guide.model_questions import ModelQuestions
 from memorymaze.agents.guide.model_replies import Choice, read_choice
 from memorymaze.agents.guide.search import Step
-from memorymaze.agents.guide.walk_log import WalkLog, way_name
+from memorymaze.agents.guide.walk_log import way_name
 from memorymaze.agents.walking.walker import Walker
 from memorymaze.routes import RoutePlan, describe
 
@@ -26,13 +25,7 @@ class ModelChoice:
     plan: RoutePlan
     walker: Walker
     questions: ModelQuestions
-    journal: Journal
     near: float = NEAR
-    log: WalkLog = field(init=False)
-
-    def __post_init__(self) -> None:
-        """Begin a log of the walk."""
-        self.log = WalkLog(self.walker.map)
 
     def __call__(self, ranked: Sequence[tuple[Step, float]]) -> Step:
         """Return one of some steps, which come the best first with their worth in nats."""
@@ -40,7 +33,7 @@ class ModelChoice:
         choice = self._ask(steps) if len(steps) > 1 else None
         if choice is None:
             return steps[0][0]
-        self.journal.note(
+        self.questions.journal.note(
             "choice",
             step=choice.step,
             of=len(steps),
@@ -48,7 +41,7 @@ class ModelChoice:
             reason=choice.note,
         )
         chosen = steps[choice.step - 1][0]
-        self.log.add_step(f"{choice.note} -> {_in_words(chosen)}.")
+        self.questions.log.add_step(f"{choice.note} -> {_in_words(chosen)}.")
         return chosen
 
     def _near(self, ranked: Sequence[tuple[Step, float]]) -> list[tuple[Step, float]]:
@@ -68,7 +61,7 @@ class ModelChoice:
         for number in [each for each in floor.crossings if each in reached]:
             ways = floor.stretches.values()
             arrivals = (each.arrival for each in ways if each.end == number)
-            self.log.arrive(number, next(arrivals, 0.0) if number else 0.0)
+            self.questions.log.arrive(number, next(arrivals, 0.0) if number else 0.0)
         whole = sum(share for _, share in steps)
         told = [
             f"{number}. ({share / whole:.0%}) {_in_words(each)}"
@@ -83,9 +76,7 @@ class ModelChoice:
             "",
         ))
         count = len(steps)
-        return self.questions.ask(
-            "choice", lambda reply: read_choice(reply, count), self.log, now
-        )
+        return self.questions.ask("choice", lambda each: read_choice(each, count), now)
 
 
 def _in_words(step: Step) -> str:

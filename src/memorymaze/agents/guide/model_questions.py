@@ -38,12 +38,14 @@ class ModelQuestions:
         instruction: str,
         model: LanguageModel,
         journal: Journal,
+        log: WalkLog,
         most_requests: int = MOST_REQUESTS,
     ) -> None:
-        """Ask a model about a text at most so many times; second tries count."""
+        """Ask a model about a text and a walk at most so often; second tries count."""
         self._instruction = instruction.strip()
         self._model = model
-        self._journal = journal
+        self.journal = journal
+        self.log = log
         self.left = most_requests
         """Requests that may still be made."""
         self._numbers = self._count(most_requests)
@@ -54,19 +56,13 @@ class ModelQuestions:
             yield number
         raise _NoneLeft
 
-    def ask(
-        self,
-        stage: str,
-        read: Callable[[str], Answer],
-        log: WalkLog,
-        now: str,
-    ) -> Answer | None:
+    def ask(self, stage: str, read: Callable[[str], Answer], now: str) -> Answer | None:
         """Return what is read from the reply; None where no request is left."""
         task = load_prompt(
             "guide_task",
             instruction=self._instruction,
-            places=log.places,
-            steps=log.steps,
+            places=self.log.places,
+            steps=self.log.steps,
             now=now,
         )
         request = CompletionRequest(
@@ -76,7 +72,7 @@ class ModelQuestions:
         question = Question(stage, guide_prompts(stage)[stage])
         try:
             return ask_until_read(
-                self._model, self._journal, request, question, self._numbers, read
+                self._model, self.journal, request, question, self._numbers, read
             )
         except _NoneLeft:
             return None

@@ -3,11 +3,11 @@
 import math
 from textwrap import shorten
 
-from memorymaze.agents.agent import ARRIVAL, GAVE_UP, Journal
+from memorymaze.agents.agent import ARRIVAL, GAVE_UP
 from memorymaze.agents.guide.arriving import IN_FRONT, is_sign, walk_up_to
 from memorymaze.agents.guide.model_questions import ModelQuestions
 from memorymaze.agents.guide.model_replies import Answer, read_answer
-from memorymaze.agents.guide.walk_log import DOOR, WalkLog, way_name
+from memorymaze.agents.guide.walk_log import DOOR, way_name
 from memorymaze.agents.walking.floor_map import Sighting
 from memorymaze.agents.walking.walker import STRIDE, Walker
 from memorymaze.geometry.pose import wrap_angle
@@ -25,22 +25,12 @@ class ModelWalk:
     not met itself.
     """
 
-    def __init__(
-        self,
-        walker: Walker,
-        questions: ModelQuestions,
-        journal: Journal,
-        *,
-        any_heading: bool = False,
-    ) -> None:
-        """Begin where the walker stands; it should read signs.
-
-        The robot faces the way the text begins with, or any way.
-        """
+    def __init__(self, walker: Walker, questions: ModelQuestions) -> None:
+        """Begin where the walker stands; it should read signs."""
         self._walker = walker
         self._questions = questions
-        self._journal = journal
-        self._log = WalkLog(walker.map, any_heading=any_heading)
+        self._journal = questions.journal
+        self._log = questions.log
         self._look_for: tuple[str, ...] = ()
         self._doubt = 0.0
 
@@ -78,7 +68,7 @@ class ModelWalk:
             f"The robot is at place {walker.at} after {walker.travelled:.0f} m. It looks "
             f"for: {', '.join(self._phrases())}. Answers left: {self._questions.left}."
         )
-        return self._questions.ask("decision", self._read, self._log, now)
+        return self._questions.ask("decision", self._read, now)
 
     def _read(self, reply: str) -> Answer:
         """Return the answer in a reply; `ValueError` where it cannot be carried out."""
