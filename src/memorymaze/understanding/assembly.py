@@ -59,6 +59,8 @@ class _Assembly:
         self._way_age = 0
         self._since_thing = 9
         """Clauses since a thing was named on this leg, in this sentence."""
+        self._stands_there = False
+        """Whether it was only named: `There is a clock. Turn right.`"""
         self._counted: set[int] = set()
         """Numbers of junctions told on the legs before, for counts that go on."""
         self._left: dict[int, Side | None] = {}
@@ -138,7 +140,11 @@ class _Assembly:
     def _close_clause(self, event: Event) -> None:
         self._side = None
         self._way_age += 1
-        self._since_thing += 1 if event.kind != "sentence" else 2
+        self._since_thing += 1
+        if event.kind == "sentence" and not (
+            self._stands_there and self._draft.names_what_is_ahead
+        ):
+            self._since_thing += 1  # "You see a clock. Turn right."
         if event.kind == "sentence":
             if self._way and (self._way.taken or self._counts_on(self._way)):
                 self._settle_way()
@@ -179,7 +185,8 @@ class _Assembly:
             forced=event.forced,
             doubt=event.doubt,
         )
-        if self._since_thing <= 1:
+        placed = [each.back for each in self._events[at + 1 : at + 2]]
+        if self._since_thing <= 1 and placed != [True]:
             draft.turn_at_last_thing()
         draft.bare_turn = event.emphatic and not (event.commanded or event.again)
         draft.plain_last = draft.bare_turn and self._follows_a_thing(at)
@@ -248,7 +255,7 @@ class _Assembly:
             if earlier.kind == "arrive":
                 return True
             if earlier.kind == "thing" and earlier.relation != "at":
-                return earlier.relation in {"see", "into"}
+                return earlier.relation in {"see", "seen", "into"}
         return arrives
 
     def _passed_side(self) -> Literal["left", "right"] | None:
@@ -401,6 +408,7 @@ class _Assembly:
         )
         self._side = None
         self._since_thing = 9 if back else 0
+        self._stands_there = event.relation == "see"
         self._last = draft.mentions
 
     def _count_from(self, phrase: str) -> None:

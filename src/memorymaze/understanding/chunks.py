@@ -136,7 +136,7 @@ def _drop_inline_counting(text: str) -> str:
     """Turn `1 straight 2 left 3 right` into three sentences."""
     marks: list[re.Match[str]] = []
     for match in re.finditer(
-        r"(?<![\w.,-])(\d{1,2})(?=[.):]?\s+[a-z])(?!\s*(?:m|met|step|sec|min|pace|feet|ft|yard|o'?clock|or|to|and)\b)(?!\s*(?:met|step|sec|min|pace|yard|o'?clock))",
+        r"(?<![\w.,-])(\d{1,2})(?=[.):]?\s+[a-z])(?!\s*(?:m|met|step|sec|min|pace|block|feet|ft|yard|o'?clock|or|to|and)\b)(?!\s*(?:met|step|sec|min|pace|block|yard|o'?clock))",
         text,
     ):
         if int(match[1]) == len(marks) + 1:

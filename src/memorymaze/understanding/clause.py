@@ -46,12 +46,14 @@ Relation = Literal[
     "until",
     "past",
     "see",
+    "seen",
     "from",
     "away",
     "into",
     "",
 ]
-"""How a thing is bound to the clause: `before` and `after` as the words were said."""
+"""How a thing is bound to the clause: `before` and `after` as the words were said,
+`seen` where it is said to be seen, `see` where it is only named."""
 AT_THE_TURN: frozenset[Relation] = frozenset({
     "at",
     "beside",

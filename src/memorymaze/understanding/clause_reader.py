@@ -363,7 +363,7 @@ class ClauseReader:
             case "P":
                 return "past"
             case "V":
-                return "until" if _REACHED.search(chunk.text) else "see"
+                return "until" if _REACHED.search(chunk.text) else "seen"
             case "G":
                 return "from" if _LEAVING.search(chunk.text) else onward
             case "B" | "Z" | "J" | "O" | "S":

@@ -10,6 +10,7 @@ from memorymaze.understanding.things import (
     floor_phrase,
     is_common,
     is_floor,
+    kind_of,
     place_on_sign,
     thing_phrase,
     wall_phrase,
@@ -151,7 +152,8 @@ def _in_full(name: str, named: Iterable[str], text: str) -> Iterator[str]:
     stands = _ON.match(text, text.rfind(name) + len(name))
     if stands is not None:
         yield f"{name} on a {stands[1]}"
-    yield from (each for each in named if each.endswith(f" {name}"))
+    fuller = (each for each in named if each.endswith(f" {name}"))
+    yield from (each for each in fuller if kind_of(each) not in {"sign", "door"})
 
 
 def _on_signs(drafts: Sequence[PartialLeg]) -> list[str]:

@@ -84,6 +84,11 @@ class PartialLeg:
             or self.junction
         )
 
+    @property
+    def names_what_is_ahead(self) -> bool:
+        """Whether the thing named last may be where the stretch ends."""
+        return bool(self.mentions) and self.mentions[-1].side in {None, "ahead"}
+
     def turn_at_last_thing(self) -> None:
         """`Information desk, right.`: what was named just before is where one turns."""
         last = self.mentions[-1]
