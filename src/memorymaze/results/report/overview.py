@@ -130,21 +130,19 @@ def spreads(runs: Sequence[ReportRun], measure: Measure) -> list[Spread]:
     edges = _edges(min(values), max(values))
     counted = {key: np.histogram(cell, edges)[0] for key, cell in cells.items()}
     highest = max(int(count.max()) for count in counted.values())
-    found: list[Spread] = []
-    for (study, number), cell in sorted(cells.items()):
-        found.append(
-            Spread(
-                run=runs[number],
-                study=study,
-                episodes=len(cell),
-                mean=fmean(cell),
-                quantiles=tuple(np.quantile(cell, [0, 0.25, 0.5, 0.75, 1]).tolist()),
-                edges=tuple(edges),
-                counts=tuple(map(int, counted[study, number])),
-                highest=highest,
-            )
+    return [
+        Spread(
+            run=runs[number],
+            study=study,
+            episodes=len(cell),
+            mean=fmean(cell),
+            quantiles=tuple(np.quantile(cell, [0, 0.25, 0.5, 0.75, 1]).tolist()),
+            edges=tuple(edges),
+            counts=tuple(map(int, counted[study, number])),
+            highest=highest,
         )
-    return found
+        for (study, number), cell in sorted(cells.items())
+    ]
 
 
 def _edges(low: float, high: float) -> list[float]:

@@ -117,9 +117,10 @@ class _Report:
         self._write_overview()
         return [*self._sources.notes, *self._problems]
 
-    def _page(self, path: str, template: str, title: str, **view: Any) -> None:
+    def _page(self, template: str, title: str, path: str = "", **view: Any) -> None:
+        """Write a page; it has the path of its template unless there is another."""
         shown = {"runs": self._runs, "places": self._places, "written": self._written}
-        self._pages.write(path, template, shown | view, title=title)
+        self._pages.write(path or template, template, shown | view, title=title)
 
     # -- episodes
 
@@ -155,9 +156,9 @@ class _Report:
             )
         )
         self._page(
-            f"episodes/{safe_name(episode)}.html",
             "episode.html",
             f"Episode {episode}",
+            f"episodes/{safe_name(episode)}.html",
             view=view,
             route=route,
             site=site,
@@ -188,9 +189,9 @@ class _Report:
         routes = self._ways(place)
         everything = [walk for walks in by_run for walk in walks]
         self._page(
-            route_page(place),
             "route.html",
             f"Route {place.route}, {site.title}",
+            route_page(place),
             place=place,
             site=site,
             routes=routes,
@@ -221,7 +222,6 @@ class _Report:
         measured = [run.measured for run in self._runs]
         self._page(
             "index.html",
-            "index.html",
             "Report on " + ", ".join(run.measured.label for run in self._runs),
             notes=[run_notes(each) for each in measured],
             warnings=[*self._sources.notes, *self._problems],
@@ -231,7 +231,6 @@ class _Report:
         )
         self._page(
             "tables.html",
-            "tables.html",
             "Tables",
             tables=[_linked(self._second), _linked(paper_table(measured, "III"))],
             comparisons=[
@@ -240,7 +239,6 @@ class _Report:
         )
         self._page(
             "distributions.html",
-            "distributions.html",
             "Distributions",
             spreads=[
                 (measure, spreads(self._runs, measure)) for measure in SPREAD_MEASURES
@@ -248,7 +246,6 @@ class _Report:
         )
         table, problems = claims_table(self._runs)
         self._page(
-            "confidence.html",
             "confidence.html",
             "Confidence",
             table=table,
@@ -259,19 +256,16 @@ class _Report:
         kinds = error_kinds(self._runs, self._sources.instructions)
         self._page(
             "errors.html",
-            "errors.html",
             "Errors in instructions",
             kinds=kinds,
             table=error_table(self._runs, kinds),
         )
         self._page(
             "episodes.html",
-            "episodes.html",
             "Episodes",
             rows=[row for place in self._places for row in self._rows[place]],
         )
         self._page(
-            "settings.html",
             "settings.html",
             "Settings of the runs",
             settings=[
