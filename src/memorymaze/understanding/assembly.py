@@ -41,7 +41,7 @@ def _with_counted_goal(events: Sequence[Event]) -> Sequence[Event]:
     if len(turns) < 2 or after - {"sentence", "clause", "recap"}:
         return events
     told = events[turns[-1]]
-    if not told.of_goal or told.ordinal is None:
+    if not told.of_goal or told.ordinal is None or told.nearest:
         return events
     door = Event("thing", phrase="door", relation="see", ordinal=told.ordinal)
     side = Event("side", side="left" if told.way == "left" else "right", likely=True)

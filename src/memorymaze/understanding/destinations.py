@@ -150,7 +150,7 @@ def find_destinations(
 def _in_full(name: str, named: Iterable[str], text: str) -> Iterator[str]:
     """Yield fuller names: the robot on a stage, the space station for `the station`."""
     stands = _ON.match(text, text.rfind(name) + len(name))
-    if stands is not None:
+    if stands is not None and thing_phrase(stands[1]):
         yield f"{name} on a {stands[1]}"
     fuller = (each for each in named if each.endswith(f" {name}"))
     yield from (each for each in fuller if kind_of(each) not in {"sign", "door"})

@@ -29,9 +29,12 @@ _EXISTS = re.compile(r"come|there|here")
 _DOOR = re.compile(r"^(?:hand )?(?:door|wall|window|room)s?\b")
 _LOOSE = ("with", "among")
 _AWAY = re.compile(r"(?:away|from|out|off)\b")
+_OUT = re.compile(r"exit|(?:go|come|get|walk|step) (?:out|off)")
 _FACE = re.compile(r"(?:turn to )?face")
 _BEND = re.compile(r"corner|bend|curve")
 """Nouns for what one cannot pass without turning."""
+_OWN = re.compile(r"\b(?:way|route)$")
+"""Nouns for what one follows, wherever it goes."""
 _TAKEN = re.compile(r"opening|turn|gap|exit|fork|branch")
 """Nouns for openings that one takes, not merely walks along."""
 
@@ -65,6 +68,9 @@ def is_turn(clause: Clause, at: int, *, after_turn: bool) -> bool:
         return True
     if "T" in before and not re.search("[NJBV]", before[before.rindex("T") :]):
         return True
+    out = before == "GN" and _OUT.match(clause.chunks[0].text)
+    if out and chunk.text.startswith(("to", "by")):
+        return True  # "exit the lifts to the right"
     if chunk.kind == "S":
         return _is_turn_to_side(clause, chunk, before, after)
     return _is_bare_turn(clause, at, before, after, after_turn=after_turn)
@@ -333,6 +339,13 @@ def _words_of(clause: Clause, start: int) -> tuple[_Opening, int]:
             chunk.kind == "B" and opening.side is None and kinds[at + 1 : at + 2] == "L"
         ):
             opening.stated = True
+        elif (
+            chunk.kind == "B"
+            and opening.ordinal is None
+            and opening.noun
+            and kinds[at + 1 :] == "S"
+        ):
+            opening.stated = _OWN.search(opening.noun) is not None
         elif chunk.kind == "G" and opening.noun and re.match("G[LS]", kinds[at:]):
             if re.search("[TtGA]", kinds[:start]) or not _OFF.match(chunk.text):
                 break
@@ -354,7 +367,7 @@ def _is_taken(clause: Clause, opening: _Opening, start: int, after: str) -> bool
         return True
     if not opening.noun or clause.kinds[start] == "L":
         return not after.startswith("B") or opening.ordinal is None
-    if _BEND.search(opening.noun):
+    if _BEND.search(opening.noun) and "A" not in before:
         return True
     if before.endswith("Z") and clause.chunks[start - 1].text.endswith(" the"):
         return True  # "it is the only turning on the left"
@@ -380,8 +393,8 @@ def _bare(
         return [] if after.startswith("L") else [Event("turn")]
     vague = re.search(r"\b(?:long|short)\b", opening.noun)
     length = [Event("length", length=read_vague(vague[0]))] if vague else []
-    if re.search("[tG]$", before):
-        into = re.search(r"into|down|through", clause.chunks[start - 1].text)
+    if re.search("[tGT]$", before):
+        into = re.search(r"into|down|through|enter", clause.chunks[start - 1].text)
         noun = opening.noun.split()[-1] if into else ""
         return [Event("straight", phrase=noun), *length]
     return length
