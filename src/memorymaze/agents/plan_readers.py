@@ -142,7 +142,8 @@ class ReadsFirst:
 
     def requests_expected(self, instruction: str) -> list[CompletionRequest] | None:
         """Return what its reader will ask; None where that is not all it asks."""
-        return self.reader.requests_expected(instruction)
+        expected = self.reader.requests_expected(instruction)
+        return expected if self.asks_beforehand else None
 
 
 def read_plan_reply(reply: str) -> RoutePlan:

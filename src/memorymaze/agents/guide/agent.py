@@ -18,7 +18,7 @@ from memorymaze.agents.guide.walk_log import WalkLog
 from memorymaze.agents.plan_readers import PlanReader, ReaderOptions, ReadsFirst
 from memorymaze.agents.walking.walker import Walker
 from memorymaze.errors import SettingsError
-from memorymaze.language.model import CompletionRequest, LanguageModel
+from memorymaze.language.model import LanguageModel
 from memorymaze.options import check_least, check_number
 from memorymaze.robot.api import Robot
 from memorymaze.routes import RoutePlan, describe
@@ -101,12 +101,6 @@ class GuideAgent(ReadsFirst):
             )
         self.asks_beforehand = not self.options.asks_on_the_way
         """Whether nothing is asked on the way."""
-
-    def requests_expected(self, instruction: str) -> list[CompletionRequest] | None:
-        """Return what its reader will ask; None where a model decides on the way."""
-        if self._model is not None:
-            return None
-        return super().requests_expected(instruction)
 
     @property
     def prompts(self) -> dict[str, str]:
