@@ -97,7 +97,7 @@ def _asked_events(asked: Sequence[Mapping[str, Any]], after: int) -> Iterator[Ev
         result = entry["result"]
         if entry["call"] == "detect_from_RGB_image":
             looked.append(str(entry["arguments"].get("object")))
-            found += [_sighting(each) for each in result or ()]
+            found += [f"{each['label']} {_where(each)}" for each in result or ()]
             seen += [_place(entry["pose"], each) for each in result or ()]
         elif entry["call"] == "read_signs":
             found += [f"“{each['text']}” {_where(each)}" for each in result or ()]
@@ -166,18 +166,12 @@ def _met_event(entry: Mapping[str, Any], number: int) -> Event:
     return Event(float(entry["time"]), "touch", _cut(text), number)
 
 
-def _sighting(found: Mapping[str, Any]) -> str:
-    return f"{found['label']} {_where(found)}"
-
-
 def _where(found: Mapping[str, Any]) -> str:
     bearing = round(float(found["bearing_deg"]))
-    side = "ahead" if bearing == 0 else f"{abs(bearing)}° {_side(bearing)}"
+    side = (
+        f"{abs(bearing)}° {'left' if bearing > 0 else 'right'}" if bearing else "ahead"
+    )
     return f"{float(found['distance']):.1f} m {side}"
-
-
-def _side(bearing: float) -> str:
-    return "left" if bearing > 0 else "right"
 
 
 def _place(pose: Sequence[float], found: Mapping[str, Any]) -> tuple[float, float, str]:

@@ -68,9 +68,7 @@ def with_interval_notes(table: Table) -> Table:
     return replace(table, notes=(*table.notes, *found))
 
 
-def estimate_means(
-    cells: Sequence[Sequence[EpisodeResult]], seed: int = 0
-) -> dict[str, Estimate]:
+def estimate_means(cells: Sequence[Sequence[EpisodeResult]]) -> dict[str, Estimate]:
     """Return the means of the paper's measures over cells, with participant-bootstrap intervals.
 
     The mean is the unweighted mean of the cells' means, as the paper averages over
@@ -79,7 +77,6 @@ def estimate_means(
 
     Args:
         cells: Results that belong together, such as those of one route; none empty.
-        seed: Of the draws.
 
     Raises:
         ValueError: There is no cell, or one is empty.
@@ -91,7 +88,7 @@ def estimate_means(
     estimates = participant_bootstrap(
         [values_of(result, told) for result, _ in rows],
         [result.participant for result, _ in rows],
-        np.random.default_rng(seed),
+        np.random.default_rng(0),
         cells=[number for _, number in rows],
     )
     return {each.name: found for each, found in zip(told, estimates, strict=True)}
