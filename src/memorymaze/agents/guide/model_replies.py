@@ -1,9 +1,8 @@
 """What a language model may answer on a walk, read strictly."""
 
-from dataclasses import dataclass
 from typing import Annotated, Literal, TypeVar
 
-from pydantic import ConfigDict, Field, StringConstraints, TypeAdapter, ValidationError
+from pydantic import BaseModel, Field, StringConstraints, ValidationError
 
 from memorymaze.agents.asking import object_in
 from memorymaze.input_files import mistakes, parse_record
@@ -27,11 +26,8 @@ _BELONGS: dict[str, tuple[Action, ...]] = {
 _NEEDED: dict[Action, str] = {"walk": "way", "go_back": "place"}
 
 
-@dataclass(frozen=True, slots=True)
-class Answer:
+class Answer(BaseModel, frozen=True, extra="forbid", strict=True):
     """What to do next, and what the model thinks of the walk so far."""
-
-    __pydantic_config__ = ConfigDict(extra="forbid", strict=True)
 
     action: Action
     note: Note
@@ -65,11 +61,8 @@ class Answer:
         return None if self.way is None else ord(self.way) - ord("A")
 
 
-@dataclass(frozen=True, slots=True)
-class Choice:
+class Choice(BaseModel, frozen=True, extra="forbid", strict=True):
     """Which of several steps is right."""
-
-    __pydantic_config__ = ConfigDict(extra="forbid", strict=True)
 
     step: Annotated[int, Field(ge=1)]
     """From 1."""
@@ -88,7 +81,7 @@ def _read(kind: type[Record], reply: str) -> Record:
     text = object_in(reply)
     parse_record(text)
     try:
-        return TypeAdapter(kind).validate_json(text)
+        return kind.model_validate_json(text)
     except ValidationError as error:
         told = (f"{where}: {what}" for where, what in mistakes(error))
         raise ValueError("; ".join(told)) from None
