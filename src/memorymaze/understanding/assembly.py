@@ -31,21 +31,7 @@ _LONGEST_OPEN = 3
 
 def assemble(events: Sequence[Event]) -> list[PartialLeg]:
     """Return the legs in order; the last has no turn and leads to the destination."""
-    return _Assembly(_with_counted_goal(events)).run()
-
-
-def _with_counted_goal(events: Sequence[Event]) -> Sequence[Event]:
-    """`It is the second on the right.`, said last after other turns: a door."""
-    turns = [at for at, event in enumerate(events) if event.kind == "turn"]
-    after = {event.kind for event in events[turns[-1] + 1 :]} if turns else {""}
-    if len(turns) < 2 or after - {"sentence", "clause", "recap"}:
-        return events
-    told = events[turns[-1]]
-    if not told.of_goal or told.ordinal is None or told.nearest:
-        return events
-    door = Event("thing", phrase="door", relation="see", ordinal=told.ordinal)
-    side = Event("side", side="left" if told.way == "left" else "right", likely=True)
-    return [*events[: turns[-1]], side, door]
+    return _Assembly(events).run()
 
 
 class _Assembly:

@@ -116,7 +116,7 @@ def normalise(text: str) -> str:
     text = re.sub(r"\b(left|right)-(\w+)-(left|right)\b(?! hand)", _unless_and, text)
     text = _drop_inline_counting(text)
     for row in PLAIN_WORDS:
-        text = row.regex.sub(row.plain, text)
+        text = row.regex.sub(row.work, text)
     return _COUNTED.sub("; ", text)
 
 
@@ -212,7 +212,7 @@ def _chunk_at(text: str, at: int) -> Chunk | None:
     found = claimed_at(text, at)
     if found is not None:
         pattern, words = found
-        return _valued(pattern.kind, words, at)
+        return _valued(pattern.work, words, at)
     match = _NUMBER.match(text, at)
     if match:
         word = match[0]

@@ -83,8 +83,7 @@ class Event:
     ignored: bool = False
     """For `thing`: to be left alone."""
     of_goal: bool = False
-    """Of what is spoken of all the time: `it is on your left`; for `turn`, where
-    nothing follows: `it is the second on the right`."""
+    """For `side`: of what is spoken of all the time: `it is on your left`."""
     back: bool = False
     """True when it was said after a turn in the same clause and belongs to it."""
     subject: bool = False

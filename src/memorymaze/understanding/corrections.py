@@ -45,31 +45,7 @@ def apply_corrections(chunks: list[Chunk]) -> list[Chunk]:
             continue
         chunks = _replaced(chunks, old, new)
         at = old + 1
-    chunks = _without_echoes([chunk for chunk in chunks if chunk.kind != "C"])
-    return _without_adverbs(chunks)
-
-
-def _without_adverbs(chunks: list[Chunk]) -> list[Chunk]:
-    """Drop `right` from `right after the desk, turn left`."""
-    kept: list[Chunk] = []
-    for chunk in chunks:
-        contrast = "".join(c.kind for c in kept[-5:] if c.kind != "f")
-        if chunk.kind == "L" and re.search("L,+XL,$", contrast):
-            lefts = [c for c in kept[-6:] if c.kind == "L"]
-            if lefts[0].way == chunk.way != lefts[-1].way:
-                continue
-        kept.append(chunk)
-    chunks = kept
-    kinds = "".join("f" if chunk.kind in "hir" else chunk.kind for chunk in chunks)
-    adverbs = {
-        match.start(1)
-        for match in re.finditer(
-            r"(?:^|[,.])f*(L)(?:[QA]f*(?:Nf*)+|E),f*[TG]f*[LS]", kinds
-        )
-        if chunks[match.start(1)].text == "right"
-        and not chunks[match.start(1) + 1].text.startswith("toward")
-    }
-    return [chunk for at, chunk in enumerate(chunks) if at not in adverbs]
+    return _without_echoes([chunk for chunk in chunks if chunk.kind != "C"])
 
 
 def _without_echoes(chunks: list[Chunk]) -> list[Chunk]:

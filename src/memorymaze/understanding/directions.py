@@ -229,8 +229,6 @@ class _Opening:
     side: Side | None = None
     towards: bool = False
     """Whether its side was said as `to the left`."""
-    aside: bool = False
-    """Whether only its number and a side were said, as `on the left`."""
     stated: bool = False
     """Whether its side was said as a bare direction: `third turning is left`."""
 
@@ -286,9 +284,6 @@ def read_opening(
                 or_ordinal=opening.or_ordinal,
                 nearest=opening.nearest,
                 forced="K" in before,
-                of_goal=re.fullmatch("Z?", before) is not None
-                and opening.aside
-                and after == "",
             )
             return [turn], at
     elif turned and before.endswith("A"):
@@ -334,7 +329,6 @@ def _words_of(clause: Clause, start: int) -> tuple[_Opening, int]:
         elif chunk.kind == "S" and sided:
             opening.side = side_of(chunk)
             opening.towards = towards_a_side(chunk)
-            opening.aside = is_aside(chunk) and not opening.name
         elif (
             chunk.kind == "B" and opening.side is None and kinds[at + 1 : at + 2] == "L"
         ):

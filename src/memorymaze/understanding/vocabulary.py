@@ -26,62 +26,36 @@ def _joined(pattern: str, parts: Mapping[str, str]) -> str:
 
 @dataclass(frozen=True, slots=True)
 class Pattern:
-    """Words that do one kind of work."""
+    """Words that do one kind of work, or that plainer words are read for."""
 
     name: str
-    kind: str
-    """One letter; `chunks.py` explains them."""
+    work: str
+    """One letter for the kind, which `chunks.py` explains; or the plainer words."""
     regex: re.Pattern[str]
-    examples: tuple[str, ...]
-    """Texts in which the words in brackets are what the pattern claims."""
+    examples: tuple[Any, ...]
+    """Texts in which the words in brackets are what the pattern claims; or pairs of what
+    is said and what is read for it."""
     counter_examples: tuple[str, ...]
     """Texts in which it claims nothing."""
 
 
-@dataclass(frozen=True, slots=True)
-class PlainWords:
-    """A turn of phrase, and plainer words for it."""
-
-    name: str
-    regex: re.Pattern[str]
-    plain: str
-    examples: tuple[tuple[str, str], ...]
-    """What is said, and what is read for it."""
-    counter_examples: tuple[str, ...]
-    """Texts that are left alone."""
-
-
-def _read_patterns() -> tuple[Pattern, ...]:
-    table = _table("patterns.toml")
+def _read_patterns(file: str, rows: str, work: str) -> tuple[Pattern, ...]:
+    table = _table(file)
     return tuple(
         Pattern(
             row["name"],
-            row["kind"],
+            row[work],
             re.compile(_joined(row["pattern"], table["parts"])),
             tuple(row["examples"]),
             tuple(row["counter_examples"]),
         )
-        for row in table["pattern"]
+        for row in table[rows]
     )
 
 
-def _read_plain_words() -> tuple[PlainWords, ...]:
-    table = _table("plain_words.toml")
-    return tuple(
-        PlainWords(
-            row["name"],
-            re.compile(_joined(row["pattern"], table["parts"])),
-            row["plain"],
-            tuple((said, read) for said, read in row["examples"]),
-            tuple(row["counter_examples"]),
-        )
-        for row in table["plain"]
-    )
-
-
-PATTERNS = _read_patterns()
+PATTERNS = _read_patterns("patterns.toml", "pattern", "kind")
 """The first that matches at a place claims the words there."""
-PLAIN_WORDS = _read_plain_words()
+PLAIN_WORDS = _read_patterns("plain_words.toml", "plain", "plain")
 
 _words = _table("words.toml")
 
