@@ -148,6 +148,32 @@ TURNS = {
     "Turn right. After five metres, left: 2347.": Told("right"),
     "Walk on, leaving one opening on your left, and turn right.": Told("right"),
     "Walk to the reception, left hand.": Told("left"),
+    # bends whose side is told late
+    "There's a bend and you go left with it.": Told("left"),
+    "Turn right. The path bends by itself, just follow it.": Told("right either"),
+    # said twice, or taken back
+    "At the crossing go left, the first left.": Told("left"),
+    "And then, um, left.": Told("left"),
+    "Left at the stairs. Actually no, scratch that, it's right at the stairs.": Told(
+        "right"
+    ),
+    "It goes off to the right, don't take that. Turn left at the desk.": Told("left"),
+    "You're at the lifts, right? So go left.": Told("left"),
+    "Most people go right here, but you go left.": Told("left"),
+    "You can't go right because there's a wall, so left.": Told("left"),
+    "Then go right, not left, right.": Told("right"),
+    # openings of which there is one, doors one goes through
+    "It's the only turning on the left.": Told("left"),
+    "Another turning on the right, and that is it.": Told("right"),
+    "The path splits there, ours is the right-hand one.": Told("right"),
+    "The glass door is on your right, go out.": Told("right"),
+    "Take the first crossing to the right, then left.": Told("right left", (1, None)),
+    # a side of the same sentence's second place
+    "At the windows left, and the glass doors right. Then straight.": Told(
+        "left right"
+    ),
+    "Left and the room is on the right.": Told("left"),
+    "Exit the lifts to the right. Then turn left.": Told("right left"),
     # none at all
     "Walk ten metres, the office is on the left side.": Told(""),
     "Keep going straight, the destination is at the end of the corridor.": Told(""),
@@ -257,6 +283,22 @@ def test_a_warning_names_what_lies_behind_the_turn_and_adds_no_turn(
         ("The piano is the destination.", "piano", None, None),
         ("Go to the fourth door on the left.", "door", "left", 4),
         ("Take the last door on the left.", "door", "left", -1),
+        ("Left. The sofa is on the right, near a piano.", "sofa", "right", None),
+        ("Turn left. A wooden door, and that is the one.", "wooden door", None, None),
+        ("Left. The robot is on a stage.", "robot", None, None),
+        (
+            "Left. Room 5 first, then 6, both on the left.",
+            "door that says room 6",
+            None,
+            None,
+        ),
+        ("Left. Door 2347. Reaching 2349? Too far.", "door that says 2347", None, None),
+        (
+            "Left. The sofa is there, and if you meet a bench, it is too far.",
+            "sofa",
+            None,
+            None,
+        ),
     ],
 )
 def test_the_destination_is_known_with_its_side_and_number(
@@ -265,6 +307,19 @@ def test_the_destination_is_known_with_its_side_and_number(
     arrival = parse_route_description(text).arrival
     assert arrival.destinations[0] == destination
     assert (arrival.side, arrival.nth) == (side, nth)
+
+
+def test_fuller_names_told_elsewhere_name_the_destination_too() -> None:
+    text = "To the space station turn left. The station is straight ahead."
+    assert set(parse_route_description(text).arrival.destinations) == {
+        "station",
+        "space station",
+    }
+
+
+def test_what_stands_ahead_before_a_turn_is_where_one_turns() -> None:
+    (leg,) = parse_route_description("In front is a clock. Turn left.").legs
+    assert [(each.phrase, each.place) for each in leg.mentions] == [("clock", "turn")]
 
 
 def test_a_length_after_the_last_turn_belongs_to_the_arrival() -> None:

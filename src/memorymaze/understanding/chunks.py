@@ -66,8 +66,9 @@ _PROPER_WAY = re.compile(
 
 _ISH = re.compile(rf"\b({'|'.join(sorted(LOOKS))})ish\b")
 _HESITATION = re.compile(
-    r"(?P<before>(?<!first)(?<!second)(?<!third)(?<!last),)? *\b(?:u+h+m*|u+m+|e+r+m?|e+hm*|h+m+)\b(?: *(?:\.\.\.|(?P<after>,)))?"
+    r"(?<!first)(?<!second)(?<!third)(?<!last), *(?:u+h+m*|u+m+|e+r+m?|e+hm*|h+m+)\b *(?:,|\.\.\.)"
 )
+"""Said with a pause before and after, which are no joints then."""
 _PLAIN_SIGNS = {
     "\u2019": "'", "\u2018": "'", "`": "'", "\u201c": '"', "\u201d": '"',
     "\u2026": "...", "\u2014": ", ", " \u2013 ": ", ", "\u2013": "-",
@@ -111,19 +112,13 @@ def normalise(text: str) -> str:
     for old, new in _PLAIN_SIGNS.items():
         text = text.replace(old, new)
     text = _ISH.sub(r"\1", text)
-    text = _HESITATION.sub(_without_hesitation, text)
+    text = _HESITATION.sub(" ", text)
     text = _SPELT.sub(lambda match: SPELLINGS.get(match[0], match[0]), text)
     text = re.sub(r"\b(left|right)-(\w+)-(left|right)\b(?! hand)", _unless_and, text)
     text = _drop_inline_counting(text)
     for row in PLAIN_WORDS:
         text = row.regex.sub(row.work, text)
     return _COUNTED.sub("; ", text)
-
-
-def _without_hesitation(match: re.Match[str]) -> str:
-    """Leave one comma where `um` stands beside one, none where it stands in two."""
-    both = match["before"] and match["after"]
-    return " " if both else (match["before"] or match["after"] or "") + " "
 
 
 def _unless_and(match: re.Match[str]) -> str:

@@ -184,8 +184,6 @@ class ClauseReader:
             self._add(Event("side", side="ahead", likely=True))
         elif kind == "H":
             self._add(Event("straight"))
-        elif kind == "K" and clause.kinds == "K" and _names_an_opening(clause):
-            self._add(Event("take"))
         elif (
             kind == "K"
             and _ROUND.search(chunk.text)
@@ -377,9 +375,3 @@ class ClauseReader:
 def _is_of_the_goal(clause: Clause) -> bool:
     """`It is on your left`: said of what is spoken of all the time."""
     return clause.kinds.startswith(("Z", "R")) and "N" not in clause.kinds
-
-
-def _names_an_opening(clause: Clause) -> bool:
-    """`Next left corridor, please bend.`: said of an opening that was just named."""
-    last = clause.last_event()
-    return last is not None and last.kind == "way"

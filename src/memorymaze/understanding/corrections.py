@@ -70,6 +70,10 @@ def _repeats(before: list[Chunk], chunk: Chunk, after: list[Chunk]) -> bool:
     """`At the desk right, right`, but not `right, right, left`, a list of turns."""
     said = [each for each in before[-8:] if each.kind != "f"]
     kinds = "".join(each.kind for each in said)
+    contrast = re.search("L,+XL,$", kinds)
+    if contrast is not None:  # "right, not left, right"
+        first = said[contrast.start()]
+        return first.way == chunk.way and said[-2].way != chunk.way
     if re.search("[TGZAEJNOt>]L,$", kinds) is None or said[-2].way != chunk.way:
         return False
     return re.match("f*,f*[&>]?f*L", "".join(each.kind for each in after)) is None

@@ -19,10 +19,6 @@ _OVERVIEW = re.compile(
     r"|(?:two|three|four|five|six|seven|eight) (?:turns|decisions)"
     r"|think of it|the idea|zig ?zag|the shape|essentially|shortly)\b"
 )
-_DETAIL = re.compile(
-    r"\b(?:in (?:more )?detail|the details?(?: are| is|:)|step by step|more (?:exactly|precisely)"
-    r"|to be (?:exact|precise))\b"
-)
 
 
 def without_overviews(sentences: list[tuple[str, list[Event]]]) -> list[Event]:
@@ -31,7 +27,6 @@ def without_overviews(sentences: list[tuple[str, list[Event]]]) -> list[Event]:
     An overview has two turns or more that are told again, in order, by the sentences
     after it, or before it when it comes last.
     """
-    sentences = _after_outline(sentences)
     turns = [[e.way for e in events if e.kind == "turn"] for _, events in sentences]
     kept: list[Event] = []
     for at, (words, events) in enumerate(sentences):
@@ -59,20 +54,6 @@ def without_overviews(sentences: list[tuple[str, list[Event]]]) -> list[Event]:
                 continue
         kept.extend(events)
     return _without_recaps(_without_announcements(kept))
-
-
-def _after_outline(
-    sentences: list[tuple[str, list[Event]]],
-) -> list[tuple[str, list[Event]]]:
-    """Keep what follows `in detail:`, when the way is told there."""
-    for at, (words, _) in enumerate(sentences):
-        found = _DETAIL.search(words)
-        if found is None or at > len(sentences) * 0.6:
-            continue
-        later = [e for _, said in sentences[at:] for e in said if e.kind == "turn"]
-        if len(later) >= 2:
-            return sentences[at:]
-    return sentences
 
 
 def _without_announcements(events: list[Event]) -> list[Event]:

@@ -77,9 +77,11 @@ IDLE_ENDS = _list("idle_ends")
 THINGS_IN_ING = _list("things_in_ing")
 ORDINALS: Mapping[str, int] = _words["ordinals"]
 SPELLINGS = dict(pair.split("=") for pair in _words["spellings"].split())
-CLOCK: Mapping[str, str] = _words["clock"]
-ONES: Mapping[str, int] = _words["ones"]
-TENS: Mapping[str, int] = _words["tens"]
+CLOCK: Mapping[str, str] = {
+    hour: way for way, hours in _words["clock"].items() for hour in hours.split()
+}
+ONES = {word: number for number, word in enumerate(_words["ones"].split(), 1)}
+TENS = {word: 10 * number for number, word in enumerate(_words["tens"].split(), 2)}
 QUANTITIES: Mapping[str, float] = _words["quantities"]
 KINDS: Mapping[str, Kind] = {
     noun: kind for kind, nouns in _words["kinds"].items() for noun in nouns.split()
