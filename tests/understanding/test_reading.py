@@ -289,7 +289,7 @@ def test_a_warning_names_what_lies_behind_the_turn_and_adds_no_turn(
         (
             "Left. Room 5 first, then 6, both on the left.",
             "door that says room 6",
-            None,
+            "left",
             None,
         ),
         ("Left. Door 2347. Reaching 2349? Too far.", "door that says 2347", None, None),
