@@ -3,11 +3,11 @@
 import math
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from memorymaze.agents.guide.belief import Belief, Segment, Visit
+from memorymaze.agents.guide.belief import Belief, Frontier, Segment, Visit
 from memorymaze.agents.guide.likelihoods import (
     Likelihoods,
     Weights,
@@ -16,6 +16,7 @@ from memorymaze.agents.guide.likelihoods import (
     passings_ratio,
     seen_ratio,
     then,
+    untold_length,
 )
 from memorymaze.agents.guide.things import Things
 from memorymaze.agents.walking.choices import choices_at
@@ -23,6 +24,7 @@ from memorymaze.agents.walking.floor_map import (
     FloorMap,
     Point,
     Sighting,
+    Stretch,
     distance_to_line,
     metres_along,
 )
@@ -47,6 +49,9 @@ BEYOND_SIGN, UNDER_SIGN = 6.0, 2.5
 told as the destination itself, which may be the place or what leads to it."""
 INSIDE = 2.0
 """Metres to walk on into a place through its door."""
+
+BACK_AT_START = 0.05
+"""Weight of a place where one has set off from: nobody is told the way to there."""
 
 _ROOMS = frozenset({"room", "office", "classroom"})
 """Of a room without a name a camera sees the door."""
@@ -110,7 +115,15 @@ class Arrivals:
                 found.extend(self._at_crossing(visit))
             else:
                 found.extend(self._on_stretch(visit))
-        return found
+        for frontier in belief.frontiers.values():
+            found.extend(self._ahead(frontier))
+        start = self._floor.crossings[belief.start].place
+        return [
+            replace(each, weights=each.weights * BACK_AT_START)
+            if math.dist(each.place, start) < SAME_PLACE
+            else each
+            for each in found
+        ]
 
     def _on_stretch(self, visit: Visit) -> Iterator[Ending]:
         segment, stretch = visit.segment, visit.stretch
@@ -123,6 +136,8 @@ class Arrivals:
             if distance_to_line(sighting.seen_from, (start, end)) > BESIDE:
                 continue
             along = metres_along(sighting.place, start, end)
+            if self._is_off(sighting, stretch, along):
+                continue
             ratio = self.seen(sighting, (start, end))
             yield Ending(
                 stretch.start,
@@ -149,6 +164,49 @@ class Arrivals:
                     None,
                     f"{length.metres:.0f} m walked",
                 )
+
+    def _ahead(self, frontier: Frontier) -> Iterator[Ending]:
+        """Yield what is in sight along a way that was not walked yet."""
+        crossing = self._floor.crossings[frontier.at]
+        heading = crossing.exits[frontier.exit]
+        for phrase in self.names:
+            for sighting in self._floor.seen_ahead(phrase, frontier.at, heading):
+                if sighting.track in self.refuted:
+                    continue
+                along = math.dist(crossing.place, sighting.place)
+                end = (
+                    crossing.place[0] + along * math.cos(heading),
+                    crossing.place[1] + along * math.sin(heading),
+                )
+                for segment in frontier.segments:
+                    if segment.leg == self._legs:
+                        yield Ending(
+                            frontier.at,
+                            frontier.exit,
+                            along,
+                            sighting.place,
+                            segment.weights
+                            * self._fit(segment, along)
+                            * self.seen(sighting, (crossing.place, end)),
+                            segment,
+                            sighting,
+                            f"{sighting.phrase} seen ahead",
+                        )
+
+    def _is_off(self, sighting: Sighting, stretch: Stretch, along: float) -> bool:
+        """Tell whether something beyond an end of a stretch is on another way there."""
+        start = self._floor.crossings[stretch.start]
+        end = self._floor.crossings[stretch.end]
+        at_end = along >= math.dist(start.place, end.place)
+        if along > 0 and not at_end:
+            return False
+        crossing = end if at_end else start
+        return any(
+            sighting
+            in self._floor.seen_ahead(sighting.phrase, crossing.number, heading)
+            for exit, heading in enumerate(crossing.exits)
+            if exit not in crossing.closed and (at_end or exit != stretch.exit)
+        )
 
     def _at_crossing(self, visit: Visit) -> Iterator[Ending]:
         arrival, model, segment = self._arrival, self._model, visit.segment
@@ -258,6 +316,8 @@ class Arrivals:
             places = segment.places + bool(further)
             junctions = segment.junctions + bool(further)
             fit = fit * length_ratio(model, arrival.length, walked, places, junctions)
+        elif arrival.length is None:
+            fit = fit * untold_length(model, walked)
         if arrival.passings:
             fit = fit * passings_ratio(
                 model, arrival.passings, segment.left, segment.right, segment.junctions

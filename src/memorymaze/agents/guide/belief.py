@@ -23,6 +23,7 @@ from memorymaze.agents.guide.likelihoods import (
     ordinal_to_come,
     passings_ratio,
     then,
+    untold_length,
     way_ratio,
 )
 from memorymaze.agents.guide.things import Things
@@ -147,6 +148,8 @@ class Belief:
         default_factory=dict[tuple[int, int], Frontier]
     )
     visits: list[Visit] = field(default_factory=list[Visit])
+    start: int = 0
+    """Crossing where the walk began."""
 
     def update(self, starts: list[Start]) -> None:
         """Sum all alignments anew, from all ways to begin.
@@ -155,6 +158,7 @@ class Belief:
         weighed most have come to nothing, lighter ones are followed.
         """
         least = self.least_weight
+        self.start = starts[0][0]
         while self._sum_up(starts, least):
             if self._knows_all_ways():
                 break
@@ -251,7 +255,7 @@ class Belief:
         stretch = self.floor.stretches.get((segment.at, exit))
         if stretch is None:
             if exit not in self.floor.crossings[segment.at].closed:
-                self._reach(segment, exit, self._to_come(segment))
+                self._reach(segment, exit, self._to_come(segment, exit))
             return
         self._followed += 1
         if segment.places >= MOST_PLACES or self._followed > MOST_ALIGNMENTS:
@@ -471,6 +475,8 @@ class Belief:
             fine = fine * length_ratio(
                 model, length, segment.walked, segment.places, junctions
             )
+        elif length is None:
+            fine = fine * untold_length(model, segment.walked)
         if not leg.on_the_spot and not segment.walked:
             fine = fine * 0.13
         right = weights * (1 - model.wrong_place) * fine
@@ -485,18 +491,21 @@ class Belief:
         after[1] += model.wrong_place * (weights[0] + model.again * weights[1])
         return after
 
-    def _to_come(self, segment: Segment) -> Weights:
+    def _to_come(self, segment: Segment, exit: int) -> Weights:
         """Weigh what was said of the present leg against its going on beyond here."""
         leg = self._leg(segment)
-        weights = segment.weights
+        ahead = self.things.ahead(segment.leg, segment.line, segment.at, exit)
+        weights = segment.weights * ahead
         if leg is None:
             length = self.plan.arrival.length
             if length is None:
-                return weights
+                return weights * untold_length(self.model, segment.walked)
             ratio = length_to_come(self.model, length, segment.walked, segment.places)
             return weights * np.sqrt(ratio)
         ratio = np.ones(weights.shape[1])
         length = length_of(leg)
+        if length is None:
+            ratio = ratio * untold_length(self.model, segment.walked)
         if length is not None:
             ratio = ratio * length_to_come(
                 self.model, length, segment.walked, segment.places

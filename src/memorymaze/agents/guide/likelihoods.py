@@ -111,6 +111,8 @@ by which the lengths said are too long."""
 
 WAY_METRES = 12.0
 """Length of the ways between two turns, in the middle."""
+UNTOLD_METRES = 30.0
+"""From here on a way gets the rarer the longer it is, if no length of it was said."""
 PLACE_METRES = 8.0
 """From one place where one can turn to the next, where only metres are told."""
 ONE_OFF = 0.8
@@ -169,6 +171,13 @@ def length_to_come(
         return np.ones(len(SPEAKERS))
     spread = _spread(model, length)
     return _survival_ratio(model, _log_metres(length.metres), spread, walked)
+
+
+def untold_length(model: Likelihoods, walked: float) -> float:
+    """Weigh a stretch of which no length was said: one of many metres is rare."""
+    if walked <= UNTOLD_METRES:
+        return 1.0
+    return 2 * _beyond(math.log(walked / UNTOLD_METRES) / model.way_log_sd)
 
 
 def _said_over_any(

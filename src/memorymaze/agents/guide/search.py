@@ -35,7 +35,11 @@ FEWEST_METRES, MOST_METRES = 120.0, 400.0
 PATIENCE = 2.0
 """Times as long as that, while there is no place that it takes for the destination."""
 WAYS = 2.2
-"""Times the way told that the robot walks at most."""
+"""Times the way told that the robot walks at most, once it knows a place to end at."""
+SURELY_TOLD = 0.8
+"""Share of its expected length that a way told has in most cases."""
+SHORT_WALK = 80.0
+"""Metres that are never too many."""
 MOST_PHRASES, LIKELY_ENOUGH = 15, 0.02
 """Things looked for at a time, and how likely a leg has to be for its things to count."""
 MOST_DECISIONS = 400
@@ -298,11 +302,13 @@ class Search:
         one, the way told is the way to it.
         """
         back, limit = 0.0, self._limit * PATIENCE
-        if ending is not None and self._chance(ending) >= self._patience.claims:
+        if ending is not None and self._chance(ending) >= self._patience.hopeless:
             back = self._distances.get(ending.at, math.inf) + ending.distance
             way = self._walker.map.distances_from(self._starts[0][0]).get(ending.at)
             if way is not None:
-                limit = min(limit, WAYS * (way + ending.distance))
+                told = SURELY_TOLD * expected_metres(self._plan)
+                enough = WAYS * max(way + ending.distance, told)
+                limit = min(limit, max(enough, SHORT_WALK))
         further = self._distances.get(frontier.at, math.inf) + LEG_METRES
         return self._walker.travelled + further + back > limit
 
@@ -398,7 +404,8 @@ class Search:
             self._arrivals.refuted.add(ending.sighting.track)
             return False
         if ending.exit is not None and not walker.face(ending.exit):
-            return True
+            walker.map.crossings[ending.at].closed.add(ending.exit)
+            return False
         if chance < self._patience.claims:
             self._give_up(f"unlikely: {ending.reason}", chance)
         else:

@@ -18,7 +18,6 @@ from memorymaze.agents.walking.floor_map import (
     side_of_line,
 )
 from memorymaze.agents.walking.outlooks import (
-    crossing_floor_cost,
     outlook_cost,
     outlook_of,
     things_on,
@@ -34,6 +33,8 @@ BESIDE = 4.5
 """Metres from the line of a stretch within which a thing is on it."""
 AT_CROSSING = 5.0
 """Metres from a crossing within which a thing is at it."""
+THIS_FLOOR, OTHER_FLOOR = 3.3, 0.08
+"""Weights of a place that has the floor told of it, and of one that has another."""
 BEFORE_ANY = 60.0
 """Metres of way that the usual rates of things are worth, beside those counted."""
 
@@ -87,8 +88,7 @@ class Things:
         model = self._model
         for mention in self._mentions[number]:
             if is_floor(mention.phrase):
-                cost = crossing_floor_cost(mention, self._floor, at)
-                weights = weights * math.exp(-cost)
+                weights = weights * self._floor_ratio(mention, at)
                 continue
             at_turn = mention.place in AT_THE_TURN
             if at_turn:
@@ -102,8 +102,24 @@ class Things:
                 if at_turn and not is_common(mention.phrase):
                     weights = then(weights, unseen, model.mistaken, model.again)
                 else:
-                    weights = weights * unseen**0.5
+                    weights = weights * unseen
         return weights
+
+    def _floor_ratio(self, mention: Mention, at: int | None) -> float:
+        """Weigh a floor that is told of a place against those of the ways out of it.
+
+        The way that led there is one of them.
+        """
+        if at is None:
+            return 1.0
+        views = [v for v in self._floor.views_from(at) if mention.phrase in v.asked]
+        here = mention.place in AT_THE_TURN or mention.place == "target"
+        if any(view.has_floor(mention.phrase) for view in views):
+            return THIS_FLOOR if here else math.sqrt(THIS_FLOOR)
+        told = [view for view in views if view.floor is not None]
+        if len(told) > 1 or (told and len(views) == len(told)):
+            return OTHER_FLOOR if here else math.sqrt(OTHER_FLOOR)
+        return 1.0
 
     def so_far(self, number: int, line: tuple[Point, ...]) -> float:
         """Weigh the things of a leg that goes on which were met on it already."""
@@ -111,6 +127,22 @@ class Things:
         for mention in self._mentions[number]:
             if mention.place not in AT_THE_TURN and not is_floor(mention.phrase):
                 ratio *= _weaker(self._seen_along(mention, line) or 1.0, mention)
+        return ratio
+
+    def ahead(self, number: int, line: tuple[Point, ...], at: int, exit: int) -> float:
+        """Weigh the things of a leg that are in sight along a way not walked yet."""
+        crossing = self._floor.crossings[at]
+        ratio = 1.0
+        for mention in self._mentions[number]:
+            if is_floor(mention.phrase) or self._seen_along(mention, line):
+                continue
+            ahead = self._floor.seen_ahead(mention.phrase, at, crossing.exits[exit])
+            if ahead:
+                nearest = min(ahead, key=lambda e: math.dist(e.place, crossing.place))
+                reach = max(math.dist(nearest.place, crossing.place), 2 * AT_CROSSING)
+                rate = self.rate(mention.phrase)
+                seen = seen_ratio(self._model, rate, reach, nearest.score)
+                ratio *= _weaker(seen, mention)
         return ratio
 
     def _seen_at(

@@ -26,6 +26,9 @@ SEES_FAR = 6.0
 """Metres; who has seen something so far away sees far."""
 AT_CROSSING = 2.5
 """Metres within which it is, whatever other crossings there are."""
+NEAR_WAY, IN_LINE = 4.0, 2.5
+"""Metres from the middle of a way within which a thing is on it, and who looks along it
+stands."""
 ON_LINE = 0.4
 """Metres from a line walked within which a thing lies on neither side of it."""
 SAME_EXIT = math.radians(35)
@@ -227,6 +230,32 @@ class FloorMap:
     def seen(self, phrase: str) -> list[Sighting]:
         """Return everything seen for a phrase, each thing once."""
         return list(self._sightings.get(phrase, {}).values())
+
+    def seen_ahead(self, phrase: str, crossing: int, heading: float) -> list[Sighting]:
+        """Return what was seen for a phrase along a way out of a crossing, beyond it.
+
+        By someone who stood in line with that way.
+        """
+        x, y = self.crossings[crossing].place
+        dx, dy = math.cos(heading), math.sin(heading)
+
+        def along_and_aside(point: Point) -> tuple[float, float]:
+            px, py = point[0] - x, point[1] - y
+            return px * dx + py * dy, abs(py * dx - px * dy)
+
+        found: list[Sighting] = []
+        for each in self.seen(phrase):
+            along, aside = along_and_aside(each.place)
+            if (
+                along <= AT_CROSSING
+                or aside > math.tan(ALONG) * along
+                or aside > NEAR_WAY
+            ):
+                continue
+            from_along, from_aside = along_and_aside(each.seen_from)
+            if from_along < along and from_aside <= IN_LINE:
+                found.append(each)
+        return found
 
     def distances_from(self, start: int) -> dict[int, float]:
         """Return the metres along walked stretches from one crossing to all others."""
