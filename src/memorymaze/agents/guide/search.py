@@ -85,8 +85,6 @@ class Search:
         *,
         any_heading: bool = False,
         goes_back: bool = True,
-        model: Likelihoods | None = None,
-        patience: Patience | None = None,
         advise: Advise | None = None,
     ) -> None:
         """Prepare to follow a plan from where the robot stands.
@@ -97,8 +95,6 @@ class Search:
             journal: Takes the notes.
             any_heading: The robot may have to face any way at the start.
             goes_back: It may go back for another explanation.
-            model: How speakers are.
-            patience: What metres are worth.
             advise: Has the last word on what to do next.
         """
         self._plan = plan
@@ -106,8 +102,8 @@ class Search:
         self._journal = journal
         self._any_heading = any_heading
         self._goes_back = goes_back
-        self._model = model or Likelihoods()
-        self._patience = patience or Patience()
+        self._model = Likelihoods()
+        self._patience = Patience()
         self._advise = advise
         self._things = Things(plan, walker.map, self._model)
         self._arrivals = Arrivals(plan, walker.map, self._model, self._things)

@@ -33,6 +33,8 @@ BESIDE = 4.5
 """Metres from the line of a stretch within which a thing is on it."""
 AT_CROSSING = 5.0
 """Metres from a crossing within which a thing is at it."""
+ON_THE_WAY = 0.75
+"""Share of its weight that something unseen has which is told beside the way."""
 THIS_FLOOR, OTHER_FLOOR = 3.3, 0.08
 """Weights of a place that has the floor told of it, and of one that has another."""
 BEFORE_ANY = 60.0
@@ -102,7 +104,7 @@ class Things:
                 if at_turn and not is_common(mention.phrase):
                     weights = then(weights, unseen, model.mistaken, model.again)
                 else:
-                    weights = weights * unseen
+                    weights = weights * unseen**ON_THE_WAY
         return weights
 
     def _floor_ratio(self, mention: Mention, at: int | None) -> float:

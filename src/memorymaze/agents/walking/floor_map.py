@@ -98,9 +98,9 @@ class Crossing:
             return len(self.exits) - 1
         return known
 
-    def find_exit(self, heading: float, tolerance: float = SAME_EXIT) -> int | None:
+    def find_exit(self, heading: float) -> int | None:
         """Return the index of the exit nearest to a heading, None when none is near."""
-        best, least = None, tolerance
+        best, least = None, SAME_EXIT
         for index, each in enumerate(self.exits):
             angle = abs(wrap_angle(each - heading))
             if angle <= least:
