@@ -91,7 +91,7 @@ def _is_echo(before: list[Chunk], chunk: Chunk, *, confirmed: bool) -> bool:
                 ordinals
                 or (confirmed and re.fullmatch("J?O[,f]+", gap) is not None)
                 or (
-                    re.search("e|h,", gap)
+                    re.search("e|h,", gap) is not None
                     and re.fullmatch("O?[,.fherZ>&]*", gap) is not None
                 )
             )
@@ -165,9 +165,10 @@ def _replaced(chunks: list[Chunk], old: int, new: int) -> list[Chunk]:
         value = Chunk("M", value.text, value.start, length=length)
     if chunks[old].kind == "S" and value.kind == "L":
         value = replace(value, kind="S", text=chunks[old].text)
-    kept = [chunk for chunk in chunks[old + 1 : new] if chunk.kind in "AN"]
-    if "N" not in {chunk.kind for chunk in kept} or chunks[new + 1 : new + 2] == []:
-        kept = [chunk for chunk in kept if chunk.kind == "N"]
+    said = chunks[old + 1 : new]
+    # A thing keeps the preposition before it: "left at the stairs, no, right".
+    kinds = "".join(each.kind for each in said)
+    kept = [said[at] for at in range(len(said)) if re.match("Af*N|N", kinds[at:])]
     start = old
     if (
         value.kind in "LS2"
