@@ -120,3 +120,33 @@ def test_the_length_of_the_last_stretch_tells_where_on_it_one_arrives() -> None:
     endings = Arrivals(plan, floor, model, things).endings(belief)
     best = max(endings, key=lambda each: each.mass)
     assert abs(best.place[0]) == pytest.approx(6.0)
+
+
+def test_a_destination_beyond_the_next_crossing_is_not_at_this_one() -> None:
+    floor = FloorMap()
+    plan, model = RoutePlan(arrival=Arrival(("piano",))), Likelihoods()
+    floor.crossings[5] = Crossing(5, EAST, [math.pi, 0.0])
+    floor.add_stretch(Stretch(0, 0, 5, 0.0, 12.0, frozenset()))
+    floor.note(
+        Sighting("piano", "piano", 1.0, (15.5, 0.5), EAST, 3.5, 9, (5, 1), "ahead")
+    )
+    things = Things(plan, floor, model)
+    belief = Belief(plan, floor, model, things)
+    belief.update([(0, 0.0, 0, 1.0)])
+    endings = Arrivals(plan, floor, model, things).endings(belief)
+    seen = {(each.at, each.exit) for each in endings if each.sighting}
+    assert seen == {(5, 1)}
+    best = max(endings, key=lambda each: each.mass)
+    assert best.reason == "piano seen ahead"
+    assert best.distance == pytest.approx(3.5, abs=0.1)
+
+
+def test_nobody_is_sent_to_where_they_set_off() -> None:
+    floor = _floor(frozenset(), ("piano", (1.0, 0.5)), ("piano", (9.0, 0.5)))
+    plan, model = RoutePlan(arrival=Arrival(("piano",))), Likelihoods()
+    things = Things(plan, floor, model)
+    belief = Belief(plan, floor, model, things)
+    belief.update(BOTH_WAYS)
+    endings = Arrivals(plan, floor, model, things).endings(belief)
+    masses = {round(each.place[0]): each.mass for each in endings if each.sighting}
+    assert masses[9] > 10 * masses[1]

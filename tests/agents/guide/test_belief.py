@@ -15,12 +15,12 @@ from memorymaze.agents.guide.belief import (
     Segment,
     Start,
 )
-from memorymaze.agents.guide.likelihoods import Likelihoods
+from memorymaze.agents.guide.likelihoods import Likelihoods, untold_length
 from memorymaze.agents.guide.search import starts_ahead
 from memorymaze.agents.guide.things import Things
 from memorymaze.agents.walking.floor_map import Crossing, FloorMap, Sighting, Stretch
 from memorymaze.routes import Arrival, Leg, RoutePlan, Turn
-from memorymaze.understanding import parse_route_description
+from memorymaze.understanding import ANY_FLOOR, parse_route_description
 
 AHEAD, LEFT, RIGHT, BACK = 0.0, math.pi / 2, -math.pi / 2, math.pi
 EAST, NORTH, SOUTH, WEST = AHEAD, LEFT, RIGHT, BACK
@@ -66,13 +66,25 @@ class Grid:
             self.floor.metres += STRETCH
         return self
 
-    def see(self, phrase: str, x: float, y: float) -> None:
-        """Note a thing seen beside a place, in cells."""
+    def see(self, phrase: str, x: float, y: float, by: Cell | None = None) -> None:
+        """Note a thing beside a place, in cells, seen from there or from a crossing."""
         place = STRETCH * x, STRETCH * y + 1.5
-        seen_from = STRETCH * x, STRETCH * y
+        eye = by or (x, y)
+        seen_from = STRETCH * eye[0], STRETCH * eye[1]
         self.floor.note(
             Sighting(phrase, phrase, 1.0, place, seen_from, 1.5, 1, (0, 0), "left")
         )
+
+    def look(self, x: int, y: int, heading: float, floor: str) -> None:
+        """Note the floor that one sees along a way out, asked for all floors."""
+        seen = [
+            Sighting(
+                phrase, phrase, 1.0, (0.0, 0.0), (0.0, 0.0), 2.0, 1, (0, 0), "ahead"
+            )
+            for phrase in (ANY_FLOOR, floor)
+        ]
+        asked = (ANY_FLOOR, "brick floor", "grass floor")
+        self.floor.note_view(*self.exit(x, y, heading), asked, seen)
 
 
 def _hall(crossings: int) -> Grid:
@@ -292,6 +304,41 @@ def test_a_thing_seen_late_tells_which_turn_was_meant() -> None:
     grid.see("clock", 2, 0.5)
     after = _shares(_believe(text, grid))
     assert after[second] / after[first] > 3 * before[second] / before[first]
+
+
+def test_a_thing_in_sight_ahead_speaks_for_going_on_to_it() -> None:
+    text = "Turn left at the clock. Walk to the piano."
+    grid = _hall(2)
+    on, side = grid.exit(2, 0, EAST), grid.exit(2, 0, NORTH)
+    before = _shares(_believe(text, grid))
+    grid.see("clock", 2.6, 0, by=(2, 0))
+    after = _shares(_believe(text, grid))
+    assert after[on] / after[side] > 3 * before[on] / before[side]
+
+
+def test_what_was_seen_from_another_way_is_not_in_sight_along_this_one() -> None:
+    text = "Turn left at the clock. Walk to the piano."
+    grid = _hall(2)
+    on = grid.exit(2, 0, EAST)
+    before = _shares(_believe(text, grid))[on]
+    grid.see("clock", 2.6, 0, by=(2, 2))
+    assert _shares(_believe(text, grid))[on] == pytest.approx(before, rel=0.01)
+
+
+@pytest.mark.parametrize(("told", "turns"), [("brick", True), ("grass", False)])
+def test_a_turn_is_where_the_floor_told_of_it_is(told: str, turns: bool) -> None:
+    grid = _hall(2)
+    for side in (NORTH, SOUTH):
+        grid.look(2, 0, side, "brick floor")
+    left = grid.exit(2, 0, NORTH)
+    before = _shares(_believe("Turn left.", grid))[left]
+    after = _shares(_believe(f"Turn left at the {told} floor.", grid))[left]
+    assert (after > before) == turns
+
+
+def test_a_way_of_which_no_length_was_told_gets_unlikely_as_it_gets_long() -> None:
+    assert untold_length(MODEL, 20.0) == 1.0
+    assert 1.0 > untold_length(MODEL, 40.0) > untold_length(MODEL, 80.0) > 0.0
 
 
 def test_a_length_that_proves_wrong_speaks_against_the_turns_before_it() -> None:

@@ -351,7 +351,7 @@ class Belief:
             return False
         if leg.length is not None and leg.length.unit != "vague":
             return False
-        if leg.passings or self.things.awaited(segment.leg):
+        if leg.passings or self.things.awaited(segment.leg, segment.line):
             return False
         return bool(choices.on(turn.way))
 

@@ -60,11 +60,11 @@ class Things:
         """Return what to look for on a leg, or on the last stretch."""
         return [each.phrase for each in self._mentions[number]]
 
-    def awaited(self, number: int) -> bool:
-        """Tell whether a leg is told by a thing that was not seen yet."""
+    def awaited(self, number: int, line: tuple[Point, ...]) -> bool:
+        """Tell whether a leg is told by a thing that was not come to yet."""
         return any(
             each.place in {"turn", "before_turn", "passed"}
-            and not self._floor.seen(each.phrase)
+            and not self._seen_along(each, line)
             for each in self._mentions[number]
         )
 
