@@ -298,7 +298,7 @@ class Search:
         one, the way told is the way to it.
         """
         back, limit = 0.0, self._limit * PATIENCE
-        if ending is not None and self._chance(ending) >= self._patience.hopeless:
+        if ending is not None and self._chance(ending) >= self._patience.claims:
             back = self._distances.get(ending.at, math.inf) + ending.distance
             way = self._walker.map.distances_from(self._starts[0][0]).get(ending.at)
             if way is not None:
