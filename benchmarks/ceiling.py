@@ -25,8 +25,8 @@ from benchmarks.true_maps import (
     phrases_of,
 )
 from memorymaze.agents.agent import Journal
+from memorymaze.agents.guide.alignments import Segment
 from memorymaze.agents.guide.arriving import BEYOND_SIGN
-from memorymaze.agents.guide.belief import Segment
 from memorymaze.agents.guide.likelihoods import Likelihoods
 from memorymaze.agents.guide.search import starts_ahead
 from memorymaze.agents.plan_readers import GrammarReader

@@ -23,7 +23,7 @@ from scipy.special import expit, logit
 from benchmarks.reading import recorded_plans
 from benchmarks.true_maps import TrueMaps, ends_at, follow, in_frame, phrases_of
 from memorymaze.agents.agent import Journal
-from memorymaze.agents.guide.belief import Start
+from memorymaze.agents.guide.alignments import Start
 from memorymaze.agents.guide.likelihoods import Likelihoods
 from memorymaze.agents.guide.search import starts_ahead, starts_any_way
 from memorymaze.agents.plan_readers import GrammarReader

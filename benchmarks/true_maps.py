@@ -16,6 +16,7 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from memorymaze.agents.guide.alignments import Start
 from memorymaze.agents.guide.arriving import (
     BEYOND_SIGN,
     CLOSE,
@@ -24,7 +25,7 @@ from memorymaze.agents.guide.arriving import (
     Ending,
     leads_inside,
 )
-from memorymaze.agents.guide.belief import Belief, Start
+from memorymaze.agents.guide.belief import Belief
 from memorymaze.agents.guide.likelihoods import Likelihoods
 from memorymaze.agents.guide.search import SHORT_OF_THE_END
 from memorymaze.agents.guide.things import Things

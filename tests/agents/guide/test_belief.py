@@ -8,13 +8,9 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
+from memorymaze.agents.guide.alignments import Segment, Start
 from memorymaze.agents.guide.arriving import Arrivals
-from memorymaze.agents.guide.belief import (
-    MOST_ALIGNMENTS,
-    Belief,
-    Segment,
-    Start,
-)
+from memorymaze.agents.guide.belief import MOST_ALIGNMENTS, Belief
 from memorymaze.agents.guide.likelihoods import Likelihoods, untold_length
 from memorymaze.agents.guide.search import starts_ahead
 from memorymaze.agents.guide.things import Things
@@ -172,8 +168,8 @@ def test_a_closed_way_is_not_believed_in() -> None:
 
 def test_what_may_be_begun_in_two_ways_has_the_weight_of_both() -> None:
     grid, plan = _hall(2), parse_route_description("Take the second left.")
-    alone = _believe(plan, grid, [(0, EAST, 0, 0.4)])
-    twice = _believe(plan, grid, [(0, EAST, 0, 0.4), (0, EAST, 0, 0.4)])
+    alone = _believe(plan, grid, [Start(0, EAST, 0, 0.4)])
+    twice = _believe(plan, grid, [Start(0, EAST, 0, 0.4), Start(0, EAST, 0, 0.4)])
     assert alone.frontiers.keys() == twice.frontiers.keys()
     for key, frontier in alone.frontiers.items():
         assert twice.frontiers[key].mass == pytest.approx(2 * frontier.mass, rel=0.01)
@@ -185,8 +181,8 @@ def test_two_alignments_that_meet_become_one_with_the_weight_of_both() -> None:
     grid.walk((0, 0), (1, 0), (1, 1), (0, 1), (0, 0))
     turn = Leg(Turn("either"))
     plan = RoutePlan(legs=(turn, replace(turn)))
-    starts = [(0, EAST, grid.exit(0, 0, EAST)[1], 0.5)]
-    starts += [(0, NORTH, grid.exit(0, 0, NORTH)[1], 0.5)]
+    starts = [Start(0, EAST, grid.exit(0, 0, EAST)[1], 0.5)]
+    starts += [Start(0, NORTH, grid.exit(0, 0, NORTH)[1], 0.5)]
     both = _believe(plan, grid, starts)
     each = [_believe(plan, grid, [start]) for start in starts]
     for key in both.frontiers:
@@ -200,7 +196,7 @@ def test_all_that_is_believed_is_in_ways_not_walked_and_in_places_to_arrive_at()
     grid = _hall(3)
     belief = _believe("Turn left and walk to the end.", grid)
     done = [each for each in belief.visits if each.stretch is None]
-    weights = [*(w for f in belief.frontiers.values() for w in f.weights)]
+    weights = [*(w for f in belief.frontiers.values() for _, w in f.alignments)]
     weights += [visit.segment.weights for visit in done]
     assert all(np.isfinite(each).all() and (each >= 0).all() for each in weights)
     assert sum(f.mass for f in belief.frontiers.values()) > 0
@@ -232,7 +228,7 @@ def _most_elsewhere(belief: Belief) -> float:
 def test_that_nothing_told_is_right_is_always_possible() -> None:
     belief = _believe("Take the second left.", _hall(2))
     for frontier in belief.frontiers.values():
-        [lost] = [each for each in frontier.segments if each.lost]
+        [lost] = [each for each, _ in frontier.alignments if each.lost]
         assert 0 < lost.weights.sum() <= frontier.mass
 
 
@@ -400,7 +396,7 @@ def test_a_long_plan_in_a_grid_of_streets_is_weighed_in_bounded_work() -> None:
     grid.floor.stretches = counted = CountedStretches(grid.floor.stretches)
     plan = RoutePlan(legs=_zigzag(10))
     at, exit = grid.exit(0, 0, NORTH)
-    belief = _believe(plan, grid, [(at, NORTH, exit, 1.0)])
+    belief = _believe(plan, grid, [Start(at, NORTH, exit, 1.0)])
     assert belief.frontiers
     assert counted.looked_up < 25 * MOST_ALIGNMENTS
 
@@ -418,7 +414,7 @@ def test_a_way_in_a_circle_ends() -> None:
     }
     grid = Grid(corners).walk(*corners, (0, 0))
     plan = "Take the ninth left. Then turn right."
-    belief = _believe(plan, grid, [(0, EAST, grid.exit(0, 0, EAST)[1], 1.0)])
+    belief = _believe(plan, grid, [Start(0, EAST, grid.exit(0, 0, EAST)[1], 1.0)])
     assert not belief.frontiers
     lines = [visit.segment.line for visit in belief.visits]
     assert all(len(set(line)) >= len(line) - 1 for line in lines)

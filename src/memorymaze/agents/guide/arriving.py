@@ -7,7 +7,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from memorymaze.agents.guide.belief import Belief, Frontier, Segment, Visit
+from memorymaze.agents.guide.alignments import Frontier, Segment, Visit
+from memorymaze.agents.guide.belief import Belief
 from memorymaze.agents.guide.likelihoods import (
     Likelihoods,
     Weights,
@@ -178,7 +179,7 @@ class Arrivals:
                     crossing.place[0] + along * math.cos(heading),
                     crossing.place[1] + along * math.sin(heading),
                 )
-                for segment in frontier.segments:
+                for segment, _ in frontier.alignments:
                     if segment.leg == self._legs:
                         yield Ending(
                             frontier.at,

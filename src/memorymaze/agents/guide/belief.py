@@ -13,6 +13,13 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from memorymaze.agents.guide.alignments import (
+    Frontier,
+    Segment,
+    Slip,
+    Start,
+    Visit,
+)
 from memorymaze.agents.guide.likelihoods import (
     Likelihoods,
     Weights,
@@ -28,7 +35,7 @@ from memorymaze.agents.guide.likelihoods import (
 )
 from memorymaze.agents.guide.things import Things
 from memorymaze.agents.walking.choices import BACK, SLIGHT, Choices, choices_at
-from memorymaze.agents.walking.floor_map import FloorMap, Point, Stretch
+from memorymaze.agents.walking.floor_map import FloorMap, Stretch
 from memorymaze.agents.walking.outlooks import faces, length_of
 from memorymaze.geometry.pose import wrap_angle
 from memorymaze.routes import Leg, Length, RoutePlan
@@ -45,90 +52,6 @@ POINTED_AT = math.radians(50)
 """A way that differs less from where a sign points is meant by it."""
 LEGS_LEFT_OUT = 2
 """Turns told in a row that there may not be."""
-
-Start = tuple[int, float, int, float]
-"""Crossing, heading, exit (-1 where one has still to choose) and probability of a way to
-begin."""
-
-
-@dataclass(frozen=True, slots=True)
-class Slip:
-    """Something told that an alignment takes for an error."""
-
-    kind: str
-    leg: int
-    """Number of the leg, from 0; as many as the plan has for the arrival."""
-    at: int
-    """Crossing."""
-
-
-@dataclass(frozen=True, slots=True)
-class Segment:
-    """An alignment that has walked some way since the last turn of the plan."""
-
-    at: int
-    heading: float
-    leg: int
-    """Legs done; as many as the plan has when only the arrival is left."""
-    weights: Weights
-    walked: float = 0.0
-    """Metres since the last turn."""
-    left: int = 0
-    """Openings passed on the left since then."""
-    right: int = 0
-    junctions: int = 0
-    """Places passed since then where one has to choose."""
-    line: tuple[Point, ...] = ()
-    """Corners of the walk since then."""
-    passed: tuple[int, ...] = ()
-    """Crossings since then, the present one included."""
-    asked: frozenset[str] | None = None
-    """What was looked for all along since then; None before the first stretch."""
-    story: tuple[str, ...] = ()
-    """What it takes for the turns, in words; of the heaviest alignment."""
-    slips: tuple[Slip, ...] = ()
-    """The errors it believes in; of the heaviest alignment."""
-    lost: bool = False
-    """It takes all that was told of the way for wrong."""
-    turns: tuple[tuple[int, int], ...] = ()
-    """Leg and crossing of each turn; of the heaviest alignment."""
-
-    @property
-    def places(self) -> int:
-        """Places where one can turn that were come to since the last turn."""
-        return len(self.line) - 1
-
-
-@dataclass
-class Frontier:
-    """A way out that was not walked yet, and all alignments that lead into it."""
-
-    at: int
-    exit: int
-    segments: list[Segment] = field(default_factory=list[Segment])
-    weights: list[Weights] = field(default_factory=list[Weights])
-    """Of each, with what its present leg has still to expect."""
-
-    @property
-    def mass(self) -> float:
-        """How much of the belief goes that way, unnormalised."""
-        return float(sum(each.sum() for each in self.weights))
-
-    @property
-    def best(self) -> Segment:
-        """The heaviest alignment."""
-        sums = [each.sum() for each in self.weights]
-        return self.segments[sums.index(max(sums))]
-
-
-@dataclass(frozen=True, slots=True)
-class Visit:
-    """An alignment with all legs done that passes, or comes to, places to arrive at."""
-
-    segment: Segment
-    """As it was where the stretch begins, or at the crossing."""
-    stretch: Stretch | None
-    """Walked after it; None at the crossing itself."""
 
 
 @dataclass
@@ -158,7 +81,7 @@ class Belief:
         weighed most have come to nothing, lighter ones are followed.
         """
         least = self.least_weight
-        self.start = starts[0][0]
+        self.start = starts[0].at
         while self._sum_up(starts, least):
             if self._knows_all_ways():
                 break
@@ -169,7 +92,7 @@ class Belief:
         else:
             while not self._sum_up(starts, least):
                 least *= 10
-        self._add_lost(sum(chance for *_, chance in starts))
+        self._add_lost(sum(each.chance for each in starts))
 
     def _sum_up(self, starts: list[Start], least: float) -> bool:
         """Sum the alignments that weigh so much; False where there are too many."""
@@ -242,8 +165,7 @@ class Belief:
         """Let an alignment lead into a way that was not walked yet."""
         key = segment.at, exit
         frontier = self.frontiers.setdefault(key, Frontier(*key))
-        frontier.segments.append(segment)
-        frontier.weights.append(weights)
+        frontier.alignments.append((segment, weights))
 
     # -- one alignment
 

@@ -7,13 +7,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from memorymaze.agents.agent import Journal
+from memorymaze.agents.guide.alignments import Frontier, Segment, Slip, Start
 from memorymaze.agents.guide.arriving import (
     SAME_PLACE,
     Arrivals,
     Ending,
     walk_up_to,
 )
-from memorymaze.agents.guide.belief import Belief, Frontier, Segment, Slip, Start
+from memorymaze.agents.guide.belief import Belief
 from memorymaze.agents.guide.likelihoods import Likelihoods
 from memorymaze.agents.guide.signs import Pointers
 from memorymaze.agents.guide.things import Things
@@ -192,9 +193,7 @@ class Search:
         legs = np.zeros(len(self._plan.legs) + 1)
         wrong = 0.0
         for frontier in self._belief.frontiers.values():
-            for segment, weights in zip(
-                frontier.segments, frontier.weights, strict=True
-            ):
+            for segment, weights in frontier.alignments:
                 legs[segment.leg] += weights.sum()
                 wrong += weights[1].sum()
         for ending in self._endings:
@@ -300,7 +299,7 @@ class Search:
         back, limit = 0.0, self._limit * PATIENCE
         if ending is not None and self._chance(ending) >= self._patience.claims:
             back = self._distances.get(ending.at, math.inf) + ending.distance
-            way = self._walker.map.distances_from(self._starts[0][0]).get(ending.at)
+            way = self._walker.map.distances_from(self._starts[0].at).get(ending.at)
             if way is not None:
                 told = SURELY_TOLD * expected_metres(self._plan)
                 enough = WAYS * max(way + ending.distance, told)
@@ -333,9 +332,7 @@ class Search:
         found: list[tuple[Sighting, float]] = []
         rest = self._total - sum(
             weights.sum()
-            for segment, weights in zip(
-                frontier.segments, frontier.weights, strict=True
-            )
+            for segment, weights in frontier.alignments
             if segment.leg == len(self._plan.legs)
         )
 
@@ -346,7 +343,7 @@ class Search:
                 walked = walker.travelled - begin
                 there = sum(
                     self._arrivals.here(segment, sighting, walked).sum()
-                    for segment in frontier.segments
+                    for segment, _ in frontier.alignments
                 )
                 chance = float(there / (there + rest))
                 if chance >= self._patience.sure:
@@ -376,7 +373,7 @@ class Search:
         phrases: list[str] = [*self._looks, *self._arrivals.names]
         legs = len(self._plan.legs)
         masses = np.zeros(legs + 1)
-        for segment, weights in zip(frontier.segments, frontier.weights, strict=True):
+        for segment, weights in frontier.alignments:
             masses[segment.leg] += weights.sum()
         shares = masses / max(masses.sum(), 1e-300)
         near = [shares[max(n - 1, 0) : n + 2].sum() for n in range(legs + 1)]
@@ -455,8 +452,8 @@ def starts_ahead(model: Likelihoods, floor: FloorMap, at: int) -> list[Start]:
     wrong = model.wrong_start
     if at == 0:
         back = floor.crossings[at].add_exit(math.pi)
-        return [(0, 0.0, 0, 1 - wrong), (0, math.pi, back, wrong)]
-    return [(at, 0.0, -1, 1 - wrong), (at, math.pi, -1, wrong)]
+        return [Start(0, 0.0, 0, 1 - wrong), Start(0, math.pi, back, wrong)]
+    return [Start(at, 0.0, -1, 1 - wrong), Start(at, math.pi, -1, wrong)]
 
 
 def starts_any_way(plan: RoutePlan, floor: FloorMap, at: int) -> list[Start]:
@@ -465,7 +462,7 @@ def starts_any_way(plan: RoutePlan, floor: FloorMap, at: int) -> list[Start]:
     costs = [first_heading_cost(plan, floor, at, heading) for heading in headings]
     chances = [math.exp(-cost) for cost in costs]
     return [
-        (at, heading, -1, chance / sum(chances))
+        Start(at, heading, -1, chance / sum(chances))
         for heading, chance in zip(headings, chances, strict=True)
     ]
 

@@ -1,0 +1,98 @@
+"""What a belief is made of: ways to begin, alignments, and where they lead."""
+
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+from memorymaze.agents.guide.likelihoods import Weights
+from memorymaze.agents.walking.floor_map import Point, Stretch
+
+
+class Start(NamedTuple):
+    """A way to begin."""
+
+    at: int
+    """Crossing."""
+    heading: float
+    exit: int
+    """-1 where one has still to choose."""
+    chance: float
+
+
+@dataclass(frozen=True, slots=True)
+class Slip:
+    """Something told that an alignment takes for an error."""
+
+    kind: str
+    leg: int
+    """Number of the leg, from 0; as many as the plan has for the arrival."""
+    at: int
+    """Crossing."""
+
+
+@dataclass(frozen=True, slots=True)
+class Segment:
+    """An alignment that has walked some way since the last turn of the plan."""
+
+    at: int
+    heading: float
+    leg: int
+    """Legs done; as many as the plan has when only the arrival is left."""
+    weights: Weights
+    walked: float = 0.0
+    """Metres since the last turn."""
+    left: int = 0
+    """Openings passed on the left since then."""
+    right: int = 0
+    junctions: int = 0
+    """Places passed since then where one has to choose."""
+    line: tuple[Point, ...] = ()
+    """Corners of the walk since then."""
+    passed: tuple[int, ...] = ()
+    """Crossings since then, the present one included."""
+    asked: frozenset[str] | None = None
+    """What was looked for all along since then; None before the first stretch."""
+    story: tuple[str, ...] = ()
+    """What it takes for the turns, in words; of the heaviest alignment."""
+    slips: tuple[Slip, ...] = ()
+    """The errors it believes in; of the heaviest alignment."""
+    lost: bool = False
+    """It takes all that was told of the way for wrong."""
+    turns: tuple[tuple[int, int], ...] = ()
+    """Leg and crossing of each turn; of the heaviest alignment."""
+
+    @property
+    def places(self) -> int:
+        """Places where one can turn that were come to since the last turn."""
+        return len(self.line) - 1
+
+
+@dataclass
+class Frontier:
+    """A way out that was not walked yet, and all alignments that lead into it."""
+
+    at: int
+    exit: int
+    alignments: list[tuple[Segment, Weights]] = field(
+        default_factory=list[tuple[Segment, Weights]]
+    )
+    """Each with its weights, and what its present leg has still to expect in them."""
+
+    @property
+    def mass(self) -> float:
+        """How much of the belief goes that way, unnormalised."""
+        return float(sum(weights.sum() for _, weights in self.alignments))
+
+    @property
+    def best(self) -> Segment:
+        """The heaviest alignment."""
+        return max(self.alignments, key=lambda each: each[1].sum())[0]
+
+
+@dataclass(frozen=True, slots=True)
+class Visit:
+    """An alignment with all legs done that passes, or comes to, places to arrive at."""
+
+    segment: Segment
+    """As it was where the stretch begins, or at the crossing."""
+    stretch: Stretch | None
+    """Walked after it; None at the crossing itself."""
