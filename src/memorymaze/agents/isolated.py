@@ -33,6 +33,8 @@ from memorymaze.robot.steps import SteppingRobot
 ROOMS_WITH_ANSWERS = (
     "cli",
     "collection",
+    "construction",
+    "datasets",
     "drawing",
     "evaluation",
     "gym",
