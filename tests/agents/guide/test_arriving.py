@@ -151,3 +151,11 @@ def test_nobody_is_sent_to_where_they_set_off() -> None:
     endings = Arrivals(plan, floor, model, things).endings(belief)
     masses = {round(each.place[0]): each.mass for each in endings if each.sighting}
     assert masses[9] > 10 * masses[1]
+
+
+def test_a_name_weighs_more_than_a_thing_of_which_there_are_many() -> None:
+    def share(phrase: str) -> float:
+        floor = _floor(frozenset({phrase}), (phrase, (8.0, 1.0)))
+        return _share_in_the_east(floor, Arrival((phrase,)))
+
+    assert share("door") < 0.9 < 0.99 < share("planetarium")

@@ -10,6 +10,7 @@ import numpy as np
 from memorymaze.agents.guide.alignments import Frontier, Segment, Visit
 from memorymaze.agents.guide.belief import Belief
 from memorymaze.agents.guide.likelihoods import (
+    MOST_SEEN,
     Likelihoods,
     Weights,
     junction_ratio,
@@ -51,6 +52,8 @@ told as the destination itself, which may be the place or what leads to it."""
 INSIDE = 2.0
 """Metres to walk on into a place through its door."""
 
+UNIQUE = 0.08
+"""How often a name told of a destination is met elsewhere, beside other things."""
 BACK_AT_START = 0.05
 """Weight of a place where one has set off from: nobody is told the way to there."""
 
@@ -248,9 +251,10 @@ class Arrivals:
     def seen(self, sighting: Sighting, line: tuple[Point, ...] = ()) -> float:
         """Weigh something seen as the destination, by who walks along a line."""
         model, arrival = self._model, self._arrival
-        ratio = seen_ratio(
-            model, self._things.rate(sighting.phrase), REACH, sighting.score
-        )
+        rate, most = self._things.rate(sighting.phrase), MOST_SEEN
+        if not is_common(sighting.phrase):
+            rate, most = UNIQUE * rate, MOST_SEEN / UNIQUE
+        ratio = seen_ratio(model, rate, REACH, sighting.score, most)
         if sighting.phrase not in self._first:
             ratio **= 0.6
         if self.only_names(sighting):

@@ -117,6 +117,8 @@ PLACE_METRES = 8.0
 """From one place where one can turn to the next, where only metres are told."""
 ONE_OFF = 0.8
 """Of the counts that are wrong so many are one off."""
+MOST_SEEN = 30.0
+"""What one thing that was seen weighs at most."""
 FEWEST_METRES = 1.5
 """Shorter ways are told like this one."""
 
@@ -348,7 +350,9 @@ def junction_ratio(model: Likelihoods, turn: Turn, choices: Choices) -> float:
 
 
 @lru_cache(maxsize=4096)
-def seen_ratio(model: Likelihoods, rate: float, reach: float, score: float) -> float:
+def seen_ratio(
+    model: Likelihoods, rate: float, reach: float, score: float, most: float = MOST_SEEN
+) -> float:
     """Weigh that a thing said was seen where it should be.
 
     `rate` is how often such a thing is met per metre in this building, `reach` the metres
@@ -357,7 +361,7 @@ def seen_ratio(model: Likelihoods, rate: float, reach: float, score: float) -> f
     by_chance = 1.0 - math.exp(-rate * reach)
     there = (1 - model.invented) * model.detected * score
     ratio = (there + (1 - there) * by_chance) / by_chance
-    return min(ratio, 30.0)
+    return min(ratio, most)
 
 
 def unseen_ratio(model: Likelihoods) -> float:
