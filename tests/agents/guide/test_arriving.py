@@ -51,7 +51,7 @@ def _told(phrase: str, kind: str = "object") -> Arrival:
 
 def test_a_thing_at_the_destination_tells_where_it_is() -> None:
     floor = _floor(frozenset({"lamp"}), ("lamp", (11.0, 1.0)))
-    assert _share_in_the_east(floor, _told("lamp")) > 0.9
+    assert _share_in_the_east(floor, _told("lamp")) > 0.8
 
 
 def test_a_thing_nearer_to_another_place_is_not_at_this_one() -> None:

@@ -73,8 +73,8 @@ class Likelihoods:
     kind_right: float = 0.85
     """That the kind of junction, the end of the way or a bend is told rightly."""
     # -- things
-    invented: float = 0.25
-    """That a thing said is not there."""
+    invented: float = 0.45
+    """That a thing said is not there, or was read wrongly."""
     detected: float = 0.8
     """That a thing that is there is seen from the way."""
     side_right: float = 0.75

@@ -33,7 +33,7 @@ BESIDE = 4.5
 """Metres from the line of a stretch within which a thing is on it."""
 AT_CROSSING = 5.0
 """Metres from a crossing within which a thing is at it."""
-ON_THE_WAY = 0.75
+ON_THE_WAY = 0.5
 """Share of its weight that something unseen has which is told beside the way."""
 THIS_FLOOR, OTHER_FLOOR = 3.3, 0.08
 """Weights of a place that has the floor told of it, and of one that has another."""
