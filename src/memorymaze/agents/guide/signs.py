@@ -4,7 +4,12 @@ import math
 import re
 from collections.abc import Iterable, Sequence
 
-from memorymaze.agents.walking.floor_map import Crossing, FloorMap, Sighting
+from memorymaze.agents.walking.floor_map import (
+    Crossing,
+    FloorMap,
+    Sighting,
+    along_and_aside,
+)
 from memorymaze.geometry.pose import wrap_angle
 from memorymaze.perception.signposts import ANY_ARROW, signposts
 from memorymaze.understanding import is_common, place_on_sign
@@ -105,10 +110,7 @@ def _crossing_of(text: Sighting, heading: float, floor: FloorMap) -> Crossing | 
     """Return the crossing that one comes to next who reads a sign."""
     best, least = None, math.inf
     for crossing in floor.crossings.values():
-        dx = crossing.place[0] - text.place[0]
-        dy = crossing.place[1] - text.place[1]
-        ahead = dx * math.cos(heading) + dy * math.sin(heading)
-        beside = abs(dy * math.cos(heading) - dx * math.sin(heading))
+        ahead, beside = along_and_aside(crossing.place, text.place, heading)
         if not -BESIDE_SIGN <= ahead <= AHEAD_OF_SIGN or beside > BESIDE_SIGN:
             continue
         if len(crossing.exits) > 1 and abs(ahead) + beside < least:

@@ -18,6 +18,7 @@ from memorymaze.agents.walking.floor_map import (
     side_of_line,
 )
 from memorymaze.agents.walking.outlooks import (
+    crossing_has_floor,
     outlook_cost,
     outlook_of,
     things_on,
@@ -114,14 +115,12 @@ class Things:
         """
         if at is None:
             return 1.0
-        views = [v for v in self._floor.views_from(at) if mention.phrase in v.asked]
+        has_floor = crossing_has_floor(mention.phrase, self._floor, at)
+        if has_floor is None:
+            return 1.0
+        ratio = THIS_FLOOR if has_floor else OTHER_FLOOR
         here = mention.place in AT_THE_TURN or mention.place == "target"
-        if any(view.has_floor(mention.phrase) for view in views):
-            return THIS_FLOOR if here else math.sqrt(THIS_FLOOR)
-        told = [view for view in views if view.floor is not None]
-        if len(told) > 1 or (told and len(views) == len(told)):
-            return OTHER_FLOOR if here else math.sqrt(OTHER_FLOOR)
-        return 1.0
+        return ratio if here else math.sqrt(ratio)
 
     def so_far(self, number: int, line: tuple[Point, ...]) -> float:
         """Weigh the things of a leg that goes on which were met on it already."""

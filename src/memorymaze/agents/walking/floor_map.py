@@ -236,23 +236,17 @@ class FloorMap:
 
         By someone who stood in line with that way.
         """
-        x, y = self.crossings[crossing].place
-        dx, dy = math.cos(heading), math.sin(heading)
-
-        def along_and_aside(point: Point) -> tuple[float, float]:
-            px, py = point[0] - x, point[1] - y
-            return px * dx + py * dy, abs(py * dx - px * dy)
-
+        place = self.crossings[crossing].place
         found: list[Sighting] = []
         for each in self.seen(phrase):
-            along, aside = along_and_aside(each.place)
+            along, aside = along_and_aside(each.place, place, heading)
             if (
                 along <= AT_CROSSING
                 or aside > math.tan(ALONG) * along
                 or aside > NEAR_WAY
             ):
                 continue
-            from_along, from_aside = along_and_aside(each.seen_from)
+            from_along, from_aside = along_and_aside(each.seen_from, place, heading)
             if from_along < along and from_aside <= IN_LINE:
                 found.append(each)
         return found
@@ -322,6 +316,13 @@ def side_of_line(point: Point, line: Sequence[Point]) -> str:
     if abs(aside) <= ON_LINE * math.hypot(dx, dy):
         return "ahead"
     return "left" if aside > 0 else "right"
+
+
+def along_and_aside(point: Point, origin: Point, heading: float) -> tuple[float, float]:
+    """Return how far along a heading, and how far beside it, a point lies, metres."""
+    dx, dy = point[0] - origin[0], point[1] - origin[1]
+    cos, sin = math.cos(heading), math.sin(heading)
+    return dx * cos + dy * sin, abs(dy * cos - dx * sin)
 
 
 def metres_along(place: Point, start: Point, end: Point) -> float:

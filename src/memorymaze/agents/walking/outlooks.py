@@ -194,15 +194,21 @@ def walls_cost(
     return cost
 
 
+def crossing_has_floor(phrase: str, floor: FloorMap, at: int) -> bool | None:
+    """Tell whether a way out of a crossing has a floor; None where one cannot tell."""
+    views = [view for view in floor.views_from(at) if phrase in view.asked]
+    if any(view.has_floor(phrase) for view in views):
+        return True
+    told = [view for view in views if view.floor is not None]
+    return False if len(told) > 1 or (told and len(views) == len(told)) else None
+
+
 def crossing_floor_cost(mention: Mention, floor: FloorMap, at: int | None) -> float:
     """Compare a floor that a crossing was said to have with the ways out of it."""
     if at is None or mention.place not in {"turn", "beside", "opposite", "target"}:
         return 0.0
-    views = [view for view in floor.views_from(at) if mention.phrase in view.asked]
-    if any(view.has_floor(mention.phrase) for view in views):
-        return -1.2
-    told = [view for view in views if view.floor is not None]
-    return 1.5 if len(told) > 1 or (told and len(views) == len(told)) else 0.0
+    has_floor = crossing_has_floor(mention.phrase, floor, at)
+    return 0.0 if has_floor is None else -1.2 if has_floor else 1.5
 
 
 def first_heading_cost(

@@ -9,6 +9,7 @@ from memorymaze.agents.walking.floor_map import (
     Point,
     Sighting,
     Stretch,
+    along_and_aside,
 )
 from memorymaze.geometry.pose import wrap_angle
 from memorymaze.perception.detector import LONGEST_QUERY
@@ -224,9 +225,7 @@ class Walker:
 
     def metres_until_abreast(self, sighting: Sighting) -> float:
         """Return the metres to walk ahead until something is abreast."""
-        dx = sighting.place[0] - self.place[0]
-        dy = sighting.place[1] - self.place[1]
-        return dx * math.cos(self.heading) + dy * math.sin(self.heading)
+        return along_and_aside(sighting.place, self.place, self.heading)[0]
 
     def _advance(self, distance: float) -> None:
         x, y = self.place
