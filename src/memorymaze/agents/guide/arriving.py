@@ -42,7 +42,7 @@ REACH = 8.0
 """Metres of way on which the destination would count as being there."""
 SAME_PLACE = 3.0
 """Metres; places to arrive at that are nearer to each other are one."""
-IN_FRONT = 1.1
+IN_FRONT = 1.3
 """Metres from the nearest part of the destination at which to stop."""
 CLOSE = 0.7
 """Metres from its middle to come to from the middle of the way."""
@@ -106,7 +106,11 @@ class Arrivals:
         numbered = tuple(each for each in names if _NUMBER.search(each))
         # Any office is not office 2347: where a number is told, only it will do.
         names = numbered or names
+        # What has a name of its own tells a place better than what is everywhere.
+        names = tuple(sorted(names, key=is_common))
         self._first = tuple(variants(names[0])) if names else ()
+        self.at_once = tuple(each for each in self._first if not is_common(each))
+        """Names at which to stop without having seen what else the way has."""
         told = dict.fromkeys([*self._first, *names])
         self.names = tuple(name for name in told if not is_floor(name))
         """What to look for, the best first."""

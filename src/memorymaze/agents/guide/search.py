@@ -57,7 +57,7 @@ Advise = Callable[[Sequence[tuple[Step, float]]], Step]
 class Patience:
     """What metres are worth, and when the robot claims to be there."""
 
-    metre_back: float = 0.012
+    metre_back: float = 0.02
     """Nats that a metre to walk to another explanation is worth."""
     sure: float = 0.8
     """Probability from which on it stops at what it just saw."""
@@ -67,6 +67,8 @@ class Patience:
     """Probability that all turns are made, from which on it looks about for the place."""
     stops: float = 0.5
     """Probability of a place from which on it goes there while other ways are open."""
+    unseen: float = 0.7
+    """The same of a place where nothing was seen of a destination told by a name."""
     hope: float = 0.05
     """Probability of a way below which it is not worth walking any more."""
     hopeless: float = 0.02
@@ -251,10 +253,9 @@ class Search:
     def _is_enough(self, ending: Ending, frontier: Frontier) -> bool:
         """Tell whether what going on may still show is worth less than stopping."""
         chance = self._chance(ending)
-        if (
-            chance < self._patience.stops
-            and frontier.mass >= self._patience.hope * self._total
-        ):
+        unseen = ending.sighting is None and self._arrivals.at_once
+        enough = self._patience.unseen if unseen else self._patience.stops
+        if chance < enough and frontier.mass >= self._patience.hope * self._total:
             return False
         return self._value(ending) >= self._value(frontier)
 
@@ -364,7 +365,7 @@ class Search:
 
     def _may_be_there(self, sighting: Sighting) -> bool:
         return (
-            sighting.phrase in self._arrivals.names
+            sighting.phrase in self._arrivals.at_once
             and sighting.track not in self._arrivals.refuted
         )
 
