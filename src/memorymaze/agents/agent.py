@@ -19,6 +19,9 @@ navigation graph, pictures, primitive motions, or the reference path."""
 COUNTS = frozenset({"model_calls", "tokens"})
 AMOUNTS = frozenset({"cost_usd", "inference_s"})
 
+TOLD_AGAIN = "\n\nTold once more:\n\n"
+"""Between two tellings of one way by the same person, where an agent is handed both."""
+
 ARRIVAL, GAVE_UP = "arrival", "gave_up"
 """Kinds of notes by which an agent says at the end whether it is there."""
 
@@ -111,6 +114,11 @@ class Journal:
             latency=completion.latency,
             standing_s=stood,
         )
+
+
+def tellings_of(instruction: str) -> tuple[str, ...]:
+    """Return the tellings of the way that an instruction has: one, or two in their order."""
+    return tuple(instruction.split(TOLD_AGAIN))
 
 
 def _checked(
