@@ -211,3 +211,17 @@ def test_a_file_with_problems_is_told_line_by_line(
     assert said.code == 1
     assert f"{programs}:2" in said.err
     assert not (tmp_path / "run").exists()
+
+
+def test_answers_to_single_tellings_are_not_taken_for_both(
+    memorymaze: Memorymaze, tiny_files: list[str], tmp_path: Path
+) -> None:
+    store, out = tmp_path / "kept.sqlite", tmp_path / "open.jsonl"
+    record_replies(store, Path(tiny_files[1]), parser=False)
+    ask = ["answers", "requests", "--agent", "code_generation", "--no-parser"]
+    ask += ["--model", "scripted", "--store", store, *tiny_files, "--out", out]
+    assert "nothing is open" in memorymaze(*ask).out
+    said = memorymaze(*ask, "--second-telling")
+    assert "6 requests" in said.out, said.err
+    for line in out.read_text(encoding="utf-8").splitlines():
+        assert "Second telling:" in json.loads(line)["body"]["messages"][-1]["content"]

@@ -44,7 +44,7 @@ def add_agent_options(parser: argparse.ArgumentParser) -> None:
     )
 
 
-WHICH_EPISODES = ("limit", "split", "shard")
+WHICH_EPISODES = ("limit", "split", "shard", "second_telling")
 """Settings that only runs of several episodes have."""
 
 

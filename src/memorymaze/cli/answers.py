@@ -5,6 +5,7 @@ import sys
 from typing import TYPE_CHECKING
 
 from memorymaze.cli.agent_options import given_options
+from memorymaze.cli.flags import add_flags
 from memorymaze.cli.verbs import Verbs, add_corpus_options
 from memorymaze.extras import command_here
 from memorymaze.wording import counted
@@ -86,6 +87,8 @@ def _add_check(actions: Verbs) -> None:
 
 
 def _add_what(parser: argparse.ArgumentParser, agent: str | None) -> None:
+    from memorymaze.evaluation.settings import RunSettings
+
     default = "" if agent is None else f" (default: {agent})"
     parser.add_argument(
         "--agent",
@@ -107,14 +110,17 @@ def _add_what(parser: argparse.ArgumentParser, agent: str | None) -> None:
         help="an option of the agent (see `memorymaze agents NAME`)",
     )
     add_corpus_options(parser)
+    add_flags(parser.add_argument, RunSettings, ["second_telling"])
 
 
 def _plan(options: argparse.Namespace, answers: str, parser: bool | None) -> "RunPlan":
-    from memorymaze.evaluation.plan import plan_run
+    from memorymaze.cli.agent_options import episode_settings
+    from memorymaze.evaluation.plan import plan_run, settings_for
     from memorymaze.evaluation.settings import AgentSettings
     from memorymaze.instructions import load_corpus
     from memorymaze.language.model_settings import ModelSettings
 
+    corpus = load_corpus(options.instructions, sites=options.sites)
     return plan_run(
         AgentSettings(
             name=options.agent,
@@ -122,7 +128,8 @@ def _plan(options: argparse.Namespace, answers: str, parser: bool | None) -> "Ru
             language_model=ModelSettings(model=options.model, replay=answers),
             options=given_options(options.set),
         ),
-        load_corpus(options.instructions, sites=options.sites),
+        corpus,
+        episode_settings(options, settings_for(corpus)),
     )
 
 

@@ -69,7 +69,7 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
         help="follow the SAIL corpus in this folder instead: mazes and paragraphs of "
         "people, each from four start headings (docs/sail.md)",
     )
-    add_flags(followed.add_argument, RunSettings, ["split", "shard"])
+    add_flags(followed.add_argument, RunSettings, ["split", "shard", "second_telling"])
     add_agent_options(parser)
     add_episode_options(parser)
     add_error_options(parser)

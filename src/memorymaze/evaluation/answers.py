@@ -56,7 +56,7 @@ def answers_taken(
             f"{', '.join(missing[:10])}{', …' if len(missing) > 10 else ''}; for one "
             "that the model failed on write a record with `error`"
         )
-    prompts: dict[str, str] = getattr(agent_for(episodes[0]), "prompts", {})
+    prompts = _prompts(agent_for(episodes[0]), episodes[0].instruction.text)
     other = unknown = 0
     for each in wanted:
         answered = [
@@ -71,6 +71,16 @@ def answers_taken(
         other += bool(differing) and not any(None in found for found in differing)
     stamp = stamp_file(file)
     return AnswersTaken(stamp.name, stamp.sha256, len(missing), other, unknown)
+
+
+def _prompts(agent: Agent, text: str) -> dict[str, str]:
+    """Return the versions of an agent's prompts by stage, those to such a text if it can."""
+    expected = getattr(agent, "requests_expected", None)
+    asked: list[CompletionRequest] | None = expected and expected(text)
+    if asked is None:
+        return getattr(agent, "prompts", {})
+    questions = [each.question for each in asked]
+    return {each.stage: each.prompt for each in questions if each is not None}
 
 
 def open_requests(plan: "RunPlan") -> Iterator[CompletionRequest]:

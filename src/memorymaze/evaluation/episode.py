@@ -169,6 +169,7 @@ def _attempt(
         standing_s=robot.standing_time,
         followers=told.followers,
         error_kinds=tuple(failure.kind for failure in told.failures),
+        errors_of_tellings=tuple(len(each.failures) for each in episode.tellings),
         pair=told.pair,
         way_m=way.length,
         confidence=journal.confidence,

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 
 from memorymaze.evaluation.agent_catalogue import build_agent
 from memorymaze.evaluation.plan import RunPlan
+from memorymaze.evaluation.settings import told_twice
 from memorymaze.language.model import CompletionRequest
 
 SECONDS_PER_ANSWER = 2.0
@@ -18,6 +19,8 @@ REPLY_TOKENS = 1000
 
 def said_beforehand(plan: RunPlan) -> Iterator[str]:
     """Yield what is worth knowing before a run begins, a line each."""
+    if plan.settings.second_telling:
+        yield told_twice(plan.settings)
     if plan.settings.answers is not None:
         yield str(plan.settings.answers)
     yield from filter(None, (answers_estimate(plan), cost_estimate(plan)))

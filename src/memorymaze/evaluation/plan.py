@@ -19,6 +19,10 @@ from memorymaze.evaluation.budgets import time_budget_for
 from memorymaze.evaluation.eyes import checked_eyes, looks_of_run
 from memorymaze.evaluation.language_agents import parses_first
 from memorymaze.evaluation.sampling import sample
+from memorymaze.evaluation.second_tellings import (
+    texts_told_once,
+    with_second_tellings,
+)
 from memorymaze.evaluation.settings import (
     AgentSettings,
     AnswersTaken,
@@ -65,7 +69,11 @@ def plan_run(
     if given is None:
         chosen_agent = _told_heading(chosen_agent, corpus)
     agent_for = build_agent(chosen_agent, given, isolate=settings.isolate)
-    chosen = sample(corpus.of_split(settings.split), settings.limit)
+    followed, told_once = corpus.of_split(settings.split), 0
+    if settings.second_telling:
+        paired = with_second_tellings(corpus).of_split(settings.split)
+        followed, told_once = paired, texts_told_once(followed, paired)
+    chosen = sample(followed, settings.limit)
     names = dict.fromkeys(episode.instruction.site for episode in chosen)
     sites = {name: corpus.sites[name] for name in names}
     definition = define_run(
@@ -76,6 +84,7 @@ def plan_run(
         instructions=tuple(stamp_file(path) for path in corpus.files),
         stamps=tuple(stamp_file(site.source, name) for name, site in sites.items()),
         episodes=len(chosen),
+        told_once=told_once,
         answers=answers_taken(chosen_agent, agent_for, chosen),
         agent_files=agent_fingerprint(chosen_agent.name, given),
         option_values=option_values(chosen_agent, given),
@@ -91,6 +100,7 @@ def define_run(
     sites: Iterable[Site],
     *,
     episodes: int,
+    told_once: int = 0,
     instructions: tuple[FileStamp, ...] = (),
     stamps: tuple[FileStamp, ...] = (),
     answers: AnswersTaken | None = None,
@@ -114,6 +124,7 @@ def define_run(
         instructions=instructions,
         sites=stamps,
         episodes=episodes,
+        told_once=told_once,
         answers=answers,
     )
 

@@ -176,6 +176,9 @@ class EpisodeResult:
     """How people fared who followed the instruction, where its corpus tells."""
     error_kinds: tuple[str, ...] | None = None
     """Kinds of the significant errors in the instruction; None in older runs."""
+    errors_of_tellings: tuple[int, ...] = ()
+    """How many of these are in the first and in the second telling, where the agent was
+    handed both; else empty."""
     pair: str | None = None
     """Shared with the same instruction without, or with, its errors."""
     way_m: FiniteFloat | None = None

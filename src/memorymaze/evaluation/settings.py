@@ -137,6 +137,9 @@ class RunSettings:
     )
     """only the I-th of N parts of the run, alike in size; `memorymaze runs merge` makes
     one run of all (docs/scaling.md)"""
+    second_telling: bool = False
+    """hand the agent both tellings of a way by the same person as one text; people who
+    told it once are left out (docs/asking.md)"""
     success_distance: float = field(
         default=SUCCESS_DISTANCE, metadata={"metavar": "METRES"}
     )
@@ -236,6 +239,8 @@ class RunDefinition(RunSettings):
     sites: tuple[FileStamp, ...]
     episodes: int
     """Episodes of the whole run."""
+    told_once: int = 0
+    """Texts that are left out because their person told the way only once."""
     answers: AnswersTaken | None = None
     """Answers that were given before; None where a model is asked."""
 
@@ -307,6 +312,12 @@ def differences(old: RunDefinition, new: RunDefinition) -> list[Difference]:
         if name not in not_compared
         and before.get((kind, name)) != after.get((kind, name))
     ]
+
+
+def told_twice(settings: RunDefinition) -> str:
+    """Say what a run with both tellings hands over, and what it leaves out."""
+    left_out = counted(settings.told_once, "text")
+    return f"both tellings of each person as one text; told only once, left out: {left_out}"
 
 
 def agent_version(settings: RunDefinition) -> str | None:

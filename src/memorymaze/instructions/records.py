@@ -160,6 +160,8 @@ class Episode:
     """Metres."""
     reference_path: tuple[tuple[float, float], ...]
     """Vertices of the route's middle line, metres."""
+    tellings: tuple[Instruction, ...] = ()
+    """The first and the second telling, where the instruction is both; else empty."""
 
 
 @dataclass(frozen=True, slots=True, repr=False)

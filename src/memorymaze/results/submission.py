@@ -114,6 +114,7 @@ def _settings_problems(settings: RunDefinition, corpus: Corpus) -> Iterator[str]
         limit=None,
         split=None,
         shard=None,
+        second_telling=False,
         episodes=len(corpus.episodes),
         success_distance=SUCCESS_DISTANCE,
         budget_by=RunSettings().budget_by,

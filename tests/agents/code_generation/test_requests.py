@@ -5,6 +5,8 @@ from pathlib import Path
 
 import pytest
 
+from memorymaze.agents.agent import TOLD_AGAIN
+from memorymaze.agents.code_generation import CodeGenerationAgent
 from memorymaze.agents.code_generation.requests import CodeGenerationRequests
 from memorymaze.language.answers import (
     AboutInstruction,
@@ -63,3 +65,31 @@ def test_answers_in_a_store_to_an_older_prompt_are_found(
     assert (
         AboutInstruction(ReplayingModel(store), "a").complete(now).text == "Recorded."
     )
+
+
+def test_two_tellings_are_quoted_one_by_one_and_told_to_be_two() -> None:
+    request = CodeGenerationRequests().parse(f"Go left.{TOLD_AGAIN}Go right.")
+    system, task = request.messages
+    assert system == CodeGenerationRequests().parse("Go left.").messages[0]
+    assert 'First telling:\n"""\nGo left.\n"""\nSecond telling:\n' in task.content
+    assert "after hearing what the robot can do" in task.content
+    assert TOLD_AGAIN.strip() not in task.content
+
+
+def test_one_telling_is_asked_about_as_ever() -> None:
+    request = CodeGenerationRequests().parse("Go left.")
+    assert request.messages[1].content == 'Description:\n"""\nGo left.\n"""'
+    assert request.question is not None
+    assert request.question.prompt == CodeGenerationRequests().prompts["parse+parser"]
+
+
+def test_answers_to_one_telling_are_of_another_prompt_than_those_to_two() -> None:
+    agent = CodeGenerationAgent(ScriptedLanguageModel([]))
+    once, twice = (
+        {each.question.stage: each.question.prompt for each in asked if each.question}
+        for asked in map(agent.requests_expected, ("Go.", f"Go.{TOLD_AGAIN}Go."))
+    )
+    assert once == agent.prompts
+    assert once["parse+parser"] != twice["parse+parser"]
+    # A program is written from the steps, of which there is one list.
+    assert once["program+parser"] == twice["program+parser"]

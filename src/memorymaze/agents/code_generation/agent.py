@@ -9,7 +9,7 @@ from typing import Any, ClassVar, cast
 
 import numpy as np
 
-from memorymaze.agents.agent import Journal, Need
+from memorymaze.agents.agent import Journal, Need, tellings_of
 from memorymaze.agents.code_generation.replies import read_program, read_steps
 from memorymaze.agents.code_generation.requests import (
     CodeGenerationOptions,
@@ -57,9 +57,12 @@ class CodeGenerationAgent:
         return not self._requests.options.repair
 
     def requests_expected(self, instruction: str) -> list[CompletionRequest]:
-        """Return what it will ask, with the instruction in the place of steps."""
+        """Return what it will ask, with the instruction, told once, in the place of steps."""
         requests = self._requests
-        asked = [requests.parse(instruction)] if requests.parser else []
+        asked: list[CompletionRequest] = []
+        if requests.parser:
+            asked = [requests.parse(instruction)]
+            instruction = tellings_of(instruction)[-1]
         return asked + [requests.program(instruction)] * (1 + requests.options.repair)
 
     @property

@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
+from memorymaze.agents.agent import tellings_of
 from memorymaze.agents.code_generation.replies import program_grammar, steps_grammar
 from memorymaze.language.model import CompletionRequest, Message, Question
 from memorymaze.language.prompt_texts import load_prompt, prompt_version
@@ -75,13 +76,15 @@ class CodeGenerationRequests:
 
     def parse(self, instruction: str) -> CompletionRequest:
         """Return the request that turns an instruction into steps."""
-        task = Message("user", f"Description:\n{_quote(instruction)}")
-        return self._request("parse", self._parsing, [task], steps_grammar())
+        turns = [_told("Description", instruction)]
+        return self._request(
+            "parse", self._parsing, turns, steps_grammar(), instruction
+        )
 
     def program(self, way: str) -> CompletionRequest:
         """Return the request for a program."""
-        turns = [_way(way)]
-        return self._request("program", self._writing, turns, program_grammar())
+        turns = [_told("Way", way)]
+        return self._request("program", self._writing, turns, program_grammar(), way)
 
     def repair(
         self, way: str, reply: str, error: str, done: Sequence[str]
@@ -92,8 +95,8 @@ class CodeGenerationRequests:
         else:
             where = load_prompt("repair_at_the_start")
         said = load_prompt("repair_program", error=error, where=where)
-        turns = [_way(way), Message("assistant", reply), Message("user", said)]
-        return self._request("repair", self._writing, turns, program_grammar())
+        turns = [_told("Way", way), Message("assistant", reply), Message("user", said)]
+        return self._request("repair", self._writing, turns, program_grammar(), way)
 
     def _prompt(self, name: str, output: str, **slots: str) -> str:
         single = self.options.stages == "single"
@@ -104,21 +107,33 @@ class CodeGenerationRequests:
         return _FIRST_STAGE.sub(lambda stage: f"{stage[1].capitalize()}:", prompt)
 
     def _request(
-        self, stage: str, prompt: str, turns: Sequence[Message], grammar: str
+        self,
+        stage: str,
+        prompt: str,
+        turns: Sequence[Message],
+        grammar: str,
+        told: str,
     ) -> CompletionRequest:
         variant = self.variant.removesuffix("+repair")
+        told_twice = [load_prompt("told_twice")] if len(tellings_of(told)) > 1 else []
         return CompletionRequest(
             messages=(Message("system", prompt), *turns),
             temperature=self.options.temperature,
             max_tokens=self.options.max_tokens,
             seed=self.options.seed,
             grammar=grammar if self.options.grammar else None,
-            question=Question(stage + variant, prompt_version(prompt)),
+            question=Question(stage + variant, prompt_version(prompt, *told_twice)),
         )
 
 
-def _way(way: str) -> Message:
-    return Message("user", f"Way:\n{_quote(way)}")
+def _told(heading: str, text: str) -> Message:
+    """Return what was told as it is quoted to the model: once, or twice."""
+    tellings = [_quote(each) for each in tellings_of(text)]
+    if len(tellings) == 1:
+        return Message("user", f"{heading}:\n{tellings[0]}")
+    first, second = tellings
+    told = ["First telling:", first, "Second telling:", second]
+    return Message("user", "\n".join([f"{heading}:", load_prompt("told_twice"), *told]))
 
 
 def _quote(text: str) -> str:

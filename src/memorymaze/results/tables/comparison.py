@@ -48,7 +48,7 @@ VERSIONS = frozenset({"agent file", "agent option"})
 """Kinds of differences that tell two versions of one agent apart."""
 NOT_TOLD = VERSIONS | {
     *("agent", "needs", "isolate", "answers"),
-    *("limit", "shard", "episodes"),
+    *("limit", "shard", "episodes", "told_once"),
 }
 """Those that are the agent's own, or said by what is left out."""
 

@@ -11,7 +11,7 @@ from memorymaze.evaluation.collision_rates import collision_rates
 from memorymaze.evaluation.eyes import eyes_notes
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import RunRecord, read_run
-from memorymaze.evaluation.settings import agent_version
+from memorymaze.evaluation.settings import agent_version, told_twice
 from memorymaze.instructions.published import PublishedResult, published_tables
 from memorymaze.instructions.records import WRITTEN_BY
 from memorymaze.perception.eyes import TRUTH
@@ -175,6 +175,8 @@ def run_notes(run: MeasuredRun) -> list[str]:
         f"{settings.simulation.call_budget}, seed {settings.seed}, memorymaze "
         f"{_code(run)}",
     ]
+    if settings.second_telling:
+        notes.append(f"TOLD TWICE: {told_twice(settings)}.")
     if settings.simulation.turning_points == "lidar":
         notes.append(
             "TURNING POINTS BY LIDAR (scans and odometry), not from the site plan."
@@ -264,4 +266,6 @@ def _label(record: RunRecord, results: Iterable[EpisodeResult]) -> str:
         name += f", {record.settings.detector.short_name}"
     if record.settings.signs != "truth":
         name += f", signs by {record.settings.signs.upper()}"
+    if record.settings.second_telling:
+        name += ", told twice"
     return name if record.settings.obstacles is None else f"{name}, with obstacles"
