@@ -176,7 +176,7 @@ class Believes:
             say=lambda words: None,
             survey=lambda phrases: None,
         )
-        search = Search(self._plan, walker, Journal())  # type: ignore[arg-type]
+        search = Search([self._plan], walker, Journal())  # type: ignore[arg-type]
         search._begin()
         walker.at = log.at
         search._update()

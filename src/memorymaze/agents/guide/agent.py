@@ -5,7 +5,7 @@ from typing import Literal
 
 import numpy as np
 
-from memorymaze.agents.agent import Journal, Need
+from memorymaze.agents.agent import Journal, Need, tellings_of
 from memorymaze.agents.guide.model_choice import NEAR, ModelChoice
 from memorymaze.agents.guide.model_questions import (
     MOST_REQUESTS,
@@ -135,13 +135,14 @@ class GuideAgent(ReadsFirst):
             if options.decide == "model":
                 ModelWalk(walker, questions).run()
                 return robot.stop()
-        plan = self.reader.read(instruction, journal)
-        journal.note("plan", steps=describe(plan))
-        if not options.things:
-            plan = _without_things(plan)
-        advise = questions and ModelChoice(plan, walker, questions, options.near)
+        plans: list[RoutePlan] = []
+        for telling in tellings_of(instruction):
+            plan = self.reader.read(telling, journal)
+            journal.note("plan", steps=describe(plan))
+            plans.append(plan if options.things else _without_things(plan))
+        advise = questions and ModelChoice(plans[0], walker, questions, options.near)
         Search(
-            plan,
+            plans,
             walker,
             journal,
             any_heading=anyhow,

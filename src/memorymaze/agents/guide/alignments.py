@@ -59,6 +59,8 @@ class Segment:
     """It takes all that was told of the way for wrong."""
     turns: tuple[tuple[int, int], ...] = ()
     """Leg and crossing of each turn; of the heaviest alignment."""
+    telling: int = 0
+    """Number of the telling that it is an alignment of."""
 
     @property
     def places(self) -> int:

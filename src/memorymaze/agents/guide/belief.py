@@ -65,6 +65,8 @@ class Belief:
     least_weight: float = LEAST_WEIGHT
     """Share of the heaviest alignment below which one is dropped; benches set it."""
 
+    telling: int = 0
+    """Number of the telling that the plan was read in."""
     pointers: dict[int, list[float]] = field(default_factory=dict[int, list[float]])
     """Headings in which signs point to the destination, by crossing."""
     frontiers: dict[tuple[int, int], Frontier] = field(
@@ -113,7 +115,15 @@ class Belief:
             if chance <= self.model.wrong_start + 1e-9 and len(starts) > 1:
                 weights = weights[::-1].copy()
                 slips = (Slip("wrong start", 0, at),)
-            start = Segment(at, heading, 0, weights, line=(place,), slips=slips)
+            start = Segment(
+                at,
+                heading,
+                0,
+                weights,
+                line=(place,),
+                slips=slips,
+                telling=self.telling,
+            )
             if exit < 0:
                 self._come_to(start)
             else:
@@ -154,6 +164,7 @@ class Belief:
                 story=("nothing that was told fits",),
                 slips=(Slip("lost", len(self.plan.legs), crossing.number),),
                 lost=True,
+                telling=self.telling,
             )
             stretch = self.floor.stretches.get((crossing.number, exit))
             if stretch is not None:
@@ -366,6 +377,7 @@ class Belief:
                 story=story,
                 slips=slips,
                 turns=(*segment.turns, (number, segment.at)),
+                telling=self.telling,
             )
             self._add(done, index)
             following = self._leg(done)

@@ -8,16 +8,9 @@ import numpy as np
 
 from memorymaze.agents.agent import Journal
 from memorymaze.agents.guide.alignments import Frontier, Segment, Slip, Start
-from memorymaze.agents.guide.arriving import (
-    SAME_PLACE,
-    Arrivals,
-    Ending,
-    walk_up_to,
-)
-from memorymaze.agents.guide.belief import Belief
+from memorymaze.agents.guide.arriving import SAME_PLACE, Ending, walk_up_to
 from memorymaze.agents.guide.likelihoods import Likelihoods
-from memorymaze.agents.guide.signs import Pointers
-from memorymaze.agents.guide.things import Things
+from memorymaze.agents.guide.tellings import Telling, Tellings
 from memorymaze.agents.walking.floor_map import FloorMap, Sighting
 from memorymaze.agents.walking.outlooks import (
     LEG_METRES,
@@ -82,7 +75,7 @@ class Search:
 
     def __init__(
         self,
-        plan: RoutePlan,
+        plans: Sequence[RoutePlan],
         walker: Walker,
         journal: Journal,
         *,
@@ -90,17 +83,17 @@ class Search:
         goes_back: bool = True,
         advise: Advise | None = None,
     ) -> None:
-        """Prepare to follow a plan from where the robot stands.
+        """Prepare to follow what was told from where the robot stands.
 
         Args:
-            plan: What was said.
+            plans: What was said; several where the way was told several times.
             walker: Drives the robot and draws the map.
             journal: Takes the notes.
             any_heading: The robot may have to face any way at the start.
             goes_back: It may go back for another explanation.
             advise: Has the last word on what to do next.
         """
-        self._plan = plan
+        self._plans = plans
         self._walker = walker
         self._journal = journal
         self._any_heading = any_heading
@@ -108,14 +101,9 @@ class Search:
         self._model = Likelihoods()
         self._patience = Patience()
         self._advise = advise
-        self._things = Things(plan, walker.map, self._model)
-        self._arrivals = Arrivals(plan, walker.map, self._model, self._things)
-        self._belief = Belief(plan, walker.map, self._model, self._things)
-        self._pointers = Pointers(self._arrivals.names)
-        self._endings: list[Ending] = []
-        self._starts: list[Start] = []
-        self._limit = _walk_limit(plan)
-        self._looks = looks_of(plan)
+        self._tellings = Tellings(walker.map, self._model)
+        self._limit = max(map(_walk_limit, plans))
+        self._looks = _in_order(map(looks_of, plans))
         """What tells ways apart: looked for at every crossing."""
         self._doubted: frozenset[tuple[str, int]] = frozenset()
 
@@ -141,14 +129,16 @@ class Search:
     def _begin(self) -> None:
         walker = self._walker
         self._said: str | None = None
+        for plan in self._plans:
+            self._tellings.add(plan)
         if self._any_heading:
-            named = [m.phrase for m in things_on(self._plan, 0)]
-            outlook = outlook_of(self._plan, 0)
-            first = [*outlook.ahead, *outlook.behind, *named, *self._arrivals.names]
-            walker.look_about(dict.fromkeys([*self._looks, *first]))
-            self._starts = starts_any_way(self._plan, walker.map, walker.at)
-        else:
-            self._starts = starts_ahead(self._model, walker.map, walker.at)
+            first = map(_phrases_at_start, self._plans)
+            walker.look_about(_in_order([self._looks, *first, self._names]))
+        for telling in self._tellings.all:
+            if self._any_heading:
+                telling.starts = starts_any_way(telling.plan, walker.map, walker.at)
+            else:
+                telling.starts = starts_ahead(self._model, walker.map, walker.at)
 
     def _survey(self) -> None:
         """Look along the ways out of where the robot is, if that may tell them apart.
@@ -162,9 +152,9 @@ class Search:
         if best is None or best.mass < self._patience.plain * self._total:
             wanted.extend(self._looks)
         if self._legs_done[-1] >= self._patience.near and not any(
-            each.sighting is not None for each in self._endings
+            each.sighting is not None for each in self._tellings.endings
         ):
-            wanted.extend(self._arrivals.names)
+            wanted.extend(self._names)
         if wanted:
             self._walker.survey(wanted)
             self._update()
@@ -173,11 +163,8 @@ class Search:
 
     def _update(self) -> None:
         """Believe anew after what was seen, and say what changed."""
-        self._belief.pointers = self._pointers.headings(self._walker.map)
-        self._belief.update(self._starts)
-        self._endings = self._arrivals.endings(self._belief)
-        self._total = sum(f.mass for f in self._belief.frontiers.values())
-        self._total += sum(each.mass for each in self._endings)
+        self._tellings.update()
+        self._total = self._tellings.total
         self._distances = self._walker.map.distances_from(self._walker.at)
         best = self._likeliest()
         self._legs_done, self._doubt = self._summary()
@@ -191,14 +178,19 @@ class Search:
             self._say_doubts(best, self._doubt)
 
     def _summary(self) -> tuple[list[float], float]:
-        """Return the probabilities of legs done, and that something told is wrong."""
-        legs = np.zeros(len(self._plan.legs) + 1)
+        """Return the probabilities of legs done, and that something told is wrong.
+
+        Legs are counted from the last, where tellings have more and fewer.
+        """
+        most = max(each.legs for each in self._tellings.all)
+        legs = np.zeros(most + 1)
         wrong = 0.0
-        for frontier in self._belief.frontiers.values():
+        for frontier in self._tellings.frontiers.values():
             for segment, weights in frontier.alignments:
-                legs[segment.leg] += weights.sum()
+                telling = self._tellings.all[segment.telling]
+                legs[segment.leg + most - telling.legs] += weights.sum()
                 wrong += weights[1].sum()
-        for ending in self._endings:
+        for ending in self._tellings.endings:
             legs[-1] += ending.mass
             wrong += ending.weights[1].sum()
         total = max(float(legs.sum()), 1e-300)
@@ -206,8 +198,8 @@ class Search:
 
     def _likeliest(self) -> Segment | None:
         """Return the likeliest of the alignments."""
-        candidates = [(f.mass, f.best) for f in self._belief.frontiers.values()]
-        candidates += [(each.mass, each.segment) for each in self._endings]
+        candidates = [(f.mass, f.best) for f in self._tellings.frontiers.values()]
+        candidates += [(each.mass, each.segment) for each in self._tellings.endings]
         return max(candidates, key=lambda each: each[0], default=(0.0, None))[1]
 
     def _say_doubts(self, best: Segment, doubt: float) -> None:
@@ -226,7 +218,7 @@ class Search:
             at=slip.at,
             kind_of=slip.kind,
         )
-        self._walker.say(_doubt_in_words(slip, len(self._plan.legs)))
+        self._walker.say(_doubt_in_words(slip, len(self._plans[0].legs)))
 
     # -- choosing
 
@@ -246,14 +238,14 @@ class Search:
     def _same_place(self, ending: Ending) -> list[Ending]:
         return [
             each
-            for each in self._endings
+            for each in self._tellings.endings
             if math.dist(each.place, ending.place) < SAME_PLACE
         ]
 
     def _is_enough(self, ending: Ending, frontier: Frontier) -> bool:
         """Tell whether what going on may still show is worth less than stopping."""
         chance = self._chance(ending)
-        unseen = ending.sighting is None and self._arrivals.at_once
+        unseen = ending.sighting is None and self._names_at_once
         enough = self._patience.unseen if unseen else self._patience.stops
         if chance < enough and frontier.mass >= self._patience.hope * self._total:
             return False
@@ -275,18 +267,19 @@ class Search:
             best = ending
         if self._advise is None:
             return best
-        steps = [best, *self._belief.frontiers.values(), *self._endings]
+        tellings = self._tellings
+        steps = [best, *tellings.frontiers.values(), *tellings.endings]
         ranked = sorted(steps, key=lambda each: (each is best, self._value(each)))
         return self._advise([(each, self._value(each)) for each in reversed(ranked)])
 
     def _best_frontier(self) -> Frontier | None:
-        ways: Iterable[Frontier] = self._belief.frontiers.values()
+        ways: Iterable[Frontier] = self._tellings.frontiers.values()
         if not self._goes_back:
             ways = [each for each in ways if each.at == self._walker.at]
         return max(ways, key=self._value, default=None)
 
     def _best_ending(self) -> Ending | None:
-        best = max(self._endings, key=self._value, default=None)
+        best = max(self._tellings.endings, key=self._value, default=None)
         if best is None or best.mass <= 0.0:
             return None
         return max(self._same_place(best), key=lambda each: each.mass)
@@ -300,9 +293,10 @@ class Search:
         back, limit = 0.0, self._limit * PATIENCE
         if ending is not None and self._chance(ending) >= self._patience.claims:
             back = self._distances.get(ending.at, math.inf) + ending.distance
-            way = self._walker.map.distances_from(self._starts[0].at).get(ending.at)
+            begun = self._tellings.all[0].starts[0].at
+            way = self._walker.map.distances_from(begun).get(ending.at)
             if way is not None:
-                told = SURELY_TOLD * expected_metres(self._plan)
+                told = SURELY_TOLD * max(map(expected_metres, self._plans))
                 enough = WAYS * max(way + ending.distance, told)
                 limit = min(limit, max(enough, SHORT_WALK))
         further = self._distances.get(frontier.at, math.inf) + LEG_METRES
@@ -334,7 +328,7 @@ class Search:
         rest = self._total - sum(
             weights.sum()
             for segment, weights in frontier.alignments
-            if segment.leg == len(self._plan.legs)
+            if segment.leg == self._of(segment).legs
         )
 
         def arrived(seen: list[Sighting]) -> bool:
@@ -343,13 +337,13 @@ class Search:
                     continue
                 walked = walker.travelled - begin
                 there = sum(
-                    self._arrivals.here(segment, sighting, walked).sum()
+                    self._of(segment).arrivals.here(segment, sighting, walked).sum()
                     for segment, _ in frontier.alignments
                 )
                 chance = float(there / (there + rest))
                 if chance >= self._patience.sure:
                     if walker.points_on(sighting):
-                        self._arrivals.refuted.add(sighting.track)
+                        self._tellings.refute(sighting)
                         continue
                     found.append((sighting, chance))
                     return True
@@ -359,29 +353,42 @@ class Search:
         if found:
             sighting, chance = found[0]
             self._arrive(f"{sighting.phrase} seen", chance)
-            walk_up_to(walker, sighting, self._arrivals.names)
+            walk_up_to(walker, sighting, self._names)
             return True
         return False
 
+    def _of(self, segment: Segment) -> Telling:
+        return self._tellings.all[segment.telling]
+
+    @property
+    def _names(self) -> tuple[str, ...]:
+        """What to look for of the destination."""
+        return tuple(_in_order(each.arrivals.names for each in self._tellings.all))
+
+    @property
+    def _names_at_once(self) -> list[str]:
+        """Names at which to stop without having seen what else the way has."""
+        return _in_order(each.arrivals.at_once for each in self._tellings.all)
+
     def _may_be_there(self, sighting: Sighting) -> bool:
-        return (
-            sighting.phrase in self._arrivals.at_once
-            and sighting.track not in self._arrivals.refuted
-        )
+        refuted = self._tellings.all[0].arrivals.refuted
+        return sighting.phrase in self._names_at_once and sighting.track not in refuted
 
     def _phrases(self, frontier: Frontier) -> list[str]:
         """Return what to look for on a way: what the likelier alignments await."""
-        phrases: list[str] = [*self._looks, *self._arrivals.names]
-        legs = len(self._plan.legs)
-        masses = np.zeros(legs + 1)
-        for segment, weights in frontier.alignments:
-            masses[segment.leg] += weights.sum()
-        shares = masses / max(masses.sum(), 1e-300)
-        near = [shares[max(n - 1, 0) : n + 2].sum() for n in range(legs + 1)]
-        for number in sorted(range(legs + 1), key=lambda n: -near[n]):
-            if near[number] >= LIKELY_ENOUGH:
-                phrases.extend(self._things.phrases(number))
-        return list(dict.fromkeys(phrases))[:MOST_PHRASES]
+        whole = max(frontier.mass, 1e-300)
+        awaited: list[tuple[float, list[str]]] = []
+        for number, telling in enumerate(self._tellings.all):
+            shares = np.zeros(telling.legs + 1)
+            for segment, weights in frontier.alignments:
+                if segment.telling == number:
+                    shares[segment.leg] += weights.sum() / whole
+            for leg in range(telling.legs + 1):
+                near = float(shares[max(leg - 1, 0) : leg + 2].sum())
+                awaited.append((near, telling.things.phrases(leg)))
+        awaited.sort(key=lambda each: -each[0])
+        likely = [phrases for near, phrases in awaited if near >= LIKELY_ENOUGH]
+        return _in_order([self._looks, self._names, *likely])[:MOST_PHRASES]
 
     # -- ending
 
@@ -395,7 +402,7 @@ class Search:
         if not walker.go_to(ending.at):
             if ending.sighting is None:
                 return True
-            self._arrivals.refuted.add(ending.sighting.track)
+            self._tellings.refute(ending.sighting)
             return False
         if ending.exit is not None and not walker.face(ending.exit):
             walker.map.crossings[ending.at].closed.add(ending.exit)
@@ -418,7 +425,7 @@ class Search:
                     if each.track == ending.sighting.track
                 ]
                 if seen:
-                    walk_up_to(walker, seen[0], self._arrivals.names)
+                    walk_up_to(walker, seen[0], self._names)
                     return True
             step = min(goal, 0.8)
             if not walker.step(step):
@@ -466,6 +473,18 @@ def starts_any_way(plan: RoutePlan, floor: FloorMap, at: int) -> list[Start]:
         Start(at, heading, -1, chance / sum(chances))
         for heading, chance in zip(headings, chances, strict=True)
     ]
+
+
+def _phrases_at_start(plan: RoutePlan) -> list[str]:
+    """Return what was said to be in sight from where one sets off."""
+    outlook = outlook_of(plan, 0)
+    named = [mention.phrase for mention in things_on(plan, 0)]
+    return [*outlook.ahead, *outlook.behind, *named]
+
+
+def _in_order(groups: Iterable[Iterable[str]]) -> list[str]:
+    """Return all words of some groups once."""
+    return list(dict.fromkeys(word for group in groups for word in group))
 
 
 def _doubt_in_words(slip: Slip, legs: int) -> str:

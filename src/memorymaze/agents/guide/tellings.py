@@ -1,0 +1,134 @@
+"""Several tellings of one way, each with a belief of its own, joined place by place."""
+
+import math
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field, replace
+
+from memorymaze.agents.guide.alignments import Frontier, Start
+from memorymaze.agents.guide.arriving import SAME_PLACE, Arrivals, Ending
+from memorymaze.agents.guide.belief import Belief
+from memorymaze.agents.guide.likelihoods import Likelihoods
+from memorymaze.agents.guide.signs import Pointers
+from memorymaze.agents.guide.things import Things
+from memorymaze.agents.walking.floor_map import FloorMap, Sighting
+from memorymaze.routes import RoutePlan
+
+TRUST = 0.85
+"""How likely a telling is of any help, beside others."""
+
+
+class Telling:
+    """One telling: its plan, what it makes likely, and where it may end."""
+
+    def __init__(
+        self,
+        plan: RoutePlan,
+        floor: FloorMap,
+        model: Likelihoods,
+        number: int,
+        trust: float,
+    ) -> None:
+        """Take a plan; trust is how likely it is of any help."""
+        self.plan = plan
+        self.starts: list[Start] = []
+        self.trust = trust
+        self.things = Things(plan, floor, model)
+        self.arrivals = Arrivals(plan, floor, model, self.things)
+        self.belief = Belief(plan, floor, model, self.things, telling=number)
+        self.endings: list[Ending] = []
+        self.total = 0.0
+        self._pointers = Pointers(self.arrivals.names)
+
+    @property
+    def legs(self) -> int:
+        """How many turns it tells."""
+        return len(self.plan.legs)
+
+    def update(self) -> None:
+        """Believe anew after what was seen."""
+        self.belief.pointers = self._pointers.headings(self.belief.floor)
+        self.belief.update(self.starts)
+        self.endings = self.arrivals.endings(self.belief)
+        self.total = sum(each.mass for each in self.belief.frontiers.values())
+        self.total += sum(each.mass for each in self.endings)
+
+    def share_of_way(self, key: tuple[int, int]) -> float:
+        """Return how likely it takes a way out of a crossing to be the next."""
+        frontier = self.belief.frontiers.get(key)
+        return frontier.mass / self.total if frontier is not None else 0.0
+
+    def share_at(self, place: tuple[float, float]) -> float:
+        """Return how likely it takes a place for the destination."""
+        near = (e.mass for e in self.endings if math.dist(e.place, place) < SAME_PLACE)
+        return sum(near) / self.total
+
+
+@dataclass
+class Tellings:
+    """What all tellings together make likely.
+
+    A way, or a place to arrive at, is as likely as all of them together make it: each
+    is right with the probability that one trusts it, and else says nothing. So an error
+    of one is outvoted by the others.
+    """
+
+    floor: FloorMap
+    model: Likelihoods
+    all: list[Telling] = field(default_factory=list[Telling])
+    frontiers: dict[tuple[int, int], Frontier] = field(
+        default_factory=dict[tuple[int, int], Frontier]
+    )
+    endings: list[Ending] = field(default_factory=list[Ending])
+    total: float = 0.0
+
+    def add(self, plan: RoutePlan, trust: float = TRUST) -> Telling:
+        """Take one more telling; where it begins is still to be said."""
+        telling = Telling(plan, self.floor, self.model, len(self.all), trust)
+        self.all.append(telling)
+        return telling
+
+    def update(self) -> None:
+        """Believe anew after what was seen."""
+        for telling in self.all:
+            telling.update()
+        if len(self.all) == 1:
+            self.frontiers = self.all[0].belief.frontiers
+            self.endings = self.all[0].endings
+        else:
+            self._join()
+        self.total = sum(each.mass for each in self.frontiers.values())
+        self.total += sum(each.mass for each in self.endings)
+
+    def refute(self, sighting: Sighting) -> None:
+        """Take note that something seen was found not to be the destination."""
+        for telling in self.all:
+            telling.arrivals.refuted.add(sighting.track)
+
+    def _join(self) -> None:
+        ways = {key for each in self.all for key in each.belief.frontiers}
+        choices = len(ways) + max(sum(len(each.endings) > 0 for each in self.all), 1)
+        self.frontiers, self.endings = {}, []
+        for telling in self.all:
+            others = [each for each in self.all if each is not telling]
+
+            def agreed(
+                share: Callable[[Telling], float], others: Iterable[Telling] = others
+            ) -> float:
+                return math.prod(
+                    each.trust * share(each) + (1 - each.trust) / choices
+                    for each in others
+                )
+
+            for key, frontier in telling.belief.frontiers.items():
+                factor = agreed(lambda each, key=key: each.share_of_way(key))
+                factor /= telling.total
+                joined = self.frontiers.setdefault(key, Frontier(*key))
+                joined.alignments += [
+                    (segment, weights * factor)
+                    for segment, weights in frontier.alignments
+                ]
+            for ending in telling.endings:
+                place = ending.place
+                factor = agreed(lambda each, place=place: each.share_at(place))
+                factor /= telling.total
+                self.endings.append(replace(ending, weights=ending.weights * factor))
