@@ -41,6 +41,7 @@ ROOMS_WITH_ANSWERS = (
     "instructions",
     "library",
     "metrics",
+    "passers_by",
     "pictures",
     "results",
     "simulation",

@@ -10,6 +10,7 @@ from memorymaze.evaluation.seeds import obstacle_generator
 from memorymaze.geometry.grid import FloorGrid
 from memorymaze.geometry.trajectory import Trajectory
 from memorymaze.instructions.records import Episode
+from memorymaze.passers_by import FloorKnowledge
 from memorymaze.perception.eyes import Eyes
 from memorymaze.pictures import robot_cameras
 from memorymaze.pictures.furniture.models import Looks
@@ -56,6 +57,11 @@ class Arena:
     def grid(self) -> FloorGrid:
         """The 0.5 m grid of the walkable floor, with its distances."""
         return FloorGrid.from_polygon(self.site.walkable_floor)
+
+    @cached_property
+    def floor(self) -> FloorKnowledge:
+        """What people know of it whom one asks."""
+        return FloorKnowledge(self.site, self.grid)
 
     def robot(
         self,

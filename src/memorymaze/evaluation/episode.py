@@ -4,8 +4,9 @@ Whatever the agent does, there is a result; nothing it raises gets out of here.
 """
 
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from statistics import fmean
 from typing import Any, NamedTuple, Protocol, cast
 
 from memorymaze.agents.agent import Agent, Journal
@@ -20,9 +21,13 @@ from memorymaze.errors import (
 )
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.budgets import episode_time_budget
-from memorymaze.evaluation.guarded_robot import GuardedRobot
+from memorymaze.evaluation.guarded_robot import AskingGuardedRobot, GuardedRobot
 from memorymaze.evaluation.results import EpisodeResult, StoppedBy, measure_walk
-from memorymaze.evaluation.seeds import detector_generator, episode_generators
+from memorymaze.evaluation.seeds import (
+    detector_generator,
+    episode_generators,
+    passers_by_seed,
+)
 from memorymaze.evaluation.settings import RunDefinition
 from memorymaze.evaluation.trace_entries import (
     call_entry,
@@ -33,8 +38,10 @@ from memorymaze.evaluation.trace_entries import (
 )
 from memorymaze.geometry.trajectory import Trajectory
 from memorymaze.instructions.records import Episode
+from memorymaze.passers_by import Asked, Encounters, asked_entry
 from memorymaze.robot.steps import SteppingRobot
 from memorymaze.simulation import SimulatedRobot
+from memorymaze.writing.request import cell_rates
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,20 +108,28 @@ def _attempt(
     watcher: Watcher | None,
 ) -> EpisodeRun:
     robot_rng, agent_rng = episode_generators(settings.seed, episode.id)
-    trace: list[dict[str, Any]] = [opening_entry(agent.name, episode, settings)]
+    way = arena.site.route(episode.instruction.reference_route)
+    destination = None if settings.ask is None else way.goal
+    trace = [opening_entry(agent.name, episode, settings, destination)]
 
     def tell(entry: dict[str, Any]) -> None:
         trace.append(entry)
         if watcher is not None:
             watcher.told()
 
-    way = arena.site.route(episode.instruction.reference_route)
     robot = arena.robot(
         episode,
         replace(settings.simulation, time_budget=episode_time_budget(settings, way)),
         robot_rng,
         lambda event: tell(call_entry(event)),
         detector_generator(settings.seed, episode.id),
+    )
+    people = _people_to_ask(
+        robot,
+        episode,
+        arena,
+        settings,
+        lambda asked: tell(asked_entry(asked)),
     )
     journal = Journal(
         listener=lambda entry: tell(note_entry(robot.time, entry)),
@@ -129,7 +144,9 @@ def _attempt(
         agent,
         episode.instruction.text,
         robot,
-        GuardedRobot(robot, settings.needs),
+        GuardedRobot(robot, settings.needs)
+        if people is None
+        else AskingGuardedRobot(robot, settings.needs, people),
         journal,
         agent_rng,
     )
@@ -139,6 +156,8 @@ def _attempt(
     trace += closing_entries(robot, walk, ended, error)
     finished = arena.finished(episode, walk, ended, settings.success_distance)
     told = episode.instruction
+    asked = [] if people is None else people.asked
+    strangers_s = sum(each.seconds for each in asked)
     result = EpisodeResult(
         episode_id=episode.id,
         instruction_id=told.id,
@@ -166,7 +185,7 @@ def _attempt(
         waiting_s=robot.waiting_time,
         refused_turns=robot.refused_turns,
         inference_s=journal.inference_s,
-        standing_s=robot.standing_time,
+        standing_s=round(robot.standing_time - strangers_s, 6),
         followers=told.followers,
         error_kinds=tuple(failure.kind for failure in told.failures),
         errors_of_tellings=tuple(len(each.failures) for each in episode.tellings),
@@ -174,8 +193,46 @@ def _attempt(
         way_m=way.length,
         confidence=journal.confidence,
         gave_up=ended == "agent" and journal.gave_up,
+        questions=len(asked),
+        asked_in_vain=0 if people is None else people.in_vain,
+        wrong_answers=sum(each.truth == "wrong" for each in asked),
+        strangers_s=strangers_s,
+        answers_left_m=tuple(
+            round(float(metres), 3)
+            for metres in finished.distances_to_goal([each.place for each in asked])
+        )
+        if asked
+        else (),
     )
     return EpisodeRun(result, walk, tuple(trace), interpreter_lost)
+
+
+def _people_to_ask(
+    robot: SimulatedRobot,
+    episode: Episode,
+    arena: Arena,
+    settings: RunDefinition,
+    on_answer: Callable[[Asked], None],
+) -> Encounters | None:
+    """Return whom the robot can ask; None in all tracks but that one."""
+    if settings.ask is None:
+        return None
+    told = episode.instruction
+    rates = [
+        cell_rates("onsite", iteration, told.site, told.route, turns=0).failure
+        for iteration in (1, 2)
+    ]
+    return Encounters(
+        robot,
+        arena.floor,
+        arena.site.route(told.reference_route).goal,
+        settings.ask,
+        seed=passers_by_seed(settings.seed, episode.id),
+        error_rate=fmean(rates),
+        success_distance=settings.success_distance,
+        kind=settings.passers_by,
+        on_answer=on_answer,
+    )
 
 
 class _Ending(NamedTuple):

@@ -4,6 +4,7 @@ import math
 from collections.abc import Collection
 
 from memorymaze.agents.agent import Need
+from memorymaze.passers_by import Encounters
 from memorymaze.robot.api import (
     Detection,
     Direction,
@@ -11,6 +12,7 @@ from memorymaze.robot.api import (
     SignText,
     TurnResult,
 )
+from memorymaze.robot.asking import Question
 from memorymaze.robot.steps import CameraPicture, LidarScan
 from memorymaze.simulation import SimulatedRobot
 
@@ -36,6 +38,13 @@ class GuardedRobot:
 
     def __getattr__(self, name: str) -> object:
         """Refuse what agents do not get."""
+        if name in _ASKING:
+            raise AttributeError(
+                f"robot.{name} is for the track with people one can ask, and this run is "
+                "not of it; give ask a number of questions (--ask N)",
+                name=name,
+                obj=self,
+            )
         raise AttributeError(
             f"a robot that follows an instruction has no {name!r}: agents get what is in "
             "memorymaze.robot.api and memorymaze.robot.steps",
@@ -117,6 +126,34 @@ class GuardedRobot:
     def __repr__(self) -> str:
         """Say what it is, and nothing of where."""
         return "GuardedRobot(a robot that follows an instruction)"
+
+
+_ASKING = ("ask", "destination", "questions_left")
+
+
+class AskingGuardedRobot(GuardedRobot):
+    """The same in the track with people one can ask; of them it passes on words alone."""
+
+    __slots__ = ("__encounters",)
+
+    def __init__(
+        self, robot: SimulatedRobot, needs: Collection[Need], encounters: Encounters
+    ) -> None:
+        """Stand before a robot and the people around it."""
+        super().__init__(robot, needs)
+        self.__encounters = encounters
+
+    def destination(self) -> str:
+        """See `AskingRobot.destination`."""
+        return self.__encounters.destination
+
+    def questions_left(self) -> int:
+        """See `AskingRobot.questions_left`."""
+        return self.__encounters.questions_left
+
+    def ask(self, question: Question) -> str | None:
+        """See `AskingRobot.ask`."""
+        return self.__encounters.ask(question)
 
 
 def simulated_behind(robot: object, agent: str) -> SimulatedRobot:

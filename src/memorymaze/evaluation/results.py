@@ -192,6 +192,20 @@ class EpisodeResult:
     gave_up: Annotated[bool | None, Measure("Gave up", digits=0)] = None
     """Stopped by itself, saying that it is not there; None in older runs."""
 
+    questions: Annotated[int, Measure("Questions", digits=1, is_amount=True)] = 0
+    """Asked of passers-by and answered."""
+    asked_in_vain: Annotated[int, Measure(is_amount=True)] = 0
+    """Questions with nobody near, which cost none."""
+    wrong_answers: Annotated[int, Measure(is_amount=True)] = 0
+    """Answers that say something wrong; not those who do not know."""
+    strangers_s: Annotated[
+        FiniteFloat, Measure("strangers' s", digits=1, is_amount=True)
+    ] = 0.0
+    """Simulated seconds that passers-by stood and spoke; in `duration_s`, but not against
+    the time budget."""
+    answers_left_m: tuple[FiniteFloat, ...] = ()
+    """Shortest walk left to the goal when each answer came, metres."""
+
     @property
     def claims_arrival(self) -> bool:
         """Whether the agent stopped as one that is there."""

@@ -23,6 +23,13 @@ def detector_generator(seed: int, episode_id: str) -> np.random.Generator:
     return np.random.default_rng(_root(seed, episode_id).spawn(3)[2])
 
 
+def passers_by_seed(seed: int, episode_id: str) -> tuple[int, ...]:
+    """Return the seed of what an episode's people remember, to which each adds a number."""
+    # The fourth child: three others are the robot's, the agent's and the detector's.
+    words = _root(seed, episode_id).spawn(4)[3].generate_state(4)
+    return tuple(int(word) for word in words)
+
+
 def obstacle_generator(seed: int, episode_id: str) -> np.random.Generator:
     """Return the generator of an episode's things and people.
 

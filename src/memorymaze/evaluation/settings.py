@@ -12,6 +12,7 @@ from memorymaze.language.model_settings import NOT_COMPARED as MODEL_NOT_COMPARE
 from memorymaze.language.model_settings import ModelSettings
 from memorymaze.metrics.success import SUCCESS_DISTANCE
 from memorymaze.options import check_whole, check_word, read_values
+from memorymaze.passers_by import PassersBy
 from memorymaze.perception.eyes import (
     TRUTH,
     DetectorSettings,
@@ -157,6 +158,13 @@ class RunSettings:
     """leave things in the way and let people walk about: light, medium or heavy, or
     settings such as things=4,density=1,seed=1 (alone: medium; default: none). Results are
     a track of their own"""
+    ask: int | None = field(default=None, metadata={"metavar": "N"})
+    """the track with people one can ask: the agent is told the destination's name and may
+    ask so many questions, 0 for none (with obstacles as in medium, where none are given;
+    docs/asking.md). Results are a track of their own"""
+    passers_by: PassersBy = field(default="memory", metadata={"metavar": "KIND"})
+    """with --ask: how people answer: memory, with the errors of memory; or as a control
+    wrong, all of them, or empty, as nobody knows anything"""
     detector: DetectorSettings = field(
         default=TRUTH,
         metadata={"metavar": "NAME[:SETTINGS]", "reader": parse_detector},
@@ -186,9 +194,31 @@ class RunSettings:
                 f"{self.success_distance!r}"
             )
         check_word("budget_by", self.budget_by, BudgetBy)
+        check_word("passers_by", self.passers_by, PassersBy)
+        self._check_asking()
         check_word("signs", self.signs, SignSource)
         if self.looks is not None:
             check_word("looks", self.looks, Looks)
+
+    def _check_asking(self) -> None:
+        """See that there are people to ask, the usual ones where nobody says which."""
+        if self.ask is None:
+            if self.passers_by != "memory":
+                raise SettingsError(
+                    f"passers_by: {self.passers_by!r} is of the track with people one can "
+                    "ask; add ask (--ask N), a number of questions"
+                )
+            return
+        check_whole("ask", self.ask, least=0)
+        if self.obstacles is None:
+            object.__setattr__(self, "obstacles", ObstacleSettings())
+        elif self.obstacles.people == 0 or (
+            self.obstacles.people is None and not self.obstacles.people_per_100m2
+        ):
+            raise SettingsError(
+                "ask: expected obstacles with people, got none to ask; give --obstacles a "
+                "density or a number of people, or leave it out"
+            )
 
 
 def with_choices(settings: RunSettings, choices: Mapping[str, Any]) -> RunSettings:

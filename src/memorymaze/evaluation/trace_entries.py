@@ -10,10 +10,11 @@ from memorymaze.simulation import SimulatedRobot, TraceEvent
 
 
 def opening_entry(
-    name: str, episode: Episode, settings: RunDefinition
+    name: str, episode: Episode, settings: RunDefinition, destination: str | None
 ) -> dict[str, Any]:
-    """Say what is followed, from where, by whom."""
+    """Say what is followed, from where, by whom; and where to, if the agent is told."""
     told = episode.instruction
+    named = {} if destination is None else {"destination": destination}
     return {
         "kind": "episode",
         "episode_id": episode.id,
@@ -26,6 +27,7 @@ def opening_entry(
         "start": episode.start,
         "goal": episode.goal,
         "seed": settings.seed,
+        **named,
     }
 
 

@@ -4,3 +4,9 @@ What is true from a place comes from the site plan (`knowledge`), what somebody 
 from their memory (`memory`), and the words from a bank (`bank`). Who is near enough to be
 asked is decided in `simulation`; agents get the words alone and cannot import this room.
 """
+
+from memorymaze.passers_by.encounters import Asked, Encounters, asked_entry
+from memorymaze.passers_by.knowledge import FloorKnowledge
+from memorymaze.passers_by.memory import PassersBy
+
+__all__ = ["Asked", "Encounters", "FloorKnowledge", "PassersBy", "asked_entry"]

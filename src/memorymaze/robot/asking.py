@@ -4,7 +4,7 @@ Only in the track with people one can ask (`--ask N`); everywhere else a robot h
 """
 
 from dataclasses import dataclass
-from typing import Literal, Protocol, runtime_checkable
+from typing import Literal, Protocol, TypeGuard, runtime_checkable
 
 from memorymaze.robot.api import Robot
 
@@ -12,6 +12,8 @@ QuestionKind = Literal["way_to", "where_is", "is_this"]
 
 HEARING_RANGE = 3.0
 """Metres within which people are asked."""
+WORDS_PER_SECOND = 2.5
+"""How fast people speak."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,6 +47,16 @@ def where_is(thing: str) -> Question:
 def is_this(place: str) -> Question:
     """Ask whether this is a place."""
     return Question("is_this", place)
+
+
+def seconds_to_say(words: str) -> float:
+    """Return how long it takes to say something, in simulated seconds."""
+    return len(words.split()) / WORDS_PER_SECOND
+
+
+def can_ask(robot: object) -> TypeGuard["AskingRobot"]:
+    """Tell whether a robot is one of the track with people one can ask."""
+    return hasattr(robot, "ask")
 
 
 @runtime_checkable

@@ -27,6 +27,7 @@ from memorymaze.robot.api import (
     SignText,
     TurnResult,
 )
+from memorymaze.robot.asking import Question, seconds_to_say
 from memorymaze.robot.steps import CameraPicture, LidarScan
 from memorymaze.simulation.cameras import (
     CameraFrame,
@@ -44,6 +45,7 @@ from memorymaze.simulation.motion.commands import (
 )
 from memorymaze.simulation.motion.driving import Driver, TimeIsUp
 from memorymaze.simulation.motion.pilot import Pilot
+from memorymaze.simulation.obstacles.crowd import Person
 from memorymaze.simulation.obstacles.surroundings import NearMiss, Surroundings
 from memorymaze.simulation.scene import Scene
 from memorymaze.simulation.senses.lidar import Lidar, LidarSettings
@@ -318,6 +320,24 @@ class SimulatedRobot:
         self._driver.sample()
         return round(self._driver.standing_time - before, 6)
 
+    def ask(self, question: Question, answer: Callable[[Person], str]) -> str | None:
+        """Put a question to the nearest person in hearing; None where nobody is.
+
+        Both stand while they speak, which does not count against the time budget. What
+        they say is asked for when the robot is at rest.
+        """
+        with self._call("ask", question=str(question)) as call:
+            around = self.surroundings
+            person = None if around is None else around.person_in_hearing(self.pose)
+            if person is None:
+                return call.returns(None)
+            self.wait(0.0)
+            words = answer(person)
+            seconds = seconds_to_say(str(question)) + seconds_to_say(words)
+            person.stand_still(self.time + seconds)
+            self.wait(seconds)
+            return call.returns(words)
+
     def follow(self, line: ArrayLike) -> MoveResult:
         """Drive along a given line to its end; privileged, for the oracle.
 
@@ -440,7 +460,7 @@ class SimulatedRobot:
 
     @property
     def standing_time(self) -> float:
-        """Simulated seconds it stood in `wait`."""
+        """Simulated seconds it stood in `wait` and in `ask`."""
         return self._driver.standing_time
 
     @property

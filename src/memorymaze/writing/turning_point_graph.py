@@ -119,7 +119,7 @@ class TurningPointGraph:
             for point in self.site.turning_points
         }
         for route in self.site.routes:
-            for start, way in self._route_ways(route):
+            for start, way in self.ways_along(route):
                 if start is None:
                     continue
                 known = guessed[start]
@@ -185,9 +185,9 @@ class TurningPointGraph:
         if around:
             start = (route.start.x, route.start.y)
             return self._ray(start, route.start.heading + math.pi, None)
-        return next(way for _, way in self._route_ways(route))
+        return next(way for _, way in self.ways_along(route))
 
-    def _route_ways(self, route: Route) -> Iterator[tuple[str | None, Way]]:
+    def ways_along(self, route: Route) -> Iterator[tuple[str | None, Way]]:
         """Yield the ways along a route: from its start, then from each turning point."""
         stops = [(0.0, None), *self.passed[route.id], (route.line.length, None)]
         for (start, name), (end, following) in pairwise(stops):

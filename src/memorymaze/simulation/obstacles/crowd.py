@@ -103,6 +103,10 @@ class Person:
         """Whether walls or things are close here or a few steps ahead."""
         return bool(self.tight[self.reached : self.reached + LOOK_AHEAD + 1].any())
 
+    def stand_still(self, until: float) -> None:
+        """Stop where one is and stand up to a simulated time."""
+        self.stands_until = self.progress_at = max(until, self.stands_until)
+
     def take(
         self,
         way: NDArray[np.float64],

@@ -7,9 +7,10 @@ from typing import NamedTuple
 
 import mujoco
 import numpy as np
-from shapely import Point, Polygon
+from shapely import LineString, Point, Polygon
 
 from memorymaze.geometry.pose import Pose
+from memorymaze.robot.asking import HEARING_RANGE
 from memorymaze.simulation.motion.clearance import Clearance
 from memorymaze.simulation.motion.wheeled_base import ROBOT_RADIUS
 from memorymaze.simulation.obstacles.crowd import Crowd, Person, RobotMotion
@@ -46,6 +47,8 @@ LEAST_SPEED = 0.4
 """Speed in metres per second for which a robot looks ahead that stands."""
 REACH = 4.5
 """Metres around the robot within which people are looked at."""
+SEEN_ROUND = 0.05
+"""Metres that a line of sight may cut a corner of the walls."""
 STANDING = 0.15
 """Speed in metres per second below which a person stands."""
 
@@ -168,6 +171,26 @@ class Surroundings:
             Point(each.x, each.y).buffer(each.radius + PERSON_ROOM) for each in standing
         ]
         return Clearance(self._scene.site.walkable_floor, [*self._solids, *discs])
+
+    def person_in_hearing(self, place: Pose) -> Person | None:
+        """Return the nearest person who can be asked from a place; None for nobody.
+
+        They are within 3 m, in any direction, and no wall is between.
+        """
+        floor = self._scene.site.walkable_floor.buffer(SEEN_ROUND)
+        within = (
+            [] if self.crowd is None else self.crowd.near(*place[:2], HEARING_RANGE)
+        )
+        in_sight = [
+            each
+            for each in within
+            if floor.covers(LineString([place[:2], (each.x, each.y)]))
+        ]
+        return min(
+            in_sight,
+            key=lambda each: math.dist(place[:2], (each.x, each.y)),
+            default=None,
+        )
 
     def _show_people(self) -> None:
         if self.crowd is not None:

@@ -1,0 +1,64 @@
+"""Robots on tiny sites, with one person whom a test puts where it needs them."""
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+
+from memorymaze.geometry.grid import FloorGrid
+from memorymaze.geometry.pose import Pose
+from memorymaze.passers_by import Encounters, FloorKnowledge
+from memorymaze.simulation import SimulatedRobot, SimulationSettings, build_scene
+from memorymaze.simulation.obstacles import ObstacleSettings
+from memorymaze.simulation.obstacles.crowd import Person
+from memorymaze.sites import Site
+
+
+@pytest.fixture
+def knowing() -> Callable[[Site], FloorKnowledge]:
+    """Return what somebody knows who knows a site."""
+    return lambda site: FloorKnowledge(
+        site, FloorGrid.from_polygon(site.walkable_floor)
+    )
+
+
+@pytest.fixture
+def met(t_site: Site) -> Callable[..., tuple[SimulatedRobot, Encounters, Person]]:
+    """Put a robot at (0, -6), facing the T junction, and somebody who stands near it."""
+
+    def put(
+        person: tuple[float, float] = (0.5, -4.5),
+        questions: int = 3,
+        *,
+        destination: str = "the library",
+        seed: int = 0,
+        error_rate: float = 0.0,
+        **choices: Any,
+    ) -> tuple[SimulatedRobot, Encounters, Person]:
+        budget = choices.pop("time_budget", 100.0)
+        robot = SimulatedRobot(
+            build_scene(t_site, ObstacleSettings(things_per_100m=0, people=1)),
+            Pose(0, -6, math.pi / 2),
+            SimulationSettings(time_budget=budget),
+            np.random.default_rng(0),
+            obstacles_rng=np.random.default_rng(0),
+        )
+        assert robot.surroundings is not None
+        assert robot.surroundings.crowd is not None
+        [somebody] = robot.surroundings.crowd.people
+        somebody.x, somebody.y, somebody.vx, somebody.vy = *person, 0.0, 0.0
+        encounters = Encounters(
+            robot,
+            FloorKnowledge(t_site, FloorGrid.from_polygon(t_site.walkable_floor)),
+            destination,
+            questions,
+            seed=(seed,),
+            error_rate=error_rate,
+            success_distance=3.0,
+            **choices,
+        )
+        return robot, encounters, somebody
+
+    return put
