@@ -51,7 +51,7 @@ def way(*sides: str) -> WayFacts:
 
 
 def sides_in(text: str) -> list[str]:
-    return re.findall(r"\b(left|right)\b", text)
+    return re.findall(r"\b(left|right)\b", text.lower())
 
 
 def is_told_in_order(told: Sequence[str], said: Sequence[str]) -> bool:
@@ -103,7 +103,8 @@ def test_the_turns_of_an_answer_are_said_in_order(answer: Answer) -> None:
         for name, number in SLOT.findall(answer.text)
         if name in {"side", "bend", "turn"}
     ]
-    assert numbers == list(range(1, answer.turns_told + 1))
+    assert numbers == sorted(numbers)
+    assert set(numbers) == set(range(1, answer.turns_told + 1))
 
 
 @given(ways, st.integers(0, 2**32))
@@ -226,6 +227,34 @@ def test_a_slot_without_a_phrase_for_all_is_refused(tmp_path: Path) -> None:
         load_bank(tmp_path)
 
 
-def test_the_bank_is_large() -> None:
-    told = Counter(a.case or f"{a.turns}" for a in BANK.answers if a.kind == "way_to")
-    assert min(told[f"{turns}"] for turns in range(MANY_TURNS + 1)) >= 14
+def test_every_case_has_many_answers() -> None:
+    ways = Counter(answer.turns for answer in BANK.answers if answer.case is None)
+    replies = Counter((answer.kind, answer.case) for answer in BANK.answers)
+    assert min(ways[turns] for turns in range(MANY_TURNS + 1)) >= 45
+    assert min(replies[case] for case in CASES) >= 15
+    assert replies["way_to", "unknown"] >= 25
+
+
+def test_an_answer_has_3_to_60_words() -> None:
+    lengths = [len(answer.text.split()) for answer in BANK.answers]
+    assert min(lengths) >= 3
+    assert max(lengths) <= 60
+
+
+@pytest.mark.parametrize(
+    ("case", "other"), [("left", "right"), ("right", "left")], ids=["left", "right"]
+)
+def test_a_thing_at_one_side_is_never_said_to_be_at_the_other(
+    case: str, other: str
+) -> None:
+    texts = [a.text.lower() for a in BANK.answers if a.case == case]
+    assert texts
+    assert not [text for text in texts if case not in text or other in text]
+
+
+def test_a_capital_opens_sentences_only() -> None:
+    rng = np.random.default_rng(4)
+    said = [BANK.way(way("left", "right"), rng) for _ in range(300)]
+    lengths = r"(?:Two|Five|Ten|Twelve|Fifteen|Twenty|Thirty|About|Maybe|Some) "
+    assert not [text for text in said if re.search(rf"[a-z,] {lengths}", text)]
+    assert not [text for text in said if re.search(r"[.!?] [a-z]", text)]

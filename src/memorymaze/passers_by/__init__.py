@@ -1,8 +1,9 @@
 """People one can ask on the way: what they know, what they remember of it, what they say.
 
 What is true from a place comes from the site plan (`knowledge`), what somebody makes of it
-from their memory (`memory`), and the words from a bank (`bank`). Who is near enough to be
-asked is decided in `simulation`; agents get the words alone and cannot import this room.
+from their memory (`memory`), and the words from a bank that a language model wrote in role
+(`bank`), never from a grammar. Who is near enough to be asked is decided in `simulation`;
+agents get the words alone and cannot import this room.
 """
 
 from memorymaze.passers_by.encounters import Asked, Encounters, asked_entry

@@ -84,7 +84,7 @@ class Bank:
                 case _:
                     return facts.destination
 
-        return _fill(answer.text, say)
+        return _sentences(answer.text, say)
 
     def reply(
         self,
@@ -124,7 +124,7 @@ class Bank:
                 return phrases.choose("start", slots[name])
             return slots[name]
 
-        return _fill(answer.text, say)
+        return _sentences(answer.text, say)
 
     def _in_manner(
         self, case: tuple[str, str | int], manner: str | None
@@ -196,14 +196,19 @@ def load_bank(folder: Path = DATA_FOLDER) -> Bank:
 
 def _fill(text: str, say: Callable[[str, str], str]) -> str:
     """Fill each slot with what `say` returns for its name and its number."""
+    return SLOT.sub(lambda slot: say(slot[1], slot[2]), text)
 
-    def filled(slot: re.Match[str]) -> str:
+
+def _sentences(text: str, say: Callable[[str, str], str]) -> str:
+    """Fill the slots of a whole answer; one that opens a sentence has a capital."""
+
+    def say_in_place(slot: re.Match[str]) -> str:
         words = say(slot[1], slot[2])
         if _SENTENCE_START.search(slot.string[: slot.start()]):
             return words[:1].upper() + words[1:]
         return words
 
-    return SLOT.sub(filled, text)
+    return SLOT.sub(say_in_place, text)
 
 
 def _choose(among: Sequence[_Record], rng: np.random.Generator) -> _Record:

@@ -11,7 +11,6 @@ LENGTH_UNITS = {
 }
 """How many of a unit one metre of walking is."""
 _NUMBERS = {
-    1: "one",
     2: "two",
     3: "three",
     4: "four",
@@ -51,7 +50,7 @@ _ORDINALS = (
 
 
 def spoken_number(number: float) -> str:
-    """Return the number in words that somebody would say instead of one above zero."""
+    """Return in words the round number, from two, that somebody would say instead."""
     return _NUMBERS[
         min(_NUMBERS, key=lambda said: abs(math.log(said / max(number, 1))))
     ]
