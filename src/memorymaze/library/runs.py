@@ -55,7 +55,8 @@ class Run:
 
         Args:
             choice: `II` (methods), `III` (iterations), `errors` (kinds of errors), `reach`
-                (by distance and by metres walked) or `confidence`.
+                (by distance and by metres walked) or `confidence`. What a second telling
+                is worth takes two runs: `Comparison.paper_table("second_tellings")`.
         """
         return run_tables([self.measured], choice)[0]
 
@@ -105,7 +106,7 @@ class Comparison:
         return equal_metres_table(*self._pair())
 
     def paper_table(self, choice: TableChoice = "II") -> Table:
-        """Return all runs in one of the paper's tables; see `Run.table`."""
+        """Return all runs in one table; see `run_tables`."""
         return run_tables([run.measured for run in self.runs], choice)[0]
 
     def frame(self) -> "pandas.DataFrame":

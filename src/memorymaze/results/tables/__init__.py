@@ -39,6 +39,7 @@ from memorymaze.results.tables.runs import (
     run_notes,
 )
 from memorymaze.results.tables.sail import is_sail, sail_table
+from memorymaze.results.tables.second_tellings import second_tellings_table
 from memorymaze.tables import Table
 
 __all__ = [
@@ -61,7 +62,9 @@ __all__ = [
     "run_tables",
 ]
 
-TableChoice = Literal["II", "III", "both", "errors", "reach", "confidence"]
+TableChoice = Literal[
+    "II", "III", "both", "errors", "reach", "confidence", "second_tellings"
+]
 
 
 def run_tables(
@@ -74,16 +77,18 @@ def run_tables(
     Args:
         runs: From `load_runs`; at least one.
         choice: Of the paper's tables; `errors`: success by kind of error in the texts;
-            `reach`: by distance to the goal and length of the walk; or `confidence`: what
-            agents claimed, how sure they were, and what came of it. Runs on SAIL are
-            shown by map, whichever of the paper's is chosen.
+            `reach`: by distance to the goal and length of the walk; `confidence`: what
+            agents claimed, how sure they were, and what came of it; or `second_tellings`:
+            of runs with both tellings and without, what the second is worth. Runs on SAIL
+            are shown by map, whichever of the paper's is chosen.
         absent: Methods that have no run: rows of the paper's tables say so, and their
             notes how to get one.
 
     Raises:
         SettingsError: Some runs are on SAIL and some are not.
         RunFolderError: `errors`, `reach` or `confidence` of a run by an older version,
-            which did not keep what they show.
+            which did not keep what they show; or `second_tellings` where a run with both
+            tellings lacks its counterpart.
     """
     if choice == "errors":
         return [error_table(run) for run in runs]
@@ -91,6 +96,8 @@ def run_tables(
         return [reach_table(runs)]
     if choice == "confidence":
         return [confidence_table(runs)]
+    if choice == "second_tellings":
+        return [second_tellings_table(runs)]
     if is_sail(runs):
         return [sail_table(run) for run in runs]
     names: tuple[TableName, ...] = ("II", "III") if choice == "both" else (choice,)
