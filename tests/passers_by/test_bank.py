@@ -14,10 +14,11 @@ from hypothesis import strategies as st
 from memorymaze.errors import AnswerFileError, SettingsError
 from memorymaze.passers_by.bank import DATA_FOLDER, load_bank
 from memorymaze.passers_by.bank_records import (
-    CASES,
     MANY_TURNS,
-    SIDES,
+    OPPOSITES,
+    REPLY_CASES,
     SLOT,
+    WAY_CASES,
     Answer,
     TurnFact,
     WayFacts,
@@ -29,7 +30,7 @@ PERHAPS = {"metres": "14", "near": "the lifts", "where": "left"}
 
 turns = st.builds(
     TurnFact,
-    side=st.sampled_from(SIDES),
+    side=st.sampled_from(sorted(OPPOSITES)),
     cue=st.sampled_from(["next", "ordinal", "end", "thing", "crossing"]),
     ordinal=st.integers(1, 30),
     thing=st.just("the drinks machine"),
@@ -60,7 +61,7 @@ def is_told_in_order(told: Sequence[str], said: Sequence[str]) -> bool:
 
 
 def slots_for(kind: str, case: str) -> dict[str, str]:
-    allowed = CASES[kind, case]  # pyright: ignore[reportArgumentType]
+    allowed = REPLY_CASES[kind, case]
     return {slot: text for slot, text in (TOLD | PERHAPS).items() if slot in allowed}
 
 
@@ -80,7 +81,7 @@ def test_the_same_generator_gives_the_same_words(facts: WayFacts, seed: int) -> 
     assert said[0] == said[1]
 
 
-@pytest.mark.parametrize(("kind", "case"), CASES)
+@pytest.mark.parametrize(("kind", "case"), REPLY_CASES)
 def test_every_reply_is_said_in_every_manner(kind: str, case: str) -> None:
     rng = np.random.default_rng(5)
     slots = slots_for(kind, case)
@@ -94,7 +95,7 @@ def test_every_reply_is_said_in_every_manner(kind: str, case: str) -> None:
 
 @pytest.mark.parametrize(
     "answer",
-    [a for a in BANK.answers if a.turns is not None and not a.corrects_itself],
+    [a for a in BANK.answers if a.case in WAY_CASES and not a.corrects_itself],
     ids=lambda answer: answer.id,
 )
 def test_the_turns_of_an_answer_are_said_in_order(answer: Answer) -> None:
@@ -176,7 +177,7 @@ def changed_bank(folder: Path, name: str, line: int, **changes: object) -> Path:
 @pytest.mark.parametrize(
     ("name", "changes", "problem"),
     [
-        pytest.param("answers", {"text": "Go."}, "expected the slots", id="no slots"),
+        pytest.param("answers", {"text": "Go."}, "expected the slot", id="no slots"),
         pytest.param(
             "answers",
             {"text": "{start} {where} {cheese}"},
@@ -185,14 +186,26 @@ def changed_bank(folder: Path, name: str, line: int, **changes: object) -> Path:
         ),
         pytest.param(
             "answers",
-            {"kind": "where_is", "turns": None, "case": "above", "text": "Up."},
+            {"kind": "where_is", "case": "above", "text": "Up."},
             "expected a case of",
             id="unknown case",
+        ),
+        pytest.param(
+            "answers",
+            {"case": "4+", "text": "{start}, {turn1}, {where}"},
+            r"expected the slot \{rest\}",
+            id="turns left out",
+        ),
+        pytest.param(
+            "answers",
+            {"case": "1", "text": "{start}, {turn1}, {turn2}, {where}"},
+            r"got \['turn2'\]",
+            id="too many turns",
         ),
         pytest.param("answers", {"source": "human"}, "source", id="source"),
         pytest.param("answers", {"id": None}, "id", id="no id"),
         pytest.param("answers", {"tone": "kind"}, "tone", id="unknown field"),
-        pytest.param("words", {"slot": "cheese"}, "expected a slot", id="slot"),
+        pytest.param("words", {"slot": "cheese"}, "expected a case", id="slot"),
         pytest.param("words", {"manners": ["pirate"]}, "pirate", id="manner"),
         pytest.param("words", {"text": "{side}"}, "expected slots", id="slot of words"),
     ],
@@ -214,7 +227,7 @@ def test_a_voice_without_an_answer_to_a_case_is_refused(tmp_path: Path) -> None:
 def test_an_id_that_comes_twice_is_refused(tmp_path: Path) -> None:
     first = BANK.answers[0].id
     changed_bank(tmp_path, "answers.jsonl", 2, id=first)
-    with pytest.raises(AnswerFileError, match=r"answers\.jsonl:2: .*:1"):
+    with pytest.raises(AnswerFileError, match=r"answers\.jsonl:2: .* once more"):
         load_bank(tmp_path)
 
 
@@ -223,16 +236,15 @@ def test_a_slot_without_a_phrase_for_all_is_refused(tmp_path: Path) -> None:
     words = (tmp_path / "words.jsonl").read_text("utf-8").splitlines()
     kept = [line for line in words if json.loads(line)["slot"] != "rest"]
     (tmp_path / "words.jsonl").write_text("\n".join(kept), "utf-8")
-    with pytest.raises(AnswerFileError, match="slot rest"):
+    with pytest.raises(AnswerFileError, match="a phrase for rest turn"):
         load_bank(tmp_path)
 
 
 def test_every_case_has_many_answers() -> None:
-    ways = Counter(answer.turns for answer in BANK.answers if answer.case is None)
-    replies = Counter((answer.kind, answer.case) for answer in BANK.answers)
-    assert min(ways[turns] for turns in range(MANY_TURNS + 1)) >= 45
-    assert min(replies[case] for case in CASES) >= 15
-    assert replies["way_to", "unknown"] >= 25
+    answers = Counter((answer.kind, answer.case) for answer in BANK.answers)
+    assert min(answers["way_to", case] for case in WAY_CASES) >= 45
+    assert min(answers[case] for case in REPLY_CASES) >= 15
+    assert answers["way_to", "unknown"] >= 25
 
 
 def test_an_answer_has_3_to_60_words() -> None:

@@ -17,10 +17,11 @@ from memorymaze.errors import SettingsError
 from memorymaze.passers_by.bank_file import read_answers, read_words
 from memorymaze.passers_by.bank_records import (
     ALWAYS_GIVEN,
-    CASES,
     MANY_TURNS,
     OPPOSITES,
+    REPLY_CASES,
     SLOT,
+    WAY_CASES,
     Answer,
     CueWords,
     Start,
@@ -47,11 +48,9 @@ class Bank:
         self.answers = tuple(answers)
         self.words = tuple(words)
         self.manners = tuple(sorted({answer.manner for answer in self.answers}))
-        self._answers: dict[tuple[str, str | int | None], list[Answer]]
-        self._answers = defaultdict(list)
+        self._answers: dict[tuple[str, str], list[Answer]] = defaultdict(list)
         for answer in self.answers:
-            case = answer.case if answer.turns is None else answer.turns
-            self._answers[answer.kind, case].append(answer)
+            self._answers[answer.kind, answer.case].append(answer)
         self._words: dict[str, list[CueWords]] = defaultdict(list)
         for phrase in self.words:
             self._words[phrase.slot].append(phrase)
@@ -60,8 +59,8 @@ class Bank:
         self, facts: WayFacts, rng: np.random.Generator, manner: str | None = None
     ) -> str:
         """Say a way, in one manner where it is given."""
-        turns = min(len(facts.turns), MANY_TURNS)
-        answer = _choose(self._in_manner(("way_to", turns), manner), rng)
+        case = WAY_CASES[min(len(facts.turns), MANY_TURNS)]
+        answer = _choose(self._in_manner("way_to", case, manner), rng)
         told = answer.turns_told
         phrases = _Phrases(self._words, answer.manner, rng)
 
@@ -99,21 +98,22 @@ class Bank:
         `metres` is a number in digits, `where` one of `Start`; both are put into words.
         Of `metres`, `near` and `where` those may be missing that nobody is to speak of.
         """
-        if (kind, case) not in CASES:
-            known = ", ".join(f"{kind} {case}" for kind, case in CASES)
+        if (kind, case) not in REPLY_CASES:
+            known = ", ".join(map(" ".join, REPLY_CASES))
             raise SettingsError(f"expected a case of {known}, got {kind} {case}")
-        needed = CASES[kind, case] & ALWAYS_GIVEN
-        if not needed <= slots.keys() <= CASES[kind, case]:
+        allowed = REPLY_CASES[kind, case]
+        needed = allowed & ALWAYS_GIVEN
+        if not needed <= slots.keys() <= allowed:
             raise SettingsError(
                 f"{kind} {case}: expected the slots {sorted(needed)}, perhaps "
-                f"{sorted(CASES[kind, case] - needed)}, got {sorted(slots)}"
+                f"{sorted(allowed - needed)}, got {sorted(slots)}"
             )
         if slots.get("where", "ahead") not in get_args(Start):
             raise SettingsError(
                 f"{kind} {case}: expected where to be one of {get_args(Start)}, got "
                 f"{slots['where']!r}"
             )
-        fitting = self._in_manner((kind, case), manner)
+        fitting = self._in_manner(kind, case, manner)
         answer = _choose([a for a in fitting if a.slots <= slots.keys()], rng)
         phrases = _Phrases(self._words, answer.manner, rng)
 
@@ -126,14 +126,12 @@ class Bank:
 
         return _sentences(answer.text, say)
 
-    def _in_manner(
-        self, case: tuple[str, str | int], manner: str | None
-    ) -> list[Answer]:
+    def _in_manner(self, kind: str, case: str, manner: str | None) -> list[Answer]:
         if manner is not None and manner not in self.manners:
             raise SettingsError(
                 f"expected a manner of {', '.join(self.manners)}, got {manner!r}"
             )
-        answers = self._answers[case]
+        answers = self._answers[kind, case]
         return [a for a in answers if manner is None or a.manner == manner]
 
 

@@ -14,9 +14,10 @@ Start = Literal["ahead", "left", "right", "back"]
 End = Literal["ahead", "left", "right", "end"]
 Cue = Literal["next", "ordinal", "end", "thing", "crossing"]
 
-MANY_TURNS = 4
-"""An answer for this number of turns does for more as well."""
-CASES: dict[tuple[QuestionKind, str], frozenset[str]] = {
+WAY_CASES = ("0", "1", "2", "3", "4+")
+"""The cases of ways that are told, by their turns."""
+MANY_TURNS = len(WAY_CASES) - 1
+REPLY_CASES: dict[tuple[str, str], frozenset[str]] = {
     ("way_to", "unknown"): frozenset({"destination"}),
     **{
         ("where_is", case): frozenset({"thing", "metres", "near"})
@@ -28,25 +29,31 @@ CASES: dict[tuple[QuestionKind, str], frozenset[str]] = {
     ("is_this", "not_yet"): frozenset({"place", "where"}),
     ("is_this", "unsure"): frozenset({"place"}),
 }
-"""The cases of replies, each with the slots that its answers may have."""
+"""The cases of other replies, each with the slots that its answers may have."""
 ALWAYS_GIVEN = frozenset({"destination", "thing", "place"})
 
-SIDES = ("left", "right", "half left", "half right")
-OPPOSITES: dict[str, str] = dict(
-    zip(SIDES, ("right", "left", "half right", "half left"), strict=True)
-)
-WORD_CASES: dict[str, tuple[str, ...]] = {
-    "start": get_args(Start),
-    "set_off": get_args(Start),
-    "side": SIDES,
-    "bend": SIDES,
-    "cue": get_args(Cue),
-    "turn": get_args(Cue),
-    "where": get_args(End),
-    "length": (*LENGTH_UNITS, "unmeasured"),
-    "rest": ("turn",),
+OPPOSITES = {
+    "left": "right",
+    "right": "left",
+    "half left": "half right",
+    "half right": "half left",
 }
-"""The slots that phrases fill, each with the cases that it has phrases for."""
+_SIDED = ("side", "bend")
+WORD_CASES: dict[tuple[str, str], tuple[tuple[str, ...], ...]] = {
+    **{(slot, case): () for slot in ("start", "set_off") for case in get_args(Start)},
+    **{(slot, case): () for slot in _SIDED for case in OPPOSITES},
+    **{("where", case): () for case in get_args(End)},
+    **{("cue", case): () for case in ("next", "end", "crossing")},
+    ("cue", "ordinal"): (("ordinal",),),
+    ("cue", "thing"): (("thing",),),
+    **{("turn", case): (_SIDED,) for case in ("next", "end", "crossing")},
+    ("turn", "ordinal"): (_SIDED, ("ordinal",)),
+    ("turn", "thing"): (_SIDED, ("thing",)),
+    ("rest", "turn"): (("turn", *_SIDED), ("turn", "cue")),
+    **{("length", unit): (("number",),) for unit in LENGTH_UNITS},
+    ("length", "unmeasured"): (),
+}
+"""The cases of phrases, each with the slots that it needs, one of every group."""
 SLOT = re.compile(r"\{(\w+?)(\d*)\}")
 
 
@@ -81,35 +88,35 @@ class WayFacts:
 
 
 @dataclass(frozen=True, slots=True)
-class Answer:
-    """A whole answer with slots."""
+class Phrase:
+    """Words with slots."""
 
     __pydantic_config__ = ConfigDict(extra="forbid", strict=True)
 
-    id: str
-    kind: QuestionKind
-    manner: str
-    """Whose voice it is."""
+    case: str
     text: Annotated[str, Field(min_length=1)]
     source: Literal["llm"]
-    turns: Annotated[int, Field(ge=0, le=MANY_TURNS)] | None = None
-    """Of a way told; `MANY_TURNS` for that many and more."""
-    case: str | None = None
-    """Of any other reply."""
-    partial: bool = False
-    """Whether it tells the first turns only and sends one to ask again."""
 
     @property
     def slots(self) -> frozenset[str]:
         """Return the names of its slots, with the numbers of turns."""
         return frozenset(name + number for name, number in SLOT.findall(self.text))
 
+
+@dataclass(frozen=True, slots=True)
+class Answer(Phrase):
+    """A whole answer, of one of `WAY_CASES` or `REPLY_CASES`."""
+
+    id: str
+    kind: QuestionKind
+    manner: str
+    """Whose voice it is."""
+
     @property
     def turns_told(self) -> int:
-        """Return how many turns it has slots for."""
-        return max(
-            (int(number) for _, number in SLOT.findall(self.text) if number), default=0
-        )
+        """Return how many turns have slots of their own."""
+        numbers = (number for _, number in SLOT.findall(self.text))
+        return max((int(number) for number in numbers if number), default=0)
 
     @property
     def corrects_itself(self) -> bool:
@@ -118,15 +125,10 @@ class Answer:
 
 
 @dataclass(frozen=True, slots=True)
-class CueWords:
-    """A phrase for a slot of answers, or of other phrases."""
-
-    __pydantic_config__ = ConfigDict(extra="forbid", strict=True)
+class CueWords(Phrase):
+    """What a slot of answers, or of other phrases, is filled with."""
 
     slot: str
-    case: str
-    text: Annotated[str, Field(min_length=1)]
-    source: Literal["llm"]
     manners: frozenset[str] = frozenset()
     """The voices that it fits; empty: all."""
     least: float = 0
@@ -134,6 +136,6 @@ class CueWords:
     """The lengths that it is said of, in metres."""
 
     @property
-    def slots(self) -> frozenset[str]:
-        """Return the names of its slots."""
-        return frozenset(name + number for name, number in SLOT.findall(self.text))
+    def is_for_all(self) -> bool:
+        """Tell whether it fits every voice and every length."""
+        return not self.manners and self.least == 0 and self.most == math.inf
