@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from memorymaze.agents.agent import Journal
+from memorymaze.agents.agent import TOLD_AGAIN, Journal
 from memorymaze.agents.plan_readers import (
     GrammarReader,
     ModelReader,
@@ -161,3 +161,13 @@ def test_every_recorded_plan_can_be_read() -> None:
     lines = [json.loads(line) for line in recorded.read_text("utf-8").splitlines()]
     plans = [parse_plan(json.loads(each["reply"]), each["stage"]) for each in lines]
     assert len({each["instruction_id"] for each in lines}) == len(plans) == 564
+
+
+def test_each_telling_is_read_by_itself_and_asked_about_by_number() -> None:
+    right = LEFT.replace("left", "right")
+    model = ScriptedLanguageModel([LEFT, right])
+    plans = ModelReader(model).read_tellings(TEXT + TOLD_AGAIN + "Or right.", Journal())
+    assert [plan.legs[0].turn.way for plan in plans] == ["left", "right"]
+    assert [each.messages[-1].content for each in model.requests] == [TEXT, "Or right."]
+    numbers = [each.question.number for each in model.requests if each.question]
+    assert numbers == [1, 2]

@@ -5,11 +5,12 @@ reply is no plan; or not at all, where the text is a plan already.
 """
 
 from abc import ABC, abstractmethod
+from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import count
 from typing import Literal
 
-from memorymaze.agents.agent import Journal, Need
+from memorymaze.agents.agent import Journal, Need, tellings_of
 from memorymaze.agents.asking import ask_until_read, object_in
 from memorymaze.errors import PlanFileError
 from memorymaze.input_files import parse_record
@@ -44,16 +45,29 @@ class PlanReader(ABC):
         """Return what it will ask."""
         return []
 
-    @abstractmethod
     def read(self, instruction: str, journal: Journal) -> RoutePlan:
-        """Return what an instruction says."""
+        """Return what an instruction says, whole."""
+        return self._read(instruction, journal, count(1))
+
+    def read_tellings(self, instruction: str, journal: Journal) -> list[RoutePlan]:
+        """Return what each telling of an instruction says, in their order."""
+        numbers = count(1)
+        told = tellings_of(instruction)
+        return [self._read(telling, journal, numbers) for telling in told]
+
+    @abstractmethod
+    def _read(
+        self, instruction: str, journal: Journal, numbers: Iterator[int]
+    ) -> RoutePlan:
+        """Return what an instruction says; a model's requests get these numbers."""
 
 
 class GrammarReader(PlanReader):
     """Reads with the grammar of `understanding`."""
 
-    def read(self, instruction: str, journal: Journal) -> RoutePlan:
-        """Return what an instruction says."""
+    def _read(
+        self, instruction: str, journal: Journal, numbers: Iterator[int]
+    ) -> RoutePlan:
         return parse_route_description(instruction)
 
 
@@ -68,7 +82,9 @@ class WrittenPlanReader(PlanReader):
         """`[plan]`."""
         return "[plan]"
 
-    def read(self, instruction: str, journal: Journal) -> RoutePlan:
+    def _read(
+        self, instruction: str, journal: Journal, numbers: Iterator[int]
+    ) -> RoutePlan:
         """Return the plan that an instruction is; `PlanFileError` where it is none."""
         return read_plan_reply(instruction)
 
@@ -97,7 +113,9 @@ class ModelReader(PlanReader):
         turns = Message("system", self._prompt), Message("user", instruction.strip())
         return [CompletionRequest(turns, max_tokens=4096, question=self._question)]
 
-    def read(self, instruction: str, journal: Journal) -> RoutePlan:
+    def _read(
+        self, instruction: str, journal: Journal, numbers: Iterator[int]
+    ) -> RoutePlan:
         """Return what an instruction says, as the model answers."""
         [request] = self.requests_expected(instruction)
         return ask_until_read(
@@ -105,7 +123,7 @@ class ModelReader(PlanReader):
             journal,
             request,
             self._question,
-            count(1),
+            numbers,
             _read_plan,
             "repair_plan",
         )
@@ -142,8 +160,9 @@ class ReadsFirst:
 
     def requests_expected(self, instruction: str) -> list[CompletionRequest] | None:
         """Return what its reader will ask; None where that is not all it asks."""
-        expected = self.reader.requests_expected(instruction)
-        return expected if self.asks_beforehand else None
+        told = tellings_of(instruction)
+        asked = [each for one in told for each in self.reader.requests_expected(one)]
+        return asked if self.asks_beforehand else None
 
 
 def read_plan_reply(reply: str) -> RoutePlan:

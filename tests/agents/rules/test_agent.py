@@ -8,6 +8,7 @@ from typing import Any, cast
 import pytest
 
 from memorymaze.agents import RulesAgent
+from memorymaze.agents.agent import TOLD_AGAIN
 from memorymaze.robot.api import Robot
 from memorymaze.robot.specification import API_NAMES
 
@@ -190,3 +191,29 @@ def test_the_functions_of_the_control_api_are_all_that_it_needs(
     alone = take_walk(*WITH_DOUBTS, as_seen=api_alone)
     assert alone.points == take_walk(*WITH_DOUBTS).points
     assert set(alone.calls) <= set(API_NAMES)
+
+
+@pytest.mark.parametrize(
+    ("first", "second"),
+    [
+        (
+            "Turn left at the T junction and walk up to the clock.",
+            "At the end go left.",
+        ),
+        (
+            "At the end go left.",
+            "Turn left at the T junction and walk up to the clock.",
+        ),
+    ],
+)
+def test_what_one_telling_leaves_out_the_other_adds(
+    take_walk: TakeWalk, first: str, second: str
+) -> None:
+    walk = take_walk("t_junction", first + TOLD_AGAIN + second)
+    assert len(walk.notes("plan")) == 2
+    assert walk.ends_near(-4, 0)
+
+
+def test_a_way_told_twice_alike_is_walked_as_told_once(take_walk: TakeWalk) -> None:
+    text = "Pass the statue, turn left and walk to the kitchen."
+    assert take_walk("crossing", text + TOLD_AGAIN + text).ends_near(0, 11)

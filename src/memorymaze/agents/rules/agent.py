@@ -1,6 +1,7 @@
 """The rules agent: reads the description, walks, doubts, goes back, arrives."""
 
 import math
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
@@ -8,9 +9,9 @@ import numpy as np
 
 from memorymaze.agents.agent import Journal
 from memorymaze.agents.plan_readers import PlanReader, ReaderOptions, ReadsFirst
-from memorymaze.agents.rules.alignment import Aligner
-from memorymaze.agents.rules.arriving import Arrivals, Ending, approach
+from memorymaze.agents.rules.arriving import Ending, approach
 from memorymaze.agents.rules.evidence import Standing
+from memorymaze.agents.rules.tellings import Tellings
 from memorymaze.agents.walking.floor_map import Sighting
 from memorymaze.agents.walking.outlooks import (
     LEG_METRES,
@@ -71,43 +72,53 @@ class RulesAgent(ReadsFirst):
         rng: np.random.Generator,
     ) -> None:
         """Drive the robot as the instruction says, and stop."""
-        plan = self.reader.read(instruction, journal)
-        journal.note("plan", steps=describe(plan))
-        _Search(plan, Walker(robot), journal, self.options).run()
+        plans = self.reader.read_tellings(instruction, journal)
+        for plan in plans:
+            journal.note("plan", steps=describe(plan))
+        _Search(plans, Walker(robot), journal, self.options).run()
         robot.stop()
 
 
 class _Search:
-    """The walk of one episode."""
+    """The walk of one episode.
+
+    All tellings of the way are compared with the same map.
+    """
 
     def __init__(
-        self, plan: RoutePlan, walker: Walker, journal: Journal, options: RulesOptions
+        self,
+        plans: Sequence[RoutePlan],
+        walker: Walker,
+        journal: Journal,
+        options: RulesOptions,
     ) -> None:
-        self._plan = plan
         self._walker = walker
         self._journal = journal
-        self._aligner = Aligner(plan, walker.map)
-        self._arrivals = Arrivals(plan, walker.map)
+        self._told = Tellings(plans, walker.map)
         self._distances: dict[int, float] = {}
         self._frontier: list[Standing] = []
         self._endings: list[Ending] = []
-        self._best_known: dict[tuple[int, int, int], list[float]] = {}
-        self._limit = _walk_limit(plan)
+        self._best_known: dict[tuple[int, ...], list[float]] = {}
+        self._limit = max(map(_walk_limit, plans))
         self._any_heading = options.start_heading == "unknown"
-        self._looks = looks_of(plan)
+        self._looks = _each_once(map(looks_of, plans))
         """What tells ways apart: looked for at every crossing."""
 
     def run(self) -> None:
         """Walk until arrived."""
         start = self._walker.at
         place = self._walker.map.crossings[start].place
-        if self._any_heading:
-            self._begin_anywhere(Standing(start, 0.0, 0, line=(place,)))
-        elif start == 0:
-            self._frontier.append(Standing(0, 0.0, 0, line=(place,), exit=0))
-        else:
+        if start > 0 and not self._any_heading:
             self._survey()
-            self._branch_out(Standing(start, 0.0, 0, line=(place,)))
+        elif self._any_heading:
+            self._walker.look_about(_each_once([self._looks, *self._first_things()]))
+        for begun in self._told.beginnings(Standing(start, 0.0, 0, line=(place,))):
+            if self._any_heading:
+                self._begin_anywhere(begun)
+            elif start == 0:
+                self._frontier.append(replace(begun, exit=0))
+            else:
+                self._branch_out(begun)
         for _ in range(400):
             self._walk_in_mind()
             branch = self._best_branch()
@@ -124,24 +135,23 @@ class _Search:
                 return
 
     def _begin_anywhere(self, standing: Standing) -> None:
-        """Look about, and take every way to face at the start for possible."""
-        phrases = dict.fromkeys([*self._looks, *self._first_things()])
-        self._walker.look_about(phrases)
+        """Take every way to face at the start for possible."""
+        plan = self._told.of(standing).plan
         exits = self._walker.map.crossings[standing.at].exits
         for heading in headings_to_begin(exits):
-            cost = first_heading_cost(
-                self._plan, self._walker.map, standing.at, heading
-            )
+            cost = first_heading_cost(plan, self._walker.map, standing.at, heading)
             told = f"began facing {math.degrees(heading):.0f} (+{cost:.1f})"
+            cost += standing.cost
             self._branch_out(
                 replace(standing, heading=heading, cost=cost, story=(told,))
             )
 
-    def _first_things(self) -> list[str]:
-        """Things that the way to face at the start may be told by."""
-        named = [m.phrase for m in things_on(self._plan, 0)]
-        outlook = outlook_of(self._plan, 0)
-        return [*outlook.ahead, *outlook.behind, *named, *self._arrivals.phrases]
+    def _first_things(self) -> Iterator[Sequence[str]]:
+        """Yield things that the way to face at the start may be told by."""
+        for each in self._told.all:
+            named = [m.phrase for m in things_on(each.plan, 0)]
+            outlook = outlook_of(each.plan, 0)
+            yield (*outlook.ahead, *outlook.behind, *named, *each.arrivals.phrases)
 
     def _survey(self) -> None:
         """Look along the ways out of where the robot is, if that tells anything."""
@@ -157,19 +167,21 @@ class _Search:
         return self._walker.travelled + further + back > self._limit
 
     def _branch_cost(self, branch: Standing) -> float:
-        return self._aligner.outlook(branch) + METRE_BACK * self._away(branch.at)
+        return self._told.way_cost(branch) + METRE_BACK * self._away(branch.at)
 
     def _metres_to(self, ending: Ending) -> float:
         return self._away(ending.standing.at) + ending.distance
 
     def _ending_cost(self, ending: Ending) -> float:
-        return ending.cost + METRE_BACK * self._metres_to(ending)
+        back = METRE_BACK * self._metres_to(ending)
+        return self._told.ending_cost(ending) + back
 
     def _away(self, crossing: int) -> float:
         return self._distances.get(crossing, math.inf)
 
     def _best_branch(self) -> Standing | None:
         self._distances = self._walker.map.distances_from(self._walker.at)
+        self._told.rate(self._frontier, self._endings)
         return min(self._frontier, key=self._branch_cost, default=None)
 
     # -- hypotheses
@@ -186,26 +198,28 @@ class _Search:
             ]
             for branch in known:
                 stretch = stretches[branch.at, branch.exit]
-                self._endings.extend(self._arrivals.on_stretch(branch, stretch))
-                self._branch_out(self._aligner.advance(branch, stretch))
+                told = self._told.of(branch)
+                self._endings.extend(told.arrivals.on_stretch(branch, stretch))
+                self._branch_out(told.aligner.advance(branch, stretch))
         crossings = self._walker.map.crossings
         self._frontier = [
             b for b in self._frontier if b.exit not in crossings[b.at].closed
         ]
         if len(self._frontier) > FRONTIER:
-            self._frontier.sort(key=self._aligner.outlook)
+            self._frontier.sort(key=self._told.outlook)
             del self._frontier[FRONTIER:]
 
     def _branch_out(self, standing: Standing) -> None:
         if len(standing.line) > 25 or standing.cost > 25:
             return
-        choices = self._aligner.choices(standing)
-        self._endings.extend(self._arrivals.at_crossing(standing, choices))
-        for branch in self._aligner.branches(standing):
-            self._endings.extend(self._arrivals.after_turn(branch))
-            key = (branch.at, branch.exit, branch.leg)
+        told = self._told.of(standing)
+        choices = told.aligner.choices(standing)
+        self._endings.extend(told.arrivals.at_crossing(standing, choices))
+        for branch in told.aligner.branches(standing):
+            self._endings.extend(told.arrivals.after_turn(branch))
+            key = (branch.telling, branch.at, branch.exit, branch.leg)
             costs = self._best_known.setdefault(key, [])
-            cost = self._aligner.outlook(branch)
+            cost = self._told.outlook(branch)
             if sum(known <= cost + 1e-9 for known in costs) >= 2:
                 continue
             costs.append(cost)
@@ -220,7 +234,7 @@ class _Search:
             "decision",
             at=branch.at,
             exit=branch.exit,
-            cost=round(self._aligner.outlook(branch), 2),
+            cost=round(self._told.outlook(branch), 2),
             legs_done=branch.leg,
             because=list(branch.story[-2:]),
         )
@@ -235,8 +249,12 @@ class _Search:
 
         def arrived(seen: list[Sighting]) -> bool:
             for rival in rivals:
-                best = self._arrivals.best_now(rival, seen, walker.travelled - begin)
-                if best is not None and best[0] <= alternative + 0.5:
+                arrivals = self._told.of(rival).arrivals
+                best = arrivals.best_now(rival, seen, walker.travelled - begin)
+                if best is None:
+                    continue
+                cost = self._told.arrival_cost(rival, best[0], self._frontier)
+                if cost <= alternative + 0.5:
                     found.append(best[1])
                     return True
             return False
@@ -252,27 +270,27 @@ class _Search:
 
     def _rivals(self, branch: Standing) -> list[Standing]:
         """Hypotheses that go the same way and are about as good, the best first."""
-        cost = self._aligner.outlook(branch)
+        cost = self._told.outlook(branch)
         same = [
             b
             for b in self._frontier
             if b.at == branch.at
             and b.exit == branch.exit
-            and self._aligner.outlook(b) <= cost + RIVALS
+            and self._told.outlook(b) <= cost + RIVALS
         ]
-        return sorted(same, key=self._aligner.outlook)[:5]
+        return sorted(same, key=self._told.outlook)[:5]
 
     def _phrases(self, rivals: list[Standing]) -> list[str]:
-        phrases: list[str] = [*self._looks, *self._arrivals.phrases]
-        legs = self._plan.legs
+        phrases = [self._looks, *(each.arrivals.phrases for each in self._told.all)]
         for rival in rivals:
-            first = rival.leg
+            plan = self._told.of(rival).plan
+            legs, first = plan.legs, rival.leg
             for number, leg in list(enumerate(legs))[max(first - 1, 0) : first + 2]:
-                phrases.extend(m.phrase for m in things_on(self._plan, number))
-                phrases.extend((*leg.too_far, *leg.wrong_way))
+                phrases.append([m.phrase for m in things_on(plan, number)])
+                phrases.append((*leg.too_far, *leg.wrong_way))
             if first >= len(legs) - 1:
-                phrases.extend(m.phrase for m in things_on(self._plan, len(legs)))
-        return list(dict.fromkeys(phrases))
+                phrases.append([m.phrase for m in things_on(plan, len(legs))])
+        return _each_once(phrases)
 
     def _finish(self, ending: Ending) -> None:
         """Go to the place of an ending."""
@@ -288,7 +306,7 @@ class _Search:
         if not walker.face(ending.exit):
             return
         goal = ending.distance
-        phrases = self._arrivals.phrases
+        phrases = self._told.of(ending.standing).arrivals.phrases
         while goal > -0.5:
             seen = [s for s in walker.look(phrases) if s.distance < goal + 3.0]
             if seen and ending.reason.endswith("seen"):
@@ -300,6 +318,11 @@ class _Search:
             if not walker.step(step):
                 return
             goal -= step
+
+
+def _each_once(phrases: Iterable[Iterable[str]]) -> list[str]:
+    """Return phrases in their order, without those that came before."""
+    return list(dict.fromkeys(phrase for some in phrases for phrase in some))
 
 
 def _walk_limit(plan: RoutePlan) -> float:

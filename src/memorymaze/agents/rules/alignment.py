@@ -197,6 +197,7 @@ class Aligner:
                     line=(self._floor.crossings[standing.at].place,),
                     cost=standing.cost + cost,
                     story=(*story, told),
+                    telling=standing.telling,
                 )
                 yield replace(done, exit=index)
                 if anew and self._turns_at_once(done):

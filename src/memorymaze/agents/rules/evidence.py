@@ -63,6 +63,8 @@ class Standing:
     """The decisions so far, in words."""
     exit: int = -1
     """By which it leaves the crossing; -1 while that is open."""
+    telling: int = 0
+    """Which of the tellings it follows."""
 
     @property
     def places(self) -> int:
