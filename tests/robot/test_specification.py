@@ -10,6 +10,7 @@ from memorymaze.robot import api
 from memorymaze.robot.specification import (
     API_NAMES,
     API_RECORDS,
+    ASKING_NAMES,
     api_specification,
     api_stub,
 )
@@ -109,3 +110,26 @@ def test_specification_describes_every_field_of_every_record():
 def test_specification_never_mentions_self_or_the_simulator():
     for word in ("self", "simulat", "MuJoCo", "Protocol", "memorymaze"):
         assert word not in api_specification()
+
+
+def test_how_to_ask_is_told_in_the_track_with_people_alone():
+    plain, with_people = api_specification(), api_specification(with_people=True)
+
+    assert with_people.startswith(plain.rstrip("\n"))
+    assert tuple(functions_in(with_people)) == (*API_NAMES, *ASKING_NAMES)
+    assert tuple(functions_in(api_stub(with_people=True))) == (
+        *API_NAMES,
+        *ASKING_NAMES,
+    )
+    assert ASKING_NAMES == (
+        "way_to",
+        "where_is",
+        "is_this",
+        "destination",
+        "questions_left",
+        "ask",
+    )
+    assert not set(ASKING_NAMES) & set(functions_in(plain))
+    assert list(classes_in(with_people))[-1] == "Question"
+    for word in ("self", "simulat", "MuJoCo", "Protocol", "memorymaze"):
+        assert word not in with_people

@@ -27,8 +27,7 @@ FORBIDDEN_BUILTINS = frozenset({
 """Builtins by which a program reaches for what lies outside the sandbox."""
 
 _OUTSIDE_MODULES = frozenset({"builtins", "os", "pathlib", "sys"})
-_API_WORDS = frozenset([
-    *API_NAMES,
+_API_RECORD_WORDS = frozenset([
     *API_RECORDS,
     *(f"list[{record}]" for record in API_RECORDS),
 ])
@@ -63,11 +62,16 @@ class Finding:
     """Whether the program reaches for something outside the API."""
 
 
-def read_findings(diagnostics: str) -> list[Finding]:
-    """Judge the type checker's diagnostics: one JSON object per line."""
+def read_findings(
+    diagnostics: str, names: tuple[str, ...] = API_NAMES
+) -> list[Finding]:
+    """Judge the type checker's diagnostics: one JSON object per line.
+
+    `names` are the functions that the program is given.
+    """
     # Not splitlines(): messages quote the program, with what else may end a line.
     entries = map(json.loads, filter(str.strip, diagnostics.split("\n")))
-    return [_judge(entry) for entry in entries if entry["severity"] == "error"]
+    return [_judge(entry, names) for entry in entries if entry["severity"] == "error"]
 
 
 def first_error(findings: list[Finding]) -> ProgramError | None:
@@ -89,7 +93,7 @@ def first_error(findings: list[Finding]) -> ProgramError | None:
     )
 
 
-def _judge(entry: dict[str, Any]) -> Finding:
+def _judge(entry: dict[str, Any], names: tuple[str, ...]) -> Finding:
     rule: str = entry["code"]
     message: str = entry["message"]
     quoted = _QUOTED.findall(message)
@@ -108,11 +112,12 @@ def _judge(entry: dict[str, Any]) -> Finding:
             unsafe = module in _OUTSIDE_MODULES and member != "exit"
         case "unresolved-attribute", _ if any(map(_DUNDER.fullmatch, quoted)):
             counts = unsafe = True
-        case "invalid-argument-type", [function, _, found] if function in API_NAMES:
+        case "invalid-argument-type", [function, _, found] if function in names:
             counts = _is_one_type(found)
         case _, _:
             counts = rule in _ALWAYS_COUNT or (
-                rule in _COUNT_ON_THE_API and not _API_WORDS.isdisjoint(quoted)
+                rule in _COUNT_ON_THE_API
+                and not _API_RECORD_WORDS.union(names).isdisjoint(quoted)
             )
     return Finding(rule, entry["location"]["row"], message, counts, unsafe)
 

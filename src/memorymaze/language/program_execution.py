@@ -31,8 +31,10 @@ from memorymaze.language.program_check import (
     first_error,
     read_findings,
 )
+from memorymaze.robot import asking
 from memorymaze.robot.api import Robot
-from memorymaze.robot.specification import API_NAMES
+from memorymaze.robot.asking import AskingRobot, Question, can_ask
+from memorymaze.robot.specification import API_NAMES, ASKING_NAMES, QUESTIONS
 
 SOURCE_NAME = "<python-input-"
 """How the interpreter names the program's own text, followed by a number."""
@@ -125,8 +127,11 @@ def to_sandbox(value: Any) -> Any:
 def _signatures() -> dict[str, inspect.Signature]:
     """Return each API function's signature without `self`."""
     signatures: dict[str, inspect.Signature] = {}
-    for name in API_NAMES:
-        whole = inspect.signature(getattr(Robot, name))
+    for name in (*API_NAMES, *ASKING_NAMES):
+        if name in QUESTIONS:
+            signatures[name] = inspect.signature(getattr(asking, name))
+            continue
+        whole = inspect.signature(getattr(AskingRobot, name))
         signatures[name] = whole.replace(parameters=list(whole.parameters.values())[1:])
     return signatures
 
@@ -145,6 +150,8 @@ def _read(
 ) -> object:
     if parameter.annotation is float:
         return _read_number(name, value)
+    if parameter.annotation is Question:
+        return _read_question(name, value)
     return _read_text(name, value, text_limit)
 
 
@@ -158,6 +165,16 @@ def _read_number(name: str, value: object) -> float:
     if not math.isfinite(number):
         raise ValueError(f"{name} must be a finite number, not {number}")
     return number
+
+
+def _read_question(name: str, value: object) -> Question:
+    """Return a question that the program got from one of the functions that make them."""
+    kind, about = (getattr(value, each, None) for each in ("kind", "about"))
+    if kind not in QUESTIONS or not isinstance(about, str):
+        raise TypeError(
+            f"{name} must be made by {', '.join(QUESTIONS)}, not {type(value).__name__}"
+        )
+    return Question(kind, about)
 
 
 def _read_text(name: str, value: object, text_limit: int) -> str:
@@ -181,7 +198,8 @@ def _placeholder(name: str) -> Callable[..., None]:
 
 
 _FUNCTIONS = {
-    name: _placeholder(name) for name in (*API_NAMES, *FORBIDDEN_BUILTINS, *_ENDINGS)
+    name: _placeholder(name)
+    for name in (*API_NAMES, *ASKING_NAMES, *FORBIDDEN_BUILTINS, *_ENDINGS)
 }
 
 
@@ -208,6 +226,7 @@ class ProgramExecution:
         self._program = program
         self._encoded = program.encode()
         self._robot = robot
+        self._names = (*API_NAMES, *(ASKING_NAMES if can_ask(robot) else ()))
         self._limits = limits
         self._on_event = on_event
         self._calls = 0
@@ -232,7 +251,7 @@ class ProgramExecution:
                 snapshot = snapshot.resume_not_handled()
             return snapshot
         except MontyTypingError as error:
-            findings = read_findings(error.display())
+            findings = read_findings(error.display(), self._names)
         refusal = first_error(findings)
         if refusal is not None:
             raise refusal
@@ -244,7 +263,10 @@ class ProgramExecution:
     def _feed(self, session: MontySession, *, check: bool) -> SyncSnapshot:
         return session.feed_start(
             self._program,
-            inputs=_FUNCTIONS,
+            inputs={
+                name: _FUNCTIONS[name]
+                for name in (*self._names, *FORBIDDEN_BUILTINS, *_ENDINGS)
+            },
             print_callback=self._keep_printed,
             skip_type_check=not check,
         )
@@ -265,7 +287,7 @@ class ProgramExecution:
         name = snapshot.function_name
         if snapshot.is_os_function or name in FORBIDDEN_BUILTINS:
             raise reaching_out(name, line)
-        if name in API_NAMES:
+        if name in self._names:
             return self._call(snapshot, name, line)
         if name in _ENDINGS:
             return None
@@ -287,7 +309,8 @@ class ProgramExecution:
         except (TypeError, ValueError) as error:
             return self._refuse(snapshot, name, line, error)
         try:
-            result = getattr(self._robot, name)(**arguments)
+            made_by = asking if name in QUESTIONS else self._robot
+            result = getattr(made_by, name)(**arguments)
         except CommandError as error:
             return self._refuse(snapshot, name, line, ValueError(str(error)))
         if name == "stop":

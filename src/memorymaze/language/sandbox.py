@@ -33,6 +33,7 @@ from memorymaze.language.program_execution import (
 )
 from memorymaze.language.sandbox_workers import open_session
 from memorymaze.robot.api import Robot
+from memorymaze.robot.asking import can_ask
 from memorymaze.robot.specification import api_stub
 
 _HIDDEN_ATTRIBUTE = re.compile(r"has no attribute '(__\w+__)'")
@@ -49,7 +50,8 @@ def run_program(
 ) -> None:
     """Run a program until its last line, or until it calls `exit()`.
 
-    Before it runs it is type-checked against the control API.
+    Before it runs it is type-checked against the control API, to which the questions
+    belong where the robot can ask people.
 
     Args:
         program: Python source in which the API's functions are in scope.
@@ -80,7 +82,8 @@ def run_program(
         "max_suspensions": 10 * limits.calls + 1_000,
     }
     try:
-        with open_session(interpreter_limits, api_stub()) as session:
+        stub = api_stub(with_people=can_ask(robot))
+        with open_session(interpreter_limits, stub) as session:
             execution.run(session)
     except MontyError as error:
         outcome = _outcome(error)

@@ -21,6 +21,7 @@ class Question:
     """What is asked; made by `way_to`, `where_is` and `is_this`."""
 
     kind: QuestionKind
+    """What is asked."""
     about: str
     """The destination, the thing or the place, in a few words."""
 

@@ -1,8 +1,8 @@
 """The control API as text: for language models' prompts and for the type checker.
 
-Both texts are made from the source of `memorymaze.robot.api`, so they cannot drift
-from it. In both the methods of `Robot` are plain functions: a program calls
-`turn("left")`.
+Both texts are made from the source of `memorymaze.robot.api`, and in the track with
+people one can ask of `memorymaze.robot.asking`, so they cannot drift from it. In both the
+methods of the robot are plain functions: a program calls `turn("left")`.
 """
 
 import ast
@@ -10,9 +10,10 @@ import dataclasses
 import functools
 import inspect
 from textwrap import indent
-from typing import NamedTuple
+from types import ModuleType
+from typing import NamedTuple, get_args
 
-from memorymaze.robot import api
+from memorymaze.robot import api, asking
 
 API_NAMES: tuple[str, ...] = tuple(
     name for name in vars(api.Robot) if not name.startswith("_")
@@ -24,46 +25,60 @@ API_RECORDS: tuple[str, ...] = tuple(
 )
 """Names of the records that calls return."""
 
+QUESTIONS: tuple[str, ...] = get_args(asking.QuestionKind)
+"""Names of the functions that make a question."""
+ASKING_NAMES: tuple[str, ...] = (
+    *QUESTIONS,
+    *(
+        name
+        for name in vars(asking.AskingRobot)
+        if not name.startswith("_") and not hasattr(api.Robot, name)
+    ),
+)
+"""Names of the functions that a program can call besides in the track with people."""
+
 
 @functools.cache
-def api_specification() -> str:
+def api_specification(*, with_people: bool = False) -> str:
     """Return the control API with its docstrings, as a language model reads it.
+
+    With people it tells also how to ask them.
 
     The text is Python: a comment on the robot, the types of directions and endings,
     the result records with a comment on each field, and one function with its
     docstring per call.
     """
-    source = _read_source()
-    about = indent(ast.get_docstring(source.robot) or "", "# ", lambda line: True)
-    parts = ["\n".join(line.rstrip() for line in about.splitlines())]
-    parts.append("\n".join(map(ast.unparse, source.aliases)))
-    parts += map(_describe_record, source.records)
-    parts += map(_describe_function, source.functions)
+    parts: list[str] = []
+    for source in _sources(with_people=with_people):
+        about = indent(ast.get_docstring(source.robot) or "", "# ", lambda line: True)
+        parts.append("\n".join(line.rstrip() for line in about.splitlines()))
+        parts.append("\n".join(map(ast.unparse, source.aliases)))
+        parts += map(_describe_record, source.records)
+        parts += map(_describe_function, source.functions)
     return "\n\n\n".join(parts) + "\n"
 
 
 @functools.cache
-def api_stub() -> str:
+def api_stub(*, with_people: bool = False) -> str:
     """Return the control API as a stub file: types only, nothing to read."""
-    source = _read_source()
-    lines = ["from typing import Literal", *map(ast.unparse, source.aliases)]
-    for record in source.records:
-        lines.append(f"class {record.name}:")
-        lines += [f"    {field.name}: {field.kind}" for field in _fields(record)]
-    lines += [f"{_signature(function)}: ..." for function in source.functions]
+    lines = ["from typing import Literal"]
+    for source in _sources(with_people=with_people):
+        lines += map(ast.unparse, source.aliases)
+        for record in source.records:
+            lines.append(f"class {record.name}:")
+            lines += [f"    {field.name}: {field.kind}" for field in _fields(record)]
+        lines += [f"{_signature(function)}: ..." for function in source.functions]
     return "\n".join(lines) + "\n"
 
 
 class _Source(NamedTuple):
-    """What the API's module defines."""
+    """What a module of the API defines."""
 
     aliases: list[ast.Assign]
     records: list[ast.ClassDef]
     robot: ast.ClassDef
-
-    @property
-    def functions(self) -> list[ast.FunctionDef]:
-        return [item for item in self.robot.body if isinstance(item, ast.FunctionDef)]
+    functions: list[ast.FunctionDef]
+    """Those of the robot without `self`."""
 
 
 class _Field(NamedTuple):
@@ -72,16 +87,31 @@ class _Field(NamedTuple):
     text: str
 
 
-def _read_source() -> _Source:
-    body = ast.parse(inspect.getsource(api)).body
+def _sources(*, with_people: bool) -> list[_Source]:
+    sources = [_read_source(api, api.Robot.__name__)]
+    if with_people:
+        sources.append(_read_source(asking, asking.AskingRobot.__name__))
+    return sources
+
+
+def _read_source(module: ModuleType, robot_name: str) -> _Source:
+    body = ast.parse(inspect.getsource(module)).body
     classes = {item.name: item for item in body if isinstance(item, ast.ClassDef)}
-    robot = classes.pop(api.Robot.__name__)
+    robot = classes.pop(robot_name)
+    questions = [
+        item
+        for item in body
+        if isinstance(item, ast.FunctionDef) and item.name in QUESTIONS
+    ]
+    methods = [item for item in robot.body if isinstance(item, ast.FunctionDef)]
+    for method in methods:
+        del method.args.args[0]
     aliases = [
         item
         for item in body
         if isinstance(item, ast.Assign) and isinstance(item.value, ast.Subscript)
     ]
-    return _Source(aliases, list(classes.values()), robot)
+    return _Source(aliases, list(classes.values()), robot, [*questions, *methods])
 
 
 def _fields(record: ast.ClassDef) -> list[_Field]:
@@ -104,16 +134,9 @@ def _fields(record: ast.ClassDef) -> list[_Field]:
 
 
 def _signature(function: ast.FunctionDef) -> str:
-    """Return `def name(parameters) -> result` without `self`."""
-    parameters = ast.arguments(
-        posonlyargs=[],
-        args=function.args.args[1:],
-        kwonlyargs=[],
-        kw_defaults=[],
-        defaults=function.args.defaults,
-    )
+    """Return `def name(parameters) -> result`."""
     result = ast.unparse(function.returns) if function.returns else "None"
-    return f"def {function.name}({ast.unparse(parameters)}) -> {result}"
+    return f"def {function.name}({ast.unparse(function.args)}) -> {result}"
 
 
 def _describe_record(record: ast.ClassDef) -> str:

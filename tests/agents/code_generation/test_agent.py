@@ -91,6 +91,19 @@ def test_a_description_becomes_steps_and_steps_a_program(robot, journal):
     assert (parsing.temperature, parsing.seed) == (0.0, None)
 
 
+def test_in_the_track_with_people_the_model_is_told_how_to_ask(robot, journal):
+    robot.ask = lambda question: f"{question.about} is here"
+    robot.destination = lambda: "the cafe"
+    model = ScriptedLanguageModel(["```python\nprint(ask(way_to(destination())))\n```"])
+
+    follow(model, robot, journal, parser=False)
+
+    [writing] = model.requests
+    told = api_specification(with_people=True).strip()
+    assert told in writing.messages[0].content
+    assert journal.notes[-1]["text"] == "the cafe is here\n"
+
+
 def test_without_the_parser_the_description_itself_becomes_a_program(robot, journal):
     model = ScriptedLanguageModel([PROGRAM])
 

@@ -5,6 +5,7 @@ All requests come before the robot moves, unless a program that fails may be men
 
 from collections.abc import Callable
 from dataclasses import fields, is_dataclass
+from functools import cached_property
 from typing import Any, ClassVar, cast
 
 import numpy as np
@@ -20,7 +21,8 @@ from memorymaze.language.model import CompletionRequest, LanguageModel
 from memorymaze.language.prompt_texts import numbered
 from memorymaze.language.sandbox import run_program
 from memorymaze.robot.api import Robot
-from memorymaze.robot.specification import API_NAMES
+from memorymaze.robot.asking import can_ask
+from memorymaze.robot.specification import API_NAMES, ASKING_NAMES
 
 MOST_CALLS_TOLD = 200
 """Of what a failed program did, the model is told this many calls at most."""
@@ -70,6 +72,12 @@ class CodeGenerationAgent:
         """Versions of the prompts by stage, which answers in files are compared with."""
         return self._requests.prompts
 
+    @cached_property
+    def _with_people(self) -> CodeGenerationRequests:
+        """What it asks in the track with people one can ask."""
+        options, parser = self._requests.options, self._requests.parser
+        return CodeGenerationRequests(options, parser=parser, with_people=True)
+
     def follow(
         self,
         instruction: str,
@@ -82,14 +90,15 @@ class CodeGenerationAgent:
         Notes in the journal: `model_reply` for each request, `steps`, `program`,
         `repair`, and what the sandbox tells of the program's run.
         """
+        requests = self._with_people if can_ask(robot) else self._requests
         way = instruction
-        if self._requests.parser:
-            reply = journal.ask(self._model, self._requests.parse(instruction), "parse")
+        if requests.parser:
+            reply = journal.ask(self._model, requests.parse(instruction), "parse")
             steps = read_steps(reply)
             journal.note("steps", steps=steps)
             way = numbered(steps)
-        reply = journal.ask(self._model, self._requests.program(way), "program")
-        if not self._requests.options.repair:
+        reply = journal.ask(self._model, requests.program(way), "program")
+        if not requests.options.repair:
             self._run(reply, robot, journal)
             return
         witness = _Witness(robot)
@@ -101,7 +110,7 @@ class CodeGenerationAgent:
             if error.unsafe or isinstance(error, InterpreterLostError):
                 raise
             journal.note("repair", error=str(error), calls=len(witness.done))
-            asked = self._requests.repair(way, reply, str(error), witness.told())
+            asked = requests.repair(way, reply, str(error), witness.told())
             reply = journal.ask(self._model, asked, "repair")
             self._run(reply, robot, journal)
 
@@ -120,7 +129,7 @@ class _Witness:
 
     def __getattr__(self, name: str) -> Any:
         method: Callable[..., Any] = getattr(self._robot, name)
-        if name not in API_NAMES:
+        if name not in (*API_NAMES, *ASKING_NAMES):
             return method
 
         def call(*args: Any, **kwargs: Any) -> Any:

@@ -51,14 +51,19 @@ class CodeGenerationRequests:
     """Makes the requests of one variant of code generation."""
 
     def __init__(
-        self, options: CodeGenerationOptions | None = None, *, parser: bool = True
+        self,
+        options: CodeGenerationOptions | None = None,
+        *,
+        parser: bool = True,
+        with_people: bool = False,
     ) -> None:
-        """Prepare the prompts."""
+        """Prepare the prompts; with people, programs are told how to ask them."""
         self.parser = parser
         self.options = options or CodeGenerationOptions()
         self._parsing = self._prompt("parse_instruction", "steps")
+        specification = api_specification(with_people=with_people).strip()
         self._writing = self._prompt(
-            "write_program", "program", api_specification=api_specification().strip()
+            "write_program", "program", api_specification=specification
         )
 
     @property
