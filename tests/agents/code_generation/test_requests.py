@@ -54,7 +54,7 @@ def test_answers_in_a_store_to_an_older_prompt_are_found(
     with monkeypatch.context() as before:
         before.setattr(
             "memorymaze.agents.code_generation.requests.api_specification",
-            lambda: "def move_forward(distance: float) -> MoveResult: ...",
+            lambda **_: "def move_forward(distance: float) -> MoveResult: ...",
         )
         (older,) = requests()[1:]
     recording = RecordingModel(ScriptedLanguageModel(["Recorded."]), store)
