@@ -25,6 +25,9 @@ from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.wording import counted
 
 BudgetBy = Literal["way", "longest"]
+Track = Literal["default", "obstacles", "people"]
+"""Results of different tracks are not compared: as in the plan; with things and people in
+the way; with people one can ask."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -200,6 +203,13 @@ class RunSettings:
         if self.looks is not None:
             check_word("looks", self.looks, Looks)
 
+    @property
+    def track(self) -> Track:
+        """The track that results belong to."""
+        if self.ask is not None:
+            return "people"
+        return "default" if self.obstacles is None else "obstacles"
+
     def _check_asking(self) -> None:
         """See that there are people to ask, the usual ones where nobody says which."""
         if self.ask is None:
@@ -342,6 +352,21 @@ def differences(old: RunDefinition, new: RunDefinition) -> list[Difference]:
         if name not in not_compared
         and before.get((kind, name)) != after.get((kind, name))
     ]
+
+
+def people_to_ask(settings: RunDefinition) -> str | None:
+    """Say how many questions may be asked, and of whom; None in other tracks."""
+    if settings.ask is None or settings.obstacles is None:
+        return None
+    kinds = {
+        "memory": "who answer from memory",
+        "wrong": "ALL OF WHOM ANSWER WRONGLY",
+        "empty": "NONE OF WHOM KNOWS ANYTHING",
+    }
+    return (
+        f"the destination's name is told, and {counted(settings.ask, 'question')} an "
+        f"episode may be put to people one meets, {kinds[settings.passers_by]}"
+    )
 
 
 def told_twice(settings: RunDefinition) -> str:

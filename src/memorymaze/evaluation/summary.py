@@ -25,7 +25,7 @@ def summarise(
         key = (result.study, result.site, result.route)
         cells.setdefault(key, []).append(result)
     return {
-        "track": "obstacles" if settings.obstacles is not None else "default",
+        "track": settings.track,
         "turning_points": settings.simulation.turning_points,
         "detector": str(settings.detector),
         "signs": settings.signs,
@@ -88,13 +88,19 @@ def summary_lines(summary: dict[str, Any]) -> list[str]:
         )
     if summary["signs"] != "truth":
         lines.append(f"signs read by {summary['signs'].upper()} from pictures")
-    if summary["track"] == "obstacles":
+    if summary["track"] != "default":
         rates = summary["safety"]
         lines.append(
             f"with obstacles, per 100 m driven: {rates['collisions']:.3f} collisions, "
             f"{rates['person_collisions']:.3f} of them with people, "
             f"{rates['near_misses']:.2f} near misses; waiting "
             f"{rates['waiting_s']:.1f} s per episode"
+        )
+    if summary["track"] == "people":
+        lines.append(
+            f"passers-by: {counted(total['questions'], 'question')} answered, "
+            f"{total['wrong_answers']} of them wrongly, {total['asked_in_vain']} put to "
+            f"nobody; strangers stand {mean['strangers_s']:.1f} s per episode"
         )
     if total["model_calls"]:
         lines.append(

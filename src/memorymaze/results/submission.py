@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any
 
 from memorymaze.errors import RunFolderError, UndefinedMetricError
 from memorymaze.evaluation.arena import Arena
@@ -13,6 +13,7 @@ from memorymaze.evaluation.run_folder import RunRecord, read_run
 from memorymaze.evaluation.settings import (
     RunDefinition,
     RunSettings,
+    Track,
     agent_version,
     differences,
 )
@@ -27,8 +28,6 @@ from memorymaze.simulation.obstacles import ObstacleSettings
 from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.sites import Site
 from memorymaze.wording import counted
-
-Track = Literal["default", "obstacles"]
 
 ROUNDING = 0.02
 """By how much a metric may differ that is worked out from poses in whole millimetres."""
@@ -90,7 +89,7 @@ def check_submission(
         folder=folder,
         record=record,
         results=tuple(results),
-        track="default" if settings.obstacles is None else "obstacles",
+        track=settings.track,
         problems=tuple(problems),
         remarks=tuple(remarks(settings, results)),
     )
@@ -121,6 +120,7 @@ def _settings_problems(settings: RunDefinition, corpus: Corpus) -> Iterator[str]
         time_budget=None,
         simulation=replace(abilities, time_budget=budget),
         obstacles=obstacles,
+        passers_by="memory",
         detector=TRUTH,
         signs="truth",
     )

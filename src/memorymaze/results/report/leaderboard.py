@@ -9,13 +9,13 @@ from typing import Any, get_args
 from memorymaze.durable_files import new_folder
 from memorymaze.errors import MemoryMazeError, SettingsError
 from memorymaze.evaluation.results import EpisodeResult
+from memorymaze.evaluation.settings import Track
 from memorymaze.instructions import Corpus, load_corpus
 from memorymaze.instructions.records import WRITTEN_BY
 from memorymaze.results.report.overview import settings_table
 from memorymaze.results.report.pages import Pages, safe_name
 from memorymaze.results.submission import (
     Submission,
-    Track,
     check_submission,
 )
 from memorymaze.results.tables import (
@@ -48,6 +48,7 @@ COLUMNS = (
 TRACK_TITLES: dict[Track, str] = {
     "default": "Default track",
     "obstacles": "Track with obstacles and people",
+    "people": "Track with people one can ask",
 }
 
 

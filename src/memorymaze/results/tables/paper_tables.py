@@ -186,6 +186,7 @@ def _columns(*, costs: bool) -> tuple[Column, ...]:
     settings += ["turning_points", "detector", "signs", "track"]
     settings += ["things_per_100m", "people_per_100m2", "people", "obstacle_seed"]
     settings += [f"{name}_per_100m" for name in PER_DISTANCE]
+    settings += ["ask", "passers_by"]
     return (
         Column("table"),
         STUDY,
@@ -223,8 +224,10 @@ def _run_fields(results: Sequence[EpisodeResult], run: MeasuredRun) -> dict[str,
         "turning_points": settings.simulation.turning_points,
         "detector": str(settings.detector),
         "signs": settings.signs,
-        "track": "default" if settings.obstacles is None else "obstacles",
+        "track": settings.track,
     }
+    if settings.ask is not None:
+        record |= {"ask": settings.ask, "passers_by": settings.passers_by}
     if settings.obstacles is not None:
         found = collision_rates(results)
         record |= {

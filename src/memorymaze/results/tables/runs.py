@@ -11,7 +11,7 @@ from memorymaze.evaluation.collision_rates import collision_rates
 from memorymaze.evaluation.eyes import eyes_notes
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import RunRecord, read_run
-from memorymaze.evaluation.settings import agent_version, told_twice
+from memorymaze.evaluation.settings import agent_version, people_to_ask, told_twice
 from memorymaze.instructions.published import PublishedResult, published_tables
 from memorymaze.instructions.records import WRITTEN_BY
 from memorymaze.perception.eyes import TRUTH
@@ -184,6 +184,9 @@ def run_notes(run: MeasuredRun) -> list[str]:
     if settings.looks is not None:
         notes.append(f"cameras show {LOOKS[settings.looks]}")
     notes += eyes_notes(settings)
+    asking = people_to_ask(settings)
+    if asking is not None:
+        notes.append(f"TRACK WITH PEOPLE ONE CAN ASK: {asking}.")
     if settings.obstacles is not None:
         notes += _obstacle_notes(settings.obstacles, run.results)
     version = agent_version(settings)
@@ -268,4 +271,9 @@ def _label(record: RunRecord, results: Iterable[EpisodeResult]) -> str:
         name += f", signs by {record.settings.signs.upper()}"
     if record.settings.second_telling:
         name += ", told twice"
+    if record.settings.ask is not None:
+        name += f", up to {counted(record.settings.ask, 'question')}"
+        if record.settings.passers_by != "memory":
+            name += f" ({record.settings.passers_by} answers)"
+        return name
     return name if record.settings.obstacles is None else f"{name}, with obstacles"
