@@ -186,7 +186,6 @@ def _columns(*, costs: bool) -> tuple[Column, ...]:
     settings += ["turning_points", "detector", "signs", "track"]
     settings += ["things_per_100m", "people_per_100m2", "people", "obstacle_seed"]
     settings += [f"{name}_per_100m" for name in PER_DISTANCE]
-    settings += ["ask", "passers_by"]
     return (
         Column("table"),
         STUDY,
@@ -203,6 +202,8 @@ def _columns(*, costs: bool) -> tuple[Column, ...]:
         *(mean_column(each, plot=each.name == "sr") for each in PAPER_MEASURES),
         *(Column(name) for name in settings),
         Column("waiting_s_per_episode"),
+        Column("ask"),
+        Column("passers_by"),
         *(
             Column(f"{each.name}_per_episode", each.short, digits=each.digits)
             for each in COST_MEASURES
