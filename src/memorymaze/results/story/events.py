@@ -68,6 +68,8 @@ def events_of(entries: Sequence[Mapping[str, Any]]) -> Iterator[Event]:
             yield _call_event(entry, number)
         elif kind == "note":
             yield from _note_events(entry, number)
+        elif kind == "passer_by":
+            yield _answered_event(entry, number)
         elif kind in {"collision", "near_miss"}:
             yield _met_event(entry, number)
     if asked:
@@ -124,6 +126,10 @@ def _call_event(entry: Mapping[str, Any], number: int) -> Event:
     arguments = ", ".join(_value(each) for each in entry["arguments"].values())
     text = f"{call}({arguments})"
     kind = "other"
+    if call == "ask":
+        answer = "nobody near" if result is None else f"“{result}”"
+        text = f"“{arguments}” → {answer}"
+        return Event(float(entry["time"]), "say", _cut(text), number)
     if call in {"move_forward", "follow"} or call.startswith("step_"):
         kind = "move"
     elif call in {"turn", "turn_by"}:
@@ -155,6 +161,15 @@ def _note_events(entry: Mapping[str, Any], number: int) -> Iterator[Event]:
     else:
         text = f"{about}: " + "; ".join(f"{k} {_value(v)}" for k, v in told.items())
     yield Event(float(entry["time"]), kind, _cut(text), number)
+
+
+def _answered_event(entry: Mapping[str, Any], number: int) -> Event:
+    """Tell what was true of a passer-by's answer, which the agent does not learn."""
+    told = {"right": "is right", "wrong": "is WRONG", "unknown": "tells nothing"}
+    error = f": {entry['error']}" if entry["error"] else ""
+    text = f"the answer of {entry['person']} {told[entry['truth']]}{error}"
+    ended = float(entry["time"]) + float(entry["seconds"])
+    return Event(ended, "other", _cut(text), number)
 
 
 def _met_event(entry: Mapping[str, Any], number: int) -> Event:
