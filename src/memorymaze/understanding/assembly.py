@@ -62,6 +62,7 @@ class _Assembly:
         for at, event in enumerate(self._events):
             self._take(event, at)
         self._end_at_an_opening()
+        self._end_beside_a_way()
         self._settle_way()
         self._end_on_a_side()
         return [*self._done, self._draft]
@@ -150,7 +151,7 @@ class _Assembly:
             way = self._passed_side()
         if self._restating.repeats(at, way, event.ordinal, self._done, self._draft):
             self._done[-1].lengths.extend(self._draft.lengths)
-            self._draft = PartialLeg()
+            self._draft = PartialLeg(side=_flank_of(way) if event.aside else None)
             return
         if way is None and self._draft.is_new and self._done and not event.subject:
             return
@@ -171,10 +172,12 @@ class _Assembly:
             forced=event.forced,
             doubt=event.doubt,
         )
+        draft.here = event.here and not (self._done or draft.walks)
         placed = [each.back for each in self._events[at + 1 : at + 2]]
-        if self._since_thing <= 1 and placed != [True]:
+        if self._since_thing <= 1 and placed != [True] and not draft.here:
             draft.turn_at_last_thing()
         draft.bare_turn = event.emphatic and not (event.commanded or event.again)
+        draft.aside_turn = event.aside and self._events[at - 1].kind != "then"
         draft.plain_last = draft.bare_turn and self._follows_a_thing(at)
         self._done.append(draft)
         self._draft, self._since_thing = PartialLeg(), 9
@@ -273,6 +276,18 @@ class _Assembly:
             length = Length(metres, "places", float(way.ordinal))
             self._draft.lengths.append(length)
 
+    def _end_beside_a_way(self) -> None:
+        """`There is the library, to your left`, said last: no way goes off there."""
+        way = self._way
+        if way is None or way.ordinal is not None or way.phrase or way.taken:
+            return
+        self._way = None
+        if self._draft.mentions and self._draft.mentions[-1].side is None:
+            last = self._draft.mentions[-1]
+            self._draft.mentions[-1] = replace(last, side=way.side)
+        else:
+            self._draft.side = way.side
+
     def _end_on_a_side(self) -> None:
         """`Room 2347, left.`: the last word tells the side of the destination."""
         if not self._done:
@@ -284,12 +299,19 @@ class _Assembly:
         turn = last.turn
         if turn is None or turn.at_end or turn.ordinal is not None:
             return
-        if last.plain_last and last.mentions and turn.way in {"left", "right"}:
-            self._done.pop()
-            side: Side = "left" if turn.way == "left" else "right"
+        aside = last.aside_turn and self._draft.side is None
+        if turn.way not in {"left", "right"} or not (
+            aside or (last.plain_last and last.mentions)
+        ):
+            return
+        self._done.pop()
+        side: Side = "left" if turn.way == "left" else "right"
+        if last.mentions and last.mentions[-1].place in {"turn", "along"}:
             last.mentions[-1] = replace(last.mentions[-1], side=side, place="along")
-            last.turn = None
-            self._draft = last
+        else:
+            last.side = side
+        last.turn = None
+        self._draft = last
 
     def _end_at_a_door(self) -> None:
         """`After 5 m, left: 2347.`: a few steps and a side, and then a door."""
@@ -448,9 +470,9 @@ class _Assembly:
 
     def _ends_the_turn(self, event: Event, at: int) -> bool:
         """`Turn right, opposite the hall.`: a place said last is that of the turn."""
-        if event.relation not in AT_THE_TURN or event.walks or not self._done:
+        if event.relation not in AT_THE_TURN or event.walks or event.of_goal:
             return False
-        if not self._draft.is_new:
+        if not (self._done and self._draft.is_new):
             return False
         for number in range(at + 1, len(self._events)):
             kind = self._events[number].kind
@@ -460,9 +482,14 @@ class _Assembly:
                 return False
         for number in range(at - 1, -1, -1):
             kind = self._events[number].kind
-            if kind in {"sentence", "turn"}:
+            if kind in {"sentence", "turn", "arrive"}:
                 return kind == "turn"
         return False
+
+
+def _flank_of(way: Way | None) -> Literal["left", "right"] | None:
+    """Return the side that a turn is to."""
+    return way if way == "left" or way == "right" else None
 
 
 def _flank(event: Event) -> Literal["left", "right"] | None:

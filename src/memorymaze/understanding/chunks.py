@@ -8,7 +8,7 @@ Kinds of chunk, one letter each so that rules can be patterns over strings of ki
 verb, `G` go verb, `K` the way bends, `V` see verb, `B` is/there is, `Z` it's/that's,
 `A` at/by/when/where, `w` next to, `b` go back, `Q` before/after, `U` until/to, `t` into, `P` past, `I` ignore,
 `X` not, `Y` take that one, `D` by itself, `C` sorry/no wait, `c` if, `o` too far,
-`s` back to the wall, `u` turn around, `R` you have arrived, `a` again, `r` so, `e` yes, `d` front right, `i` at once, `h` maybe, `f` filler, `N` a thing's name (made of
+`s` back to the wall, `u` turn around, `R` you have arrived, `a` again, `l` here, `r` so, `e` yes, `d` front right, `i` at once, `h` maybe, `f` filler, `N` a thing's name (made of
 the content words `W`).
 """
 

@@ -83,7 +83,7 @@ class Event:
     ignored: bool = False
     """For `thing`: to be left alone."""
     of_goal: bool = False
-    """For `side`: of what is spoken of all the time: `it is on your left`."""
+    """Of `side` and `end`: of what is spoken of all the time: `it is on your left`."""
     back: bool = False
     """True when it was said after a turn in the same clause and belongs to it."""
     subject: bool = False
@@ -98,6 +98,10 @@ class Event:
     doubt: float = 0.0
     forced: bool = False
     at_once: bool = False
+    here: bool = False
+    """For `turn`: said to be where one stands."""
+    aside: bool = False
+    """For `turn`: said as `to the left` alone, which may be the side of something."""
     joined: bool = False
     """For `turn`: the second of `right-left`."""
     emphatic: bool = False
@@ -116,7 +120,7 @@ class Event:
     """For `sentence`: the next sentence is an item of a counted list."""
 
 
-_ADVERBS = "hiDar"
+_ADVERBS = "hiDarl"
 _STRONG_DOUBT = re.compile(r"maybe|perhaps|possibly|might|not\b")
 _DOUBT = re.compile(r"i |i'm|i'd|probably|likely|presumably|apparently|remember")
 DOUBT, STRONG_DOUBT = 0.4, 0.7

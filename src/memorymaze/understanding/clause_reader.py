@@ -19,6 +19,7 @@ from memorymaze.understanding.directions import (
     is_on_both_sides,
     is_turn,
     names_a_way,
+    place_is_named,
     read_left_alone,
     read_opening,
     speaks_of_ways,
@@ -31,7 +32,7 @@ from memorymaze.understanding.things import (
 )
 
 _AT_IT = re.compile(r"(?:at|in|when|where|once|the|far|very|its|by)\b")
-_AHEAD = re.compile(r"(?:straight |dead |right )?(?:ahead|front)\b")
+_AHEAD = re.compile(r"(?:straight |dead |right )?(?:ahead|(?:in )?front)\b")
 _ROUND = re.compile(r"round|around|bend|curve|curl|wind|turns?$")
 _WHEN = re.compile(r"when|where|once|as soon")
 _ROUND_IT = re.compile(r"(?:round|around|follow|go|walk|come|keep)")
@@ -142,7 +143,7 @@ class ClauseReader:
             self._add(Event("wall", side=side_of(chunk) or "behind"))
             return at + 1
         if kind == "u":
-            self._take(Event("turn", way="around"))
+            self._take(Event("turn", way="around", here=True))
             return at + 1
         if faces(clause, at):
             self._facing = True
@@ -166,9 +167,11 @@ class ClauseReader:
             back = self._turned and clause.kind_before(at) in {"A", "Q"}
             self._add(Event("length", length=chunk.length, back=back))
         elif kind == "E":
-            at_it = _AT_IT.match(chunk.text) is not None
+            at_it = before.endswith("A") or _AT_IT.match(chunk.text) is not None
             back = self._turned and at_it
-            self._add(Event("end", relation="at" if at_it else "until", back=back))
+            of_goal = re.search("[ZBR]", before) is not None and "T" not in before
+            relation: Relation = "at" if at_it else "until"
+            self._add(Event("end", relation=relation, back=back, of_goal=of_goal))
         elif kind == "Y":
             self._add(Event("take"))
             self._taken = True
@@ -176,7 +179,7 @@ class ClauseReader:
             if chunk.text.endswith(" it"):
                 self._add(Event("take"))  # "another one on the right, that is it"
             self._add(Event("arrive"))
-        elif kind == "H" and _AHEAD.match(chunk.text) and re.search("NB?A?$", before):
+        elif kind == "H" and _AHEAD.match(chunk.text) and re.search("NB?A?H*$", before):
             self._add(Event("side", side="ahead"))
         elif kind == "H" and _AHEAD.match(chunk.text) and _is_of_the_goal(clause):
             self._add(Event("side", side="ahead", of_goal=True))
@@ -215,6 +218,7 @@ class ClauseReader:
                 or (self._turned and clause.has("i")),
                 emphatic=first and clause.kinds[:1] in {"L", "O", "Z", "S"},
                 again=clause.has("a"),
+                here=event.here or (first and clause.has("l")),
                 commanded=clause.has_verb,
                 apposed=first and clause.kinds[:1] == "Z",
             )
@@ -252,7 +256,8 @@ class ClauseReader:
         elif turn:
             bend = " ".join(c.text for c in clause.chunks[:at] if c.kind == "K")
             way = _SLANTED.get(chunk.turn) if _SMALL.search(bend) else chunk.turn
-            self._take(Event("turn", way=way, forced=bool(bend)))
+            alone = re.fullmatch("[ZVR]*S", clause.kinds) and not place_is_named(clause)
+            self._take(Event("turn", way=way, forced=bool(bend), aside=bool(alone)))
         elif chunk.way is not None or chunk.kind == "S":
             first = comes_before_its_thing(clause, at)
             goal = _is_of_the_goal(clause)
@@ -330,6 +335,8 @@ class ClauseReader:
                 self._clause.kind_before(index) == "U"
                 or _WHEN.match(chunks[index - 1].text if index else "")
             ):
+                if self._turned and self._clause.kind_before(index) == "A":
+                    return "at"  # "left when you come to the desk"
                 return "until"  # "until you see a blue carpet", "when you see the desk"
             relation = self._bond(chunk)
             if relation is not None:
@@ -373,5 +380,7 @@ class ClauseReader:
 
 
 def _is_of_the_goal(clause: Clause) -> bool:
-    """`It is on your left`: said of what is spoken of all the time."""
-    return clause.kinds.startswith(("Z", "R")) and "N" not in clause.kinds
+    """`It is, you will see it, on your left`: of what is spoken of all the time."""
+    return (
+        re.match("[ZR]|V+[HSL]", clause.kinds) is not None and "N" not in clause.kinds
+    )

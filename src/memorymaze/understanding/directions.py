@@ -7,7 +7,7 @@ or to be left alone.
 import re
 from dataclasses import dataclass, replace
 
-from memorymaze.routes import Junction, Side
+from memorymaze.routes import Junction, Side, Way
 from memorymaze.understanding.chunks import Chunk
 from memorymaze.understanding.clause import (
     AT_THE_TURN,
@@ -107,6 +107,10 @@ def _is_turn_to_side(clause: Clause, chunk: Chunk, before: str, after: str) -> b
     """Decide about `to the left`, `on the left`, `nine o'clock`."""
     if ("G" in before and not is_aside(chunk)) or "K" in before:
         return re.search("[NJ]", before) is None and not after.startswith("BN")
+    if not (is_aside(chunk) or re.search("[BVNZ]", before)) and re.match(
+        "[AwQE]", after
+    ):
+        return True  # "20 metres and to your left at the desk"
     bound = re.search("([AU])N+$", before)
     if towards_a_side(chunk) and bound is not None:
         loose = clause.chunks[bound.start()].text.startswith(_LOOSE)
@@ -123,19 +127,19 @@ def _is_turn_to_side(clause: Clause, chunk: Chunk, before: str, after: str) -> b
         return True
     if last.kind == "turn" and last.way == chunk.way:
         return False
-    place = last.relation == "from" or _place_is_named(clause)
+    place = last.relation == "from" or place_is_named(clause)
     if not (towards_a_side(chunk) or clock):
         return place and after == ""  # "walk to the desk, right hand"
     return last.kind != "thing" or clock or place
 
 
-def _place_is_named(clause: Clause) -> bool:
+def place_is_named(clause: Clause) -> bool:
     """Tell whether this sentence has named a place to turn at."""
     for event in reversed(clause.before):
         if event.kind in {"sentence", "turn"}:
             return False
         if event.kind == "end" or event.relation in {"at", "until", "after"}:
-            return True
+            return not event.back
     return False
 
 
@@ -227,6 +231,8 @@ class _Opening:
     count: int | None = None
     noun: str = ""
     side: Side | None = None
+    way: Way | None = None
+    """Where it leads, as its side was said: `the next slight left`."""
     towards: bool = False
     """Whether its side was said as `to the left`."""
     stated: bool = False
@@ -279,14 +285,14 @@ def read_opening(
         if opening.stated or _is_taken(clause, opening, start, after):
             turn = Event(
                 "turn",
-                way=opening.side,
+                way=opening.way or opening.side,
                 ordinal=opening.ordinal,
                 or_ordinal=opening.or_ordinal,
                 nearest=opening.nearest,
                 forced="K" in before,
             )
             return [turn], at
-    elif turned and before.endswith("A"):
+    elif turned and re.search("A$|[AU]V$", before):
         return [_likely(way, back=True)], at
     elif re.search("[Tt]", before) and "V" not in before:
         return [_likely(way, taken=True)], at
@@ -325,9 +331,9 @@ def _words_of(clause: Clause, start: int) -> tuple[_Opening, int]:
                 if opening.ordinal is None and not verb and not one:
                     break  # "at the crossing right": the turn comes after the place
                 opening.stated = not one or opening.ordinal is not None
-            opening.side = side_of(chunk)
+            opening.side, opening.way = side_of(chunk), chunk.turn
         elif chunk.kind == "S" and sided:
-            opening.side = side_of(chunk)
+            opening.side, opening.way = side_of(chunk), chunk.turn
             opening.towards = towards_a_side(chunk)
         elif (
             chunk.kind == "B" and opening.side is None and kinds[at + 1 : at + 2] == "L"
@@ -377,7 +383,7 @@ def _bare(
     before = clause.kinds[:start]
     junction = _junction_of(opening.noun)
     if junction is not None:
-        back = turned and before[-1:] in {"A", "Q", "J"}
+        back = turned and re.search("[AQJ]$|AV$", before) is not None
         return [Event("junction", junction=junction, back=back)]
     if opening.count is not None:
         if opening.count >= 3 and re.search("[AV]", before + after):

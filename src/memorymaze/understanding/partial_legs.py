@@ -57,6 +57,8 @@ class PartialLeg:
     junction: Junction | None = None
     at_once: bool = False
     straight: bool = False
+    here: bool = False
+    """Whether its turn is where one stands."""
     entered: bool = False
     """Whether it was said what the turn before leads to."""
     side: Side | None = None
@@ -68,6 +70,8 @@ class PartialLeg:
     """Indices of mentions that a clause is about: `the chapel is on your left`."""
     bare_turn: bool = False
     """Whether the turn was one word, at the beginning of its clause."""
+    aside_turn: bool = False
+    """Whether its turn was said as `to the left` alone."""
     plain_last: bool = False
     """True when the turn was one bare word after a thing named in its sentence."""
 
@@ -82,6 +86,14 @@ class PartialLeg:
             or self.straight
             or self.entered
             or self.junction
+        )
+
+    @property
+    def walks(self) -> bool:
+        """Whether it was said how far one walks, or where to."""
+        there = any(each.place in {"turn", "passed"} for each in self.mentions)
+        return bool(self.lengths or self.passings or self.straight or there) or (
+            self.at_end or self.junction is not None
         )
 
     @property
@@ -158,7 +170,8 @@ def _leg_of(number: int, draft: PartialLeg, drafts: Sequence[PartialLeg]) -> Leg
     turned = before is None or before.way == "around" or drafts[number].ahead
     return Leg(
         turn=turn,
-        on_the_spot=draft.is_new and bool(turned) and _may_be_here(turn),
+        on_the_spot=draft.here
+        or (draft.is_new and bool(turned) and _may_be_here(turn)),
         length=combine_lengths(draft.lengths),
         mentions=(
             *_mentions_of(draft, first=not number),

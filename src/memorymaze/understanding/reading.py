@@ -71,7 +71,7 @@ def split_clauses(chunks: Sequence[Chunk]) -> list[list[Chunk]]:
 def _joins(chunks: Sequence[Chunk], at: int) -> bool:
     """Tell whether an `and` joins clauses; else it joins things."""
     following = at + 1
-    while following < len(chunks) and chunks[following].kind in "fhira":
+    while following < len(chunks) and chunks[following].kind in "fhiral":
         following += 1
     if following == len(chunks):
         return False

@@ -166,6 +166,8 @@ class Restating:
             return False
         if self._announced:
             return True
+        if self._is_elsewhere(at, done[-1]):
+            return False
         if self._sentence and not draft.lengths and not self._goes_on(at):
             return True
         if not draft.is_new:
@@ -185,6 +187,29 @@ class Restating:
         return self._follows_directly(
             at, same=ordinal is not None and ordinal == last.ordinal
         )
+
+    def _is_elsewhere(self, at: int, last: PartialLeg) -> bool:
+        """`Left at the end, left at the crossing`: told to be at another kind of place."""
+        event, turn = self._events[at], last.turn
+        if turn is None or not event.commanded:
+            return False
+        placed = any(m.place in {"turn", "beside", "opposite"} for m in last.mentions)
+        told = {
+            "way": turn.ordinal is not None,
+            "end": turn.at_end,
+            "junction": turn.junction is not None,
+            "thing": placed,
+        }
+        if not any(told.values()):
+            return False
+        if event.ordinal is not None:
+            return turn.ordinal != event.ordinal and not event.emphatic
+        for later in self._events[at + 1 :]:
+            if not later.back:
+                return False
+            if later.kind in told:
+                return not told[later.kind]
+        return False
 
     def _says_it_twice(self, at: int) -> bool:
         """`Go right, the first right.`: two turns side by side, and no others."""

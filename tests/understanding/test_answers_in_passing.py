@@ -1,0 +1,139 @@
+"""Ways as people tell them whom one asks: from where one stands, in one breath."""
+
+import pytest
+
+from memorymaze.routes import Leg
+from memorymaze.understanding import parse_route_description
+
+
+def places_of(leg: Leg) -> list[str]:
+    """Return the things that tell where a leg ends."""
+    at = {"turn", "beside", "opposite", "before_turn", "after_turn"}
+    return [each.phrase for each in leg.mentions if each.place in at]
+
+
+@pytest.mark.parametrize(
+    ("text", "way"),
+    [
+        ("Turn left here, and the library is on your right.", "left"),
+        ("Sir, go right from where you are. The library is ahead of you.", "right"),
+        ("For the library you turn right here. It's on your right.", "right"),
+        ("Oh, the library! Go back the way you came, it's on your left.", "around"),
+        ("Turn round and go back. The library is on your left.", "around"),
+        ("Head back behind you. The library is on your left.", "around"),
+    ],
+)
+def test_one_sets_off_by_a_turn_on_the_spot(text: str, way: str) -> None:
+    (leg,) = parse_route_description(text).legs
+    assert (leg.turn.way, leg.on_the_spot, places_of(leg)) == (way, True, [])
+
+
+def test_a_turn_here_is_not_on_the_spot_once_one_has_walked() -> None:
+    (leg,) = parse_route_description("Walk to the clock. Turn left here.").legs
+    assert not leg.on_the_spot
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Turn left when you get to the clock, then take your second right turn.",
+        "Left once you reach the clock, then right when you come to the second passage.",
+        "Go left by the clock and then, like, go right the second time you can.",
+        "Thirty metres and to your left at the clock, then right at the second one.",
+        "Make a left next to the clock. Then you take the second one right.",
+    ],
+)
+def test_a_place_told_after_its_side_belongs_to_that_turn(text: str) -> None:
+    first, second = parse_route_description(text).legs
+    assert (first.turn.way, first.turn.ordinal, places_of(first)) == (
+        "left",
+        None,
+        ["clock"],
+    )
+    assert (second.turn.way, second.turn.ordinal, places_of(second)) == ("right", 2, [])
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Turn left when you reach the wall, then right at the crossing.",
+        "Left at the bottom of the corridor, right where the two hallways meet.",
+        "Go left once you hit the end, then right when another corridor cuts across.",
+        "Left when you can't go any further, then right where you can go every way.",
+    ],
+)
+def test_ends_and_crossings_are_told_in_many_ways(text: str) -> None:
+    first, second = parse_route_description(text).legs
+    assert (first.turn.way, first.turn.at_end) == ("left", True)
+    assert (second.turn.way, second.turn.at_end) == ("right", False)
+    assert second.turn.junction == "crossing"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Go right at the end, go right at the crossing.",
+        "Take the second right. Take the third right.",
+        "Turn right at the clock, turn right when you can't go further.",
+    ],
+)
+def test_equal_turns_at_places_of_two_kinds_are_two(text: str) -> None:
+    assert [leg.turn.way for leg in parse_route_description(text).legs] == ["right"] * 2
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["Go right at the end, go right there.", "Turn right at the clock, turn right."],
+)
+def test_a_turn_said_again_without_a_place_of_its_own_is_one(text: str) -> None:
+    assert len(parse_route_description(text).legs) == 1
+
+
+@pytest.mark.parametrize("side", ["left", "right"])
+@pytest.mark.parametrize(
+    "ending",
+    [
+        "it's to your {}.",
+        "and there's the library, to your {}.",
+        "there it is, to the {}.",
+    ],
+)
+def test_a_side_said_last_and_alone_is_that_of_the_destination(
+    side: str, ending: str
+) -> None:
+    text = "Turn right at the end, and " + ending.format(side)
+    plan = parse_route_description(text)
+    assert [leg.turn.way for leg in plan.legs] == ["right"]
+    assert plan.arrival.side == side
+
+
+def test_where_the_destination_is_says_nothing_of_the_last_turn() -> None:
+    text = "Left at the second opening, and there you have it, at the far end."
+    plan = parse_route_description(text)
+    assert [leg.turn.at_end for leg in plan.legs] == [False]
+    assert plan.arrival.at_end
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The library is straight in front of you.",
+        "The library is directly ahead.",
+        "Go on, and the library is right in front of you.",
+    ],
+)
+def test_a_destination_in_front_is_ahead(text: str) -> None:
+    plan = parse_route_description(text)
+    assert (plan.legs, plan.arrival.side) == ((), "ahead")
+
+
+@pytest.mark.parametrize(
+    ("text", "way"),
+    [
+        ("Take the next slight left.", "slight_left"),
+        ("Turn diagonally right at the desk.", "slight_right"),
+        ("A little to the left at the crossing.", "slight_left"),
+    ],
+)
+def test_a_slanted_opening_is_a_slight_turn(text: str, way: str) -> None:
+    assert [leg.turn.way for leg in parse_route_description(text).legs] == [way]
