@@ -293,7 +293,7 @@ def _settings_of_an_environment(
         settings = with_choices(plain, settings or {})
     without_use = [
         name
-        for name in ("seed", "limit", "second_telling", "detector", "signs")
+        for name in ("seed", "limit", "second_telling", "ask", "detector", "signs")
         if getattr(settings, name) != getattr(plain, name)
     ]
     if without_use:

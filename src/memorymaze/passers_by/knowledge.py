@@ -21,7 +21,7 @@ from memorymaze.simulation.senses.sight_targets import describe_door, describe_l
 from memorymaze.sites.records import Route, RouteTurn, Site
 from memorymaze.writing.route_facts import RouteFacts
 from memorymaze.writing.things import with_article
-from memorymaze.writing.turning_point_graph import STRAIGHT, TurningPointGraph
+from memorymaze.writing.turning_point_graph import BACK, STRAIGHT, TurningPointGraph
 
 Bearing = Literal["ahead", "left", "right", "back"]
 
@@ -211,6 +211,8 @@ class FloorKnowledge:
         direct = LineString([start, stand])
         if self._open.covers(direct) or direct.length < 0.5:
             legs[HERE, THERE] = direct
+        elif along := self._along_a_leg(start, stand):
+            legs[HERE, THERE] = along
         graph = nx.DiGraph()
         graph.add_nodes_from((HERE, THERE))
         for (name, other), line in legs.items():
@@ -221,9 +223,24 @@ class FloorKnowledge:
                 points = [
                     point for leg in pairwise(nodes) for point in legs[leg].coords
                 ]
-                yield _line([_place(point) for point in points])
+                yield _line(_without_turning_back([_place(point) for point in points]))
         except nx.NetworkXNoPath:
             return
+
+    def _along_a_leg(
+        self, start: tuple[float, float], end: tuple[float, float]
+    ) -> LineString | None:
+        """Return the line between two places on one leg; None where they are on none."""
+        for leg in self._legs.values():
+            feet = [leg.project(Point(place)) for place in (start, end)]
+            ties = [
+                LineString([place, leg.interpolate(foot)])
+                for place, foot in zip((start, end), feet, strict=True)
+            ]
+            if all(tie.length <= BESIDE_WAY and self._open.covers(tie) for tie in ties):
+                between = substring(leg, *feet)
+                return _line([start, *map(_place, between.coords), end])
+        return None
 
     def _stand_before(self, place: NamedPlace) -> tuple[float, float]:
         """Return where one stands who is there."""
@@ -327,6 +344,30 @@ def bearing_of(here: Pose, heading: float) -> Bearing:
     if abs(angle) >= 3 * math.pi / 4:
         return "back"
     return "left" if angle > 0 else "right"
+
+
+def _without_turning_back(
+    points: list[tuple[float, float]],
+) -> list[tuple[float, float]]:
+    """Leave out where somebody would go somewhere and the same way back."""
+    kept: list[tuple[float, float]] = []
+    for point in points:
+        if kept and math.dist(kept[-1], point) <= 0.02:
+            continue
+        while len(kept) > 1 and _is_back(kept[-2], kept[-1], point):
+            kept.pop()
+        if not kept or math.dist(kept[-1], point) > 0.02:
+            kept.append(point)
+    return kept if len(kept) > 1 else [points[0], points[-1]]
+
+
+def _is_back(
+    start: tuple[float, float], middle: tuple[float, float], end: tuple[float, float]
+) -> bool:
+    if math.dist(middle, end) <= 0.02:
+        return False
+    turn = turn_between(heading_to(start, middle), heading_to(middle, end))
+    return abs(turn) > BACK
 
 
 def _plain(words: str) -> str:
