@@ -238,7 +238,7 @@ class FloorKnowledge:
                 for place, foot in zip((start, end), feet, strict=True)
             ]
             if all(tie.length <= BESIDE_WAY and self._open.covers(tie) for tie in ties):
-                between = substring(leg, *feet)
+                between = substring(leg, feet[0], feet[1])
                 return _line([start, *map(_place, between.coords), end])
         return None
 
