@@ -2,7 +2,7 @@
 
 import pytest
 
-from memorymaze.routes import Leg
+from memorymaze.routes import Leg, RoutePlan
 from memorymaze.understanding import parse_route_description
 
 
@@ -19,6 +19,7 @@ def places_of(leg: Leg) -> list[str]:
         ("Sir, go right from where you are. The library is ahead of you.", "right"),
         ("For the library you turn right here. It's on your right.", "right"),
         ("Oh, the library! Go back the way you came, it's on your left.", "around"),
+        ("Madam, start off to your left. The library is on your right.", "left"),
         ("Turn round and go back. The library is on your left.", "around"),
         ("Head back behind you. The library is on your left.", "around"),
     ],
@@ -41,6 +42,7 @@ def test_a_turn_here_is_not_on_the_spot_once_one_has_walked() -> None:
         "Go left by the clock and then, like, go right the second time you can.",
         "Thirty metres and to your left at the clock, then right at the second one.",
         "Make a left next to the clock. Then you take the second one right.",
+        "Go left as you come to the clock, then to the right, the second one.",
     ],
 )
 def test_a_place_told_after_its_side_belongs_to_that_turn(text: str) -> None:
@@ -60,6 +62,7 @@ def test_a_place_told_after_its_side_belongs_to_that_turn(text: str) -> None:
         "Left at the bottom of the corridor, right where the two hallways meet.",
         "Go left once you hit the end, then right when another corridor cuts across.",
         "Left when you can't go any further, then right where you can go every way.",
+        "Walk the whole corridor and turn left, then go right where the ways cross.",
     ],
 )
 def test_ends_and_crossings_are_told_in_many_ways(text: str) -> None:
@@ -137,3 +140,47 @@ def test_a_destination_in_front_is_ahead(text: str) -> None:
 )
 def test_a_slanted_opening_is_a_slight_turn(text: str, way: str) -> None:
     assert [leg.turn.way for leg in parse_route_description(text).legs] == [way]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Take a left as soon as you can.",
+        "Left the first chance you get.",
+        "Turn left as soon as the corridor lets you.",
+        "Left where the next corridor comes.",
+    ],
+)
+def test_the_first_chance_to_turn_is_the_next_opening(text: str) -> None:
+    (leg,) = parse_route_description(text).legs
+    assert (leg.turn.way, leg.turn.at_end, leg.mentions) == ("left", False, ())
+    assert leg.turn.ordinal in {None, 1}
+
+
+def test_right_that_only_opens_an_answer_is_no_turn() -> None:
+    legs = parse_route_description("Right, pal, keep straight on, then left.").legs
+    assert [leg.turn.way for leg in legs] == ["left"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "I don't know, sorry.",
+        "No clue, I'm just here with my class.",
+        "The library isn't on my list. Please ask at the front desk.",
+        "Sorry, I couldn't say where the library is.",
+    ],
+)
+def test_who_does_not_know_tells_neither_a_way_nor_a_destination(text: str) -> None:
+    assert parse_route_description(text) == RoutePlan()
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "I don't know its name, but turn left.",
+        "I'm not sure, the library is on your left.",
+    ],
+)
+def test_who_knows_a_part_is_heard(text: str) -> None:
+    assert parse_route_description(text) != RoutePlan()

@@ -463,7 +463,7 @@ class _Assembly:
             self._draft.junction = event.junction or self._draft.junction
         elif event.kind == "end":
             self._change_last_turn(at_end=True)
-        else:
+        elif event.junction is not None:
             self._change_last_turn(junction=event.junction)
             if event.junction == "t":
                 self._change_last_turn(at_end=True)

@@ -34,7 +34,7 @@ from memorymaze.understanding.things import (
 _AT_IT = re.compile(r"(?:at|in|when|where|once|the|far|very|its|by)\b")
 _AHEAD = re.compile(r"(?:straight |dead |right )?(?:ahead|(?:in )?front)\b")
 _ROUND = re.compile(r"round|around|bend|curve|curl|wind|turns?$")
-_WHEN = re.compile(r"when|where|once|as soon")
+_WHEN = re.compile(r"when|where|once|as\b")
 _ROUND_IT = re.compile(r"(?:round|around|follow|go|walk|come|keep)")
 _SMALL = re.compile(r"small|lean|slight|little|gentle|soft|light|bit of")
 _SLANTED: dict[Way | None, Way] = {"left": "slight_left", "right": "slight_right"}
@@ -167,7 +167,8 @@ class ClauseReader:
             back = self._turned and clause.kind_before(at) in {"A", "Q"}
             self._add(Event("length", length=chunk.length, back=back))
         elif kind == "E":
-            at_it = before.endswith("A") or _AT_IT.match(chunk.text) is not None
+            bound = re.search("A[VG]*$", before) is not None
+            at_it = bound or _AT_IT.match(chunk.text) is not None
             back = self._turned and at_it
             of_goal = re.search("[ZBR]", before) is not None and "T" not in before
             relation: Relation = "at" if at_it else "until"

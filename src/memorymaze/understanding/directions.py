@@ -300,7 +300,10 @@ def read_opening(
         return [_likely(way)], at
     exists = after.startswith("B") and "L" not in clause.kinds[start:at]
     if opening.ordinal is not None and not exists and before.strip("Q") == "":
-        return [_likely(way)], at
+        last = clause.last_event()
+        told = last is not None and last.kind == "turn" and not last.forced
+        back = told and not (before or after)  # "go right, the third one"
+        return [_likely(way, back=back)], at
     return [way], at
 
 
@@ -381,10 +384,12 @@ def _bare(
 ) -> list[Event]:
     """Read a junction noun without ordinal and side."""
     before = clause.kinds[:start]
+    placed = turned and re.search("[AQJ]$|AV$", before) is not None
     junction = _junction_of(opening.noun)
     if junction is not None:
-        back = turned and re.search("[AQJ]$|AV$", before) is not None
-        return [Event("junction", junction=junction, back=back)]
+        return [Event("junction", junction=junction, back=placed)]
+    if placed and re.search(r"junction|intersection|corner", opening.noun):
+        return [Event("junction", back=True)]
     if opening.count is not None:
         if opening.count >= 3 and re.search("[AV]", before + after):
             return [Event("junction", junction="crossing")]

@@ -89,6 +89,13 @@ class PartialLeg:
         )
 
     @property
+    def is_unsaid(self) -> bool:
+        """Whether it was said neither how far one walks, nor on which side anything is."""
+        sided = self.side or any(each.side for each in self.mentions)
+        ends = self.at_end or self.junction is not None
+        return not (self.lengths or self.straight or self.ahead or ends or sided)
+
+    @property
     def walks(self) -> bool:
         """Whether it was said how far one walks, or where to."""
         there = any(each.place in {"turn", "passed"} for each in self.mentions)

@@ -16,6 +16,13 @@ from memorymaze.understanding.partial_legs import plan_of
 from memorymaze.understanding.repetitions import without_overviews
 from memorymaze.understanding.things import thing_phrase
 
+_KNOWS_NOT = re.compile(
+    r"\b(?:sorry|afraid|apolog\w+|regret|forgive|(?:no|not the|not a|what) (?:\w+ )?(?:idea|clue|notion)"
+    r"|(?:know|knowing|tell you|help|sure|say where|not from|new here|stranger|visitor"
+    r"|tourist|first (?:day|time)|never heard|isn't on|beats me|ask (?:\w+ )?(?:else|at|the))"
+    r"|idk|dunno|clue|lost)\b"
+)
+"""What people say who cannot tell the way."""
 _OPENERS = "TGIXPKOM2AwQEVYsu"
 """Kinds of chunk that begin a new clause after `and`."""
 
@@ -26,6 +33,8 @@ def parse_route_description(text: str) -> RoutePlan:
     chunks = apply_corrections(cut(words))
     events = without_overviews(_sentences(split_clauses(chunks), words))
     drafts = assemble(events)
+    if len(drafts) == 1 and drafts[0].is_unsaid and _KNOWS_NOT.search(words):
+        return RoutePlan()
     destinations, side, nth = find_destinations(drafts[-1], drafts[:-1], chunks, words)
     return replace(plan_of(drafts, destinations, side, nth), totals=totals)
 

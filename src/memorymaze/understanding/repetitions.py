@@ -166,7 +166,7 @@ class Restating:
             return False
         if self._announced:
             return True
-        if self._is_elsewhere(at, done[-1]):
+        if self._is_elsewhere(at, ordinal, done[-1]):
             return False
         if self._sentence and not draft.lengths and not self._goes_on(at):
             return True
@@ -188,7 +188,7 @@ class Restating:
             at, same=ordinal is not None and ordinal == last.ordinal
         )
 
-    def _is_elsewhere(self, at: int, last: PartialLeg) -> bool:
+    def _is_elsewhere(self, at: int, ordinal: int | None, last: PartialLeg) -> bool:
         """`Left at the end, left at the crossing`: told to be at another kind of place."""
         event, turn = self._events[at], last.turn
         if turn is None or not event.commanded:
@@ -202,8 +202,8 @@ class Restating:
         }
         if not any(told.values()):
             return False
-        if event.ordinal is not None:
-            return turn.ordinal != event.ordinal and not event.emphatic
+        if ordinal is not None:
+            return turn.ordinal != ordinal and not event.emphatic
         for later in self._events[at + 1 :]:
             if not later.back:
                 return False
