@@ -193,6 +193,9 @@ class Restating:
         event, turn = self._events[at], last.turn
         if turn is None or not event.commanded:
             return False
+        following = self._events[at + 1 : at + 2]
+        if event.nearest or any(each.back and each.nearest for each in following):
+            return True  # "take the next left. go left at the next corner"
         placed = any(m.place in {"turn", "beside", "opposite"} for m in last.mentions)
         told = {
             "way": turn.ordinal is not None,
