@@ -78,6 +78,8 @@ def test_ends_and_crossings_are_told_in_many_ways(text: str) -> None:
         "Go right at the end, go right at the crossing.",
         "Take the second right. Take the third right.",
         "Turn right at the clock, turn right when you can't go further.",
+        "Take the next right. Go right at the next corner.",
+        "Take the first right. Go right at the junction.",
     ],
 )
 def test_equal_turns_at_places_of_two_kinds_are_two(text: str) -> None:
@@ -123,6 +125,8 @@ def test_where_the_destination_is_says_nothing_of_the_last_turn() -> None:
         "The library is straight in front of you.",
         "The library is directly ahead.",
         "Go on, and the library is right in front of you.",
+        "Go on. It was straight in front of you.",
+        "Go on, and there is the library, straight ahead.",
     ],
 )
 def test_a_destination_in_front_is_ahead(text: str) -> None:
@@ -184,3 +188,16 @@ def test_who_does_not_know_tells_neither_a_way_nor_a_destination(text: str) -> N
 )
 def test_who_knows_a_part_is_heard(text: str) -> None:
     assert parse_route_description(text) != RoutePlan()
+
+
+def test_what_follows_after_that_is_a_turn_to_make() -> None:
+    text = "Turn right at the desk, after that go to your left at the second opening."
+    first, second = parse_route_description(text).legs
+    assert (first.turn.way, second.turn.way) == ("right", "left")
+    assert (second.turn.ordinal, second.turn.forced) == (2, False)
+
+
+def test_a_room_in_a_hall_is_on_the_side_told_of_both() -> None:
+    text = "Turn right. Office 2347 in GHI Hall is on your left."
+    arrival = parse_route_description(text).arrival
+    assert (arrival.destinations[0], arrival.side) == ("door that says 2347", "left")

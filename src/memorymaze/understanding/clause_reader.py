@@ -382,6 +382,5 @@ class ClauseReader:
 
 def _is_of_the_goal(clause: Clause) -> bool:
     """`It is, you will see it, on your left`: of what is spoken of all the time."""
-    return (
-        re.match("[ZR]|V+[HSL]", clause.kinds) is not None and "N" not in clause.kinds
-    )
+    said = re.match("[ZR]|V+[HSL]|H+$", clause.kinds)
+    return said is not None and "N" not in clause.kinds

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import pairwise
 
 from memorymaze.routes import Mention, Side
 from memorymaze.understanding.chunks import Chunk
@@ -133,6 +134,7 @@ def find_destinations(
         side = next(
             (m.side for m in last.mentions if is_common(m.phrase) and m.side), None
         )
+    side = side or _side_of_what_it_is_in(kept[0], last.mentions)
     names = [*kept, *_in_full(kept[0], named, text)]
     if all(map(is_common, names)):
         names += _on_signs(drafts[-3:])
@@ -145,6 +147,14 @@ def find_destinations(
     ):
         return _shown(numbered or names), side, nth
     return _shown(names), side, nth
+
+
+def _side_of_what_it_is_in(name: str, mentions: Sequence[Mention]) -> Side | None:
+    """`Office 2347 in GHI Hall is on the left`: said of both."""
+    for mention, following in pairwise(mentions):
+        if mention.phrase == name and following.kind == "place":
+            return following.side
+    return None
 
 
 def _in_full(name: str, named: Iterable[str], text: str) -> Iterator[str]:

@@ -57,7 +57,8 @@ def is_turn(clause: Clause, at: int, *, after_turn: bool) -> bool:
         if chunk.text.endswith(("side", "sides")) or before.endswith("NG"):
             return False
         verb = clause.chunks[len(before) - 1].text
-        return re.match(r"keep|leav|stay", verb) is None and not after.startswith("B")
+        idle = re.match(r"keep|leav|stay", verb) or before.startswith("Z")
+        return not (idle or after.startswith("B"))  # "it will be coming on your left"
     if last == "K" and is_aside(chunk) and "side" in chunk.text:
         return False
     if last == "V" and clause.chunks[len(before) - 1].text == "face":

@@ -93,8 +93,11 @@ def _joins(chunks: Sequence[Chunk], at: int) -> bool:
         rest = "".join(each.kind for each in chunks[following + 1 : following + 3])
         before = "".join(each.kind for each in chunks[max(at - 6, 0) : at])
         return rest.startswith("B") and re.search("L[fha]*$", before) is not None
-    return kind in _OPENERS or (
-        kind == "B" and chunks[following].text.startswith(("there", "here", "you"))
+    it_is = kind == "Z" and chunks[following].text.startswith("it")
+    return (
+        it_is
+        or kind in _OPENERS
+        or (kind == "B" and chunks[following].text.startswith(("there", "here", "you")))
     )
 
 
