@@ -1,7 +1,8 @@
 """The browser that tests of pages look with, and runs over tiny sites."""
 
 import shutil
-from collections.abc import Generator
+from collections.abc import Callable, Generator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +14,7 @@ from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.episode import run_episode
 from memorymaze.evaluation.plan import plan_run
 from memorymaze.evaluation.provenance import CodeStamp
+from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import RunRecord, open_run_folder, read_run
 from memorymaze.evaluation.settings import AgentSettings, RunSettings, with_choices
 from memorymaze.evaluation.trace import keep_trace, trace_content
@@ -98,3 +100,19 @@ def crowded_episode(crowded_run: Path) -> RecordedEpisode:
 
 def episode_ids(run: Path) -> list[str]:
     return [result.episode_id for result in read_run(run)[1]]
+
+
+@pytest.fixture
+def keep(tmp_path: Path, record: RunRecord) -> Callable[..., Path]:
+    """Write a run with settings of its own."""
+
+    def write(name: str, results: list[EpisodeResult], **settings: Any) -> Path:
+        changed = replace(record.settings, episodes=len(results), **settings)
+        with open_run_folder(
+            tmp_path / name, replace(record, settings=changed), resume=False
+        ) as run:
+            for each in results:
+                run.add(each)
+        return tmp_path / name
+
+    return write

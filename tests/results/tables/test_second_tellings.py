@@ -1,7 +1,6 @@
 """Success on the first, the second and both tellings of the same people."""
 
 from collections.abc import Callable
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -9,7 +8,6 @@ import pytest
 
 from memorymaze.errors import RunFolderError
 from memorymaze.evaluation.results import EpisodeResult
-from memorymaze.evaluation.run_folder import RunRecord, open_run_folder
 from memorymaze.input_files import stamp_file
 from memorymaze.instructions.files import BUILTIN_CORPUS
 from memorymaze.instructions.records import was_developed_on
@@ -25,22 +23,6 @@ PEOPLE = {
     "c": (True, False, True, (1, 0)),
     "d": (True, True, False, (2, 1)),
 }
-
-
-@pytest.fixture
-def keep(tmp_path: Path, record: RunRecord) -> Write:
-    """Write a run with settings of its own."""
-
-    def write(name: str, results: list[EpisodeResult], **settings: Any) -> Path:
-        changed = replace(record.settings, episodes=len(results), **settings)
-        with open_run_folder(
-            tmp_path / name, replace(record, settings=changed), resume=False
-        ) as run:
-            for each in results:
-                run.add(each)
-        return tmp_path / name
-
-    return write
 
 
 @pytest.fixture

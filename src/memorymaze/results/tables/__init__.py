@@ -15,6 +15,7 @@ Episodes as a frame, a row each, are `evaluation.frames.episode_frame`.
 from collections.abc import Mapping, Sequence
 from typing import Literal
 
+from memorymaze.results.tables.asking import asking_table
 from memorymaze.results.tables.comparison import comparison_overview, comparison_table
 from memorymaze.results.tables.confidence import confidence_table
 from memorymaze.results.tables.equal_metres import equal_metres_table
@@ -63,7 +64,7 @@ __all__ = [
 ]
 
 TableChoice = Literal[
-    "II", "III", "both", "errors", "reach", "confidence", "second_tellings"
+    "II", "III", "both", "errors", "reach", "confidence", "second_tellings", "asking"
 ]
 
 
@@ -79,7 +80,8 @@ def run_tables(
         choice: Of the paper's tables; `errors`: success by kind of error in the texts;
             `reach`: by distance to the goal and length of the walk; `confidence`: what
             agents claimed, how sure they were, and what came of it; or `second_tellings`:
-            of runs with both tellings and without, what the second is worth. Runs on SAIL
+            of runs with both tellings and without, what the second is worth; or `asking`:
+            of runs with `--ask`, what questions are worth beside the first run. Runs on SAIL
             are shown by map, whichever of the paper's is chosen.
         absent: Methods that have no run: rows of the paper's tables say so, and their
             notes how to get one.
@@ -98,6 +100,8 @@ def run_tables(
         return [confidence_table(runs)]
     if choice == "second_tellings":
         return [second_tellings_table(runs)]
+    if choice == "asking":
+        return [asking_table(runs)]
     if is_sail(runs):
         return [sail_table(run) for run in runs]
     names: tuple[TableName, ...] = ("II", "III") if choice == "both" else (choice,)
