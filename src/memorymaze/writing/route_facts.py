@@ -255,6 +255,8 @@ class RouteFacts:
                 continue
             seen.add(thing.words)
             here, further = line.interpolate(at - 0.2), line.interpolate(at + 0.2)
+            if here.distance(further) < 0.01:  # The way turns back here.
+                further = line.interpolate(at)
             bearing = turn_between(
                 heading_to((here.x, here.y), (further.x, further.y)),
                 heading_to((here.x, here.y), (spot.x, spot.y)),
