@@ -57,7 +57,7 @@ def seconds_to_say(words: str) -> float:
 
 def can_ask(robot: object) -> TypeGuard["AskingRobot"]:
     """Tell whether a robot is one of the track with people one can ask."""
-    return hasattr(robot, "ask")
+    return hasattr(robot, "questions_left")
 
 
 @runtime_checkable

@@ -6,6 +6,7 @@ from typing import Literal
 import numpy as np
 
 from memorymaze.agents.agent import Journal, Need, tellings_of
+from memorymaze.agents.guide.asking import AskWhen, Inquiry
 from memorymaze.agents.guide.model_choice import NEAR, ModelChoice
 from memorymaze.agents.guide.model_questions import (
     MOST_REQUESTS,
@@ -16,11 +17,13 @@ from memorymaze.agents.guide.model_walk import ModelWalk
 from memorymaze.agents.guide.search import Search
 from memorymaze.agents.guide.walk_log import WalkLog
 from memorymaze.agents.plan_readers import PlanReader, ReaderOptions, ReadsFirst
+from memorymaze.agents.walking.outlooks import expected_metres
 from memorymaze.agents.walking.walker import Walker
 from memorymaze.errors import SettingsError
 from memorymaze.language.model import LanguageModel
 from memorymaze.options import check_least, check_number
 from memorymaze.robot.api import Robot
+from memorymaze.robot.asking import can_ask
 from memorymaze.routes import RoutePlan, describe
 
 
@@ -45,6 +48,13 @@ class GuideOptions(ReaderOptions):
     """Whether it reads signs (false is for ablations)."""
     repair: bool = True
     """Whether it goes back to try another explanation (false is for ablations)."""
+    ask: AskWhen = "gain"
+    """When it asks people, in the track that has them: never, at the start, at random
+    moments, when lost, or where an answer is worth most."""
+    told: bool = True
+    """Whether the instruction counts, or what people answer alone (false is a control)."""
+    answers: bool = True
+    """Whether what people answer counts (false is a control)."""
 
     @property
     def needs(self) -> frozenset[Need]:
@@ -140,6 +150,13 @@ class GuideAgent(ReadsFirst):
             plan = self.reader.read(telling, journal)
             journal.note("plan", steps=describe(plan))
             plans.append(plan if options.things else _without_things(plan))
+        inquiry = None
+        if can_ask(robot):
+            metres = expected_metres(plans[-1])
+            inquiry = Inquiry(
+                robot, options.ask, metres, journal, rng, forgets=not options.answers
+            )
+            plans = [inquiry.named(p if options.told else RoutePlan()) for p in plans]
         advise = questions and ModelChoice(plans[0], walker, questions, options.near)
         Search(
             plans,
@@ -148,6 +165,7 @@ class GuideAgent(ReadsFirst):
             any_heading=anyhow,
             goes_back=options.repair,
             advise=advise,
+            inquiry=inquiry,
         ).run()
         robot.stop()
 

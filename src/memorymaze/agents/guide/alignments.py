@@ -16,6 +16,8 @@ class Start(NamedTuple):
     exit: int
     """-1 where one has still to choose."""
     chance: float
+    walked: float = 0.0
+    """Metres of the first way that one needs not walk; negative."""
 
 
 @dataclass(frozen=True, slots=True)

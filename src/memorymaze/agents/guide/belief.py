@@ -108,7 +108,7 @@ class Belief:
             {} for _ in range(legs + 1)
         ]
         speakers = self.model.speakers
-        for at, heading, exit, chance in starts:
+        for at, heading, exit, chance, walked in starts:
             weights = speakers * chance
             slips: tuple[Slip, ...] = ()
             place = self.floor.crossings[at].place
@@ -120,6 +120,7 @@ class Belief:
                 heading,
                 0,
                 weights,
+                walked,
                 line=(place,),
                 slips=slips,
                 telling=self.telling,

@@ -9,9 +9,10 @@ import numpy as np
 from memorymaze.agents.agent import Journal
 from memorymaze.agents.guide.alignments import Frontier, Segment, Slip, Start
 from memorymaze.agents.guide.arriving import SAME_PLACE, Ending, walk_up_to
+from memorymaze.agents.guide.asking import ANSWER_TRUST, Answer, Inquiry, Situation
 from memorymaze.agents.guide.likelihoods import Likelihoods
 from memorymaze.agents.guide.tellings import Telling, Tellings
-from memorymaze.agents.walking.floor_map import FloorMap, Sighting
+from memorymaze.agents.walking.floor_map import FloorMap, Sighting, Stretch
 from memorymaze.agents.walking.outlooks import (
     LEG_METRES,
     expected_metres,
@@ -22,6 +23,7 @@ from memorymaze.agents.walking.outlooks import (
     things_on,
 )
 from memorymaze.agents.walking.walker import Walker
+from memorymaze.geometry.pose import wrap_angle
 from memorymaze.routes import RoutePlan
 
 FEWEST_METRES, MOST_METRES = 120.0, 400.0
@@ -82,6 +84,7 @@ class Search:
         any_heading: bool = False,
         goes_back: bool = True,
         advise: Advise | None = None,
+        inquiry: Inquiry | None = None,
     ) -> None:
         """Prepare to follow what was told from where the robot stands.
 
@@ -92,6 +95,7 @@ class Search:
             any_heading: The robot may have to face any way at the start.
             goes_back: It may go back for another explanation.
             advise: Has the last word on what to do next.
+            inquiry: Asks people, where there are some.
         """
         self._plans = plans
         self._walker = walker
@@ -101,6 +105,7 @@ class Search:
         self._model = Likelihoods()
         self._patience = Patience()
         self._advise = advise
+        self._inquiry = inquiry
         self._tellings = Tellings(walker.map, self._model)
         self._limit = max(map(_walk_limit, plans))
         self._looks = _in_order(map(looks_of, plans))
@@ -113,6 +118,10 @@ class Search:
         for _ in range(MOST_DECISIONS):
             self._update()
             self._survey()
+            if self._inquiry is not None:
+                answer = self._inquiry.way(self._situation, self._walker.travelled)
+                if answer is not None:
+                    self._heed(answer)
             step = self._choose()
             if step is None:
                 break
@@ -349,13 +358,64 @@ class Search:
                     return True
             return False
 
-        walker.follow_exit(frontier.exit, self._phrases(frontier), arrived)
+        answers: list[tuple[Answer, float]] = []
+
+        def told(seen: list[Sighting]) -> bool:
+            if self._inquiry is not None:
+                answer = self._inquiry.way(self._situation, walker.travelled)
+                if answer is not None:
+                    answers.append((answer, walker.travelled - begin))
+            return arrived(seen)
+
+        stretch = walker.follow_exit(frontier.exit, self._phrases(frontier), told)
+        for answer, walked in answers:
+            self._heed(answer, stretch, walked)
         if found:
             sighting, chance = found[0]
             self._arrive(f"{sighting.phrase} seen", chance)
             walk_up_to(walker, sighting, self._names)
             return True
         return False
+
+    def _situation(self) -> Situation:
+        """Return how the episode stands."""
+        masses = [each.mass for each in self._tellings.frontiers.values()]
+        masses += [self._mass_about(each) for each in self._tellings.endings]
+        done = sum(n * share for n, share in enumerate(self._legs_done))
+        way = expected_metres(self._plans[0])
+        return Situation(
+            max(masses, default=0.0) / self._total,
+            self._doubt,
+            self._walker.travelled / way - done / max(len(self._legs_done) - 1, 1),
+        )
+
+    def _heed(
+        self, answer: Answer, stretch: Stretch | None = None, walked: float = 0.0
+    ) -> None:
+        """Take what somebody said of the way on from here, or from a place on a stretch.
+
+        They may have meant the other direction.
+        """
+        floor, heading = self._walker.map, self._walker.heading
+        at, exit = self._walker.at, -1
+        if stretch is not None and not answer.turned_back:
+            at, exit = stretch.start, stretch.exit
+        elif stretch is not None:
+            at = stretch.end
+            exit = floor.crossings[at].add_exit(wrap_angle(stretch.arrival + math.pi))
+            walked = stretch.length - walked
+        if exit >= 0:
+            heading = floor.crossings[at].exits[exit]
+        elif answer.turned_back:
+            heading = wrap_angle(heading + math.pi)
+        telling = self._tellings.add(
+            answer.plan, ANSWER_TRUST, breaks_off=answer.breaks_off
+        )
+        telling.starts = [Start(at, heading, exit, 1.0, -walked)]
+        self._limit = max(
+            self._limit, self._walker.travelled + _walk_limit(answer.plan)
+        )
+        self._update()
 
     def _of(self, segment: Segment) -> Telling:
         return self._tellings.all[segment.telling]
@@ -407,6 +467,11 @@ class Search:
         if ending.exit is not None and not walker.face(ending.exit):
             walker.map.crossings[ending.at].closed.add(ending.exit)
             return False
+        if self._inquiry is not None and chance >= self._patience.claims:
+            said = self._inquiry.is_it_here(chance)
+            self._tellings.weigh_place(ending.place, said)
+            if said < 1:
+                return False
         if chance < self._patience.claims:
             self._give_up(f"unlikely: {ending.reason}", chance)
         else:

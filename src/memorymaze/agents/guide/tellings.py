@@ -4,17 +4,21 @@ import math
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field, replace
 
-from memorymaze.agents.guide.alignments import Frontier, Start
+from memorymaze.agents.guide.alignments import Frontier, Segment, Start
 from memorymaze.agents.guide.arriving import SAME_PLACE, Arrivals, Ending
 from memorymaze.agents.guide.belief import Belief
 from memorymaze.agents.guide.likelihoods import Likelihoods
 from memorymaze.agents.guide.signs import Pointers
 from memorymaze.agents.guide.things import Things
-from memorymaze.agents.walking.floor_map import FloorMap, Sighting
+from memorymaze.agents.walking.floor_map import FloorMap, Point, Sighting
 from memorymaze.routes import RoutePlan
 
 TRUST = 0.85
 """How likely a telling is of any help, beside others."""
+
+
+MOST_FIT = 5.0
+"""How much likelier at most a telling becomes by what it fits."""
 
 
 class Telling:
@@ -27,9 +31,15 @@ class Telling:
         model: Likelihoods,
         number: int,
         trust: float,
+        breaks_off: bool,
     ) -> None:
-        """Take a plan; trust is how likely it is of any help."""
+        """Take a plan.
+
+        Trust is how likely it is of any help; one that breaks off says nothing of where
+        to go after its last turn.
+        """
         self.plan = plan
+        self.breaks_off = breaks_off
         self.starts: list[Start] = []
         self.trust = trust
         self.things = Things(plan, floor, model)
@@ -48,16 +58,44 @@ class Telling:
         """Believe anew after what was seen."""
         self.belief.pointers = self._pointers.headings(self.belief.floor)
         self.belief.update(self.starts)
-        self.endings = self.arrivals.endings(self.belief)
+        self.endings = [] if self.breaks_off else self.arrivals.endings(self.belief)
+        self._open = sum(
+            float(weights.sum())
+            for frontier in self.belief.frontiers.values()
+            for segment, weights in frontier.alignments
+            if self.is_past(segment)
+        )
         self.total = sum(each.mass for each in self.belief.frontiers.values())
         self.total += sum(each.mass for each in self.endings)
+
+    def is_past(self, segment: Segment) -> bool:
+        """Tell whether an alignment is where it says no more."""
+        return self.breaks_off and segment.leg == self.legs
+
+    @property
+    def is_right(self) -> float:
+        """How likely it is of any help: trust, and how well it fits what was seen."""
+        fits = self.trust * min(self.total, MOST_FIT)
+        return fits / (fits + 1 - self.trust)
+
+    @property
+    def says(self) -> float:
+        """How likely it says where to go now."""
+        return self.is_right * (1 - self._open / self.total)
 
     def share_of_way(self, key: tuple[int, int]) -> float:
         """Return how likely it takes a way out of a crossing to be the next."""
         frontier = self.belief.frontiers.get(key)
-        return frontier.mass / self.total if frontier is not None else 0.0
+        if frontier is None:
+            return 0.0
+        mass = sum(
+            float(weights.sum())
+            for segment, weights in frontier.alignments
+            if not self.is_past(segment)
+        )
+        return mass / self.total
 
-    def share_at(self, place: tuple[float, float]) -> float:
+    def share_at(self, place: Point) -> float:
         """Return how likely it takes a place for the destination."""
         near = (e.mass for e in self.endings if math.dist(e.place, place) < SAME_PLACE)
         return sum(near) / self.total
@@ -80,10 +118,17 @@ class Tellings:
     )
     endings: list[Ending] = field(default_factory=list[Ending])
     total: float = 0.0
+    _places: list[tuple[Point, float]] = field(
+        default_factory=list[tuple[Point, float]]
+    )
+    """Places of which somebody said whether they are the destination, with what that weighs."""
 
-    def add(self, plan: RoutePlan, trust: float = TRUST) -> Telling:
+    def add(
+        self, plan: RoutePlan, trust: float = TRUST, *, breaks_off: bool = False
+    ) -> Telling:
         """Take one more telling; where it begins is still to be said."""
-        telling = Telling(plan, self.floor, self.model, len(self.all), trust)
+        number = len(self.all)
+        telling = Telling(plan, self.floor, self.model, number, trust, breaks_off)
         self.all.append(telling)
         return telling
 
@@ -96,8 +141,20 @@ class Tellings:
             self.endings = self.all[0].endings
         else:
             self._join()
+        for place, factor in self._places:
+            self.endings = [
+                replace(each, weights=each.weights * factor)
+                if math.dist(each.place, place) < SAME_PLACE
+                else each
+                for each in self.endings
+            ]
         self.total = sum(each.mass for each in self.frontiers.values())
         self.total += sum(each.mass for each in self.endings)
+
+    def weigh_place(self, place: Point, factor: float) -> None:
+        """Take note of what somebody said of a place."""
+        if factor != 1:
+            self._places.append((place, factor))
 
     def refute(self, sighting: Sighting) -> None:
         """Take note that something seen was found not to be the destination."""
@@ -115,7 +172,7 @@ class Tellings:
                 share: Callable[[Telling], float], others: Iterable[Telling] = others
             ) -> float:
                 return math.prod(
-                    each.trust * share(each) + (1 - each.trust) / choices
+                    each.is_right * share(each) + (1 - each.says) / choices
                     for each in others
                 )
 
@@ -126,6 +183,7 @@ class Tellings:
                 joined.alignments += [
                     (segment, weights * factor)
                     for segment, weights in frontier.alignments
+                    if not telling.is_past(segment)
                 ]
             for ending in telling.endings:
                 place = ending.place
