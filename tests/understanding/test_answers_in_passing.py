@@ -17,7 +17,6 @@ def places_of(leg: Leg) -> list[str]:
     [
         ("Turn left here, and the library is on your right.", "left"),
         ("Sir, go right from where you are. The library is ahead of you.", "right"),
-        ("For the library you turn right here. It's on your right.", "right"),
         ("Oh, the library! Go back the way you came, it's on your left.", "around"),
         ("Madam, start off to your left. The library is on your right.", "left"),
         ("Turn round and go back. The library is on your left.", "around"),
@@ -201,3 +200,9 @@ def test_a_room_in_a_hall_is_on_the_side_told_of_both() -> None:
     text = "Turn right. Office 2347 in GHI Hall is on your left."
     arrival = parse_route_description(text).arrival
     assert (arrival.destinations[0], arrival.side) == ("door that says 2347", "left")
+
+
+def test_a_turn_at_this_intersection_is_at_the_one_just_told() -> None:
+    text = "Walk to the intersection with the stool. Turn left at this intersection."
+    (leg,) = parse_route_description(text).legs
+    assert places_of(leg) == ["stool"]

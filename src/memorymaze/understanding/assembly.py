@@ -84,7 +84,7 @@ class _Assembly:
             case "pass_ways":
                 self._settle_way()
                 self._draft.passings.append(
-                    Passing(event.count, _flank(event), event.phrase or None)
+                    Passing(event.count, _flank(event.side), event.phrase or None)
                 )
             case "way" if event.back and self._done:
                 self._change_last_turn(ordinal=event.ordinal)
@@ -151,7 +151,7 @@ class _Assembly:
             way = self._passed_side()
         if self._restating.repeats(at, way, event.ordinal, self._done, self._draft):
             self._done[-1].lengths.extend(self._draft.lengths)
-            self._draft = PartialLeg(side=_flank_of(way) if event.aside else None)
+            self._draft = PartialLeg(side=_flank(way) if event.aside else None)
             return
         if way is None and self._draft.is_new and self._done and not event.subject:
             return
@@ -173,8 +173,11 @@ class _Assembly:
             doubt=event.doubt,
         )
         draft.here = event.here and not (self._done or draft.walks)
-        placed = [each.back for each in self._events[at + 1 : at + 2]]
-        if self._since_thing <= 1 and placed != [True] and not draft.here:
+        elsewhere = any(
+            each.back and (each.kind != "junction" or each.junction is not None)
+            for each in self._events[at + 1 : at + 2]
+        )  # "the corner with the stool. turn left at this corner": at the stool
+        if self._since_thing <= 1 and not (elsewhere or draft.here):
             draft.turn_at_last_thing()
         draft.bare_turn = event.emphatic and not (event.commanded or event.again)
         draft.aside_turn = event.aside and self._events[at - 1].kind != "then"
@@ -225,7 +228,7 @@ class _Assembly:
         named = self._way
         if named is None:
             return event
-        way = event.way or _flank(named) or self._passed_side()
+        way = event.way or _flank(named.side) or self._passed_side()
         if named.side is not None and named.side != way:
             self._settle_way()
             return event
@@ -329,7 +332,7 @@ class _Assembly:
 
     def _turn_into(self, way: Event, at: int) -> None:
         self._way = None
-        self._add_turn(replace(way, kind="turn", way=_flank(way)), at)
+        self._add_turn(replace(way, kind="turn", way=_flank(way.side)), at)
 
     def _go_through_a_door(self, at: int) -> None:
         """`The glass door is on your right, go out.`: one turns to it."""
@@ -345,7 +348,12 @@ class _Assembly:
 
     def _go_straight(self, event: Event, at: int) -> None:
         way = self._way
-        if way and _flank(way) and event.phrase and way.phrase.endswith(event.phrase):
+        if (
+            way
+            and _flank(way.side)
+            and event.phrase
+            and way.phrase.endswith(event.phrase)
+        ):
             self._turn_into(way, at)  # "walk down this hallway"
             return
         if way is not None and not way.likely:
@@ -357,16 +365,16 @@ class _Assembly:
         if way.ordinal is not None and way.side is not None:
             self._left[way.ordinal] = way.side
         self._draft.passings.append(
-            Passing(way.count or 1, _flank(way), way.phrase or None)
+            Passing(way.count or 1, _flank(way.side), way.phrase or None)
         )
 
     def _settle_way(self) -> None:
         way, self._way = self._way, None
         if way is None:
             return
-        if way.taken or (way.likely and (_flank(way) or self._counts_on(way))):
+        if way.taken or (way.likely and (_flank(way.side) or self._counts_on(way))):
             self._turn_into(way, 0)
-        elif _flank(way):
+        elif _flank(way.side):
             self._leave(way)
 
     def _settle_likely_way(self) -> None:
@@ -487,13 +495,6 @@ class _Assembly:
         return False
 
 
-def _flank_of(way: Way | None) -> Literal["left", "right"] | None:
-    """Return the side that a turn is to."""
-    return way if way == "left" or way == "right" else None
-
-
-def _flank(event: Event) -> Literal["left", "right"] | None:
-    """Return the side of an event if it is a side to turn to."""
-    if event.side == "left":
-        return "left"
-    return "right" if event.side == "right" else None
+def _flank(side: Side | Way | None) -> Literal["left", "right"] | None:
+    """Return a side if one can turn to it."""
+    return side if side == "left" or side == "right" else None
