@@ -28,7 +28,7 @@ from memorymaze.agents.agent import Journal
 from memorymaze.agents.guide.alignments import Segment
 from memorymaze.agents.guide.arriving import BEYOND_SIGN
 from memorymaze.agents.guide.likelihoods import Likelihoods
-from memorymaze.agents.guide.search import starts_ahead
+from memorymaze.agents.guide.starts import starts_ahead
 from memorymaze.agents.plan_readers import GrammarReader
 from memorymaze.evaluation.sampling import sample
 from memorymaze.instructions import Episode, load_corpus

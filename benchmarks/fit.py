@@ -25,7 +25,7 @@ from benchmarks.true_maps import TrueMaps, ends_at, follow, in_frame, phrases_of
 from memorymaze.agents.agent import Journal
 from memorymaze.agents.guide.alignments import Start
 from memorymaze.agents.guide.likelihoods import Likelihoods
-from memorymaze.agents.guide.search import starts_ahead, starts_any_way
+from memorymaze.agents.guide.starts import starts_ahead, starts_any_way
 from memorymaze.agents.plan_readers import GrammarReader
 from memorymaze.agents.walking.floor_map import FloorMap, Point
 from memorymaze.geometry.pose import Pose

@@ -5,7 +5,7 @@ from benchmarks.ceiling import Readings, readings_otherwise
 from benchmarks.true_maps import TrueMaps, follow, in_frame, phrases_of
 
 from memorymaze.agents.guide.likelihoods import Likelihoods
-from memorymaze.agents.guide.search import starts_ahead
+from memorymaze.agents.guide.starts import starts_ahead
 from memorymaze.geometry.pose import Pose
 from memorymaze.instructions import Corpus
 from memorymaze.routes import Arrival, Leg, RoutePlan, Turn

@@ -12,7 +12,7 @@ from memorymaze.agents.guide.alignments import Segment, Start
 from memorymaze.agents.guide.arriving import Arrivals
 from memorymaze.agents.guide.belief import MOST_ALIGNMENTS, Belief
 from memorymaze.agents.guide.likelihoods import Likelihoods, untold_length
-from memorymaze.agents.guide.search import starts_ahead
+from memorymaze.agents.guide.starts import starts_ahead
 from memorymaze.agents.guide.things import Things
 from memorymaze.agents.walking.floor_map import Crossing, FloorMap, Sighting, Stretch
 from memorymaze.routes import Arrival, Leg, RoutePlan, Turn

@@ -11,16 +11,17 @@ from memorymaze.agents.guide.alignments import Frontier, Segment, Slip, Start
 from memorymaze.agents.guide.arriving import SAME_PLACE, Ending, walk_up_to
 from memorymaze.agents.guide.asking import ANSWER_TRUST, Answer, Inquiry, Situation
 from memorymaze.agents.guide.likelihoods import Likelihoods
+from memorymaze.agents.guide.starts import (
+    phrases_at_start,
+    starts_ahead,
+    starts_any_way,
+)
 from memorymaze.agents.guide.tellings import Telling, Tellings
-from memorymaze.agents.walking.floor_map import FloorMap, Sighting, Stretch
+from memorymaze.agents.walking.floor_map import Sighting, Stretch
 from memorymaze.agents.walking.outlooks import (
     LEG_METRES,
     expected_metres,
-    first_heading_cost,
-    headings_to_begin,
     looks_of,
-    outlook_of,
-    things_on,
 )
 from memorymaze.agents.walking.walker import Walker
 from memorymaze.geometry.pose import wrap_angle
@@ -141,7 +142,7 @@ class Search:
         for plan in self._plans:
             self._tellings.add(plan)
         if self._any_heading:
-            first = map(_phrases_at_start, self._plans)
+            first = map(phrases_at_start, self._plans)
             walker.look_about(_in_order([self._looks, *first, self._names]))
         for telling in self._tellings.all:
             if self._any_heading:
@@ -518,33 +519,6 @@ class Search:
         self._note_last_doubt()
         self._journal.note("gave_up", reason=reason, confidence=round(confidence, 3))
         self._walker.say("I could not find it.")
-
-
-def starts_ahead(model: Likelihoods, floor: FloorMap, at: int) -> list[Start]:
-    """Return the ways to begin where the robot faces the way told, or the opposite one."""
-    wrong = model.wrong_start
-    if at == 0:
-        back = floor.crossings[at].add_exit(math.pi)
-        return [Start(0, 0.0, 0, 1 - wrong), Start(0, math.pi, back, wrong)]
-    return [Start(at, 0.0, -1, 1 - wrong), Start(at, math.pi, -1, wrong)]
-
-
-def starts_any_way(plan: RoutePlan, floor: FloorMap, at: int) -> list[Start]:
-    """Return the ways to begin where the robot may have to face any way."""
-    headings = headings_to_begin(floor.crossings[at].exits)
-    costs = [first_heading_cost(plan, floor, at, heading) for heading in headings]
-    chances = [math.exp(-cost) for cost in costs]
-    return [
-        Start(at, heading, -1, chance / sum(chances))
-        for heading, chance in zip(headings, chances, strict=True)
-    ]
-
-
-def _phrases_at_start(plan: RoutePlan) -> list[str]:
-    """Return what was said to be in sight from where one sets off."""
-    outlook = outlook_of(plan, 0)
-    named = [mention.phrase for mention in things_on(plan, 0)]
-    return [*outlook.ahead, *outlook.behind, *named]
 
 
 def _in_order(groups: Iterable[Iterable[str]]) -> list[str]:

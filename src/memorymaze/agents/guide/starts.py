@@ -1,0 +1,41 @@
+"""Where a telling may begin, and what it says is in sight from there."""
+
+import math
+
+from memorymaze.agents.guide.alignments import Start
+from memorymaze.agents.guide.likelihoods import Likelihoods
+from memorymaze.agents.walking.floor_map import FloorMap
+from memorymaze.agents.walking.outlooks import (
+    first_heading_cost,
+    headings_to_begin,
+    outlook_of,
+    things_on,
+)
+from memorymaze.routes import RoutePlan
+
+
+def starts_ahead(model: Likelihoods, floor: FloorMap, at: int) -> list[Start]:
+    """Return the ways to begin where the robot faces the way told, or the opposite one."""
+    wrong = model.wrong_start
+    if at == 0:
+        back = floor.crossings[at].add_exit(math.pi)
+        return [Start(0, 0.0, 0, 1 - wrong), Start(0, math.pi, back, wrong)]
+    return [Start(at, 0.0, -1, 1 - wrong), Start(at, math.pi, -1, wrong)]
+
+
+def starts_any_way(plan: RoutePlan, floor: FloorMap, at: int) -> list[Start]:
+    """Return the ways to begin where the robot may have to face any way."""
+    headings = headings_to_begin(floor.crossings[at].exits)
+    costs = [first_heading_cost(plan, floor, at, heading) for heading in headings]
+    chances = [math.exp(-cost) for cost in costs]
+    return [
+        Start(at, heading, -1, chance / sum(chances))
+        for heading, chance in zip(headings, chances, strict=True)
+    ]
+
+
+def phrases_at_start(plan: RoutePlan) -> list[str]:
+    """Return what was said to be in sight from where one sets off."""
+    outlook = outlook_of(plan, 0)
+    named = [mention.phrase for mention in things_on(plan, 0)]
+    return [*outlook.ahead, *outlook.behind, *named]
