@@ -17,11 +17,13 @@ AskWhen = Literal["never", "start", "random", "lost", "gain"]
 
 ANSWER_TRUST = 0.7
 """How likely the answer of a stranger is of any help, beside other tellings."""
-ANSWERED = 0.75
-"""How likely success is after a good answer."""
-WORTH_ASKING = 0.15
+ANSWERED = 0.88
+"""How likely success is after an answer."""
+WORTH_ASKING = 0.08
 """Gain in the probability of success from which on a question is worth its time, while
 all questions that may be asked are left; the last one is kept for a greater gain."""
+SURE_ENOUGH = 0.75
+"""Probability of a place from which on nobody is asked whether it is the one."""
 LOST_DOUBT, LOST_SHARE = 0.6, 0.3
 """Doubt from which on, and share of the likeliest way below which the robot is lost."""
 YES, NO = 4.0, 0.15
@@ -140,7 +142,7 @@ class Inquiry:
 
     def is_it_here(self, chance: float) -> float:
         """Ask whether this is the destination; return what the answer weighs."""
-        if self.is_over or self._when != "gain" or chance >= ANSWERED:
+        if self.is_over or self._when != "gain" or chance >= SURE_ENOUGH:
             return 1.0
         said = self._ask(is_this(self.destination))
         if said is None:
