@@ -94,6 +94,7 @@ def test_a_description_becomes_steps_and_steps_a_program(robot, journal):
 def test_in_the_track_with_people_the_model_is_told_how_to_ask(robot, journal):
     robot.ask = lambda question: f"{question.about} is here"
     robot.destination = lambda: "the cafe"
+    robot.questions_left = lambda: 1
     model = ScriptedLanguageModel(["```python\nprint(ask(way_to(destination())))\n```"])
 
     follow(model, robot, journal, parser=False)
