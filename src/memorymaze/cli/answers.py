@@ -5,7 +5,6 @@ import sys
 from typing import TYPE_CHECKING
 
 from memorymaze.cli.agent_options import given_options
-from memorymaze.cli.flags import add_flags
 from memorymaze.cli.verbs import Verbs, add_corpus_options
 from memorymaze.extras import command_here
 from memorymaze.wording import counted
@@ -87,8 +86,6 @@ def _add_check(actions: Verbs) -> None:
 
 
 def _add_what(parser: argparse.ArgumentParser, agent: str | None) -> None:
-    from memorymaze.evaluation.settings import RunSettings
-
     default = "" if agent is None else f" (default: {agent})"
     parser.add_argument(
         "--agent",
@@ -110,7 +107,12 @@ def _add_what(parser: argparse.ArgumentParser, agent: str | None) -> None:
         help="an option of the agent (see `memorymaze agents NAME`)",
     )
     add_corpus_options(parser)
-    add_flags(parser.add_argument, RunSettings, ["second_telling"])
+    # Said here again: to read it from the settings would load them for every help text.
+    parser.add_argument(
+        "--second-telling",
+        action="store_true",
+        help="requests of the run that hands over both tellings of a way as one text",
+    )
 
 
 def _plan(options: argparse.Namespace, answers: str, parser: bool | None) -> "RunPlan":

@@ -26,6 +26,7 @@ from memorymaze.language.answer_files import AnswerFile
 from memorymaze.language.answers import UnansweredError, replaying_model
 from memorymaze.language.model import CompletionRequest
 from memorymaze.perception.eyes import Eyes
+from memorymaze.robot.specification import ASKING_NAMES
 from memorymaze.robot.steps import SteppingRobot
 
 if TYPE_CHECKING:
@@ -193,4 +194,6 @@ class _Nowhere:
     """A robot in no building: whatever is called ends the episode."""
 
     def __getattr__(self, name: str) -> Any:
+        if name in ASKING_NAMES:
+            raise AttributeError(f"a robot in no building has nobody to {name}")
         raise EpisodeOver("budget")
