@@ -110,7 +110,8 @@ def _add_what(parser: argparse.ArgumentParser, agent: str | None) -> None:
     # Said here again: to read it from the settings would load them for every help text.
     parser.add_argument(
         "--second-telling",
-        action="store_true",
+        action="store_const",
+        const="true",
         help="requests of the run that hands over both tellings of a way as one text",
     )
 
