@@ -129,6 +129,7 @@ def _attempt(
         episode,
         arena,
         settings,
+        destination,
         lambda asked: tell(asked_entry(asked)),
     )
     journal = Journal(
@@ -157,7 +158,7 @@ def _attempt(
     finished = arena.finished(episode, walk, ended, settings.success_distance)
     told = episode.instruction
     asked = [] if people is None else people.asked
-    strangers_s = sum(each.seconds for each in asked)
+    strangers_s = 0.0 if people is None else people.seconds
     result = EpisodeResult(
         episode_id=episode.id,
         instruction_id=told.id,
@@ -212,10 +213,11 @@ def _people_to_ask(
     episode: Episode,
     arena: Arena,
     settings: RunDefinition,
+    destination: str | None,
     on_answer: Callable[[Asked], None],
 ) -> Encounters | None:
     """Return whom the robot can ask; None in all tracks but that one."""
-    if settings.ask is None:
+    if settings.ask is None or destination is None:
         return None
     told = episode.instruction
     rates = [
@@ -225,7 +227,7 @@ def _people_to_ask(
     return Encounters(
         robot,
         arena.floor,
-        arena.site.route(told.reference_route).goal,
+        destination,
         settings.ask,
         seed=passers_by_seed(settings.seed, episode.id),
         error_rate=fmean(rates),

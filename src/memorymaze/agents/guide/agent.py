@@ -5,7 +5,7 @@ from typing import Literal
 
 import numpy as np
 
-from memorymaze.agents.agent import Journal, Need, tellings_of
+from memorymaze.agents.agent import Journal, Need
 from memorymaze.agents.guide.asking import AskWhen, Inquiry
 from memorymaze.agents.guide.model_choice import NEAR, ModelChoice
 from memorymaze.agents.guide.model_questions import (
@@ -145,11 +145,11 @@ class GuideAgent(ReadsFirst):
             if options.decide == "model":
                 ModelWalk(walker, questions).run()
                 return robot.stop()
-        plans: list[RoutePlan] = []
-        for telling in tellings_of(instruction):
-            plan = self.reader.read(telling, journal)
+        plans = self.reader.read_tellings(instruction, journal)
+        for plan in plans:
             journal.note("plan", steps=describe(plan))
-            plans.append(plan if options.things else _without_things(plan))
+        if not options.things:
+            plans = list(map(_without_things, plans))
         inquiry = None
         if can_ask(robot):
             metres = expected_metres(plans[-1])

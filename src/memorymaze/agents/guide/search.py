@@ -11,17 +11,15 @@ from memorymaze.agents.guide.alignments import Frontier, Segment, Slip, Start
 from memorymaze.agents.guide.arriving import SAME_PLACE, Ending, walk_up_to
 from memorymaze.agents.guide.asking import ANSWER_TRUST, Answer, Inquiry, Situation
 from memorymaze.agents.guide.likelihoods import Likelihoods
-from memorymaze.agents.guide.starts import (
-    phrases_at_start,
-    starts_ahead,
-    starts_any_way,
-)
+from memorymaze.agents.guide.starts import starts_ahead, starts_any_way
 from memorymaze.agents.guide.tellings import Telling, Tellings
 from memorymaze.agents.walking.floor_map import Sighting, Stretch
 from memorymaze.agents.walking.outlooks import (
     LEG_METRES,
+    each_once,
     expected_metres,
     looks_of,
+    phrases_at_start,
 )
 from memorymaze.agents.walking.walker import Walker
 from memorymaze.geometry.pose import wrap_angle
@@ -109,7 +107,7 @@ class Search:
         self._inquiry = inquiry
         self._tellings = Tellings(walker.map, self._model)
         self._limit = max(map(_walk_limit, plans))
-        self._looks = _in_order(map(looks_of, plans))
+        self._looks = each_once(map(looks_of, plans))
         """What tells ways apart: looked for at every crossing."""
         self._doubted: frozenset[tuple[str, int]] = frozenset()
 
@@ -143,7 +141,7 @@ class Search:
             self._tellings.add(plan)
         if self._any_heading:
             first = map(phrases_at_start, self._plans)
-            walker.look_about(_in_order([self._looks, *first, self._names]))
+            walker.look_about(each_once([self._looks, *first, self._names]))
         for telling in self._tellings.all:
             if self._any_heading:
                 telling.starts = starts_any_way(telling.plan, walker.map, walker.at)
@@ -424,12 +422,12 @@ class Search:
     @property
     def _names(self) -> tuple[str, ...]:
         """What to look for of the destination."""
-        return tuple(_in_order(each.arrivals.names for each in self._tellings.all))
+        return tuple(each_once(each.arrivals.names for each in self._tellings.all))
 
     @property
     def _names_at_once(self) -> list[str]:
         """Names at which to stop without having seen what else the way has."""
-        return _in_order(each.arrivals.at_once for each in self._tellings.all)
+        return each_once(each.arrivals.at_once for each in self._tellings.all)
 
     def _may_be_there(self, sighting: Sighting) -> bool:
         refuted = self._tellings.all[0].arrivals.refuted
@@ -449,7 +447,7 @@ class Search:
                 awaited.append((near, telling.things.phrases(leg)))
         awaited.sort(key=lambda each: -each[0])
         likely = [phrases for near, phrases in awaited if near >= LIKELY_ENOUGH]
-        return _in_order([self._looks, self._names, *likely])[:MOST_PHRASES]
+        return each_once([self._looks, self._names, *likely])[:MOST_PHRASES]
 
     # -- ending
 
@@ -519,11 +517,6 @@ class Search:
         self._note_last_doubt()
         self._journal.note("gave_up", reason=reason, confidence=round(confidence, 3))
         self._walker.say("I could not find it.")
-
-
-def _in_order(groups: Iterable[Iterable[str]]) -> list[str]:
-    """Return all words of some groups once."""
-    return list(dict.fromkeys(word for group in groups for word in group))
 
 
 def _doubt_in_words(slip: Slip, legs: int) -> str:

@@ -1,4 +1,4 @@
-"""Where a telling may begin, and what it says is in sight from there."""
+"""Where a telling may begin."""
 
 import math
 
@@ -8,8 +8,6 @@ from memorymaze.agents.walking.floor_map import FloorMap
 from memorymaze.agents.walking.outlooks import (
     first_heading_cost,
     headings_to_begin,
-    outlook_of,
-    things_on,
 )
 from memorymaze.routes import RoutePlan
 
@@ -32,10 +30,3 @@ def starts_any_way(plan: RoutePlan, floor: FloorMap, at: int) -> list[Start]:
         Start(at, heading, -1, chance / sum(chances))
         for heading, chance in zip(headings, chances, strict=True)
     ]
-
-
-def phrases_at_start(plan: RoutePlan) -> list[str]:
-    """Return what was said to be in sight from where one sets off."""
-    outlook = outlook_of(plan, 0)
-    named = [mention.phrase for mention in things_on(plan, 0)]
-    return [*outlook.ahead, *outlook.behind, *named]

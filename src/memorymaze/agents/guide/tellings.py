@@ -59,6 +59,7 @@ class Telling:
         self.belief.pointers = self._pointers.headings(self.belief.floor)
         self.belief.update(self.starts)
         self.endings = [] if self.breaks_off else self.arrivals.endings(self.belief)
+        self._shares_at: dict[Point, float] = {}
         self._open = sum(
             float(weights.sum())
             for frontier in self.belief.frontiers.values()
@@ -97,8 +98,11 @@ class Telling:
 
     def share_at(self, place: Point) -> float:
         """Return how likely it takes a place for the destination."""
-        near = (e.mass for e in self.endings if math.dist(e.place, place) < SAME_PLACE)
-        return sum(near) / self.total
+        # Many alignments end at one place.
+        if place not in self._shares_at:
+            near = [e for e in self.endings if math.dist(e.place, place) < SAME_PLACE]
+            self._shares_at[place] = sum(each.mass for each in near) / self.total
+        return self._shares_at[place]
 
 
 @dataclass

@@ -1,7 +1,7 @@
 """The rules agent: reads the description, walks, doubts, goes back, arrives."""
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
@@ -15,11 +15,12 @@ from memorymaze.agents.rules.tellings import Tellings
 from memorymaze.agents.walking.floor_map import Sighting
 from memorymaze.agents.walking.outlooks import (
     LEG_METRES,
+    each_once,
     expected_metres,
     first_heading_cost,
     headings_to_begin,
     looks_of,
-    outlook_of,
+    phrases_at_start,
     things_on,
 )
 from memorymaze.agents.walking.walker import Walker
@@ -101,7 +102,7 @@ class _Search:
         self._best_known: dict[tuple[int, ...], list[float]] = {}
         self._limit = max(map(_walk_limit, plans))
         self._any_heading = options.start_heading == "unknown"
-        self._looks = _each_once(map(looks_of, plans))
+        self._looks = each_once(map(looks_of, plans))
         """What tells ways apart: looked for at every crossing."""
 
     def run(self) -> None:
@@ -111,7 +112,7 @@ class _Search:
         if start > 0 and not self._any_heading:
             self._survey()
         elif self._any_heading:
-            self._walker.look_about(_each_once([self._looks, *self._first_things()]))
+            self._walker.look_about(each_once([self._looks, *self._first_things()]))
         for begun in self._told.beginnings(Standing(start, 0.0, 0, line=(place,))):
             if self._any_heading:
                 self._begin_anywhere(begun)
@@ -149,9 +150,7 @@ class _Search:
     def _first_things(self) -> Iterator[Sequence[str]]:
         """Yield things that the way to face at the start may be told by."""
         for each in self._told.all:
-            named = [m.phrase for m in things_on(each.plan, 0)]
-            outlook = outlook_of(each.plan, 0)
-            yield (*outlook.ahead, *outlook.behind, *named, *each.arrivals.phrases)
+            yield (*phrases_at_start(each.plan), *each.arrivals.phrases)
 
     def _survey(self) -> None:
         """Look along the ways out of where the robot is, if that tells anything."""
@@ -290,7 +289,7 @@ class _Search:
                 phrases.append((*leg.too_far, *leg.wrong_way))
             if first >= len(legs) - 1:
                 phrases.append([m.phrase for m in things_on(plan, len(legs))])
-        return _each_once(phrases)
+        return each_once(phrases)
 
     def _finish(self, ending: Ending) -> None:
         """Go to the place of an ending."""
@@ -318,11 +317,6 @@ class _Search:
             if not walker.step(step):
                 return
             goal -= step
-
-
-def _each_once(phrases: Iterable[Iterable[str]]) -> list[str]:
-    """Return phrases in their order, without those that came before."""
-    return list(dict.fromkeys(phrase for some in phrases for phrase in some))
 
 
 def _walk_limit(plan: RoutePlan) -> float:

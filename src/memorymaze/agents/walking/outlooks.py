@@ -6,7 +6,7 @@ start.
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from memorymaze.agents.walking.floor_map import SEES_FAR, FloorMap
@@ -244,6 +244,18 @@ def looks_of(plan: RoutePlan) -> tuple[str, ...]:
     if not floors and not turns:
         return ()
     return tuple(dict.fromkeys([*([ANY_FLOOR] if floors else []), *ahead, *floors]))
+
+
+def phrases_at_start(plan: RoutePlan) -> list[str]:
+    """Return what was said to be in sight from where one sets off."""
+    outlook = outlook_of(plan, 0)
+    named = [mention.phrase for mention in things_on(plan, 0)]
+    return [*outlook.ahead, *outlook.behind, *named]
+
+
+def each_once(groups: Iterable[Iterable[str]]) -> list[str]:
+    """Return the phrases of some groups in their order, without those that came before."""
+    return list(dict.fromkeys(phrase for group in groups for phrase in group))
 
 
 def expected_metres(plan: RoutePlan) -> float:

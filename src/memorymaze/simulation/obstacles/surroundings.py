@@ -3,6 +3,7 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import NamedTuple
 
 import mujoco
@@ -177,20 +178,24 @@ class Surroundings:
 
         They are within 3 m, in any direction, and no wall is between.
         """
-        floor = self._scene.site.walkable_floor.buffer(SEEN_ROUND)
         within = (
             [] if self.crowd is None else self.crowd.near(*place[:2], HEARING_RANGE)
         )
         in_sight = [
             each
             for each in within
-            if floor.covers(LineString([place[:2], (each.x, each.y)]))
+            if self._open.covers(LineString([place[:2], (each.x, each.y)]))
         ]
         return min(
             in_sight,
             key=lambda each: math.dist(place[:2], (each.x, each.y)),
             default=None,
         )
+
+    @cached_property
+    def _open(self) -> Polygon:
+        """What lines of sight may cross; made once, as agents ask at every look."""
+        return self._scene.site.walkable_floor.buffer(SEEN_ROUND)
 
     def _show_people(self) -> None:
         if self.crowd is not None:
