@@ -45,14 +45,24 @@ def test_wrong_usage_gives_code_2_and_the_usage(
     assert "usage: memorymaze" in said.err
 
 
-def test_help_needs_no_heavy_library() -> None:
+@pytest.mark.parametrize(
+    ("arguments", "heavy"),
+    [
+        (
+            ["--help"],
+            ["numpy", "scipy", "shapely", "mujoco", "matplotlib", "pydantic", "openai"],
+        ),
+        (["evaluate", "--help"], ["networkx", "openai"]),
+    ],
+    ids=["all", "evaluate"],
+)
+def test_help_needs_no_heavy_library(arguments: list[str], heavy: list[str]) -> None:
     """Those take longer to import than anyone waits for a help text."""
-    heavy = ["numpy", "scipy", "shapely", "mujoco", "matplotlib", "pydantic", "openai"]
     check = (
         "import sys\n"
         "from memorymaze.cli.main import main\n"
         "try:\n"
-        "    main(['--help'])\n"
+        f"    main({arguments})\n"
         "except SystemExit:\n"
         f"    print('loaded:', [name for name in {heavy} if name in sys.modules])\n"
     )

@@ -133,6 +133,10 @@ def test_in_other_tracks_nobody_can_be_asked(
     assert "destination" not in walk.trace[0]
 
 
+def test_questions_are_no_calls_of_the_robot(asked: Callable[..., mm.Walk]) -> None:
+    assert "has no 'way_to'" in str(asked("robot.way_to('x')").result.error)
+
+
 def test_without_questions_the_destination_is_told_and_nobody_answers(
     asked: Callable[..., mm.Walk],
 ) -> None:

@@ -64,6 +64,11 @@ def test_a_robot_by_hand_says_where_it_is(corridor: Path) -> None:
     assert "3.0 m driven" in repr(robot)
 
 
+def test_a_robot_by_hand_has_nobody_who_answers(corridor: Path) -> None:
+    with pytest.raises(SettingsError, match="ask: expected none for a robot driven"):
+        mm.make_robot(corridor, ask=1)
+
+
 def test_what_is_no_agent_is_refused(corridor: Path) -> None:
     with pytest.raises(SettingsError, match="expected an agent with `name`"):
         mm.follow("Go.", object(), site=corridor)  # type: ignore[arg-type]

@@ -1,16 +1,23 @@
 import math
 from collections.abc import Callable
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 
+from memorymaze.construction import make_building
 from memorymaze.geometry.pose import Pose
 from memorymaze.passers_by import FloorKnowledge
 from memorymaze.passers_by.bank import load_bank
-from memorymaze.passers_by.memory import Memory, told_plan, way_facts
+from memorymaze.passers_by.memory import (
+    Memory,
+    misremembered,
+    told_plan,
+    way_facts,
+)
 from memorymaze.robot.asking import is_this, way_to, where_is
-from memorymaze.sites import Site
+from memorymaze.sites import Site, load_site
 
 Knowing = Callable[[Site], FloorKnowledge]
 
@@ -57,6 +64,37 @@ def test_a_right_way_tells_the_turn_and_a_wrong_one_does_not(memory: Memory) -> 
     assert facts.end == "end"
     assert facts.destination == "the library"
     assert way.facts.follow(plan).arrived
+
+
+def ways_told_wrongly_that_arrive(floor: FloorKnowledge) -> list[tuple[str, int, str]]:
+    """Walk on the plan what people say who err, from the start of each route."""
+    arriving: list[tuple[str, int, str]] = []
+    for route in floor.site.routes:
+        way = floor.way_to(route.goal, route.start)
+        assert way is not None
+        for seed in range(4):
+            rng = np.random.default_rng(seed)
+            remembered = misremembered(way, told_plan(way.facts, rng), rng)
+            assert remembered is not None
+            plan, error = remembered
+            if not way.facts.is_wrong(plan):
+                arriving.append((route.id, seed, error))
+    return arriving
+
+
+@pytest.mark.parametrize("name", ["museum_5f", "museum_7f", "university"])
+def test_a_wrong_answer_leads_nobody_there_on_shipped_floors(
+    builtin_sites: dict[str, Site], knowing: Knowing, name: str
+) -> None:
+    assert ways_told_wrongly_that_arrive(knowing(builtin_sites[name])) == []
+
+
+def test_a_wrong_answer_leads_nobody_there_on_a_made_floor(
+    tmp_path: Path, knowing: Knowing
+) -> None:
+    plan = tmp_path / "hospital_0001.geojson"
+    plan.write_bytes(make_building("hospital", 1).plan)
+    assert ways_told_wrongly_that_arrive(knowing(load_site(plan))) == []
 
 
 @pytest.mark.parametrize("seed", range(6))

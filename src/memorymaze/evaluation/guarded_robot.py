@@ -13,6 +13,7 @@ from memorymaze.robot.api import (
     TurnResult,
 )
 from memorymaze.robot.asking import Question
+from memorymaze.robot.specification import ASKING_CALLS
 from memorymaze.robot.steps import CameraPicture, LidarScan
 from memorymaze.simulation import SimulatedRobot
 
@@ -38,7 +39,7 @@ class GuardedRobot:
 
     def __getattr__(self, name: str) -> object:
         """Refuse what agents do not get."""
-        if name in _ASKING:
+        if name in ASKING_CALLS:
             raise AttributeError(
                 f"robot.{name} is for the track with people one can ask, and this run is "
                 "not of it; give ask a number of questions (--ask N)",
@@ -126,9 +127,6 @@ class GuardedRobot:
     def __repr__(self) -> str:
         """Say what it is, and nothing of where."""
         return "GuardedRobot(a robot that follows an instruction)"
-
-
-_ASKING = ("ask", "destination", "questions_left")
 
 
 class AskingGuardedRobot(GuardedRobot):

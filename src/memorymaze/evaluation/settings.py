@@ -12,7 +12,6 @@ from memorymaze.language.model_settings import NOT_COMPARED as MODEL_NOT_COMPARE
 from memorymaze.language.model_settings import ModelSettings
 from memorymaze.metrics.success import SUCCESS_DISTANCE
 from memorymaze.options import check_whole, check_word, read_values
-from memorymaze.passers_by import PassersBy
 from memorymaze.perception.eyes import (
     TRUTH,
     DetectorSettings,
@@ -20,7 +19,11 @@ from memorymaze.perception.eyes import (
     parse_detector,
 )
 from memorymaze.pictures.furniture.models import Looks
-from memorymaze.simulation.obstacles import ObstacleSettings, parse_obstacles
+from memorymaze.simulation.obstacles import (
+    ObstacleSettings,
+    PassersBy,
+    parse_obstacles,
+)
 from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.wording import counted
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from memorymaze.errors import SettingsError
 from memorymaze.evaluation.agent_catalogue import AgentChoice
 from memorymaze.evaluation.navigation import navigate, write_navigation
 from memorymaze.evaluation.settings import RunSettings, with_choices
@@ -152,7 +153,7 @@ def make_robot(
         site: The building: loaded, or by name or file.
         route: Gives the start: `R1`, or the id of a way.
         seed: Of wheels and sensors.
-        settings: Abilities, detector and things in the way; the defaults when None.
+        settings: Abilities, and things and people in the way; the defaults when None.
         **choices: Settings to change, as for `follow`.
 
     Raises:
@@ -160,6 +161,11 @@ def make_robot(
     """
     building = site if isinstance(site, Site) else load_site(site)
     chosen = with_choices(settings or RunSettings(), choices)
+    if chosen.ask is not None:
+        raise SettingsError(
+            f"ask: expected none for a robot driven by hand, got {chosen.ask}; people "
+            "answer an agent only: use follow(), and obstacles to drive among them"
+        )
     return SimulatedRobot(
         build_scene(building, chosen.obstacles),
         building.find_route(route).start,

@@ -8,6 +8,5 @@ agents get the words alone and cannot import this room.
 
 from memorymaze.passers_by.encounters import Asked, Encounters, asked_entry
 from memorymaze.passers_by.knowledge import FloorKnowledge
-from memorymaze.passers_by.memory import PassersBy
 
-__all__ = ["Asked", "Encounters", "FloorKnowledge", "PassersBy", "asked_entry"]
+__all__ = ["Asked", "Encounters", "FloorKnowledge", "asked_entry"]

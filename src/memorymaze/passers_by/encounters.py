@@ -7,9 +7,10 @@ from typing import Any, cast, get_args
 from memorymaze.errors import CommandError
 from memorymaze.passers_by.bank import load_bank
 from memorymaze.passers_by.knowledge import FloorKnowledge
-from memorymaze.passers_by.memory import Memory, PassersBy, Truth
+from memorymaze.passers_by.memory import Memory, Truth
 from memorymaze.robot.asking import Question, QuestionKind
 from memorymaze.simulation import SimulatedRobot
+from memorymaze.simulation.obstacles import PassersBy
 from memorymaze.simulation.obstacles.crowd import Person
 
 MOST_CHARACTERS = 200

@@ -5,7 +5,7 @@ Errors are made in what is told, never in the words: these come from the bank al
 
 import hashlib
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
@@ -22,14 +22,12 @@ from memorymaze.passers_by.knowledge import (
     WayThere,
 )
 from memorymaze.robot.asking import Question
+from memorymaze.simulation.obstacles import PassersBy
 from memorymaze.writing.mistakes import possible_mistakes
 from memorymaze.writing.route_facts import RouteFacts
 from memorymaze.writing.steps import Step, StepPlan
 from memorymaze.writing.things import thing_called, with_article
 
-PassersBy = Literal["memory", "wrong", "empty"]
-"""Whether people answer from memory; or, as controls, all wrongly, or all that they do not
-know."""
 Truth = Literal["right", "wrong", "unknown"]
 
 NOT_KNOWN = 0.1
@@ -125,11 +123,12 @@ class Memory:
         if way is None:
             return self._unknown(question, rng)
         plan = told_plan(way.facts, rng)
-        facts = way_facts(way, plan, plan)
-        if not errs:
-            return Told(self.bank.way(facts, rng, self._voice), "right")
-        facts, error = _misremembered(way, plan, facts, rng)
-        return Told(self.bank.way(facts, rng, self._voice), "wrong", error)
+        remembered = misremembered(way, plan, rng) if errs else (plan, "")
+        if remembered is None:
+            return self._unknown(question, rng)
+        said, error = remembered
+        words = self.bank.way(way_facts(way, said, plan), rng, self._voice)
+        return Told(words, "wrong" if errs else "right", error)
 
     def _where_is(
         self,
@@ -237,13 +236,15 @@ def _ends_there(facts: RouteFacts) -> bool:
     return not facts.graph.site.walkable_floor.covers(beyond)
 
 
-def _misremembered(
-    way: WayThere, plan: StepPlan, right: WayFacts, rng: np.random.Generator
-) -> tuple[WayFacts, str]:
-    """Return what is told by who errs once, and what is wrong with it.
+def misremembered(
+    way: WayThere, plan: StepPlan, rng: np.random.Generator
+) -> tuple[StepPlan, str] | None:
+    """Return the plan of who errs once, and what is wrong with it.
 
-    Only what can be said of a way counts, and only what leads astray.
+    Only what can be said of a way counts, and only what leads astray; None where no
+    error does both.
     """
+    right = way_facts(way, plan, plan)
     for kind in rng.permutation(kinds_of("onsite")):
         for mistake in possible_mistakes(way.facts, plan, str(kind), rng):
             facts = way_facts(way, mistake.plan, plan)
@@ -251,8 +252,8 @@ def _misremembered(
                 right.start,
                 *map(_said, right.turns),
             ):
-                return facts, mistake.detail
-    return replace(right, start=_OPPOSITE[right.start]), "sends them off the other way"
+                return mistake.plan, mistake.detail
+    return None
 
 
 def _said(turn: TurnFact) -> tuple[object, ...]:

@@ -27,14 +27,13 @@ API_RECORDS: tuple[str, ...] = tuple(
 
 QUESTIONS: tuple[str, ...] = get_args(asking.QuestionKind)
 """Names of the functions that make a question."""
-ASKING_NAMES: tuple[str, ...] = (
-    *QUESTIONS,
-    *(
-        name
-        for name in vars(asking.AskingRobot)
-        if not name.startswith("_") and not hasattr(api.Robot, name)
-    ),
+ASKING_CALLS: tuple[str, ...] = tuple(
+    name
+    for name in vars(asking.AskingRobot)
+    if not name.startswith("_") and not hasattr(api.Robot, name)
 )
+"""Names of the calls that only a robot has that can ask people."""
+ASKING_NAMES: tuple[str, ...] = (*QUESTIONS, *ASKING_CALLS)
 """Names of the functions that a program can call besides in the track with people."""
 
 

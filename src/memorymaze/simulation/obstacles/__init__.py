@@ -8,7 +8,8 @@ from memorymaze.simulation.obstacles.settings import (
     LEVELS,
     Movable,
     ObstacleSettings,
+    PassersBy,
     parse_obstacles,
 )
 
-__all__ = ["LEVELS", "Movable", "ObstacleSettings", "parse_obstacles"]
+__all__ = ["LEVELS", "Movable", "ObstacleSettings", "PassersBy", "parse_obstacles"]

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass, field
 from itertools import cycle, islice
+from typing import Literal
 
 from memorymaze.errors import SettingsError, did_you_mean
 from memorymaze.options import check_number, parse_options
@@ -16,6 +17,10 @@ PERSON_HEIGHTS = (1.72, 1.60, 1.84, 1.66, 1.78, 1.55, 1.70)
 CLOTHES = ("dark blue", "grey", "red", "black", "green", "beige", "white", "brown")
 MOST_PEOPLE = 1000
 """On a floor. With far more, an episode does not begin within a minute."""
+
+PassersBy = Literal["memory", "wrong", "empty"]
+"""How people answer a robot that asks: from memory; or, as controls, all wrongly, or all
+that they do not know."""
 
 
 @dataclass(frozen=True, slots=True)
