@@ -46,6 +46,10 @@ class LabelFileError(MemoryMazeError):
     """A file or sheet of labels is unusable; names file and line."""
 
 
+class StudyError(MemoryMazeError):
+    """A study file or a study's data are unusable; names file and line, or what to do."""
+
+
 class SettingsError(MemoryMazeError):
     """A setting or argument has no meaning here; names it and what is allowed."""
 

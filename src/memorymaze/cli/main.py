@@ -28,6 +28,7 @@ from memorymaze.cli import (
     runs,
     score,
     sites,
+    study,
     submit_check,
     table,
     walkthrough,
@@ -109,6 +110,7 @@ def _parser() -> argparse.ArgumentParser:
         answers,
         replay,
         walkthrough,
+        study,
         doctor,
     ):
         verb.add_parser(verbs)

@@ -1,0 +1,323 @@
+"""Study files: what people are shown and asked, as TOML; reading and beginning one.
+
+What a wrong file says names line and field.
+"""
+
+import os
+import re
+import tomllib
+from dataclasses import dataclass
+from hashlib import sha256
+from pathlib import Path
+from typing import Annotated, Literal, Self
+
+from pydantic import (
+    AfterValidator,
+    BaseModel,
+    ConfigDict,
+    Field,
+    ValidationError,
+    model_validator,
+)
+
+from memorymaze.durable_files import write_new
+from memorymaze.errors import SettingsError, SitePlanError, StudyError
+from memorymaze.input_files import mistakes, read_text, refusal, writable
+from memorymaze.sites import BUILTIN_SITE_NAMES, Route, Site, load_site
+
+Kind = Literal["online", "memory", "onsite", "follow"]
+KINDS: tuple[Kind, ...] = ("online", "memory", "onsite", "follow")
+
+TEMPLATE = Path(__file__).parent / "data" / "study.toml"
+
+
+def _said(text: str) -> str:
+    if not text.strip():
+        raise ValueError("expected a text that is not empty")
+    return writable(text.strip())
+
+
+Text = Annotated[str, AfterValidator(_said)]
+
+
+class _Part(BaseModel):
+    model_config = ConfigDict(
+        strict=True, extra="forbid", frozen=True, allow_inf_nan=False
+    )
+
+
+class Question(_Part):
+    """A question with choices."""
+
+    text: Text
+    choices: Annotated[list[Text], Field(min_length=2, max_length=12)]
+
+    @model_validator(mode="after")
+    def _differ(self) -> Self:
+        if len(set(self.choices)) != len(self.choices):
+            raise ValueError("expected choices that differ")
+        return self
+
+
+class CheckedQuestion(Question):
+    """A question that has a right answer."""
+
+    answer: Text
+
+    @model_validator(mode="after")
+    def _is_a_choice(self) -> Self:
+        if self.answer not in self.choices:
+            raise ValueError(f"expected an answer among the choices {self.choices}")
+        return self
+
+
+class Comprehension(_Part):
+    """What shows that somebody has understood the task."""
+
+    attempts: Annotated[int, Field(ge=1, le=10)]
+    questions: Annotated[list[CheckedQuestion], Field(max_length=10)]
+
+
+class Familiarity(Question):
+    """How well somebody knows the place."""
+
+    excluded: list[Text]
+    """Answers of people who are thanked and let go."""
+
+    @model_validator(mode="after")
+    def _are_choices(self) -> Self:
+        for each in self.excluded:
+            if each not in self.choices:
+                raise ValueError(
+                    f"expected excluded answers among the choices {self.choices}, got "
+                    f"{each!r}"
+                )
+        if len(self.excluded) == len(self.choices):
+            raise ValueError("expected a choice that is not excluded")
+        return self
+
+
+class AttentionCheck(CheckedQuestion):
+    """A question that only shows whether somebody reads."""
+
+    after_route: Annotated[int, Field(ge=1)]
+    """It comes after this many routes."""
+
+
+class Codes(_Part):
+    """What people bring back to the platform that sent them."""
+
+    complete: Text
+    excluded: Text
+    full: Text
+    return_address: Annotated[str, Field(pattern=r"^(https://\S+)?$")]
+    """Of the platform, with `{code}` for the code; empty for none."""
+
+
+class RouteShown(_Part):
+    """A route that people describe."""
+
+    route: Text
+    video: Text | None = None
+    """A 360-degree video of one's own, seen from the study file; None to make one."""
+
+
+class Walkthrough(_Part):
+    """How videos are made."""
+
+    fps: Annotated[float, Field(ge=1, le=60)]
+    width: Annotated[int, Field(ge=320, le=4096, multiple_of=4)]
+    speed: Annotated[float, Field(ge=0.1, le=20)]
+
+
+class StudyDesign(_Part):
+    """Everything in a study file."""
+
+    format: Literal[1]
+    name: Text
+    kind: Kind
+    language: Annotated[str, Field(pattern=r"^[a-z]{2,3}(-[A-Za-z0-9]+)*$")]
+    site: Text
+    contact: Text
+    keep_months: Annotated[int, Field(ge=1, le=600)]
+    quota: Annotated[int, Field(ge=1, le=100_000)]
+    """Participants who finish, for each order of routes."""
+    routes_each: Annotated[int, Field(ge=1)] | None = None
+    """Routes that one participant describes; None for all."""
+    held_minutes: Annotated[int, Field(ge=5, le=100_000)]
+    """How long a place is kept for somebody who does not go on."""
+    least_words: Annotated[int, Field(ge=1, le=1000)]
+    delay_minutes: Annotated[float, Field(ge=0, le=600)] | None = None
+    """Between the video and the description; only `memory`."""
+    platform_ids: list[Annotated[str, Field(pattern=r"^[A-Za-z0-9_]{1,40}$")]]
+    introduction: Text
+    consent: Annotated[list[Text], Field(min_length=1)]
+    scenario: Text
+    task: Text
+    robot: Text
+    """What people are told between their two descriptions: the treatment."""
+    second_task: Text
+    thanks: Text
+    excluded_thanks: Text
+    codes: Codes
+    comprehension: Comprehension
+    familiarity: Familiarity
+    attention: list[AttentionCheck] = []
+    walkthrough: Walkthrough
+    routes: Annotated[list[RouteShown], Field(min_length=1, max_length=20)]
+
+    @model_validator(mode="after")
+    def _agree(self) -> Self:
+        for name in ("task", "second_task"):
+            if "{destination}" not in getattr(self, name):
+                raise ValueError(f"expected {{destination}} in {name}, got none")
+        if (self.delay_minutes is None) == (self.kind == "memory"):
+            raise ValueError(
+                "expected delay_minutes for the kind memory and for no other, got "
+                f"{self.delay_minutes} for {self.kind}"
+            )
+        if self.routes_each is not None and self.routes_each > len(self.routes):
+            raise ValueError(
+                f"expected routes_each of at most {len(self.routes)}, the number of "
+                f"routes, got {self.routes_each}"
+            )
+        for check in self.attention:
+            if check.after_route > self.number_of_routes:
+                raise ValueError(
+                    f"expected attention checks after at most {self.number_of_routes} "
+                    f"routes, got after_route = {check.after_route}"
+                )
+        names = [each.route for each in self.routes]
+        if len(set(names)) != len(names):
+            raise ValueError(f"expected each route once, got {', '.join(names)}")
+        return self
+
+    @property
+    def number_of_routes(self) -> int:
+        """How many routes a participant describes."""
+        return self.routes_each or len(self.routes)
+
+
+@dataclass(frozen=True)
+class Study:
+    """A study file and the building it is about."""
+
+    path: Path
+    text: str
+    design: StudyDesign
+    site: Site
+
+    @property
+    def sha256(self) -> str:
+        """Fingerprint of the file."""
+        return sha256(self.text.encode()).hexdigest()
+
+    def route(self, name: str) -> Route:
+        """Return the reference route of a name such as `R1`."""
+        return self.site.reference_route(name)
+
+    def data_folder(self, *, simulated: bool = False) -> Path:
+        """Return where answers are kept: beside the file, made-up ones apart."""
+        return self.path.with_suffix(".simulated" if simulated else ".data")
+
+
+def load_study(path: str | Path) -> Study:
+    """Read a study file; StudyError lists what is wrong, each with line and field."""
+    path = Path(path)
+    text = read_text(path, StudyError)
+    try:
+        content = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise StudyError(f"{path}: expected TOML, got a mistake: {error}") from None
+    try:
+        design = StudyDesign.model_validate(content)
+    except ValidationError as error:
+        problems = [
+            _problem(path, text, where, said) for where, said in mistakes(error)
+        ]
+        raise refusal(problems, StudyError) from None
+    try:
+        beside = path.parent / design.site
+        site = load_site(beside if beside.is_file() else design.site)
+    except (SettingsError, SitePlanError) as error:
+        raise StudyError(_problem(path, text, "site", str(error))) from None
+    problems = list(_route_problems(path, text, design, site))
+    if problems:
+        raise refusal(problems, StudyError)
+    return Study(path, text, design, site)
+
+
+def new_study(path: str | Path, site: Site, kind: Kind, plan: str) -> None:
+    """Write a study file with comments, on every route of a site; `plan` names the site."""
+    from jinja2 import Environment, StrictUndefined
+
+    names = list(dict.fromkeys(route.route for route in site.routes))
+    if not names:
+        raise SettingsError(
+            f"--site {plan}: expected a site with routes, got one without; add routes to "
+            "the plan (docs/site_plans.md)"
+        )
+    path = Path(path)
+    if plan not in BUILTIN_SITE_NAMES:
+        plan = os.path.relpath(plan, path.parent)
+    toml = Environment(
+        undefined=StrictUndefined, trim_blocks=True, keep_trailing_newline=True
+    )
+    text = toml.from_string(TEMPLATE.read_text(encoding="utf-8")).render(
+        name=path.stem, kind=kind, plan=plan, title=site.title, routes=names
+    )
+    write_new(path, text.encode())
+
+
+def _route_problems(
+    path: Path, text: str, design: StudyDesign, site: Site
+) -> list[str]:
+    problems: list[str] = []
+    known = sorted({route.route for route in site.routes})
+    for number, shown in enumerate(design.routes):
+        if shown.route not in known:
+            said = f"expected one of {', '.join(known)}, got {shown.route!r}"
+            problems.append(_problem(path, text, f"routes[{number}].route", said))
+        if shown.video is not None and not (path.parent / shown.video).is_file():
+            said = f"expected a video file that is there, got {shown.video!r}"
+            problems.append(_problem(path, text, f"routes[{number}].video", said))
+    return problems
+
+
+def _problem(path: Path, text: str, where: str, said: str) -> str:
+    lines = field_lines(text)
+    place = where
+    while place and place not in lines:
+        # A missing field is told at the table that lacks it.
+        place = place[: max(place.rfind("."), place.rfind("["), 0)]
+    field = f"field {where!r}: " if where else ""
+    return f"{path}:{lines.get(place, 1)}: {field}{said}"
+
+
+def field_lines(text: str) -> dict[str, int]:
+    """Return the line of each field of a TOML text, by places such as `routes[1].video`."""
+    lines: dict[str, int] = {}
+    counts: dict[str, int] = {}
+    table, quotes = "", ""
+    for number, line in enumerate(text.splitlines(), start=1):
+        if quotes:
+            quotes = "" if quotes in line else quotes
+            continue
+        header = re.match(r"\s*(\[\[?)\s*([\w.-]+)\s*\]", line)
+        field = re.match(r"\s*([\w-]+)\s*=", line)
+        if header:
+            name = re.sub(r"^(\w+)(?=\.)", lambda m: _latest(m[1], counts), header[2])
+            if header[1] == "[[":
+                counts[name] = counts.get(name, -1) + 1
+            table = _latest(name, counts)
+            lines[table] = number
+        elif field:
+            lines[f"{table}.{field[1]}".lstrip(".")] = number
+        for mark in ('"""', "'''"):
+            if line.count(mark) % 2:
+                quotes = mark
+    return lines
+
+
+def _latest(name: str, counts: dict[str, int]) -> str:
+    return f"{name}[{counts[name]}]" if name in counts else name
