@@ -4,7 +4,7 @@ import fcntl
 import os
 import shutil
 import sqlite3
-from collections.abc import Generator
+from collections.abc import Callable, Generator
 from contextlib import closing, contextmanager
 from pathlib import Path
 
@@ -123,11 +123,21 @@ def _naming(path: Path) -> Generator[None]:
         raise
 
 
+def _other_run(folder: Path, holder: str) -> RunFolderError:
+    return RunFolderError(
+        f"{folder}: another process (id {holder}) is writing this run; wait for it, or "
+        "choose another folder with --out"
+    )
+
+
 @contextmanager
-def locked(path: Path) -> Generator[None]:
+def locked(
+    path: Path, refusal: Callable[[Path, str], Exception] = _other_run
+) -> Generator[None]:
     """Hold a lock file, so that no other process writes beside us.
 
-    The system lets go of the lock when the process ends, however it ends.
+    The system lets go of the lock when the process ends, however it ends. `refusal` makes
+    the error of a folder that the process with an id holds.
     """
     with path.open("a+", encoding="utf-8") as file:
         try:
@@ -135,10 +145,7 @@ def locked(path: Path) -> Generator[None]:
         except BlockingIOError:
             file.seek(0)
             holder = file.read().strip() or "unknown"
-            raise RunFolderError(
-                f"{path.parent}: another process (id {holder}) is writing this run; "
-                "wait for it, or choose another folder with --out"
-            ) from None
+            raise refusal(path.parent, holder) from None
         file.truncate(0)
         file.write(f"{os.getpid()}\n")
         file.flush()

@@ -13,13 +13,14 @@ T_SITE = Path(__file__).parents[1] / "tiny_sites" / "t_junction.geojson"
 
 @pytest.fixture
 def make_study(tmp_path: Path) -> Callable[..., Study]:
-    """Write a study of two routes and load it: `make_study("memory", quota="quota = 2")`.
+    """Write a study of two routes and load it: `make_study("memory", "quota = 2")`.
 
     Lines of the file that begin as the values do are replaced by them.
     """
 
     def make(kind: Kind = "online", *replaced: str) -> Study:
         path = tmp_path / f"{kind}.toml"
+        path.unlink(missing_ok=True)
         new_study(path, load_site(T_SITE), kind, str(T_SITE))
         lines = path.read_text(encoding="utf-8").splitlines()
         for new in replaced:

@@ -87,7 +87,7 @@ def test_a_field_that_is_missing_is_named(make_study: MakeStudy) -> None:
 def test_a_misspelt_field_is_named(make_study: MakeStudy) -> None:
     study = make_study()
     study.path.write_text(study.text.replace("quota =", "qouta ="), encoding="utf-8")
-    with pytest.raises(StudyError, match="field 'qouta'"):
+    with pytest.raises(StudyError, match="did you mean 'quota'"):
         load_study(study.path)
 
 

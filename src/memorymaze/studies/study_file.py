@@ -21,7 +21,7 @@ from pydantic import (
 )
 
 from memorymaze.durable_files import write_new
-from memorymaze.errors import SettingsError, SitePlanError, StudyError
+from memorymaze.errors import SettingsError, SitePlanError, StudyError, did_you_mean
 from memorymaze.input_files import mistakes, read_text, refusal, writable
 from memorymaze.sites import BUILTIN_SITE_NAMES, Route, Site, load_site
 
@@ -198,6 +198,17 @@ class StudyDesign(_Part):
         return self.routes_each or len(self.routes)
 
 
+_PARTS = (
+    StudyDesign,
+    RouteShown,
+    Walkthrough,
+    Codes,
+    AttentionCheck,
+    Comprehension,
+    Familiarity,
+)
+
+
 @dataclass(frozen=True)
 class Study:
     """A study file and the building it is about."""
@@ -233,7 +244,8 @@ def load_study(path: str | Path) -> Study:
         design = StudyDesign.model_validate(content)
     except ValidationError as error:
         problems = [
-            _problem(path, text, where, said) for where, said in mistakes(error)
+            _problem(path, text, where, _unless_unknown(where, said))
+            for where, said in mistakes(error)
         ]
         raise refusal(problems, StudyError) from None
     try:
@@ -282,6 +294,14 @@ def _route_problems(
             said = f"expected a video file that is there, got {shown.video!r}"
             problems.append(_problem(path, text, f"routes[{number}].video", said))
     return problems
+
+
+def _unless_unknown(where: str, said: str) -> str:
+    if "Extra inputs" not in said:
+        return said
+    name = where.rpartition(".")[2]
+    known = {field for part in _PARTS for field in part.model_fields}
+    return f"expected no field of this name{did_you_mean(name, known)}"
 
 
 def _problem(path: Path, text: str, where: str, said: str) -> str:

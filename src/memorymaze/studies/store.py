@@ -1,0 +1,534 @@
+"""What participants answer, in an SQLite file beside the study file.
+
+An answer is on the disk when `Store.add_answer` returns. No pages, no export.
+"""
+
+import json
+import secrets
+import shutil
+import sqlite3
+import threading
+import time
+from collections.abc import Callable, Generator, Iterable, Mapping
+from contextlib import ExitStack, closing, contextmanager
+from dataclasses import dataclass
+from hashlib import sha256
+from pathlib import Path
+from typing import Any, Literal, cast
+
+from memorymaze.durable_files import BUSY_TIMEOUT, locked
+from memorymaze.errors import StudyError
+from memorymaze.studies.schedule import cell_name, route_orders
+from memorymaze.studies.study_file import Study
+
+FILE = "answers.sqlite"
+RECORDINGS = "recordings"
+MOST_EVENTS = 5000
+"""Of one participant; nobody plays a video so often."""
+
+State = Literal["active", "complete", "excluded"]
+Refusal = Literal["full", "known"]
+
+SCHEMA = """
+CREATE TABLE facts (name TEXT PRIMARY KEY, value TEXT NOT NULL) STRICT;
+CREATE TABLE designs (sha256 TEXT PRIMARY KEY, text TEXT NOT NULL, at REAL NOT NULL) STRICT;
+CREATE TABLE participants (
+    id TEXT PRIMARY KEY, key TEXT NOT NULL UNIQUE, cell TEXT NOT NULL,
+    design TEXT NOT NULL REFERENCES designs, state TEXT NOT NULL, reason TEXT NOT NULL,
+    started REAL NOT NULL, seen REAL NOT NULL, ended REAL
+) STRICT;
+CREATE TABLE platform_ids (
+    participant TEXT NOT NULL REFERENCES participants ON DELETE CASCADE,
+    name TEXT NOT NULL, value TEXT NOT NULL, UNIQUE (name, value)
+) STRICT;
+CREATE TABLE answers (
+    participant TEXT NOT NULL REFERENCES participants ON DELETE CASCADE,
+    step TEXT NOT NULL, text TEXT NOT NULL, shown TEXT NOT NULL, at REAL NOT NULL,
+    PRIMARY KEY (participant, step)
+) STRICT;
+CREATE TABLE drafts (
+    participant TEXT NOT NULL REFERENCES participants ON DELETE CASCADE,
+    step TEXT NOT NULL, text TEXT NOT NULL, at REAL NOT NULL,
+    PRIMARY KEY (participant, step)
+) STRICT;
+CREATE TABLE events (
+    participant TEXT NOT NULL REFERENCES participants ON DELETE CASCADE,
+    step TEXT NOT NULL, kind TEXT NOT NULL, value REAL NOT NULL, at REAL NOT NULL
+) STRICT;
+CREATE INDEX events_of ON events (participant, step);
+CREATE TABLE exports (id INTEGER PRIMARY KEY, path TEXT NOT NULL, at REAL NOT NULL) STRICT;
+CREATE TABLE exported (
+    export INTEGER NOT NULL REFERENCES exports,
+    participant TEXT NOT NULL REFERENCES participants ON DELETE CASCADE
+) STRICT;
+CREATE TABLE withdrawals (at REAL NOT NULL, exports TEXT NOT NULL) STRICT;
+"""
+FORMAT = 1
+
+
+@dataclass(frozen=True, slots=True)
+class Participant:
+    """Somebody who has consented."""
+
+    id: str
+    """Random; what exports say."""
+    cell: str
+    state: State
+    reason: str
+    """Why somebody was excluded; else empty."""
+    started: float
+    """Seconds since 1970, as all times here."""
+    seen: float
+    ended: float | None
+
+
+@dataclass(frozen=True, slots=True)
+class Answer:
+    """What somebody sent, for good."""
+
+    text: str
+    shown: str
+    """The text that was shown with it and matters, such as the treatment."""
+    at: float
+
+
+@dataclass(frozen=True, slots=True)
+class Event:
+    """Something that somebody did on a page."""
+
+    step: str
+    kind: str
+    value: float
+    """Such as seconds of the video; 0 where there is nothing to say."""
+    at: float
+
+
+@dataclass(frozen=True, slots=True)
+class Export:
+    """A file that was made of the answers."""
+
+    path: str
+    at: float
+
+
+@dataclass(frozen=True, slots=True)
+class Withdrawal:
+    """That somebody withdrew, but not who: nothing of them is left."""
+
+    at: float
+    exports: tuple[str, ...]
+    """Files made before, which still hold their texts."""
+
+
+class Store:
+    """The answers of one study; all threads may use it at once."""
+
+    def __init__(
+        self,
+        connection: sqlite3.Connection,
+        folder: Path,
+        study: Study,
+        clock: Callable[[], float] = time.time,
+    ) -> None:
+        """Take an open file; `open_store` is the way to one."""
+        self.folder = folder
+        self.study = study
+        self.now = clock
+        self._connection = connection
+        self._lock = threading.RLock()
+
+    # Participants ----------------------------------------------------------------------
+
+    def begin(
+        self, key: str, platform_ids: Mapping[str, str] | None = None
+    ) -> Participant | Refusal:
+        """Take in somebody who consented, for the order of routes that the fewest have.
+
+        `key` is what their browser is known by. Refused where all places are taken, or
+        somebody came with one of the ids before.
+        """
+        with self._writing() as rows:
+            if self._has_platform_id(platform_ids or {}):
+                return "known"
+            cell = self._emptiest_cell()
+            if cell is None:
+                return "full"
+            name, now = f"p{secrets.token_hex(5)}", self.now()
+            rows.execute(
+                "INSERT INTO participants VALUES (?, ?, ?, ?, 'active', '', ?, ?, NULL)",
+                (name, _hidden(key), cell, self.study.sha256, now, now),
+            )
+            rows.executemany(
+                "INSERT INTO platform_ids VALUES (?, ?, ?)",
+                [(name, *each) for each in (platform_ids or {}).items()],
+            )
+        return Participant(name, cell, "active", "", now, now, None)
+
+    def _emptiest_cell(self) -> str | None:
+        progress = self.progress()
+        free = [
+            cell
+            for cell in progress
+            if cell.complete + cell.active < self.study.design.quota
+        ]
+        if not free:
+            return None
+        return min(free, key=lambda cell: cell.complete + cell.active).name
+
+    def _has_platform_id(self, ids: Mapping[str, str]) -> bool:
+        query = "SELECT 1 FROM platform_ids WHERE name = ? AND value = ?"
+        return any(self._rows(query, *each) for each in ids.items())
+
+    def known_by(self, key: str) -> Participant | None:
+        """Return the participant whose browser has a key."""
+        return self._one("key = ?", _hidden(key))
+
+    def participant(self, name: str) -> Participant | None:
+        """Return a participant by id."""
+        return self._one("id = ?", name)
+
+    def participants(self) -> list[Participant]:
+        """Return all, in the order they began."""
+        return [_participant(row) for row in self._rows(f"{_SELECT} ORDER BY started")]
+
+    def _one(self, condition: str, value: str) -> Participant | None:
+        rows = self._rows(f"{_SELECT} WHERE {condition}", value)
+        return _participant(rows[0]) if rows else None
+
+    def end(self, participant: str, state: State, reason: str = "") -> None:
+        """Say that somebody is done; they keep no drafts."""
+        with self._writing() as rows:
+            rows.execute(
+                "UPDATE participants SET state = ?, reason = ?, ended = ? WHERE id = ?",
+                (state, reason, self.now(), participant),
+            )
+            rows.execute("DELETE FROM drafts WHERE participant = ?", (participant,))
+
+    # What they send --------------------------------------------------------------------
+
+    def add_answer(
+        self, participant: str, step: str, text: str, shown: str = ""
+    ) -> bool:
+        """Keep an answer for good; False where the step is answered already."""
+        with self._writing() as rows:
+            added = rows.execute(
+                "INSERT INTO answers VALUES (?, ?, ?, ?, ?) ON CONFLICT DO NOTHING",
+                (participant, step, text, shown, self.now()),
+            ).rowcount
+            rows.execute(
+                "DELETE FROM drafts WHERE participant = ? AND step = ?",
+                (participant, step),
+            )
+            self._touch(rows, participant)
+        return bool(added)
+
+    def answers(self, participant: str) -> dict[str, Answer]:
+        """Return somebody's answers by step, in the order they came."""
+        query = (
+            "SELECT step, text, shown, at FROM answers WHERE participant = ? "
+            "ORDER BY rowid"
+        )
+        return {row[0]: Answer(*row[1:]) for row in self._rows(query, participant)}
+
+    def keep_draft(self, participant: str, step: str, text: str) -> bool:
+        """Keep an unfinished text; False where the step is answered already."""
+        with self._writing() as rows:
+            kept = rows.execute(
+                "INSERT INTO drafts SELECT ?1, ?2, ?3, ?4 WHERE NOT EXISTS (SELECT 1 "
+                "FROM answers WHERE participant = ?1 AND step = ?2) ON CONFLICT "
+                "(participant, step) DO UPDATE SET text = ?3, at = ?4",
+                (participant, step, text, self.now()),
+            ).rowcount
+            self._touch(rows, participant)
+        return bool(kept)
+
+    def draft(self, participant: str, step: str) -> str:
+        """Return an unfinished text; empty where there is none."""
+        query = "SELECT text FROM drafts WHERE participant = ? AND step = ?"
+        rows = self._rows(query, participant, step)
+        return rows[0][0] if rows else ""
+
+    def add_event(
+        self, participant: str, step: str, kind: str, value: float = 0.0
+    ) -> bool:
+        """Note what somebody did; False where there are too many events already."""
+        with self._writing() as rows:
+            added = rows.execute(
+                "INSERT INTO events SELECT ?1, ?2, ?3, ?4, ?5 WHERE (SELECT count(*) "
+                "FROM events WHERE participant = ?1) < ?6",
+                (participant, step, kind, value, self.now(), MOST_EVENTS),
+            ).rowcount
+            self._touch(rows, participant)
+        return bool(added)
+
+    def events(self, participant: str, step: str | None = None) -> list[Event]:
+        """Return what somebody did, in order; on all pages or one."""
+        query = (
+            "SELECT step, kind, value, at FROM events WHERE participant = ?1 AND "
+            "(?2 IS NULL OR step = ?2) ORDER BY rowid"
+        )
+        return [Event(*row) for row in self._rows(query, participant, step)]
+
+    def _touch(self, rows: sqlite3.Connection, participant: str) -> None:
+        rows.execute(
+            "UPDATE participants SET seen = ? WHERE id = ?", (self.now(), participant)
+        )
+
+    # What experimenters do -------------------------------------------------------------
+
+    def progress(self) -> "list[CellProgress]":
+        """Return how far each order of routes is."""
+        held_since = self.now() - 60 * self.study.design.held_minutes
+        counts = {
+            (cell, state, bool(held)): count
+            for cell, state, held, count in self._rows(
+                "SELECT cell, state, seen > ?, count(*) FROM participants GROUP BY 1, 2, 3",
+                held_since,
+            )
+        }
+
+        def number(cell: str, state: State, *held: bool) -> int:
+            return sum(counts.get((cell, state, each), 0) for each in held)
+
+        return [
+            CellProgress(
+                cell,
+                number(cell, "complete", True, False),
+                number(cell, "active", True),
+                number(cell, "active", False),
+                number(cell, "excluded", True, False),
+            )
+            for cell in map(cell_name, route_orders(self.study.design))
+        ]
+
+    def withdraw(self, participant: str) -> Withdrawal:
+        """Remove everything of somebody, also from the bytes of the files.
+
+        Returns which exports were made before, to be cleaned by hand.
+        """
+        found = self._rows(
+            "SELECT path FROM exports JOIN exported ON exports.id = export "
+            "WHERE participant = ? ORDER BY exports.id",
+            participant,
+        )
+        withdrawal = Withdrawal(self.now(), tuple(path for (path,) in found))
+        with self._lock:
+            with self._writing() as rows:
+                removed = rows.execute(
+                    "DELETE FROM participants WHERE id = ?", (participant,)
+                ).rowcount
+                if not removed:
+                    raise StudyError(
+                        f"{self.folder}: there is no participant {participant!r}; the "
+                        "experimenter's page lists those there are"
+                    )
+                rows.execute(
+                    "INSERT INTO withdrawals VALUES (?, ?)",
+                    (withdrawal.at, json.dumps(withdrawal.exports)),
+                )
+            for recording in (self.folder / RECORDINGS).glob(f"{participant}-*"):
+                recording.unlink()
+            # The log holds what was written before, and the file its free pages.
+            self._connection.execute("VACUUM")
+            _empty_log(self._connection, self.folder)
+        return withdrawal
+
+    def withdrawals(self) -> list[Withdrawal]:
+        """Return that people withdrew, in order."""
+        rows = self._rows("SELECT at, exports FROM withdrawals ORDER BY rowid")
+        return [Withdrawal(at, tuple(json.loads(paths))) for at, paths in rows]
+
+    def add_export(self, path: Path, participants: Iterable[str]) -> None:
+        """Note that a file was made, and of whose answers."""
+        with self._writing() as rows:
+            number = rows.execute(
+                "INSERT INTO exports (path, at) VALUES (?, ?)",
+                (str(path.absolute()), self.now()),
+            ).lastrowid
+            rows.executemany(
+                "INSERT INTO exported VALUES (?, ?)",
+                [(number, each) for each in participants],
+            )
+
+    def exports(self) -> list[Export]:
+        """Return the files that were made, in order."""
+        rows = self._rows("SELECT path, at FROM exports ORDER BY id")
+        return [Export(*row) for row in rows]
+
+    @property
+    def is_simulated(self) -> bool:
+        """Whether a program gave the answers."""
+        return self._rows("SELECT value FROM facts WHERE name = 'source'") == [
+            ("synthetic",)
+        ]
+
+    # The file --------------------------------------------------------------------------
+
+    @contextmanager
+    def _writing(self) -> Generator[sqlite3.Connection]:
+        """Begin and commit; what fails leaves nothing."""
+        with self._lock:
+            self._connection.execute("BEGIN IMMEDIATE")
+            try:
+                yield self._connection
+            except BaseException:
+                self._connection.execute("ROLLBACK")
+                raise
+            self._connection.execute("COMMIT")
+
+    def _rows(self, query: str, *values: object) -> list[tuple[Any, ...]]:
+        with self._lock:
+            return self._connection.execute(query, cast(Any, values)).fetchall()
+
+
+@dataclass(frozen=True, slots=True)
+class CellProgress:
+    """How far an order of routes is."""
+
+    name: str
+    complete: int
+    active: int
+    left: int
+    """Who began and has not gone on for long; their place is free again."""
+    excluded: int
+
+
+@contextmanager
+def open_store(
+    study: Study,
+    *,
+    simulated: bool = False,
+    alone: bool = True,
+    clock: Callable[[], float] = time.time,
+) -> Generator[Store]:
+    """Open the answers of a study.
+
+    Alone is who serves pages or removes people: a second one is refused. Without it the
+    file must be there, such as for an export while the pages are served.
+    """
+    folder = study.data_folder(simulated=simulated)
+    if not alone and not (folder / FILE).is_file():
+        raise StudyError(
+            f"{folder}: there are no answers yet; expected those that `memorymaze study "
+            f"{'simulate' if simulated else 'serve'} {study.path}` gathers"
+        )
+    with ExitStack() as stack:
+        if alone:
+            folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+            stack.enter_context(locked(folder / "lock", _is_served))
+        connection = stack.enter_context(
+            closing(
+                sqlite3.connect(
+                    folder / FILE,
+                    timeout=BUSY_TIMEOUT,
+                    isolation_level=None,
+                    check_same_thread=False,
+                )
+            )
+        )
+        try:
+            _prepare(connection, study, folder, simulated)
+            if alone:
+                _empty_log(connection, folder)
+        except sqlite3.DatabaseError as error:
+            raise StudyError(
+                f"{folder / FILE}: cannot be used ({error}); restore it from a copy, or "
+                "give the study file another name to begin anew"
+            ) from None
+        yield Store(connection, folder, study, clock)
+
+
+def remove_simulated(study: Study) -> None:
+    """Remove what made-up participants answered before."""
+    shutil.rmtree(study.data_folder(simulated=True), ignore_errors=True)
+
+
+def _prepare(
+    connection: sqlite3.Connection, study: Study, folder: Path, simulated: bool
+) -> None:
+    for setting in (
+        "journal_mode = WAL",
+        "synchronous = FULL",
+        "foreign_keys = ON",
+        "secure_delete = ON",
+        "temp_store = MEMORY",
+    ):
+        connection.execute(f"PRAGMA {setting}")
+    connection.execute("BEGIN IMMEDIATE")
+    try:
+        [[version]] = connection.execute("PRAGMA user_version").fetchall()
+        if version == 0:
+            for statement in SCHEMA.split(";\n"):
+                connection.execute(statement)
+            connection.execute(f"PRAGMA user_version = {FORMAT}")
+            source = "synthetic" if simulated else "human"
+            connection.execute("INSERT INTO facts VALUES ('source', ?)", (source,))
+        elif version != FORMAT:
+            raise StudyError(
+                f"{folder / FILE}: expected answers of format {FORMAT}, got {version}, of "
+                "another version of memorymaze"
+            )
+        _check_design(connection, study, folder)
+    except BaseException:
+        connection.execute("ROLLBACK")
+        raise
+    connection.execute("COMMIT")
+
+
+def _check_design(connection: sqlite3.Connection, study: Study, folder: Path) -> None:
+    """Refuse answers to another design; texts and quotas may change."""
+    design = study.design
+    wanted = {
+        "kind": design.kind,
+        "site": study.site.name,
+        "orders": "; ".join(map(cell_name, route_orders(design))),
+    }
+    found = dict(connection.execute("SELECT name, value FROM facts").fetchall())
+    begun = connection.execute("SELECT 1 FROM participants LIMIT 1").fetchall()
+    for name, value in wanted.items():
+        if begun and found[name] != value:
+            raise StudyError(
+                f"{study.path}: expected the {name} {found[name]!r}, which people in "
+                f"{folder} took part in, got {value!r}; undo the change, or copy the "
+                "study file to another name to begin anew"
+            )
+    connection.executemany(
+        "INSERT OR REPLACE INTO facts VALUES (?, ?)", list(wanted.items())
+    )
+    connection.execute(
+        "INSERT OR IGNORE INTO designs VALUES (?, ?, ?)",
+        (study.sha256, study.text, time.time()),
+    )
+
+
+def _empty_log(connection: sqlite3.Connection, folder: Path) -> None:
+    deadline = time.monotonic() + 10
+    while True:
+        [[busy, *_]] = connection.execute("PRAGMA wal_checkpoint(TRUNCATE)").fetchall()
+        if not busy:
+            return
+        if time.monotonic() > deadline:
+            raise StudyError(
+                f"{folder / FILE}: the rows are removed, but another program reads the "
+                "file and keeps its log; end that program and start the server again"
+            )
+        time.sleep(0.05)
+
+
+def _is_served(folder: Path, holder: str) -> StudyError:
+    return StudyError(
+        f"{folder}: these answers are being written already, by the process {holder}; "
+        "end that server first (Ctrl-C), or use its pages"
+    )
+
+
+def _hidden(key: str) -> str:
+    """Return what is kept of a browser's key: whoever reads the file cannot use it."""
+    return sha256(key.encode()).hexdigest()
+
+
+_SELECT = "SELECT id, cell, state, reason, started, seen, ended FROM participants"
+
+
+def _participant(row: tuple[Any, ...]) -> Participant:
+    return Participant(*row)
