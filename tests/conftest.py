@@ -1,12 +1,13 @@
-"""Tiny sites, instructions and runs that the tests of every room share."""
+"""Tiny sites, instructions, runs and a browser that the tests of every room share."""
 
 import json
 import math
 import os
-from collections.abc import Callable, Sequence
+import shutil
+from collections.abc import Callable, Generator, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Any, get_args
+from typing import TYPE_CHECKING, Any, get_args
 
 import pytest
 from hypothesis import settings as property_settings
@@ -47,6 +48,9 @@ from memorymaze.routes import (
 from memorymaze.simulation import Scene, SimulationSettings, build_scene
 from memorymaze.sites import Site, load_site, load_sites
 
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser
+
 # How long an example takes says more of the machine than of the code.
 property_settings.register_profile("untimed", deadline=None)
 property_settings.load_profile("untimed")
@@ -58,6 +62,29 @@ TINY_INSTRUCTIONS = Path(__file__).parent / "tiny_instructions.jsonl"
 
 # Furniture models that this user converted must not change what cameras see in tests.
 os.environ["MEMORYMAZE_CACHE"] = str(TINY_SITES / "no-cache")
+
+
+BROWSERS = ("chromium", "chromium-browser", "google-chrome")
+
+
+@pytest.fixture(scope="session")
+def browser() -> "Generator[Browser]":
+    """The Chromium that is installed on this machine."""
+    from playwright.sync_api import sync_playwright
+
+    path = next(filter(None, map(shutil.which, BROWSERS)), None)
+    if path is None:
+        pytest.fail(
+            "these tests look at pages in Chromium, and none is installed; type: "
+            "sudo apt-get install chromium (scripts/setup_browser.sh does it)"
+        )
+    arguments = ["--no-sandbox", "--disable-gpu", "--disable-background-networking"]
+    with sync_playwright() as playwright:
+        chromium = playwright.chromium.launch(
+            executable_path=path, headless=True, args=arguments
+        )
+        yield chromium
+        chromium.close()
 
 
 @pytest.fixture(scope="session")

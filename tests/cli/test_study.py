@@ -16,3 +16,14 @@ def test_a_new_study_says_what_to_type_next(
     again = memorymaze("study", "new", path, "--site", "museum_5f")
     assert again.code == 2
     assert "exists already" in again.err
+
+
+def test_a_study_without_pages_is_refused_before_anything_is_made(
+    memorymaze: Memorymaze, tmp_path: Path
+) -> None:
+    path = tmp_path / "mine.toml"
+    memorymaze("study", "new", path, "--site", "museum_5f", "--kind", "onsite")
+    said = memorymaze("study", "serve", path)
+    assert said.code == 1
+    assert "expected the kind online or memory" in said.err
+    assert not list(tmp_path.glob("mine.films"))

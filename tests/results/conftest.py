@@ -1,13 +1,11 @@
-"""The browser that tests of pages look with, and runs over tiny sites."""
+"""Runs over tiny sites."""
 
-import shutil
-from collections.abc import Callable, Generator
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import Browser, sync_playwright
 
 from memorymaze.evaluation.agent_catalogue import build_agent
 from memorymaze.evaluation.arena import Arena
@@ -21,26 +19,6 @@ from memorymaze.evaluation.trace import keep_trace, trace_content
 from memorymaze.instructions import Corpus
 from memorymaze.results.story import RecordedEpisode, load_episode
 from memorymaze.simulation.obstacles import parse_obstacles
-
-BROWSERS = ("chromium", "chromium-browser", "google-chrome")
-
-
-@pytest.fixture(scope="session")
-def browser() -> Generator[Browser]:
-    """The Chromium that is installed on this machine."""
-    path = next(filter(None, map(shutil.which, BROWSERS)), None)
-    if path is None:
-        pytest.fail(
-            "these tests look at pages in Chromium, and none is installed; type: "
-            "sudo apt-get install chromium (scripts/setup_browser.sh does it)"
-        )
-    arguments = ["--no-sandbox", "--disable-gpu", "--disable-background-networking"]
-    with sync_playwright() as playwright:
-        chromium = playwright.chromium.launch(
-            executable_path=path, headless=True, args=arguments
-        )
-        yield chromium
-        chromium.close()
 
 
 def _run(folder: Path, corpus: Corpus, **settings: Any) -> Path:

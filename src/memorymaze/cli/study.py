@@ -20,6 +20,7 @@ def add_parser(verbs: Verbs) -> None:
         title="actions", metavar="ACTION", required=True, parser_class=VerbParser
     )
     _add_new(actions)
+    _add_serve(actions)
 
 
 def _add_new(actions: Verbs) -> None:
@@ -54,3 +55,78 @@ def _new(options: argparse.Namespace) -> int:
         f"memorymaze study serve {options.file}"
     )
     return 0
+
+
+def _add_serve(actions: Verbs) -> None:
+    parser = actions.add_parser(
+        "serve",
+        help="show the pages of a study, until Ctrl-C",
+        description="Show the pages of a study: to participants at one address, to the "
+        "experimenter at another. On this machine only, unless --host says otherwise. "
+        "Videos that are missing are made first.",
+        epilog="example: memorymaze study serve my_study.toml --host 0.0.0.0",
+    )
+    _add_file(parser)
+    parser.add_argument(
+        "--host",
+        default="127.0.0.1",
+        help="the address participants come to; 0.0.0.0 for all of this machine's "
+        "(default: 127.0.0.1, this machine only)",
+    )
+    parser.add_argument(
+        "--port", type=int, default=8000, metavar="N", help="of participants (8000)"
+    )
+    parser.add_argument(
+        "--experimenter-port",
+        type=int,
+        default=8001,
+        metavar="N",
+        help="of the experimenter, on this machine only (8001)",
+    )
+    _add_simulated(parser)
+    parser.set_defaults(run=_serve)
+
+
+def _serve(options: argparse.Namespace) -> int:
+    _require_extra("study serve")
+    from memorymaze.studies.films import make_films
+    from memorymaze.studies.schedule import check_has_pages
+    from memorymaze.studies.serving import serving_study
+    from memorymaze.studies.store import open_store
+    from memorymaze.studies.study_file import load_study
+    from memorymaze.studies.web import wait_for_interrupt
+
+    study = load_study(options.file)
+    check_has_pages(study.design)
+    with open_store(study, simulated=options.simulated) as store:
+        films = make_films(study)
+        with serving_study(
+            store,
+            films,
+            host=options.host,
+            port=options.port,
+            experimenter_port=options.experimenter_port,
+        ) as addresses:
+            print(f"participants:  {addresses.participants}/")
+            print(f"experimenter:  {addresses.experimenter}")
+            print("Ctrl-C ends the server; what was sent is kept.", flush=True)
+            wait_for_interrupt()
+    return 0
+
+
+def _add_file(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("file", metavar="FILE", help="study file (TOML)")
+
+
+def _add_simulated(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--simulated",
+        action="store_true",
+        help="the made-up answers of `study simulate`, not those of people",
+    )
+
+
+def _require_extra(purpose: str) -> None:
+    from memorymaze.extras import require_extra
+
+    require_extra("studies", "starlette", "uvicorn", "multipart", purpose=purpose)

@@ -58,13 +58,18 @@ def cell_name(order: tuple[str, ...]) -> str:
     return ", ".join(order)
 
 
-def steps_of(design: StudyDesign, order: tuple[str, ...]) -> list[Step]:
-    """Return what somebody answers who describes routes in an order."""
+def check_has_pages(design: StudyDesign) -> None:
+    """Refuse kinds that participants cannot do by themselves."""
     if design.kind not in {"online", "memory"}:
         raise StudyError(
             f"a study of the kind {design.kind} has no pages for participants by "
             "themselves; expected the kind online or memory"
         )
+
+
+def steps_of(design: StudyDesign, order: tuple[str, ...]) -> list[Step]:
+    """Return what somebody answers who describes routes in an order."""
+    check_has_pages(design)
     steps = [Step("comprehension"), Step("familiarity"), Step("scenario")]
     if not design.comprehension.questions:
         del steps[0]

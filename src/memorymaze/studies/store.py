@@ -191,6 +191,18 @@ class Store:
         """Return all, in the order they began."""
         return [_participant(row) for row in self._rows(f"{_SELECT} ORDER BY started")]
 
+    def platform_ids(self, participant: str) -> dict[str, str]:
+        """Return the ids that somebody came with; for the experimenter's eyes only."""
+        query = "SELECT name, value FROM platform_ids WHERE participant = ?"
+        return dict(self._rows(query, participant))
+
+    def find(self, text: str) -> Participant | None:
+        """Return the participant with an id, ours or a platform's."""
+        query = "SELECT participant FROM platform_ids WHERE value = ?"
+        return self.participant(text) or next(
+            (self.participant(name) for (name,) in self._rows(query, text)), None
+        )
+
     def _one(self, condition: str, value: str) -> Participant | None:
         rows = self._rows(f"{_SELECT} WHERE {condition}", value)
         return _participant(rows[0]) if rows else None

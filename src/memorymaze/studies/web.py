@@ -8,7 +8,7 @@ import secrets
 import socket
 import threading
 import time
-from collections.abc import Callable, Generator, Sequence
+from collections.abc import Awaitable, Callable, Generator, Sequence
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
 from functools import cache
@@ -19,6 +19,7 @@ from typing import Any, NamedTuple
 import uvicorn
 from jinja2 import Environment
 from starlette.applications import Starlette
+from starlette.concurrency import run_in_threadpool
 from starlette.datastructures import MutableHeaders
 from starlette.exceptions import HTTPException
 from starlette.middleware import Middleware
@@ -90,6 +91,27 @@ def render(
     known = {"language": "en", "csrf_token": csrf_token(request), **context}
     text = _templates().get_template(template).render(known)
     return HTMLResponse(printable(text), status_code=status_code)
+
+
+Fields = dict[str, str]
+"""What a form sent: texts by name, with line ends as they are everywhere else."""
+
+
+def posted(
+    take: Callable[[Request, Fields], Response],
+) -> Callable[[Request], Awaitable[Response]]:
+    """Return the endpoint of a form, from a function that may wait for the disk."""
+
+    async def endpoint(request: Request) -> Response:
+        form = await request.form()
+        fields = {
+            name: value.replace("\r\n", "\n")
+            for name, value in form.items()
+            if isinstance(value, str)
+        }
+        return await run_in_threadpool(take, request, fields)
+
+    return endpoint
 
 
 def csrf_token(request: Request) -> str:

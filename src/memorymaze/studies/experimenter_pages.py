@@ -1,0 +1,140 @@
+"""What the experimenter sees: progress, participants, withdrawal; behind a token."""
+
+import hmac
+from collections.abc import Awaitable, Callable
+from datetime import datetime
+from typing import Any
+
+from starlette.exceptions import HTTPException
+from starlette.requests import Request
+from starlette.responses import RedirectResponse, Response
+from starlette.routing import BaseRoute, Route
+
+from memorymaze.studies.participant_pages import cookie_name
+from memorymaze.studies.store import Participant, Store
+from memorymaze.studies.web import Fields, posted, render
+
+Endpoint = Callable[[Request], Awaitable[Response] | Response]
+
+
+class ExperimenterPages:
+    """The pages of who runs a study."""
+
+    def __init__(self, store: Store, token: str) -> None:
+        """Take the answers' store, and what the printed address ends with."""
+        self._store = store
+        self._token = token
+        self._cookie = cookie_name("experimenter", store)
+
+    @property
+    def routes(self) -> list[BaseRoute]:
+        """Where the pages are."""
+        return [
+            Route("/enter/{token}", self._enter),
+            Route("/", self.guarded(self._overview)),
+            Route("/find", self.guarded(self._find)),
+            Route("/participants/{id}", self.guarded(self._participant)),
+            Route(
+                "/participants/{id}/withdraw",
+                self.guarded(self._withdraw),
+                methods=["POST"],
+            ),
+            Route("/ethics", self.guarded(self._ethics)),
+        ]
+
+    def guarded(
+        self, page: Callable[[Request, Fields], Response]
+    ) -> Callable[[Request], Awaitable[Response]]:
+        """Return an endpoint that only who has the token gets to."""
+
+        def checked(request: Request, fields: Fields) -> Response:
+            if not self._is(request.cookies.get(self._cookie, "")):
+                raise HTTPException(
+                    403, "Open the experimenter's address that the server printed."
+                )
+            return page(request, fields)
+
+        return posted(checked)
+
+    def _is(self, given: str) -> bool:
+        return hmac.compare_digest(given.encode(), self._token.encode())
+
+    def _enter(self, request: Request) -> Response:
+        given = request.path_params["token"]
+        if not self._is(given):
+            raise HTTPException(403, "This is not the address that the server printed.")
+        response = RedirectResponse("/", status_code=303)
+        response.set_cookie(
+            self._cookie,
+            given,
+            httponly=True,
+            samesite="strict",
+            secure=request.url.scheme == "https",
+        )
+        return response
+
+    def _overview(self, request: Request, fields: Fields) -> Response:
+        store = self._store
+        return self._show(
+            request,
+            "overview.html",
+            progress=store.progress(),
+            quota=store.study.design.quota,
+            participants=store.participants(),
+            exports=store.exports(),
+            withdrawals=store.withdrawals(),
+            missed=request.query_params.get("missed"),
+        )
+
+    def _find(self, request: Request, fields: Fields) -> Response:
+        wanted = request.query_params.get("id", "").strip()
+        found = self._store.find(wanted)
+        address = "/?missed=1" if found is None else f"/participants/{found.id}"
+        return RedirectResponse(address, status_code=303)
+
+    def _participant(self, request: Request, fields: Fields) -> Response:
+        who = self._known(request)
+        answers = self._store.answers(who.id)
+        events = self._store.events(who.id)
+        opened: dict[str, float] = {}
+        for event in events:
+            opened.setdefault(event.step, event.at)
+        rows = [
+            (step, answer, answer.at - opened.get(step, answer.at))
+            for step, answer in answers.items()
+        ]
+        return self._show(
+            request,
+            "one_participant.html",
+            who=who,
+            rows=rows,
+            platform_ids=self._store.platform_ids(who.id),
+        )
+
+    def _withdraw(self, request: Request, fields: Fields) -> Response:
+        done = self._store.withdraw(self._known(request).id)
+        return self._show(request, "removed.html", exports=done.exports)
+
+    def _ethics(self, request: Request, fields: Fields) -> Response:
+        return self._show(request, "ethics.html", folder=self._store.folder.absolute())
+
+    def _known(self, request: Request) -> Participant:
+        found = self._store.participant(request.path_params["id"])
+        if found is None:
+            raise HTTPException(404)
+        return found
+
+    def _show(self, request: Request, template: str, **view: Any) -> Response:
+        return render(
+            request,
+            template,
+            design=self._store.study.design,
+            file=self._store.study.path.name,
+            is_simulated=self._store.is_simulated,
+            when=_when,
+            **view,
+        )
+
+
+def _when(seconds: float) -> str:
+    return datetime.fromtimestamp(seconds).astimezone().strftime("%Y-%m-%d %H:%M")

@@ -1,0 +1,430 @@
+"""What participants of the kinds `online` and `memory` see, page by page.
+
+What they send is judged here and kept by the store; where they are follows from what they
+have answered.
+"""
+
+import json
+import math
+import secrets
+from collections.abc import Callable, Mapping, Sequence
+from hashlib import sha256
+from pathlib import Path
+from typing import Any
+
+from starlette.exceptions import HTTPException
+from starlette.requests import Request
+from starlette.responses import FileResponse, RedirectResponse, Response
+from starlette.routing import BaseRoute, Route
+
+from memorymaze.instructions.statistics import word_count
+from memorymaze.studies.schedule import Step, steps_of
+from memorymaze.studies.store import Participant, Store
+from memorymaze.studies.study_file import Question
+from memorymaze.studies.web import Fields, posted, render
+
+LONGEST_TEXT = 20_000
+"""Characters of a description."""
+LONGEST_ID = 200
+"""Characters of a platform's id."""
+REMEMBERED = 60 * 24 * 3600
+"""Seconds that a browser knows who it is."""
+EVENTS = frozenset({"play", "pause", "ended", "again"})
+"""What the video's script tells."""
+WATCHED = "ended"
+WRONG = "wrong"
+"""Event of an attempt at the comprehension check that failed."""
+
+
+class ParticipantPages:
+    """The pages of a study, by its store and its videos."""
+
+    def __init__(self, store: Store, films: Mapping[str, Path]) -> None:
+        """Take the answers' store and the video of each route."""
+        self._store = store
+        self._design = store.study.design
+        self._films = films
+        self._cookie = cookie_name("participant", store)
+        self._takers: dict[str, Callable[[Participant, Step, Fields], str | None]] = {
+            "comprehension": self._take_comprehension,
+            "familiarity": self._take_familiarity,
+            "scenario": self._take_nothing,
+            "watch": self._take_watched,
+            "wait": self._take_waited,
+            "tell": self._take_text,
+            "retell": self._take_text,
+            "attention": self._take_attention,
+        }
+
+    @property
+    def routes(self) -> list[BaseRoute]:
+        """Where the pages are."""
+        return [
+            Route("/", self._start),
+            Route("/consent", posted(self._consent), methods=["POST"]),
+            Route("/study", self._study),
+            Route("/study/{step}", posted(self._answer), methods=["POST"]),
+            Route("/draft/{step}", posted(self._draft), methods=["POST"]),
+            Route("/event/{step}", posted(self._event), methods=["POST"]),
+            Route("/film/{route}", self._film),
+            Route("/privacy", self._privacy),
+            Route("/withdraw", self._ask_withdrawal),
+            Route("/withdraw", posted(self._withdraw), methods=["POST"]),
+        ]
+
+    # Beginning -------------------------------------------------------------------------
+
+    def _start(self, request: Request) -> Response:
+        if self._participant(request) is not None:
+            return _to("/study")
+        ids = {
+            name: request.query_params[name][:LONGEST_ID]
+            for name in self._design.platform_ids
+            if request.query_params.get(name)
+        }
+        return self._show(request, "consent.html", ids=ids)
+
+    def _consent(self, request: Request, fields: Fields) -> Response:
+        if self._participant(request) is not None:
+            return _to("/study")
+        ids = {
+            name: fields[f"id.{name}"][:LONGEST_ID]
+            for name in self._design.platform_ids
+            if fields.get(f"id.{name}")
+        }
+        agreed = [f"consent.{n}" in fields for n in range(len(self._design.consent))]
+        if not all(agreed):
+            problem = "Please tick every box to take part; else simply close this page."
+            return self._show(
+                request, "consent.html", 400, ids=ids, agreed=agreed, problem=problem
+            )
+        key = secrets.token_urlsafe(32)
+        begun = self._store.begin(key, ids)
+        if begun == "full":
+            return self._end(request, "full", self._design.codes.full)
+        if begun == "known":
+            return self._end(request, "known", None)
+        response = _to("/study")
+        response.set_cookie(
+            self._cookie,
+            key,
+            max_age=REMEMBERED,
+            httponly=True,
+            samesite="lax",
+            secure=request.url.scheme == "https",
+        )
+        return response
+
+    def _participant(self, request: Request) -> Participant | None:
+        key = request.cookies.get(self._cookie)
+        return None if key is None else self._store.known_by(key)
+
+    # The steps -------------------------------------------------------------------------
+
+    def _steps(self, participant: Participant) -> list[Step]:
+        return steps_of(self._design, tuple(participant.cell.split(", ")))
+
+    def _current(self, participant: Participant) -> tuple[Step | None, int, int]:
+        """Return the step that somebody is at, its number, and how many there are."""
+        answered = self._store.answers(participant.id)
+        steps = self._steps(participant)
+        for number, step in enumerate(steps, start=1):
+            if step.key not in answered:
+                return step, number, len(steps)
+        return None, len(steps), len(steps)
+
+    def _study(self, request: Request) -> Response:
+        participant = self._participant(request)
+        if participant is None:
+            return _to("/")
+        if participant.state == "excluded":
+            return self._end(request, "excluded", self._design.codes.excluded)
+        step, number, count = self._current(participant)
+        if step is None:
+            if participant.state != "complete":
+                self._store.end(participant.id, "complete")
+            return self._end(request, "complete", self._design.codes.complete)
+        self._store.add_event(participant.id, step.key, "opened")
+        return self._page(request, participant, step, number, count)
+
+    def _page(
+        self,
+        request: Request,
+        participant: Participant,
+        step: Step,
+        number: int,
+        count: int,
+        *,
+        problem: str | None = None,
+        given: Fields | None = None,
+    ) -> Response:
+        """Show a step; again with what was given where there is a problem with it."""
+        store, design, given = self._store, self._design, given or {}
+        view: dict[str, Any] = {}
+        if step.kind == "comprehension":
+            view["questions"] = design.comprehension.questions
+        elif step.kind == "familiarity":
+            view["questions"] = [design.familiarity]
+        elif step.kind == "attention":
+            view["questions"] = [design.attention[step.number]]
+        elif step.kind == "wait":
+            view["seconds_left"] = self._seconds_left(participant, step)
+        elif step.kind in {"tell", "retell"}:
+            view["text"] = given.get("text", store.draft(participant.id, step.key))
+            view["longest"] = LONGEST_TEXT
+            first = store.answers(participant.id).get(f"tell.{step.route}")
+            view["first"] = "" if first is None else first.text
+        if step.route:
+            view["destination"] = store.study.route(step.route).goal
+            told = [s.route for s in self._steps(participant) if s.kind == "tell"]
+            view["place"] = (told.index(step.route) + 1, len(told))
+            view["film"] = (
+                f"/film/{step.route}" if self._may_watch(step, step.route) else None
+            )
+        templates = {"retell": "tell.html", "familiarity": "question.html"}
+        templates |= dict.fromkeys(["comprehension", "attention"], "question.html")
+        return self._show(
+            request,
+            templates.get(step.kind, f"{step.kind}.html"),
+            200 if problem is None else 400,
+            participant=participant,
+            step=step,
+            number=number,
+            count=count,
+            problem=problem,
+            given=given,
+            saved="saved" in request.query_params,
+            **view,
+        )
+
+    def _answer(self, request: Request, fields: Fields) -> Response:
+        participant = self._participant(request)
+        if participant is None:
+            return _to("/")
+        step, number, count = self._current(participant)
+        # A page sent twice, or from another window, is not the present one any more.
+        if participant.state != "active" or step is None or step.key != _key(request):
+            return _to("/study")
+        problem = self._takers[step.kind](participant, step, fields)
+        if problem is None:
+            return _to("/study")
+        return self._page(
+            request, participant, step, number, count, problem=problem, given=fields
+        )
+
+    def _take_nothing(
+        self, participant: Participant, step: Step, fields: Fields
+    ) -> str | None:
+        self._store.add_answer(
+            participant.id, step.key, "", shown=self._design.scenario
+        )
+        return None
+
+    def _take_comprehension(
+        self, participant: Participant, step: Step, fields: Fields
+    ) -> str | None:
+        check = self._design.comprehension
+        chosen = _chosen(check.questions, fields)
+        if chosen is None:
+            return "Please choose an answer to every question."
+        wrong = [
+            q for q, c in zip(check.questions, chosen, strict=True) if c != q.answer
+        ]
+        if not wrong:
+            self._store.add_answer(participant.id, step.key, json.dumps(chosen))
+            return None
+        self._store.add_event(participant.id, step.key, WRONG, len(wrong))
+        tries = [
+            event
+            for event in self._store.events(participant.id, step.key)
+            if event.kind == WRONG
+        ]
+        if len(tries) < check.attempts:
+            return (
+                "Not all answers were right. Please read once more what this is about."
+            )
+        self._store.add_answer(participant.id, step.key, json.dumps(chosen))
+        self._store.end(participant.id, "excluded", "comprehension")
+        return None
+
+    def _take_familiarity(
+        self, participant: Participant, step: Step, fields: Fields
+    ) -> str | None:
+        chosen = _chosen([self._design.familiarity], fields)
+        if chosen is None:
+            return "Please choose an answer."
+        self._store.add_answer(participant.id, step.key, chosen[0])
+        if chosen[0] in self._design.familiarity.excluded:
+            self._store.end(participant.id, "excluded", "familiarity")
+        return None
+
+    def _take_attention(
+        self, participant: Participant, step: Step, fields: Fields
+    ) -> str | None:
+        chosen = _chosen([self._design.attention[step.number]], fields)
+        if chosen is None:
+            return "Please choose an answer."
+        self._store.add_answer(participant.id, step.key, chosen[0])
+        return None
+
+    def _take_watched(
+        self, participant: Participant, step: Step, fields: Fields
+    ) -> str | None:
+        events = self._store.events(participant.id, step.key)
+        if not any(event.kind == WATCHED for event in events):
+            return "Please watch the video to its end first; it will not come back."
+        self._store.add_answer(participant.id, step.key, "")
+        return None
+
+    def _take_waited(
+        self, participant: Participant, step: Step, fields: Fields
+    ) -> str | None:
+        if self._seconds_left(participant, step) > 0:
+            return "It is a little too early. This page says when to go on."
+        self._store.add_answer(participant.id, step.key, "")
+        return None
+
+    def _seconds_left(self, participant: Participant, step: Step) -> int:
+        seen = self._store.answers(participant.id)[f"watch.{step.route}"].at
+        delay = 60 * (self._design.delay_minutes or 0)
+        return max(0, math.ceil(seen + delay - self._store.now()))
+
+    def _take_text(
+        self, participant: Participant, step: Step, fields: Fields
+    ) -> str | None:
+        text = fields.get("text", "").strip()
+        problem = None
+        if len(text) > LONGEST_TEXT:
+            problem = f"Please use at most {LONGEST_TEXT:,} characters."
+        elif word_count(text) < self._design.least_words:
+            problem = (
+                "That is very short. Please describe the whole way, with at least "
+                f"{self._design.least_words} words."
+            )
+        if problem is not None:
+            self._store.keep_draft(participant.id, step.key, text[:LONGEST_TEXT])
+            return problem
+        design = self._design
+        shown = design.task if step.kind == "tell" else design.robot
+        self._store.add_answer(participant.id, step.key, text, shown=shown)
+        return None
+
+    # What scripts send -----------------------------------------------------------------
+
+    def _draft(self, request: Request, fields: Fields) -> Response:
+        participant, step = self._at_work(request)
+        if step.kind not in {"tell", "retell"}:
+            raise HTTPException(404)
+        text = fields.get("text", "")
+        if len(text) > LONGEST_TEXT:
+            raise HTTPException(413, f"Please use at most {LONGEST_TEXT:,} characters.")
+        self._store.keep_draft(participant.id, step.key, text)
+        # A script wants no page; who pressed the button does.
+        return Response(status_code=204) if "quiet" in fields else _to("/study?saved")
+
+    def _event(self, request: Request, fields: Fields) -> Response:
+        participant, step = self._at_work(request)
+        try:
+            value = float(fields.get("value", "0"))
+        except ValueError:
+            value = math.nan
+        if fields.get("kind") not in EVENTS or not 0 <= value < math.inf:
+            raise HTTPException(400, "There is no such event.")
+        if not self._store.add_event(participant.id, step.key, fields["kind"], value):
+            raise HTTPException(429, "There are too many events already.")
+        return Response(status_code=204)
+
+    def _at_work(self, request: Request) -> tuple[Participant, Step]:
+        participant = self._participant(request)
+        if participant is None:
+            raise HTTPException(403, "Nobody takes part in this browser.")
+        for step in self._steps(participant):
+            if step.key == _key(request):
+                return participant, step
+        raise HTTPException(404)
+
+    def _film(self, request: Request) -> Response:
+        participant = self._participant(request)
+        route = request.path_params["route"]
+        if participant is None or route not in self._films:
+            raise HTTPException(404)
+        step, *_ = self._current(participant)
+        if step is None or not self._may_watch(step, route):
+            raise HTTPException(404)
+        return FileResponse(self._films[route], media_type="video/mp4")
+
+    def _may_watch(self, step: Step, route: str) -> bool:
+        """Return whether a video is there: from memory, it is gone while one describes."""
+        kinds = {"watch"} if self._design.kind == "memory" else {"tell", "retell"}
+        return step.kind in kinds and step.route == route
+
+    # Leaving ---------------------------------------------------------------------------
+
+    def _privacy(self, request: Request) -> Response:
+        return self._show(request, "privacy.html")
+
+    def _ask_withdrawal(self, request: Request) -> Response:
+        participant = self._participant(request)
+        if participant is None:
+            return _to("/")
+        return self._show(request, "withdraw.html", participant=participant)
+
+    def _withdraw(self, request: Request, fields: Fields) -> Response:
+        participant = self._participant(request)
+        if participant is None:
+            return _to("/")
+        done = self._store.withdraw(participant.id)
+        response = self._show(request, "withdrawn.html", exported=bool(done.exports))
+        response.delete_cookie(self._cookie)
+        return response
+
+    def _end(self, request: Request, why: str, code: str | None) -> Response:
+        address = ""
+        if code is not None:
+            address = self._design.codes.return_address.replace("{code}", code)
+        return self._show(
+            request,
+            "end.html",
+            why=why,
+            code=code,
+            address=address,
+            participant=self._participant(request),
+        )
+
+    def _show(
+        self, request: Request, template: str, status_code: int = 200, **view: Any
+    ) -> Response:
+        return render(
+            request,
+            template,
+            status_code,
+            design=self._design,
+            language=self._design.language,
+            is_simulated=self._store.is_simulated,
+            **{"participant": None, "problem": None, **view},
+        )
+
+
+def cookie_name(who: str, store: Store) -> str:
+    """Return the cookie of a role: servers on one machine share theirs between ports."""
+    place = sha256(str(store.folder.absolute()).encode()).hexdigest()[:8]
+    return f"{who}-{place}"
+
+
+def _chosen(questions: Sequence[Question], fields: Fields) -> list[str] | None:
+    """Return the choices made; None where one is missing."""
+    chosen: list[str] = []
+    for number, question in enumerate(questions):
+        answer = fields.get(f"answer.{number}", "")
+        if not answer.isdecimal() or int(answer) >= len(question.choices):
+            return None
+        chosen.append(question.choices[int(answer)])
+    return chosen
+
+
+def _key(request: Request) -> str:
+    return request.path_params["step"]
+
+
+def _to(address: str) -> Response:
+    return RedirectResponse(address, status_code=303)
