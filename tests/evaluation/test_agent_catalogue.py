@@ -11,6 +11,7 @@ from memorymaze.evaluation.agent_catalogue import (
     agent_options,
     build_agent,
     known_agent,
+    refuse_unused_model,
     settings_of,
 )
 from memorymaze.evaluation.oracle import OracleAgent
@@ -194,7 +195,7 @@ def test_a_module_is_found_in_the_current_folder(
 def test_a_language_model_for_an_agent_without_one_is_refused(option: str) -> None:
     model = ModelSettings(**{option: "x"})
     with pytest.raises(SettingsError, match="asks no language model"):
-        build_agent(AgentSettings("stop", language_model=model))
+        refuse_unused_model(AgentSettings("stop", language_model=model))
 
 
 def test_a_parser_for_an_agent_without_one_is_refused() -> None:

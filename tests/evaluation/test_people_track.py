@@ -11,12 +11,15 @@ import memorymaze as mm
 from memorymaze.errors import RunFolderError, SettingsError
 from memorymaze.evaluation.driver import run_plan
 from memorymaze.evaluation.estimates import said_beforehand
-from memorymaze.evaluation.plan import RunPlan
+from memorymaze.evaluation.plan import RunPlan, plan_run
 from memorymaze.evaluation.results import EpisodeResult, result_from_line
 from memorymaze.evaluation.run_folder import RunRecord, open_run_folder, read_run
-from memorymaze.evaluation.settings import RunDefinition, RunSettings
+from memorymaze.evaluation.settings import AgentSettings, RunDefinition, RunSettings
 from memorymaze.evaluation.summary import summarise, summary_lines
 from memorymaze.evaluation.trace import read_trace
+from memorymaze.instructions import Corpus
+from memorymaze.language.model_settings import ModelSettings
+from memorymaze.results.story.events import events_of
 from memorymaze.results.tables import load_runs, run_tables
 from memorymaze.simulation.obstacles import ObstacleSettings
 
@@ -153,6 +156,120 @@ def test_wrong_people_answer_wrongly_and_the_table_knows(
     empty = asked(passers_by="empty")
     assert empty.result.questions == 1
     assert empty.result.wrong_answers == 0
+
+
+def test_a_person_at_the_keyboard_answers_and_the_result_says_so(
+    asked: Callable[..., mm.Walk],
+) -> None:
+    line = "journal.note('heard', words=answer)"
+    walk = asked(line, passers_by="keyboard", put_to=lambda _: "Left, then ahead.")
+    assert walk.result.questions == walk.result.typed_answers == 1
+    assert walk.result.wrong_answers == 0
+    entries = {each["kind"]: each for each in walk.trace}
+    assert entries["passer_by"]["truth"] == "said"
+    assert any(each.get("words") == "Left, then ahead." for each in walk.trace)
+    assert result_from_line(json.dumps(asdict(walk.result)), "a line") == walk.result
+
+
+def test_a_person_is_asked_in_one_walk_only_and_by_nobody_else(
+    asked: Callable[..., mm.Walk], tiny_plan: Plan
+) -> None:
+    with pytest.raises(SettingsError, match="keyboard' is for one walk"):
+        tiny_plan("stop", limit=1, ask=1, obstacles=CROWD, passers_by="keyboard")
+    with pytest.raises(SettingsError, match="keyboard' is for one walk"):
+        asked(passers_by="keyboard")
+    with pytest.raises(SettingsError, match="put_to: expected with"):
+        asked(put_to=lambda _: "Left.")
+
+
+@pytest.fixture
+def played(tmp_path: Path, tiny_sites_folder: Path) -> Callable[..., mm.Walk]:
+    """Let an agent ask somebody whom a model plays, with recorded replies."""
+
+    def walk(reply: dict[str, object], **choices: object) -> mm.Walk:
+        path = tmp_path / "asker.py"
+        path.write_text(AGENT.format(line="pass"), encoding="utf-8")
+        answers = tmp_path / "answers.jsonl"
+        answers.write_text(json.dumps(reply) + "\n", encoding="utf-8")
+        agent = AgentSettings(
+            f"{path}:Asker", language_model=ModelSettings(replay=str(answers))
+        )
+        site = tiny_sites_folder / "crossing.geojson"
+        given = {"ask": 1, "obstacles": CROWD, "passers_by": "model", **choices}
+        return mm.follow("Go left.", agent, site=site, **given)
+
+    return walk
+
+
+SPOKEN = {
+    "instruction_id": "crossing-route_r1_reference",
+    "model": "canned",
+    "stage": "passer_by",
+    "reply": "Straight on and left, mind the wet floor.",
+    "prompt_tokens": 200,
+    "completion_tokens": 12,
+    "cost_usd": 0.01,
+}
+
+
+def test_a_model_plays_people_and_its_cost_is_not_the_agents(
+    played: Callable[..., mm.Walk],
+) -> None:
+    walk = played(SPOKEN)
+    result = walk.result
+    assert result.stopped_by == "agent", result.error
+    assert (result.strangers_tokens, result.strangers_cost_usd) == (212, 0.01)
+    assert (result.tokens, result.model_calls, result.cost_usd) == (0, 0, 0)
+    [entry] = [each for each in walk.trace if each["kind"] == "passer_by"]
+    assert entry["model"] == "canned"
+    call = next(each for each in walk.trace if each.get("result") == SPOKEN["reply"])
+    assert call["call"] == "ask"
+    told = [each.text for each in events_of(walk.trace)]
+    assert any("words of a language model, canned" in text for text in told)
+
+
+def test_a_model_that_does_not_answer_ends_the_walk_as_its_error(
+    played: Callable[..., mm.Walk],
+) -> None:
+    walk = played({**SPOKEN, "stage": "step"})
+    assert walk.stopped_by == "model_error"
+    assert "passer_by of 'crossing-route_r1_reference'" in str(walk.result.error)
+
+
+def test_a_model_that_plays_people_has_to_be_named(tiny_plan: Plan) -> None:
+    with pytest.raises(SettingsError, match="name a language model"):
+        tiny_plan("stop", limit=1, ask=1, obstacles=CROWD, passers_by="model")
+
+
+def test_a_model_that_nobody_asks_is_refused(played: Callable[..., mm.Walk]) -> None:
+    with pytest.raises(SettingsError, match="asks no language model"):
+        played(SPOKEN, passers_by="memory")
+
+
+def test_a_run_with_a_model_in_role_tells_what_its_words_cost(
+    tiny_sites_folder: Path, tiny_corpus: Corpus, tmp_path: Path
+) -> None:
+    agent = tmp_path / "asker.py"
+    agent.write_text(AGENT.format(line="pass"), encoding="utf-8")
+    answers = tmp_path / "answers.jsonl"
+    ids = {each.instruction.id for each in tiny_corpus.episodes}
+    answers.write_text(
+        "".join(json.dumps({**SPOKEN, "instruction_id": each}) + "\n" for each in ids),
+        encoding="utf-8",
+    )
+    model = ModelSettings(replay=str(answers))
+    plan = plan_run(
+        AgentSettings(f"{agent}:Asker", language_model=model),
+        tiny_corpus,
+        RunSettings(ask=1, obstacles=CROWD, passers_by="model", limit=3),
+    )
+    results = run_plan(plan, tmp_path / "run", workers=1)
+    asked = sum(each.questions for each in results)
+    assert asked > 0
+    assert sum(each.strangers_tokens for each in results) == 212 * asked
+    lines = "\n".join(summary_lines(summarise(results, plan.settings)))
+    assert "passers-by's words by a language model" in lines
+    assert any("A LANGUAGE MODEL" in line for line in said_beforehand(plan))
 
 
 def test_a_run_with_people_is_kept_and_not_taken_up_with_others(

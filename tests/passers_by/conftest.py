@@ -2,14 +2,13 @@
 
 import math
 from collections.abc import Callable
-from typing import Any
 
 import numpy as np
 import pytest
 
 from memorymaze.geometry.grid import FloorGrid
 from memorymaze.geometry.pose import Pose
-from memorymaze.passers_by import Encounters, FloorKnowledge
+from memorymaze.passers_by import Encounters, FloorKnowledge, Meet, Memory, load_bank
 from memorymaze.simulation import SimulatedRobot, SimulationSettings, build_scene
 from memorymaze.simulation.obstacles import ObstacleSettings
 from memorymaze.simulation.obstacles.crowd import Person
@@ -35,13 +34,13 @@ def met(t_site: Site) -> Callable[..., tuple[SimulatedRobot, Encounters, Person]
         destination: str = "the library",
         seed: int = 0,
         error_rate: float = 0.0,
-        **choices: Any,
+        time_budget: float = 100.0,
+        meet: Meet | None = None,
     ) -> tuple[SimulatedRobot, Encounters, Person]:
-        budget = choices.pop("time_budget", 100.0)
         robot = SimulatedRobot(
             build_scene(t_site, ObstacleSettings(things_per_100m=0, people=1)),
             Pose(0, -6, math.pi / 2),
-            SimulationSettings(time_budget=budget),
+            SimulationSettings(time_budget=time_budget),
             np.random.default_rng(0),
             obstacles_rng=np.random.default_rng(0),
         )
@@ -49,15 +48,17 @@ def met(t_site: Site) -> Callable[..., tuple[SimulatedRobot, Encounters, Person]
         assert robot.surroundings.crowd is not None
         [somebody] = robot.surroundings.crowd.people
         somebody.x, somebody.y, somebody.vx, somebody.vy = *person, 0.0, 0.0
+        floor = FloorKnowledge(t_site, FloorGrid.from_polygon(t_site.walkable_floor))
         encounters = Encounters(
             robot,
-            FloorKnowledge(t_site, FloorGrid.from_polygon(t_site.walkable_floor)),
+            meet
+            or (
+                lambda number, _: Memory(
+                    (seed, number), floor, load_bank(), error_rate, 3.0
+                )
+            ),
             destination,
             questions,
-            seed=(seed,),
-            error_rate=error_rate,
-            success_distance=3.0,
-            **choices,
         )
         return robot, encounters, somebody
 

@@ -19,6 +19,9 @@ from memorymaze.cli.verbs import Verbs, add_site_and_route, file_stem
 from memorymaze.wording import counted
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from memorymaze.passers_by import Briefing
     from memorymaze.results.watching import Onlooker
     from memorymaze.sites import Route, Site
 
@@ -69,6 +72,12 @@ def _run(options: argparse.Namespace) -> int:
     from memorymaze.evaluation.navigation import check_folder
     from memorymaze.evaluation.outcomes import outcome_line
 
+    settings = episode_settings(options, mm.RunSettings())
+    asks_here = settings.passers_by == "keyboard"
+    if asks_here:
+        from memorymaze.results.watching import check_keyboard
+
+        check_keyboard()
     site = mm.load_site(options.site)
     route = site.find_route(options.route)
     folder = Path(options.out or _default_folder(site.name, route.id))
@@ -82,8 +91,9 @@ def _run(options: argparse.Namespace) -> int:
                 agent_settings(options),
                 site=site,
                 route=route.id,
-                settings=episode_settings(options, mm.RunSettings()),
+                settings=settings,
                 watcher=onlooker,
+                put_to=_answering(onlooker) if asks_here else None,
             )
         if onlooker is not None:
             onlooker.end(outcome_line(walk.result))
@@ -109,6 +119,20 @@ def _run(options: argparse.Namespace) -> int:
         print(
             f"{counted(result.refused_turns, 'turn')} refused: the trace says why "
             "(calls of turn with turned false)"
+        )
+    if settings.ask is not None:
+        told = f"{result.wrong_answers} of them wrongly"
+        if asks_here:
+            told = f"{result.typed_answers} of them by a person at the keyboard"
+        print(
+            f"passers-by: {counted(result.questions, 'question')} answered, {told}, "
+            f"{result.asked_in_vain} put to nobody; they stand {result.strangers_s:.1f} s"
+        )
+    if result.strangers_tokens:
+        print(
+            "passers-by's words by a language model: "
+            f"{counted(result.strangers_tokens, 'token')}, "
+            f"{result.strangers_cost_usd:.4f} USD"
         )
     if result.model_calls:
         print(
@@ -137,6 +161,13 @@ def _onlooker(
     return stack.enter_context(
         watching(options.watch, site, route, options.text, title, options.pace)
     )
+
+
+def _answering(onlooker: "Onlooker | None") -> "Callable[[Briefing], str]":
+    """Return what has somebody at the keyboard answer."""
+    from memorymaze.results.watching import type_answer
+
+    return type_answer if onlooker is None else onlooker.answer
 
 
 def _default_folder(site: str, route: str) -> Path:

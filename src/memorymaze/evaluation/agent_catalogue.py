@@ -235,7 +235,6 @@ def build_agent(
     if given is None and not settings.is_own:
         return _build_known(settings)
     if given is None:
-        _refuse_model(settings)
         _refuse_parser(settings)
     own = make_own_agent(settings.name, settings.options) if given is None else given
     if isolate:
@@ -248,8 +247,6 @@ def build_agent(
 
 def _build_known(settings: AgentSettings) -> AgentFor:
     known = known_agent(settings.name)
-    if not has_language_model(settings):
-        _refuse_model(settings)
     _refuse_parser(settings)
     options = None
     if known.options is not None:
@@ -283,14 +280,21 @@ def _refuse_parser(settings: AgentSettings) -> None:
         )
 
 
-def _refuse_model(settings: AgentSettings) -> None:
+def refuse_unused_model(settings: AgentSettings, given: Agent | None = None) -> None:
+    """Refuse settings of a language model where the agent asks none.
+
+    Raises:
+        SettingsError: There is such a setting.
+    """
+    if given is not None or has_language_model(settings):
+        return
     askers = [name for name in agent_names() if has_language_model(AgentSettings(name))]
     for field in (each for each in fields(ModelSettings) if each.metadata):
         # Users' own agents may ask a model that only they know of.
-        given = getattr(settings.language_model, field.name) != field.default
-        if given and not (settings.is_own and field.name == "inference_time"):
+        is_set = getattr(settings.language_model, field.name) != field.default
+        if is_set and not (settings.is_own and field.name == "inference_time"):
             raise SettingsError(
                 f"--{field.name.replace('_', '-')}: the agent {settings.name!r} asks no "
                 "language model; leave the option out, or choose --agent "
-                f"{' or '.join(askers)}"
+                f"{' or '.join(askers)}, or --ask N --passers-by model"
             )

@@ -16,9 +16,10 @@ from memorymaze.errors import (
     LanguageModelError,
     ProgramError,
 )
-from memorymaze.evaluation.agent_catalogue import build_agent
+from memorymaze.evaluation.agent_catalogue import build_agent, has_language_model
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.episode import run_episode
+from memorymaze.evaluation.people_to_ask import model_of_people
 from memorymaze.evaluation.settings import AgentSettings, AnswersTaken
 from memorymaze.input_files import stamp_file
 from memorymaze.instructions.records import Episode
@@ -47,7 +48,9 @@ def answers_taken(
     if model is None or file is None:
         return None
     versions = model.versions()
-    wanted = list(dict.fromkeys(each.instruction.id for each in episodes))
+    # Whom a robot will ask on the way, and so what a model in role says, nobody knows.
+    asking = episodes if has_language_model(settings) else ()
+    wanted = list(dict.fromkeys(each.instruction.id for each in asking))
     known = {instruction for instruction, _ in versions}
     missing = [each for each in wanted if versions and each not in known]
     if missing and isinstance(model.answers, AnswerFile):
@@ -92,8 +95,9 @@ def open_requests(plan: "RunPlan") -> Iterator[CompletionRequest]:
     agent_for = build_agent(plan.settings.agent)
     settings = plan.settings
     eyes = Eyes(settings.detector, settings.signs)
+    people = model_of_people(settings, settings.agent)
     arenas = {
-        name: Arena(site, settings.obstacles, eyes, settings.looks)
+        name: Arena(site, settings.obstacles, eyes, settings.looks, people)
         for name, site in plan.sites.items()
     }
     for episode in plan.episodes:

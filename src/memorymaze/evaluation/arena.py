@@ -10,6 +10,7 @@ from memorymaze.evaluation.seeds import obstacle_generator
 from memorymaze.geometry.grid import FloorGrid
 from memorymaze.geometry.trajectory import Trajectory
 from memorymaze.instructions.records import Episode
+from memorymaze.language.model import LanguageModel
 from memorymaze.passers_by import FloorKnowledge
 from memorymaze.perception.eyes import Eyes
 from memorymaze.pictures import robot_cameras
@@ -37,16 +38,19 @@ class Arena:
         obstacles: ObstacleSettings | None = None,
         eyes: Eyes | None = None,
         looks: Looks | None = None,
+        people_model: LanguageModel | None = None,
     ) -> None:
         """Stand for a site; nothing is built yet.
 
         Without eyes, detector and reader of signs know the truth; without looks, things look
-        like models where they were converted.
+        like models where they were converted; without a model, people one can ask find
+        their words elsewhere.
         """
         self.site = site
         self.obstacles = obstacles
         self.eyes = eyes or Eyes()
         self.looks: Looks | None = looks
+        self.people_model = people_model
 
     @cached_property
     def scene(self) -> Scene:

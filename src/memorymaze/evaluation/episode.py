@@ -4,9 +4,8 @@ Whatever the agent does, there is a result; nothing it raises gets out of here.
 """
 
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from statistics import fmean
 from typing import Any, NamedTuple, Protocol, cast
 
 from memorymaze.agents.agent import Agent, Journal
@@ -22,11 +21,11 @@ from memorymaze.errors import (
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.budgets import episode_time_budget
 from memorymaze.evaluation.guarded_robot import AskingGuardedRobot, GuardedRobot
+from memorymaze.evaluation.people_to_ask import PutTo, people_around
 from memorymaze.evaluation.results import EpisodeResult, StoppedBy, measure_walk
 from memorymaze.evaluation.seeds import (
     detector_generator,
     episode_generators,
-    passers_by_seed,
 )
 from memorymaze.evaluation.settings import RunDefinition
 from memorymaze.evaluation.trace_entries import (
@@ -38,10 +37,9 @@ from memorymaze.evaluation.trace_entries import (
 )
 from memorymaze.geometry.trajectory import Trajectory
 from memorymaze.instructions.records import Episode
-from memorymaze.passers_by import Asked, Encounters, asked_entry
+from memorymaze.passers_by import asked_entry
 from memorymaze.robot.steps import SteppingRobot
 from memorymaze.simulation import SimulatedRobot
-from memorymaze.writing.request import cell_rates
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,6 +72,7 @@ def run_episode(
     arena: Arena,
     settings: RunDefinition,
     watcher: Watcher | None = None,
+    put_to: PutTo | None = None,
 ) -> EpisodeRun:
     """Let an agent follow an instruction, and score its walk.
 
@@ -88,15 +87,16 @@ def run_episode(
         arena: The site of the episode.
         settings: Of the run; seed, budgets and success distance count here.
         watcher: Looks on.
+        put_to: Has a person answer for people whom the robot asks.
 
     Raises:
         UndefinedMetricError: The episode's reference path leaves the floor.
         KeyboardInterrupt: Passed on.
         SpendingLimitReached: Passed on; an episode that is broken off has no result.
     """
-    run = _attempt(agent, episode, arena, settings, watcher)
+    run = _attempt(agent, episode, arena, settings, watcher, put_to)
     if run.interpreter_lost:
-        run = _attempt(agent, episode, arena, settings, watcher)
+        run = _attempt(agent, episode, arena, settings, watcher, put_to)
     return run
 
 
@@ -106,6 +106,7 @@ def _attempt(
     arena: Arena,
     settings: RunDefinition,
     watcher: Watcher | None,
+    put_to: PutTo | None,
 ) -> EpisodeRun:
     robot_rng, agent_rng = episode_generators(settings.seed, episode.id)
     way = arena.site.route(episode.instruction.reference_route)
@@ -124,14 +125,18 @@ def _attempt(
         lambda event: tell(call_entry(event)),
         detector_generator(settings.seed, episode.id),
     )
-    people = _people_to_ask(
-        robot,
-        episode,
-        arena,
-        settings,
-        destination,
-        lambda asked: tell(asked_entry(asked)),
-    )
+    people = None
+    if settings.ask is not None and destination is not None:
+        people = people_around(
+            robot,
+            episode,
+            arena,
+            settings,
+            destination,
+            settings.ask,
+            lambda asked: tell(asked_entry(asked)),
+            put_to,
+        )
     journal = Journal(
         listener=lambda entry: tell(note_entry(robot.time, entry)),
         on_completion=lambda reply: robot.wait(
@@ -197,7 +202,10 @@ def _attempt(
         questions=len(asked),
         asked_in_vain=0 if people is None else people.in_vain,
         wrong_answers=sum(each.truth == "wrong" for each in asked),
+        typed_answers=sum(each.truth == "said" for each in asked),
         strangers_s=strangers_s,
+        strangers_tokens=sum(each.tokens for each in asked),
+        strangers_cost_usd=sum(each.cost_usd for each in asked),
         answers_left_m=tuple(
             round(float(metres), 3)
             for metres in finished.distances_to_goal([each.place for each in asked])
@@ -206,35 +214,6 @@ def _attempt(
         else (),
     )
     return EpisodeRun(result, walk, tuple(trace), interpreter_lost)
-
-
-def _people_to_ask(
-    robot: SimulatedRobot,
-    episode: Episode,
-    arena: Arena,
-    settings: RunDefinition,
-    destination: str | None,
-    on_answer: Callable[[Asked], None],
-) -> Encounters | None:
-    """Return whom the robot can ask; None in all tracks but that one."""
-    if settings.ask is None or destination is None:
-        return None
-    told = episode.instruction
-    rates = [
-        cell_rates("onsite", iteration, told.site, told.route, turns=0).failure
-        for iteration in (1, 2)
-    ]
-    return Encounters(
-        robot,
-        arena.floor,
-        destination,
-        settings.ask,
-        seed=passers_by_seed(settings.seed, episode.id),
-        error_rate=fmean(rates),
-        success_distance=settings.success_distance,
-        kind=settings.passers_by,
-        on_answer=on_answer,
-    )
 
 
 class _Ending(NamedTuple):

@@ -14,6 +14,7 @@ from memorymaze.evaluation.agent_catalogue import build_agent
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.episode import run_episode
 from memorymaze.evaluation.eyes import checked_eyes
+from memorymaze.evaluation.people_to_ask import model_of_people
 from memorymaze.evaluation.plan import RunPlan
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.settings import RunDefinition
@@ -90,8 +91,9 @@ class EpisodeWorker:
         obstacles, looks = self.settings.obstacles, self.settings.looks
         # On another machine than the plan's they may be missing.
         eyes = checked_eyes(self.settings)
+        people = model_of_people(self.settings, self.settings.agent)
         arenas = {
-            name: Arena(site, obstacles, eyes, looks)
+            name: Arena(site, obstacles, eyes, looks, people)
             for name, site in self.sites.items()
         }
 

@@ -22,6 +22,11 @@ from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.episode import EpisodeRun, Watcher, run_episode
 from memorymaze.evaluation.eyes import checked_eyes
 from memorymaze.evaluation.outcomes import outcome_line
+from memorymaze.evaluation.people_to_ask import (
+    PutTo,
+    check_people,
+    model_of_people,
+)
 from memorymaze.evaluation.plan import define_run
 from memorymaze.evaluation.settings import RunSettings
 from memorymaze.evaluation.trace import trace_lines
@@ -51,6 +56,7 @@ def navigate(
     settings: RunSettings | None = None,
     *,
     watcher: Watcher | None = None,
+    put_to: PutTo | None = None,
 ) -> EpisodeRun:
     """Let an agent follow one instruction from the start of a route."""
     if not text.strip():
@@ -58,6 +64,7 @@ def navigate(
     settings = settings or RunSettings()
     eyes = checked_eyes(settings)
     chosen, given = settings_of(agent)
+    check_people(settings, chosen, given, put_to)
     follower = build_agent(
         chosen, given, isolate=settings.isolate, kept_from=[site.source]
     )
@@ -71,8 +78,9 @@ def navigate(
         reference_route=route.id,
     )
     [episode] = episodes([told], {site.name: site})
-    arena = Arena(site, settings.obstacles, eyes, definition.looks)
-    return run_episode(follower(episode), episode, arena, definition, watcher)
+    people = model_of_people(settings, chosen)
+    arena = Arena(site, settings.obstacles, eyes, definition.looks, people)
+    return run_episode(follower(episode), episode, arena, definition, watcher, put_to)
 
 
 def _met_in(trace: Sequence[dict[str, Any]]) -> Met | None:

@@ -18,6 +18,7 @@ from memorymaze.evaluation.answers import answers_taken
 from memorymaze.evaluation.budgets import time_budget_for
 from memorymaze.evaluation.eyes import checked_eyes, looks_of_run
 from memorymaze.evaluation.language_agents import parses_first
+from memorymaze.evaluation.people_to_ask import check_people
 from memorymaze.evaluation.sampling import sample
 from memorymaze.evaluation.second_tellings import (
     texts_told_once,
@@ -68,6 +69,7 @@ def plan_run(
         chosen_agent = replace(chosen_agent, parser=parses_first(chosen_agent))
     if given is None:
         chosen_agent = _told_heading(chosen_agent, corpus)
+    check_people(settings, chosen_agent, given)
     agent_for = build_agent(chosen_agent, given, isolate=settings.isolate)
     followed, told_once = corpus.of_split(settings.split), 0
     if settings.second_telling:

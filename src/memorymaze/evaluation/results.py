@@ -198,11 +198,17 @@ class EpisodeResult:
     """Questions with nobody near, which cost none."""
     wrong_answers: Annotated[int, Measure(is_amount=True)] = 0
     """Answers that say something wrong; not those who do not know."""
+    typed_answers: Annotated[int, Measure(is_amount=True)] = 0
+    """Answers that a person put into words, of which nobody knows whether they are right."""
     strangers_s: Annotated[
         FiniteFloat, Measure("strangers' s", digits=1, is_amount=True)
     ] = 0.0
     """Simulated seconds that passers-by stood and spoke; in `duration_s`, but not against
     the time budget."""
+    strangers_tokens: Annotated[int, Measure(is_amount=True)] = 0
+    """Of the language model that played passers-by; apart from the agent's `tokens`."""
+    strangers_cost_usd: Annotated[FiniteFloat, Measure(is_amount=True)] = 0.0
+    """What that cost; apart from the agent's `cost_usd`."""
     answers_left_m: tuple[FiniteFloat, ...] = ()
     """Shortest walk left to the goal when each answer came, metres."""
 

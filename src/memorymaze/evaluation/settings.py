@@ -169,8 +169,9 @@ class RunSettings:
     ask so many questions, 0 for none (with obstacles as in medium, where none are given;
     docs/asking.md). Results are a track of their own"""
     passers_by: PassersBy = field(default="memory", metadata={"metavar": "KIND"})
-    """with --ask: how people answer: memory, with the errors of memory; or as a control
-    wrong, all of them, or empty, as nobody knows anything"""
+    """with --ask: how people answer: memory, with the errors of memory; as a control wrong,
+    all of them, or empty, as nobody knows anything; model, the model of --model says what
+    they remember; keyboard, you do, in memorymaze navigate"""
     detector: DetectorSettings = field(
         default=TRUTH,
         metadata={"metavar": "NAME[:SETTINGS]", "reader": parse_detector},
@@ -365,6 +366,9 @@ def people_to_ask(settings: RunDefinition) -> str | None:
         "memory": "who answer from memory",
         "wrong": "ALL OF WHOM ANSWER WRONGLY",
         "empty": "NONE OF WHOM KNOWS ANYTHING",
+        "keyboard": "for all of whom A PERSON AT THE KEYBOARD answers",
+        "model": "whose words A LANGUAGE MODEL MAKES from what they remember: "
+        f"{settings.agent.language_model.model or 'one whose replies were recorded'}",
     }
     return (
         f"the destination's name is told, and {counted(settings.ask, 'question')} an "

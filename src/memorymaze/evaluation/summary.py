@@ -102,6 +102,12 @@ def summary_lines(summary: dict[str, Any]) -> list[str]:
             f"{total['wrong_answers']} of them wrongly, {total['asked_in_vain']} put to "
             f"nobody; strangers stand {mean['strangers_s']:.1f} s per episode"
         )
+    if total["strangers_tokens"]:
+        lines.append(
+            "passers-by's words by a language model: "
+            f"{counted(total['strangers_tokens'], 'token')}, "
+            f"{total['strangers_cost_usd']:.4f} USD, apart from the agent's"
+        )
     if total["model_calls"]:
         lines.append(
             f"language model: {counted(total['model_calls'], 'call')}, "

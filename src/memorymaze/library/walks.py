@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from PIL.Image import Image
 
     from memorymaze.evaluation.episode import EpisodeRun, Watcher
+    from memorymaze.evaluation.people_to_ask import PutTo
     from memorymaze.evaluation.results import EpisodeResult
     from memorymaze.geometry.trajectory import Trajectory
 
@@ -104,6 +105,7 @@ def follow(
     route: str = "R1",
     settings: RunSettings | None = None,
     watcher: "Watcher | None" = None,
+    put_to: "PutTo | None" = None,
     **choices: Any,
 ) -> Walk:
     """Let an agent follow one instruction from the start of a route.
@@ -116,6 +118,8 @@ def follow(
         route: Gives start and goal: `R1`, or the id of a way.
         settings: How the episode is run; the defaults when None.
         watcher: Looks on while the agent follows.
+        put_to: With `passers_by="keyboard"`: called with each question to a passer-by and
+            what is true of it, returns what they say; nothing for "I don't know".
         **choices: Settings to change, such as `seed=1` or `obstacles="light"`; see
             `RunSettings` and `SimulationSettings`.
 
@@ -132,6 +136,7 @@ def follow(
         agent,
         with_choices(settings or RunSettings(), choices),
         watcher=watcher,
+        put_to=put_to,
     )
     return Walk(text, building, way, run)
 

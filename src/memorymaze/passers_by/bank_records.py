@@ -2,6 +2,7 @@
 
 import math
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Annotated, Literal, get_args
 
@@ -85,6 +86,15 @@ class WayFacts:
     destination: str
     metres: float
     """Length of the last stretch, from the last turn (or the start) to the destination."""
+
+
+@dataclass(frozen=True, slots=True)
+class Reply:
+    """What somebody tells who tells no way."""
+
+    case: str
+    """One of `REPLY_CASES`, to a question of its kind."""
+    slots: Mapping[str, str]
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,19 +2,34 @@
 
 from collections.abc import Callable
 from dataclasses import asdict, dataclass
-from typing import Any, cast, get_args
+from typing import Any, Protocol, cast, get_args
 
 from memorymaze.errors import CommandError
-from memorymaze.passers_by.bank import load_bank
-from memorymaze.passers_by.knowledge import FloorKnowledge
-from memorymaze.passers_by.memory import Memory, Truth
+from memorymaze.geometry.pose import Pose
+from memorymaze.passers_by.memory import Told, Truth
 from memorymaze.robot.asking import Question, QuestionKind
 from memorymaze.simulation import SimulatedRobot
-from memorymaze.simulation.obstacles import PassersBy
 from memorymaze.simulation.obstacles.crowd import Person
 
 MOST_CHARACTERS = 200
 """Of what is asked about."""
+
+
+class PasserBy(Protocol):
+    """Somebody who can be asked."""
+
+    @property
+    def is_reliable(self) -> bool | None:
+        """Whether they answer without errors; None where nobody can tell."""
+        ...
+
+    def answer(self, question: Question, here: Pose) -> Told:
+        """Answer where one stands, facing as the asker faces."""
+        ...
+
+
+Meet = Callable[[int, int], PasserBy]
+"""Returns who answers, by the number of the person and, from 1, of the question."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,13 +42,18 @@ class Asked:
     """Where robot and person stood, metres."""
     person: str
     """Id of the person."""
-    reliable: bool
-    """Whether the person answers without errors."""
+    reliable: bool | None
+    """Whether the person answers without errors; None where nobody can tell."""
     truth: Truth
     error: str
     """What is wrong with the answer; empty where nothing is."""
     seconds: float
     """How long question and answer took."""
+    model: str | None = None
+    """Language model that put the answer into words, where one did."""
+    tokens: int = 0
+    """Of its request and reply together."""
+    cost_usd: float = 0.0
 
 
 class Encounters:
@@ -42,14 +62,9 @@ class Encounters:
     def __init__(
         self,
         robot: SimulatedRobot,
-        floor: FloorKnowledge,
+        meet: Meet,
         destination: str,
         questions: int,
-        *,
-        seed: tuple[int, ...],
-        error_rate: float,
-        success_distance: float,
-        kind: PassersBy = "memory",
         on_answer: Callable[[Asked], None] | None = None,
     ) -> None:
         """Wait for the first question of so many."""
@@ -61,11 +76,7 @@ class Encounters:
         self.in_vain = 0
         """Questions with nobody near."""
         self._robot = robot
-        self._floor = floor
-        self._seed = seed
-        self._error_rate = error_rate
-        self._success_distance = success_distance
-        self._kind: PassersBy = kind
+        self._meet = meet
         self._on_answer = on_answer
 
     @property
@@ -82,16 +93,24 @@ class Encounters:
         made: dict[str, Any] = {}
 
         def answer(person: Person) -> str:
-            memory = self._memory_of(person)
-            told = memory.answer(asked, self._robot.pose)
+            number = int(person.record.id.rpartition("-")[2])
+            somebody = self._meet(number, len(self.asked) + 1)
+            told = somebody.answer(asked, self._robot.pose)
             made.update(
                 time=self._robot.time,
                 place=(self._robot.pose.x, self._robot.pose.y),
                 person=person.record.id,
-                reliable=memory.is_reliable,
+                reliable=somebody.is_reliable,
                 truth=told.truth,
                 error=told.error,
             )
+            if told.completion is not None:
+                usage = told.completion.usage
+                made.update(
+                    model=told.completion.model,
+                    tokens=usage.prompt_tokens + usage.completion_tokens,
+                    cost_usd=usage.cost_usd or 0.0,
+                )
             return told.words
 
         words = self._robot.ask(asked, answer)
@@ -105,25 +124,14 @@ class Encounters:
             self._on_answer(self.asked[-1])
         return words
 
-    def _memory_of(self, person: Person) -> Memory:
-        number = int(person.record.id.rpartition("-")[2])
-        return Memory(
-            (*self._seed, number),
-            self._floor,
-            load_bank(),
-            self._error_rate,
-            self._success_distance,
-            self._kind,
-        )
-
 
 def asked_entry(asked: Asked) -> dict[str, Any]:
     """Return what a trace tells of an answer besides its words."""
-    return {
-        "kind": "passer_by",
-        **asdict(asked),
-        "place": [round(each, 3) for each in asked.place],
-    }
+    told = asdict(asked) | {"place": [round(each, 3) for each in asked.place]}
+    if asked.model is None:
+        for name in ("model", "tokens", "cost_usd"):
+            del told[name]
+    return {"kind": "passer_by", **told}
 
 
 def _checked(question: object) -> Question:

@@ -13,8 +13,9 @@ from shapely import Point
 
 from memorymaze.geometry.pose import Pose
 from memorymaze.instructions.error_kinds import kinds_of
+from memorymaze.language.model import Completion
 from memorymaze.passers_by.bank import Bank
-from memorymaze.passers_by.bank_records import Start, TurnFact, WayFacts
+from memorymaze.passers_by.bank_records import Reply, Start, TurnFact, WayFacts
 from memorymaze.passers_by.knowledge import (
     FURTHER_ON,
     FloorKnowledge,
@@ -22,13 +23,13 @@ from memorymaze.passers_by.knowledge import (
     WayThere,
 )
 from memorymaze.robot.asking import Question
-from memorymaze.simulation.obstacles import PassersBy
 from memorymaze.writing.mistakes import possible_mistakes
 from memorymaze.writing.route_facts import RouteFacts
 from memorymaze.writing.steps import Step, StepPlan
 from memorymaze.writing.things import thing_called, with_article
 
-Truth = Literal["right", "wrong", "unknown"]
+Truth = Literal["right", "wrong", "unknown", "said"]
+"""What is known of an answer; `said` where a person put it, whose words nobody checks."""
 
 NOT_KNOWN = 0.1
 """Share of questions to which a person says that they do not know."""
@@ -53,6 +54,18 @@ class Told:
     truth: Truth
     error: str = ""
     """What is wrong, in words; empty where nothing is."""
+    completion: Completion | None = None
+    """Of a language model that put it into words."""
+
+
+@dataclass(frozen=True, slots=True)
+class Recalled:
+    """What comes to somebody's mind, before it is put into words."""
+
+    facts: WayFacts | Reply
+    truth: Truth
+    error: str = ""
+    """As in `Told`."""
 
 
 @dataclass(frozen=True)
@@ -67,7 +80,8 @@ class Memory:
     """Share of people who are not reliable."""
     success_distance: float
     """Metres from a place within which one is there, as one walks."""
-    kind: PassersBy = "memory"
+    kind: Literal["memory", "wrong", "empty"] = "memory"
+    """The last two are controls: wrong in all, and knowing nothing."""
 
     @property
     def is_reliable(self) -> bool:
@@ -77,68 +91,60 @@ class Memory:
     def answer(self, question: Question, here: Pose) -> Told:
         """Answer a question where one stands, facing as the asker faces."""
         rng = self._rng(question.kind, question.about)
+        recalled = self._recall(question, here, rng)
+        match recalled.facts:
+            case WayFacts() as way:
+                words = self.bank.way(way, rng, self.voice)
+            case Reply(case, slots):
+                words = self.bank.reply(question.kind, case, slots, rng, self.voice)
+        return Told(words, recalled.truth, recalled.error)
+
+    def recall(self, question: Question, here: Pose) -> Recalled:
+        """Return what is remembered, for somebody else to put into words."""
+        return self._recall(question, here, self._rng(question.kind, question.about))
+
+    @property
+    def voice(self) -> str:
+        """How the person speaks: one of the bank's manners."""
+        return str(self._rng("voice").choice(self.bank.manners))
+
+    def _recall(
+        self, question: Question, here: Pose, rng: np.random.Generator
+    ) -> Recalled:
         knows = rng.random() >= NOT_KNOWN or self.kind == "wrong"
         errs = self.kind == "wrong" or not self.is_reliable
         if self.kind == "empty" or not knows:
-            return self._unknown(question, rng)
+            return _unknown(question)
         if question.kind == "way_to":
             return self._way_to(question, here, rng, errs=errs)
         place = self.floor.nearest_called(question.about, here)
         if place is None:
-            return self._unknown(question, rng)
+            return _unknown(question)
         if question.kind == "where_is":
-            return self._where_is(question, place, here, rng, errs=errs)
-        return self._is_this(question, place, here, rng, errs=errs)
+            return self._where_is(question, place, here, errs=errs)
+        return self._is_this(question, place, here, errs=errs)
 
     def _rng(self, *about: str) -> np.random.Generator:
         digest = hashlib.sha256("\0".join(about).encode()).digest()
         return np.random.default_rng([*self.seed, int.from_bytes(digest[:8], "big")])
 
-    @property
-    def _voice(self) -> str:
-        return str(self._rng("voice").choice(self.bank.manners))
-
-    def _reply(
-        self,
-        question: Question,
-        case: str,
-        slots: dict[str, str],
-        rng: np.random.Generator,
-    ) -> str:
-        return self.bank.reply(question.kind, case, slots, rng, self._voice)
-
-    def _unknown(self, question: Question, rng: np.random.Generator) -> Told:
-        slot, case = {
-            "way_to": ("destination", "unknown"),
-            "where_is": ("thing", "unknown"),
-            "is_this": ("place", "unsure"),
-        }[question.kind]
-        words = self._reply(question, case, {slot: question.about}, rng)
-        return Told(words, "unknown")
-
     def _way_to(
         self, question: Question, here: Pose, rng: np.random.Generator, *, errs: bool
-    ) -> Told:
+    ) -> Recalled:
         way = self.floor.way_to(question.about, here)
         if way is None:
-            return self._unknown(question, rng)
+            return _unknown(question)
         plan = told_plan(way.facts, rng)
         remembered = misremembered(way, plan, rng) if errs else (plan, "")
         if remembered is None:
-            return self._unknown(question, rng)
+            return _unknown(question)
         said, error = remembered
-        words = self.bank.way(way_facts(way, said, plan), rng, self._voice)
-        return Told(words, "wrong" if errs else "right", error)
+        facts = way_facts(way, said, plan)
+        return Recalled(facts, "wrong" if errs else "right", error)
 
     def _where_is(
-        self,
-        question: Question,
-        place: NamedPlace,
-        here: Pose,
-        rng: np.random.Generator,
-        *,
-        errs: bool,
-    ) -> Told:
+        self, question: Question, place: NamedPlace, here: Pose, *, errs: bool
+    ) -> Recalled:
         found = self.floor.whereabouts(place, here)
         true = _as_told(found.bearing)
         case = true
@@ -147,20 +153,13 @@ class Memory:
         slots = {"thing": question.about, "metres": f"{found.metres:.0f}"}
         if found.near is not None:
             slots["near"] = found.near
-        words = self._reply(question, case, slots, rng)
         if not errs:
-            return Told(words, "right")
-        return Told(words, "wrong", f"says {case}; it is {true}")
+            return Recalled(Reply(case, slots), "right")
+        return Recalled(Reply(case, slots), "wrong", f"says {case}; it is {true}")
 
     def _is_this(
-        self,
-        question: Question,
-        place: NamedPlace,
-        here: Pose,
-        rng: np.random.Generator,
-        *,
-        errs: bool,
-    ) -> Told:
+        self, question: Question, place: NamedPlace, here: Pose, *, errs: bool
+    ) -> Recalled:
         metres = self.floor.walk_to(here, place)
         bearing = self.floor.whereabouts(place, here).bearing
         if self.kind == "memory":
@@ -173,10 +172,19 @@ class Memory:
             case, slots["where"] = "not_yet", bearing
         elif around is not None:
             slots["near"] = around
-        words = self._reply(question, case, slots, rng)
         if not errs:
-            return Told(words, "right")
-        return Told(words, "wrong", f"says {case}; it is {metres:.1f} m away")
+            return Recalled(Reply(case, slots), "right")
+        error = f"says {case}; it is {metres:.1f} m away"
+        return Recalled(Reply(case, slots), "wrong", error)
+
+
+def _unknown(question: Question) -> Recalled:
+    slot, case = {
+        "way_to": ("destination", "unknown"),
+        "where_is": ("thing", "unknown"),
+        "is_this": ("place", "unsure"),
+    }[question.kind]
+    return Recalled(Reply(case, {slot: question.about}), "unknown")
 
 
 def told_plan(facts: RouteFacts, rng: np.random.Generator) -> StepPlan:

@@ -21,3 +21,22 @@ def test_a_dialogue_is_told_with_what_was_true_of_the_answer() -> None:
         (9.5, "“Excuse me, is this the library?” → “Yes, that's it.”"),
         (9.5, "the answer of person-3 is WRONG: says yes; it is 9.0 m away"),
     ]
+
+
+def test_who_put_an_answer_into_words_is_told() -> None:
+    answered = {
+        "kind": "passer_by",
+        "time": 6.0,
+        "seconds": 3.5,
+        "person": "person-3",
+        "error": "",
+    }
+    entries = [
+        {**answered, "truth": "said"},
+        {**answered, "truth": "right", "model": "canned"},
+    ]
+    assert [each.text for each in events_of(entries)] == [
+        "the answer of person-3 was typed by a person",
+        "the answer of person-3 is right (in the words of a language model, canned; "
+        "not checked)",
+    ]

@@ -165,9 +165,16 @@ def _note_events(entry: Mapping[str, Any], number: int) -> Iterator[Event]:
 
 def _answered_event(entry: Mapping[str, Any], number: int) -> Event:
     """Tell what was true of a passer-by's answer, which the agent does not learn."""
-    told = {"right": "is right", "wrong": "is WRONG", "unknown": "tells nothing"}
+    told = {
+        "right": "is right",
+        "wrong": "is WRONG",
+        "unknown": "tells nothing",
+        "said": "was typed by a person",
+    }
     error = f": {entry['error']}" if entry["error"] else ""
     text = f"the answer of {entry['person']} {told[entry['truth']]}{error}"
+    if entry.get("model") is not None:
+        text += f" (in the words of a language model, {entry['model']}; not checked)"
     ended = float(entry["time"]) + float(entry["seconds"])
     return Event(ended, "other", _cut(text), number)
 

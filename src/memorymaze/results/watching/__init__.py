@@ -1,5 +1,13 @@
 """Looking on while a robot drives: in the terminal, as plain lines, or in a browser."""
 
+from memorymaze.results.watching.keyboard import check_keyboard, type_answer
 from memorymaze.results.watching.onlooker import Onlooker, Present, View, watching
 
-__all__ = ["Onlooker", "Present", "View", "watching"]
+__all__ = [
+    "Onlooker",
+    "Present",
+    "View",
+    "check_keyboard",
+    "type_answer",
+    "watching",
+]

@@ -11,8 +11,10 @@ from typing import Any, Literal, Protocol
 
 from memorymaze.errors import SettingsError
 from memorymaze.geometry.pose import Pose
+from memorymaze.passers_by import Briefing
 from memorymaze.results.story.events import Event, events_of, news
 from memorymaze.results.story.understanding import CurrentStep, step_of, understood
+from memorymaze.results.watching.keyboard import type_answer
 from memorymaze.simulation import SimulatedRobot
 from memorymaze.sites import Route, Site
 from memorymaze.wording import single_spaced
@@ -93,8 +95,13 @@ class Onlooker:
         pace: float | None = DEFAULT_PACE,
         clock: Callable[[], float] = time.monotonic,
         sleep: Callable[[float], None] = time.sleep,
+        answer: Callable[[Briefing], str] = type_answer,
     ) -> None:
-        """Look on; a pace of None is as fast as it goes."""
+        """Look on; a pace of None is as fast as it goes.
+
+        By `answer` somebody at the keyboard answers for passers-by.
+        """
+        self._answer = answer
         self._view = view
         self._pace = None if pace is None else check_pace(pace)
         self._clock, self._sleep = clock, sleep
@@ -130,6 +137,12 @@ class Onlooker:
         thought = self._trace[-1]["kind"] == "note"
         if thought or self._clock() - self._shown >= self._view.period:
             self._show(self._robot.time, self._robot.pose)
+
+    def answer(self, briefing: Briefing) -> str:
+        """Show how things stand, and have somebody answer for a passer-by."""
+        if self._robot is not None:
+            self._show(self._robot.time, self._robot.pose)
+        return self._answer(briefing)
 
     def end(self, words: str) -> None:
         """Show how things stand at the end, and how the episode ended."""
@@ -229,7 +242,7 @@ def watching(
         from memorymaze.results.watching.terminal import TerminalView
 
         with TerminalView(site, route, text, title) as view:
-            yield Onlooker(view, shown_pace)
+            yield Onlooker(view, shown_pace, answer=view.answer)
     else:
         from memorymaze.results.watching.terminal import PlainView
 

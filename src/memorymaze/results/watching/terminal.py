@@ -5,7 +5,7 @@ matters has a character of its own and is told by it also without colours.
 """
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import groupby
 from operator import itemgetter
 from types import TracebackType
@@ -18,11 +18,13 @@ from rich.panel import Panel
 from rich.segment import Segment
 from rich.style import Style
 from rich.text import Text
-from shapely import get_coordinates, segmentize
+from shapely import LineString, get_coordinates, segmentize
 
 from memorymaze.drawing.cells import CellMap, Extent, cell_map, plan_extent
+from memorymaze.passers_by import Briefing
 from memorymaze.results.story.events import Event
 from memorymaze.results.story.understanding import CurrentStep
+from memorymaze.results.watching.keyboard import type_answer
 from memorymaze.results.watching.onlooker import Present
 from memorymaze.sites import Route, Site
 
@@ -48,6 +50,7 @@ class Signs(NamedTuple):
     goal: str = "G"
     person: str = "o"
     thing: str = "x"
+    asked: str = "+"
 
 
 UNICODE = Signs((" ", "▀", "▄", "█"), "→↗↑↖←↙↓↘", "•", "·")
@@ -61,6 +64,7 @@ STYLES = {
         "ends": "bold white on red",
         "person": "bold magenta",
         "thing": "bold yellow",
+        "asked": "bold green",
         "robot": "bold black on bright_yellow",
     }.items()
 }
@@ -77,15 +81,19 @@ class TerminalMap:
             west - AROUND, south - AROUND, east + AROUND, north + AROUND
         )
         self._way = route.line
+        self.asked: Sequence[tuple[float, float]] = ()
+        """A way that a passer-by is asked for, metres; empty while none is."""
         self._cells: CellMap | None = None
         self._size = (0, 0)
 
     def draw(self, present: Present, columns: int, rows: int) -> list[list[Segment]]:
         """Draw how things stand in some columns and rows, at least one of each.
 
-        A robot that leaves the part shown makes the whole plan be shown.
+        A robot that leaves the part shown makes the whole plan be shown, and so does a
+        way asked for that does.
         """
-        if not self._extent.holds(present.pose.x, present.pose.y):
+        places = (present.pose[:2], *self.asked)
+        if not all(self._extent.holds(*place) for place in places):
             self._extent, self._cells = plan_extent(self._site), None
         if self._cells is None or self._size != (columns, rows):
             self._size = (columns, rows)
@@ -111,10 +119,11 @@ class TerminalMap:
     def legend(self) -> str:
         """Say what the characters mean."""
         signs = self._signs
+        asked = f"  {signs.asked} way asked for" if self.asked else ""
         return (
             f"{signs.arrows[0]} robot  {signs.walked} driven  {signs.way} way described  "
             f"{signs.start} start  {signs.goal} goal  {signs.person} person  "
-            f"{signs.thing} thing in the way"
+            f"{signs.thing} thing in the way{asked}"
         )
 
     def _marks(
@@ -126,6 +135,10 @@ class TerminalMap:
             yield cells.cell(x, y), (signs.way, "way")
         for place in present.path:
             yield cells.cell(*place), (signs.walked, "walked")
+        if self.asked:
+            line = LineString(self.asked)
+            for x, y in get_coordinates(segmentize(line, cells.metres)).tolist():
+                yield cells.cell(x, y), (signs.asked, "asked")
         ends = get_coordinates(self._way)[[0, -1]].tolist()
         for (x, y), sign in zip(ends, (signs.start, signs.goal), strict=True):
             yield cells.cell(x, y), (sign, "ends")
@@ -156,13 +169,30 @@ class TerminalView:
         utf8 = self._console.encoding.lower().replace("-", "").startswith("utf")
         self._map = TerminalMap(site, route, UNICODE if utf8 else ASCII)
         self._instruction, self._title = instruction, title
-        self._live = Live(
-            console=self._console, auto_refresh=False, vertical_overflow="crop"
-        )
+        self._live = self._new_live()
+        self._shown: Present | None = None
+
+    def _new_live(self) -> Live:
+        return Live(console=self._console, auto_refresh=False, vertical_overflow="crop")
 
     def show(self, present: Present) -> None:
         """Redraw the terminal."""
+        self._shown = present
         self._live.update(self.page(present), refresh=True)
+
+    def answer(self, briefing: Briefing) -> str:
+        """Leave a picture with the way asked for, and have an answer typed beneath it."""
+        self._map.asked = briefing.way
+        try:
+            if self._shown is not None:
+                self.show(self._shown)
+            self._live.stop()
+            return type_answer(briefing)
+        finally:
+            self._map.asked = ()
+            # One that goes on would draw over the dialogue.
+            self._live = self._new_live()
+            self._live.start()
 
     def finish(self, words: str) -> None:
         """Leave it to the command line, which says how it ended."""
