@@ -10,7 +10,7 @@ import pytest
 import memorymaze as mm
 from memorymaze.errors import RunFolderError, SettingsError
 from memorymaze.evaluation.driver import run_plan
-from memorymaze.evaluation.estimates import said_beforehand
+from memorymaze.evaluation.estimates import cost_estimate, said_beforehand
 from memorymaze.evaluation.plan import RunPlan, plan_run
 from memorymaze.evaluation.results import EpisodeResult, result_from_line
 from memorymaze.evaluation.run_folder import RunRecord, open_run_folder, read_run
@@ -19,6 +19,7 @@ from memorymaze.evaluation.summary import summarise, summary_lines
 from memorymaze.evaluation.trace import read_trace
 from memorymaze.instructions import Corpus
 from memorymaze.language.model_settings import ModelSettings
+from memorymaze.language.spending import TokenPrice
 from memorymaze.results.story.events import events_of
 from memorymaze.results.tables import load_runs, run_tables
 from memorymaze.simulation.obstacles import ObstacleSettings
@@ -258,11 +259,9 @@ def test_a_run_with_a_model_in_role_tells_what_its_words_cost(
         encoding="utf-8",
     )
     model = ModelSettings(replay=str(answers))
-    plan = plan_run(
-        AgentSettings(f"{agent}:Asker", language_model=model),
-        tiny_corpus,
-        RunSettings(ask=1, obstacles=CROWD, passers_by="model", limit=3),
-    )
+    asker = AgentSettings(f"{agent}:Asker", language_model=model)
+    settings = RunSettings(ask=1, obstacles=CROWD, passers_by="model", limit=3)
+    plan = plan_run(asker, tiny_corpus, settings)
     results = run_plan(plan, tmp_path / "run", workers=1)
     asked = sum(each.questions for each in results)
     assert asked > 0
@@ -270,6 +269,18 @@ def test_a_run_with_a_model_in_role_tells_what_its_words_cost(
     lines = "\n".join(summary_lines(summarise(results, plan.settings)))
     assert "passers-by's words by a language model" in lines
     assert any("A LANGUAGE MODEL" in line for line in said_beforehand(plan))
+
+
+def test_what_people_in_role_will_cost_cannot_be_told_beforehand(
+    tiny_corpus: Corpus,
+) -> None:
+    model = ModelSettings(model="any", base_url="http://127.0.0.1:1/v1")
+    priced = replace(model, price=TokenPrice(1.0, 2.0))
+    settings = RunSettings(ask=1, passers_by="model", limit=1)
+    plan = plan_run(
+        AgentSettings("rules", language_model=priced), tiny_corpus, settings
+    )
+    assert "how many people will be asked" in str(cost_estimate(plan))
 
 
 def test_a_run_with_people_is_kept_and_not_taken_up_with_others(

@@ -21,7 +21,7 @@ from memorymaze.errors import (
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.budgets import episode_time_budget
 from memorymaze.evaluation.guarded_robot import AskingGuardedRobot, GuardedRobot
-from memorymaze.evaluation.people_to_ask import PutTo, people_around
+from memorymaze.evaluation.people_to_ask import PutTo, people_of_episode
 from memorymaze.evaluation.results import EpisodeResult, StoppedBy, measure_walk
 from memorymaze.evaluation.seeds import (
     detector_generator,
@@ -37,7 +37,7 @@ from memorymaze.evaluation.trace_entries import (
 )
 from memorymaze.geometry.trajectory import Trajectory
 from memorymaze.instructions.records import Episode
-from memorymaze.passers_by import asked_entry
+from memorymaze.passers_by import Encounters, asked_entry
 from memorymaze.robot.steps import SteppingRobot
 from memorymaze.simulation import SimulatedRobot
 
@@ -127,15 +127,12 @@ def _attempt(
     )
     people = None
     if settings.ask is not None and destination is not None:
-        people = people_around(
+        people = Encounters(
             robot,
-            episode,
-            arena,
-            settings,
+            people_of_episode(arena, episode, settings, put_to),
             destination,
             settings.ask,
             lambda asked: tell(asked_entry(asked)),
-            put_to,
         )
     journal = Journal(
         listener=lambda entry: tell(note_entry(robot.time, entry)),

@@ -40,6 +40,11 @@ def cost_estimate(plan: RunPlan) -> str | None:
         return None
     limit = settings.max_cost
     end = "" if limit is None else f"; the run ends when {limit:g} USD are spent"
+    if plan.settings.passers_by == "model":
+        return (
+            "cost: cannot be told beforehand, because nobody knows how many people will "
+            f"be asked{end or '; set --max-cost'}"
+        )
     agent_for = build_agent(plan.settings.agent, plan.agent)
     requests: list[CompletionRequest] = []
     for episode in plan.episodes:

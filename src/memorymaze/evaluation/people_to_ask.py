@@ -16,16 +16,13 @@ from memorymaze.language.answers import AboutInstruction
 from memorymaze.language.model import LanguageModel
 from memorymaze.language.model_settings import build_language_model
 from memorymaze.passers_by import (
-    Asked,
     Briefing,
-    Encounters,
     Meet,
     Memory,
     ModelInRole,
     PersonAnswering,
     load_bank,
 )
-from memorymaze.simulation import SimulatedRobot
 from memorymaze.writing.request import cell_rates
 
 PutTo = Callable[[Briefing], str]
@@ -55,24 +52,10 @@ def check_people(
     )
 
 
-def people_around(
-    robot: SimulatedRobot,
-    episode: Episode,
-    arena: Arena,
-    settings: RunDefinition,
-    destination: str,
-    questions: int,
-    on_answer: Callable[[Asked], None],
-    put_to: PutTo | None,
-) -> Encounters:
-    """Return the people of an episode."""
-    meet = _meet(arena, episode, settings, put_to)
-    return Encounters(robot, meet, destination, questions, on_answer)
-
-
-def _meet(
+def people_of_episode(
     arena: Arena, episode: Episode, settings: RunDefinition, put_to: PutTo | None
 ) -> Meet:
+    """Return who answers in an episode for the people that the robot asks."""
     one = Memory(
         passers_by_seed(settings.seed, episode.id),
         arena.floor,
