@@ -57,8 +57,12 @@ def navigate(
     *,
     watcher: Watcher | None = None,
     put_to: PutTo | None = None,
+    arena: Arena | None = None,
 ) -> EpisodeRun:
-    """Let an agent follow one instruction from the start of a route."""
+    """Let an agent follow one instruction from the start of a route.
+
+    Several walks share what is costly of a building by an arena of it.
+    """
     if not text.strip():
         raise SettingsError("text: expected an instruction, got nothing")
     settings = settings or RunSettings()
@@ -70,17 +74,23 @@ def navigate(
     )
     needs = agent_needs(chosen, given)
     definition = define_run(chosen, settings, needs, [site], episodes=1)
-    told = Instruction(
+    told = instruction_on(site, route, text)
+    [episode] = episodes([told], {site.name: site})
+    if arena is None:
+        people = model_of_people(settings, chosen)
+        arena = Arena(site, settings.obstacles, eyes, definition.looks, people)
+    return run_episode(follower(episode), episode, arena, definition, watcher, put_to)
+
+
+def instruction_on(site: Site, route: Route, text: str) -> Instruction:
+    """Return a text as the instruction that describes a route."""
+    return Instruction(
         id=f"{site.name}-{route.id}",
         site=site.name,
         route=route.route,
         text=text,
         reference_route=route.id,
     )
-    [episode] = episodes([told], {site.name: site})
-    people = model_of_people(settings, chosen)
-    arena = Arena(site, settings.obstacles, eyes, definition.looks, people)
-    return run_episode(follower(episode), episode, arena, definition, watcher, put_to)
 
 
 def _met_in(trace: Sequence[dict[str, Any]]) -> Met | None:

@@ -133,9 +133,14 @@ def walk_of(result: EpisodeResult, story: Story, way: Route, near: float) -> Wal
     """Return the walk of a story, which follows a way within some metres."""
     points = story.walk.points
     following = follow(list(way.line.coords), points, near)
-    if len(points) > 1:
-        points = get_coordinates(LineString(points).simplify(SIMPLER))
-    return WalkOfRun(result, points, following)
+    return WalkOfRun(result, simplified(points), following)
+
+
+def simplified(points: np.ndarray) -> np.ndarray:
+    """Return the places of a walk that are needed to draw it, shape (N, 2)."""
+    if len(points) < 2:
+        return points
+    return get_coordinates(LineString(points).simplify(SIMPLER))
 
 
 def story_record(story: Story) -> str:

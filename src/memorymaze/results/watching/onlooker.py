@@ -103,7 +103,8 @@ class Onlooker:
         """
         self._answer = answer
         self._view = view
-        self._pace = None if pace is None else check_pace(pace)
+        self.pace = None if pace is None else check_pace(pace)
+        """Simulated seconds per second; may be changed while the episode goes on."""
         self._clock, self._sleep = clock, sleep
         self._trace: Sequence[dict[str, Any]] = ()
         self._robot: SimulatedRobot | None = None
@@ -160,8 +161,8 @@ class Onlooker:
             self._path.append((pose.x, pose.y))
         if self.trouble is not None:
             return
-        if self._pace is not None:
-            self._keep_pace((now - before) / self._pace)
+        if self.pace is not None:
+            self._keep_pace((now - before) / self.pace)
         if self._clock() - self._shown >= self._view.period:
             self._show(now, pose)
 

@@ -1,0 +1,214 @@
+"""Visitors who try the robot: each has one of a few processes, and it ends with the page."""
+
+import secrets
+import threading
+import time
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+from memorymaze.errors import MemoryMazeError
+from memorymaze.evaluation.settings import AgentSettings, RunSettings
+from memorymaze.sites import Route, Site
+from memorymaze.studies.live_process import LiveProcess, Lost
+from memorymaze.studies.try_walk import (
+    News,
+    Pace,
+    Picture,
+    Ready,
+    RobotToTry,
+    SetOut,
+)
+
+PATIENCE = 20.0
+"""Seconds without a sign of life of the page after which its robot is put away."""
+KEPT = 200
+"""Visitors that are remembered, with robots or without."""
+DEFAULT_PACE = 5.0
+
+State = Literal["opening", "ready", "walking", "over", "away"]
+"""`opening`: the robot is set up; `ready`: it listens; `away`: there is no robot."""
+
+
+class NoRobotFree(MemoryMazeError):
+    """All robots are in use."""
+
+
+@dataclass(eq=False)
+class Visit:
+    """What a visitor's page shows; others than its own session only read it."""
+
+    id: str
+    site: Site
+    route: Route
+    seen: float
+    """When the page gave its last sign of life."""
+    state: State = "opening"
+    text: str = ""
+    """What the robot follows, or followed last."""
+    walk: int = 0
+    """Number of the walk, from 1 on."""
+    pace: float = DEFAULT_PACE
+    paused: bool = False
+    trouble: str = ""
+    """Why there is no robot."""
+    news: list[dict[str, Any]] = field(default_factory=list[dict[str, Any]])
+    """Of this walk."""
+    pictures: dict[str, bytes] = field(default_factory=dict[str, bytes])
+    drawn: int = 0
+    """Pictures of the camera so far."""
+    process: LiveProcess | None = None
+
+
+class Visits:
+    """All visitors; use it in a `with`, which puts all robots away at its end."""
+
+    def __init__(
+        self,
+        settings: RunSettings,
+        beside: Sequence[AgentSettings],
+        *,
+        most: int,
+        patience: float = PATIENCE,
+        clock: Callable[[], float] = time.monotonic,
+    ) -> None:
+        """Have no visitor yet, and robots for `most` at a time."""
+        self._settings, self._beside = settings, tuple(beside)
+        self._most, self._patience, self._clock = most, patience, clock
+        self._visits: dict[str, Visit] = {}
+        self._lock = threading.RLock()
+        self._closed = threading.Event()
+
+    def __enter__(self) -> "Visits":
+        """Begin to look after those who left."""
+        threading.Thread(target=self._look_after, daemon=True).start()
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        """Put all robots away."""
+        self._closed.set()
+        with self._lock:
+            for visit in self._visits.values():
+                self._put_away(visit)
+
+    def begin(self, site: Site, route: Route) -> Visit:
+        """Take in a visitor; `NoRobotFree` says that there are too many."""
+        with self._lock:
+            visit = Visit(secrets.token_urlsafe(12), site, route, self._clock())
+            self._start(visit)
+            self._visits[visit.id] = visit
+            while len(self._visits) > KEPT:
+                self._forget_oldest()
+        return visit
+
+    def find(self, visit_id: str) -> Visit | None:
+        """Return a visitor, who is there at this moment."""
+        with self._lock:
+            visit = self._visits.get(visit_id)
+            if visit is not None:
+                visit.seen = self._clock()
+            return visit
+
+    def set_out(self, visit: Visit, text: str) -> bool:
+        """Let the robot follow a text once it is ready; False while it follows one."""
+        with self._lock:
+            if visit.state == "walking" or (visit.state == "opening" and visit.text):
+                return False
+            if visit.process is None:
+                self._start(visit)
+            visit.text, visit.paused = text, False
+            if visit.state != "opening":
+                self._send_out(visit)
+            return True
+
+    def change_pace(self, visit: Visit, pace: float | None, paused: bool) -> None:
+        """Go on at another pace, or stand still."""
+        with self._lock:
+            visit.pace, visit.paused = pace or visit.pace, paused
+            if visit.process is not None and visit.state == "walking":
+                visit.process.tell(Pace(0.0 if paused else visit.pace))
+
+    def stop(self, visit: Visit) -> None:
+        """End the walk, and have a robot at the start again."""
+        with self._lock:
+            self._put_away(visit, "stopped")
+            visit.text = ""
+            self._start(visit)
+
+    def news_after(self, visit: Visit, walk: int, known: int) -> Mapping[str, Any]:
+        """Return how things stand, with the news of this walk that are not known."""
+        with self._lock:
+            fresh = visit.news[known:] if walk == visit.walk else visit.news
+            return {
+                "state": visit.state,
+                "walk": visit.walk,
+                "paused": visit.paused,
+                "trouble": visit.trouble,
+                "looked_round": "round" in visit.pictures,
+                "camera": visit.drawn,
+                "known": len(visit.news),
+                "news": fresh,
+            }
+
+    # With the lock held.
+
+    def _start(self, visit: Visit) -> None:
+        in_use = sum(each.process is not None for each in self._visits.values())
+        if in_use >= self._most:
+            raise NoRobotFree(
+                f"All {self._most} robots are being tried by others. Please try again "
+                "in a minute."
+            )
+        robot = RobotToTry(visit.site, visit.route.id, self._settings, self._beside)
+        visit.state, visit.trouble = "opening", ""
+        process = visit.process = LiveProcess(
+            robot, lambda message: self._hear(visit, process, message)
+        )
+
+    def _send_out(self, visit: Visit) -> None:
+        assert visit.process is not None
+        visit.walk += 1
+        visit.state = "walking"
+        visit.news.clear()
+        visit.process.tell(SetOut(visit.text, visit.pace))
+
+    def _put_away(self, visit: Visit, why: str = "") -> None:
+        if visit.process is not None:
+            process, visit.process = visit.process, None
+            process.end()
+            visit.state, visit.trouble = "away", why
+
+    def _forget_oldest(self) -> None:
+        oldest = min(self._visits.values(), key=lambda each: each.seen)
+        self._put_away(oldest)
+        del self._visits[oldest.id]
+
+    # In threads of their own.
+
+    def _hear(self, visit: Visit, process: LiveProcess, message: object) -> None:
+        with self._lock:
+            if visit.process is not process:
+                return  # what a robot said last that was put away
+            if isinstance(message, Picture):
+                visit.pictures[message.name] = message.jpeg
+                visit.drawn += message.name == "camera"
+            elif isinstance(message, News):
+                visit.news.append(message.content)
+            elif isinstance(message, Lost):
+                visit.process = None
+                visit.state, visit.trouble = "away", str(message)
+            elif isinstance(message, Ready):
+                was_opening, visit.state = visit.state == "opening", "over"
+                if was_opening:
+                    visit.state = "ready"
+                    if visit.text:
+                        self._send_out(visit)
+
+    def _look_after(self) -> None:
+        while not self._closed.wait(min(1.0, self._patience / 2)):
+            with self._lock:
+                for visit in self._visits.values():
+                    if self._clock() - visit.seen > self._patience:
+                        self._put_away(
+                            visit, "The robot was put away: nobody was watching."
+                        )

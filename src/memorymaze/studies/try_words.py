@@ -1,0 +1,139 @@
+"""What a robot understood, believes and did, in words for somebody who is new to it."""
+
+from collections.abc import Mapping
+from typing import Any, NamedTuple
+
+from memorymaze.evaluation.results import EpisodeResult
+from memorymaze.geometry.trajectory import Trajectory
+from memorymaze.results.report.following import (
+    Following,
+    count_decisions,
+    decisions_of,
+    follow,
+)
+from memorymaze.sites import Route, Site
+
+REPAIRS = {
+    "wrong start": "one may have to begin the other way",
+    "wrong side": "turn {leg} may go to the other side",
+    "no such turn": "there may be no turn {leg}",
+    "turn left out": "a turn may be missing before turn {leg}",
+    "lost": "the way may have been told wrongly",
+}
+"""By the reason of a note about a repair."""
+ENDINGS = {
+    "budget": "The time for the walk ran out.",
+    "stuck": "It got stuck.",
+    "crash": "The program failed.",
+    "unsafe": "Its program was refused.",
+    "model_error": "The language model gave no usable answer.",
+}
+"""By `EpisodeResult.stopped_by`, where it did not stop by itself."""
+
+
+class Thought(NamedTuple):
+    """Something a robot said, or thought by itself."""
+
+    kind: str
+    """`says` or `thinks`."""
+    text: str
+
+
+def thought_of(entry: Mapping[str, Any]) -> Thought | None:
+    """Return what an entry of a trace tells a listener; None where it tells nothing."""
+    if entry["kind"] == "call":
+        said = entry.get("arguments") or {}
+        if entry["call"] == "say":
+            return Thought("says", str(said.get("text")))
+        if entry["call"] == "ask" and entry["result"] is not None:
+            return Thought("says", f"{said.get('question')} – “{entry['result']}”")
+        return None
+    about = entry.get("about") if entry["kind"] == "note" else None
+    if about == "repair":
+        reason = REPAIRS.get(str(entry.get("reason")), "something else may be meant")
+        return Thought("thinks", f"Goes back: {reason.format(leg=entry.get('leg'))}.")
+    if about == "arrival":
+        return Thought("says", f"We are there.{_sure(entry)}")
+    if about == "gave_up":
+        return Thought("thinks", f"Gives up: {entry.get('reason')}.{_sure(entry)}")
+    return None
+
+
+class Belief(NamedTuple):
+    """What a robot believes of where it is in the description."""
+
+    steps: list[float]
+    """How probable it is that it is at each step, in their order."""
+    words: str
+    doubt: float
+    """How probable it is that something told is wrong."""
+
+
+def belief_of(entry: Mapping[str, Any]) -> Belief | None:
+    """Return the belief that an entry of a trace tells; None where it tells none."""
+    if entry["kind"] != "note" or entry.get("about") != "belief":
+        return None
+    steps = [float(each) for each in entry["legs"]]
+    likeliest = max(range(len(steps)), key=steps.__getitem__)
+    words = f"Probably at step {likeliest + 1} of {len(steps)} ({steps[likeliest]:.0%})"
+    return Belief(steps, words, float(entry["doubt"]))
+
+
+class Verdict(NamedTuple):
+    """How a walk ended."""
+
+    arrived: bool
+    headline: str
+    sentences: list[str]
+    lost: tuple[float, float] | None
+    """Where it left the way that was shown, metres; None where it did not."""
+
+
+def verdict_of(
+    result: EpisodeResult, walk: Trajectory, site: Site, route: Route, near: float
+) -> Verdict:
+    """Judge a walk: whether it arrived, how sure it was, where it lost the way."""
+    headline = "The robot arrived." if result.success else "The robot did not arrive."
+    sentences = [
+        f"It walked {result.path_length:.0f} m in {result.duration_s:.0f} s and ended "
+        f"{result.spd:.1f} m on foot from {route.goal}."
+    ]
+    if result.stopped_by != "agent":
+        sentences.append(ENDINGS[result.stopped_by])
+    if result.confidence is not None:
+        what = "found no way there" if result.gave_up else "said that it was there"
+        sentences.append(f"It {what}, and was {result.confidence:.0%} sure to be there.")
+    following = follow(list(route.line.coords), walk.points, near)
+    sentences.append(_followed(following, site, route, arrived=result.success))
+    if not result.success and result.oracle_success:
+        sentences.append("On its way it had been at the goal without noticing.")
+    lost = following.place if following.how in {"left", "turned_back"} else None
+    return Verdict(result.success, headline, sentences, lost)
+
+
+def _followed(following: Following, site: Site, route: Route, *, arrived: bool) -> str:
+    """Say how far it followed the way that was shown."""
+    along = f"{following.along:.0f} m from the start"
+    if following.how == "end":
+        return "It followed the way on the plan to its end."
+    if following.how == "passed":
+        return "It followed the way on the plan, and then went past its end."
+    if following.how == "stopped":
+        return f"It followed the way on the plan and stopped too early, {along}."
+    wrong = [
+        each
+        for each in count_decisions(decisions_of(site, route), route, [following])
+        if each.wrong
+    ]
+    did = f"It left the way on the plan {along}"
+    if following.how == "turned_back":
+        did = f"It turned back {along}"
+    elif wrong:
+        instead = wrong[0].instead[0][0]
+        did += f", where that would {wrong[0].decision.way}: it {instead}"
+    return f"{did}{', and arrived all the same' if arrived else ''}."
+
+
+def _sure(entry: Mapping[str, Any]) -> str:
+    confidence = entry.get("confidence")
+    return "" if confidence is None else f" ({float(confidence):.0%} sure)"
