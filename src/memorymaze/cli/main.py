@@ -31,6 +31,7 @@ from memorymaze.cli import (
     study,
     submit_check,
     table,
+    try_page,
     walkthrough,
 )
 from memorymaze.cli.verbs import VerbParser
@@ -95,6 +96,7 @@ def _parser() -> argparse.ArgumentParser:
     )
     for verb in (
         navigate,
+        try_page,
         evaluate,
         table,
         compare,

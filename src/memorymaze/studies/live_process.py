@@ -10,6 +10,7 @@ import os
 import signal
 import threading
 from collections.abc import Callable
+from multiprocessing import forkserver
 from multiprocessing.connection import Connection
 from typing import Any
 
@@ -22,6 +23,11 @@ PROCESSES.set_forkserver_preload(["memorymaze.studies.live_camera"])
 
 Work = Callable[[Connection], None]
 """What a process does, with its end of the connection; pickled on the way there."""
+
+
+def prepare_processes() -> None:
+    """Import what robots need before the first one is asked for."""
+    forkserver.ensure_running()
 
 
 class Lost(Exception):

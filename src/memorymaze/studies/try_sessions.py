@@ -10,7 +10,7 @@ from typing import Any, Literal
 from memorymaze.errors import MemoryMazeError
 from memorymaze.evaluation.settings import AgentSettings, RunSettings
 from memorymaze.sites import Route, Site
-from memorymaze.studies.live_process import LiveProcess, Lost
+from memorymaze.studies.live_process import LiveProcess, Lost, prepare_processes
 from memorymaze.studies.try_walk import (
     News,
     Pace,
@@ -46,6 +46,8 @@ class Visit:
     state: State = "opening"
     text: str = ""
     """What the robot follows, or followed last."""
+    waiting: bool = False
+    """Whether the text is to be followed as soon as the robot is ready."""
     walk: int = 0
     """Number of the walk, from 1 on."""
     pace: float = DEFAULT_PACE
@@ -81,6 +83,7 @@ class Visits:
 
     def __enter__(self) -> "Visits":
         """Begin to look after those who left."""
+        prepare_processes()
         threading.Thread(target=self._look_after, daemon=True).start()
         return self
 
@@ -112,12 +115,14 @@ class Visits:
     def set_out(self, visit: Visit, text: str) -> bool:
         """Let the robot follow a text once it is ready; False while it follows one."""
         with self._lock:
-            if visit.state == "walking" or (visit.state == "opening" and visit.text):
+            if visit.state == "walking" or visit.waiting:
                 return False
             if visit.process is None:
                 self._start(visit)
             visit.text, visit.paused = text, False
-            if visit.state != "opening":
+            if visit.state == "opening":
+                visit.waiting = True
+            else:
                 self._send_out(visit)
             return True
 
@@ -131,8 +136,8 @@ class Visits:
     def stop(self, visit: Visit) -> None:
         """End the walk, and have a robot at the start again."""
         with self._lock:
-            self._put_away(visit, "stopped")
-            visit.text = ""
+            self._put_away(visit)
+            visit.news.clear()
             self._start(visit)
 
     def news_after(self, visit: Visit, walk: int, known: int) -> Mapping[str, Any]:
@@ -168,7 +173,7 @@ class Visits:
     def _send_out(self, visit: Visit) -> None:
         assert visit.process is not None
         visit.walk += 1
-        visit.state = "walking"
+        visit.state, visit.waiting = "walking", False
         visit.news.clear()
         visit.process.tell(SetOut(visit.text, visit.pace))
 
@@ -176,7 +181,7 @@ class Visits:
         if visit.process is not None:
             process, visit.process = visit.process, None
             process.end()
-            visit.state, visit.trouble = "away", why
+            visit.state, visit.trouble, visit.waiting = "away", why, False
 
     def _forget_oldest(self) -> None:
         oldest = min(self._visits.values(), key=lambda each: each.seen)
@@ -195,13 +200,12 @@ class Visits:
             elif isinstance(message, News):
                 visit.news.append(message.content)
             elif isinstance(message, Lost):
-                visit.process = None
-                visit.state, visit.trouble = "away", str(message)
+                self._put_away(visit, str(message))
             elif isinstance(message, Ready):
                 was_opening, visit.state = visit.state == "opening", "over"
                 if was_opening:
                     visit.state = "ready"
-                    if visit.text:
+                    if visit.waiting:
                         self._send_out(visit)
 
     def _look_after(self) -> None:

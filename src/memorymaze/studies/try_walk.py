@@ -25,8 +25,16 @@ from memorymaze.results.watching import Onlooker, Present
 from memorymaze.simulation import SimulatedRobot
 from memorymaze.sites import Site
 from memorymaze.studies.live_camera import seen_ahead, seen_all_round
-from memorymaze.studies.try_words import belief_of, thought_of, verdict_of
+from memorymaze.studies.try_words import (
+    FOLLOWERS,
+    Belief,
+    belief_of,
+    change_of_mind,
+    thought_of,
+    verdict_of,
+)
 
+GUIDE = AgentSettings("guide")
 CAMERA = (640, 480)
 PERIOD = 1 / 8
 """Seconds between two pieces of news."""
@@ -73,13 +81,10 @@ class RobotToTry:
     route: str
     settings: RunSettings
     beside: tuple[AgentSettings, ...]
-    agent: AgentSettings = AgentSettings("guide")
 
     def __call__(self, connection: Connection) -> None:
         """Look round; then follow one text after another."""
-        arena = Arena(
-            self.site, self.settings.obstacles, checked_eyes(self.settings)
-        )
+        arena = Arena(self.site, self.settings.obstacles, checked_eyes(self.settings))
         sees = True
         try:
             picture = seen_all_round(self._robot_at_start(arena))
@@ -108,8 +113,9 @@ class RobotToTry:
         self, told: SetOut, arena: Arena, connection: Connection, *, sees: bool
     ) -> None:
         live = LiveWalk(connection, told.pace, sees=sees)
-        for number, agent in enumerate((self.agent, *self.beside)):
-            connection.send(News({"sets_out": agent.name, "number": number}))
+        for number, agent in enumerate((GUIDE, *self.beside)):
+            title = FOLLOWERS.get(agent.name, agent.name)
+            connection.send(News({"sets_out": title, "number": number}))
             # What is shown live comes first; the others need not be waited for.
             watcher = live if number == 0 else None
             over = self._over(told.text, agent, arena, watcher)
@@ -135,7 +141,7 @@ class RobotToTry:
                 arena=arena,
             )
         except MemoryMazeError as error:
-            return {"agent": agent.name, "headline": f"It could not walk: {error}"}
+            return {"headline": f"It could not walk: {error}"}
         if watcher is not None:
             watcher.end()
         near = self.settings.success_distance
@@ -143,7 +149,6 @@ class RobotToTry:
         line = simplified(run.trajectory.points).tolist()
         return {
             **verdict._asdict(),
-            "agent": agent.name,
             "confidence": run.result.confidence,
             "from_goal": round(run.result.spd, 1),
             "walked": round(run.result.path_length),
@@ -168,6 +173,8 @@ class LiveWalk:
         self._told = self._walked = 0
         self._drawn = 0.0
         self._things_told = False
+        self._steps: Sequence[str] = ()
+        self._belief: Belief | None = None
 
     def begin(self, robot: SimulatedRobot, trace: Sequence[dict[str, Any]]) -> None:
         """See the walk begin."""
@@ -193,9 +200,7 @@ class LiveWalk:
             ],
             "path": [_place(*each) for each in present.path[self._walked :]],
             "people": [_place(each.x, each.y) for each in present.people.values()],
-            "events": [
-                [round(event.time, 1), event.text] for event in present.fresh
-            ],
+            "events": [[round(event.time, 1), event.text] for event in present.fresh],
             **self._thoughts(),
         }
         self._walked = len(present.path)
@@ -217,19 +222,20 @@ class LiveWalk:
         """Return steps, belief and thoughts of the entries that are new."""
         fresh = self._trace[self._told :]
         self._told += len(fresh)
-        found: dict[str, Any] = {
-            "thoughts": [
-                [round(entry["time"], 1), *thought]
-                for entry in fresh
-                if (thought := thought_of(entry))
-            ]
-        }
-        beliefs = [belief for entry in fresh if (belief := belief_of(entry))]
-        if beliefs:
-            found["belief"] = beliefs[-1]._asdict()
+        found: dict[str, Any] = {}
         if any(entry.get("about") in {"plan", "steps"} for entry in fresh):
-            found["steps"] = understood(self._trace).steps
-        return found
+            self._steps = found["steps"] = understood(self._trace).steps
+        thoughts: list[list[object]] = []
+        for entry in fresh:
+            thought = thought_of(entry)
+            belief = belief_of(entry)
+            if belief is not None:
+                thought = change_of_mind(self._belief, belief, self._steps)
+                self._belief = belief
+                found["belief"] = belief._asdict()
+            if thought is not None:
+                thoughts.append([round(entry["time"], 1), *thought])
+        return {**found, "thoughts": thoughts}
 
     def _heed(self) -> None:
         """Take the pace that was told; stand still while it is 0."""

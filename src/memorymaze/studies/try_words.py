@@ -1,6 +1,6 @@
 """What a robot understood, believes and did, in words for somebody who is new to it."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 from memorymaze.evaluation.results import EpisodeResult
@@ -21,6 +21,12 @@ REPAIRS = {
     "lost": "the way may have been told wrongly",
 }
 """By the reason of a note about a repair."""
+FOLLOWERS = {
+    "guide": "The robot you watch (guide)",
+    "rules": "One that does as it is told (rules)",
+    "explorer": "One that searches everywhere (explorer)",
+}
+"""Agents in words, by their names."""
 ENDINGS = {
     "budget": "The time for the walk ran out.",
     "stuck": "It got stuck.",
@@ -29,6 +35,10 @@ ENDINGS = {
     "model_error": "The language model gave no usable answer.",
 }
 """By `EpisodeResult.stopped_by`, where it did not stop by itself."""
+
+
+DOUBTS = 0.5
+"""How probable an error in what was told must be to be spoken of."""
 
 
 class Thought(NamedTuple):
@@ -46,7 +56,7 @@ def thought_of(entry: Mapping[str, Any]) -> Thought | None:
         if entry["call"] == "say":
             return Thought("says", str(said.get("text")))
         if entry["call"] == "ask" and entry["result"] is not None:
-            return Thought("says", f"{said.get('question')} – “{entry['result']}”")
+            return Thought("says", f"{said.get('question')} The answer: {entry['result']}")
         return None
     about = entry.get("about") if entry["kind"] == "note" else None
     if about == "repair":
@@ -64,6 +74,8 @@ class Belief(NamedTuple):
 
     steps: list[float]
     """How probable it is that it is at each step, in their order."""
+    likeliest: int
+    """The step it is probably at, from 0."""
     words: str
     doubt: float
     """How probable it is that something told is wrong."""
@@ -76,7 +88,21 @@ def belief_of(entry: Mapping[str, Any]) -> Belief | None:
     steps = [float(each) for each in entry["legs"]]
     likeliest = max(range(len(steps)), key=steps.__getitem__)
     words = f"Probably at step {likeliest + 1} of {len(steps)} ({steps[likeliest]:.0%})"
-    return Belief(steps, words, float(entry["doubt"]))
+    return Belief(steps, likeliest, words, float(entry["doubt"]))
+
+
+def change_of_mind(
+    before: Belief | None, now: Belief, steps: Sequence[str]
+) -> Thought | None:
+    """Say what a robot newly believes; None where it is the same step as before."""
+    if before is not None and before.doubt < DOUBTS <= now.doubt:
+        return Thought("thinks", "Something it was told may be wrong.")
+    if before is not None and before.likeliest == now.likeliest:
+        return None
+    if now.likeliest >= len(steps):
+        return None
+    step = f"Now comes step {now.likeliest + 1}: {steps[now.likeliest]}."
+    return Thought("thinks", step)
 
 
 class Verdict(NamedTuple):
@@ -101,8 +127,8 @@ def verdict_of(
     if result.stopped_by != "agent":
         sentences.append(ENDINGS[result.stopped_by])
     if result.confidence is not None:
-        what = "found no way there" if result.gave_up else "said that it was there"
-        sentences.append(f"It {what}, and was {result.confidence:.0%} sure to be there.")
+        what = "gave up" if result.gave_up else "said that it was there"
+        sentences.append(f"It {what}, {result.confidence:.0%} sure to be there.")
     following = follow(list(route.line.coords), walk.points, near)
     sentences.append(_followed(following, site, route, arrived=result.success))
     if not result.success and result.oracle_success:
@@ -130,7 +156,7 @@ def _followed(following: Following, site: Site, route: Route, *, arrived: bool) 
         did = f"It turned back {along}"
     elif wrong:
         instead = wrong[0].instead[0][0]
-        did += f", where that would {wrong[0].decision.way}: it {instead}"
+        did += f", where one would {wrong[0].decision.way}; it {instead}"
     return f"{did}{', and arrived all the same' if arrived else ''}."
 
 

@@ -1,0 +1,113 @@
+"""`memorymaze try`: a page to tell the robot a way, and to watch what it makes of it."""
+
+import argparse
+from typing import TYPE_CHECKING
+
+from memorymaze.cli.agent_options import (
+    add_agent_options,
+    add_episode_options,
+    agent_settings,
+    episode_settings,
+)
+from memorymaze.cli.flags import given_flags
+from memorymaze.cli.verbs import Verbs
+from memorymaze.language.model_settings import ModelSettings
+
+if TYPE_CHECKING:
+    from memorymaze.evaluation.settings import AgentSettings
+    from memorymaze.sites import Site
+
+ONLY_HERE = {"127.0.0.1", "localhost"}
+
+
+def add_parser(verbs: Verbs) -> None:
+    """Add the verb to the command line."""
+    verbs.add_parser(
+        "try",
+        help="a page to tell the robot a way and to watch it",
+        description="Serve a page on which anyone can tell the robot a way and watch "
+        "it follow, on the plan and through its camera, with what it understood, "
+        "believes and says.",
+        epilog="example: memorymaze try --site university --port 8000",
+        options=_add_options,
+    )
+
+
+def _add_options(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--site",
+        metavar="SITE",
+        action="append",
+        help="a shipped site, or a plan file; may be given several times (default: all "
+        "shipped ones)",
+    )
+    parser.add_argument(
+        "--host",
+        default="127.0.0.1",
+        metavar="ADDRESS",
+        help="where to serve (127.0.0.1: for this machine alone)",
+    )
+    parser.add_argument(
+        "--port", type=int, default=0, metavar="N", help="port (default: any free one)"
+    )
+    parser.add_argument(
+        "--robots",
+        type=int,
+        default=3,
+        metavar="N",
+        help="visitors at a time; each robot takes some 600 MB (3)",
+    )
+    parser.add_argument(
+        "--agent",
+        metavar="NAME",
+        help="follow the same text with this agent too, such as code_generation with "
+        "--model; rules and explorer always do",
+    )
+    add_agent_options(parser)
+    add_episode_options(parser)
+    parser.set_defaults(run=_run)
+
+
+def _run(options: argparse.Namespace) -> int:
+    from memorymaze.errors import SettingsError
+    from memorymaze.evaluation.settings import AgentSettings, RunSettings
+    from memorymaze.extras import require_extra
+    from memorymaze.sites import load_site, load_sites
+
+    require_extra(
+        "studies", "starlette", "uvicorn", "multipart", purpose="the page to try"
+    )
+    from memorymaze.studies.try_pages import TryPages
+    from memorymaze.studies.try_sessions import Visits
+    from memorymaze.studies.web import Door, make_app, serving, wait_for_interrupt
+
+    if options.robots < 1:
+        raise SettingsError(f"--robots: expected 1 or more, got {options.robots}")
+    sites = (
+        load_sites()
+        if options.site is None
+        else {site.name: site for site in map(load_site, options.site)}
+    )
+    beside = [AgentSettings("rules"), AgentSettings("explorer")]
+    if options.agent is not None:
+        beside.append(_checked(agent_settings(options), sites))
+    elif options.set or given_flags(options, ModelSettings):
+        raise SettingsError(
+            "options of an agent: expected with --agent, got them alone"
+        )
+    settings = episode_settings(options, RunSettings())
+    hosts = sorted(ONLY_HERE) if options.host in ONLY_HERE else None
+    with Visits(settings, beside, most=options.robots) as visits:
+        app = make_app(TryPages(visits, sites).routes(), hosts=hosts)
+        with serving(Door(app, options.host, options.port)) as [address]:
+            print(f"try the robot at {address} (Ctrl-C to end)", flush=True)
+            wait_for_interrupt()
+    return 0
+
+
+def _checked(agent: "AgentSettings", sites: "dict[str, Site]") -> "AgentSettings":
+    """Refuse an agent that cannot be made, before a visitor waits for it."""
+    from memorymaze.evaluation.agent_catalogue import build_agent
+
+    build_agent(agent, kept_from=[site.source for site in sites.values()])
+    return agent
