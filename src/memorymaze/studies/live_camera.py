@@ -1,6 +1,8 @@
 """What the robot's camera sees, as small pictures for pages."""
 
 import io
+import math
+from collections.abc import Callable
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,22 +11,36 @@ from PIL import Image
 from memorymaze.simulation import SimulatedRobot
 
 QUALITY = 78
-PANORAMA_WIDTH = 2048
-RISE = 0.19
-"""Share of an all-round picture above and below its level that is shown: 34 degrees."""
+SIZE = (640, 480)
+FOCAL = SIZE[0] / 2
+"""Pixels; the camera is 90 degrees wide."""
+BEARINGS = (math.pi, math.pi / 2, 0.0, -math.pi / 2)
+"""Where a strip of the view all round is taken, radians from straight ahead."""
 
 
-def seen_ahead(robot: SimulatedRobot, size: tuple[int, int]) -> bytes:
+def seen_ahead(robot: SimulatedRobot) -> bytes:
     """Return what the camera sees now, as a JPEG."""
-    return _jpeg(robot.camera_frame(*size).rgb)
+    return _jpeg(robot.camera_frame(*SIZE).rgb)
 
 
-def seen_all_round(robot: SimulatedRobot) -> bytes:
-    """Return a strip of the view all round, the robot's way in its middle, as a JPEG."""
-    rgb = robot.panorama(PANORAMA_WIDTH).rgb
-    height = len(rgb)
-    cut = round(height * RISE)
-    return _jpeg(rgb[height // 2 - cut : height // 2 + cut])
+def seen_all_round(robot_facing: Callable[[float], SimulatedRobot]) -> bytes:
+    """Return the view all round as one strip, straight ahead in its middle, as a JPEG."""
+    views = [_on_cylinder(robot_facing(each)) for each in BEARINGS]
+    strip = np.concatenate(views, axis=1)
+    return _jpeg(np.roll(strip, -views[0].shape[1] // 2, axis=1))
+
+
+def _on_cylinder(robot: SimulatedRobot) -> NDArray[np.uint8]:
+    """Return the camera's picture so that pictures of quarter turns join."""
+    width, height = SIZE
+    angles = np.arange(-math.pi / 4, math.pi / 4, 1 / FOCAL)
+    # At its edges the picture is lowest.
+    tallest = math.floor(height / 2 * math.cos(math.pi / 4))
+    rows = np.arange(-tallest, tallest)[:, np.newaxis] / np.cos(angles)
+    columns = np.broadcast_to(FOCAL * np.tan(angles), rows.shape)
+    down = np.clip(np.rint(height / 2 + rows), 0, height - 1).astype(np.intp)
+    right = np.clip(np.rint(width / 2 + columns), 0, width - 1).astype(np.intp)
+    return robot.camera_frame(*SIZE).rgb[down, right]
 
 
 def _jpeg(rgb: NDArray[np.uint8]) -> bytes:

@@ -19,7 +19,7 @@ from memorymaze.processes import die_with_parent, main_left_out
 
 # What a robot needs is imported once, and children begin with it.
 PROCESSES = multiprocessing.get_context("forkserver")
-PROCESSES.set_forkserver_preload(["memorymaze.studies.live_camera"])
+PROCESSES.set_forkserver_preload(["memorymaze.studies.try_walk"])
 
 Work = Callable[[Connection], None]
 """What a process does, with its end of the connection; pickled on the way there."""
@@ -53,6 +53,11 @@ class LiveProcess:
         """Send it a message; one that is gone says so by its `Lost`."""
         with self._telling, contextlib.suppress(OSError):
             self._connection.send(message)
+
+    @property
+    def is_alive(self) -> bool:
+        """Whether it has not ended."""
+        return self._process.is_alive()
 
     def end(self) -> None:
         """End it now, whatever it does."""

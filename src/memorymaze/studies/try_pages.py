@@ -18,7 +18,7 @@ from memorymaze.drawing.svg import Frame, path_data, plan_frame, svg_plan
 from memorymaze.instructions import Corpus, load_corpus
 from memorymaze.sites import Route, Site
 from memorymaze.studies.try_sessions import NoRobotFree, Visit, Visits
-from memorymaze.studies.web import render
+from memorymaze.studies.web import csrf_token, render
 from memorymaze.wording import single_spaced
 
 Pace = Literal[1, 3, 5, 10, 30]
@@ -89,7 +89,9 @@ class TryPages:
         if site is None or way is None:
             raise HTTPException(404)
         try:
-            visit = await run_in_threadpool(self._visits.begin, site, way)
+            visit = await run_in_threadpool(
+                self._visits.begin, site, way, csrf_token(request)
+            )
         except NoRobotFree as error:
             raise HTTPException(503, str(error)) from None
         return RedirectResponse(f"/visits/{visit.id}", 303)

@@ -39,6 +39,8 @@ class Visit:
     """What a visitor's page shows; others than its own session only read it."""
 
     id: str
+    browser: str
+    """Whose it is; a browser has one robot at a time."""
     site: Site
     route: Route
     seen: float
@@ -94,10 +96,17 @@ class Visits:
             for visit in self._visits.values():
                 self._put_away(visit)
 
-    def begin(self, site: Site, route: Route) -> Visit:
-        """Take in a visitor; `NoRobotFree` says that there are too many."""
+    def begin(self, site: Site, route: Route, browser: str) -> Visit:
+        """Give a visitor a robot, and take back the one that the browser had.
+
+        `NoRobotFree` says that there are too many visitors.
+        """
         with self._lock:
-            visit = Visit(secrets.token_urlsafe(12), site, route, self._clock())
+            for other in self._visits.values():
+                if other.browser == browser:
+                    self._put_away(other, "The robot is on another way now.")
+            name = secrets.token_urlsafe(12)
+            visit = Visit(name, browser, site, route, self._clock())
             self._start(visit)
             self._visits[visit.id] = visit
             while len(self._visits) > KEPT:

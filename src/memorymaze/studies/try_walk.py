@@ -18,6 +18,7 @@ from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.eyes import checked_eyes
 from memorymaze.evaluation.navigation import instruction_on, navigate
 from memorymaze.evaluation.settings import AgentSettings, RunSettings
+from memorymaze.geometry.pose import Pose, wrap_angle
 from memorymaze.instructions.corpus import episodes
 from memorymaze.results.report.episode_page import simplified
 from memorymaze.results.story.understanding import understood
@@ -35,7 +36,6 @@ from memorymaze.studies.try_words import (
 )
 
 GUIDE = AgentSettings("guide")
-CAMERA = (640, 480)
 PERIOD = 1 / 8
 """Seconds between two pieces of news."""
 PICTURE_PERIOD = 1 / 5
@@ -87,8 +87,8 @@ class RobotToTry:
         arena = Arena(self.site, self.settings.obstacles, checked_eyes(self.settings))
         sees = True
         try:
-            picture = seen_all_round(self._robot_at_start(arena))
-            connection.send(Picture("round", picture))
+            strip = seen_all_round(lambda turn: self._robot_at_start(arena, turn))
+            connection.send(Picture("round", strip))
         except RenderingError as error:
             sees = False
             connection.send(News({"blind": str(error)}))
@@ -98,16 +98,14 @@ class RobotToTry:
             if isinstance(told, SetOut):
                 self._walk(told, arena, connection, sees=sees)
 
-    def _robot_at_start(self, arena: Arena) -> SimulatedRobot:
+    def _robot_at_start(self, arena: Arena, turn: float) -> SimulatedRobot:
         route = self.site.find_route(self.route)
         told = instruction_on(self.site, route, "Look round.")
         [episode] = episodes([told], {self.site.name: self.site})
-        return arena.robot(
-            episode,
-            replace(self.settings.simulation, time_budget=1.0),
-            np.random.default_rng(0),
-            lambda _: None,
-        )
+        x, y, heading = episode.start
+        turned = replace(episode, start=Pose(x, y, wrap_angle(heading + turn)))
+        rng = np.random.default_rng(self.settings.seed)
+        return arena.robot(turned, self.settings.simulation, rng, lambda _: None)
 
     def _walk(
         self, told: SetOut, arena: Arena, connection: Connection, *, sees: bool
@@ -211,7 +209,7 @@ class LiveWalk:
         now = time.monotonic()
         if self._sees and self._robot and now - self._drawn >= PICTURE_PERIOD:
             self._drawn = now
-            jpeg = seen_ahead(self._robot, CAMERA)
+            jpeg = seen_ahead(self._robot)
             self._connection.send(Picture("camera", jpeg))
         self._heed()
 
