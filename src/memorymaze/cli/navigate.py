@@ -52,9 +52,9 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
         "--watch",
         nargs="?",
         const="terminal",
-        choices=("terminal", "browser"),
-        help="show the robot on the plan while it drives: in the terminal (alone; plain "
-        "lines where there is none), or in the browser, on a page for this machine only",
+        choices=("terminal",),
+        help="show the robot on the plan while it drives, in the terminal; plain lines "
+        "where there is none. For a page see memorymaze try",
     )
     parser.add_argument(
         "--pace",
@@ -159,7 +159,7 @@ def _onlooker(
 
     title = f"{options.agent} on {site.title}, {route.id} (simulated)"
     return stack.enter_context(
-        watching(options.watch, site, route, options.text, title, options.pace)
+        watching(site, route, options.text, title, options.pace)
     )
 
 

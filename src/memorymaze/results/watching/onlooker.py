@@ -7,7 +7,7 @@ from collections import deque
 from collections.abc import Callable, Generator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
-from typing import Any, Literal, Protocol
+from typing import Any, Protocol
 
 from memorymaze.errors import SettingsError
 from memorymaze.geometry.pose import Pose
@@ -29,7 +29,6 @@ SPACING = 0.25
 """Metres between the places kept of the path."""
 
 
-WatchKind = Literal["terminal", "browser"]
 KEPT = 60
 """Events that are kept to be shown."""
 
@@ -211,7 +210,7 @@ class Onlooker:
 
 @contextmanager
 def watching(
-    kind: WatchKind, site: Site, route: Route, text: str, title: str, pace: float | None
+    site: Site, route: Route, text: str, title: str, pace: float | None
 ) -> Generator[Onlooker]:
     """Open a view for the length of an episode; call the onlooker's `end` in it.
 
@@ -219,7 +218,6 @@ def watching(
     otherwise, which are held to a pace only when one is asked for.
 
     Args:
-        kind: Where to show it.
         site: Where the episode takes place.
         route: The way that the text describes.
         text: The instruction.
@@ -232,17 +230,11 @@ def watching(
     if pace is not None:
         check_pace(pace)
     text = single_spaced(text)
-    shown_pace = DEFAULT_PACE if pace is None else pace
-    if kind == "browser":
-        from memorymaze.results.watching.browser import BrowserView
-
-        with BrowserView(site, route, text, title) as view:
-            view.wait_for_somebody()
-            yield Onlooker(view, shown_pace)
-    elif sys.stdout.isatty() and sys.stderr.isatty():
+    if sys.stdout.isatty() and sys.stderr.isatty():
         from memorymaze.results.watching.terminal import TerminalView
 
         with TerminalView(site, route, text, title) as view:
+            shown_pace = DEFAULT_PACE if pace is None else pace
             yield Onlooker(view, shown_pace, answer=view.answer)
     else:
         from memorymaze.results.watching.terminal import PlainView
