@@ -87,9 +87,7 @@ def test_a_visitor_pauses_and_stops_and_the_words_are_still_there(
     page.fill("#text", "Go to the T and turn left.")
     page.get_by_role("button", name="Let the robot walk").click()
     page.get_by_role("button", name="Pause").click()
-    expect(page.locator("#status")).to_have_text(
-        "The robot waits: the walk is paused."
-    )
+    expect(page.locator("#status")).to_have_text("The robot waits: the walk is paused.")
     expect(page.get_by_role("button", name="Go on")).to_be_focused()
     page.get_by_role("button", name="Stop").click()
     expect(page.locator("#tell")).to_be_visible(timeout=ENOUGH)

@@ -158,9 +158,7 @@ def _onlooker(
     from memorymaze.results.watching import watching
 
     title = f"{options.agent} on {site.title}, {route.id} (simulated)"
-    return stack.enter_context(
-        watching(site, route, options.text, title, options.pace)
-    )
+    return stack.enter_context(watching(site, route, options.text, title, options.pace))
 
 
 def _answering(onlooker: "Onlooker | None") -> "Callable[[Briefing], str]":

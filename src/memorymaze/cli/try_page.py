@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from memorymaze.evaluation.settings import AgentSettings
     from memorymaze.sites import Site
 
+SHOWN_PEOPLE = ("memory", "wrong", "empty")
 ONLY_HERE = {"127.0.0.1", "localhost"}
 
 
@@ -96,6 +97,11 @@ def _run(options: argparse.Namespace) -> int:
             "options of an agent: expected with --agent, got them alone"
         )
     settings = episode_settings(options, RunSettings())
+    if settings.passers_by not in SHOWN_PEOPLE:
+        raise SettingsError(
+            f"--passers-by: expected one of {', '.join(SHOWN_PEOPLE)} on this page, got "
+            f"{settings.passers_by!r}; see memorymaze navigate"
+        )
     hosts = sorted(ONLY_HERE) if options.host in ONLY_HERE else None
     with Visits(settings, beside, most=options.robots) as visits:
         app = make_app(TryPages(visits, sites).routes(), hosts=hosts)

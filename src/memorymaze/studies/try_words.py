@@ -56,7 +56,9 @@ def thought_of(entry: Mapping[str, Any]) -> Thought | None:
         if entry["call"] == "say":
             return Thought("says", str(said.get("text")))
         if entry["call"] == "ask" and entry["result"] is not None:
-            return Thought("says", f"{said.get('question')} The answer: {entry['result']}")
+            return Thought(
+                "says", f"{said.get('question')} The answer: {entry['result']}"
+            )
         return None
     about = entry.get("about") if entry["kind"] == "note" else None
     if about == "repair":
