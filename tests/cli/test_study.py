@@ -3,6 +3,7 @@ from pathlib import Path
 from typing import Any
 
 Memorymaze = Callable[..., Any]
+TINY_SITES = Path(__file__).parents[1] / "tiny_sites"
 
 
 def test_a_new_study_says_what_to_type_next(
@@ -27,3 +28,34 @@ def test_a_study_without_pages_is_refused_before_anything_is_made(
     assert said.code == 1
     assert "expected the kind online or memory" in said.err
     assert not list(tmp_path.glob("mine.films"))
+
+
+def test_a_simulated_study_is_exported_and_read_by_the_other_verbs(
+    memorymaze: Memorymaze, tmp_path: Path
+) -> None:
+    path, out = tmp_path / "mine.toml", tmp_path / "mine.jsonl"
+    plan = TINY_SITES / "t_junction.geojson"
+    memorymaze("study", "new", path, "--site", plan, "--kind", "memory")
+    said = memorymaze("study", "simulate", path, "--participants", "4")
+    assert said.out.startswith("4 made-up participants: ")
+    said = memorymaze("study", "export", path, "--out", out)
+    assert "there are no answers yet" in said.err
+    said = memorymaze("study", "export", path, "--out", out, "--simulated")
+    assert "not by people" in said.out
+    checked = memorymaze("instructions", "check", out, "--sites", TINY_SITES)
+    assert (checked.code, "no problems" in checked.err) == (0, True)
+    counted = memorymaze("instructions", "stats", out, "--sites", TINY_SITES)
+    assert "memory" in counted.out
+
+
+def test_a_participant_is_withdrawn_by_the_id_of_a_platform(
+    memorymaze: Memorymaze, tmp_path: Path
+) -> None:
+    path = tmp_path / "mine.toml"
+    memorymaze("study", "new", path, "--site", TINY_SITES / "t_junction.geojson")
+    memorymaze("study", "simulate", path, "--participants", "1")
+    said = memorymaze("study", "withdraw", path, "simulated-0", "--simulated")
+    assert (said.code, "nothing of them is left" in said.out) == (0, True)
+    again = memorymaze("study", "withdraw", path, "simulated-0", "--simulated")
+    assert again.code == 1
+    assert "there is no participant 'simulated-0'" in again.err

@@ -2,7 +2,8 @@
 
 import argparse
 
-from memorymaze.cli.verbs import VerbParser, Verbs
+from memorymaze.cli.verbs import VerbParser, Verbs, shown_progress
+from memorymaze.wording import counted
 
 KINDS = ("online", "memory", "onsite", "follow")
 
@@ -21,6 +22,9 @@ def add_parser(verbs: Verbs) -> None:
     )
     _add_new(actions)
     _add_serve(actions)
+    _add_export(actions)
+    _add_simulate(actions)
+    _add_withdraw(actions)
 
 
 def _add_new(actions: Verbs) -> None:
@@ -111,6 +115,118 @@ def _serve(options: argparse.Namespace) -> int:
             print(f"experimenter:  {addresses.experimenter}")
             print("Ctrl-C ends the server; what was sent is kept.", flush=True)
             wait_for_interrupt()
+    return 0
+
+
+def _add_export(actions: Verbs) -> None:
+    parser = actions.add_parser(
+        "export",
+        help="write what people told as an instruction file, and as a table (CSV)",
+        description="Write the descriptions of all who finished as an instruction file, "
+        "which every other verb reads, and beside it a CSV file with times, re-watches "
+        "and checks. Works while the pages are served.",
+        epilog="example: memorymaze study export my_study.toml --out my_texts.jsonl",
+    )
+    _add_file(parser)
+    parser.add_argument(
+        "--out",
+        metavar="FILE",
+        required=True,
+        help="instruction file to write (*.jsonl); the CSV file has its name",
+    )
+    _add_simulated(parser)
+    parser.set_defaults(run=_export)
+
+
+def _export(options: argparse.Namespace) -> int:
+    from memorymaze.instructions.records import WRITTEN_BY
+    from memorymaze.studies.exporting import export_study
+    from memorymaze.studies.store import open_store
+    from memorymaze.studies.study_file import load_study
+
+    study = load_study(options.file)
+    with open_store(study, simulated=options.simulated, alone=False) as store:
+        done = export_study(study, store, options.out)
+    source = "synthetic" if options.simulated else "human"
+    print(
+        f"{options.out}: {counted(done.instructions, 'instruction')} of "
+        f"{counted(done.participants, 'participant')}, written by {WRITTEN_BY[source]}; "
+        f"with what was measured: {done.table}"
+    )
+    return 0
+
+
+def _add_simulate(actions: Verbs) -> None:
+    parser = actions.add_parser(
+        "simulate",
+        help="let made-up participants go through the pages, to try a design",
+        description="Let made-up participants go through the real pages, with texts of "
+        "the generator. Their answers lie apart from those of people and say that they "
+        "are made up; `serve` and `export` show them with --simulated.",
+        epilog="example: memorymaze study simulate my_study.toml --participants 40",
+    )
+    _add_file(parser)
+    parser.add_argument(
+        "--participants",
+        type=int,
+        metavar="N",
+        help="how many come (default: as many as fill all quotas)",
+    )
+    parser.add_argument("--seed", type=int, default=0, metavar="N", help="(default: 0)")
+    parser.set_defaults(run=_simulate)
+
+
+def _simulate(options: argparse.Namespace) -> int:
+    _require_extra("study simulate")
+    from memorymaze.options import check_whole
+    from memorymaze.studies.schedule import check_has_pages
+    from memorymaze.studies.simulating import simulate_study
+    from memorymaze.studies.study_file import load_study
+
+    check_whole("--seed", options.seed, least=0)
+    if options.participants is not None:
+        check_whole("--participants", options.participants, least=1)
+    study = load_study(options.file)
+    check_has_pages(study.design)
+    with shown_progress("participant") as progress:
+        ends = simulate_study(study, options.participants, options.seed, progress)
+    told = ", ".join(f"{ends[end]} {end}" for end in ("finished", "excluded", "left"))
+    print(
+        f"{counted(ends.total(), 'made-up participant')}: {told}, {ends['full']} in vain"
+    )
+    print(f"see them: memorymaze study serve {options.file} --simulated")
+    return 0
+
+
+def _add_withdraw(actions: Verbs) -> None:
+    parser = actions.add_parser(
+        "withdraw",
+        help="remove everything of a participant",
+        description="Remove everything of a participant: rows, recordings, log and free "
+        "pages of the file. While the pages are served, use the experimenter's.",
+        epilog="example: memorymaze study withdraw my_study.toml p0123456789",
+    )
+    _add_file(parser)
+    parser.add_argument(
+        "participant",
+        metavar="ID",
+        help="the number of the participant, or platform id",
+    )
+    _add_simulated(parser)
+    parser.set_defaults(run=_withdraw)
+
+
+def _withdraw(options: argparse.Namespace) -> int:
+    from memorymaze.studies.store import open_store
+    from memorymaze.studies.study_file import load_study
+
+    study = load_study(options.file)
+    with open_store(study, simulated=options.simulated) as store:
+        found = store.find(options.participant)
+        done = store.withdraw(options.participant if found is None else found.id)
+    print(f"{study.data_folder(simulated=options.simulated)}: nothing of them is left")
+    for path in done.exports:
+        print(f"make this export anew, it still holds the texts: {path}")
     return 0
 
 

@@ -65,7 +65,7 @@ def write_label_sheet(path: str | Path, questions: Sequence[Question]) -> None:
             "text": told.text,
             "ways": "\n".join(f"{way.id}: {way_in_words(site, way)}" for way in ways),
         }
-        writer.writerow({name: _guarded(cell) for name, cell in row.items()})
+        writer.writerow({name: guarded_cell(cell) for name, cell in row.items()})
     write_file(path, sheet.getvalue().encode("utf-8-sig", "replace"))
 
 
@@ -168,7 +168,8 @@ def _failures(row: Mapping[str, str]) -> list[Failure]:
     return failures
 
 
-def _guarded(cell: str) -> str:
+def guarded_cell(cell: str) -> str:
+    """Return a cell that no spreadsheet runs as a formula."""
     return f"'{cell}" if cell.startswith((*FORMULA_STARTS, "'")) else cell
 
 

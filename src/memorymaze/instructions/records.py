@@ -37,6 +37,7 @@ def _small_letters(name: str) -> str:
     return name
 
 
+Study = Literal["online", "memory", "onsite", "sail"]
 Text = Annotated[str, Strict(), AfterValidator(_said)]
 AnyText = Annotated[str, Strict(), AfterValidator(writable)]
 Count = Annotated[int, Strict(), Field(ge=0)]
@@ -118,8 +119,9 @@ class Instruction:
     site: Text
     route: Text
     """`R1`, `R2`, …"""
-    study: Literal["online", "onsite", "sail"] = "online"
-    """`online`: typed; `onsite`: spoken."""
+    study: Study = "online"
+    """`online`: typed while a walkthrough can be watched; `memory`: typed after it;
+    `onsite`: spoken."""
     iteration: Annotated[Literal[1, 2], BeforeValidator(_whole)] = 1
     participant: Text = ""
     """Who said it; as `id` where nothing is said."""

@@ -451,8 +451,11 @@ def open_store(
 
 
 def remove_simulated(study: Study) -> None:
-    """Remove what made-up participants answered before."""
-    shutil.rmtree(study.data_folder(simulated=True), ignore_errors=True)
+    """Remove what made-up participants answered before, unless it is being served."""
+    folder = study.data_folder(simulated=True)
+    if folder.exists():
+        with locked(folder / "lock", _is_served):
+            shutil.rmtree(folder)
 
 
 def _prepare(

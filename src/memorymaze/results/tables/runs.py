@@ -21,9 +21,10 @@ from memorymaze.wording import counted
 
 STUDY_TITLES = {
     "online": "Online instructions (thinking out loud)",
+    "memory": "Typed instructions from memory",
     "onsite": "Onsite instructions (from memory)",
 }
-"""The paper's studies, in the order of its tables."""
+"""The paper's studies, in the order of its tables, and one more of typed texts."""
 
 MOST_ROUTES = 24
 """Routes of a study that are shown one by one; of more, such as SAIL's, the mean alone."""

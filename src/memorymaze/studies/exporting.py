@@ -1,0 +1,172 @@
+"""Answers as an instruction file, and as a table with what else was measured."""
+
+import csv
+import io
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from memorymaze.collection.label_sheet import guarded_cell
+from memorymaze.durable_files import write_whole
+from memorymaze.errors import SettingsError, StudyError
+from memorymaze.instructions.files import write_instructions
+from memorymaze.instructions.records import Instruction
+from memorymaze.studies.store import Answer, Event, Participant, Store
+from memorymaze.studies.study_file import Study
+
+COLUMNS: tuple[str, ...] = (
+    "id",
+    "participant",
+    "source",
+    "study",
+    "site",
+    "route",
+    "iteration",
+    "place_in_order",
+    "text",
+    "told_before",
+    "seconds",
+    "video_plays",
+    "video_watched_again",
+    "video_ends",
+    "attention_checks_failed",
+    "familiarity",
+    "comprehension_attempts",
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Exported:
+    """What was written."""
+
+    instructions: int
+    participants: int
+    table: Path
+    """The CSV file beside the instruction file."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Telling:
+    route: str
+    iteration: int
+    place: int
+    answer: Answer
+    events: tuple[Event, ...]
+
+    @property
+    def seconds(self) -> float:
+        """Between the first look at the page and the answer."""
+        opened = [each.at for each in self.events if each.kind == "opened"]
+        return self.answer.at - min(opened, default=self.answer.at)
+
+    def count(self, kind: str) -> int:
+        """Return how often something happened on the page."""
+        return sum(each.kind == kind for each in self.events)
+
+
+def export_study(study: Study, store: Store, out: str | Path) -> Exported:
+    """Write what all who finished have told, as `out` (JSONL) and a CSV file beside it.
+
+    Neither ids of platforms nor times of day are in them; the store notes the export.
+    """
+    out = Path(out)
+    if out.suffix != ".jsonl":
+        raise SettingsError(f"--out: expected a file named *.jsonl, got {str(out)!r}")
+    finished = [each for each in store.participants() if each.state == "complete"]
+    if not finished:
+        raise StudyError(
+            f"{store.folder}: expected participants who have finished, got none; the "
+            "experimenter's page shows how far they are"
+        )
+    instructions: list[Instruction] = []
+    rows: list[dict[str, Any]] = []
+    for who in finished:
+        answers = store.answers(who.id)
+        shared = _about(study, store, who, answers)
+        for telling in _tellings(store, who, answers):
+            instruction = _instruction(study, store, who, telling)
+            instructions.append(instruction)
+            rows.append(_row(instruction, telling) | shared)
+    # Noted first: what is killed meanwhile may be listed but not there, never there but
+    # not listed.
+    table = out.with_suffix(".csv")
+    for path in (out, table):
+        store.add_export(path, [each.id for each in finished])
+    write_instructions(out, instructions)
+    write_whole(table, _csv(rows))
+    return Exported(len(instructions), len(finished), table)
+
+
+def _tellings(
+    store: Store, who: Participant, answers: dict[str, Answer]
+) -> Iterator[_Telling]:
+    for place, route in enumerate(who.cell.split(", "), start=1):
+        for iteration, kind in enumerate(("tell", "retell"), start=1):
+            step = f"{kind}.{route}"
+            events = store.events(who.id, step)
+            if kind == "tell":
+                events = [*store.events(who.id, f"watch.{route}"), *events]
+            yield _Telling(route, iteration, place, answers[step], tuple(events))
+
+
+def _instruction(
+    study: Study, store: Store, who: Participant, telling: _Telling
+) -> Instruction:
+    return Instruction(
+        id=f"{who.id}-{telling.route.lower()}-{telling.iteration}",
+        site=study.site.name,
+        route=telling.route,
+        study="memory" if study.design.kind == "memory" else "online",
+        iteration=1 if telling.iteration == 1 else 2,
+        participant=who.id,
+        text=telling.answer.text,
+        source="synthetic" if store.is_simulated else "human",
+        language=study.design.language,
+    )
+
+
+def _about(
+    study: Study, store: Store, who: Participant, answers: dict[str, Answer]
+) -> dict[str, Any]:
+    failed = [
+        number
+        for number, check in enumerate(study.design.attention)
+        if f"attention.{number}" in answers
+        and answers[f"attention.{number}"].text != check.answer
+    ]
+    wrong = store.events(who.id, "comprehension")
+    return {
+        "attention_checks_failed": len(failed),
+        "familiarity": answers["familiarity"].text,
+        "comprehension_attempts": 1 + sum(each.kind == "wrong" for each in wrong),
+    }
+
+
+def _row(instruction: Instruction, telling: _Telling) -> dict[str, Any]:
+    return {
+        "id": instruction.id,
+        "participant": instruction.participant,
+        "source": "people" if instruction.source == "human" else "simulated",
+        "study": instruction.study,
+        "site": instruction.site,
+        "route": instruction.route,
+        "iteration": instruction.iteration,
+        "place_in_order": telling.place,
+        "text": instruction.text,
+        "told_before": telling.answer.shown,
+        "seconds": f"{telling.seconds:.1f}",
+        "video_plays": telling.count("play"),
+        "video_watched_again": telling.count("again"),
+        "video_ends": telling.count("ended"),
+    }
+
+
+def _csv(rows: Sequence[dict[str, Any]]) -> bytes:
+    """Return a table for spreadsheets, which must run no text as a formula."""
+    content = io.StringIO()
+    writer = csv.DictWriter(content, COLUMNS, lineterminator="\r\n")
+    writer.writeheader()
+    for row in rows:
+        writer.writerow({name: guarded_cell(str(cell)) for name, cell in row.items()})
+    return content.getvalue().encode("utf-8-sig")

@@ -1,0 +1,46 @@
+from collections import Counter
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from memorymaze.errors import StudyError
+from memorymaze.instructions import load_instructions
+from memorymaze.studies.exporting import export_study
+from memorymaze.studies.simulating import simulate_study
+from memorymaze.studies.store import open_store
+from memorymaze.studies.study_file import Study
+
+MakeStudy = Callable[..., Study]
+
+
+@pytest.mark.parametrize("kind", ["online", "memory"])
+def test_made_up_participants_fill_a_study_and_are_labelled(
+    make_study: MakeStudy, tmp_path: Path, kind: str
+) -> None:
+    study = make_study(kind, "quota = 3")
+    told: list[tuple[int, int]] = []
+    ends = simulate_study(study, 10, 1, lambda *at: told.append(at))
+    assert told[-1] == (10, 10)
+    assert ends.total() == 10
+    assert ends["finished"] >= 4
+    assert ends["full"] >= 1
+    with open_store(study, simulated=True) as store:
+        states = Counter(each.state for each in store.participants())
+        assert states["complete"] == ends["finished"]
+        export_study(study, store, tmp_path / "made.jsonl")
+    made = load_instructions([tmp_path / "made.jsonl"])
+    assert {(each.source, each.study) for each in made} == {("synthetic", kind)}
+    assert len(made) == 4 * ends["finished"]
+    assert len({each.text for each in made}) > len(made) / 2
+    assert not study.data_folder().exists()
+
+
+def test_a_simulation_takes_the_place_of_the_one_before(make_study: MakeStudy) -> None:
+    study = make_study()
+    for _ in range(2):
+        simulate_study(study, 2, 0, lambda *_: None)
+    with open_store(study, simulated=True) as store:
+        assert len(store.participants()) == 2
+        with pytest.raises(StudyError, match="being written already"):
+            simulate_study(study, 2, 0, lambda *_: None)
