@@ -87,6 +87,7 @@ class _Assembly:
                     Passing(event.count, _flank(event.side), event.phrase or None)
                 )
             case "way" if event.back and self._done:
+                self._done[-1].placed = True
                 self._change_last_turn(ordinal=event.ordinal)
             case "way":
                 self._settle_way()
@@ -172,6 +173,7 @@ class _Assembly:
             forced=event.forced,
             doubt=event.doubt,
         )
+        draft.placed = draft.placed or event.ordinal is not None
         draft.here = event.here and not (self._done or draft.walks)
         elsewhere = any(
             each.back and (each.kind != "junction" or each.junction is not None)
@@ -469,7 +471,10 @@ class _Assembly:
         if not (back and self._done):
             self._draft.at_end = self._draft.at_end or event.kind == "end"
             self._draft.junction = event.junction or self._draft.junction
-        elif event.kind == "end":
+            self._draft.placed = self._draft.placed or placed
+            return
+        self._done[-1].placed = True
+        if event.kind == "end":
             self._change_last_turn(at_end=True)
         elif event.junction is not None:
             self._change_last_turn(junction=event.junction)

@@ -389,8 +389,9 @@ def _bare(
     junction = _junction_of(opening.noun)
     if junction is not None:
         return [Event("junction", junction=junction, back=placed)]
-    if placed and re.search(r"junction|intersection|corner", opening.noun):
-        return [Event("junction", back=True)]
+    at_one = re.search("A$|AV$", before) is not None
+    if (placed or at_one) and re.search(r"junction|intersection|corner", opening.noun):
+        return [Event("junction", back=placed)]
     if opening.count is not None:
         if opening.count >= 3 and re.search("[AV]", before + after):
             return [Event("junction", junction="crossing")]

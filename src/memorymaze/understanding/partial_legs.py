@@ -59,6 +59,8 @@ class PartialLeg:
     straight: bool = False
     here: bool = False
     """Whether its turn is where one stands."""
+    placed: bool = False
+    """Whether it was said that its turn is at an opening or a junction."""
     entered: bool = False
     """Whether it was said what the turn before leads to."""
     side: Side | None = None
@@ -178,7 +180,7 @@ def _leg_of(number: int, draft: PartialLeg, drafts: Sequence[PartialLeg]) -> Leg
     return Leg(
         turn=turn,
         on_the_spot=draft.here
-        or (draft.is_new and bool(turned) and _may_be_here(turn)),
+        or (draft.is_new and bool(turned) and _may_be_here(draft, turn)),
         length=combine_lengths(draft.lengths),
         mentions=(
             *_mentions_of(draft, first=not number),
@@ -190,9 +192,11 @@ def _leg_of(number: int, draft: PartialLeg, drafts: Sequence[PartialLeg]) -> Leg
     )
 
 
-def _may_be_here(turn: Turn) -> bool:
+def _may_be_here(draft: PartialLeg, turn: Turn) -> bool:
     """Tell whether a turn of which nothing else is said can be where one stands."""
-    return turn.ordinal is None and turn.junction is None and not turn.forced
+    if draft.placed or turn.at_end or turn.forced:
+        return False
+    return turn.ordinal is None and turn.junction is None
 
 
 def _start_of(draft: PartialLeg) -> Start:
