@@ -157,6 +157,8 @@ class _Assembly:
         if way is None and self._draft.is_new and self._done and not event.subject:
             return
         draft = self._draft
+        if not self._done and draft.side == "ahead":
+            draft.straight = True  # "straight ahead, right at the second one"
         ordinal = event.ordinal
         if event.nearest or self._left.get((ordinal or 0) - 1, way) != way:
             ordinal = None  # "next", or counted on both sides

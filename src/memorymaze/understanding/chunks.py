@@ -8,7 +8,7 @@ Kinds of chunk, one letter each so that rules can be patterns over strings of ki
 verb, `G` go verb, `K` the way bends, `V` see verb, `B` is/there is, `Z` it's/that's,
 `A` at/by/when/where, `w` next to, `b` go back, `Q` before/after, `U` until/to, `t` into, `P` past, `I` ignore,
 `X` not, `Y` take that one, `D` by itself, `C` sorry/no wait, `c` if, `o` too far,
-`s` back to the wall, `u` turn around, `R` you have arrived, `a` again, `l` here, `r` so, `e` yes, `d` front right, `i` at once, `h` maybe, `f` filler, `N` a thing's name (made of
+`s` back to the wall, `u` turn around, `R` you have arrived, `a` again, `l` here, `p` I and my, `r` so, `e` yes, `d` front right, `i` at once, `h` maybe, `f` filler, `N` a thing's name (made of
 the content words `W`).
 """
 
@@ -43,6 +43,7 @@ _PLACES = re.compile(PLACES)
 _VAGUE = re.compile(VAGUE)
 _NUMBER = re.compile(NUMBER + r"\b")
 _WORD = re.compile(r"[^\W_][\w&+-]*(?:'(?!(?:s|d|ll)\b)\w+)?")
+_ADVERB = re.compile(r"[a-z]+(?:ic|i?ous|[ai]b|ful|less|iv|ari|tial|nal)l?ly")
 _SPELT = re.compile(r"(?<![\w'-])[a-z']+(?![\w'-])")
 _COUNTED = re.compile(
     r"(?:(?<=^)|(?<=[.;!?\n]))\s*(?:and |ok(?:ay)?,? |so,? )?"
@@ -216,7 +217,8 @@ def _chunk_at(text: str, at: int) -> Chunk | None:
         return Chunk("n", word, at, number=read_number(word))
     match = _WORD.match(text, at)
     if match:
-        kind = "f" if match[0] in FILLERS else "W"
+        idle = match[0] in FILLERS or _ADVERB.fullmatch(match[0])
+        kind = "f" if idle else "W"
         return Chunk(kind, match[0], at)
     return None
 

@@ -120,11 +120,13 @@ class Event:
     """For `sentence`: the next sentence is an item of a counted list."""
 
 
-_ADVERBS = "hiDarl"
+_ADVERBS = "hiDarlp"
 _STRONG_DOUBT = re.compile(r"maybe|perhaps|possibly|might|not\b")
 _DOUBT = re.compile(r"i |i'm|i'd|probably|likely|presumably|apparently|remember")
 DOUBT, STRONG_DOUBT = 0.4, 0.7
 """Of `I think`, and of `maybe`; `about 20 m` is no doubt."""
+_OF_A_WAY = re.compile("[LS2dHOEuKPUVYMRI]")
+"""Kinds that say where to go, or where not."""
 _RECAP = re.compile(r"\b(?:both|like|i said)\b")
 
 
@@ -163,6 +165,14 @@ class Clause:
     def is_recap(self) -> bool:
         """Whether it may sum up what was said: `so right and left`."""
         return self.has("r") or any(_RECAP.search(chunk.text) for chunk in self.said)
+
+    @property
+    def is_of_the_speaker(self) -> bool:
+        """Whether it tells of the speaker and no way: `I push my cart there`."""
+        said = "".join(chunk.kind for chunk in self.said)
+        if "p" not in said or re.search("[AwQ][^p]*Np", said):
+            return False
+        return _OF_A_WAY.search(self.kinds) is None
 
     @property
     def has_verb(self) -> bool:

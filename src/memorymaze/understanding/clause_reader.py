@@ -65,7 +65,7 @@ class ClauseReader:
             self._add(Event("restate"))
         if clause.at_once_first:
             self._add(Event("at_once"))
-        if speaks_of_ways(clause):
+        if clause.is_of_the_speaker or speaks_of_ways(clause):
             return self._read
         ignores = clause.kinds.find("I")
         denies = clause.kinds.find("X")
@@ -219,7 +219,7 @@ class ClauseReader:
                 or (self._turned and clause.has("i")),
                 emphatic=first and clause.kinds[:1] in {"L", "O", "Z", "S"},
                 again=clause.has("a"),
-                here=event.here or (first and clause.has("l")),
+                here=event.here or (not self._turned and clause.has("l")),
                 commanded=clause.has_verb,
                 apposed=first and clause.kinds[:1] == "Z",
             )

@@ -25,6 +25,8 @@ _KNOWS_NOT = re.compile(
 """What people say who cannot tell the way."""
 _OPENERS = "TGIXPKOM2AwQEVYsu"
 """Kinds of chunk that begin a new clause after `and`."""
+_SPEAKER = frozenset({"i", "i'm", "im", "i've", "ive", "me", "my", "mine"})
+"""Words by which people speak of themselves."""
 
 
 def parse_route_description(text: str) -> RoutePlan:
@@ -65,6 +67,8 @@ def split_clauses(chunks: Sequence[Chunk]) -> list[list[Chunk]]:
     clauses: list[list[Chunk]] = [[]]
     for at, chunk in enumerate(chunks):
         if chunk.kind == "f":
+            if chunk.text in _SPEAKER:
+                clauses[-1].append(replace(chunk, kind="p"))
             continue
         if chunk.kind in ".,>" or (chunk.kind == "&" and _joins(chunks, at)):
             clauses[-1].append(chunk)
@@ -103,7 +107,7 @@ def _joins(chunks: Sequence[Chunk], at: int) -> bool:
 
 def _starts_anew(clause: Sequence[Chunk], chunk: Chunk) -> bool:
     """Tell whether a motion verb begins a new clause in unpunctuated text."""
-    kinds = "".join(c.kind for c in clause[-40:])
+    kinds = "".join(c.kind for c in clause[-40:] if c.kind != "p")
     if not kinds:
         return False
     if chunk.text in {"do", "take", "turn"} and kinds[-1] in "OJ":
@@ -150,7 +154,7 @@ def read_clauses(
 
 def _commands_a_turn(body: list[Chunk]) -> bool:
     kinds = "".join(chunk.kind for chunk in body)
-    return re.search("[TG].*[LS]|^r[fh]*L", kinds) is not None
+    return re.search("[TG].*[LS]|^r[hp]*L", kinds) is not None
 
 
 def _mark(joint: Chunk | None) -> Event:
@@ -177,7 +181,7 @@ def _speaks_of_missing(body: list[Chunk], rest: Sequence[list[Chunk]]) -> bool:
     kinds = "".join(chunk.kind for chunk in body)
     later = "".join(chunk.kind for clause in rest[:12] for chunk in clause)
     if "o" not in later and not (re.search("[bu]", later) and "c" in later):
-        return re.match("h*c", kinds) is not None and _commands_a_turn(body)
+        return re.match("[hp]*c", kinds) is not None and _commands_a_turn(body)
     if re.search("[cob]", kinds):
         return True
     if "c" in later:

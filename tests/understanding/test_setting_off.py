@@ -1,0 +1,71 @@
+"""How one leaves from where one stands, and what is said before the way begins."""
+
+import pytest
+
+from memorymaze.understanding import parse_route_description
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Straight ahead, take right, the next one. Then the library is on your left.",
+        "Sir, go in the direction you're facing, then turn right at the end.",
+        "Keep on along here, then right where you can't do anything else.",
+        "The way you're going, and at the intersection, you go to the right.",
+        "On along here, right before you've gone much further.",
+        "Straight on, and to the right where they cross.",
+        "Straight on; the moment it opens up take right.",
+        "Right, pal, go straight on, and turn right at the clock.",
+    ],
+)
+def test_who_goes_on_first_does_not_turn_on_the_spot(text: str) -> None:
+    (leg,) = parse_route_description(text).legs
+    assert (leg.turn.way, leg.on_the_spot) == ("right", False)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Wait. The other way, then right at the second junction.",
+        "So you continue the other way, then right at the second junction.",
+        "I went the other way, and then right at the second junction.",
+        "Back down the way you came first, right at the second junction.",
+        "Turn around completely, to the right at the second junction.",
+    ],
+)
+def test_one_can_be_sent_back(text: str) -> None:
+    first, second = parse_route_description(text).legs
+    assert (first.turn.way, first.on_the_spot) == ("around", True)
+    assert (second.turn.way, second.turn.ordinal) == ("right", 2)
+
+
+@pytest.mark.parametrize(
+    "before",
+    [
+        "I clean that corridor at six.",
+        "According to my little map,",
+        "By God, it is far.",
+        "It's a long way, my cart and I know it.",
+        "With pleasure.",
+        "My sister works there, for my part I prefer the cinema.",
+    ],
+)
+def test_what_is_said_of_the_speaker_is_no_part_of_the_way(before: str) -> None:
+    plan = parse_route_description(f"{before} To your left, then right at the clock.")
+    first, second = plan.legs
+    assert (first.turn.way, first.on_the_spot) == ("left", True)
+    assert (first.length, first.mentions) == (None, ())
+    assert [each.phrase for each in second.mentions] == ["clock"]
+
+
+def test_a_way_told_by_the_speaker_is_read() -> None:
+    text = "I see a clock on the left, I walk on and I turn right at the desk."
+    (leg,) = parse_route_description(text).legs
+    assert [each.phrase for each in leg.mentions] == ["clock", "desk"]
+
+
+def test_a_thing_stays_where_the_speaker_only_adds_a_word() -> None:
+    (leg,) = parse_route_description(
+        "At First Aid, uh, this I forgot, turn right."
+    ).legs
+    assert [each.phrase for each in leg.mentions] == ["first aid"]
