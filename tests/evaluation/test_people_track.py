@@ -260,7 +260,7 @@ def test_a_run_with_a_model_in_role_tells_what_its_words_cost(
     )
     model = ModelSettings(replay=str(answers))
     asker = AgentSettings(f"{agent}:Asker", language_model=model)
-    settings = RunSettings(ask=1, obstacles=CROWD, passers_by="model", limit=3)
+    settings = RunSettings(ask=1, obstacles=CROWD, passers_by="model", limit=2)
     plan = plan_run(asker, tiny_corpus, settings)
     results = run_plan(plan, tmp_path / "run", workers=1)
     asked = sum(each.questions for each in results)
@@ -276,7 +276,7 @@ def test_what_people_in_role_will_cost_cannot_be_told_beforehand(
 ) -> None:
     model = ModelSettings(model="any", base_url="http://127.0.0.1:1/v1")
     priced = replace(model, price=TokenPrice(1.0, 2.0))
-    settings = RunSettings(ask=1, passers_by="model", limit=1)
+    settings = RunSettings(ask=1, passers_by="model", limit=2)
     plan = plan_run(
         AgentSettings("rules", language_model=priced), tiny_corpus, settings
     )
@@ -286,13 +286,13 @@ def test_what_people_in_role_will_cost_cannot_be_told_beforehand(
 def test_a_run_with_people_is_kept_and_not_taken_up_with_others(
     tiny_plan: Plan, tmp_path: Path
 ) -> None:
-    plan = tiny_plan("oracle", limit=1, ask=3, obstacles=CROWD)
+    plan = tiny_plan("stop", limit=1, ask=3, obstacles=CROWD)
     assert any("3 questions" in line for line in said_beforehand(plan))
     [result] = run_plan(plan, tmp_path, workers=1)
     assert read_run(tmp_path)[0].settings.ask == 3
     [first, *_] = read_trace(tmp_path, result.episode_id)
     assert "destination" in first
-    other = tiny_plan("oracle", limit=1, ask=3, obstacles=CROWD, passers_by="wrong")
+    other = tiny_plan("stop", limit=1, ask=3, obstacles=CROWD, passers_by="wrong")
     with pytest.raises(RunFolderError, match="passers_by"):
         run_plan(other, tmp_path, workers=1, resume=True)
 
