@@ -4,10 +4,8 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
-from typing import Any, Literal, get_args
+from typing import Any
 
-from pydantic import BaseModel, ValidationError
-from starlette.concurrency import run_in_threadpool
 from starlette.exceptions import HTTPException
 from starlette.requests import Request
 from starlette.responses import JSONResponse, RedirectResponse, Response
@@ -18,10 +16,10 @@ from memorymaze.drawing.svg import Frame, path_data, plan_frame, svg_plan
 from memorymaze.instructions import Corpus, load_corpus
 from memorymaze.sites import Route, Site
 from memorymaze.studies.try_sessions import NoRobotFree, Visit, Visits
-from memorymaze.studies.web import csrf_token, render
+from memorymaze.studies.web import Fields, csrf_token, posted, render
 from memorymaze.wording import single_spaced
 
-Pace = Literal[1, 3, 5, 10, 30]
+PACES = ("1", "3", "5", "10", "30")
 """Simulated seconds per second that one can choose."""
 LONGEST_TEXT = 4000
 """Characters of a description."""
@@ -39,13 +37,6 @@ class Example:
     text: str
 
 
-class PaceChange(BaseModel):
-    """What the page's script sends."""
-
-    pace: Pace
-    paused: bool
-
-
 class TryPages:
     """The pages, over the visitors and the buildings they may choose from."""
 
@@ -60,12 +51,12 @@ class TryPages:
         return [
             Path("/", self._choose),
             Path("/plans/{site}.svg", self._show_plan),
-            Path("/visits", self._begin, methods=["POST"]),
+            Path("/visits", posted(self._begin), methods=["POST"]),
             Path("/visits/{visit}", self._show),
-            Path("/visits/{visit}/walk", self._walk, methods=["POST"]),
+            Path("/visits/{visit}/walk", posted(self._walk), methods=["POST"]),
             Path("/visits/{visit}/news", self._tell_news),
-            Path("/visits/{visit}/pace", self._change_pace, methods=["POST"]),
-            Path("/visits/{visit}/stop", self._stop, methods=["POST"]),
+            Path("/visits/{visit}/pace", posted(self._change_pace), methods=["POST"]),
+            Path("/visits/{visit}/stop", posted(self._stop), methods=["POST"]),
             Path("/visits/{visit}/{picture}.jpg", self._show_picture),
         ]
 
@@ -81,17 +72,14 @@ class TryPages:
             self._plans[name] = svg_plan(self._sites[name])
         return Response(self._plans[name], media_type="image/svg+xml")
 
-    async def _begin(self, request: Request) -> Response:
-        form = await request.form()
-        site = self._sites.get(str(form.get("site")))
+    def _begin(self, request: Request, fields: Fields) -> Response:
+        site = self._sites.get(fields.get("site", ""))
         ways = [] if site is None else ways_of(site)
-        way = next((each for each in ways if each.id == form.get("route")), None)
+        way = next((each for each in ways if each.id == fields.get("route")), None)
         if site is None or way is None:
             raise HTTPException(404)
         try:
-            visit = await run_in_threadpool(
-                self._visits.begin, site, way, csrf_token(request)
-            )
+            visit = self._visits.begin(site, way, csrf_token(request))
         except NoRobotFree as error:
             raise HTTPException(503, str(error)) from None
         return RedirectResponse(f"/visits/{visit.id}", 303)
@@ -104,13 +92,13 @@ class TryPages:
             visit=visit,
             way=_drawn(visit.site, visit.route),
             examples=examples_of(visit.site, visit.route),
-            paces=get_args(Pace),
+            paces=PACES,
             longest=LONGEST_TEXT,
         )
 
-    async def _walk(self, request: Request) -> Response:
+    def _walk(self, request: Request, fields: Fields) -> Response:
         visit = self._visit(request)
-        text = single_spaced(str((await request.form()).get("text", "")))
+        text = single_spaced(fields.get("text", ""))
         if not 0 < len(text) <= LONGEST_TEXT:
             raise HTTPException(
                 400,
@@ -118,7 +106,7 @@ class TryPages:
                 f"{len(text)}.",
             )
         try:
-            begun = await run_in_threadpool(self._visits.set_out, visit, text)
+            begun = self._visits.set_out(visit, text)
         except NoRobotFree as error:
             raise HTTPException(503, str(error)) from None
         if not begun:
@@ -136,18 +124,17 @@ class TryPages:
         news = self._visits.news_after(self._visit(request), walk, max(0, known))
         return JSONResponse(news, headers={"Cache-Control": "no-store"})
 
-    async def _change_pace(self, request: Request) -> Response:
+    def _change_pace(self, request: Request, fields: Fields) -> Response:
         visit = self._visit(request)
-        try:
-            told = PaceChange.model_validate_json(await request.body())
-        except ValidationError:
-            raise HTTPException(400) from None
-        self._visits.change_pace(visit, float(told.pace), told.paused)
+        if fields.get("pace") not in PACES:
+            raise HTTPException(400)
+        paused = fields.get("paused") == "true"
+        self._visits.change_pace(visit, float(fields["pace"]), paused)
         return Response(status_code=204)
 
-    async def _stop(self, request: Request) -> Response:
+    def _stop(self, request: Request, fields: Fields) -> Response:
         visit = self._visit(request)
-        await run_in_threadpool(self._visits.stop, visit)
+        self._visits.stop(visit)
         return RedirectResponse(f"/visits/{visit.id}", 303)
 
     def _show_picture(self, request: Request) -> Response:

@@ -266,8 +266,8 @@ async function ask() {
 }
 
 async function changePace(paused) {
-  const body = JSON.stringify({ pace: Number(part("pace").value), paused });
-  await fetch(`${address}/pace`, { method: "POST", headers: { "X-CSRF-Token": token, "Content-Type": "application/json" }, body });
+  const body = new URLSearchParams({ pace: part("pace").value, paused });
+  await fetch(`${address}/pace`, { method: "POST", headers: { "X-CSRF-Token": token }, body });
 }
 
 part("pause").addEventListener("click", () => changePace(part("pause").getAttribute("aria-pressed") !== "true"));
