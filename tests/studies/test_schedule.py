@@ -61,5 +61,10 @@ def test_memory_has_the_video_and_a_delay_before_the_telling(
 
 
 def test_kinds_without_pages_of_their_own_are_refused(make_study: MakeStudy) -> None:
-    with pytest.raises(StudyError, match="expected the kind online or memory"):
+    with pytest.raises(StudyError, match="expected the kind online, memory or follow"):
         steps_of(make_study("onsite").design, ("R1",))
+
+
+def test_followers_walk_one_text_of_each_route(make_study: MakeStudy) -> None:
+    steps = steps_of(make_study("follow").design, ("R2", "R1"))
+    assert [step.key for step in steps][3:] == ["follow.R2", "attention.0", "follow.R1"]

@@ -14,6 +14,7 @@ StepKind = Literal[
     "wait",
     "tell",
     "retell",
+    "follow",
     "attention",
 ]
 
@@ -60,15 +61,15 @@ def cell_name(order: tuple[str, ...]) -> str:
 
 def check_has_pages(design: StudyDesign) -> None:
     """Refuse kinds that participants cannot do by themselves."""
-    if design.kind not in {"online", "memory"}:
+    if design.kind == "onsite":
         raise StudyError(
             f"a study of the kind {design.kind} has no pages for participants by "
-            "themselves; expected the kind online or memory"
+            "themselves; expected the kind online, memory or follow"
         )
 
 
 def steps_of(design: StudyDesign, order: tuple[str, ...]) -> list[Step]:
-    """Return what somebody answers who describes routes in an order."""
+    """Return what somebody answers who describes, or follows, routes in an order."""
     check_has_pages(design)
     steps = [Step("comprehension"), Step("familiarity"), Step("scenario")]
     if not design.comprehension.questions:
@@ -78,7 +79,10 @@ def steps_of(design: StudyDesign, order: tuple[str, ...]) -> list[Step]:
             steps.append(Step("watch", route))
             if design.delay_minutes:
                 steps.append(Step("wait", route))
-        steps += [Step("tell", route), Step("retell", route)]
+        if design.kind == "follow":
+            steps.append(Step("follow", route))
+        else:
+            steps += [Step("tell", route), Step("retell", route)]
         steps += [
             Step("attention", number=number)
             for number, check in enumerate(design.attention)

@@ -130,6 +130,17 @@ class Walkthrough(_Part):
     speed: Annotated[float, Field(ge=0.1, le=20)]
 
 
+class Followed(_Part):
+    """Which texts people follow in a study of the kind `follow`."""
+
+    instructions: list[Text]
+    """Instruction files, seen from the study file; none for the shipped texts."""
+    limit: Annotated[int, Field(ge=1)] | None = None
+    """How many of the texts, alike many of every route; None for all."""
+    read_aloud: bool
+    """Whether the browser offers to read a text aloud."""
+
+
 class StudyDesign(_Part):
     """Everything in a study file."""
 
@@ -146,7 +157,7 @@ class StudyDesign(_Part):
     """Routes that one participant describes; None for all."""
     held_minutes: Annotated[int, Field(ge=5, le=100_000)]
     """How long a place is kept for somebody who does not go on."""
-    least_words: Annotated[int, Field(ge=1, le=1000)]
+    least_words: Annotated[int, Field(ge=1, le=1000)] = 1
     delay_minutes: Annotated[float, Field(ge=0, le=600)] | None = None
     """Between the video and the description; only `memory`."""
     platform_ids: list[Annotated[str, Field(pattern=r"^[A-Za-z0-9_]{1,40}$")]]
@@ -154,23 +165,23 @@ class StudyDesign(_Part):
     consent: Annotated[list[Text], Field(min_length=1)]
     scenario: Text
     task: Text
-    robot: Text
+    robot: Text = ""
     """What people are told between their two descriptions: the treatment."""
-    second_task: Text
+    second_task: Text = ""
     thanks: Text
     excluded_thanks: Text
     codes: Codes
     comprehension: Comprehension
     familiarity: Familiarity
     attention: list[AttentionCheck] = []
-    walkthrough: Walkthrough
+    walkthrough: Walkthrough = Walkthrough(fps=10, width=1280, speed=1)
+    follow: Followed | None = None
+    """Of the kind `follow`, which has nothing to describe."""
     routes: Annotated[list[RouteShown], Field(min_length=1, max_length=20)]
 
     @model_validator(mode="after")
     def _agree(self) -> Self:
-        for name in ("task", "second_task"):
-            if "{destination}" not in getattr(self, name):
-                raise ValueError(f"expected {{destination}} in {name}, got none")
+        self._check_texts()
         if (self.delay_minutes is None) == (self.kind == "memory"):
             raise ValueError(
                 "expected delay_minutes for the kind memory and for no other, got "
@@ -192,6 +203,27 @@ class StudyDesign(_Part):
             raise ValueError(f"expected each route once, got {', '.join(names)}")
         return self
 
+    def _check_texts(self) -> None:
+        """See that there is what the kind needs to show."""
+        if (self.follow is None) == (self.kind == "follow"):
+            found = "none" if self.follow is None else "one"
+            raise ValueError(
+                "expected a table [follow] for the kind follow and for no other, got "
+                f"{found} for {self.kind}"
+            )
+        if self.kind == "follow":
+            if self.robot or self.second_task:
+                raise ValueError(
+                    "expected neither robot nor second_task for the kind follow, whose "
+                    "participants describe nothing"
+                )
+            return
+        if not self.robot:
+            raise ValueError("expected a text robot, got none")
+        for name in ("task", "second_task"):
+            if "{destination}" not in getattr(self, name):
+                raise ValueError(f"expected {{destination}} in {name}, got none")
+
     @property
     def number_of_routes(self) -> int:
         """How many routes a participant describes."""
@@ -202,6 +234,7 @@ _PARTS = (
     StudyDesign,
     RouteShown,
     Walkthrough,
+    Followed,
     Codes,
     AttentionCheck,
     Comprehension,
