@@ -69,3 +69,80 @@ def test_a_thing_stays_where_the_speaker_only_adds_a_word() -> None:
         "At First Aid, uh, this I forgot, turn right."
     ).legs
     assert [each.phrase for each in leg.mentions] == ["first aid"]
+
+
+@pytest.mark.parametrize(
+    "start",
+    [
+        "The library is off to the left",
+        "The library, it is left from here, my friend",
+        "It's to your left, twenty metres",
+        "Och, it's over to your left",
+        "Down there on the left, a good five metres",
+        "Ah, the library: to your left, no turns",
+    ],
+)
+@pytest.mark.parametrize(
+    ("end", "side", "at_end"),
+    [
+        ("and you'll find it ahead of you.", "ahead", False),
+        ("and you find it on the right-hand side.", "right", False),
+        ("you will find it at the far end.", None, True),
+    ],
+)
+def test_of_two_sides_the_first_says_how_one_leaves(
+    start: str, end: str, side: str | None, at_end: bool
+) -> None:
+    plan = parse_route_description(f"{start}, {end}")
+    (leg,) = plan.legs
+    assert (leg.turn.way, leg.on_the_spot, leg.length) == ("left", True, None)
+    assert (plan.arrival.side, plan.arrival.at_end) == (side, at_end)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The library is to your left.",
+        "The library is down there on the left.",
+        "Straight on, and the library, it is to your left.",
+        "The library is on the left, it's the glass door.",
+    ],
+)
+def test_one_side_alone_is_that_of_the_destination(text: str) -> None:
+    plan = parse_route_description(text)
+    assert (plan.legs, plan.arrival.side) == ((), "left")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "You go to your left, and to your left where the gold model is.",
+        "To your left. Left at the gold model.",
+        "Down there on the left for forty yards, to your left at the gold model.",
+        "Ok. You turn left at the gold model, having first chosen to head off to your left.",
+        "What you want to do is take the corridor on your left here, left at the gold model.",
+        "The gold room. You go to your left, and then left at the gold model.",
+    ],
+)
+def test_how_one_leaves_is_not_the_first_turn(text: str) -> None:
+    first, second = parse_route_description(text).legs
+    assert (first.turn.way, first.on_the_spot, first.mentions) == ("left", True, ())
+    assert second.turn.way == "left"
+    assert [each.phrase for each in second.mentions] == ["gold model"]
+
+
+@pytest.mark.parametrize(
+    ("text", "way"),
+    [
+        ("If you go left here, you will find the library on your right.", "left"),
+        ("If you go left you meet the stairs, so go right.", "right"),
+    ],
+)
+def test_an_if_that_promises_the_destination_is_to_be_done(text: str, way: str) -> None:
+    assert [leg.turn.way for leg in parse_route_description(text).legs] == [way]
+
+
+def test_a_minute_ago_is_no_length_and_a_question_names_nothing() -> None:
+    text = "Is that a dog? I passed it a minute ago! Go back the way you came."
+    (leg,) = parse_route_description(text).legs
+    assert (leg.turn.way, leg.length, leg.mentions) == ("around", None, ())

@@ -18,9 +18,15 @@ from memorymaze.routes import (
     Way,
 )
 from memorymaze.understanding.clause import AT_THE_TURN, Event
+from memorymaze.understanding.event_order import (
+    ends_the_sentence_of_a_turn,
+    follows_a_thing,
+    told_since_turn,
+)
 from memorymaze.understanding.lengths import PLACE_METRES
 from memorymaze.understanding.partial_legs import PartialLeg, place_of
 from memorymaze.understanding.repetitions import Restating
+from memorymaze.understanding.setting_off import SettingOff
 from memorymaze.understanding.things import is_floor, kind_of
 
 _BESIDE_A_DOOR = 8.0
@@ -40,6 +46,7 @@ class _Assembly:
         self._done: list[PartialLeg] = []
         self._draft = PartialLeg()
         self._restating = Restating(events)
+        self._setting_off = SettingOff(events)
         self._way: Event | None = None
         """An opening that was named but neither taken nor left yet."""
         self._way_age = 0
@@ -65,6 +72,8 @@ class _Assembly:
         self._end_beside_a_way()
         self._settle_way()
         self._end_on_a_side()
+        for leg in self._done[:1]:
+            leg.drop_names()
         return [*self._done, self._draft]
 
     def _take(self, event: Event, at: int) -> None:
@@ -78,7 +87,7 @@ class _Assembly:
             case "thing":
                 self._add_thing(event, at)
             case "side":
-                self._add_side(event)
+                self._add_side(event, at)
             case "end" | "junction":
                 self._add_place(event, at)
             case "pass_ways":
@@ -92,6 +101,7 @@ class _Assembly:
             case "way":
                 self._settle_way()
                 self._way, self._way_age = self._newly_counted(event), 0
+                self._setting_off.note_side(event, at)
                 self._last = []
             case "take" if self._way is not None:
                 self._turn_into(self._way, at)
@@ -99,7 +109,7 @@ class _Assembly:
                 self._go_through_a_door(at)
             case "refuse" if self._way is not None:
                 self._leave(self._way)
-            case "refuse" if event.taken and self._since_turn(at) == 0:
+            case "refuse" if event.taken and told_since_turn(self._events, at) == 0:
                 self._take_back()
             case "too_far":
                 self._warned_draft().too_far.append(event.phrase)
@@ -149,7 +159,7 @@ class _Assembly:
             self._change_last_turn(way=way)
             return
         if way is None and event.ordinal is not None:
-            way = self._passed_side()
+            way = self._draft.passed_side
         if self._restating.repeats(at, way, event.ordinal, self._done, self._draft):
             self._done[-1].lengths.extend(self._draft.lengths)
             self._draft = PartialLeg(side=_flank(way) if event.aside else None)
@@ -176,7 +186,8 @@ class _Assembly:
             doubt=event.doubt,
         )
         draft.placed = draft.placed or event.ordinal is not None
-        draft.here = event.here and not (self._done or draft.walks)
+        draft.leaves = not self._done and self._setting_off.is_told(event, at, draft)
+        draft.here = draft.leaves or (event.here and not (self._done or draft.walks))
         elsewhere = any(
             each.back and (each.kind != "junction" or each.junction is not None)
             for each in self._events[at + 1 : at + 2]
@@ -185,7 +196,7 @@ class _Assembly:
             draft.turn_at_last_thing()
         draft.bare_turn = event.emphatic and not (event.commanded or event.again)
         draft.aside_turn = event.aside and self._events[at - 1].kind != "then"
-        draft.plain_last = draft.bare_turn and self._follows_a_thing(at)
+        draft.plain_last = draft.bare_turn and follows_a_thing(self._events, at)
         self._done.append(draft)
         self._draft, self._since_thing = PartialLeg(), 9
         self._counted |= self._counting
@@ -198,16 +209,7 @@ class _Assembly:
         if turn is None or turn.way != "either" or not self._draft.is_new:
             return False
         placed = [e.back for e in self._events[at + 1 : at + 2]]
-        return self._since_turn(at) is not None and placed != [True]
-
-    def _since_turn(self, at: int) -> int | None:
-        """Count what was told since the last turn of this sentence; None without one."""
-        told = 0
-        for earlier in reversed(self._events[:at]):
-            if earlier.kind in {"turn", "sentence", "then"}:
-                return told if earlier.kind == "turn" else None
-            told += earlier.kind != "clause"
-        return None
+        return told_since_turn(self._events, at) is not None and placed != [True]
 
     def _take_back(self) -> None:
         """`It goes off to the right, not that.`: an opening, and left alone."""
@@ -232,7 +234,7 @@ class _Assembly:
         named = self._way
         if named is None:
             return event
-        way = event.way or _flank(named.side) or self._passed_side()
+        way = event.way or _flank(named.side) or self._draft.passed_side
         if named.side is not None and named.side != way:
             self._settle_way()
             return event
@@ -241,29 +243,9 @@ class _Assembly:
             return replace(event, way=way)
         return replace(event, way=way, ordinal=named.ordinal, nearest=named.nearest)
 
-    def _follows_a_thing(self, at: int) -> bool:
-        """Tell whether the sentence named a thing last, not bound to a place."""
-        arrives = False
-        for number in range(at - 1, -1, -1):
-            earlier = self._events[number]
-            if earlier.kind in {"sentence", "turn", "then"}:
-                return arrives
-            if earlier.kind == "arrive":
-                return True
-            if earlier.kind == "thing" and earlier.relation != "at":
-                return earlier.relation in {"see", "seen", "into"}
-        return arrives
-
-    def _passed_side(self) -> Literal["left", "right"] | None:
-        """`Skip the first left and take the second`: the side is said once."""
-        for passing in reversed(self._draft.passings):
-            if passing.side is not None:
-                return passing.side
-        return None
-
     def _counts_on(self, way: Event) -> bool:
         """`The first left no, the second yes`: a number after those that were passed."""
-        side = self._passed_side()
+        side = self._draft.passed_side
         passed = [p.count or 1 for p in self._draft.passings if p.side == side]
         return side is not None and way.likely and way.ordinal == sum(passed) + 1
 
@@ -306,6 +288,8 @@ class _Assembly:
         turn = last.turn
         if turn is None or turn.at_end or turn.ordinal is not None:
             return
+        if last.leaves and self._draft.side is not None:
+            return  # "it is to your left, and you find it on the right"
         aside = last.aside_turn and self._draft.side is None
         if turn.way not in {"left", "right"} or not (
             aside or (last.plain_last and last.mentions)
@@ -416,6 +400,8 @@ class _Assembly:
             draft = self._draft
         if event.subject:
             draft.subjects.add(len(draft.mentions))
+        if event.called:
+            draft.called.add(len(draft.mentions))
         draft.mentions.append(
             Mention(
                 event.phrase,
@@ -452,18 +438,35 @@ class _Assembly:
         if not draft.is_new or (always and draft.walls and draft.ahead):
             self._add_turn(Event("turn", way="either"), at)
 
-    def _add_side(self, event: Event) -> None:
+    def _add_side(self, event: Event, at: int) -> None:
         if event.of_goal:
+            self._set_off(at)
             self._draft.side = event.side
+            self._setting_off.note_side(event, at)
         elif event.likely:
             self._side = event.side
         elif self._way is not None and self._way.side is None and not self._last:
             self._way = replace(self._way, side=event.side)
         elif self._last and self._last[-1].side is None:
             self._last[-1] = replace(self._last[-1], side=event.side)
+            self._setting_off.note_side(event, at)
+
+    def _set_off(self, at: int) -> None:
+        """Turn to the side told first, when another is told of the destination."""
+        turn = self._setting_off.take_side(at)
+        if turn is None or self._done:
+            return
+        self._way = self._draft.side = None
+        self._draft.mentions[:] = [
+            replace(each, side=None) if each.side == turn.way else each
+            for each in self._draft.mentions
+        ]
+        self._done.append(PartialLeg(turn=turn, here=True))
 
     def _add_place(self, event: Event, at: int) -> None:
         """Add an end of the way or a kind of junction."""
+        if event.of_goal:
+            self._set_off(at)
         if event.kind == "end":
             self._settle_likely_way()
         placed = event.kind == "junction" or event.relation == "at"
@@ -489,17 +492,7 @@ class _Assembly:
             return False
         if not (self._done and self._draft.is_new):
             return False
-        for number in range(at + 1, len(self._events)):
-            kind = self._events[number].kind
-            if kind == "sentence":
-                break
-            if kind not in {"side", "clause", "thing", "take"}:
-                return False
-        for number in range(at - 1, -1, -1):
-            kind = self._events[number].kind
-            if kind in {"sentence", "turn", "arrive"}:
-                return kind == "turn"
-        return False
+        return ends_the_sentence_of_a_turn(self._events, at)
 
 
 def _flank(side: Side | Way | None) -> Literal["left", "right"] | None:

@@ -43,7 +43,7 @@ _PLACES = re.compile(PLACES)
 _VAGUE = re.compile(VAGUE)
 _NUMBER = re.compile(NUMBER + r"\b")
 _WORD = re.compile(r"[^\W_][\w&+-]*(?:'(?!(?:s|d|ll)\b)\w+)?")
-_ADVERB = re.compile(r"[a-z]+(?:ic|i?ous|[ai]b|ful|less|iv|ari|tial|nal)l?ly")
+_ADVERB = re.compile(r"[a-z]+(?:ica|ic|i?ous|[ai]b|ful|less|iv|ari|tial|nal)l?ly")
 _SPELT = re.compile(r"(?<![\w'-])[a-z']+(?![\w'-])")
 _COUNTED = re.compile(
     r"(?:(?<=^)|(?<=[.;!?\n]))\s*(?:and |ok(?:ay)?,? |so,? )?"

@@ -102,6 +102,11 @@ class Event:
     """For `turn`: said to be where one stands."""
     aside: bool = False
     """For `turn`: said as `to the left` alone, which may be the side of something."""
+    leaving: bool = False
+    """For `turn` and `side`: said as where one goes off to: `to the left`, `there on the
+    left`."""
+    called: bool = False
+    """For `thing`: its name alone, without a word of where it is: `The library.`"""
     joined: bool = False
     """For `turn`: the second of `right-left`."""
     emphatic: bool = False
@@ -172,6 +177,8 @@ class Clause:
         said = "".join(chunk.kind for chunk in self.said)
         if "p" not in said or re.search("[AwQ][^p]*Np", said):
             return False
+        if re.match("h*pX", said) and re.search("[LS2OT]", said) is None:
+            return True  # "I never see it"
         return _OF_A_WAY.search(self.kinds) is None
 
     @property

@@ -12,6 +12,7 @@ from memorymaze.understanding.clause import (
     Event,
     Relation,
     side_of,
+    towards_a_side,
 )
 from memorymaze.understanding.directions import (
     comes_before_its_thing,
@@ -114,7 +115,7 @@ class ClauseReader:
             elif kind == "M":
                 self._add(Event("length", length=chunk.length))
             at += 1
-        if not found:
+        if not found and clause.kinds[start:] != "T":  # "no turns"
             firm = re.search("I|XY", clause.kinds) is not None
             self._add(Event("refuse", taken=firm))
 
@@ -170,7 +171,8 @@ class ClauseReader:
             bound = re.search("A[VG]*$", before) is not None
             at_it = bound or _AT_IT.match(chunk.text) is not None
             back = self._turned and at_it
-            of_goal = re.search("[ZBR]", before) is not None and "T" not in before
+            it_is = before == "V" or re.search("[ZBR]", before) is not None
+            of_goal = it_is and "T" not in before
             relation: Relation = "at" if at_it else "until"
             self._add(Event("end", relation=relation, back=back, of_goal=of_goal))
         elif kind == "Y":
@@ -249,20 +251,39 @@ class ClauseReader:
         clause = self._clause
         chunk = clause.chunks[at]
         after_turn = not self._read or self._read[-1].kind == "turn"
+        off = clause.has("l") or (chunk.kind == "S" and towards_a_side(chunk))
+        moved = re.search("[TK]", clause.kinds[:at])
+        leaving = off and not self._turned and moved is None
         turn = is_turn(clause, at, after_turn=after_turn)
         if chunk.kind == "L" and clause.kind_before(at) == "P":
             self._add(Event("pass_ways", count=1, side=side_of(chunk)))
         elif names_a_way(clause, at, turn=turn):
-            self._add(Event("way", side=side_of(chunk), likely=True))
+            self._add(Event("way", side=side_of(chunk), likely=True, leaving=leaving))
         elif turn:
             bend = " ".join(c.text for c in clause.chunks[:at] if c.kind == "K")
             way = _SLANTED.get(chunk.turn) if _SMALL.search(bend) else chunk.turn
             alone = re.fullmatch("[ZVR]*S", clause.kinds) and not place_is_named(clause)
-            self._take(Event("turn", way=way, forced=bool(bend), aside=bool(alone)))
+            self._take(
+                Event(
+                    "turn",
+                    way=way,
+                    forced=bool(bend),
+                    aside=bool(alone),
+                    leaving=leaving,
+                )
+            )
         elif chunk.way is not None or chunk.kind == "S":
             first = comes_before_its_thing(clause, at)
             goal = _is_of_the_goal(clause)
-            self._add(Event("side", side=side_of(chunk), likely=first, of_goal=goal))
+            self._add(
+                Event(
+                    "side",
+                    side=side_of(chunk),
+                    likely=first,
+                    of_goal=goal,
+                    leaving=leaving,
+                )
+            )
 
     # -- things
 
@@ -301,6 +322,7 @@ class ClauseReader:
                 phrase=phrase,
                 relation=relation,
                 subject=clause.kinds[at + 1 : at + 2] == "B",
+                called=re.fullmatch("N(?:AN)?", clause.kinds) is not None,
                 back=back,
                 ordinal=nth,
                 walks=not self._turned and "G" in clause.kinds[:at],

@@ -29,7 +29,7 @@ _ODD = r"(?:[- ]?odd|[- ]?ish|or so|more(?: like)?|good|small|little|quick|norma
 LENGTH = (
     rf"(?P<low>{NUMBER})(?:\s*(?:-|to|or|,|, or|, maybe|maybe)\s*(?P<high>{NUMBER}))?"
     rf"(?:\s*{_ODD})?(?:(?<=\d)\s*-?|\s+|-)(?P<unit>{_UNIT})\b(?: and a (?P<extra>half|bit|quarter)\b)?"
-    r"(?:-ish| or so| ish)?"
+    r"(?:-ish| or so| ish)?(?! (?:ago|late|early|old)\b)"
 )
 """Pattern of a distance: groups `low`, `high`, `unit` and `extra`."""
 

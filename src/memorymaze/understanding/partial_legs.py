@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from typing import Literal
 
 from memorymaze.routes import (
     Arrival,
@@ -59,6 +60,10 @@ class PartialLeg:
     straight: bool = False
     here: bool = False
     """Whether its turn is where one stands."""
+    leaves: bool = False
+    """Whether its turn only says how one leaves: `to the left, then …`"""
+    called: set[int] = field(default_factory=set[int])
+    """Indices of mentions that are names alone: `The library.`"""
     placed: bool = False
     """Whether it was said that its turn is at an opening or a junction."""
     entered: bool = False
@@ -106,9 +111,23 @@ class PartialLeg:
         )
 
     @property
+    def passed_side(self) -> Literal["left", "right"] | None:
+        """`Skip the first left and take the second`: the side is said once."""
+        for passing in reversed(self.passings):
+            if passing.side is not None:
+                return passing.side
+        return None
+
+    @property
     def names_what_is_ahead(self) -> bool:
         """Whether the thing named last may be where the stretch ends."""
         return bool(self.mentions) and self.mentions[-1].side in {None, "ahead"}
+
+    def drop_names(self) -> None:
+        """`The library. Go to your left.`: no thing that one sees where one stands."""
+        if self.here:
+            kept = [n for n in range(len(self.mentions)) if n not in self.called]
+            self.mentions = [self.mentions[n] for n in kept]
 
     def turn_at_last_thing(self) -> None:
         """`Information desk, right.`: what was named just before is where one turns."""

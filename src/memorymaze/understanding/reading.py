@@ -105,6 +105,12 @@ def _joins(chunks: Sequence[Chunk], at: int) -> bool:
     )
 
 
+def _promises(clauses: Sequence[list[Chunk]]) -> bool:
+    """`…, you will find the library`: no more than where it is."""
+    kinds = "".join(chunk.kind for clause in clauses for chunk in clause)
+    return re.match("r?[hp]*[VR]", kinds) is not None and "o" not in kinds
+
+
 def _starts_anew(clause: Sequence[Chunk], chunk: Chunk) -> bool:
     """Tell whether a motion verb begins a new clause in unpunctuated text."""
     kinds = "".join(c.kind for c in clause[-40:] if c.kind != "p")
@@ -134,8 +140,10 @@ def read_clauses(
         body = clause[:-1] if joint is not None else clause
         if body and body[0].kind == "r" and _commands_a_turn(body):
             missing = False  # "if you go right you meet the stairs, so go left"
-        missing = missing or _speaks_of_missing(body, clauses[number:])
-        if missing:
+        missing = missing or _speaks_of_missing(body, clauses[number:], told)
+        if _is_a_question(clause):
+            said: list[Event] = []
+        elif missing:
             kind = "wrong_way" if _turned_wrong(body, clauses[number:]) else "too_far"
             said = [
                 Event(kind, phrase=phrase)
@@ -150,6 +158,13 @@ def read_clauses(
         events.extend(said)
         told.extend(said)
     return events
+
+
+def _is_a_question(clause: Sequence[Chunk]) -> bool:
+    """`Is that a robot?`: asks, and says nothing of the way."""
+    kinds = "".join(chunk.kind for chunk in clause)
+    asked = re.fullmatch("[hp]*B[hp]*N[hp]*[.]", kinds) is not None
+    return asked and clause[-1].text.startswith("?")
 
 
 def _commands_a_turn(body: list[Chunk]) -> bool:
@@ -172,13 +187,18 @@ def _turned_wrong(body: list[Chunk], rest: Sequence[list[Chunk]]) -> bool:
     return any(chunk.kind in "LS" for chunk in body)
 
 
-def _speaks_of_missing(body: list[Chunk], rest: Sequence[list[Chunk]]) -> bool:
+def _speaks_of_missing(
+    body: list[Chunk], rest: Sequence[list[Chunk]], told: Sequence[Event]
+) -> bool:
     """Tell whether from here the sentence is about having gone wrong.
 
     `If you go right, …` is as little to be done as `If you reach the toilets you have
-    gone too far`.
+    gone too far`, but `If you go right, you will find the library` is, said first.
     """
     kinds = "".join(chunk.kind for chunk in body)
+    first = all(event.kind in {"sentence", "clause", "then", "recap"} for event in told)
+    if first and re.match("c[TGu].*[LSu]", kinds) and _promises(rest[1:]):
+        return False
     later = "".join(chunk.kind for clause in rest[:12] for chunk in clause)
     if "o" not in later and not (re.search("[bu]", later) and "c" in later):
         return re.match("[hp]*c", kinds) is not None and _commands_a_turn(body)

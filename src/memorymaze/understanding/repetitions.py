@@ -10,6 +10,7 @@ from collections.abc import Sequence
 
 from memorymaze.routes import Way
 from memorymaze.understanding.clause import Event
+from memorymaze.understanding.event_order import is_placed
 from memorymaze.understanding.partial_legs import PartialLeg
 
 _OVERVIEW = re.compile(
@@ -164,6 +165,8 @@ class Restating:
         last = done[-1].turn if done else None
         if last is None or last.way != way or event.again or event.at_once:
             return False
+        if done == done[:1] and done[0].leaves and is_placed(self._events, at):
+            return False  # "to your left, and left at the clock"
         if self._announced:
             return True
         if self._is_elsewhere(at, ordinal, done[-1]):
