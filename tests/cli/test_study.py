@@ -26,7 +26,7 @@ def test_a_study_without_pages_is_refused_before_anything_is_made(
     memorymaze("study", "new", path, "--site", "museum_5f", "--kind", "onsite")
     said = memorymaze("study", "serve", path)
     assert said.code == 1
-    assert "expected the kind online or memory" in said.err
+    assert "has no pages for participants by themselves" in said.err
     assert not list(tmp_path.glob("mine.films"))
 
 

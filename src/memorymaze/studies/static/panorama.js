@@ -95,6 +95,7 @@ function showPanorama(box) {
   if (!draw) return;
   const [play, restart] = [box.querySelector(".play"), box.querySelector(".restart")];
   const [bar, clock] = [box.querySelector("input"), box.querySelector("output")];
+  const state = box.querySelector("[role=status]");
   let yaw = 0, pitch = 0, held = null;
 
   function show() {
@@ -104,6 +105,9 @@ function showPanorama(box) {
     bar.setAttribute("aria-valuetext", `${minutes(film.currentTime)} of ${minutes(film.duration || 0)}`);
     clock.textContent = `${minutes(film.currentTime)} / ${minutes(film.duration || 0)}`;
     if (film.readyState >= 2) draw(film, yaw, pitch);
+    state.textContent = film.error
+      ? "The video could not be loaded. Load this page again."
+      : film.readyState < 2 ? "The video is being loaded." : "";
   }
   function turn(by, up) {
     yaw = (yaw + by) % (2 * Math.PI);
@@ -140,7 +144,7 @@ function showPanorama(box) {
   for (const end of ["pointerup", "pointercancel"]) {
     canvas.addEventListener(end, () => { held = null; });
   }
-  for (const change of ["loadeddata", "play", "pause", "seeked", "timeupdate"]) {
+  for (const change of ["loadeddata", "error", "play", "pause", "seeked", "timeupdate"]) {
     film.addEventListener(change, show);
   }
   addEventListener("resize", show);
