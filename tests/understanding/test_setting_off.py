@@ -31,6 +31,9 @@ def test_who_goes_on_first_does_not_turn_on_the_spot(text: str) -> None:
         "I went the other way, and then right at the second junction.",
         "Back down the way you came first, right at the second junction.",
         "Turn around completely, to the right at the second junction.",
+        "Turn back, then right at the second junction.",
+        "It's back that way, a few steps, and right at the second junction.",
+        "You want the other way, and then right at the second junction.",
     ],
 )
 def test_one_can_be_sent_back(text: str) -> None:
@@ -146,3 +149,22 @@ def test_a_minute_ago_is_no_length_and_a_question_names_nothing() -> None:
     text = "Is that a dog? I passed it a minute ago! Go back the way you came."
     (leg,) = parse_route_description(text).legs
     assert (leg.turn.way, leg.length, leg.mentions) == ("around", None, ())
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Turn left at the end, and to your right you will see the library.",
+        "Turn left at the end, and then it's to your right.",
+        "Turn left at the end, and the library, right-hand side.",
+    ],
+)
+def test_the_side_told_last_is_that_of_the_destination(text: str) -> None:
+    plan = parse_route_description(text)
+    assert [leg.turn.way for leg in plan.legs] == ["left"]
+    assert (plan.legs[0].turn.ordinal, plan.arrival.side) == (None, "right")
+
+
+def test_a_destination_asked_for_is_no_place_to_turn() -> None:
+    (leg,) = parse_route_description("The library? Turn left, then it's ahead.").legs
+    assert (leg.mentions, leg.on_the_spot) == ((), True)

@@ -72,9 +72,9 @@ class _Assembly:
         self._end_beside_a_way()
         self._settle_way()
         self._end_on_a_side()
-        for leg in self._done[:1]:
-            leg.drop_names()
-        return [*self._done, self._draft]
+        legs = [*self._done, self._draft]
+        legs[0].drop_names()
+        return legs
 
     def _take(self, event: Event, at: int) -> None:
         match event.kind:
@@ -139,11 +139,9 @@ class _Assembly:
         self._side = None
         self._way_age += 1
         self._since_thing += 1
-        if event.kind == "sentence" and not (
-            self._stands_there and self._draft.names_what_is_ahead
-        ):
-            self._since_thing += 1  # "You see a clock. Turn right."
         if event.kind == "sentence":
+            if not (self._stands_there and self._draft.names_what_is_ahead):
+                self._since_thing += 1  # "You see a clock. Turn right."
             if self._way and (self._way.taken or self._counts_on(self._way)):
                 self._settle_way()
             self._restating.new_sentence()
@@ -195,13 +193,13 @@ class _Assembly:
         if self._since_thing <= 1 and not (elsewhere or draft.here):
             draft.turn_at_last_thing()
         draft.bare_turn = event.emphatic and not (event.commanded or event.again)
-        draft.aside_turn = event.aside and self._events[at - 1].kind != "then"
+        then = self._events[at - 1].kind == "then" and not event.apposed
+        draft.aside_turn = event.aside and not then
         draft.plain_last = draft.bare_turn and follows_a_thing(self._events, at)
         self._done.append(draft)
         self._draft, self._since_thing = PartialLeg(), 9
         self._counted |= self._counting
-        self._counting, self._left = set(), {}
-        self._last = []
+        self._counting, self._left, self._last = set(), {}, []
 
     def _tells_side_of_bend(self, at: int) -> bool:
         """`There is a bend and you go left with it`: one turn, its side told late."""
@@ -450,6 +448,9 @@ class _Assembly:
         elif self._last and self._last[-1].side is None:
             self._last[-1] = replace(self._last[-1], side=event.side)
             self._setting_off.note_side(event, at)
+        else:
+            self._set_off(at)
+            self._draft.side = self._draft.side or event.side
 
     def _set_off(self, at: int) -> None:
         """Turn to the side told first, when another is told of the destination."""
@@ -490,9 +491,8 @@ class _Assembly:
         """`Turn right, opposite the hall.`: a place said last is that of the turn."""
         if event.relation not in AT_THE_TURN or event.walks or event.of_goal:
             return False
-        if not (self._done and self._draft.is_new):
-            return False
-        return ends_the_sentence_of_a_turn(self._events, at)
+        follows = self._done and self._draft.is_new
+        return bool(follows) and ends_the_sentence_of_a_turn(self._events, at)
 
 
 def _flank(side: Side | Way | None) -> Literal["left", "right"] | None:

@@ -182,6 +182,12 @@ class Clause:
         return _OF_A_WAY.search(self.kinds) is None
 
     @property
+    def is_first(self) -> bool:
+        """Whether nothing was told of the way before it."""
+        told = {"sentence", "clause", "then", "recap", "thing"}
+        return all(event.kind in told for event in self.before)
+
+    @property
     def has_verb(self) -> bool:
         """Whether it commands: `turn`, `go`, `bends`."""
         return re.search("[TGK]", self.kinds) is not None

@@ -37,6 +37,7 @@ _AHEAD = re.compile(r"(?:straight |dead |right )?(?:ahead|(?:in )?front)\b")
 _ROUND = re.compile(r"round|around|bend|curve|curl|wind|turns?$")
 _WHEN = re.compile(r"when|where|once|as\b")
 _ROUND_IT = re.compile(r"(?:round|around|follow|go|walk|come|keep)")
+_BACK = re.compile(r"(?:(?:turn|go|walk|head) )?back\b(?! up)|turn round|.*the o")
 _SMALL = re.compile(r"small|lean|slight|little|gentle|soft|light|bit of")
 _SLANTED: dict[Way | None, Way] = {"left": "slight_left", "right": "slight_right"}
 _REACHED = re.compile(r"reach|come|comes|get to|arrive|hit|face|facing|meet")
@@ -144,6 +145,9 @@ class ClauseReader:
             self._add(Event("wall", side=side_of(chunk) or "behind"))
             return at + 1
         if kind == "u":
+            self._take(Event("turn", way="around", here=True))
+            return at + 1
+        if kind == "b" and _BACK.match(chunk.text) and clause.is_first:
             self._take(Event("turn", way="around", here=True))
             return at + 1
         if faces(clause, at):
@@ -404,5 +408,5 @@ class ClauseReader:
 
 def _is_of_the_goal(clause: Clause) -> bool:
     """`It is, you will see it, on your left`: of what is spoken of all the time."""
-    said = re.match("[ZR]|V+[HSL]|H+$", clause.kinds)
+    said = re.match("[ZR]|V+[HSL]|H+$|SV$", clause.kinds)
     return said is not None and "N" not in clause.kinds

@@ -26,6 +26,7 @@ _SIGN = re.compile(
 _OFF = re.compile(r"goes|go\b|leads?|runs?|comes?")
 _STARTS = re.compile(r"(?:start|begin|open|continue|lead)")
 _EXISTS = re.compile(r"come|there|here")
+_SEEN = re.compile(r".*\b(?:see|find|have|notice|spot)$")
 _DOOR = re.compile(r"^(?:hand )?(?:door|wall|window|room)s?\b")
 _LOOSE = ("with", "among")
 _AWAY = re.compile(r"(?:away|from|out|off)\b")
@@ -112,6 +113,10 @@ def _is_turn_to_side(clause: Clause, chunk: Chunk, before: str, after: str) -> b
         "[AwQE]", after
     ):
         return True  # "20 metres and to your left at the desk"
+    if after.startswith("V") and _SEEN.match(
+        clause.chunks[len(clause.kinds) - len(after)].text
+    ):
+        return False  # "to your right you will see the desk"
     bound = re.search("([AU])N+$", before)
     if towards_a_side(chunk) and bound is not None:
         loose = clause.chunks[bound.start()].text.startswith(_LOOSE)

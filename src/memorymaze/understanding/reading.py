@@ -7,7 +7,7 @@ from dataclasses import replace
 from memorymaze.routes import RoutePlan
 from memorymaze.understanding.assembly import assemble
 from memorymaze.understanding.chunks import Chunk, cut, normalise
-from memorymaze.understanding.clause import Event
+from memorymaze.understanding.clause import Clause, Event
 from memorymaze.understanding.clause_reader import ClauseReader
 from memorymaze.understanding.corrections import apply_corrections
 from memorymaze.understanding.destinations import find_destinations
@@ -154,6 +154,9 @@ def read_clauses(
             said = ClauseReader(body, told).read()
         if number and clauses[number - 1][-1].text in {"because", "since"}:
             said = [event for event in said if event.kind != "turn"]
+        asked = joint is not None and joint.text.startswith("?")
+        if asked and said and said[-1].called and Clause(body, told).is_first:
+            said = []  # "The library? Turn left."
         said.append(_mark(joint))
         events.extend(said)
         told.extend(said)
@@ -196,8 +199,8 @@ def _speaks_of_missing(
     gone too far`, but `If you go right, you will find the library` is, said first.
     """
     kinds = "".join(chunk.kind for chunk in body)
-    first = all(event.kind in {"sentence", "clause", "then", "recap"} for event in told)
-    if first and re.match("c[TGu].*[LSu]", kinds) and _promises(rest[1:]):
+    is_told = re.match("c(?:u|b|[TG].*[LS])", kinds) is not None
+    if is_told and Clause(body, told).is_first and _promises(rest[1:]):
         return False
     later = "".join(chunk.kind for clause in rest[:12] for chunk in clause)
     if "o" not in later and not (re.search("[bu]", later) and "c" in later):
