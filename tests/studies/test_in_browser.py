@@ -241,7 +241,7 @@ def test_one_looks_round_in_a_video_by_keys_buttons_and_pointer(
                 ("red", red), ("green", green), ("blue", blue), key=lambda e: e[1]
             )[0]
 
-        reader.until("document.querySelector('output').textContent.endsWith('0:02')")
+        reader.until("document.querySelector('.clock').textContent.endsWith('0:02')")
         assert colour() == "red"
         for _ in range(9):
             canvas.press("ArrowLeft")

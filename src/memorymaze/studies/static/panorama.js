@@ -94,7 +94,7 @@ function showPanorama(box) {
   const draw = windowOn(canvas);
   if (!draw) return;
   const [play, restart] = [box.querySelector(".play"), box.querySelector(".restart")];
-  const [bar, clock] = [box.querySelector("input"), box.querySelector("output")];
+  const [bar, clock] = [box.querySelector("input"), box.querySelector(".clock")];
   const state = box.querySelector("[role=status]");
   let yaw = 0, pitch = 0, held = null;
 
