@@ -53,8 +53,9 @@ def test_wrong_usage_gives_code_2_and_the_usage(
             ["numpy", "scipy", "shapely", "mujoco", "matplotlib", "pydantic", "openai"],
         ),
         (["evaluate", "--help"], ["networkx", "openai"]),
+        (["study", "--help"], ["numpy", "starlette", "jinja2"]),
     ],
-    ids=["all", "evaluate"],
+    ids=["all", "evaluate", "study"],
 )
 def test_help_needs_no_heavy_library(arguments: list[str], heavy: list[str]) -> None:
     """Those take longer to import than anyone waits for a help text."""

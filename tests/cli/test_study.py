@@ -1,6 +1,9 @@
+import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
+
+import pytest
 
 Memorymaze = Callable[..., Any]
 TINY_SITES = Path(__file__).parents[1] / "tiny_sites"
@@ -46,6 +49,15 @@ def test_a_simulated_study_is_exported_and_read_by_the_other_verbs(
     assert (checked.code, "no problems" in checked.err) == (0, True)
     counted = memorymaze("instructions", "stats", out, "--sites", TINY_SITES)
     assert "memory" in counted.out
+
+
+def test_a_missing_extra_is_named_with_what_to_type(
+    memorymaze: Memorymaze, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "starlette", None)
+    said = memorymaze("study", "serve", tmp_path / "mine.toml")
+    assert said.code == 2
+    assert "the package starlette is not installed; type: " in said.err
 
 
 def test_a_participant_is_withdrawn_by_the_id_of_a_platform(

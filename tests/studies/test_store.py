@@ -76,7 +76,7 @@ def test_a_place_is_free_again_when_somebody_is_excluded_or_stays_away(
     with open_store(study, clock=lambda: now) as store:
         first, _ = begin(store, "one"), begin(store, "two")
         assert store.begin("three") == "full"
-        store.end(first.id, "excluded", "familiarity")
+        store.add_answer(first.id, "familiarity", "I know it", state="excluded")
         third = begin(store, "three")
         assert third.cell == first.cell
         now += 31 * 60
@@ -208,13 +208,18 @@ def test_texts_may_change_while_a_study_runs_but_not_its_routes(
     study.path.write_text(changed, encoding="utf-8")
     with open_store(load_study(study.path)) as store:
         assert len(store.participants()) == 1
-    without = changed.replace('[[routes]]\nroute = "R2"\n', "")
-    study.path.write_text(without, encoding="utf-8")
-    with (
-        pytest.raises(StudyError, match="expected the orders 'R1, R2; R2, R1'"),
-        open_store(load_study(study.path)),
+    without_route = changed.replace('[[routes]]\nroute = "R2"\n', "")
+    later_check = changed.replace("after_route = 1", "after_route = 2")
+    for other, said in (
+        (without_route, "expected the orders 'R1, R2; R2, R1'"),
+        (later_check, "expected the attention checks after"),
     ):
-        pass
+        study.path.write_text(other, encoding="utf-8")
+        with (
+            pytest.raises(StudyError, match=said),
+            open_store(load_study(study.path)),
+        ):
+            pass
 
 
 def test_a_damaged_file_is_named(make_study: MakeStudy) -> None:

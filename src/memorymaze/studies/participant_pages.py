@@ -10,7 +10,7 @@ import secrets
 from collections.abc import Callable, Mapping, Sequence
 from hashlib import sha256
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from starlette.exceptions import HTTPException
 from starlette.requests import Request
@@ -36,6 +36,15 @@ WRONG = "wrong"
 """Event of an attempt at the comprehension check that failed."""
 
 
+class Taken(NamedTuple):
+    """What is kept of a form that is as it should be."""
+
+    text: str
+    shown: str = ""
+    excluded: str = ""
+    """Why somebody cannot go on; empty where they can."""
+
+
 class ParticipantPages:
     """The pages of a study, by its store and its videos."""
 
@@ -45,10 +54,10 @@ class ParticipantPages:
         self._design = store.study.design
         self._films = films
         self._cookie = cookie_name("participant", store)
-        self._takers: dict[str, Callable[[Participant, Step, Fields], str | None]] = {
+        self._takers: dict[str, Callable[[Participant, Step, Fields], Taken | str]] = {
             "comprehension": self._take_comprehension,
             "familiarity": self._take_familiarity,
-            "scenario": self._take_nothing,
+            "scenario": self._take_scenario,
             "watch": self._take_watched,
             "wait": self._take_waited,
             "tell": self._take_text,
@@ -140,9 +149,7 @@ class ParticipantPages:
         if participant.state == "excluded":
             return self._end(request, "excluded", self._design.codes.excluded)
         step, number, count = self._current(participant)
-        if step is None:
-            if participant.state != "complete":
-                self._store.end(participant.id, "complete")
+        if participant.state == "complete" or step is None:
             return self._end(request, "complete", self._design.codes.complete)
         self._store.add_event(participant.id, step.key, "opened")
         return self._page(request, participant, step, number, count)
@@ -205,24 +212,30 @@ class ParticipantPages:
         # A page sent twice, or from another window, is not the present one any more.
         if participant.state != "active" or step is None or step.key != _key(request):
             return _to("/study")
-        problem = self._takers[step.kind](participant, step, fields)
-        if problem is None:
-            return _to("/study")
-        return self._page(
-            request, participant, step, number, count, problem=problem, given=fields
-        )
-
-    def _take_nothing(
-        self, participant: Participant, step: Step, fields: Fields
-    ) -> str | None:
+        taken = self._takers[step.kind](participant, step, fields)
+        if isinstance(taken, str):
+            return self._page(
+                request, participant, step, number, count, problem=taken, given=fields
+            )
+        state = "complete" if number == count else "active"
         self._store.add_answer(
-            participant.id, step.key, "", shown=self._design.scenario
+            participant.id,
+            step.key,
+            taken.text,
+            taken.shown,
+            state="excluded" if taken.excluded else state,
+            reason=taken.excluded,
         )
-        return None
+        return _to("/study")
+
+    def _take_scenario(
+        self, participant: Participant, step: Step, fields: Fields
+    ) -> Taken | str:
+        return Taken("", shown=self._design.scenario)
 
     def _take_comprehension(
         self, participant: Participant, step: Step, fields: Fields
-    ) -> str | None:
+    ) -> Taken | str:
         check = self._design.comprehension
         chosen = _chosen(check.questions, fields)
         if chosen is None:
@@ -231,58 +244,45 @@ class ParticipantPages:
             q for q, c in zip(check.questions, chosen, strict=True) if c != q.answer
         ]
         if not wrong:
-            self._store.add_answer(participant.id, step.key, json.dumps(chosen))
-            return None
+            return Taken(json.dumps(chosen))
         self._store.add_event(participant.id, step.key, WRONG, len(wrong))
-        tries = [
-            event
-            for event in self._store.events(participant.id, step.key)
-            if event.kind == WRONG
-        ]
-        if len(tries) < check.attempts:
+        events = self._store.events(participant.id, step.key)
+        if sum(event.kind == WRONG for event in events) < check.attempts:
             return (
                 "Not all answers were right. Please read once more what this is about."
             )
-        self._store.add_answer(participant.id, step.key, json.dumps(chosen))
-        self._store.end(participant.id, "excluded", "comprehension")
-        return None
+        return Taken(json.dumps(chosen), excluded="comprehension")
 
     def _take_familiarity(
         self, participant: Participant, step: Step, fields: Fields
-    ) -> str | None:
-        chosen = _chosen([self._design.familiarity], fields)
+    ) -> Taken | str:
+        asked = self._design.familiarity
+        chosen = _chosen([asked], fields)
         if chosen is None:
             return "Please choose an answer."
-        self._store.add_answer(participant.id, step.key, chosen[0])
-        if chosen[0] in self._design.familiarity.excluded:
-            self._store.end(participant.id, "excluded", "familiarity")
-        return None
+        knows_it = chosen[0] in asked.excluded
+        return Taken(chosen[0], excluded="familiarity" if knows_it else "")
 
     def _take_attention(
         self, participant: Participant, step: Step, fields: Fields
-    ) -> str | None:
+    ) -> Taken | str:
         chosen = _chosen([self._design.attention[step.number]], fields)
-        if chosen is None:
-            return "Please choose an answer."
-        self._store.add_answer(participant.id, step.key, chosen[0])
-        return None
+        return "Please choose an answer." if chosen is None else Taken(chosen[0])
 
     def _take_watched(
         self, participant: Participant, step: Step, fields: Fields
-    ) -> str | None:
+    ) -> Taken | str:
         events = self._store.events(participant.id, step.key)
         if not any(event.kind == WATCHED for event in events):
             return "Please watch the video to its end first; it will not come back."
-        self._store.add_answer(participant.id, step.key, "")
-        return None
+        return Taken("")
 
     def _take_waited(
         self, participant: Participant, step: Step, fields: Fields
-    ) -> str | None:
+    ) -> Taken | str:
         if self._seconds_left(participant, step) > 0:
             return "It is a little too early. This page says when to go on."
-        self._store.add_answer(participant.id, step.key, "")
-        return None
+        return Taken("")
 
     def _seconds_left(self, participant: Participant, step: Step) -> int:
         seen = self._store.answers(participant.id)[f"watch.{step.route}"].at
@@ -291,23 +291,19 @@ class ParticipantPages:
 
     def _take_text(
         self, participant: Participant, step: Step, fields: Fields
-    ) -> str | None:
-        text = fields.get("text", "").strip()
-        problem = None
-        if len(text) > LONGEST_TEXT:
-            problem = f"Please use at most {LONGEST_TEXT:,} characters."
-        elif word_count(text) < self._design.least_words:
-            problem = (
-                "That is very short. Please describe the whole way, with at least "
-                f"{self._design.least_words} words."
+    ) -> Taken | str:
+        design, text = self._design, fields.get("text", "").strip()
+        if word_count(text) >= design.least_words and len(text) <= LONGEST_TEXT:
+            return Taken(
+                text, shown=design.task if step.kind == "tell" else design.robot
             )
-        if problem is not None:
-            self._store.keep_draft(participant.id, step.key, text[:LONGEST_TEXT])
-            return problem
-        design = self._design
-        shown = design.task if step.kind == "tell" else design.robot
-        self._store.add_answer(participant.id, step.key, text, shown=shown)
-        return None
+        self._store.keep_draft(participant.id, step.key, text[:LONGEST_TEXT])
+        if len(text) > LONGEST_TEXT:
+            return f"Please use at most {LONGEST_TEXT:,} characters."
+        return (
+            "That is very short. Please describe the whole way, with at least "
+            f"{design.least_words} words."
+        )
 
     # What scripts send -----------------------------------------------------------------
 

@@ -207,26 +207,34 @@ class Store:
         rows = self._rows(f"{_SELECT} WHERE {condition}", value)
         return _participant(rows[0]) if rows else None
 
-    def end(self, participant: str, state: State, reason: str = "") -> None:
-        """Say that somebody is done; they keep no drafts."""
-        with self._writing() as rows:
-            rows.execute(
-                "UPDATE participants SET state = ?, reason = ?, ended = ? WHERE id = ?",
-                (state, reason, self.now(), participant),
-            )
-            rows.execute("DELETE FROM drafts WHERE participant = ?", (participant,))
-
     # What they send --------------------------------------------------------------------
 
     def add_answer(
-        self, participant: str, step: str, text: str, shown: str = ""
+        self,
+        participant: str,
+        step: str,
+        text: str,
+        shown: str = "",
+        *,
+        state: State = "active",
+        reason: str = "",
     ) -> bool:
-        """Keep an answer for good; False where the step is answered already."""
+        """Keep an answer for good; False where the step is answered already.
+
+        `state` is what somebody is with this answer, and `reason` why they are excluded.
+        """
+        now = self.now()
         with self._writing() as rows:
             added = rows.execute(
                 "INSERT INTO answers VALUES (?, ?, ?, ?, ?) ON CONFLICT DO NOTHING",
-                (participant, step, text, shown, self.now()),
+                (participant, step, text, shown, now),
             ).rowcount
+            if added and state != "active":
+                rows.execute(
+                    "UPDATE participants SET state = ?, reason = ?, ended = ? "
+                    "WHERE id = ?",
+                    (state, reason, now, participant),
+                )
             rows.execute(
                 "DELETE FROM drafts WHERE participant = ? AND step = ?",
                 (participant, step),
@@ -497,13 +505,14 @@ def _check_design(connection: sqlite3.Connection, study: Study, folder: Path) ->
         "kind": design.kind,
         "site": study.site.name,
         "orders": "; ".join(map(cell_name, route_orders(design))),
+        "attention checks after": str([each.after_route for each in design.attention]),
     }
     found = dict(connection.execute("SELECT name, value FROM facts").fetchall())
     begun = connection.execute("SELECT 1 FROM participants LIMIT 1").fetchall()
     for name, value in wanted.items():
-        if begun and found[name] != value:
+        if begun and found.get(name) != value:
             raise StudyError(
-                f"{study.path}: expected the {name} {found[name]!r}, which people in "
+                f"{study.path}: expected the {name} {found.get(name)!r}, which people in "
                 f"{folder} took part in, got {value!r}; undo the change, or copy the "
                 "study file to another name to begin anew"
             )
