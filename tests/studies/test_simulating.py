@@ -1,3 +1,4 @@
+import json
 from collections import Counter
 from collections.abc import Callable
 from pathlib import Path
@@ -5,8 +6,10 @@ from pathlib import Path
 import pytest
 
 from memorymaze.errors import StudyError
+from memorymaze.evaluation.run_folder import read_run
 from memorymaze.instructions import load_instructions
 from memorymaze.studies.exporting import export_study
+from memorymaze.studies.follow_runs import export_walks
 from memorymaze.studies.simulating import simulate_study
 from memorymaze.studies.store import open_store
 from memorymaze.studies.study_file import Study
@@ -44,3 +47,18 @@ def test_a_simulation_takes_the_place_of_the_one_before(make_study: MakeStudy) -
         assert len(store.participants()) == 2
         with pytest.raises(StudyError, match="being written already"):
             simulate_study(study, 2, 0, lambda *_: None)
+
+
+def test_made_up_walks_do_not_pass_for_those_of_people(
+    make_study: MakeStudy, tiny_instructions: Path, tmp_path: Path
+) -> None:
+    texts = f"instructions = [{json.dumps(str(tiny_instructions))}]"
+    study = make_study("follow", "quota = 2", texts)
+    ends = simulate_study(study, 2, 3, lambda *at: None)
+    assert ends["finished"] == 2
+    with open_store(study, simulated=True) as store:
+        done = export_walks(study, store, tmp_path / "walks")
+    assert done.walks == 4
+    _, results = read_run(done.folders[0])
+    assert {each.agent for each in results} == {"made-up people"}
+    assert all(each.path_length > 1 for each in results)

@@ -1,9 +1,13 @@
 """`memorymaze study`: begin, serve, export and try studies with people."""
 
 import argparse
+from typing import TYPE_CHECKING
 
 from memorymaze.cli.verbs import VerbParser, Verbs, shown_progress
 from memorymaze.wording import counted
+
+if TYPE_CHECKING:
+    from memorymaze.studies.study_file import Study
 
 KINDS = ("online", "memory", "onsite", "follow")
 
@@ -103,7 +107,7 @@ def _serve(options: argparse.Namespace) -> int:
     study = load_study(options.file)
     check_has_pages(study.design)
     with open_store(study, simulated=options.simulated) as store:
-        films = make_films(study)
+        films = {} if study.design.kind == "follow" else make_films(study)
         with serving_study(
             store,
             films,
@@ -121,18 +125,21 @@ def _serve(options: argparse.Namespace) -> int:
 def _add_export(actions: Verbs) -> None:
     parser = actions.add_parser(
         "export",
-        help="write what people told as an instruction file, and as a table (CSV)",
+        help="write what people told as an instruction file and a table, or how they "
+        "followed as a run",
         description="Write the descriptions of all who finished as an instruction file, "
         "which every other verb reads, and beside it a CSV file with times, re-watches "
-        "and checks. Works while the pages are served.",
+        "and checks; of the kind follow, the walks as a run folder of the agent people. "
+        "Works while the pages are served.",
         epilog="example: memorymaze study export my_study.toml --out my_texts.jsonl",
     )
     _add_file(parser)
     parser.add_argument(
         "--out",
-        metavar="FILE",
+        metavar="PATH",
         required=True,
-        help="instruction file to write (*.jsonl); the CSV file has its name",
+        help="instruction file to write (*.jsonl); the CSV file has its name. Of the "
+        "kind follow, run folder to make",
     )
     _add_simulated(parser)
     parser.set_defaults(run=_export)
@@ -145,6 +152,8 @@ def _export(options: argparse.Namespace) -> int:
     from memorymaze.studies.study_file import load_study
 
     study = load_study(options.file)
+    if study.design.kind == "follow":
+        return _export_walks(study, options)
     with open_store(study, simulated=options.simulated, alone=False) as store:
         done = export_study(study, store, options.out)
     source = "synthetic" if options.simulated else "human"
@@ -153,6 +162,24 @@ def _export(options: argparse.Namespace) -> int:
         f"{counted(done.participants, 'participant')}, written by {WRITTEN_BY[source]}; "
         f"with what was measured: {done.table}"
     )
+    return 0
+
+
+def _export_walks(study: "Study", options: argparse.Namespace) -> int:
+    """Write the walks of people as runs."""
+    from memorymaze.studies.follow_runs import export_walks
+    from memorymaze.studies.store import open_store
+
+    with open_store(study, simulated=options.simulated, alone=False) as store:
+        done = export_walks(study, store, options.out)
+    made_up = "made-up " if options.simulated else ""
+    print(
+        f"{counted(done.walks, 'walk')} of {counted(done.participants, f'{made_up}participant')}"
+    )
+    if done.never_followed:
+        print(f"{counted(done.never_followed, 'text')} nobody has followed yet")
+    for folder in done.folders:
+        print(f"see them beside a run of agents: memorymaze table {folder} RUN")
     return 0
 
 

@@ -1,4 +1,4 @@
-"""What participants of the kinds `online` and `memory` see, page by page.
+"""What participants of the kinds `online`, `memory` and `follow` see, page by page.
 
 What they send is judged here and kept by the store; where they are follows from what they
 have answered.
@@ -18,6 +18,8 @@ from starlette.responses import FileResponse, RedirectResponse, Response
 from starlette.routing import BaseRoute, Route
 
 from memorymaze.instructions.statistics import word_count
+from memorymaze.studies.follow_drives import Drives
+from memorymaze.studies.follow_pages import FollowPages
 from memorymaze.studies.schedule import Step, steps_of
 from memorymaze.studies.store import Participant, Store
 from memorymaze.studies.study_file import Question
@@ -48,8 +50,10 @@ class Taken(NamedTuple):
 class ParticipantPages:
     """The pages of a study, by its store and its videos."""
 
-    def __init__(self, store: Store, films: Mapping[str, Path]) -> None:
-        """Take the answers' store and the video of each route."""
+    def __init__(
+        self, store: Store, films: Mapping[str, Path], drives: Drives | None = None
+    ) -> None:
+        """Take the answers' store, and the video of each route or robots to drive."""
         self._store = store
         self._design = store.study.design
         self._films = films
@@ -64,6 +68,10 @@ class ParticipantPages:
             "retell": self._take_text,
             "attention": self._take_attention,
         }
+        self._follow = None
+        if drives is not None:
+            self._follow = FollowPages(store, drives, self._at_work)
+            self._takers["follow"] = self._follow.take
 
     @property
     def routes(self) -> list[BaseRoute]:
@@ -79,6 +87,7 @@ class ParticipantPages:
             Route("/privacy", self._privacy),
             Route("/withdraw", self._ask_withdrawal),
             Route("/withdraw", posted(self._withdraw), methods=["POST"]),
+            *([] if self._follow is None else self._follow.routes),
         ]
 
     # Beginning -------------------------------------------------------------------------
@@ -181,9 +190,12 @@ class ParticipantPages:
             view["longest"] = LONGEST_TEXT
             first = store.answers(participant.id).get(f"tell.{step.route}")
             view["first"] = "" if first is None else first.text
+        elif step.kind == "follow" and self._follow is not None:
+            view |= self._follow.view(participant, step)
         if step.route:
             view["destination"] = store.study.route(step.route).goal
-            told = [s.route for s in self._steps(participant) if s.kind == "tell"]
+            ways = {"tell", "follow"}
+            told = [s.route for s in self._steps(participant) if s.kind in ways]
             view["place"] = (told.index(step.route) + 1, len(told))
             view["film"] = (
                 f"/film/{step.route}" if self._may_watch(step, step.route) else None

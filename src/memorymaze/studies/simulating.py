@@ -3,6 +3,7 @@
 Their texts are the grammar's, with the published rates of errors; their clock is quick.
 """
 
+import json
 import re
 import time
 from collections import Counter
@@ -14,6 +15,7 @@ import numpy as np
 
 from memorymaze.errors import StudyError
 from memorymaze.instructions.statistics import word_count
+from memorymaze.studies.follow_pages import SURE
 from memorymaze.studies.schedule import route_orders
 from memorymaze.studies.serving import serving_study
 from memorymaze.studies.store import open_store, remove_simulated
@@ -27,6 +29,8 @@ LEAVES = 0.01
 """At each page."""
 WORDS_A_SECOND = 0.6
 """Typed."""
+COMMANDS = (20, 120)
+"""Given to a robot in a walk."""
 ROUTE_SECONDS = (40.0, 120.0)
 """Of one look at a video."""
 MOST_PAGES = 200
@@ -62,13 +66,13 @@ def simulate_study(
     fill all quotas where no number is given.
     """
     count = participants or study.design.quota * len(route_orders(study.design))
-    texts = _texts(study, count, seed)
+    texts = {} if study.design.kind == "follow" else _texts(study, count, seed)
     clock = _Clock()
     ends: Counter[str] = Counter()
     remove_simulated(study)
     with (
         open_store(study, simulated=True, clock=clock.now) as store,
-        serving_study(store, {}) as addresses,
+        serving_study(store, {}, draws=False) as addresses,
     ):
         for number in range(count):
             rng = np.random.default_rng([seed, number])
@@ -189,8 +193,29 @@ class _Visitor:
                 if kind == "tell" and design.kind == "online":
                     self._watch(f"tell.{about}")
                 return {"text": self._text(about, 1 if kind == "tell" else 2)}
+            case "follow":
+                return self._drive(about)
             case _:
                 return {}
+
+    def _drive(self, route: str) -> dict[str, str]:
+        """Go on, and turn somewhere where the robot does not, for some time."""
+        robot = f"/robot/follow.{route}"
+        told = json.loads(self._client.get(robot).text)
+        for number in range(int(self._rng.integers(*COMMANDS))):
+            if told.get("over"):
+                return {}
+            self._clock.skip(1.0)
+            command = "forward"
+            if told["answer"]:
+                command = str(self._rng.choice(["left", "right", "around"]))
+            sent = {"number": str(number), "command": command}
+            told = json.loads(self._send(robot, sent))
+        sure = self._rng.choice([value for value, _ in SURE])
+        return {
+            "said": str(self._rng.choice(["arrived", "gave_up"])),
+            "sure": str(sure),
+        }
 
     def _text(self, route: str, iteration: int) -> str:
         text = self.texts[route, iteration]
@@ -208,14 +233,15 @@ class _Visitor:
             self._clock.skip(seconds)
             self._send(f"/event/{step}", {"kind": "ended", "value": f"{seconds:.1f}"})
 
-    def _send(self, address: str, fields: dict[str, str]) -> None:
+    def _send(self, address: str, fields: dict[str, str]) -> str:
         token = re.search(r'<meta name="csrf-token" content="(\w+)">', self._page)
         assert token is not None  # every page has it
         sent = self._client.post(address, data={"csrf_token": token[1], **fields})
         if sent.status_code >= 500:
             raise StudyError(f"{address}: expected a page, got code {sent.status_code}")
-        if sent.text:
+        if sent.headers.get("content-type", "").startswith("text/html"):
             self._page = sent.text
+        return sent.text
 
 
 def _choice(question: CheckedQuestion, right: bool) -> str:
