@@ -8,10 +8,12 @@ from pathlib import Path
 import pytest
 
 from memorymaze.datasets import DatasetRequest, buildings, make_dataset
-from memorymaze.errors import MemoryMazeError, SettingsError
+from memorymaze.datasets.splits import PlannedBuilding
+from memorymaze.errors import MemoryMazeError, SettingsError, SitePlanError
 from memorymaze.instructions import Instruction, load_instructions
 from memorymaze.instructions.exchange.vln_ce import read_vln_ce
 from memorymaze.sites import check_site, load_sites
+from memorymaze.writing import parse_rates
 
 SPLITS = ("train", "val_seen", "val_unseen", "test")
 
@@ -119,6 +121,30 @@ def test_the_same_seed_makes_the_same_files_in_any_process(
         [sys.executable, "-c", program, str(out)], env=other_hashes, check=True
     )
     assert files_of(out) == files_of(made)
+
+
+def test_a_building_with_a_route_that_cannot_be_told_is_made_anew(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    known = buildings.cells_of
+    refused: list[str] = []
+
+    def cells_of(site):
+        if not refused:
+            refused.append(site.name)
+            raise SitePlanError("no cue leads to a turn")
+        return known(site)
+
+    monkeypatch.setattr(buildings, "cells_of", cells_of)
+    planned = PlannedBuilding("office", 3, "train", None)
+    task = buildings.BuildingTask(
+        planned, tmp_path, 1, parse_rates("none"), 0, walked=False
+    )
+    made = buildings.finish_building(task)
+    assert made.instructions
+    assert [path.stem for path in tmp_path.iterdir()] == [made.site.name]
+    assert made.site.name not in refused
+    assert made.planned.seed != planned.seed
 
 
 def test_another_seed_makes_other_buildings(made: Path, tmp_path: Path) -> None:

@@ -8,6 +8,7 @@ from memorymaze.construction import make_building
 from memorymaze.datasets.splits import PlannedBuilding
 from memorymaze.datasets.walks import StepWalk, walk_by_steps
 from memorymaze.durable_files import write_whole
+from memorymaze.errors import SitePlanError
 from memorymaze.instructions.records import Instruction
 from memorymaze.simulation import build_scene
 from memorymaze.sites import Site, load_site
@@ -15,6 +16,11 @@ from memorymaze.writing import ErrorRates, cells_of, sample_outlines, write_text
 
 CELLS = (("online", 1), ("onsite", 1), ("online", 2), ("onsite", 2))
 """Studies and iterations, between which the texts of a route are shared evenly."""
+
+TRIES = 5
+"""Buildings made in place of one of which a route cannot be told."""
+SEEDS_OF_TRIES_APART = 1_000_000_000
+"""Apart from the seeds of all other buildings of any dataset one would make."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,18 +55,36 @@ class FinishedBuilding:
 
 
 def finish_building(task: BuildingTask) -> FinishedBuilding:
-    """Make a building, write its plan, and tell its routes."""
-    made = make_building(task.planned.kind, task.planned.seed)
+    """Make a building, write its plan, and tell its routes.
+
+    Where a route cannot be told (no cue leads to one of its turns), another building of
+    the kind is made.
+    """
+    planned = task.planned
+    for _ in range(TRIES - 1):
+        try:
+            return _finished(planned, task)
+        except SitePlanError:
+            planned = replace(planned, seed=planned.seed + SEEDS_OF_TRIES_APART)
+    return _finished(planned, task)
+
+
+def _finished(planned: PlannedBuilding, task: BuildingTask) -> FinishedBuilding:
+    made = make_building(planned.kind, planned.seed)
     path = task.folder / f"{made.name}.geojson"
     write_whole(path, made.plan)
     site = load_site(path)
-    instructions = _texts(site, task)
+    try:
+        instructions = _texts(site, task)
+    except SitePlanError:
+        path.unlink()
+        raise
     walks: dict[str, StepWalk] = {}
     if task.walked:
         scene = build_scene(site)
         for route in sorted({each.reference_route for each in instructions}):
             walks[route] = walk_by_steps(scene, site.route(route))
-    return FinishedBuilding(task.planned, site, tuple(instructions), walks)
+    return FinishedBuilding(planned, site, tuple(instructions), walks)
 
 
 def _texts(site: Site, task: BuildingTask) -> list[Instruction]:
