@@ -1,6 +1,5 @@
 """Asking people on the way: when the guide does, and what it makes of their answers."""
 
-import math
 from collections.abc import Callable, Sequence
 from typing import Any
 
@@ -18,8 +17,8 @@ from memorymaze.understanding import parse_route_description
 Walk = Any
 TakeWalk = Callable[..., Walk]
 
-WELL = Situation(share=0.95, doubt=0.02, excess=0.0)
-LOST = Situation(share=0.1, doubt=0.9, excess=1.0)
+WELL = Situation(share=0.95, doubt=0.02, over=0.0)
+LOST = Situation(share=0.1, doubt=0.9, over=1.0)
 
 
 class Crowded:
@@ -170,14 +169,55 @@ def test_what_the_user_calls_the_destination_is_what_to_look_for() -> None:
     assert destination_names("the terrace") == ("terrace",)
 
 
-def test_somebody_who_says_no_makes_a_place_unlikely() -> None:
-    assert inquiry("gain", "No, it's further on.").is_it_here(0.4) < 1
-    assert inquiry("gain", "Yes, this is it.").is_it_here(0.4) > 1
-    assert inquiry("gain", "Yes, this is it.").is_it_here(0.99) == 1
+class Deserted:
+    """A place where somebody comes by only after the robot has turned some times."""
+
+    def __init__(self, when: Any, comes_after: int) -> None:
+        self.comes_after = comes_after
+        self.turns = 0
+        robot: Any = self
+        rng = np.random.default_rng(0)
+        self.inquiry = Inquiry(robot, when, 100.0, Journal(), rng)
+
+    def destination(self) -> str:
+        return "the library"
+
+    def turn_by(self, degrees: float) -> None:
+        self.turns += 1
+
+    def questions_left(self) -> int:
+        return 1
+
+    def ask(self, question: Question) -> str | None:
+        return "Turn left." if self.turns >= self.comes_after else None
+
+
+def test_rather_than_stop_at_an_unlikely_place_it_waits_for_somebody_to_ask() -> None:
+    here: Any = Deserted("gain", comes_after=5)
+    assert here.inquiry.before_stopping(0.3, here) is not None
+    assert here.turns == 5
+
+
+def test_nobody_is_waited_for_at_a_likely_place() -> None:
+    here: Any = Deserted("gain", comes_after=0)
+    assert here.inquiry.before_stopping(0.9, here) is None
+
+
+def test_it_waits_in_vain_once() -> None:
+    here: Any = Deserted("gain", comes_after=10_000)
+    assert here.inquiry.before_stopping(0.3, here) is None
+    turned = here.turns
+    assert turned > 0
+    assert here.inquiry.before_stopping(0.3, here) is None
+    assert here.turns == turned
 
 
 def test_success_is_less_likely_the_more_is_wrong() -> None:
     assert WELL.success > 0.75 > LOST.success
-    assert math.isclose(
-        Situation(1.0, 0.0, -3.0).success, Situation(1.0, 0.0, 0.0).success
-    )
+
+
+def test_the_last_question_is_kept_for_a_greater_need() -> None:
+    unsure = Situation(share=0.5, doubt=0.2, over=0.0)
+    assert inquiry("gain", "Left.", "Turn left.").way(lambda: unsure, 0.0) is None
+    three = inquiry("gain", "Turn left.", "Turn left.", "Turn left.")
+    assert three.way(lambda: unsure, 0.0) is not None

@@ -9,7 +9,8 @@ from typing import Literal
 import numpy as np
 
 from memorymaze.agents.agent import Journal
-from memorymaze.robot.asking import AskingRobot, Question, is_this, way_to
+from memorymaze.agents.walking.walker import Walker
+from memorymaze.robot.asking import AskingRobot, Question, way_to
 from memorymaze.routes import RoutePlan
 from memorymaze.understanding import parse_route_description
 
@@ -17,20 +18,18 @@ AskWhen = Literal["never", "start", "random", "lost", "gain"]
 
 ANSWER_TRUST = 0.7
 """How likely the answer of a stranger is of any help, beside other tellings."""
-ANSWERED = 0.88
-"""How likely success is after an answer."""
-WORTH_ASKING = 0.08
-"""Gain in the probability of success from which on a question is worth its time, while
-all questions that may be asked are left; the last one is kept for a greater gain."""
+HELPS, HARMS = 0.4, 0.06
+"""How likely an answer leads to the goal who would not arrive, and astray who would."""
+WORTH_ASKING = 0.12
+"""Gain in the probability of success for which the last question is asked; while more are
+left, so much less is enough."""
 SURE_ENOUGH = 0.75
-"""Probability of a place from which on nobody is asked whether it is the one."""
+"""Probability of a place from which on the robot stops there without asking."""
+QUARTERS_WAITED = 24
+"""Quarter turns, about half a minute, that it waits for somebody before it stops elsewhere."""
 LOST_DOUBT, LOST_SHARE = 0.6, 0.3
 """Doubt from which on, and share of the likeliest way below which the robot is lost."""
-YES, NO = 4.0, 0.15
-"""Weights of a place that somebody says is the destination, or is not."""
 _ASK_AGAIN = re.compile(r"\bask\b", re.IGNORECASE)
-_YES = re.compile(r"\b(yes|yeah|yep|yup|aye|correct|exactly|right here|you're here)\b")
-_NO = re.compile(r"\b(no|nope|nah|not|isn't|ain't|further|farther)\b")
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,18 +40,18 @@ class Situation:
     """Of the belief in the likeliest step."""
     doubt: float
     """How likely it is that something told is wrong."""
-    excess: float
-    """Metres walked beyond what the legs done should have taken, as a share of the way."""
+    over: float
+    """Metres walked beyond those of the way told, as a share of these; 0 before."""
 
     @property
     def success(self) -> float:
         """How likely it is to arrive without asking.
 
         A logistic regression on the guide's own walks of the texts that were read while
-        developing (docs/asking.md).
+        developing, every metre a case (docs/asking.md).
         """
-        logit = 1.8 + 0.5 * math.log(max(self.share, 1e-3))
-        logit -= 1.0 * self.doubt + 1.0 * max(self.excess, 0.0)
+        logit = 1.72 + 0.25 * math.log(max(self.share, 1e-3))
+        logit -= 1.9 * self.doubt + 1.1 * min(self.over, 0.5)
         return 1 / (1 + math.exp(-logit))
 
 
@@ -108,6 +107,7 @@ class Inquiry:
         self._moments = sorted(rng.uniform(0, metres, self._most).tolist())
         self._journal = journal
         self._forgets = forgets
+        self._waited_in_vain = False
 
     @property
     def is_over(self) -> bool:
@@ -123,6 +123,9 @@ class Inquiry:
         """Ask for the way, if it is time to and somebody is there."""
         if self.is_over or not self._is_time(situation, walked):
             return None
+        return self._way()
+
+    def _way(self) -> Answer | None:
         said = self._ask(way_to(self.destination))
         if said is None:
             return None
@@ -140,17 +143,19 @@ class Inquiry:
         where = arrival.side or arrival.length or arrival.at_end
         return bool(where and set(arrival.destinations) & set(self._names))
 
-    def is_it_here(self, chance: float) -> float:
-        """Ask whether this is the destination; return what the answer weighs."""
-        if self.is_over or self._when != "gain" or chance >= SURE_ENOUGH:
-            return 1.0
-        said = self._ask(is_this(self.destination))
-        if said is None:
-            return 1.0
-        words = said.casefold()
-        if _NO.search(words):
-            return NO
-        return YES if _YES.search(words) else 1.0
+    def before_stopping(self, chance: float, walker: Walker) -> Answer | None:
+        """Ask for the way rather than stop at an unlikely place; wait for somebody."""
+        if self._when != "gain" or chance >= SURE_ENOUGH:
+            return None
+        for _ in range(QUARTERS_WAITED):
+            if self.is_over or self._waited_in_vain:
+                return None
+            answer = self._way()
+            if answer is not None:
+                return answer
+            walker.turn_by(90.0)
+        self._waited_in_vain = True
+        return None
 
     def _is_time(self, situation: Callable[[], Situation], walked: float) -> bool:
         left = self._robot.questions_left()
@@ -161,7 +166,8 @@ class Inquiry:
         now = situation()
         if self._when == "lost":
             return now.doubt >= LOST_DOUBT or now.share <= LOST_SHARE
-        return ANSWERED - now.success >= WORTH_ASKING * self._most / left
+        gain = HELPS * (1 - now.success) - HARMS * now.success
+        return gain >= WORTH_ASKING / left
 
     def _ask(self, question: Question) -> str | None:
         said = self._robot.ask(question)

@@ -122,6 +122,8 @@ class Search:
                 if answer is not None:
                     self._heed(answer)
             step = self._choose()
+            if not isinstance(step, Frontier) and self._asks_rather_than_stop(step):
+                continue
             if step is None:
                 break
             if isinstance(step, Ending):
@@ -364,11 +366,18 @@ class Search:
                 answer = self._inquiry.way(self._situation, walker.travelled)
                 if answer is not None:
                     answers.append((answer, walker.travelled - begin))
+                    if answer.turned_back or walker.is_in_turning_point:
+                        return True
             return arrived(seen)
 
         stretch = walker.follow_exit(frontier.exit, self._phrases(frontier), told)
         for answer, walked in answers:
-            self._heed(answer, stretch, walked)
+            if stretch is not None:
+                self._heed(answer, stretch, walked)
+                continue
+            if walked > 0 and not walker.is_in_turning_point:
+                walker.halt()
+            self._heed(answer)
         if found:
             sighting, chance = found[0]
             self._arrive(f"{sighting.phrase} seen", chance)
@@ -380,40 +389,40 @@ class Search:
         """Return how the episode stands."""
         masses = [each.mass for each in self._tellings.frontiers.values()]
         masses += [self._mass_about(each) for each in self._tellings.endings]
-        done = sum(n * share for n, share in enumerate(self._legs_done))
-        way = expected_metres(self._plans[0])
+        told = expected_metres(self._plans[0])
         return Situation(
             max(masses, default=0.0) / self._total,
             self._doubt,
-            self._walker.travelled / way - done / max(len(self._legs_done) - 1, 1),
+            max(self._walker.travelled / told - 1.0, 0.0),
         )
+
+    def _asks_rather_than_stop(self, ending: Ending | None) -> bool:
+        """Ask for the way where the robot would stop without being sure."""
+        if self._inquiry is None:
+            return False
+        chance = 0.0 if ending is None else self._chance(ending)
+        answer = self._inquiry.before_stopping(chance, self._walker)
+        if answer is None:
+            return False
+        self._heed(answer)
+        return True
 
     def _heed(
         self, answer: Answer, stretch: Stretch | None = None, walked: float = 0.0
     ) -> None:
-        """Take what somebody said of the way on from here, or from a place on a stretch.
-
-        They may have meant the other direction.
-        """
-        floor, heading = self._walker.map, self._walker.heading
-        at, exit = self._walker.at, -1
-        if stretch is not None and not answer.turned_back:
+        """Take what somebody said of the way on from here, or from a place on a stretch."""
+        walker = self._walker
+        at, exit, heading = walker.at, -1, walker.heading
+        if stretch is not None:
             at, exit = stretch.start, stretch.exit
-        elif stretch is not None:
-            at = stretch.end
-            exit = floor.crossings[at].add_exit(wrap_angle(stretch.arrival + math.pi))
-            walked = stretch.length - walked
-        if exit >= 0:
-            heading = floor.crossings[at].exits[exit]
+            heading = walker.map.crossings[at].exits[exit]
         elif answer.turned_back:
             heading = wrap_angle(heading + math.pi)
         telling = self._tellings.add(
             answer.plan, ANSWER_TRUST, breaks_off=answer.breaks_off
         )
         telling.starts = [Start(at, heading, exit, 1.0, -walked)]
-        self._limit = max(
-            self._limit, self._walker.travelled + _walk_limit(answer.plan)
-        )
+        self._limit = max(self._limit, walker.travelled + _walk_limit(answer.plan))
         self._update()
 
     def _of(self, segment: Segment) -> Telling:
@@ -466,11 +475,6 @@ class Search:
         if ending.exit is not None and not walker.face(ending.exit):
             walker.map.crossings[ending.at].closed.add(ending.exit)
             return False
-        if self._inquiry is not None and chance >= self._patience.claims:
-            said = self._inquiry.is_it_here(chance)
-            self._tellings.weigh_place(ending.place, said)
-            if said < 1:
-                return False
         if chance < self._patience.claims:
             self._give_up(f"unlikely: {ending.reason}", chance)
         else:

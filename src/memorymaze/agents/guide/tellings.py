@@ -122,10 +122,6 @@ class Tellings:
     )
     endings: list[Ending] = field(default_factory=list[Ending])
     total: float = 0.0
-    _places: list[tuple[Point, float]] = field(
-        default_factory=list[tuple[Point, float]]
-    )
-    """Places of which somebody said whether they are the destination, with what that weighs."""
 
     def add(
         self, plan: RoutePlan, trust: float = TRUST, *, breaks_off: bool = False
@@ -145,20 +141,8 @@ class Tellings:
             self.endings = self.all[0].endings
         else:
             self._join()
-        for place, factor in self._places:
-            self.endings = [
-                replace(each, weights=each.weights * factor)
-                if math.dist(each.place, place) < SAME_PLACE
-                else each
-                for each in self.endings
-            ]
         self.total = sum(each.mass for each in self.frontiers.values())
         self.total += sum(each.mass for each in self.endings)
-
-    def weigh_place(self, place: Point, factor: float) -> None:
-        """Take note of what somebody said of a place."""
-        if factor != 1:
-            self._places.append((place, factor))
 
     def refute(self, sighting: Sighting) -> None:
         """Take note that something seen was found not to be the destination."""
