@@ -152,7 +152,9 @@ def compare(told: Told, plan: RoutePlan) -> dict[str, tuple[float, float]]:
         end = plan.arrival.at_end if facts.end == "end" else plan.arrival.side
         found["end"] = (end in {True, facts.end}, 1)
     if {"destination", "where"} <= told.answer.slots:
-        named = any(_is_named(facts.destination, d) for d in plan.arrival.destinations)
+        number = re.search(r"\d{3,}", facts.destination)
+        name = facts.destination if number is None else number[0]
+        named = any(_is_named(name, each) for each in plan.arrival.destinations)
         found["destination"] = (named, 1)
     found["whole"] = (all(right == said for right, said in found.values()), 1)
     return found

@@ -126,7 +126,8 @@ def _is_turn_to_side(clause: Clause, chunk: Chunk, before: str, after: str) -> b
     if before or re.match("[BN]", after):
         return before.endswith("Z") and not is_aside(chunk)
     if clause.has("l") and after.strip("M") == "":
-        return not any(event.kind == "turn" for event in clause.before)
+        if not any(event.kind == "turn" for event in clause.before):
+            return True
     clock = "clock" in chunk.text and re.match(r"(?:on|at|in) ", chunk.text) is None
     if is_aside(chunk) and not clock:
         return False
