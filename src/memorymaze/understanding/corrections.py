@@ -92,7 +92,7 @@ def _is_echo(before: list[Chunk], chunk: Chunk, *, confirmed: bool) -> bool:
                 or (confirmed and re.fullmatch("J?O[,f]+", gap) is not None)
                 or (
                     re.search("e|h,", gap) is not None
-                    and re.fullmatch("O?[,.fherZ>&]*", gap) is not None
+                    and re.fullmatch("O?[,.fherZ&]*", gap) is not None
                 )
             )
         gap += "" if earlier.kind == "f" else earlier.kind

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 
 from memorymaze.routes import Way
 from memorymaze.understanding.clause import Event
-from memorymaze.understanding.event_order import is_placed
+from memorymaze.understanding.event_order import is_placed, told_since_turn
 from memorymaze.understanding.partial_legs import PartialLeg
 
 _OVERVIEW = re.compile(
@@ -194,7 +194,10 @@ class Restating:
     def _is_elsewhere(self, at: int, ordinal: int | None, last: PartialLeg) -> bool:
         """`Left at the end, left at the crossing`: told to be at another kind of place."""
         event, turn = self._events[at], last.turn
-        if turn is None or not event.commanded:
+        said = self._events[at - 1].kind == "sentence" or (
+            told_since_turn(self._events, at) is not None
+        )  # "right at the end. right at the crossing", "right, the one at the crossing"
+        if turn is None or not (event.commanded or said):
             return False
         following = self._events[at + 1 : at + 2]
         if event.nearest or any(each.back and each.nearest for each in following):
