@@ -168,3 +168,32 @@ def test_the_side_told_last_is_that_of_the_destination(text: str) -> None:
 def test_a_destination_asked_for_is_no_place_to_turn() -> None:
     (leg,) = parse_route_description("The library? Turn left, then it's ahead.").legs
     assert (leg.mentions, leg.on_the_spot) == ((), True)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "It's down there on the left, and then to the left. No, what am I saying, right, "
+        "over by Room 3.",
+        "It's off to the left, then to the left, oh listen to me, it's to the right, I "
+        "always get those muddled, to your right once you reach Room 3.",
+    ],
+)
+def test_a_corrected_turn_keeps_how_one_leaves(text: str) -> None:
+    first, second = parse_route_description(text).legs
+    assert (first.turn.way, first.on_the_spot) == ("left", True)
+    assert second.turn.way == "right"
+    assert [each.phrase for each in second.mentions] == ["room 3"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Left where it ends. Left at the next opening.",
+        "Left at the end, left at the meeting of the corridors.",
+        "Go left at the crossing, next you go left at the crossing.",
+        "Walk to the end, and there to your left, then left at the crossing.",
+    ],
+)
+def test_equal_turns_without_a_verb_are_two_at_two_places(text: str) -> None:
+    assert [leg.turn.way for leg in parse_route_description(text).legs] == ["left"] * 2

@@ -151,6 +151,7 @@ class _Assembly:
     # -- turns
 
     def _add_turn(self, event: Event, at: int) -> None:
+        self._set_off(self._setting_off.side_before_a_turn(at))
         event = self._with_named_way(event)
         way: Way | None = event.way
         if way is not None and self._tells_side_of_bend(at):
@@ -438,7 +439,7 @@ class _Assembly:
 
     def _add_side(self, event: Event, at: int) -> None:
         if event.of_goal:
-            self._set_off(at)
+            self._set_off(self._setting_off.take_side(at))
             self._draft.side = event.side
             self._setting_off.note_side(event, at)
         elif event.likely:
@@ -449,12 +450,11 @@ class _Assembly:
             self._last[-1] = replace(self._last[-1], side=event.side)
             self._setting_off.note_side(event, at)
         else:
-            self._set_off(at)
+            self._set_off(self._setting_off.take_side(at))
             self._draft.side = self._draft.side or event.side
 
-    def _set_off(self, at: int) -> None:
-        """Turn to the side told first, when another is told of the destination."""
-        turn = self._setting_off.take_side(at)
+    def _set_off(self, turn: Turn | None) -> None:
+        """Leave by the side told first, when another is told of the destination."""
         if turn is None or self._done:
             return
         self._way = self._draft.side = None
@@ -467,7 +467,7 @@ class _Assembly:
     def _add_place(self, event: Event, at: int) -> None:
         """Add an end of the way or a kind of junction."""
         if event.of_goal:
-            self._set_off(at)
+            self._set_off(self._setting_off.take_side(at))
         if event.kind == "end":
             self._settle_likely_way()
         placed = event.kind == "junction" or event.relation == "at"

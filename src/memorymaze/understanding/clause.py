@@ -177,8 +177,9 @@ class Clause:
         said = "".join(chunk.kind for chunk in self.said)
         if "p" not in said or re.search("[AwQ][^p]*Np", said):
             return False
-        if re.match("h*pX", said) and re.search("[LS2OT]", said) is None:
-            return True  # "I never see it"
+        held = [chunk.text for chunk in self.chunks[:1]] in (["have"], ["get"])
+        if (re.match("h*pX", said) or held) and not re.search("[LS2OT]", said):
+            return True  # "I never see it", "I always get it wrong"
         return _OF_A_WAY.search(self.kinds) is None
 
     @property

@@ -178,12 +178,25 @@ def _replaced(chunks: list[Chunk], old: int, new: int) -> list[Chunk]:
     ):
         start -= 1
     ordinals = [chunk for chunk in chunks[old + 1 : new] if chunk.kind == "O"][-1:]
-    rest = new + 1
-    while rest < len(chunks) and chunks[rest].kind in _NEUTRAL - {"."}:
-        rest += 1
+    rest = _after_an_aside(chunks, new + 1)
     if not (rest < len(chunks) and _same_way(chunks[rest], value)):
         rest = new
     return [*chunks[:start], *kept, *ordinals, value, *chunks[rest + 1 :]]
+
+
+def _after_an_aside(chunks: list[Chunk], start: int) -> int:
+    """Return where one goes on after a correction: `right, I mix them up, right at …`."""
+    at = start
+    while at < len(chunks) and chunks[at].kind in _NEUTRAL - {"."}:
+        at += 1
+    comma = next((n for n in range(at, len(chunks)) if chunks[n].kind in ",."), at)
+    aside = chunks[start:comma]
+    kinds = {each.kind for each in aside}
+    if "i" not in {each.text for each in aside} or kinds & set("LS2OEJMTGKUAPQ."):
+        return at
+    while comma < len(chunks) and chunks[comma].kind in _NEUTRAL - {"."}:
+        comma += 1
+    return comma
 
 
 def _same_way(chunk: Chunk, other: Chunk) -> bool:

@@ -125,9 +125,9 @@ def _is_turn_to_side(clause: Clause, chunk: Chunk, before: str, after: str) -> b
         return True
     if before or re.match("[BN]", after):
         return before.endswith("Z") and not is_aside(chunk)
-    if clause.has("l") and after.strip("M") == "":
-        if not any(event.kind == "turn" for event in clause.before):
-            return True
+    turned = any(event.kind == "turn" for event in clause.before)
+    if clause.has("l") and after.strip("M") == "" and not turned:
+        return True  # "down there on the left for forty metres"
     clock = "clock" in chunk.text and re.match(r"(?:on|at|in) ", chunk.text) is None
     if is_aside(chunk) and not clock:
         return False

@@ -1,6 +1,6 @@
 """How one leaves from where one stands: `to your left, then right at the clock`."""
 
-from collections.abc import Sequence
+from collections.abc import Sequence, Set
 
 from memorymaze.routes import Turn
 from memorymaze.understanding.clause import Event
@@ -43,10 +43,17 @@ class SettingOff:
         if event.leaving and self._side is None:
             self._side = at
 
-    def take_side(self, at: int) -> Turn | None:
-        """`It is off to the left, and you find it ahead`: the first is how one leaves."""
-        said, self._side = self._side, None
-        if said is None or not _JOINTS & {e.kind for e in self._events[said:at]}:
+    def side_before_a_turn(self, at: int) -> Turn | None:
+        """`It is off to the left, and then right at the clock`: how one leaves."""
+        if self._side is None or not self._events[self._side].of_goal:
             return None
+        return self.take_side(at, {"then"})
+
+    def take_side(self, at: int, joints: Set[str] = _JOINTS) -> Turn | None:
+        """`It is off to the left, and you find it ahead`: the first is how one leaves."""
+        said = self._side
+        if said is None or not joints & {e.kind for e in self._events[said:at]}:
+            return None
+        self._side = None
         side = self._events[said].side
         return Turn(side) if side == "left" or side == "right" else None
