@@ -55,6 +55,12 @@ def drive_to_the_goal(drives: Drives, who: Participant) -> None:
         drives.drive(who, "follow.R1", number, command)
 
 
+def finish(store: Store, drives: Drives, who: Participant, said: Said) -> None:
+    """End a walk as the page does."""
+    taken = drives.ending(who, "follow.R1", said)
+    store.add_answer(who.id, "follow.R1", taken.text, taken.shown)
+
+
 def test_somebody_arrives_and_is_scored_in_a_run_that_tables_read(
     study: Study,
     store: Store,
@@ -64,7 +70,7 @@ def test_somebody_arrives_and_is_scored_in_a_run_that_tables_read(
 ) -> None:
     who = somebody(store)
     drive_to_the_goal(drives, who)
-    drives.finish(who, "follow.R1", SURE)
+    finish(store, drives, who, SURE)
     out = tmp_path / "people"
     done = export_walks(study, store, out)
     assert (done.walks, done.participants) == (1, 1)
@@ -102,7 +108,7 @@ def test_a_walk_goes_on_in_another_process_where_it_was_broken_off(
                 told = drives.drive(who, "follow.R1", number, command)
             assert told["done"] == before + len(commands)
             drives.see(who, "follow.R1")
-    drives.finish(who, "follow.R1", SURE)
+    finish(store, drives, who, SURE)
     export_walks(study, store, tmp_path / "people")
     _, [result] = read_run(tmp_path / "people")
     assert result.success
@@ -124,16 +130,20 @@ def test_a_wall_is_told_and_a_robot_that_is_stuck_ends_the_walk(
     study: Study, store: Store, drives: Drives, tmp_path: Path
 ) -> None:
     who = somebody(store)
+    last = f"follow.{who.cell.split(', ')[-1]}"
     told: dict[str, Any] = {"over": False}
     number, answers = 0, set[str]()
     while not told["over"]:
-        told = drives.drive(who, "follow.R1", number, "forward")
+        told = drives.drive(who, last, number, "forward")
         answers.add(told.get("answer", ""))
         number += 1
     assert any("does not go on" in answer for answer in answers)
-    assert "follow.R1" in store.answers(who.id), "kept without another word"
-    assert drives.see(who, "follow.R1") == {"over": True}
-    assert drives.drive(who, "follow.R1", number, "left") == {"over": True}
+    assert last in store.answers(who.id), "kept without another word"
+    ended = store.participant(who.id)
+    assert ended is not None
+    assert ended.state == "complete", "it was the last of all"
+    assert drives.see(who, last) == {"over": True}
+    assert drives.drive(who, last, number, "left") == {"over": True}
     export_walks(study, store, tmp_path / "people")
     _, [result] = read_run(tmp_path / "people")
     assert result.stopped_by in {"stuck", "budget"}
@@ -150,7 +160,7 @@ def test_texts_that_fewest_have_followed_come_first_and_second_walks_are_apart(
     assert told[-1] == told[0]
     assert drives.text_for(people[0], "follow.R1").id == told[0], "stays the same"
     for who in people:
-        drives.finish(who, "follow.R1", Said(arrived=False, confidence=0.0))
+        finish(store, drives, who, Said(arrived=False, confidence=0.0))
     done = export_walks(study, store, tmp_path / "people")
     assert [folder.name for folder in done.folders] == ["people", "people-2"]
     assert done.never_followed == len(texts_to_follow(study).of_route("R2"))
@@ -167,7 +177,7 @@ def test_walks_that_nobody_ended_are_not_exported_and_withdrawal_removes_them(
     drives.drive(who, "follow.R1", 0, "forward")
     with pytest.raises(StudyError, match="expected walks that were ended"):
         export_walks(study, store, tmp_path / "people")
-    drives.finish(other, "follow.R1", SURE)
+    finish(store, drives, other, SURE)
     assert export_walks(study, store, tmp_path / "people").walks == 1
     store.withdraw(other.id)
     with pytest.raises(StudyError, match="expected walks that were ended"):

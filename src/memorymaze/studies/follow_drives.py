@@ -18,7 +18,8 @@ from memorymaze.instructions.records import Episode
 from memorymaze.studies.follow_texts import TextsToFollow
 from memorymaze.studies.follow_walk import COMMANDS, Ended, RobotToDrive, Said, Seen
 from memorymaze.studies.live_process import LiveProcess, Lost, prepare_processes
-from memorymaze.studies.store import Answer, Participant, Store
+from memorymaze.studies.schedule import steps_of
+from memorymaze.studies.store import Answer, Participant, Store, Taken
 
 MOST = 6
 """Robots at a time; each takes some 500 MB."""
@@ -173,24 +174,30 @@ class Drives:
             again = number + 1 < len(commands)
             return self._shown(who, step, live.wait(len(commands)), last=again)
 
-    def finish(self, who: Participant, step: str, said: Said | None) -> None:
-        """Keep a walk as finished, and put its robot away."""
-        commands = commands_of(self._store, who.id, step)
+    def ending(self, who: Participant, step: str, said: Said | None) -> Taken:
+        """Return what is kept of a walk that ends, and put its robot away."""
         episode = self.text_for(who, step)
         answer = {
             "text": episode.id,
-            "commands": len(commands),
+            "commands": len(commands_of(self._store, who.id, step)),
             "said": None if said is None else said._asdict(),
         }
-        told = episode.instruction.text
-        self._store.add_answer(who.id, step, json.dumps(answer), shown=told)
         self._put_away((who.id, step))
+        return Taken(json.dumps(answer), shown=episode.instruction.text)
+
+    def _keep_as_over(self, who: Participant, step: str) -> None:
+        """Keep a walk that the robot's budget ended: nobody has to say so."""
+        taken = self.ending(who, step, None)
+        order = tuple(who.cell.split(", "))
+        is_last = steps_of(self._store.study.design, order)[-1].key == step
+        state = "complete" if is_last else "active"
+        self._store.add_answer(who.id, step, taken.text, taken.shown, state=state)
 
     def _shown(
         self, who: Participant, step: str, seen: Seen | None, *, last: bool
     ) -> dict[str, Any]:
         if seen is None:
-            self.finish(who, step, None)
+            self._keep_as_over(who, step)
             return _OVER
         frames = seen.frames[-1:] if last else seen.frames
         return {

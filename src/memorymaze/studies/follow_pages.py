@@ -13,7 +13,7 @@ from memorymaze.errors import StudyError
 from memorymaze.studies.follow_drives import Drives, NoRobotNow, WalkElsewhere
 from memorymaze.studies.follow_walk import Said
 from memorymaze.studies.schedule import Step
-from memorymaze.studies.store import Participant, Store
+from memorymaze.studies.store import Participant, Store, Taken
 from memorymaze.studies.web import Fields, posted
 
 SURE = (
@@ -59,13 +59,14 @@ class FollowPages:
             "sure": SURE,
         }
 
-    def take(self, who: Participant, step: Step, fields: Fields) -> str | None:
-        """Keep how somebody ended a walk; return what is wrong with it."""
+    def take(self, who: Participant, step: Step, fields: Fields) -> Taken | str:
+        """Return what is kept of a walk that somebody ends, or what is wrong with it."""
         said, sure = fields.get("said"), fields.get("sure")
         if said not in dict(SAID) or sure not in dict(SURE):
             return "Please say whether you are there, and how sure you are of it."
-        self._drives.finish(who, step.key, Said(said == "arrived", int(sure) / 100))
-        return None
+        return self._drives.ending(
+            who, step.key, Said(said == "arrived", int(sure) / 100)
+        )
 
     def _see(self, request: Request) -> Response:
         return self._answered(lambda: self._drives.see(*self._walk(request)))

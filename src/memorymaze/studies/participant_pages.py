@@ -10,7 +10,7 @@ import secrets
 from collections.abc import Callable, Mapping, Sequence
 from hashlib import sha256
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 from starlette.exceptions import HTTPException
 from starlette.requests import Request
@@ -21,7 +21,7 @@ from memorymaze.instructions.statistics import word_count
 from memorymaze.studies.follow_drives import Drives
 from memorymaze.studies.follow_pages import FollowPages
 from memorymaze.studies.schedule import Step, steps_of
-from memorymaze.studies.store import Participant, Store
+from memorymaze.studies.store import Participant, Store, Taken
 from memorymaze.studies.study_file import Question
 from memorymaze.studies.web import Fields, posted, render
 
@@ -36,15 +36,6 @@ EVENTS = frozenset({"play", "pause", "ended", "again"})
 WATCHED = "ended"
 WRONG = "wrong"
 """Event of an attempt at the comprehension check that failed."""
-
-
-class Taken(NamedTuple):
-    """What is kept of a form that is as it should be."""
-
-    text: str
-    shown: str = ""
-    excluded: str = ""
-    """Why somebody cannot go on; empty where they can."""
 
 
 class ParticipantPages:

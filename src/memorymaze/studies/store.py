@@ -14,7 +14,7 @@ from contextlib import ExitStack, closing, contextmanager
 from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
-from typing import Any, Literal, cast
+from typing import Any, Literal, NamedTuple, cast
 
 from memorymaze.durable_files import BUSY_TIMEOUT, locked
 from memorymaze.errors import StudyError
@@ -90,6 +90,15 @@ class Answer:
     shown: str
     """The text that was shown with it and matters, such as the treatment."""
     at: float
+
+
+class Taken(NamedTuple):
+    """What is kept of a form that is as it should be."""
+
+    text: str
+    shown: str = ""
+    excluded: str = ""
+    """Why somebody cannot go on; empty where they can."""
 
 
 @dataclass(frozen=True, slots=True)
