@@ -218,6 +218,7 @@ class Guard:
             if message["type"] == "http.response.start":
                 headers = MutableHeaders(scope=message)
                 headers.update(HEADERS)
+                headers.setdefault("Cache-Control", "no-cache")
                 if headers.get("content-type", "").startswith("text/html"):
                     headers["Cache-Control"] = "no-store"
                     if is_new:
@@ -358,6 +359,7 @@ def _running(door: Door, listener: socket.socket) -> Generator[None]:
         uvicorn.Config(
             door.app,
             log_config=None,
+            log_level="error",
             access_log=False,
             server_header=False,
             ws="none",
