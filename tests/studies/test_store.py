@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 from memorymaze.errors import StudyError
+from memorymaze.studies.answer_file import FILE
 from memorymaze.studies.store import (
-    FILE,
     RECORDINGS,
     Participant,
     Store,

@@ -15,10 +15,11 @@ import numpy as np
 
 from memorymaze.errors import StudyError
 from memorymaze.instructions.statistics import word_count
+from memorymaze.studies.answer_file import remove_simulated
 from memorymaze.studies.follow_pages import SURE
 from memorymaze.studies.schedule import route_orders
 from memorymaze.studies.serving import serving_study
-from memorymaze.studies.store import open_store, remove_simulated
+from memorymaze.studies.store import open_store
 from memorymaze.studies.study_file import CheckedQuestion, Study
 from memorymaze.writing import cells_of, parse_rates, sample_outlines, write_texts
 
