@@ -83,6 +83,9 @@ def test_a_thing_stays_where_the_speaker_only_adds_a_word() -> None:
         "Och, it's over to your left",
         "Down there on the left, a good five metres",
         "Ah, the library: to your left, no turns",
+        "To get to the library, you go to your left",
+        "No corners, nothing. Off to the left and straight on",
+        "If I were you I'd head off to your left",
     ],
 )
 @pytest.mark.parametrize(
@@ -197,3 +200,10 @@ def test_a_corrected_turn_keeps_how_one_leaves(text: str) -> None:
 )
 def test_equal_turns_without_a_verb_are_two_at_two_places(text: str) -> None:
     assert [leg.turn.way for leg in parse_route_description(text).legs] == ["left"] * 2
+
+
+def test_a_place_down_there_on_a_side_at_the_end_is_that_way() -> None:
+    text = "You'll find the library down there on the left, at the far end."
+    plan = parse_route_description(text)
+    assert [(leg.turn.way, leg.on_the_spot) for leg in plan.legs] == [("left", True)]
+    assert (plan.arrival.destinations, plan.arrival.at_end) == (("library",), True)

@@ -466,9 +466,8 @@ class _Assembly:
 
     def _add_place(self, event: Event, at: int) -> None:
         """Add an end of the way or a kind of junction."""
-        if event.of_goal:
-            self._set_off(self._setting_off.take_side(at))
         if event.kind == "end":
+            self._set_off(self._setting_off.side_before_an_end(at))
             self._settle_likely_way()
         placed = event.kind == "junction" or event.relation == "at"
         back = event.back or (

@@ -99,7 +99,7 @@ class Event:
     forced: bool = False
     at_once: bool = False
     here: bool = False
-    """For `turn`: said to be where one stands."""
+    """For `turn` and `side`: said from where one stands."""
     aside: bool = False
     """For `turn`: said as `to the left` alone, which may be the side of something."""
     leaving: bool = False
@@ -153,6 +153,11 @@ class Clause:
     def kinds(self) -> str:
         """The kinds of `chunks`, one letter each."""
         return "".join(chunk.kind for chunk in self.chunks)
+
+    @property
+    def words(self) -> str:
+        """What the chunks of `chunks` say."""
+        return " ".join(chunk.text for chunk in self.chunks)
 
     def has(self, kind: str) -> bool:
         """Tell whether a chunk of a kind was said, adverbs included."""

@@ -69,6 +69,8 @@ class ClauseReader:
             self._add(Event("at_once"))
         if clause.is_of_the_speaker or speaks_of_ways(clause):
             return self._read
+        if clause.kinds == "XJ" and re.fullmatch("no .*s", clause.words):
+            return self._read  # "no corners"
         ignores = clause.kinds.find("I")
         denies = clause.kinds.find("X")
         end = len(clause.kinds)
@@ -285,6 +287,7 @@ class ClauseReader:
                     side=side_of(chunk),
                     likely=first,
                     of_goal=goal,
+                    here=clause.has("l"),
                     leaving=leaving,
                 )
             )

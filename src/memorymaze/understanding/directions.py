@@ -126,7 +126,7 @@ def _is_turn_to_side(clause: Clause, chunk: Chunk, before: str, after: str) -> b
     if before or re.match("[BN]", after):
         return before.endswith("Z") and not is_aside(chunk)
     turned = any(event.kind == "turn" for event in clause.before)
-    if clause.has("l") and after.strip("M") == "" and not turned:
+    if clause.has("l") and re.match("[MH]|$", after) and not turned:
         return True  # "down there on the left for forty metres"
     clock = "clock" in chunk.text and re.match(r"(?:on|at|in) ", chunk.text) is None
     if is_aside(chunk) and not clock:

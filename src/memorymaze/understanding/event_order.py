@@ -34,14 +34,6 @@ def follows_a_thing(events: Sequence[Event], at: int) -> bool:
     return arrives
 
 
-def follows_the_sentence_of_a_thing(events: Sequence[Event], at: int) -> bool:
-    """Tell whether the thing named last was named in an earlier sentence."""
-    for earlier in reversed(events[:at]):
-        if earlier.kind in {"sentence", "thing"}:
-            return earlier.kind == "sentence"
-    return False
-
-
 def ends_the_sentence_of_a_turn(events: Sequence[Event], at: int) -> bool:
     """`Turn right, opposite the hall.`: a place said last, after a turn."""
     for later in events[at + 1 :]:

@@ -4,10 +4,7 @@ from collections.abc import Sequence, Set
 
 from memorymaze.routes import Turn
 from memorymaze.understanding.clause import Event
-from memorymaze.understanding.event_order import (
-    follows_the_sentence_of_a_thing,
-    is_placed,
-)
+from memorymaze.understanding.event_order import is_placed
 from memorymaze.understanding.partial_legs import PartialLeg
 
 _JOINTS = {"clause", "then", "sentence"}
@@ -34,9 +31,7 @@ class SettingOff:
             return False
         if event.here:
             return True
-        apart = event.apposed or follows_the_sentence_of_a_thing(self._events, at)
-        named = draft.called == set(range(len(draft.mentions)))
-        return event.leaving and named and (apart or not draft.mentions)
+        return event.leaving and draft.called == set(range(len(draft.mentions)))
 
     def note_side(self, event: Event, at: int) -> None:
         """Keep a side, until another is told of the same."""
@@ -48,6 +43,11 @@ class SettingOff:
         if self._side is None or not self._events[self._side].of_goal:
             return None
         return self.take_side(at, {"then"})
+
+    def side_before_an_end(self, at: int) -> Turn | None:
+        """`It is down there on the left, at the far end`: how one leaves."""
+        here = self._side is not None and self._events[self._side].here
+        return self.take_side(at) if here or self._events[at].of_goal else None
 
     def take_side(self, at: int, joints: Set[str] = _JOINTS) -> Turn | None:
         """`It is off to the left, and you find it ahead`: the first is how one leaves."""
