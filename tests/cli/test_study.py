@@ -1,8 +1,11 @@
+import signal
+import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import httpx2
 import pytest
 
 Memorymaze = Callable[..., Any]
@@ -71,3 +74,28 @@ def test_a_participant_is_withdrawn_by_the_id_of_a_platform(
     again = memorymaze("study", "withdraw", path, "simulated-0", "--simulated")
     assert again.code == 1
     assert "there is no participant 'simulated-0'" in again.err
+
+
+def test_a_study_is_served_at_the_printed_addresses_until_ctrl_c(
+    memorymaze: Memorymaze, tmp_path: Path
+) -> None:
+    path = tmp_path / "mine.toml"
+    memorymaze("study", "new", path, "--site", TINY_SITES / "corridor.geojson")
+    (tmp_path / "own.mp4").write_bytes(b"a video of one's own")
+    with path.open("a", encoding="utf-8") as file:
+        file.write('video = "own.mp4"\n')
+    command = [sys.executable, "-m", "memorymaze", "study", "serve", str(path)]
+    free = ["--port", "0", "--experimenter-port", "0"]
+    server = subprocess.Popen([*command, *free], stdout=subprocess.PIPE, text=True)
+    assert server.stdout is not None
+    told = [server.stdout.readline().split(maxsplit=1) for _ in range(3)]
+    assert [line[0] for line in told] == ["participants:", "experimenter:", "Ctrl-C"]
+    assert "Welcome" in httpx2.get(told[0][1].strip()).text
+    shown = httpx2.get(told[1][1].strip())
+    assert (shown.status_code, "set-cookie" in shown.headers) == (303, True)
+    again = memorymaze("study", "serve", path, *free)
+    assert again.code == 1
+    assert f"are being written already, by the process {server.pid}" in again.err
+    server.send_signal(signal.SIGINT)
+    assert server.wait(timeout=30) == 0
+    server.stdout.close()

@@ -108,16 +108,18 @@ def test_a_delay_belongs_to_memory_only(make_study: MakeStudy) -> None:
 
 
 def test_lines_in_longer_texts_are_no_fields() -> None:
-    text = 'a = """\nb = 1\n"""\n[[c]]\nd = 1\n[[c]]\nd = 2\n[e]\n[[e.f]]\ng = 1\n'
+    text = (
+        'a = """\nb = 1\n"""\n# """\n[[c]]\nd = 1\n[[c]]\nd = 2\n[e]\n[[e.f]]\ng = 1\n'
+    )
     assert field_lines(text) == {
         "a": 1,
-        "c[0]": 4,
-        "c[0].d": 5,
-        "c[1]": 6,
-        "c[1].d": 7,
-        "e": 8,
-        "e.f[0]": 9,
-        "e.f[0].g": 10,
+        "c[0]": 5,
+        "c[0].d": 6,
+        "c[1]": 7,
+        "c[1].d": 8,
+        "e": 9,
+        "e.f[0]": 10,
+        "e.f[0].g": 11,
     }
 
 

@@ -356,6 +356,8 @@ def field_lines(text: str) -> dict[str, int]:
         if quotes:
             quotes = "" if quotes in line else quotes
             continue
+        if line.lstrip().startswith("#"):
+            continue
         header = re.match(r"\s*(\[\[?)\s*([\w.-]+)\s*\]", line)
         field = re.match(r"\s*([\w-]+)\s*=", line)
         if header:

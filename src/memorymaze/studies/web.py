@@ -346,7 +346,7 @@ def _listening(door: Door) -> Generator[socket.socket]:
         reason = getattr(error, "strerror", None) or error
         raise SettingsError(
             f"{door.host} port {door.port}: cannot be served at ({reason}); choose "
-            "another with --host or --port"
+            "another host or port"
         ) from None
     with listener:
         yield listener
