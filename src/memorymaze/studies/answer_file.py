@@ -47,8 +47,30 @@ CREATE TABLE exported (
     participant TEXT NOT NULL REFERENCES participants ON DELETE CASCADE
 ) STRICT;
 CREATE TABLE withdrawals (at REAL NOT NULL, exports TEXT NOT NULL) STRICT;
+CREATE TABLE records (
+    id TEXT PRIMARY KEY,
+    participant TEXT NOT NULL REFERENCES participants ON DELETE CASCADE,
+    step TEXT NOT NULL, UNIQUE (participant, step)
+) STRICT;
+CREATE TABLE recordings (
+    file TEXT PRIMARY KEY,
+    participant TEXT NOT NULL REFERENCES participants ON DELETE CASCADE,
+    step TEXT NOT NULL, media_type TEXT NOT NULL, seconds REAL NOT NULL, at REAL NOT NULL,
+    UNIQUE (participant, step)
+) STRICT;
+CREATE TABLE transcripts (
+    participant TEXT NOT NULL REFERENCES participants ON DELETE CASCADE,
+    step TEXT NOT NULL, written_by TEXT NOT NULL, is_heard INTEGER NOT NULL,
+    text TEXT NOT NULL, at REAL NOT NULL
+) STRICT;
+CREATE TABLE labels (
+    participant TEXT NOT NULL REFERENCES participants ON DELETE CASCADE,
+    step TEXT NOT NULL, annotator TEXT NOT NULL, settles INTEGER NOT NULL,
+    label TEXT NOT NULL, places TEXT NOT NULL, at REAL NOT NULL,
+    PRIMARY KEY (participant, step, annotator, settles)
+) STRICT;
 """
-FORMAT = 1
+FORMAT = 2
 
 
 @contextmanager

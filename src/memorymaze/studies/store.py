@@ -118,7 +118,7 @@ class Store:
         `key` is what their browser is known by. Refused where all places are taken, or
         somebody came with one of the ids before.
         """
-        with self._writing() as rows:
+        with self.writing() as rows:
             if self._has_platform_id(platform_ids or {}):
                 return "known"
             cell = self._emptiest_cell()
@@ -148,7 +148,7 @@ class Store:
 
     def _has_platform_id(self, ids: Mapping[str, str]) -> bool:
         query = "SELECT 1 FROM platform_ids WHERE name = ? AND value = ?"
-        return any(self._rows(query, *each) for each in ids.items())
+        return any(self.rows(query, *each) for each in ids.items())
 
     def known_by(self, key: str) -> Participant | None:
         """Return the participant whose browser has a key."""
@@ -160,22 +160,22 @@ class Store:
 
     def participants(self) -> list[Participant]:
         """Return all, in the order they began."""
-        return [_participant(row) for row in self._rows(f"{_SELECT} ORDER BY started")]
+        return [_participant(row) for row in self.rows(f"{_SELECT} ORDER BY started")]
 
     def platform_ids(self, participant: str) -> dict[str, str]:
         """Return the ids that somebody came with; for the experimenter's eyes only."""
         query = "SELECT name, value FROM platform_ids WHERE participant = ?"
-        return dict(self._rows(query, participant))
+        return dict(self.rows(query, participant))
 
     def find(self, text: str) -> Participant | None:
         """Return the participant with an id, ours or a platform's."""
         query = "SELECT participant FROM platform_ids WHERE value = ?"
         return self.participant(text) or next(
-            (self.participant(name) for (name,) in self._rows(query, text)), None
+            (self.participant(name) for (name,) in self.rows(query, text)), None
         )
 
     def _one(self, condition: str, value: str) -> Participant | None:
-        rows = self._rows(f"{_SELECT} WHERE {condition}", value)
+        rows = self.rows(f"{_SELECT} WHERE {condition}", value)
         return _participant(rows[0]) if rows else None
 
     # What they send --------------------------------------------------------------------
@@ -195,7 +195,7 @@ class Store:
         `state` is what somebody is with this answer, and `reason` why they are excluded.
         """
         now = self.now()
-        with self._writing() as rows:
+        with self.writing() as rows:
             added = rows.execute(
                 "INSERT INTO answers VALUES (?, ?, ?, ?, ?) ON CONFLICT DO NOTHING",
                 (participant, step, text, shown, now),
@@ -219,11 +219,11 @@ class Store:
             "SELECT step, text, shown, at FROM answers WHERE participant = ? "
             "ORDER BY rowid"
         )
-        return {row[0]: Answer(*row[1:]) for row in self._rows(query, participant)}
+        return {row[0]: Answer(*row[1:]) for row in self.rows(query, participant)}
 
     def keep_draft(self, participant: str, step: str, text: str) -> bool:
         """Keep an unfinished text; False where the step is answered already."""
-        with self._writing() as rows:
+        with self.writing() as rows:
             kept = rows.execute(
                 "INSERT INTO drafts SELECT ?1, ?2, ?3, ?4 WHERE NOT EXISTS (SELECT 1 "
                 "FROM answers WHERE participant = ?1 AND step = ?2) ON CONFLICT "
@@ -236,14 +236,14 @@ class Store:
     def draft(self, participant: str, step: str) -> str:
         """Return an unfinished text; empty where there is none."""
         query = "SELECT text FROM drafts WHERE participant = ? AND step = ?"
-        rows = self._rows(query, participant, step)
+        rows = self.rows(query, participant, step)
         return rows[0][0] if rows else ""
 
     def add_event(
         self, participant: str, step: str, kind: str, value: float = 0.0
     ) -> bool:
         """Note what somebody did; False where there are too many events already."""
-        with self._writing() as rows:
+        with self.writing() as rows:
             added = rows.execute(
                 "INSERT INTO events SELECT ?1, ?2, ?3, ?4, ?5 WHERE (SELECT count(*) "
                 "FROM events WHERE participant = ?1) < ?6",
@@ -258,7 +258,7 @@ class Store:
             "SELECT step, kind, value, at FROM events WHERE participant = ?1 AND "
             "(?2 IS NULL OR step = ?2) ORDER BY rowid"
         )
-        return [Event(*row) for row in self._rows(query, participant, step)]
+        return [Event(*row) for row in self.rows(query, participant, step)]
 
     def _touch(self, rows: sqlite3.Connection, participant: str) -> None:
         rows.execute(
@@ -272,7 +272,7 @@ class Store:
         held_since = self.now() - 60 * self.study.design.held_minutes
         counts = {
             (cell, state, bool(held)): count
-            for cell, state, held, count in self._rows(
+            for cell, state, held, count in self.rows(
                 "SELECT cell, state, seen > ?, count(*) FROM participants GROUP BY 1, 2, 3",
                 held_since,
             )
@@ -297,14 +297,14 @@ class Store:
 
         Returns which exports were made before, to be cleaned by hand.
         """
-        found = self._rows(
+        found = self.rows(
             "SELECT path FROM exports JOIN exported ON exports.id = export "
             "WHERE participant = ? ORDER BY exports.id",
             participant,
         )
         withdrawal = Withdrawal(self.now(), tuple(path for (path,) in found))
         with self._lock:
-            with self._writing() as rows:
+            with self.writing() as rows:
                 removed = rows.execute(
                     "DELETE FROM participants WHERE id = ?", (participant,)
                 ).rowcount
@@ -326,12 +326,12 @@ class Store:
 
     def withdrawals(self) -> list[Withdrawal]:
         """Return that people withdrew, in order."""
-        rows = self._rows("SELECT at, exports FROM withdrawals ORDER BY rowid")
+        rows = self.rows("SELECT at, exports FROM withdrawals ORDER BY rowid")
         return [Withdrawal(at, tuple(json.loads(paths))) for at, paths in rows]
 
     def add_export(self, path: Path, participants: Iterable[str]) -> None:
         """Note that a file was made, and of whose answers."""
-        with self._writing() as rows:
+        with self.writing() as rows:
             number = rows.execute(
                 "INSERT INTO exports (path, at) VALUES (?, ?)",
                 (str(path.absolute()), self.now()),
@@ -343,20 +343,20 @@ class Store:
 
     def exports(self) -> list[Export]:
         """Return the files that were made, in order."""
-        rows = self._rows("SELECT path, at FROM exports ORDER BY id")
+        rows = self.rows("SELECT path, at FROM exports ORDER BY id")
         return [Export(*row) for row in rows]
 
     @property
     def is_simulated(self) -> bool:
         """Whether a program gave the answers."""
-        return self._rows("SELECT value FROM facts WHERE name = 'source'") == [
+        return self.rows("SELECT value FROM facts WHERE name = 'source'") == [
             ("synthetic",)
         ]
 
     # The file --------------------------------------------------------------------------
 
     @contextmanager
-    def _writing(self) -> Generator[sqlite3.Connection]:
+    def writing(self) -> Generator[sqlite3.Connection]:
         """Begin and commit; what fails leaves nothing."""
         with self._lock:
             self._connection.execute("BEGIN IMMEDIATE")
@@ -367,7 +367,8 @@ class Store:
                 raise
             self._connection.execute("COMMIT")
 
-    def _rows(self, query: str, *values: object) -> list[tuple[Any, ...]]:
+    def rows(self, query: str, *values: object) -> list[tuple[Any, ...]]:
+        """Return what a query finds."""
         with self._lock:
             return self._connection.execute(query, cast(Any, values)).fetchall()
 
