@@ -19,6 +19,7 @@ from pydantic import (
     ValidationError,
     model_validator,
 )
+from shapely import Point
 
 from memorymaze.durable_files import write_new
 from memorymaze.errors import SettingsError, SitePlanError, StudyError, did_you_mean
@@ -28,6 +29,8 @@ from memorymaze.sites import BUILTIN_SITE_NAMES, Route, Site, load_site
 Kind = Literal["online", "memory", "onsite", "follow"]
 KINDS: tuple[Kind, ...] = ("online", "memory", "onsite", "follow")
 
+BY_THEMSELVES = ("platform_ids", "codes", "comprehension")
+"""What only people who take part by themselves need."""
 TEMPLATE = Path(__file__).parent / "data" / "study.toml"
 
 
@@ -120,6 +123,8 @@ class RouteShown(_Part):
     route: Text
     video: Text | None = None
     """A 360-degree video of one's own, seen from the study file; None to make one."""
+    start: Text | None = None
+    """What people call the place where it begins; only `onsite`."""
 
 
 class Walkthrough(_Part):
@@ -141,6 +146,17 @@ class Followed(_Part):
     """Whether the browser offers to read a text aloud."""
 
 
+class Interview(_Part):
+    """What a study of the kind `onsite` has beyond the others."""
+
+    errors_found: Text
+    """Said before the errors of a description."""
+    no_errors: Text
+    """Said where there are none."""
+    recogniser: Text | None = None
+    """A command that gets the path of a recording and prints what was said."""
+
+
 class StudyDesign(_Part):
     """Everything in a study file."""
 
@@ -160,7 +176,7 @@ class StudyDesign(_Part):
     least_words: Annotated[int, Field(ge=1, le=1000)] = 1
     delay_minutes: Annotated[float, Field(ge=0, le=600)] | None = None
     """Between the video and the description; only `memory`."""
-    platform_ids: list[Annotated[str, Field(pattern=r"^[A-Za-z0-9_]{1,40}$")]]
+    platform_ids: list[Annotated[str, Field(pattern=r"^[A-Za-z0-9_]{1,40}$")]] = []
     introduction: Text
     consent: Annotated[list[Text], Field(min_length=1)]
     scenario: Text
@@ -170,13 +186,15 @@ class StudyDesign(_Part):
     second_task: Text = ""
     thanks: Text
     excluded_thanks: Text
-    codes: Codes
-    comprehension: Comprehension
+    codes: Codes = Codes(complete="-", excluded="-", full="-", return_address="")
+    comprehension: Comprehension = Comprehension(attempts=1, questions=[])
     familiarity: Familiarity
     attention: list[AttentionCheck] = []
     walkthrough: Walkthrough = Walkthrough(fps=10, width=1280, speed=1)
     follow: Followed | None = None
     """Of the kind `follow`, which has nothing to describe."""
+    interview: Interview | None = None
+    """Of the kind `onsite`."""
     routes: Annotated[list[RouteShown], Field(min_length=1, max_length=20)]
 
     @model_validator(mode="after")
@@ -205,6 +223,7 @@ class StudyDesign(_Part):
 
     def _check_texts(self) -> None:
         """See that there is what the kind needs to show."""
+        self._check_interview()
         if (self.follow is None) == (self.kind == "follow"):
             found = "none" if self.follow is None else "one"
             raise ValueError(
@@ -224,6 +243,42 @@ class StudyDesign(_Part):
             if "{destination}" not in getattr(self, name):
                 raise ValueError(f"expected {{destination}} in {name}, got none")
 
+    def _check_interview(self) -> None:
+        """See that there is what an experimenter on site needs, and nothing else."""
+        if self.kind != "onsite":
+            missing = [
+                name for name in BY_THEMSELVES if name not in self.model_fields_set
+            ]
+            if missing:
+                raise ValueError(
+                    f"expected {', '.join(missing)} for {self.kind}, got none"
+                )
+            if self.interview or any(each.start for each in self.routes):
+                raise ValueError(
+                    "expected a table [interview], and start of routes, for the kind "
+                    f"onsite only, got them for {self.kind}"
+                )
+            return
+        given = {*BY_THEMSELVES, "attention", "walkthrough"} & self.model_fields_set
+        if given or any(each.video for each in self.routes):
+            raise ValueError(
+                f"expected no {', '.join(sorted(given)) or 'video'} for the kind onsite, "
+                "where the experimenter asks people who know the place"
+            )
+        if self.interview is None:
+            raise ValueError(
+                "expected a table [interview] for the kind onsite, got none"
+            )
+        for each in self.routes:
+            if each.start is None:
+                raise ValueError(
+                    f"expected start of {each.route}, what people call the place where "
+                    "it begins, for the kind onsite, got none"
+                )
+        for name in ("{start}", "{destination}"):
+            if name not in self.familiarity.text:
+                raise ValueError(f"expected {name} in familiarity.text, got none")
+
     @property
     def number_of_routes(self) -> int:
         """How many routes a participant describes."""
@@ -235,6 +290,7 @@ _PARTS = (
     RouteShown,
     Walkthrough,
     Followed,
+    Interview,
     Codes,
     AttentionCheck,
     Comprehension,
@@ -309,9 +365,24 @@ def new_study(path: str | Path, site: Site, kind: Kind, plan: str) -> None:
         undefined=StrictUndefined, trim_blocks=True, keep_trailing_newline=True
     )
     text = toml.from_string(TEMPLATE.read_text(encoding="utf-8")).render(
-        name=path.stem, kind=kind, plan=plan, title=site.title, routes=names
+        name=path.stem,
+        kind=kind,
+        plan=plan,
+        title=site.title,
+        routes={name: _place_near(site, site.reference_route(name)) for name in names},
     )
     write_new(path, text.encode())
+
+
+def _place_near(site: Site, route: Route) -> str:
+    """Return a name for where a route begins, for the experimenter to better."""
+    begin = Point(route.line.coords[0])
+    named = [
+        (each.polygon.distance(begin), each.name)
+        for each in (*site.rooms, *site.turning_points, *site.corridors, *site.areas)
+        if each.name
+    ]
+    return min(named, default=(0.0, site.title))[1]
 
 
 def _route_problems(
