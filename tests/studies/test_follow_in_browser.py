@@ -53,7 +53,13 @@ def complaints(page: Page) -> list[str]:
     return [str((e["id"], e["nodes"][0]["html"])) for e in found] + too_wide
 
 
-@pytest.mark.parametrize("width", [pytest.param(390, id="phone"), 1280])
+@pytest.mark.parametrize(
+    "width",
+    [
+        pytest.param(390, id="phone"),
+        pytest.param(1280, id="desktop", marks=pytest.mark.proof),
+    ],
+)
 def test_somebody_drives_by_keyboard_reloads_the_page_and_arrives(
     make_study: MakeStudy,
     serve_study: ServeStudy,

@@ -1,7 +1,6 @@
 """`memorymaze try`: a page to tell the robot a way, and to watch what it makes of it."""
 
 import argparse
-from typing import TYPE_CHECKING
 
 from memorymaze.cli.agent_options import (
     add_agent_options,
@@ -12,10 +11,6 @@ from memorymaze.cli.agent_options import (
 from memorymaze.cli.flags import given_flags
 from memorymaze.cli.verbs import Verbs
 from memorymaze.language.model_settings import ModelSettings
-
-if TYPE_CHECKING:
-    from memorymaze.evaluation.settings import AgentSettings
-    from memorymaze.sites import Site
 
 SHOWN_PEOPLE = ("memory", "wrong", "empty")
 ONLY_HERE = {"127.0.0.1", "localhost"}
@@ -71,6 +66,7 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
 
 def _run(options: argparse.Namespace) -> int:
     from memorymaze.errors import SettingsError
+    from memorymaze.evaluation.agent_catalogue import build_agent
     from memorymaze.evaluation.settings import AgentSettings, RunSettings
     from memorymaze.extras import require_extra
     from memorymaze.sites import load_site, load_sites
@@ -80,6 +76,7 @@ def _run(options: argparse.Namespace) -> int:
     )
     from memorymaze.studies.try_pages import TryPages
     from memorymaze.studies.try_sessions import Visits
+    from memorymaze.studies.try_walk import GUIDE
     from memorymaze.studies.web import Door, make_app, serving, wait_for_interrupt
 
     if options.robots < 1:
@@ -89,19 +86,23 @@ def _run(options: argparse.Namespace) -> int:
         if options.site is None
         else {site.name: site for site in map(load_site, options.site)}
     )
-    beside = [AgentSettings("rules"), AgentSettings("explorer")]
-    if options.agent is not None:
-        beside.append(_checked(agent_settings(options), sites))
-    elif options.set or given_flags(options, ModelSettings):
-        raise SettingsError(
-            "options of an agent: expected with --agent, got them alone"
-        )
     settings = episode_settings(options, RunSettings())
     if settings.passers_by not in SHOWN_PEOPLE:
         raise SettingsError(
             f"--passers-by: expected one of {', '.join(SHOWN_PEOPLE)} on this page, got "
             f"{settings.passers_by!r}; see memorymaze navigate"
         )
+    beside = [AgentSettings("rules"), AgentSettings("explorer")]
+    if options.agent is not None:
+        beside.append(agent_settings(options))
+    elif options.set or given_flags(options, ModelSettings):
+        raise SettingsError(
+            "options of an agent: expected with --agent, got them alone"
+        )
+    plans = [site.source for site in sites.values()]
+    for agent in (GUIDE, *beside):
+        # What cannot be made is refused before a visitor waits for it.
+        build_agent(agent, isolate=settings.isolate, kept_from=plans)
     hosts = sorted(ONLY_HERE) if options.host in ONLY_HERE else None
     with Visits(settings, beside, most=options.robots) as visits:
         app = make_app(TryPages(visits, sites).routes(), hosts=hosts)
@@ -109,11 +110,3 @@ def _run(options: argparse.Namespace) -> int:
             print(f"try the robot at {address} (Ctrl-C to end)", flush=True)
             wait_for_interrupt()
     return 0
-
-
-def _checked(agent: "AgentSettings", sites: "dict[str, Site]") -> "AgentSettings":
-    """Refuse an agent that cannot be made, before a visitor waits for it."""
-    from memorymaze.evaluation.agent_catalogue import build_agent
-
-    build_agent(agent, kept_from=[site.source for site in sites.values()])
-    return agent

@@ -16,6 +16,7 @@ import numpy as np
 from memorymaze.errors import StudyError
 from memorymaze.instructions.statistics import word_count
 from memorymaze.studies.answer_file import remove_simulated
+from memorymaze.studies.follow_drives import LONGEST_WAIT
 from memorymaze.studies.follow_pages import SURE
 from memorymaze.studies.schedule import route_orders
 from memorymaze.studies.serving import serving_study
@@ -102,7 +103,10 @@ def _texts(study: Study, count: int, seed: int) -> Texts:
 def _visiting(
     study: Study, address: str, clock: _Clock, rng: np.random.Generator
 ) -> "Generator[_Visitor]":
-    with httpx2.Client(base_url=address, follow_redirects=True) as client:
+    # A robot to drive is set up before it answers.
+    with httpx2.Client(
+        base_url=address, follow_redirects=True, timeout=LONGEST_WAIT
+    ) as client:
         yield _Visitor(study, client, clock, rng)
 
 
