@@ -21,12 +21,12 @@ MakeStudy = Callable[..., Study]
 def test_made_up_participants_fill_a_study_and_are_labelled(
     make_study: MakeStudy, tmp_path: Path, kind: str
 ) -> None:
-    study = make_study(kind, "quota = 3")
+    study = make_study(kind, "quota = 2")
     told: list[tuple[int, int]] = []
-    ends = simulate_study(study, 10, 1, lambda *at: told.append(at))
-    assert told[-1] == (10, 10)
-    assert ends.total() == 10
-    assert ends["finished"] >= 4
+    ends = simulate_study(study, 7, 1, lambda *at: told.append(at))
+    assert told[-1] == (7, 7)
+    assert ends.total() == 7
+    assert ends["finished"] >= 3
     assert ends["full"] >= 1
     with open_store(study, simulated=True) as store:
         states = Counter(each.state for each in store.participants())

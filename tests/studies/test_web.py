@@ -179,3 +179,9 @@ def test_a_port_in_use_is_named() -> None:
             serving(Door(make_app(ROUTES), port=port)),
         ):
             pass
+
+
+def test_a_door_to_all_networks_has_an_address_that_can_be_opened() -> None:
+    with serving(Door(make_app(ROUTES), host="0.0.0.0")) as [address]:
+        assert "0.0.0.0" not in address
+        assert httpx2.get(address).status_code == 200

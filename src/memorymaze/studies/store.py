@@ -91,6 +91,18 @@ class Withdrawal:
     """Files made before, which still hold their texts."""
 
 
+@dataclass(frozen=True, slots=True)
+class CellProgress:
+    """How far an order of routes is."""
+
+    name: str
+    complete: int
+    active: int
+    left: int
+    """Who began and has not gone on for long; their place is free again."""
+    excluded: int
+
+
 class Store:
     """The answers of one study; all threads may use it at once."""
 
@@ -267,7 +279,7 @@ class Store:
 
     # What experimenters do -------------------------------------------------------------
 
-    def progress(self) -> "list[CellProgress]":
+    def progress(self) -> list[CellProgress]:
         """Return how far each order of routes is."""
         held_since = self.now() - 60 * self.study.design.held_minutes
         counts = {
@@ -371,18 +383,6 @@ class Store:
         """Return what a query finds."""
         with self._lock:
             return self._connection.execute(query, cast(Any, values)).fetchall()
-
-
-@dataclass(frozen=True, slots=True)
-class CellProgress:
-    """How far an order of routes is."""
-
-    name: str
-    complete: int
-    active: int
-    left: int
-    """Who began and has not gone on for long; their place is free again."""
-    excluded: int
 
 
 @contextmanager

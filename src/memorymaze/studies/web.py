@@ -328,7 +328,10 @@ def wait_for_interrupt() -> None:
 
 @contextmanager
 def serving(*doors: Door) -> Generator[list[str]]:
-    """Serve, each door in a thread; yields their addresses, such as `http://[::1]:80`."""
+    """Serve, each door in a thread; yields their addresses, such as `http://[::1]:80`.
+
+    Of a door to all networks it is the address that others in the network come to.
+    """
     with ExitStack() as stack:
         # All are taken first: half a study is no use.
         sockets = [stack.enter_context(_listening(door)) for door in doors]
@@ -382,5 +385,21 @@ def _running(door: Door, listener: socket.socket) -> Generator[None]:
 
 def _address(door: Door, listener: socket.socket) -> str:
     scheme = "http" if door.certificate is None else "https"
-    host = f"[{door.host}]" if ":" in door.host else door.host
+    host = door.host
+    if host in {"0.0.0.0", "::"}:
+        host = _own_address(listener.family)
+    host = f"[{host}]" if ":" in host else host
     return f"{scheme}://{host}:{listener.getsockname()[1]}"
+
+
+def _own_address(family: int) -> str:
+    """Return by which address others in the network reach this machine."""
+    other, own = ("2001:db8::1", "::1")
+    if family == socket.AF_INET:
+        other, own = ("192.0.2.1", "127.0.0.1")
+    with socket.socket(family, socket.SOCK_DGRAM) as asking:
+        try:
+            asking.connect((other, 9))  # sends nothing, only looks up the way
+        except OSError:
+            return own
+        return asking.getsockname()[0]
