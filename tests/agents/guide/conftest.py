@@ -12,7 +12,8 @@ import pytest
 
 from memorymaze.agents import Journal
 from memorymaze.agents.guide.arriving import Ending
-from memorymaze.agents.guide.search import Search, Step
+from memorymaze.agents.guide.choosing import Step
+from memorymaze.agents.guide.search import Search
 from memorymaze.agents.guide.walk_log import DOOR, way_name
 from memorymaze.agents.walking.floor_map import Crossing, FloorMap, Sighting, Stretch
 from memorymaze.geometry.pose import wrap_angle
@@ -180,7 +181,7 @@ class Believes:
         search._begin()
         walker.at = log.at
         search._update()
-        step = search._choose()
+        step = search._choice.best()
         return self._do(step, search, log.at)
 
     def _do(self, step: Step | None, search: Search, at: int) -> str:

@@ -5,9 +5,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from memorymaze.agents.guide.arriving import SAME_PLACE, Ending
+from memorymaze.agents.guide.choosing import Step
 from memorymaze.agents.guide.model_questions import ModelQuestions
 from memorymaze.agents.guide.model_replies import Choice, read_choice
-from memorymaze.agents.guide.search import Step
 from memorymaze.agents.guide.walk_log import way_name
 from memorymaze.agents.walking.walker import Walker
 from memorymaze.routes import RoutePlan, describe

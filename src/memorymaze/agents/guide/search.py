@@ -1,21 +1,20 @@
 """The walk of the guide: believe, choose, walk on, doubt, go back, arrive or give up."""
 
 import math
-from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
 
 import numpy as np
 
 from memorymaze.agents.agent import Journal
 from memorymaze.agents.guide.alignments import Frontier, Segment, Slip, Start
-from memorymaze.agents.guide.arriving import SAME_PLACE, Ending, walk_up_to
+from memorymaze.agents.guide.arriving import Ending, walk_up_to
 from memorymaze.agents.guide.asking import ANSWER_TRUST, Answer, Inquiry, Situation
+from memorymaze.agents.guide.choosing import Advise, Choice
 from memorymaze.agents.guide.likelihoods import Likelihoods
 from memorymaze.agents.guide.starts import starts_ahead, starts_any_way
 from memorymaze.agents.guide.tellings import Telling, Tellings
 from memorymaze.agents.walking.floor_map import Sighting, Stretch
 from memorymaze.agents.walking.outlooks import (
-    LEG_METRES,
     each_once,
     expected_metres,
     looks_of,
@@ -25,50 +24,11 @@ from memorymaze.agents.walking.walker import Walker
 from memorymaze.geometry.pose import wrap_angle
 from memorymaze.routes import RoutePlan
 
-FEWEST_METRES, MOST_METRES = 120.0, 400.0
-"""Bounds of the walk after which the agent stops at the best place it knows."""
-PATIENCE = 2.0
-"""Times as long as that, while there is no place that it takes for the destination."""
-WAYS = 2.2
-"""Times the way told that the robot walks at most, once it knows a place to end at."""
-SURELY_TOLD = 0.8
-"""Share of its expected length that a way told has in most cases."""
-SHORT_WALK = 80.0
-"""Metres that are never too many."""
 MOST_PHRASES, LIKELY_ENOUGH = 15, 0.02
 """Things looked for at a time, and how likely a leg has to be for its things to count."""
 MOST_DECISIONS = 400
 SHORT_OF_THE_END = 1.5
 """Metres before the end of a way at which to stop where nothing was seen of the place."""
-
-Step = Frontier | Ending
-"""What one may do next: walk a way that is new, or arrive."""
-Advise = Callable[[Sequence[tuple[Step, float]]], Step]
-"""Returns one of some steps, which come with what they are worth in nats, best first."""
-
-
-@dataclass(frozen=True, slots=True)
-class Patience:
-    """What metres are worth, and when the robot claims to be there."""
-
-    metre_back: float = 0.02
-    """Nats that a metre to walk to another explanation is worth."""
-    sure: float = 0.8
-    """Probability from which on it stops at what it just saw."""
-    plain: float = 0.85
-    """Probability from which on a way is taken without looking along the others."""
-    near: float = 0.4
-    """Probability that all turns are made, from which on it looks about for the place."""
-    stops: float = 0.5
-    """Probability of a place from which on it goes there while other ways are open."""
-    unseen: float = 0.7
-    """The same of a place where nothing was seen of a destination told by a name."""
-    hope: float = 0.05
-    """Probability of a way below which it is not worth walking any more."""
-    hopeless: float = 0.02
-    """Probability below which it does not go to a place."""
-    claims: float = 0.2
-    """Probability below which it says that it could not find the place."""
 
 
 class Search:
@@ -100,13 +60,12 @@ class Search:
         self._walker = walker
         self._journal = journal
         self._any_heading = any_heading
-        self._goes_back = goes_back
         self._model = Likelihoods()
-        self._patience = Patience()
-        self._advise = advise
         self._inquiry = inquiry
         self._tellings = Tellings(walker.map, self._model)
-        self._limit = max(map(_walk_limit, plans))
+        self._choice = Choice(
+            plans, self._tellings, walker, goes_back=goes_back, advise=advise
+        )
         self._looks = each_once(map(looks_of, plans))
         """What tells ways apart: looked for at every crossing."""
         self._doubted: frozenset[tuple[str, int]] = frozenset()
@@ -121,7 +80,7 @@ class Search:
                 answer = self._inquiry.way(self._situation, self._walker.travelled)
                 if answer is not None:
                     self._heed(answer)
-            step = self._choose()
+            step = self._choice.best()
             if not isinstance(step, Frontier) and self._asks_rather_than_stop(step):
                 continue
             if step is None:
@@ -143,7 +102,7 @@ class Search:
             self._tellings.add(plan)
         if self._any_heading:
             first = map(phrases_at_start, self._plans)
-            walker.look_about(each_once([self._looks, *first, self._names]))
+            walker.look_about(each_once([self._looks, *first, self._tellings.names]))
         for telling in self._tellings.all:
             if self._any_heading:
                 telling.starts = starts_any_way(telling.plan, walker.map, walker.at)
@@ -157,14 +116,14 @@ class Search:
         """
         if self._walker.at <= 0:
             return
-        best = self._best_frontier()
+        best = self._choice.best_frontier()
         wanted: list[str] = []
-        if best is None or best.mass < self._patience.plain * self._total:
+        if best is None or best.mass < self._choice.patience.plain * self._total:
             wanted.extend(self._looks)
-        if self._legs_done[-1] >= self._patience.near and not any(
+        if self._legs_done[-1] >= self._choice.patience.near and not any(
             each.sighting is not None for each in self._tellings.endings
         ):
-            wanted.extend(self._names)
+            wanted.extend(self._tellings.names)
         if wanted:
             self._walker.survey(wanted)
             self._update()
@@ -175,7 +134,7 @@ class Search:
         """Believe anew after what was seen, and say what changed."""
         self._tellings.update()
         self._total = self._tellings.total
-        self._distances = self._walker.map.distances_from(self._walker.at)
+        self._choice.update()
         best = self._likeliest()
         self._legs_done, self._doubt = self._summary()
         self._journal.note(
@@ -230,88 +189,6 @@ class Search:
         )
         self._walker.say(_doubt_in_words(slip, len(self._plans[0].legs)))
 
-    # -- choosing
-
-    def _value(self, choice: Frontier | Ending) -> float:
-        """Return the logarithm of a probability, less what the way there costs."""
-        metres = self._distances.get(choice.at, math.inf)
-        mass = choice.mass
-        if isinstance(choice, Ending):
-            metres += choice.distance
-            mass = self._mass_about(choice)
-        return math.log(max(mass, 1e-300)) - self._patience.metre_back * metres
-
-    def _mass_about(self, ending: Ending) -> float:
-        """Sum the belief in places to arrive at that are as good as this one."""
-        return sum(each.mass for each in self._same_place(ending))
-
-    def _same_place(self, ending: Ending) -> list[Ending]:
-        return [
-            each
-            for each in self._tellings.endings
-            if math.dist(each.place, ending.place) < SAME_PLACE
-        ]
-
-    def _is_enough(self, ending: Ending, frontier: Frontier) -> bool:
-        """Tell whether what going on may still show is worth less than stopping."""
-        chance = self._chance(ending)
-        unseen = ending.sighting is None and self._names_at_once
-        enough = self._patience.unseen if unseen else self._patience.stops
-        if chance < enough and frontier.mass >= self._patience.hope * self._total:
-            return False
-        return self._value(ending) >= self._value(frontier)
-
-    def _chance(self, ending: Ending) -> float:
-        """Return how likely a place is the one to arrive at."""
-        return min(self._mass_about(ending) / self._total, 1.0)
-
-    def _choose(self) -> Step | None:
-        """Return what to do next; None where nothing is left."""
-        frontier, ending = self._best_frontier(), self._best_ending()
-        if frontier is None:
-            return ending
-        best: Step = frontier
-        if self._too_far_for(frontier, ending):
-            return ending
-        if ending is not None and self._is_enough(ending, frontier):
-            best = ending
-        if self._advise is None:
-            return best
-        tellings = self._tellings
-        steps = [best, *tellings.frontiers.values(), *tellings.endings]
-        ranked = sorted(steps, key=lambda each: (each is best, self._value(each)))
-        return self._advise([(each, self._value(each)) for each in reversed(ranked)])
-
-    def _best_frontier(self) -> Frontier | None:
-        ways: Iterable[Frontier] = self._tellings.frontiers.values()
-        if not self._goes_back:
-            ways = [each for each in ways if each.at == self._walker.at]
-        return max(ways, key=self._value, default=None)
-
-    def _best_ending(self) -> Ending | None:
-        best = max(self._tellings.endings, key=self._value, default=None)
-        if best is None or best.mass <= 0.0:
-            return None
-        return max(self._same_place(best), key=lambda each: each.mass)
-
-    def _too_far_for(self, frontier: Frontier, ending: Ending | None) -> bool:
-        """Tell whether after one more stretch there is no time to come back.
-
-        There is time for a small multiple of the way told; if a place seen already is the
-        one, the way told is the way to it.
-        """
-        back, limit = 0.0, self._limit * PATIENCE
-        if ending is not None and self._chance(ending) >= self._patience.claims:
-            back = self._distances.get(ending.at, math.inf) + ending.distance
-            begun = self._tellings.all[0].starts[0].at
-            way = self._walker.map.distances_from(begun).get(ending.at)
-            if way is not None:
-                told = SURELY_TOLD * max(map(expected_metres, self._plans))
-                enough = WAYS * max(way + ending.distance, told)
-                limit = min(limit, max(enough, SHORT_WALK))
-        further = self._distances.get(frontier.at, math.inf) + LEG_METRES
-        return self._walker.travelled + further + back > limit
-
     # -- walking
 
     def _walk(self, frontier: Frontier) -> bool:
@@ -351,7 +228,7 @@ class Search:
                     for segment, _ in frontier.alignments
                 )
                 chance = float(there / (there + rest))
-                if chance >= self._patience.sure:
+                if chance >= self._choice.patience.sure:
                     if walker.points_on(sighting):
                         self._tellings.refute(sighting)
                         continue
@@ -381,14 +258,14 @@ class Search:
         if found:
             sighting, chance = found[0]
             self._arrive(f"{sighting.phrase} seen", chance)
-            walk_up_to(walker, sighting, self._names)
+            walk_up_to(walker, sighting, self._tellings.names)
             return True
         return False
 
     def _situation(self) -> Situation:
         """Return how the episode stands."""
         masses = [each.mass for each in self._tellings.frontiers.values()]
-        masses += [self._mass_about(each) for each in self._tellings.endings]
+        masses += [self._choice.mass_about(each) for each in self._tellings.endings]
         told = expected_metres(self._plans[0])
         return Situation(
             max(masses, default=0.0) / self._total,
@@ -400,7 +277,7 @@ class Search:
         """Ask for the way where the robot would stop without being sure."""
         if self._inquiry is None:
             return False
-        chance = 0.0 if ending is None else self._chance(ending)
+        chance = 0.0 if ending is None else self._choice.chance(ending)
         answer = self._inquiry.before_stopping(chance, self._walker)
         if answer is None:
             return False
@@ -422,25 +299,18 @@ class Search:
             answer.plan, ANSWER_TRUST, breaks_off=answer.breaks_off
         )
         telling.starts = [Start(at, heading, exit, 1.0, -walked)]
-        self._limit = max(self._limit, walker.travelled + _walk_limit(answer.plan))
+        self._choice.walk_on_for(answer.plan)
         self._update()
 
     def _of(self, segment: Segment) -> Telling:
         return self._tellings.all[segment.telling]
 
-    @property
-    def _names(self) -> tuple[str, ...]:
-        """What to look for of the destination."""
-        return tuple(each_once(each.arrivals.names for each in self._tellings.all))
-
-    @property
-    def _names_at_once(self) -> list[str]:
-        """Names at which to stop without having seen what else the way has."""
-        return each_once(each.arrivals.at_once for each in self._tellings.all)
-
     def _may_be_there(self, sighting: Sighting) -> bool:
         refuted = self._tellings.all[0].arrivals.refuted
-        return sighting.phrase in self._names_at_once and sighting.track not in refuted
+        return (
+            sighting.phrase in self._tellings.names_at_once
+            and sighting.track not in refuted
+        )
 
     def _phrases(self, frontier: Frontier) -> list[str]:
         """Return what to look for on a way: what the likelier alignments await."""
@@ -456,15 +326,15 @@ class Search:
                 awaited.append((near, telling.things.phrases(leg)))
         awaited.sort(key=lambda each: -each[0])
         likely = [phrases for near, phrases in awaited if near >= LIKELY_ENOUGH]
-        return each_once([self._looks, self._names, *likely])[:MOST_PHRASES]
+        return each_once([self._looks, self._tellings.names, *likely])[:MOST_PHRASES]
 
     # -- ending
 
     def _finish(self, ending: Ending) -> bool:
         """Go to a place to arrive at; False where it turns out not to be it."""
         walker = self._walker
-        chance = self._chance(ending)
-        if chance < self._patience.hopeless:
+        chance = self._choice.chance(ending)
+        if chance < self._choice.patience.hopeless:
             self._give_up("nothing fits what was told", chance)
             return True
         if not walker.go_to(ending.at):
@@ -475,7 +345,7 @@ class Search:
         if ending.exit is not None and not walker.face(ending.exit):
             walker.map.crossings[ending.at].closed.add(ending.exit)
             return False
-        if chance < self._patience.claims:
+        if chance < self._choice.patience.claims:
             self._give_up(f"unlikely: {ending.reason}", chance)
         else:
             self._arrive(ending.reason, chance, ending.segment.story)
@@ -493,7 +363,7 @@ class Search:
                     if each.track == ending.sighting.track
                 ]
                 if seen:
-                    walk_up_to(walker, seen[0], self._names)
+                    walk_up_to(walker, seen[0], self._tellings.names)
                     return True
             step = min(goal, 0.8)
             if not walker.step(step):
@@ -533,8 +403,3 @@ def _doubt_in_words(slip: Slip, legs: int) -> str:
         "turn left out": f"I think a turn was left out before {told}.",
     }
     return words.get(slip.kind, f"I doubt what was told of {told}.")
-
-
-def _walk_limit(plan: RoutePlan) -> float:
-    """Metres after which to stop at the best place known."""
-    return min(max(FEWEST_METRES, WAYS * expected_metres(plan)), MOST_METRES)

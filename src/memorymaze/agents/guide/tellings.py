@@ -11,6 +11,7 @@ from memorymaze.agents.guide.likelihoods import Likelihoods
 from memorymaze.agents.guide.signs import Pointers
 from memorymaze.agents.guide.things import Things
 from memorymaze.agents.walking.floor_map import FloorMap, Point, Sighting
+from memorymaze.agents.walking.outlooks import each_once
 from memorymaze.routes import RoutePlan
 
 TRUST = 0.85
@@ -143,6 +144,16 @@ class Tellings:
             self._join()
         self.total = sum(each.mass for each in self.frontiers.values())
         self.total += sum(each.mass for each in self.endings)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """What to look for of the destination."""
+        return tuple(each_once(each.arrivals.names for each in self.all))
+
+    @property
+    def names_at_once(self) -> list[str]:
+        """Names at which to stop without having seen what else the way has."""
+        return each_once(each.arrivals.at_once for each in self.all)
 
     def refute(self, sighting: Sighting) -> None:
         """Take note that something seen was found not to be the destination."""

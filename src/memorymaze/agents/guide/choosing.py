@@ -1,0 +1,172 @@
+"""What the guide does next: walk a way that is new, or stop; and what metres are worth."""
+
+import math
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+
+from memorymaze.agents.guide.alignments import Frontier
+from memorymaze.agents.guide.arriving import SAME_PLACE, Ending
+from memorymaze.agents.guide.tellings import Tellings
+from memorymaze.agents.walking.outlooks import LEG_METRES, expected_metres
+from memorymaze.agents.walking.walker import Walker
+from memorymaze.routes import RoutePlan
+
+FEWEST_METRES, MOST_METRES = 120.0, 400.0
+"""Bounds of the walk after which the agent stops at the best place it knows."""
+PATIENCE = 2.0
+"""Times as long as that, while there is no place that it takes for the destination."""
+WAYS = 2.2
+"""Times the way told that the robot walks at most, once it knows a place to end at."""
+SURELY_TOLD = 0.8
+"""Share of its expected length that a way told has in most cases."""
+SHORT_WALK = 80.0
+"""Metres that are never too many."""
+
+Step = Frontier | Ending
+"""What one may do next: walk a way that is new, or arrive."""
+Advise = Callable[[Sequence[tuple[Step, float]]], Step]
+"""Returns one of some steps, which come with what they are worth in nats, best first."""
+
+
+@dataclass(frozen=True, slots=True)
+class Patience:
+    """What metres are worth, and when the robot claims to be there."""
+
+    metre_back: float = 0.02
+    """Nats that a metre to walk to another explanation is worth."""
+    sure: float = 0.8
+    """Probability from which on it stops at what it just saw."""
+    plain: float = 0.85
+    """Probability from which on a way is taken without looking along the others."""
+    near: float = 0.4
+    """Probability that all turns are made, from which on it looks about for the place."""
+    stops: float = 0.5
+    """Probability of a place from which on it goes there while other ways are open."""
+    unseen: float = 0.7
+    """The same of a place where nothing was seen of a destination told by a name."""
+    hope: float = 0.05
+    """Probability of a way below which it is not worth walking any more."""
+    hopeless: float = 0.02
+    """Probability below which it does not go to a place."""
+    claims: float = 0.2
+    """Probability below which it says that it could not find the place."""
+
+
+class Choice:
+    """Chooses among the ways and places that the tellings make likely."""
+
+    def __init__(
+        self,
+        plans: Sequence[RoutePlan],
+        tellings: Tellings,
+        walker: Walker,
+        *,
+        goes_back: bool,
+        advise: Advise | None,
+    ) -> None:
+        """Choose on the way told by these plans, which bounds how far to walk."""
+        self.patience = Patience()
+        self._tellings = tellings
+        self._walker = walker
+        self._goes_back = goes_back
+        self._advise = advise
+        self._told = max(map(expected_metres, plans))
+        self._limit = max(map(_walk_limit, plans))
+
+    def update(self) -> None:
+        """Measure anew from where the robot is."""
+        self._distances = self._walker.map.distances_from(self._walker.at)
+
+    def walk_on_for(self, plan: RoutePlan) -> None:
+        """Allow for the metres of a way that was told on the way."""
+        self._limit = max(self._limit, self._walker.travelled + _walk_limit(plan))
+
+    def value(self, choice: Frontier | Ending) -> float:
+        """Return the logarithm of a probability, less what the way there costs."""
+        metres = self._distances.get(choice.at, math.inf)
+        mass = choice.mass
+        if isinstance(choice, Ending):
+            metres += choice.distance
+            mass = self.mass_about(choice)
+        return math.log(max(mass, 1e-300)) - self.patience.metre_back * metres
+
+    def mass_about(self, ending: Ending) -> float:
+        """Sum the belief in places to arrive at that are as good as this one."""
+        return sum(each.mass for each in self._same_place(ending))
+
+    def _same_place(self, ending: Ending) -> list[Ending]:
+        return [
+            each
+            for each in self._tellings.endings
+            if math.dist(each.place, ending.place) < SAME_PLACE
+        ]
+
+    def _is_enough(self, ending: Ending, frontier: Frontier) -> bool:
+        """Tell whether what going on may still show is worth less than stopping."""
+        chance = self.chance(ending)
+        unseen = ending.sighting is None and self._tellings.names_at_once
+        enough = self.patience.unseen if unseen else self.patience.stops
+        if (
+            chance < enough
+            and frontier.mass >= self.patience.hope * self._tellings.total
+        ):
+            return False
+        return self.value(ending) >= self.value(frontier)
+
+    def chance(self, ending: Ending) -> float:
+        """Return how likely a place is the one to arrive at."""
+        return min(self.mass_about(ending) / self._tellings.total, 1.0)
+
+    def best(self) -> Step | None:
+        """Return what to do next; None where nothing is left."""
+        frontier, ending = self.best_frontier(), self.best_ending()
+        if frontier is None:
+            return ending
+        best: Step = frontier
+        if self._too_far_for(frontier, ending):
+            return ending
+        if ending is not None and self._is_enough(ending, frontier):
+            best = ending
+        if self._advise is None:
+            return best
+        tellings = self._tellings
+        steps = [best, *tellings.frontiers.values(), *tellings.endings]
+        ranked = sorted(steps, key=lambda each: (each is best, self.value(each)))
+        return self._advise([(each, self.value(each)) for each in reversed(ranked)])
+
+    def best_frontier(self) -> Frontier | None:
+        """Return the way that is worth most; None where there is none."""
+        ways: Iterable[Frontier] = self._tellings.frontiers.values()
+        if not self._goes_back:
+            ways = [each for each in ways if each.at == self._walker.at]
+        return max(ways, key=self.value, default=None)
+
+    def best_ending(self) -> Ending | None:
+        """Return the place to arrive at that is worth most; None where there is none."""
+        best = max(self._tellings.endings, key=self.value, default=None)
+        if best is None or best.mass <= 0.0:
+            return None
+        return max(self._same_place(best), key=lambda each: each.mass)
+
+    def _too_far_for(self, frontier: Frontier, ending: Ending | None) -> bool:
+        """Tell whether after one more stretch there is no time to come back.
+
+        There is time for a small multiple of the way told; if a place seen already is the
+        one, the way told is the way to it.
+        """
+        back, limit = 0.0, self._limit * PATIENCE
+        if ending is not None and self.chance(ending) >= self.patience.claims:
+            back = self._distances.get(ending.at, math.inf) + ending.distance
+            begun = self._tellings.all[0].starts[0].at
+            way = self._walker.map.distances_from(begun).get(ending.at)
+            if way is not None:
+                told = SURELY_TOLD * self._told
+                enough = WAYS * max(way + ending.distance, told)
+                limit = min(limit, max(enough, SHORT_WALK))
+        further = self._distances.get(frontier.at, math.inf) + LEG_METRES
+        return self._walker.travelled + further + back > limit
+
+
+def _walk_limit(plan: RoutePlan) -> float:
+    """Metres after which to stop at the best place known."""
+    return min(max(FEWEST_METRES, WAYS * expected_metres(plan)), MOST_METRES)
