@@ -1,5 +1,6 @@
 """The pages to try the robot, over a real connection and in a browser."""
 
+import time
 from collections.abc import Generator
 
 import httpx2
@@ -10,7 +11,7 @@ from playwright.sync_api import Browser, Page, expect
 from memorymaze.evaluation.settings import AgentSettings, RunSettings
 from memorymaze.sites import Site
 from memorymaze.studies.try_pages import TryPages, examples_of
-from memorymaze.studies.try_sessions import Visits
+from memorymaze.studies.try_sessions import LEAVING, Visits
 from memorymaze.studies.web import Door, make_app, serving
 
 ENOUGH = 60_000.0
@@ -19,11 +20,16 @@ ASTRAY = "Go to the T and turn right, <b>then</b> go to the end."
 
 
 @pytest.fixture(scope="module")
-def address(t_site: Site) -> Generator[str]:
+def visits() -> Generator[Visits]:
     with Visits(RunSettings(), [AgentSettings("rules")], most=2) as visits:
-        app = make_app(TryPages(visits, {t_site.name: t_site}).routes())
-        with serving(Door(app)) as [address]:
-            yield address
+        yield visits
+
+
+@pytest.fixture(scope="module")
+def address(visits: Visits, t_site: Site) -> Generator[str]:
+    app = make_app(TryPages(visits, {t_site.name: t_site}).routes())
+    with serving(Door(app)) as [address]:
+        yield address
 
 
 @pytest.fixture
@@ -79,8 +85,8 @@ def test_a_visitor_tells_a_way_with_the_keyboard_and_sees_where_it_was_lost(
     assert not problems
 
 
-def test_a_visitor_pauses_and_stops_and_the_words_are_still_there(
-    address: str, page: Page
+def test_a_visitor_pauses_and_stops_and_leaves(
+    visits: Visits, address: str, page: Page
 ) -> None:
     page.goto(address)
     page.get_by_role("button", name="To").first.click()
@@ -92,6 +98,14 @@ def test_a_visitor_pauses_and_stops_and_the_words_are_still_there(
     page.get_by_role("button", name="Stop").click()
     expect(page.locator("#tell")).to_be_visible(timeout=ENOUGH)
     assert page.input_value("#text") == "Go to the T and turn left."
+    visit = visits.find(page.url.rpartition("/")[2])
+    assert visit is not None
+    assert visit.process is not None
+    page.close()
+    deadline = time.monotonic() + 3 * LEAVING
+    while visit.process is not None:
+        assert time.monotonic() < deadline, "a closed page gives its robot back"
+        time.sleep(0.05)
 
 
 @pytest.mark.parametrize(

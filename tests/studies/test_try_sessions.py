@@ -10,7 +10,13 @@ from PIL import Image
 
 from memorymaze.evaluation.settings import AgentSettings, RunSettings
 from memorymaze.sites import Site
-from memorymaze.studies.try_sessions import PATIENCE, NoRobotFree, Visit, Visits
+from memorymaze.studies.try_sessions import (
+    LEAVING,
+    PATIENCE,
+    NoRobotFree,
+    Visit,
+    Visits,
+)
 
 TEXT = "Go to the T and turn left, then go to the end."
 ENOUGH = 60.0
@@ -165,6 +171,19 @@ def test_a_closed_page_ends_its_walk_and_frees_the_robot(
     assert other.process is None, "a browser has one robot at a time"
     clock.now += PATIENCE + 1
     wait_until(visits, third, lambda: third.process is None, looks=False)
+
+
+def test_a_page_that_is_loaded_anew_keeps_its_robot_and_a_closed_one_does_not(
+    visits: Visits, visit: Visit, clock: Clock
+) -> None:
+    visits.leave(visit)
+    clock.now += LEAVING / 2
+    assert visits.find(visit.id) is visit, "the page is there again"
+    clock.now += LEAVING
+    assert visit.process is not None
+    visits.leave(visit)
+    clock.now += LEAVING + 1
+    wait_until(visits, visit, lambda: visit.state == "away", looks=False)
 
 
 def test_a_robot_that_dies_is_told_of_and_another_takes_the_text_up(

@@ -57,6 +57,7 @@ class TryPages:
             Path("/visits/{visit}/news", self._tell_news),
             Path("/visits/{visit}/pace", posted(self._change_pace), methods=["POST"]),
             Path("/visits/{visit}/stop", posted(self._stop), methods=["POST"]),
+            Path("/visits/{visit}/leave", posted(self._leave), methods=["POST"]),
             Path("/visits/{visit}/{picture}.jpg", self._show_picture),
         ]
 
@@ -136,6 +137,10 @@ class TryPages:
         visit = self._visit(request)
         self._visits.stop(visit)
         return RedirectResponse(f"/visits/{visit.id}", 303)
+
+    def _leave(self, request: Request, fields: Fields) -> Response:
+        self._visits.leave(self._visit(request))
+        return Response(status_code=204)
 
     def _show_picture(self, request: Request) -> Response:
         jpeg = self._visit(request).pictures.get(request.path_params["picture"])

@@ -20,8 +20,11 @@ from memorymaze.studies.try_walk import (
     SetOut,
 )
 
-PATIENCE = 20.0
-"""Seconds without a sign of life of the page after which its robot is put away."""
+PATIENCE = 90.0
+"""Seconds without a sign of life of the page after which its robot is put away; browsers
+let pages in the background ask once a minute."""
+LEAVING = 5.0
+"""Seconds after a page was closed in which it may come back, as when it is loaded anew."""
 KEPT = 200
 """Visitors that are remembered, with robots or without."""
 DEFAULT_PACE = 5.0
@@ -141,6 +144,11 @@ class Visits:
             visit.pace, visit.paused = pace or visit.pace, paused
             if visit.process is not None and visit.state == "walking":
                 visit.process.tell(Pace(0.0 if paused else visit.pace))
+
+    def leave(self, visit: Visit) -> None:
+        """Take note that the page was closed, or is loaded anew."""
+        with self._lock:
+            visit.seen = self._clock() - self._patience + LEAVING
 
     def stop(self, visit: Visit) -> None:
         """End the walk, and have a robot at the start again."""

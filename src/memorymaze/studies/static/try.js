@@ -270,6 +270,9 @@ async function changePace(paused) {
   await fetch(`${address}/pace`, { method: "POST", headers: { "X-CSRF-Token": token }, body });
 }
 
+addEventListener("pagehide", () => {
+  navigator.sendBeacon(`${address}/leave`, new URLSearchParams({ csrf_token: token }));
+});
 part("pause").addEventListener("click", () => changePace(part("pause").getAttribute("aria-pressed") !== "true"));
 part("pace").addEventListener("change", () => changePace(part("pause").getAttribute("aria-pressed") === "true"));
 for (const button of document.querySelectorAll("[data-example]")) {
