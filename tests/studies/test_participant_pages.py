@@ -183,7 +183,8 @@ def test_from_memory_the_video_is_gone_while_one_describes(
         one = served.browse()
         one.reach_first_way()
         [film] = re.findall(r'src="(/film/[^"]+)"', one.page)
-        assert one.client.get(film).status_code == 200
+        shown = one.client.get(film)
+        assert (shown.status_code, shown.headers["cache-control"]) == (200, "no-store")
         refused = one.send()
         assert "watch the video to its end" in refused.text
         [step] = re.findall(r'data-step="([^"]+)"', one.page)

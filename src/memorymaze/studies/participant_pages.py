@@ -31,6 +31,8 @@ LONGEST_ID = 200
 """Characters of a platform's id."""
 REMEMBERED = 60 * 24 * 3600
 """Seconds that a browser knows who it is."""
+FILM_KEPT = 24 * 3600
+"""Seconds that a browser may keep a video."""
 EVENTS = frozenset({"play", "pause", "ended", "again"})
 """What the video's script tells."""
 WATCHED = "ended"
@@ -350,7 +352,14 @@ class ParticipantPages:
         step, *_ = self._current(participant)
         if step is None or not self._may_watch(step, route):
             raise HTTPException(404)
-        return FileResponse(self._films[route], media_type="video/mp4")
+        # Shown twice while it may be watched; from memory, no browser may keep it.
+        is_kept = self._design.kind != "memory"
+        caching = f"private, max-age={FILM_KEPT}" if is_kept else "no-store"
+        return FileResponse(
+            self._films[route],
+            media_type="video/mp4",
+            headers={"Cache-Control": caching},
+        )
 
     def _may_watch(self, step: Step, route: str) -> bool:
         """Return whether a video is there: from memory, it is gone while one describes."""
