@@ -54,6 +54,17 @@ def test_a_simulated_study_is_exported_and_read_by_the_other_verbs(
     assert "memory" in counted.out
 
 
+def test_a_study_is_not_shown_to_others_before_its_contact_is_changed(
+    memorymaze: Memorymaze, tmp_path: Path
+) -> None:
+    path = tmp_path / "mine.toml"
+    memorymaze("study", "new", path, "--site", "museum_5f")
+    said = memorymaze("study", "serve", path, "--host", "0.0.0.0")
+    assert said.code == 1
+    assert "field 'contact': expected who answers questions" in said.err
+    assert not (tmp_path / "mine.films").exists()
+
+
 def test_a_missing_extra_is_named_with_what_to_type(
     memorymaze: Memorymaze, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from memorymaze.studies.study_file import Study
 
 KINDS = ("online", "memory", "onsite", "follow")
+THIS_MACHINE = ("127.0.0.1", "::1", "localhost")
 
 
 def add_parser(verbs: Verbs) -> None:
@@ -101,11 +102,13 @@ def _serve(options: argparse.Namespace) -> int:
     from memorymaze.studies.schedule import check_has_pages
     from memorymaze.studies.serving import serving_study
     from memorymaze.studies.store import open_store
-    from memorymaze.studies.study_file import load_study
+    from memorymaze.studies.study_file import check_is_changed, load_study
     from memorymaze.studies.web import wait_for_interrupt
 
     study = load_study(options.file)
     check_has_pages(study.design)
+    if options.host not in THIS_MACHINE:
+        check_is_changed(study)
     with open_store(study, simulated=options.simulated) as store:
         films = {} if study.design.kind == "follow" else make_films(study)
         with serving_study(

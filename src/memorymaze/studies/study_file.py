@@ -31,6 +31,8 @@ KINDS: tuple[Kind, ...] = ("online", "memory", "onsite", "follow")
 
 BY_THEMSELVES = ("platform_ids", "codes", "comprehension")
 """What only people who take part by themselves need."""
+UNCHANGED = "PLEASE CHANGE"
+"""What the contact of a new study file begins with."""
 TEMPLATE = Path(__file__).parent / "data" / "study.toml"
 
 
@@ -346,6 +348,14 @@ def load_study(path: str | Path) -> Study:
     if problems:
         raise refusal(problems, StudyError)
     return Study(path, text, design, site)
+
+
+def check_is_changed(study: Study) -> None:
+    """Refuse a study for other people whose contact is still the template's."""
+    contact = study.design.contact
+    if contact.startswith(UNCHANGED):
+        said = f"expected who answers questions of participants, got {contact!r}"
+        raise StudyError(_problem(study.path, study.text, "contact", said))
 
 
 def new_study(path: str | Path, site: Site, kind: Kind, plan: str) -> None:
