@@ -203,11 +203,8 @@ class Guard:
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Answer a request, or hand it on."""
-        if scope["type"] == "lifespan":
-            await self._app(scope, receive, send)
-            return
         if scope["type"] != "http":
-            await send({"type": "websocket.close", "code": 1008})
+            await self._app(scope, receive, send)
             return
         request = Request(scope, receive)
         known = request.cookies.get(FORM_KEY, "")
@@ -308,14 +305,6 @@ class Door:
     port: int = 0
     """0 for any that is free."""
     certificate: Certificate | None = None
-
-
-def serve(
-    app: ASGIApp, host: str, port: int, *, certificate: Certificate | None = None
-) -> None:
-    """Serve until Ctrl-C."""
-    with serving(Door(app, host, port, certificate)):
-        wait_for_interrupt()
 
 
 def wait_for_interrupt() -> None:
