@@ -97,7 +97,7 @@ def _add_serve(actions: Verbs) -> None:
 
 
 def _serve(options: argparse.Namespace) -> int:
-    _require_extra("study serve")
+    _check_installed("study serve")
     from memorymaze.studies.films import make_films
     from memorymaze.studies.schedule import check_has_pages
     from memorymaze.studies.serving import serving_study
@@ -207,7 +207,7 @@ def _add_simulate(actions: Verbs) -> None:
 
 
 def _simulate(options: argparse.Namespace) -> int:
-    _require_extra("study simulate")
+    _check_installed("study simulate")
     from memorymaze.options import check_whole
     from memorymaze.studies.schedule import check_has_pages
     from memorymaze.studies.simulating import simulate_study
@@ -272,7 +272,7 @@ def _add_simulated(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def _require_extra(purpose: str) -> None:
+def _check_installed(purpose: str) -> None:
     from memorymaze.extras import require_extra
 
     require_extra("studies", "starlette", "uvicorn", "multipart", purpose=purpose)
