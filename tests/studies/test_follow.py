@@ -193,3 +193,40 @@ def test_a_study_without_texts_of_a_route_is_refused(
     study = make_study("follow", 'instructions = ["others.jsonl"]')
     with pytest.raises(StudyError, match="expected texts of R1 of t_junction"):
         texts_to_follow(study)
+
+
+def test_texts_that_changed_since_they_were_followed_are_refused(
+    make_study: MakeStudy, tmp_path: Path, tiny_instructions: Path
+) -> None:
+    texts = tmp_path / "texts.jsonl"
+    told = tiny_instructions.read_text(encoding="utf-8")
+    texts.write_text(told, encoding="utf-8")
+    study = make_study("follow", 'instructions = ["texts.jsonl"]')
+    with open_store(study) as store:
+        who = somebody(store)
+        with Drives(store, texts_to_follow(study), draws=False) as drives:
+            drives.see(who, "follow.R1")
+            finish(store, drives, who, SURE)
+        followed = drives.text_for(who, "follow.R1")
+        words = followed.instruction.text
+        texts.write_text(told.replace(words, "Go elsewhere."), encoding="utf-8")
+        with pytest.raises(StudyError, match="got other words"):
+            export_walks(study, store, tmp_path / "people")
+        texts.write_text(told.replace(f'"{followed.id}"', '"new"'), encoding="utf-8")
+        with (
+            pytest.raises(StudyError, match="got it no more"),
+            Drives(store, texts_to_follow(study)),
+        ):
+            pass
+
+
+def test_a_walk_that_would_end_elsewhere_now_is_refused(
+    study: Study, store: Store, drives: Drives, tmp_path: Path
+) -> None:
+    who = somebody(store)
+    drives.drive(who, "follow.R1", 0, "forward")
+    taken = drives.ending(who, "follow.R1", SURE)
+    driven = json.loads(taken.text) | {"place": [5.0, 5.0]}
+    store.add_answer(who.id, "follow.R1", json.dumps(driven), taken.shown)
+    with pytest.raises(StudyError, match="where its driver saw it end"):
+        export_walks(study, store, tmp_path / "people")

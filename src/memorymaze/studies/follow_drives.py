@@ -46,9 +46,13 @@ class Walked(NamedTuple):
 
     text: str
     """Id of the text followed."""
+    told: str
+    """The text itself, as it was shown."""
     commands: tuple[str, ...]
     said: Said | None
     """None where the robot's budget ended it."""
+    place: tuple[float, float] | None
+    """Where the robot stood at the end; None where nobody saw it."""
     seconds: float
     """From the first look at the page to the end."""
     at: float
@@ -113,7 +117,12 @@ class Drives:
         )
 
     def __enter__(self) -> "Drives":
-        """Prepare processes."""
+        """Prepare processes; StudyError says that a text is gone that is followed."""
+        for who in self._store.participants():
+            for route in self._store.study.design.routes:
+                known = _text_of(self._store, who.id, f"follow.{route.route}")
+                if known is not None:
+                    self._texts.episode(known)
         prepare_processes()
         return self
 
@@ -127,7 +136,7 @@ class Drives:
         with self._lock:
             known = _text_of(self._store, who.id, step)
             if known is not None:
-                return self._texts.episodes[known]
+                return self._texts.episode(known)
             free_since = self._store.now() - 60 * self._store.study.design.held_minutes
             taken = Counter(
                 _text_of(self._store, other.id, step)
@@ -177,10 +186,13 @@ class Drives:
     def ending(self, who: Participant, step: str, said: Said | None) -> Taken:
         """Return what is kept of a walk that ends, and put its robot away."""
         episode = self.text_for(who, step)
+        live = self._lives.get((who.id, step))
+        seen = None if live is None else live.seen
         answer = {
             "text": episode.id,
             "commands": len(commands_of(self._store, who.id, step)),
             "said": None if said is None else said._asdict(),
+            "place": None if said is None or seen is None else seen.place,
         }
         self._put_away((who.id, step))
         return Taken(json.dumps(answer), shown=episode.instruction.text)
@@ -271,7 +283,10 @@ def _walked(store: Store, who: str, step: str, answer: Answer) -> Walked:
     commands = commands_of(store, who, step)[: kept["commands"]]
     opened = [each.at for each in store.events(who, step) if each.kind == "opened"]
     seconds = answer.at - min(opened, default=answer.at)
-    return Walked(kept["text"], tuple(commands), said, seconds, answer.at)
+    place = None if kept["place"] is None else tuple(kept["place"])
+    return Walked(
+        kept["text"], answer.shown, tuple(commands), said, place, seconds, answer.at
+    )
 
 
 def _text_of(store: Store, who: str, step: str) -> str | None:

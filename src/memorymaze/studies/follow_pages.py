@@ -1,12 +1,11 @@
 """The page on which people follow a text, and what its script asks for."""
 
-import json
 from collections.abc import Callable
 from typing import Any
 
 from starlette.exceptions import HTTPException
 from starlette.requests import Request
-from starlette.responses import Response
+from starlette.responses import JSONResponse, Response
 from starlette.routing import BaseRoute, Route
 
 from memorymaze.errors import StudyError
@@ -96,7 +95,4 @@ class FollowPages:
             status, told = 409, {"problem": str(error)}
         except StudyError as error:
             status, told = 400, {"problem": str(error)}
-        content = json.dumps(told).encode()
-        return Response(
-            content, status, {"Cache-Control": "no-store"}, "application/json"
-        )
+        return JSONResponse(told, status, {"Cache-Control": "no-store"})

@@ -23,6 +23,16 @@ class TextsToFollow:
     """By the id of the text."""
     settings: RunDefinition
 
+    def episode(self, text: str) -> Episode:
+        """Return a text that somebody follows or has followed."""
+        if text not in self.episodes:
+            raise StudyError(
+                f"text {text!r}: expected it among the texts of the study, because it was "
+                "followed, got it no more; bring instruction files and limit back as they "
+                "were"
+            )
+        return self.episodes[text]
+
     def of_route(self, route: str) -> Sequence[Episode]:
         """Return the texts of a route, in order."""
         every = self.episodes.values()

@@ -125,6 +125,8 @@ class Seen(NamedTuple):
     """Pictures on the way, the last one from where the robot stands; JPEG."""
     metres: float
     """Driven so far: agents have an odometer, too."""
+    place: tuple[float, float]
+    """Where the robot stands, which nobody is shown."""
     answer: str
 
 
@@ -191,7 +193,8 @@ class _Driver:
             if self._draws:
                 self._frames.append(seen_ahead(self._robot))
             frames = tuple(self._frames)
-            self._connection.send(Seen(done, frames, self._metres, self._answer))
+            place = (self._drawn_at.x, self._drawn_at.y)
+            self._connection.send(Seen(done, frames, self._metres, place, self._answer))
             self._frames.clear()
             command = self._connection.recv()
             done += 1

@@ -1,7 +1,8 @@
 """The pages to try the robot: choose a way, look round, tell it, watch it."""
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Generator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache
 from typing import Any
@@ -79,10 +80,8 @@ class TryPages:
         way = next((each for each in ways if each.id == fields.get("route")), None)
         if site is None or way is None:
             raise HTTPException(404)
-        try:
+        with _telling_who_waits():
             visit = self._visits.begin(site, way, csrf_token(request))
-        except NoRobotFree as error:
-            raise HTTPException(503, str(error)) from None
         return RedirectResponse(f"/visits/{visit.id}", 303)
 
     def _show(self, request: Request) -> Response:
@@ -106,10 +105,8 @@ class TryPages:
                 f"Please describe the way in 1 to {LONGEST_TEXT} characters; there were "
                 f"{len(text)}.",
             )
-        try:
+        with _telling_who_waits():
             begun = self._visits.set_out(visit, text)
-        except NoRobotFree as error:
-            raise HTTPException(503, str(error)) from None
         if not begun:
             raise HTTPException(
                 409, "The robot is on its way. Stop it before you tell it another way."
@@ -135,7 +132,8 @@ class TryPages:
 
     def _stop(self, request: Request, fields: Fields) -> Response:
         visit = self._visit(request)
-        self._visits.stop(visit)
+        with _telling_who_waits():
+            self._visits.stop(visit)
         return RedirectResponse(f"/visits/{visit.id}", 303)
 
     def _leave(self, request: Request, fields: Fields) -> Response:
@@ -157,6 +155,15 @@ class TryPages:
                 404, "This robot was put away long ago. Begin at the first page."
             )
         return visit
+
+
+@contextmanager
+def _telling_who_waits() -> Generator[None]:
+    """Show a page that asks for patience where there is no robot."""
+    try:
+        yield
+    except NoRobotFree as error:
+        raise HTTPException(503, str(error)) from None
 
 
 def ways_of(site: Site) -> list[Route]:

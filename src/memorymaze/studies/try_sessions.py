@@ -25,7 +25,7 @@ PATIENCE = 90.0
 let pages in the background ask once a minute."""
 LEAVING = 5.0
 """Seconds after a page was closed in which it may come back, as when it is loaded anew."""
-KEPT = 200
+KEPT = 50
 """Visitors that are remembered, with robots or without."""
 DEFAULT_PACE = 5.0
 
@@ -59,6 +59,8 @@ class Visit:
     paused: bool = False
     trouble: str = ""
     """Why there is no robot."""
+    blind: str = ""
+    """Why the robot takes no pictures."""
     news: list[dict[str, Any]] = field(default_factory=list[dict[str, Any]])
     """Of this walk."""
     pictures: dict[str, bytes] = field(default_factory=dict[str, bytes])
@@ -166,6 +168,7 @@ class Visits:
                 "walk": visit.walk,
                 "paused": visit.paused,
                 "trouble": visit.trouble,
+                "blind": visit.blind,
                 "looked_round": "round" in visit.pictures,
                 "camera": visit.drawn,
                 "known": len(visit.news),
@@ -219,11 +222,10 @@ class Visits:
             elif isinstance(message, Lost):
                 self._put_away(visit, str(message))
             elif isinstance(message, Ready):
-                was_opening, visit.state = visit.state == "opening", "over"
-                if was_opening:
-                    visit.state = "ready"
-                    if visit.waiting:
-                        self._send_out(visit)
+                visit.blind = message.blind
+                visit.state = "ready" if visit.state == "opening" else "over"
+                if visit.waiting:
+                    self._send_out(visit)
 
     def _look_after(self) -> None:
         while not self._closed.wait(min(1.0, self._patience / 2)):

@@ -72,6 +72,9 @@ class News(NamedTuple):
 class Ready(NamedTuple):
     """Tells that it stands at the start and listens."""
 
+    blind: str = ""
+    """Why there are no pictures; empty where there are."""
+
 
 @dataclass(frozen=True, slots=True)
 class RobotToTry:
@@ -85,18 +88,17 @@ class RobotToTry:
     def __call__(self, connection: Connection) -> None:
         """Look round; then follow one text after another."""
         arena = Arena(self.site, self.settings.obstacles, checked_eyes(self.settings))
-        sees = True
+        blind = ""
         try:
             strip = seen_all_round(lambda turn: self._robot_at_start(arena, turn))
             connection.send(Picture("round", strip))
         except RenderingError as error:
-            sees = False
-            connection.send(News({"blind": str(error)}))
+            blind = str(error)
         while True:
-            connection.send(Ready())
+            connection.send(Ready(blind))
             told = connection.recv()
             if isinstance(told, SetOut):
-                self._walk(told, arena, connection, sees=sees)
+                self._walk(told, arena, connection, sees=not blind)
 
     def _robot_at_start(self, arena: Arena, turn: float) -> SimulatedRobot:
         route = self.site.find_route(self.route)
@@ -151,7 +153,6 @@ class RobotToTry:
             "from_goal": round(run.result.spd, 1),
             "walked": round(run.result.path_length),
             "path": path_data(line),
-            "end": _place(*line[-1]),
             "lost": None if verdict.lost is None else _place(*verdict.lost),
         }
 

@@ -214,6 +214,8 @@ function showState(told) {
   const trouble = told.state === "away";
   const walks = told.state === "walking";
   const words = trouble ? `${told.trouble} Tell it the way again to have another one.` : STATUS[told.state];
+  part("blind").hidden = !told.blind;
+  setText("blind", told.blind && `There are no pictures of its camera: ${told.blind}`);
   setText("status", walks && told.paused ? "The robot waits: the walk is paused." : walks && isOver ? "The others follow the same words." : words);
   part("status").classList.toggle("wrong", trouble);
   part("controls").hidden = !walks;
