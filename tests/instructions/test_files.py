@@ -96,7 +96,9 @@ def test_a_line_separator_inside_a_text_does_not_end_the_line(
         pytest.param({"iteration": "1"}, "'iteration': expected", id="text number"),
         pytest.param({"iteration": True}, "got true", id="flag for a number"),
         pytest.param(
-            {"study": "lab"}, "expected 'online', 'memory', 'onsite' or 'sail'", id="study"
+            {"study": "lab"},
+            "expected 'online', 'memory', 'onsite' or 'sail'",
+            id="study",
         ),
         pytest.param(
             {"text": "  "}, "expected a text that is not empty", id="blank text"

@@ -15,26 +15,6 @@ from memorymaze.instructions.records import Instruction
 from memorymaze.studies.store import Answer, Event, Participant, Store
 from memorymaze.studies.study_file import Study
 
-COLUMNS: tuple[str, ...] = (
-    "id",
-    "participant",
-    "source",
-    "study",
-    "site",
-    "route",
-    "iteration",
-    "place_in_order",
-    "text",
-    "told_before",
-    "seconds",
-    "video_plays",
-    "video_watched_again",
-    "video_ends",
-    "attention_checks_failed",
-    "familiarity",
-    "comprehension_attempts",
-)
-
 
 @dataclass(frozen=True, slots=True)
 class Exported:
@@ -165,7 +145,7 @@ def _row(instruction: Instruction, telling: _Telling) -> dict[str, Any]:
 def _csv(rows: Sequence[dict[str, Any]]) -> bytes:
     """Return a table for spreadsheets, which must run no text as a formula."""
     content = io.StringIO()
-    writer = csv.DictWriter(content, COLUMNS, lineterminator="\r\n")
+    writer = csv.DictWriter(content, list(rows[0]), lineterminator="\r\n")
     writer.writeheader()
     for row in rows:
         writer.writerow({name: guarded_cell(str(cell)) for name, cell in row.items()})
