@@ -7,7 +7,9 @@ from memorymaze.cli.verbs import VerbParser, Verbs, shown_progress
 from memorymaze.wording import counted
 
 if TYPE_CHECKING:
+    from memorymaze.studies.serving import Addresses
     from memorymaze.studies.study_file import Study
+    from memorymaze.studies.web import Certificate
 
 KINDS = ("online", "memory", "onsite", "follow")
 THIS_MACHINE = ("127.0.0.1", "::1", "localhost")
@@ -72,8 +74,9 @@ def _add_serve(actions: Verbs) -> None:
         help="show the pages of a study, until Ctrl-C",
         description="Show the pages of a study: to participants at one address, to the "
         "experimenter at another. On this machine only, unless --host says otherwise. "
-        "Videos that are missing are made first.",
-        epilog="example: memorymaze study serve my_study.toml --host 0.0.0.0",
+        "Videos that are missing are made first. Of the kind onsite, the experimenter's "
+        "tablet comes to --host; it records over https only (--tls).",
+        epilog="example: memorymaze study serve my_study.toml --host 192.168.1.20 --tls",
     )
     _add_file(parser)
     parser.add_argument(
@@ -90,7 +93,12 @@ def _add_serve(actions: Verbs) -> None:
         type=int,
         default=8001,
         metavar="N",
-        help="of the experimenter, on this machine only (8001)",
+        help="of the experimenter, on this machine only but for the kind onsite (8001)",
+    )
+    parser.add_argument(
+        "--tls",
+        action="store_true",
+        help="serve https, with a certificate made for --host and kept beside the study",
     )
     _add_simulated(parser)
     parser.set_defaults(run=_serve)
@@ -99,30 +107,52 @@ def _add_serve(actions: Verbs) -> None:
 def _serve(options: argparse.Namespace) -> int:
     _check_installed("study serve")
     from memorymaze.studies.films import make_films
-    from memorymaze.studies.schedule import check_has_pages
     from memorymaze.studies.serving import serving_study
     from memorymaze.studies.store import open_store
     from memorymaze.studies.study_file import check_is_changed, load_study
     from memorymaze.studies.web import wait_for_interrupt
 
     study = load_study(options.file)
-    check_has_pages(study.design)
     if options.host not in THIS_MACHINE:
         check_is_changed(study)
+    certificate = None
+    if options.tls:
+        from memorymaze.studies.certificates import local_certificate
+
+        certificate = local_certificate(study.path.with_suffix(".tls"), options.host)
     with open_store(study, simulated=options.simulated) as store:
-        films = {} if study.design.kind == "follow" else make_films(study)
+        watched = study.design.kind in {"online", "memory"}
+        films = make_films(study) if watched else {}
         with serving_study(
             store,
             films,
             host=options.host,
             port=options.port,
             experimenter_port=options.experimenter_port,
+            certificate=certificate,
         ) as addresses:
-            print(f"participants:  {addresses.participants}/")
+            if addresses.participants:
+                print(f"participants:  {addresses.participants}/")
             print(f"experimenter:  {addresses.experimenter}")
+            if certificate is not None:
+                _explain_trust(addresses, certificate)
+            elif study.design.kind == "onsite" and options.host not in THIS_MACHINE:
+                print("nothing is recorded over http; end this and add --tls")
             print("Ctrl-C ends the server; what was sent is kept.", flush=True)
             wait_for_interrupt()
     return 0
+
+
+def _explain_trust(addresses: "Addresses", certificate: "Certificate") -> None:
+    """Say how browsers come to trust a certificate that no company vouches for."""
+    from memorymaze.studies.certificates import authority_of, fingerprint
+
+    authority = authority_of(certificate)
+    print(f"certificate:   browsers trust it after {authority} is installed on them,")
+    if not addresses.participants:
+        server = addresses.experimenter.partition("/enter/")[0]
+        print(f"               as {server}/trust explains,")
+    print(f"               SHA-256 {fingerprint(authority)}")
 
 
 def _add_export(actions: Verbs) -> None:
@@ -275,4 +305,11 @@ def _add_simulated(parser: argparse.ArgumentParser) -> None:
 def _check_installed(purpose: str) -> None:
     from memorymaze.extras import require_extra
 
-    require_extra("studies", "starlette", "uvicorn", "multipart", purpose=purpose)
+    require_extra(
+        "studies",
+        "starlette",
+        "uvicorn",
+        "multipart",
+        "cryptography",
+        purpose=purpose,
+    )

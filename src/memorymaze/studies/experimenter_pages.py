@@ -48,13 +48,17 @@ class ExperimenterPages:
         """Return an endpoint that only who has the token gets to."""
 
         def checked(request: Request, fields: Fields) -> Response:
-            if not self._is(request.cookies.get(self._cookie, "")):
-                raise HTTPException(
-                    403, "Open the experimenter's address that the server printed."
-                )
+            self.check(request)
             return page(request, fields)
 
         return posted(checked)
+
+    def check(self, request: Request) -> None:
+        """Refuse who has not got the token."""
+        if not self._is(request.cookies.get(self._cookie, "")):
+            raise HTTPException(
+                403, "Open the experimenter's address that the server printed."
+            )
 
     def _is(self, given: str) -> bool:
         return hmac.compare_digest(given.encode(), self._token.encode())
@@ -75,7 +79,7 @@ class ExperimenterPages:
 
     def _overview(self, request: Request, fields: Fields) -> Response:
         store = self._store
-        return self._show(
+        return self.show(
             request,
             "overview.html",
             progress=store.progress(),
@@ -103,7 +107,7 @@ class ExperimenterPages:
             (step, answer, answer.at - opened.get(step, answer.at))
             for step, answer in answers.items()
         ]
-        return self._show(
+        return self.show(
             request,
             "one_participant.html",
             who=who,
@@ -113,10 +117,10 @@ class ExperimenterPages:
 
     def _withdraw(self, request: Request, fields: Fields) -> Response:
         done = self._store.withdraw(self._known(request).id)
-        return self._show(request, "removed.html", exports=done.exports)
+        return self.show(request, "removed.html", exports=done.exports)
 
     def _ethics(self, request: Request, fields: Fields) -> Response:
-        return self._show(request, "ethics.html", folder=self._store.folder.absolute())
+        return self.show(request, "ethics.html", folder=self._store.folder.absolute())
 
     def _known(self, request: Request) -> Participant:
         found = self._store.participant(request.path_params["id"])
@@ -124,7 +128,8 @@ class ExperimenterPages:
             raise HTTPException(404)
         return found
 
-    def _show(self, request: Request, template: str, **view: Any) -> Response:
+    def show(self, request: Request, template: str, **view: Any) -> Response:
+        """Return a page for the experimenter."""
         return render(
             request,
             template,

@@ -1,4 +1,4 @@
-"""A study at two addresses: one for participants, one for the experimenter."""
+"""A study at its addresses: one for participants, one for the experimenter."""
 
 import secrets
 from collections.abc import Generator
@@ -9,15 +9,22 @@ from typing import NamedTuple
 from memorymaze.studies.experimenter_pages import ExperimenterPages
 from memorymaze.studies.follow_drives import Drives
 from memorymaze.studies.follow_texts import texts_to_follow
+from memorymaze.studies.interview_pages import LOCAL, InterviewPages
+from memorymaze.studies.interviews import Interviews
 from memorymaze.studies.participant_pages import ParticipantPages
+from memorymaze.studies.recognising import Recogniser
 from memorymaze.studies.store import Store
 from memorymaze.studies.web import Certificate, Door, make_app, serving
+
+MAX_RECORDING = 32_000_000
+"""Bytes of a recording; an hour and more."""
 
 
 class Addresses(NamedTuple):
     """Where a study is served."""
 
     participants: str
+    """Empty for the kind `onsite`, whose participants have no pages of their own."""
     experimenter: str
     """With its secret; for nobody else."""
 
@@ -35,20 +42,31 @@ def serving_study(
 ) -> Generator[Addresses]:
     """Serve the pages of a study; the experimenter's on this machine only.
 
-    Robots that people drive are drawn where there is somebody to look.
+    Those of the kind `onsite` are all the experimenter's, and their tablet comes to
+    `host`. Robots that people drive are drawn where there is somebody to look.
     """
     token = secrets.token_urlsafe(24)
     drives = None
     with ExitStack() as stack:
+        experimenter = ExperimenterPages(store, token)
+        interviews = Interviews(store)
+        behind = experimenter.routes
+        if store.study.design.kind == "onsite":
+            recogniser = Recogniser(interviews)
+            stack.enter_context(recogniser.hearing())
+            behind += InterviewPages(
+                experimenter, interviews, recogniser, certificate
+            ).routes
+            app = make_app(behind, max_body=MAX_RECORDING, hosts=[*LOCAL, host])
+            with serving(Door(app, host, experimenter_port, certificate)) as [address]:
+                yield Addresses("", f"{address}/enter/{token}")
+            return
         if store.study.design.kind == "follow":
             texts = texts_to_follow(store.study)
             drives = stack.enter_context(Drives(store, texts, draws=draws))
         pages = make_app(ParticipantPages(store, films, drives).routes)
-        behind = make_app(
-            ExperimenterPages(store, token).routes, hosts=["127.0.0.1", "localhost"]
-        )
         with serving(
             Door(pages, host, port, certificate),
-            Door(behind, port=experimenter_port),
+            Door(make_app(behind, hosts=LOCAL), port=experimenter_port),
         ) as [participants, experimenter]:
             yield Addresses(participants, f"{experimenter}/enter/{token}")

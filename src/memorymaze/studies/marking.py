@@ -1,0 +1,168 @@
+"""What is marked on a plan: the way that a description tells, and its errors."""
+
+import json
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import asdict, dataclass
+from typing import Any
+
+from memorymaze.collection.labels import KINDS, NO_WAY
+from memorymaze.collection.questions import read_kind, read_way, way_in_words
+from memorymaze.drawing.shapes import ROUTE_COLORS
+from memorymaze.drawing.svg import path_data, plan_frame
+from memorymaze.instructions.records import Failure
+from memorymaze.sites import Route, Site
+
+MOST_FAILURES = 12
+LONGEST_DETAIL = 500
+"""Characters."""
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """A turning point as it is numbered on the plan."""
+
+    number: int
+    id: str
+    name: str
+    x: float
+    """Metres of the picture, as `y`: down."""
+    y: float
+
+
+@dataclass(frozen=True, slots=True)
+class Marks:
+    """What somebody marked."""
+
+    way: str
+    """Id of the route that is told, or `none`."""
+    places: tuple[str, ...]
+    """The turning points of a way that is none of the plan's, in order."""
+    failures: tuple[Failure, ...]
+
+    def as_json(self) -> str:
+        """Return it as it is kept."""
+        return json.dumps(asdict(self), ensure_ascii=False)
+
+
+def marks_from(text: str) -> Marks:
+    """Return marks that were kept."""
+    kept = json.loads(text)
+    failures = tuple(Failure(**each) for each in kept["failures"])
+    return Marks(kept["way"], tuple(kept["places"]), failures)
+
+
+def places_of(site: Site) -> list[Place]:
+    """Return the turning points of a plan, numbered from west to east."""
+    points = sorted(site.turning_points, key=lambda each: each.polygon.centroid.x)
+    return [
+        Place(
+            number,
+            point.id,
+            point.name or point.shape.replace("_", " "),
+            round(point.polygon.centroid.x, 2),
+            round(-point.polygon.centroid.y, 2),
+        )
+        for number, point in enumerate(points, start=1)
+    ]
+
+
+def plan_view(site: Site, route: str) -> dict[str, Any]:
+    """Return what a page shows of a plan for marking a description of a route."""
+    ways = site.ways(route)
+    return {
+        "frame": plan_frame(site),
+        "places": places_of(site),
+        "things": list(_things(site)),
+        "kinds": KINDS,
+        "most": MOST_FAILURES,
+        "ways": [
+            (
+                way.id,
+                way_in_words(site, way),
+                path_data(list(way.line.coords)),
+                ROUTE_COLORS[number % len(ROUTE_COLORS)],
+            )
+            for number, way in enumerate(ways)
+        ],
+    }
+
+
+def _things(site: Site) -> Iterator[tuple[str, str]]:
+    """Return what a description may speak of: things, doors and rooms, with names."""
+    for thing in site.landmarks:
+        said = " ".join(filter(None, (thing.color, thing.category)))
+        yield thing.id, f"{said} {thing.name or thing.text or ''}".strip()
+    for door in site.doors:
+        yield door.id, f"{door.style.replace('_', ' ')} door {door.label or ''}".strip()
+    for room in site.rooms:
+        yield room.id, room.name
+
+
+def read_marks(fields: dict[str, str], site: Site, route: str) -> Marks:
+    """Read the form of marks; ValueError says what is missing or wrong."""
+    ways = site.ways(route)
+    way = read_way(fields.get("way", ""), [each.id for each in ways])
+    places: tuple[str, ...] = ()
+    if way == NO_WAY:
+        places = _read_places(fields.get("places", ""), site)
+        way = next((each.id for each in ways if _goes_by(site, each, places)), way)
+        places = () if way != NO_WAY else places
+    known = {place.id for place in site.turning_points} | dict(_things(site)).keys()
+    failures: list[Failure] = []
+    for number in range(MOST_FAILURES):
+        kind, where, detail = (
+            fields.get(f"{name}.{number}", "").strip()
+            for name in ("kind", "where", "detail")
+        )
+        if not kind:
+            if where or detail:
+                raise ValueError(f"error {number + 1}: expected a kind, got none")
+            continue
+        if where not in known:
+            raise ValueError(
+                f"error {number + 1}: expected a place or thing of the plan, got "
+                f"{where or 'none'!r}"
+            )
+        failures.append(Failure(read_kind(kind), where, detail[:LONGEST_DETAIL]))
+    return Marks(way, places, tuple(failures))
+
+
+def _read_places(text: str, site: Site) -> tuple[str, ...]:
+    by_number = {str(place.number): place.id for place in places_of(site)}
+    given = re.split(r"[\s,>]+", text.strip()) if text.strip() else []
+    unknown = [each for each in given if each not in by_number]
+    if unknown:
+        raise ValueError(
+            f"expected numbers of places from 1 to {len(by_number)}, got "
+            f"{', '.join(unknown)}"
+        )
+    return tuple(by_number[each] for each in given)
+
+
+def crossed(site: Site, way: Route) -> tuple[str, ...]:
+    """Return the turning points that a way goes through, in order."""
+    through = [
+        (way.line.project(point.polygon.centroid), point.id)
+        for point in site.turning_points
+        if way.line.intersects(point.polygon)
+    ]
+    return tuple(name for _, name in sorted(through))
+
+
+def _goes_by(site: Site, way: Route, places: tuple[str, ...]) -> bool:
+    """Tell whether places are those of a way: all it crosses, or where it turns."""
+    turns = tuple(turn.at for turn in way.turns)
+    return bool(places) and places in {crossed(site, way), turns}
+
+
+def in_words(site: Site, failures: Sequence[Failure]) -> list[str]:
+    """Return errors in words, with the numbers of places on the plan."""
+    places = {place.id: f"place {place.number}" for place in places_of(site)}
+    things = dict(_things(site))
+    return [
+        f"{KINDS[each.kind]}, at "
+        f"{places.get(each.where) or things.get(each.where, each.where)}"
+        + (f": {each.detail}" if each.detail else "")
+        for each in failures
+    ]
