@@ -11,7 +11,13 @@ from memorymaze.cli.main import main
 from memorymaze.errors import SettingsError, StudyError
 from memorymaze.evaluation.run_folder import read_instructions, read_run
 from memorymaze.results.story import load_episode
-from memorymaze.studies.follow_drives import Drives, WalkElsewhere, commands_of
+from memorymaze.studies.follow_drives import (
+    STILL_THERE,
+    Drives,
+    NoRobotNow,
+    WalkElsewhere,
+    commands_of,
+)
 from memorymaze.studies.follow_runs import export_walks
 from memorymaze.studies.follow_texts import texts_to_follow
 from memorymaze.studies.follow_walk import Said
@@ -230,3 +236,19 @@ def test_a_walk_that_would_end_elsewhere_now_is_refused(
     store.add_answer(who.id, "follow.R1", json.dumps(driven), taken.shown)
     with pytest.raises(StudyError, match="where its driver saw it end"):
         export_walks(study, store, tmp_path / "people")
+
+
+def test_who_comes_when_all_robots_are_driven_waits_until_one_rests(
+    study: Study, store: Store
+) -> None:
+    now = [0.0]
+    texts = texts_to_follow(study)
+    first, second = somebody(store), somebody(store, "second")
+    with Drives(store, texts, most=1, draws=False, clock=lambda: now[0]) as drives:
+        drives.drive(first, "follow.R1", 0, "forward")
+        with pytest.raises(NoRobotNow, match="Please wait"):
+            drives.see(second, "follow.R1")
+        now[0] += STILL_THERE + 1
+        assert drives.see(second, "follow.R1")["done"] == 0
+        now[0] += STILL_THERE + 1
+        assert drives.see(first, "follow.R1")["done"] == 1, "goes on where it was"

@@ -5,6 +5,7 @@ import threading
 import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from typing import Any, Literal
 
 from memorymaze.errors import MemoryMazeError
@@ -67,6 +68,8 @@ class Visit:
     drawn: int = 0
     """Pictures of the camera so far."""
     process: LiveProcess | None = None
+    robots: int = 0
+    """Processes so far, which tells what the present one says from what others said."""
 
 
 class Visits:
@@ -78,12 +81,11 @@ class Visits:
         beside: Sequence[AgentSettings],
         *,
         most: int,
-        patience: float = PATIENCE,
         clock: Callable[[], float] = time.monotonic,
     ) -> None:
         """Have no visitor yet, and robots for `most` at a time."""
         self._settings, self._beside = settings, tuple(beside)
-        self._most, self._patience, self._clock = most, patience, clock
+        self._most, self._clock = most, clock
         self._visits: dict[str, Visit] = {}
         self._lock = threading.RLock()
         self._closed = threading.Event()
@@ -150,7 +152,7 @@ class Visits:
     def leave(self, visit: Visit) -> None:
         """Take note that the page was closed, or is loaded anew."""
         with self._lock:
-            visit.seen = self._clock() - self._patience + LEAVING
+            visit.seen = self._clock() - PATIENCE + LEAVING
 
     def stop(self, visit: Visit) -> None:
         """End the walk, and have a robot at the start again."""
@@ -186,9 +188,8 @@ class Visits:
             )
         robot = RobotToTry(visit.site, visit.route.id, self._settings, self._beside)
         visit.state, visit.trouble = "opening", ""
-        process = visit.process = LiveProcess(
-            robot, lambda message: self._hear(visit, process, message)
-        )
+        visit.robots += 1
+        visit.process = LiveProcess(robot, partial(self._hear, visit, visit.robots))
 
     def _send_out(self, visit: Visit) -> None:
         assert visit.process is not None
@@ -210,9 +211,9 @@ class Visits:
 
     # In threads of their own.
 
-    def _hear(self, visit: Visit, process: LiveProcess, message: object) -> None:
+    def _hear(self, visit: Visit, robot: int, message: object) -> None:
         with self._lock:
-            if visit.process is not process:
+            if visit.process is None or visit.robots != robot:
                 return  # what a robot said last that was put away
             if isinstance(message, Picture):
                 visit.pictures[message.name] = message.jpeg
@@ -228,10 +229,10 @@ class Visits:
                     self._send_out(visit)
 
     def _look_after(self) -> None:
-        while not self._closed.wait(min(1.0, self._patience / 2)):
+        while not self._closed.wait(1.0):
             with self._lock:
                 for visit in self._visits.values():
-                    if self._clock() - visit.seen > self._patience:
+                    if self._clock() - visit.seen > PATIENCE:
                         self._put_away(
                             visit, "The robot was put away: nobody was watching."
                         )
