@@ -14,7 +14,6 @@ from starlette.requests import Request
 from starlette.responses import FileResponse, JSONResponse, Response
 from starlette.routing import BaseRoute, Route
 
-from memorymaze.drawing.svg import svg_plan
 from memorymaze.errors import StudyError
 from memorymaze.studies.certificates import authority_of, fingerprint
 from memorymaze.studies.experimenter_pages import ExperimenterPages
@@ -23,7 +22,9 @@ from memorymaze.studies.marking import plan_view, read_marks
 from memorymaze.studies.participant_pages import LONGEST_TEXT
 from memorymaze.studies.recognising import Recogniser
 from memorymaze.studies.schedule import route_orders
+from memorymaze.studies.store import Store
 from memorymaze.studies.study_file import StudyDesign
+from memorymaze.studies.tellings import Tellings
 from memorymaze.studies.web import STATIC, Certificate, Fields, render
 
 LOCAL = ("127.0.0.1", "localhost", "::1")
@@ -46,17 +47,19 @@ class InterviewPages:
     def __init__(
         self,
         experimenter: ExperimenterPages,
-        interviews: Interviews,
+        store: Store,
+        tellings: Tellings,
         recogniser: Recogniser,
         certificate: Certificate | None,
     ) -> None:
-        """Take who guards the pages, the interviews, what hears recordings, and https."""
+        """Take who guards the pages, the answers, what hears recordings, and https."""
         self._experimenter = experimenter
-        self._interviews = interviews
+        self._interviews = Interviews(store)
+        self._tellings = tellings
         self._recogniser = recogniser
         self._authority = None if certificate is None else authority_of(certificate)
-        self._store = interviews.store
-        self._study = interviews.store.study
+        self._store = store
+        self._study = store.study
         self._takers: dict[str, Callable[[Record, Fields], Taken]] = {
             "consent": self._take_consent,
             "familiarity": self._take_familiarity,
@@ -72,7 +75,6 @@ class InterviewPages:
         guarded = self._experimenter.guarded
         return [
             Route("/interview", guarded(self._interview)),
-            Route("/plan.svg", guarded(self._plan)),
             Route("/service-worker.js", self._worker),
             Route("/offline", self._offline),
             # Without the token: nobody has it before they trust the server.
@@ -116,9 +118,6 @@ class InterviewPages:
             longest=LONGEST_TEXT,
             is_heard=self._recogniser.is_there,
         )
-
-    def _plan(self, request: Request, fields: Fields) -> Response:
-        return Response(svg_plan(self._study.site), media_type="image/svg+xml")
 
     def _worker(self, request: Request) -> Response:
         # Not under /static/: a worker rules over pages beneath its own address only.
@@ -179,7 +178,7 @@ class InterviewPages:
         taken = self._interviews.take(record, marks.as_json())
         heard = fields.get("transcript", "").strip()
         if taken == "kept" and heard:
-            self._interviews.add_transcript(
+            self._tellings.add_transcript(
                 record.participant,
                 f"tell.{route}",
                 "the experimenter",
@@ -226,17 +225,17 @@ class InterviewPages:
 
     def _heard(self, request: Request, fields: Fields) -> Response:
         who, step = request.path_params["participant"], request.path_params["step"]
-        told = [each for each in self._interviews.told(who) if each.step == step]
+        told = [each for each in self._tellings.told(who) if each.step == step]
         return JSONResponse({
             "text": told[0].text if told else "",
             "problem": self._recogniser.problems.get((who, step), ""),
         })
 
     def _recording(self, request: Request, fields: Fields) -> Response:
-        for each in self._interviews.recordings():
+        for each in self._tellings.recordings():
             if each.file == request.path_params["file"]:
                 return FileResponse(
-                    self._interviews.path_of(each), media_type=each.media_type
+                    self._tellings.path_of(each), media_type=each.media_type
                 )
         raise HTTPException(404)
 

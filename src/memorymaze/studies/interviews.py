@@ -1,4 +1,4 @@
-"""What a tablet sends of interviews: answers, recordings, and what was said in them.
+"""What a tablet sends of interviews: answers and recordings.
 
 A tablet numbers what it sends, so that what comes twice is kept once, and tells when
 things happened: it may send them much later. No pages.
@@ -7,7 +7,6 @@ things happened: it may send them much later. No pages.
 import re
 import sqlite3
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Literal
 
 from memorymaze.durable_files import write_whole
@@ -41,57 +40,6 @@ class Record:
     opened: float
     """Seconds since 1970 by the tablet, as `at`."""
     at: float
-
-
-@dataclass(frozen=True, slots=True)
-class Recording:
-    """A file with somebody's voice."""
-
-    file: str
-    participant: str
-    step: str
-    media_type: str
-    seconds: float
-
-
-@dataclass(frozen=True, slots=True)
-class Transcript:
-    """A version of what was said in a recording."""
-
-    written_by: str
-    is_heard: bool
-    """Whether a recogniser wrote it."""
-    text: str
-    at: float
-
-
-@dataclass(frozen=True, slots=True)
-class Told:
-    """A description, as far as it is known."""
-
-    participant: str
-    step: str
-    """`tell.R1` or `retell.R1`."""
-    recording: Recording | None
-    versions: tuple[Transcript, ...]
-    """What was typed first, then the others in the order they came."""
-
-    @property
-    def text(self) -> str:
-        """What a person wrote last, else a recogniser; empty where nobody has yet."""
-        by_people = [each for each in self.versions if not each.is_heard]
-        latest = by_people or list(self.versions)
-        return latest[-1].text if latest else ""
-
-    @property
-    def first_text(self) -> str:
-        """The version before all corrections."""
-        return self.versions[0].text if self.versions else ""
-
-    @property
-    def route(self) -> str:
-        """The route it is about."""
-        return self.step.partition(".")[2]
 
 
 class Interviews:
@@ -225,51 +173,3 @@ class Interviews:
             "UPDATE participants SET seen = max(seen, ?) WHERE id = ?",
             (record.at, record.participant),
         )
-
-    # What was said ---------------------------------------------------------------------
-
-    def recordings(self) -> list[Recording]:
-        """Return all recordings, in the order they came."""
-        query = "SELECT file, participant, step, media_type, seconds FROM recordings"
-        return [Recording(*row) for row in self.store.rows(f"{query} ORDER BY rowid")]
-
-    def path_of(self, recording: Recording) -> Path:
-        """Return where a recording lies."""
-        return self.store.folder / RECORDINGS / recording.file
-
-    def add_transcript(
-        self, participant: str, step: str, written_by: str, text: str, *, is_heard: bool
-    ) -> bool:
-        """Keep a version of what was said; False where the person has withdrawn."""
-        with self.store.writing() as rows:
-            return bool(
-                rows.execute(
-                    "INSERT INTO transcripts SELECT ?1, ?2, ?3, ?4, ?5, ?6 WHERE EXISTS "
-                    "(SELECT 1 FROM participants WHERE id = ?1)",
-                    (participant, step, written_by, is_heard, text, self.store.now()),
-                ).rowcount
-            )
-
-    def told(self, participant: str | None = None) -> list[Told]:
-        """Return all descriptions, or those of one participant, typed or recorded."""
-        recordings = {(each.participant, each.step): each for each in self.recordings()}
-        versions: dict[tuple[str, str], list[Transcript]] = {}
-        for who, step, text, at in self.store.rows(
-            "SELECT participant, step, text, at FROM answers WHERE (step LIKE 'tell.%' "
-            "OR step LIKE 'retell.%') AND (?1 IS NULL OR participant = ?1) "
-            "ORDER BY rowid",
-            participant,
-        ):
-            typed = [Transcript("", False, text, at)] if text else []
-            versions[who, step] = typed
-        for who, step, *row in self.store.rows(
-            "SELECT participant, step, written_by, is_heard, text, at FROM transcripts "
-            "ORDER BY rowid"
-        ):
-            if (who, step) in versions:
-                by, is_heard, text, at = row
-                versions[who, step].append(Transcript(by, bool(is_heard), text, at))
-        return [
-            Told(*key, recordings.get(key), tuple(some))
-            for key, some in versions.items()
-        ]

@@ -2,7 +2,7 @@
 
 import json
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import asdict, dataclass
 from typing import Any
 
@@ -45,13 +45,6 @@ class Marks:
         return json.dumps(asdict(self), ensure_ascii=False)
 
 
-def marks_from(text: str) -> Marks:
-    """Return marks that were kept."""
-    kept = json.loads(text)
-    failures = tuple(Failure(**each) for each in kept["failures"])
-    return Marks(kept["way"], tuple(kept["places"]), failures)
-
-
 def places_of(site: Site) -> list[Place]:
     """Return the turning points of a plan, numbered from west to east."""
     points = sorted(site.turning_points, key=lambda each: each.polygon.centroid.x)
@@ -69,17 +62,24 @@ def places_of(site: Site) -> list[Place]:
 
 def plan_view(site: Site, route: str) -> dict[str, Any]:
     """Return what a page shows of a plan for marking a description of a route."""
-    ways = site.ways(route)
+    ways, places = site.ways(route), places_of(site)
+
+    def words(way: Route) -> str:
+        said = way_in_words(site, way)
+        for place in places:
+            said = said.replace(f"({place.id})", f"({place.number})")
+        return said
+
     return {
         "frame": plan_frame(site),
-        "places": places_of(site),
+        "places": places,
         "things": list(_things(site)),
         "kinds": KINDS,
         "most": MOST_FAILURES,
         "ways": [
             (
                 way.id,
-                way_in_words(site, way),
+                words(way),
                 path_data(list(way.line.coords)),
                 ROUTE_COLORS[number % len(ROUTE_COLORS)],
             )
@@ -154,15 +154,3 @@ def _goes_by(site: Site, way: Route, places: tuple[str, ...]) -> bool:
     """Tell whether places are those of a way: all it crosses, or where it turns."""
     turns = tuple(turn.at for turn in way.turns)
     return bool(places) and places in {crossed(site, way), turns}
-
-
-def in_words(site: Site, failures: Sequence[Failure]) -> list[str]:
-    """Return errors in words, with the numbers of places on the plan."""
-    places = {place.id: f"place {place.number}" for place in places_of(site)}
-    things = dict(_things(site))
-    return [
-        f"{KINDS[each.kind]}, at "
-        f"{places.get(each.where) or things.get(each.where, each.where)}"
-        + (f": {each.detail}" if each.detail else "")
-        for each in failures
-    ]

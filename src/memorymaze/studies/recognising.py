@@ -7,7 +7,8 @@ import threading
 from collections.abc import Generator
 from contextlib import contextmanager
 
-from memorymaze.studies.interviews import Interviews, Recording
+from memorymaze.studies.store import Store
+from memorymaze.studies.tellings import Recording, Tellings
 
 PATIENCE = 600.0
 """Seconds for one recording."""
@@ -17,12 +18,13 @@ NAME = "the recogniser"
 class Recogniser:
     """Hears recordings one after the other, in a thread, as they come."""
 
-    def __init__(self, interviews: Interviews) -> None:
-        """Take the interviews; their study says which command there is."""
-        interview = interviews.store.study.design.interview
+    def __init__(self, store: Store, tellings: Tellings) -> None:
+        """Take the store, whose study says which command there is, and what is told."""
+        interview = store.study.design.interview
         command = None if interview is None else interview.recogniser
         self._command = shlex.split(command or "")
-        self._interviews = interviews
+        self._folder = store.study.path.absolute().parent
+        self._tellings = tellings
         self._news = threading.Event()
         self._is_over = False
         self.problems: dict[tuple[str, str], str] = {}
@@ -66,7 +68,7 @@ class Recogniser:
         """Return the recordings that it should hear."""
         return [
             told.recording
-            for told in self._interviews.told()
+            for told in self._tellings.told()
             if told.recording is not None
             and not any(each.is_heard for each in told.versions)
             and (told.participant, told.step) not in self.problems
@@ -74,11 +76,11 @@ class Recogniser:
 
     def _hear(self, recording: Recording) -> None:
         about = (recording.participant, recording.step)
-        path = self._interviews.path_of(recording).absolute()
+        path = self._tellings.path_of(recording).absolute()
         try:
             done = subprocess.run(
                 [*self._command, str(path)],
-                cwd=self._interviews.store.study.path.absolute().parent,
+                cwd=self._folder,
                 stdin=subprocess.DEVNULL,
                 capture_output=True,
                 text=True,
@@ -93,7 +95,7 @@ class Recogniser:
             last = (done.stderr.strip().splitlines() or ["it said nothing"])[-1]
             self._complain(about, f"code {done.returncode}: {last}")
             return
-        self._interviews.add_transcript(*about, NAME, text, is_heard=True)
+        self._tellings.add_transcript(*about, NAME, text, is_heard=True)
 
     def _complain(self, about: tuple[str, str], why: str) -> None:
         self.problems[about] = why

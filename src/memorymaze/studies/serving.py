@@ -10,10 +10,12 @@ from memorymaze.studies.experimenter_pages import ExperimenterPages
 from memorymaze.studies.follow_drives import Drives
 from memorymaze.studies.follow_texts import texts_to_follow
 from memorymaze.studies.interview_pages import LOCAL, InterviewPages
-from memorymaze.studies.interviews import Interviews
+from memorymaze.studies.label_pages import LabelPages
 from memorymaze.studies.participant_pages import ParticipantPages
 from memorymaze.studies.recognising import Recogniser
 from memorymaze.studies.store import Store
+from memorymaze.studies.tellings import Tellings
+from memorymaze.studies.transcript_pages import TranscriptPages
 from memorymaze.studies.web import Certificate, Door, make_app, serving
 
 MAX_RECORDING = 32_000_000
@@ -49,13 +51,17 @@ def serving_study(
     drives = None
     with ExitStack() as stack:
         experimenter = ExperimenterPages(store, token)
-        interviews = Interviews(store)
-        behind = experimenter.routes
+        tellings = Tellings(store)
+        behind = [
+            *experimenter.routes,
+            *TranscriptPages(experimenter, tellings).routes,
+            *LabelPages(experimenter, store, tellings).routes,
+        ]
         if store.study.design.kind == "onsite":
-            recogniser = Recogniser(interviews)
+            recogniser = Recogniser(store, tellings)
             stack.enter_context(recogniser.hearing())
             behind += InterviewPages(
-                experimenter, interviews, recogniser, certificate
+                experimenter, store, tellings, recogniser, certificate
             ).routes
             app = make_app(behind, max_body=MAX_RECORDING, hosts=[*LOCAL, host])
             with serving(Door(app, host, experimenter_port, certificate)) as [address]:
