@@ -195,6 +195,13 @@ def _export(options: argparse.Namespace) -> int:
         f"{counted(done.participants, 'participant')}, written by {WRITTEN_BY[source]}; "
         f"with what was measured: {done.table}"
     )
+    if done.settled:
+        print(f"ways and errors are settled of {counted(done.settled, 'instruction')}")
+    if done.unwritten:
+        print(
+            f"{counted(done.unwritten, 'participant')} left out, with recordings that are "
+            "not written down (the experimenter's page Texts)"
+        )
     return 0
 
 
@@ -239,15 +246,16 @@ def _add_simulate(actions: Verbs) -> None:
 def _simulate(options: argparse.Namespace) -> int:
     _check_installed("study simulate")
     from memorymaze.options import check_whole
-    from memorymaze.studies.schedule import check_has_pages
     from memorymaze.studies.simulating import simulate_study
+    from memorymaze.studies.simulating_interviews import SPEAKER, find_speaker
     from memorymaze.studies.study_file import load_study
 
     check_whole("--seed", options.seed, least=0)
     if options.participants is not None:
         check_whole("--participants", options.participants, least=1)
     study = load_study(options.file)
-    check_has_pages(study.design)
+    if study.design.kind == "onsite" and find_speaker() is None:
+        print(f"{SPEAKER} is not installed: descriptions are typed, not spoken")
     with shown_progress("participant") as progress:
         ends = simulate_study(study, options.participants, options.seed, progress)
     told = ", ".join(f"{ends[end]} {end}" for end in ("finished", "excluded", "left"))

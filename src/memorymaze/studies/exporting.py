@@ -7,13 +7,16 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from memorymaze.collection.consensus import Consensus, merged
 from memorymaze.collection.label_sheet import guarded_cell
 from memorymaze.durable_files import write_whole
 from memorymaze.errors import SettingsError, StudyError
 from memorymaze.instructions.files import write_instructions
 from memorymaze.instructions.records import Instruction
+from memorymaze.studies.labelling import Labelled, Labelling
 from memorymaze.studies.store import Answer, Event, Participant, Store
 from memorymaze.studies.study_file import Study
+from memorymaze.studies.tellings import TELLINGS, Tellings, Told
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,6 +27,10 @@ class Exported:
     participants: int
     table: Path
     """The CSV file beside the instruction file."""
+    unwritten: int
+    """Participants left out since a recording of theirs has no text yet."""
+    settled: int
+    """Instructions whose way and errors are labelled and settled."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,6 +38,7 @@ class _Telling:
     route: str
     iteration: int
     place: int
+    told: Told
     answer: Answer
     events: tuple[Event, ...]
 
@@ -59,51 +67,65 @@ def export_study(study: Study, store: Store, out: str | Path) -> Exported:
             f"{store.folder}: expected participants who have finished, got none; the "
             "experimenter's page shows how far they are"
         )
+    tellings = Tellings(store)
+    written = [each for each in finished if all(x.text for x in tellings.told(each.id))]
+    if not written:
+        raise StudyError(
+            f"{store.folder}: expected participants whose recordings are all written down, "
+            "got none; the experimenter's page Texts lists what waits"
+        )
+    labelled = {
+        each.instruction.id: each for each in Labelling(store, tellings).labelled()
+    }
+    settled = 0
     instructions: list[Instruction] = []
     rows: list[dict[str, Any]] = []
-    for who in finished:
+    for who in written:
         answers = store.answers(who.id)
         shared = _about(study, store, who, answers)
-        for telling in _tellings(store, who, answers):
-            instruction = _instruction(study, store, who, telling)
+        for telling in _tellings(store, tellings, who, answers):
+            instruction = tellings.instruction(telling.told)
+            labels = labelled[instruction.id]
+            agreed = labels.agreed
+            if agreed is not None:
+                settled += 1
+                [instruction] = merged([instruction], [agreed])
             instructions.append(instruction)
-            rows.append(_row(instruction, telling) | shared)
+            rows.append(_row(instruction, telling) | _labels(labels, agreed) | shared)
     # Noted first: what is killed meanwhile may be listed but not there, never there but
     # not listed.
     table = out.with_suffix(".csv")
     for path in (out, table):
-        store.add_export(path, [each.id for each in finished])
+        store.add_export(path, [each.id for each in written])
     write_instructions(out, instructions)
     write_whole(table, _csv(rows))
-    return Exported(len(instructions), len(finished), table)
+    unwritten = len(finished) - len(written)
+    return Exported(len(instructions), len(written), table, unwritten, settled)
 
 
 def _tellings(
-    store: Store, who: Participant, answers: dict[str, Answer]
+    store: Store, tellings: Tellings, who: Participant, answers: dict[str, Answer]
 ) -> Iterator[_Telling]:
+    told = {each.step: each for each in tellings.told(who.id)}
     for place, route in enumerate(who.cell.split(", "), start=1):
-        for iteration, kind in enumerate(("tell", "retell"), start=1):
+        for iteration, kind in enumerate(TELLINGS, start=1):
             step = f"{kind}.{route}"
             events = store.events(who.id, step)
-            if kind == "tell":
+            if iteration == 1:
                 events = [*store.events(who.id, f"watch.{route}"), *events]
-            yield _Telling(route, iteration, place, answers[step], tuple(events))
+            yield _Telling(
+                route, iteration, place, told[step], answers[step], tuple(events)
+            )
 
 
-def _instruction(
-    study: Study, store: Store, who: Participant, telling: _Telling
-) -> Instruction:
-    return Instruction(
-        id=f"{who.id}-{telling.route.lower()}-{telling.iteration}",
-        site=study.site.name,
-        route=telling.route,
-        study="memory" if study.design.kind == "memory" else "online",
-        iteration=1 if telling.iteration == 1 else 2,
-        participant=who.id,
-        text=telling.answer.text,
-        source="synthetic" if store.is_simulated else "human",
-        language=study.design.language,
-    )
+def _labels(labels: Labelled, agreed: Consensus | None) -> dict[str, Any]:
+    if agreed is None:
+        return {"way_told": "", "errors_labelled": ""}
+    errors = len(agreed.failures or ())
+    return {
+        "way_told": agreed.way or " > ".join(labels.places) or "another",
+        "errors_labelled": errors,
+    }
 
 
 def _about(
@@ -118,12 +140,17 @@ def _about(
     wrong = store.events(who.id, "comprehension")
     return {
         "attention_checks_failed": len(failed),
-        "familiarity": answers["familiarity"].text,
+        "familiarity": "; ".join(
+            answer.text
+            for step, answer in answers.items()
+            if step.partition(".")[0] == "familiarity"
+        ),
         "comprehension_attempts": 1 + sum(each.kind == "wrong" for each in wrong),
     }
 
 
 def _row(instruction: Instruction, telling: _Telling) -> dict[str, Any]:
+    recording = telling.told.recording
     return {
         "id": instruction.id,
         "participant": instruction.participant,
@@ -136,6 +163,7 @@ def _row(instruction: Instruction, telling: _Telling) -> dict[str, Any]:
         "text": instruction.text,
         "told_before": telling.answer.shown,
         "seconds": f"{telling.seconds:.1f}",
+        "recording_seconds": f"{recording.seconds:.1f}" if recording else "",
         "video_plays": telling.count("play"),
         "video_watched_again": telling.count("again"),
         "video_ends": telling.count("ended"),

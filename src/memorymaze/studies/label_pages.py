@@ -57,7 +57,7 @@ class LabelPages:
             differing=[
                 each for each in labelled if each.consensus and each.consensus.open
             ],
-            settled=len(self._labelling.settled()),
+            settled=sum(each.agreed is not None for each in labelled),
             in_words=self._in_words,
         )
 

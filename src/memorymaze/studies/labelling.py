@@ -1,7 +1,6 @@
 """Labels that several people give descriptions on the plan, and what is settled of them."""
 
 import json
-from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 
 import numpy as np
@@ -58,10 +57,15 @@ class Labelled:
         return agreed
 
     @property
+    def agreed(self) -> Consensus | None:
+        """The consensus where nothing is open."""
+        found = self.consensus
+        return None if found is None or found.open else found
+
+    @property
     def places(self) -> tuple[str, ...]:
         """The turning points of another way than the plan's, where it is settled."""
-        agreed = self.consensus
-        if agreed is None or agreed.open or agreed.way is not None:
+        if self.agreed is None or self.agreed.way is not None:
             return ()
         return (self.settled_by or self.labels[0]).places
 
@@ -135,14 +139,6 @@ class Labelling:
             tuple(each for each in current if not each.settles),
             settling[-1] if settling else None,
         )
-
-    def settled(self) -> Mapping[str, Labelled]:
-        """Return the descriptions about which nothing is open, by id."""
-        return {
-            each.instruction.id: each
-            for each in self.labelled()
-            if each.consensus is not None and not each.consensus.open
-        }
 
     def agreement(self) -> Table | str:
         """Return how far people agree who labelled the same texts; or why it is unknown."""

@@ -14,12 +14,14 @@ import httpx2
 import numpy as np
 
 from memorymaze.errors import StudyError
+from memorymaze.instructions.records import Instruction
 from memorymaze.instructions.statistics import word_count
 from memorymaze.studies.answer_file import remove_simulated
 from memorymaze.studies.follow_drives import LONGEST_WAIT
 from memorymaze.studies.follow_pages import SURE
-from memorymaze.studies.schedule import route_orders
+from memorymaze.studies.schedule import cell_name, route_orders
 from memorymaze.studies.serving import serving_study
+from memorymaze.studies.simulating_interviews import SimulatedTablet
 from memorymaze.studies.store import open_store
 from memorymaze.studies.study_file import CheckedQuestion, Study
 from memorymaze.writing import cells_of, parse_rates, sample_outlines, write_texts
@@ -37,7 +39,7 @@ ROUTE_SECONDS = (40.0, 120.0)
 """Of one look at a video."""
 MOST_PAGES = 200
 
-Texts = dict[tuple[str, int], list[str]]
+Told = dict[tuple[str, int], list[Instruction]]
 """By route and iteration."""
 
 
@@ -68,7 +70,7 @@ def simulate_study(
     fill all quotas where no number is given.
     """
     count = participants or study.design.quota * len(route_orders(study.design))
-    texts = {} if study.design.kind == "follow" else _texts(study, count, seed)
+    told = {} if study.design.kind == "follow" else _told(study, count, seed)
     clock = _Clock()
     ends: Counter[str] = Counter()
     remove_simulated(study)
@@ -76,22 +78,49 @@ def simulate_study(
         open_store(study, simulated=True, clock=clock.now) as store,
         serving_study(store, {}, draws=False) as addresses,
     ):
+        if study.design.kind == "onsite":
+            entrance = addresses.experimenter
+            return _interview_all(study, entrance, clock, told, count, seed, progress)
         for number in range(count):
             rng = np.random.default_rng([seed, number])
             with _visiting(study, addresses.participants, clock, rng) as visitor:
-                visitor.texts = {key: some[number] for key, some in texts.items()}
+                visitor.texts = {key: some[number].text for key, some in told.items()}
                 ends[visitor.take_part(f"simulated-{number}")] += 1
             progress(number + 1, count)
     return ends
 
 
-def _texts(study: Study, count: int, seed: int) -> Texts:
-    cells = cells_of(study.site, studies=("online",))
+def _interview_all(
+    study: Study,
+    entrance: str,
+    clock: _Clock,
+    told: Told,
+    count: int,
+    seed: int,
+    progress: Callable[[int, int], None],
+) -> Counter[str]:
+    """Let one tablet interview everybody."""
+    ends: Counter[str] = Counter()
+    orders = [cell_name(order) for order in route_orders(study.design)]
+    server = entrance.partition("/enter/")[0]
+    with httpx2.Client(base_url=server, timeout=LONGEST_WAIT) as client:
+        tablet = SimulatedTablet(study, client, entrance, clock)
+        for number in range(count):
+            rng = np.random.default_rng([seed, number])
+            one = {key: some[number] for key, some in told.items()}
+            ends[tablet.ask(number, orders[number % len(orders)], one, rng)] += 1
+            progress(number + 1, count)
+    return ends
+
+
+def _told(study: Study, count: int, seed: int) -> Told:
+    of = "onsite" if study.design.kind == "onsite" else "online"
+    cells = cells_of(study.site, studies=(of,))
     rates = parse_rates("published")
     wanted = {each.route for each in study.design.routes}
     return {
         (cell.route, cell.iteration): [
-            write_texts(outline, paired=False)[0].text
+            write_texts(outline, paired=False)[0]
             for outline in sample_outlines(cell, rates, count, seed)
         ]
         for cell in cells
