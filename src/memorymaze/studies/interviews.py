@@ -25,7 +25,7 @@ MEDIA_TYPES = {
 }
 """What browsers record, and the ends of the files' names."""
 PARTICIPANT = re.compile(r"p[0-9a-f]{10}")
-RECORD = re.compile(r"[0-9a-f-]{8,64}")
+RECORD = re.compile(r"[0-9a-z-]{8,64}")
 TOLERANCE = 24 * 3600.0
 """Seconds that a tablet's clock may be ahead."""
 

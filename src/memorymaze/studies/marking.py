@@ -122,7 +122,7 @@ def read_marks(fields: dict[str, str], site: Site, route: str) -> Marks:
         if where not in known:
             raise ValueError(
                 f"error {number + 1}: expected a place or thing of the plan, got "
-                f"{where or 'none'!r}"
+                f"{where or 'none'}"
             )
         failures.append(Failure(read_kind(kind), where, detail[:LONGEST_DETAIL]))
     return Marks(way, places, tuple(failures))
