@@ -25,8 +25,9 @@ WORTH_ASKING = 0.12
 left, so much less is enough."""
 SURE_ENOUGH = 0.75
 """Probability of a place from which on the robot stops there without asking."""
-QUARTERS_WAITED = 48
-"""Quarter turns, about a minute, that it waits for somebody before it stops elsewhere."""
+QUARTERS_WAITED = 24
+"""Quarter turns, about half a minute, that it waits for somebody before it stops; longer took the time of
+short ways."""
 LOST_DOUBT, LOST_SHARE = 0.6, 0.3
 """Doubt from which on, and share of the likeliest way below which the robot is lost."""
 _ASK_AGAIN = re.compile(r"\bask\b", re.IGNORECASE)
