@@ -13,6 +13,7 @@ from memorymaze.studies.follow_runs import export_walks
 from memorymaze.studies.simulating import simulate_study
 from memorymaze.studies.store import open_store
 from memorymaze.studies.study_file import Study
+from memorymaze.studies.tellings import Tellings
 
 MakeStudy = Callable[..., Study]
 
@@ -62,3 +63,33 @@ def test_made_up_walks_do_not_pass_for_those_of_people(
     _, results = read_run(done.folders[0])
     assert {each.agent for each in results} == {"made-up people"}
     assert all(each.path_length > 1 for each in results)
+
+
+@pytest.mark.parametrize("speaks", [True, False], ids=["spoken", "typed"])
+def test_made_up_interviews_are_spoken_where_a_speaker_is_installed(
+    make_study: MakeStudy,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    speaks: bool,
+) -> None:
+    speaker = tmp_path / "bin" / "espeak-ng"
+    speaker.parent.mkdir()
+    monkeypatch.setenv("PATH", f"{speaker.parent}:/usr/bin:/bin" if speaks else "")
+    if speaks:
+        speaker.write_text("#!/bin/sh\nprintf 'RIFF of: '; cat\n", encoding="utf-8")
+        speaker.chmod(0o755)
+    study = make_study("onsite", "quota = 3")
+    ends = simulate_study(study, 4, 1, lambda *_: None)
+    assert ends.total() == 4
+    assert ends["finished"] >= 1
+    with open_store(study, simulated=True) as store:
+        export_study(study, store, tmp_path / "made.jsonl")
+        told = Tellings(store)
+        voices = {each.step: told.path_of(each) for each in told.recordings()}
+        if speaks:
+            assert voices["tell.R1"].read_bytes().startswith(b"RIFF of: ")
+        else:
+            assert not voices
+    made = load_instructions([tmp_path / "made.jsonl"])
+    assert {(each.source, each.study) for each in made} == {("synthetic", "onsite")}
+    assert len(made) == 4 * ends["finished"]

@@ -154,7 +154,7 @@ class SimulatedTablet:
             except ValueError:
                 continue  # at no place of the plan
             marks |= row
-        self._send(f"mark.{route}", **marks)
+        self._send(f"mark.{route}", 5.0, **marks)
         interview = self._design.interview
         assert interview is not None
         errors = [f"- {each.detail or each.kind}" for each in told.failures]

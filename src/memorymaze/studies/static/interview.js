@@ -217,7 +217,10 @@ for (const [step, section] of sections) {
   form.addEventListener("input", () => {
     if (!interview || step !== interview.step) return;
     interview.drafts[step] = Object.fromEntries(new FormData(form));
-    change(({ interviews }) => interviews.put(interview));
+    change(({ interviews }) => {
+      interviews.put(interview);
+      interviews.transaction.commit(); // also where the page is closed at once
+    });
   });
 }
 
