@@ -217,7 +217,7 @@ def test_success_is_less_likely_the_more_is_wrong() -> None:
 
 
 def test_the_last_question_is_kept_for_a_greater_need() -> None:
-    unsure = Situation(share=0.5, doubt=0.2, over=0.0)
-    assert inquiry("gain", "Left.", "Turn left.").way(lambda: unsure, 0.0) is None
+    unsure = Situation(share=0.9, doubt=0.08, over=0.0)
+    assert inquiry("gain", "Turn left.").way(lambda: unsure, 0.0) is None
     three = inquiry("gain", "Turn left.", "Turn left.", "Turn left.")
     assert three.way(lambda: unsure, 0.0) is not None

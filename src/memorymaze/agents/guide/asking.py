@@ -20,9 +20,9 @@ ANSWER_TRUST = 0.7
 """How likely the answer of a stranger is of any help, beside other tellings."""
 HELPS, HARMS = 0.4, 0.06
 """How likely an answer leads to the goal who would not arrive, and astray who would."""
-WORTH_ASKING = 0.12
+WORTH_ASKING = 0.055
 """Gain in the probability of success for which the last question is asked; while more are
-left, so much less is enough."""
+left, so much less is enough. Small, as answers help more the earlier they come."""
 SURE_ENOUGH = 0.75
 """Probability of a place from which on the robot stops there without asking."""
 QUARTERS_WAITED = 24
