@@ -236,7 +236,15 @@ def test_an_interview_goes_from_who_knows_both_places_to_the_exported_corpus(
 
 def label_alike(tablet: Tablet, who: str) -> None:
     """Let two people label the first text, and look at all pages on the way."""
-    for path in ("/transcripts", f"/transcripts/{who}/tell.R1", "/labels", "/trust"):
+    text = f"/transcripts/{who}/tell.R1"
+    for path in (
+        "/",
+        f"/participants/{who}",
+        "/ethics",
+        "/trust",
+        "/transcripts",
+        text,
+    ):
         tablet.open(path)
         tablet.look()
     for name in ("Ada", "Bo"):
@@ -276,5 +284,36 @@ def test_what_the_server_does_not_take_stays_on_the_tablet_until_it_is_removed(
     refused.get_by_role("button").press("Enter")
     expect(refused).to_be_hidden()
     assert store.participants() == []
+    with tablet.page.expect_navigation():
+        tablet.page.get_by_role("link", name="Progress").press("Enter")
+    tablet.open("/interview")
+    tablet.page.locator("#leave button").press("Enter")
+    tablet.at("start")
+    assert tablet.page.locator("#open").is_hidden()
+    tablet.context.close()
+    assert tablet.complaints == []
+
+
+@pytest.mark.proof
+def test_whoever_does_not_know_both_places_is_thanked_and_let_go(
+    hearing_browser: Browser, served: tuple[Store, str]
+) -> None:
+    store, entrance = served
+    tablet = Tablet(hearing_browser, entrance, viewport=TABLET, color_scheme="dark")
+    tablet.open("/interview")
+    tablet.at("start")
+    tablet.press("Begin")
+    tablet.at("consent")
+    for box in tablet.step.get_by_role("checkbox").all():
+        box.press("Space")
+    tablet.press("I agree, let us begin")
+    tablet.step.get_by_label("I do not know both").press("Space")
+    tablet.press("Go on")
+    tablet.at("excluded")
+    tablet.all_is_sent()
+    tablet.press("To the interviews")
+    tablet.at("start")
+    assert tablet.page.locator("#open").is_hidden()
+    assert [each.state for each in store.participants()] == ["excluded"]
     tablet.context.close()
     assert tablet.complaints == []
