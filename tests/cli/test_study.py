@@ -1,4 +1,5 @@
 import signal
+import ssl
 import subprocess
 import sys
 from collections.abc import Callable
@@ -23,17 +24,6 @@ def test_a_new_study_says_what_to_type_next(
     again = memorymaze("study", "new", path, "--site", "museum_5f")
     assert again.code == 2
     assert "exists already" in again.err
-
-
-def test_a_study_without_pages_is_refused_before_anything_is_made(
-    memorymaze: Memorymaze, tmp_path: Path
-) -> None:
-    path = tmp_path / "mine.toml"
-    memorymaze("study", "new", path, "--site", "museum_5f", "--kind", "onsite")
-    said = memorymaze("study", "serve", path)
-    assert said.code == 1
-    assert "has no pages for participants by themselves" in said.err
-    assert not list(tmp_path.glob("mine.films"))
 
 
 def test_a_simulated_study_is_exported_and_read_by_the_other_verbs(
@@ -110,3 +100,47 @@ def test_a_study_is_served_at_the_printed_addresses_until_ctrl_c(
     server.send_signal(signal.SIGINT)
     assert server.wait(timeout=30) == 0
     server.stdout.close()
+
+
+def test_a_study_on_site_is_served_over_https_and_explains_how_to_trust_it(
+    memorymaze: Memorymaze, tmp_path: Path
+) -> None:
+    path = tmp_path / "mine.toml"
+    plan = TINY_SITES / "corridor.geojson"
+    memorymaze("study", "new", path, "--site", plan, "--kind", "onsite")
+    command = [sys.executable, "-m", "memorymaze", "study", "serve", str(path)]
+    server = subprocess.Popen(
+        [*command, "--experimenter-port", "0", "--tls"],
+        stdout=subprocess.PIPE,
+        text=True,
+    )
+    assert server.stdout is not None
+    told = [server.stdout.readline() for _ in range(5)]
+    entrance = told[0].split()[1]
+    authority = tmp_path / "mine.tls" / "authority.crt"
+    assert entrance.startswith("https://127.0.0.1:")
+    assert str(authority) in told[1]
+    assert f"{entrance.partition('/enter/')[0]}/trust explains" in told[2]
+    trusting = ssl.create_default_context(cafile=str(authority))
+    with httpx2.Client(verify=trusting, follow_redirects=True) as tablet:
+        tablet.get(entrance)
+        trust = tablet.get(told[2].split()[1])
+        assert told[3].split()[-1] in trust.text
+        given = tablet.get(str(trust.url) + "/authority.crt")
+        assert given.content == authority.read_bytes()
+        assert "Or type what is said" in tablet.get(f"{trust.url}/../interview").text
+    server.send_signal(signal.SIGINT)
+    assert server.wait(timeout=30) == 0
+    server.stdout.close()
+
+
+def test_a_certificate_is_made_for_one_address_only(
+    memorymaze: Memorymaze, tmp_path: Path
+) -> None:
+    path = tmp_path / "mine.toml"
+    memorymaze("study", "new", path, "--site", "museum_5f", "--kind", "onsite")
+    text = path.read_text(encoding="utf-8").replace("PLEASE CHANGE: your", "Our")
+    path.write_text(text, encoding="utf-8")
+    said = memorymaze("study", "serve", path, "--tls", "--host", "0.0.0.0")
+    assert said.code == 2
+    assert "expected with --host the one address that the tablet goes to" in said.err

@@ -4,7 +4,6 @@ from itertools import pairwise
 
 import pytest
 
-from memorymaze.errors import StudyError
 from memorymaze.studies.schedule import route_orders, steps_of
 from memorymaze.studies.study_file import RouteShown, Study
 
@@ -58,11 +57,6 @@ def test_memory_has_the_video_and_a_delay_before_the_telling(
     at_once = make_study("memory", "delay_minutes = 0")
     kinds = [step.kind for step in steps_of(at_once.design, ("R1",))]
     assert "wait" not in kinds
-
-
-def test_kinds_without_pages_of_their_own_are_refused(make_study: MakeStudy) -> None:
-    with pytest.raises(StudyError, match="expected the kind online, memory or follow"):
-        steps_of(make_study("onsite").design, ("R1",))
 
 
 def test_followers_walk_one_text_of_each_route(make_study: MakeStudy) -> None:

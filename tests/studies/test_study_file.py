@@ -127,3 +127,42 @@ def test_data_lie_beside_the_file_and_made_up_data_apart(make_study: MakeStudy) 
     study = make_study()
     assert study.data_folder().name == "online.data"
     assert study.data_folder(simulated=True).name == "online.simulated"
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        pytest.param(
+            'start = "Main Hallway"\n', "", "expected start of R1", id="start"
+        ),
+        pytest.param(
+            "[familiarity]",
+            "[codes]\ncomplete = 'x'\nexcluded = 'x'\nfull = 'x'\n"
+            "return_address = ''\n[familiarity]",
+            "expected no codes for the kind onsite",
+            id="of others",
+        ),
+        pytest.param("{start} and", "it and", "expected {start} in fam", id="question"),
+    ],
+)
+def test_an_interview_needs_places_and_nothing_of_other_kinds(
+    make_study: MakeStudy, old: str, new: str, said: str
+) -> None:
+    study = make_study("onsite")
+    assert old in study.text
+    study.path.write_text(study.text.replace(old, new), encoding="utf-8")
+    with pytest.raises(StudyError) as caught:
+        load_study(study.path)
+    assert said in str(caught.value)
+
+
+def test_what_only_interviews_have_is_refused_elsewhere(make_study: MakeStudy) -> None:
+    study = make_study("online")
+    added = "[interview]\nerrors_found = 'x'\nno_errors = 'y'\n"
+    study.path.write_text(study.text + added, encoding="utf-8")
+    with pytest.raises(StudyError, match="for the kind onsite only"):
+        load_study(study.path)
+    without = study.text.replace('platform_ids = ["PROLIFIC_PID"]\n', "")
+    study.path.write_text(without, encoding="utf-8")
+    with pytest.raises(StudyError, match="expected platform_ids for online, got none"):
+        load_study(study.path)

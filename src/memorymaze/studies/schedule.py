@@ -3,7 +3,6 @@
 from dataclasses import dataclass
 from typing import Literal
 
-from memorymaze.errors import StudyError
 from memorymaze.studies.study_file import StudyDesign
 
 StepKind = Literal[
@@ -59,18 +58,11 @@ def cell_name(order: tuple[str, ...]) -> str:
     return ", ".join(order)
 
 
-def check_has_pages(design: StudyDesign) -> None:
-    """Refuse kinds that participants cannot do by themselves."""
-    if design.kind == "onsite":
-        raise StudyError(
-            f"a study of the kind {design.kind} has no pages for participants by "
-            "themselves; expected the kind online, memory or follow"
-        )
-
-
 def steps_of(design: StudyDesign, order: tuple[str, ...]) -> list[Step]:
-    """Return what somebody answers who describes, or follows, routes in an order."""
-    check_has_pages(design)
+    """Return what somebody answers who describes, or follows, routes in an order.
+
+    Interviews (`onsite`) have steps of their own, which the tablet's script knows.
+    """
     steps = [Step("comprehension"), Step("familiarity"), Step("scenario")]
     if not design.comprehension.questions:
         del steps[0]
