@@ -17,14 +17,20 @@ from starlette.routing import BaseRoute, Route
 from memorymaze.errors import StudyError
 from memorymaze.studies.certificates import authority_of, fingerprint
 from memorymaze.studies.experimenter_pages import ExperimenterPages
-from memorymaze.studies.interviews import MEDIA_TYPES, Interviews, Record, Taken
+from memorymaze.studies.interviews import (
+    MEDIA_TYPES,
+    VOICE,
+    Interviews,
+    Record,
+    Taken,
+)
 from memorymaze.studies.marking import plan_view, read_marks
 from memorymaze.studies.participant_pages import LONGEST_TEXT
 from memorymaze.studies.recognising import Recogniser
 from memorymaze.studies.schedule import route_orders
 from memorymaze.studies.store import Store
 from memorymaze.studies.study_file import StudyDesign
-from memorymaze.studies.tellings import Tellings
+from memorymaze.studies.tellings import TELLINGS, Tellings
 from memorymaze.studies.web import STATIC, Certificate, Fields, render
 
 LOCAL = ("127.0.0.1", "localhost", "::1")
@@ -200,14 +206,13 @@ class InterviewPages:
     def _keep_recording(self, request: Request, body: bytes) -> Response:
         media_type = request.headers.get("content-type", "").partition(";")[0]
         query = dict(request.query_params)
+        steps = interview_steps(self._study.design)
         try:
             record = _record(request, query)
             seconds = float(query.get("seconds", "nan"))
-            if record.step.removeprefix("voice.") not in {
-                step
-                for step in interview_steps(self._study.design)
-                if step.startswith(("tell.", "retell."))
-            } or not record.step.startswith("voice."):
+            about = record.step.removeprefix(VOICE)
+            tells = about.partition(".")[0] in TELLINGS
+            if not (record.step.startswith(VOICE) and tells) or about not in steps:
                 raise ValueError(f"There is no recording of {record.step!r}.")
             if media_type not in MEDIA_TYPES or not body or not 0 <= seconds < 86_400:
                 raise ValueError(

@@ -24,6 +24,8 @@ MEDIA_TYPES = {
     "audio/wav": "wav",
 }
 """What browsers record, and the ends of the files' names."""
+VOICE = "voice."
+"""Before the step of a description: its recording."""
 PARTICIPANT = re.compile(r"p[0-9a-f]{10}")
 RECORD = re.compile(r"[0-9a-z-]{8,64}")
 TOLERANCE = 24 * 3600.0
@@ -108,7 +110,7 @@ class Interviews:
     ) -> Taken:
         """Keep a recording; it is on the disk when this returns."""
         self._check(record)
-        step = record.step.removeprefix("voice.")
+        step = record.step.removeprefix(VOICE)
         name = f"{record.participant}-{record.id}.{MEDIA_TYPES[media_type]}"
         # Whoever withdraws meanwhile waits: the file would be left behind.
         with self.store.writing() as rows:

@@ -29,6 +29,7 @@ class LabelPages:
         self._study = store.study
         self._tellings = tellings
         self._labelling = Labelling(store, tellings)
+        self._drawn = ""
 
     @property
     def routes(self) -> list[BaseRoute]:
@@ -42,7 +43,8 @@ class LabelPages:
         ]
 
     def _plan(self, request: Request, fields: Fields) -> Response:
-        return Response(svg_plan(self._study.site), media_type="image/svg+xml")
+        self._drawn = self._drawn or svg_plan(self._study.site)
+        return Response(self._drawn, media_type="image/svg+xml")
 
     def _list(self, request: Request, fields: Fields) -> Response:
         labelled = self._labelling.labelled()
