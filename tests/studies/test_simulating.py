@@ -93,3 +93,4 @@ def test_made_up_interviews_are_spoken_where_a_speaker_is_installed(
     made = load_instructions([tmp_path / "made.jsonl"])
     assert {(each.source, each.study) for each in made} == {("synthetic", "onsite")}
     assert len(made) == 4 * ends["finished"]
+    assert any(each.failures for each in made)

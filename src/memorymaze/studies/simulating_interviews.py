@@ -15,8 +15,8 @@ import numpy as np
 from memorymaze.errors import StudyError
 from memorymaze.instructions.records import Instruction
 from memorymaze.instructions.statistics import word_count
-from memorymaze.studies.marking import read_marks
 from memorymaze.studies.study_file import Study
+from memorymaze.studies.tellings import TELLINGS
 
 SPEAKER = "espeak-ng"
 SPOKEN_WORDS_A_SECOND = 2.5
@@ -24,6 +24,8 @@ LEAVES = 0.01
 """At each step."""
 KNOWS_BOTH = 0.9
 NAME = "study simulate"
+LABELLERS = ("made-up first", "made-up second")
+"""They always agree: both know what the generator did."""
 
 
 class Clock(Protocol):
@@ -97,6 +99,10 @@ class SimulatedTablet:
                 return "left"
             step()
         self._send("done")
+        for route, iteration in told:
+            if route in routes:
+                step = f"{TELLINGS[iteration - 1]}.{route}"
+                self._label(step, told[route, iteration])
         return "finished"
 
     def _answer(self, knows: bool) -> str:
@@ -142,19 +148,7 @@ class SimulatedTablet:
 
     def _discuss(self, route: str, told: Instruction) -> None:
         """Mark the errors that the generator made, and tell them."""
-        marks = {"way": self._study.route(route).id}
-        for number, failure in enumerate(told.failures):
-            row = {
-                f"kind.{number}": failure.kind,
-                f"where.{number}": failure.where,
-                f"detail.{number}": failure.detail,
-            }
-            try:
-                read_marks(marks | row, self._study.site, route)
-            except ValueError:
-                continue  # at no place of the plan
-            marks |= row
-        self._send(f"mark.{route}", 5.0, **marks)
+        self._send(f"mark.{route}", 5.0, **self._marks(route, told))
         interview = self._design.interview
         assert interview is not None
         errors = [f"- {each.detail or each.kind}" for each in told.failures]
@@ -162,6 +156,22 @@ class SimulatedTablet:
         text = text if errors else interview.no_errors
         self._send(f"told.{route}", text=text, shown=self._design.robot)
         self._said = f"{self._design.robot}\n\n{text}"
+
+    def _marks(self, route: str, told: Instruction) -> dict[str, str]:
+        """Return the form of what the generator knows of its text."""
+        marks = {"way": told.reference_route or self._study.route(route).id}
+        for number, failure in enumerate(told.failures):
+            marks |= {
+                f"kind.{number}": failure.kind,
+                f"where.{number}": failure.where,
+                f"detail.{number}": failure.detail,
+            }
+        return marks
+
+    def _label(self, step: str, told: Instruction) -> None:
+        marks = self._marks(step.partition(".")[2], told)
+        for name in LABELLERS:
+            self._post(f"/labels/{self._who}/{step}", data={"name": name, **marks})
 
     def _send(self, step: str, spent: float = 5.0, **fields: str) -> None:
         address = f"/interviews/{self._who}/records/{self._record()}"
