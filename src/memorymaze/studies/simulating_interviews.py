@@ -163,7 +163,8 @@ class SimulatedTablet:
         for number, failure in enumerate(told.failures):
             marks |= {
                 f"kind.{number}": failure.kind,
-                f"where.{number}": failure.where,
+                # The generator also says `after tp_a_t`.
+                f"where.{number}": failure.where.split()[-1],
                 f"detail.{number}": failure.detail,
             }
         return marks
