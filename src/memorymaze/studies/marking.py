@@ -13,6 +13,8 @@ from memorymaze.drawing.svg import path_data, plan_frame
 from memorymaze.instructions.records import Failure
 from memorymaze.sites import Route, Site
 
+START = "start"
+"""The place of an error where the way begins, as in the shipped corpora."""
 MOST_FAILURES = 12
 LONGEST_DETAIL = 500
 """Characters."""
@@ -89,7 +91,8 @@ def plan_view(site: Site, route: str) -> dict[str, Any]:
 
 
 def _things(site: Site) -> Iterator[tuple[str, str]]:
-    """Return what a description may speak of: things, doors and rooms, with names."""
+    """Return what a description may speak of: its start, things, doors and rooms."""
+    yield START, "where the way begins"
     for thing in site.landmarks:
         said = " ".join(filter(None, (thing.color, thing.category)))
         yield thing.id, f"{said} {thing.name or thing.text or ''}".strip()
