@@ -14,7 +14,7 @@ from memorymaze.instructions.records import Failure
 from memorymaze.sites import Route, Site
 
 START = "start"
-"""The place of an error where the way begins, as in the shipped corpora."""
+"""The place of an error where the way begins, as generated texts have it."""
 MOST_FAILURES = 12
 LONGEST_DETAIL = 500
 """Characters."""
