@@ -70,12 +70,22 @@ export function forgetTake({ takes, chunks }, take) {
 }
 
 let sending = null;
+let isNew = false;
 
 export function send() {
-  sending ??= sendAll().finally(() => {
+  isNew = true;
+  sending ??= sendWhatComes().finally(() => {
     sending = null;
   });
   return sending;
+}
+
+// What is answered while others are sent goes with them.
+async function sendWhatComes() {
+  while (isNew) {
+    isNew = false;
+    await sendAll();
+  }
 }
 
 async function sendAll() {
