@@ -301,7 +301,7 @@ def read_opening(
                 forced="K" in before,
             )
             return [turn], at
-    elif turned and re.search("[ALS]$|[AU]V$", before):
+    elif turned and re.search("[LSA]$|[AU]V$", before):
         return [_likely(way, back=True)], at
     elif re.search("[Tt]", before) and "V" not in before:
         return [_likely(way, taken=True)], at

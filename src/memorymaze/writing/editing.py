@@ -170,7 +170,7 @@ def _retold(
     voice = make_voice(one.study, one.iteration, rng, rates.surface)
     plan = chosen_plan(facts, voice, rng)
     mistakes = made_wrong(facts, plan, (kind,), rng)
-    if not mistakes or one.study == "sail":
+    if not mistakes or one.study == "sail" or one.study == "memory":
         return None
     cell = Cell(one.study, one.iteration, one.site, one.route, facts, ())
     outline = Outline(
