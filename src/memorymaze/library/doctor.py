@@ -25,6 +25,11 @@ EXTRAS = (
     ("ocr", ("onnxruntime", "rapidocr"), "--signs ocr"),
     ("ray", ("ray",), "evaluate --ray, episodes on a cluster"),
     ("rerun", ("rerun",), "replay --rerun"),
+    (
+        "studies",
+        ("starlette", "uvicorn", "python_multipart", "cryptography"),
+        "memorymaze study and try",
+    ),
 )
 """Extra, its packages as they are imported, and what needs them."""
 
