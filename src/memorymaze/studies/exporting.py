@@ -35,8 +35,6 @@ class Exported:
 
 @dataclass(frozen=True, slots=True)
 class _Telling:
-    route: str
-    iteration: int
     place: int
     told: Told
     answer: Answer
@@ -68,7 +66,10 @@ def export_study(study: Study, store: Store, out: str | Path) -> Exported:
             "experimenter's page shows how far they are"
         )
     tellings = Tellings(store)
-    written = [each for each in finished if all(x.text for x in tellings.told(each.id))]
+    told: dict[str, dict[str, Told]] = {}
+    for each in tellings.told():
+        told.setdefault(each.participant, {})[each.step] = each
+    written = [who for who in finished if all(x.text for x in told[who.id].values())]
     if not written:
         raise StudyError(
             f"{store.folder}: expected participants whose recordings are all written down, "
@@ -83,7 +84,7 @@ def export_study(study: Study, store: Store, out: str | Path) -> Exported:
     for who in written:
         answers = store.answers(who.id)
         shared = _about(study, store, who, answers)
-        for telling in _tellings(store, tellings, who, answers):
+        for telling in _tellings(store, told[who.id], who, answers):
             instruction = tellings.instruction(telling.told)
             labels = labelled[instruction.id]
             agreed = labels.agreed
@@ -104,18 +105,15 @@ def export_study(study: Study, store: Store, out: str | Path) -> Exported:
 
 
 def _tellings(
-    store: Store, tellings: Tellings, who: Participant, answers: dict[str, Answer]
+    store: Store, told: dict[str, Told], who: Participant, answers: dict[str, Answer]
 ) -> Iterator[_Telling]:
-    told = {each.step: each for each in tellings.told(who.id)}
     for place, route in enumerate(who.cell.split(", "), start=1):
-        for iteration, kind in enumerate(TELLINGS, start=1):
+        for kind in TELLINGS:
             step = f"{kind}.{route}"
             events = store.events(who.id, step)
-            if iteration == 1:
+            if kind == TELLINGS[0]:
                 events = [*store.events(who.id, f"watch.{route}"), *events]
-            yield _Telling(
-                route, iteration, place, told[step], answers[step], tuple(events)
-            )
+            yield _Telling(place, told[step], answers[step], tuple(events))
 
 
 def _labels(labels: Labelled, agreed: Consensus | None) -> dict[str, Any]:

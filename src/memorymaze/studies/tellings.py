@@ -117,13 +117,12 @@ class Tellings:
     def instruction(self, told: Told) -> Instruction:
         """Return a description as a corpus has it."""
         study = self._store.study
-        kind, _, route = told.step.partition(".")
-        iteration = 1 if kind == TELLINGS[0] else 2
+        iteration = 1 if told.step.startswith(f"{TELLINGS[0]}.") else 2
         is_corrected = told.first_text != told.text
         return Instruction(
-            id=f"{told.participant}-{route.lower()}-{iteration}",
+            id=f"{told.participant}-{told.route.lower()}-{iteration}",
             site=study.site.name,
-            route=route,
+            route=told.route,
             study="online" if study.design.kind == "follow" else study.design.kind,
             iteration=iteration,
             participant=told.participant,
