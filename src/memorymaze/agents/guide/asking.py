@@ -26,8 +26,8 @@ left, so much less is enough. Small, as answers help more the earlier they come.
 SURE_ENOUGH = 0.75
 """Probability of a place from which on the robot stops there without asking."""
 QUARTERS_WAITED = 24
-"""Quarter turns, about half a minute, that it waits for somebody before it stops; longer took the time of
-short ways."""
+"""Quarter turns, about half a minute, that it waits for somebody before it stops; longer
+took the time of short ways."""
 LOST_DOUBT, LOST_SHARE = 0.6, 0.3
 """Doubt from which on, and share of the likeliest way below which the robot is lost."""
 _ASK_AGAIN = re.compile(r"\bask\b", re.IGNORECASE)
@@ -111,7 +111,7 @@ class Inquiry:
         self._waited_in_vain = False
 
     @property
-    def is_over(self) -> bool:
+    def _is_over(self) -> bool:
         """Whether no question is left, or none is wanted."""
         return self._when == "never" or self._robot.questions_left() == 0
 
@@ -122,7 +122,7 @@ class Inquiry:
 
     def way(self, situation: Callable[[], Situation], walked: float) -> Answer | None:
         """Ask for the way, if it is time to and somebody is there."""
-        if self.is_over or not self._is_time(situation, walked):
+        if self._is_over or not self._is_time(situation, walked):
             return None
         return self._way()
 
@@ -149,7 +149,7 @@ class Inquiry:
         if self._when != "gain" or chance >= SURE_ENOUGH:
             return None
         for _ in range(QUARTERS_WAITED):
-            if self.is_over or self._waited_in_vain:
+            if self._is_over or self._waited_in_vain:
                 return None
             answer = self._way()
             if answer is not None:

@@ -134,6 +134,8 @@ class Search:
         """Believe anew after what was seen, and say what changed."""
         self._tellings.update()
         self._total = self._tellings.total
+        self._share: float | None = None
+        """Of the likeliest step; worked out when somebody wants to know."""
         self._choice.update()
         best = self._likeliest()
         self._legs_done, self._doubt = self._summary()
@@ -264,11 +266,13 @@ class Search:
 
     def _situation(self) -> Situation:
         """Return how the episode stands."""
-        masses = [each.mass for each in self._tellings.frontiers.values()]
-        masses += [self._choice.mass_about(each) for each in self._tellings.endings]
+        if self._share is None:
+            masses = [each.mass for each in self._tellings.frontiers.values()]
+            masses += [self._choice.mass_about(each) for each in self._tellings.endings]
+            self._share = max(masses, default=0.0) / self._total
         told = expected_metres(self._plans[0])
         return Situation(
-            max(masses, default=0.0) / self._total,
+            self._share,
             self._doubt,
             max(self._walker.travelled / told - 1.0, 0.0),
         )
