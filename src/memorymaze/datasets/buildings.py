@@ -73,8 +73,8 @@ def _finished(planned: PlannedBuilding, task: BuildingTask) -> FinishedBuilding:
     made = make_building(planned.kind, planned.seed)
     path = task.folder / f"{made.name}.geojson"
     write_whole(path, made.plan)
-    site = load_site(path)
     try:
+        site = load_site(path)
         instructions = _texts(site, task)
     except SitePlanError:
         path.unlink()
