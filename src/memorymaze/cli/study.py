@@ -317,7 +317,7 @@ def _check_installed(purpose: str) -> None:
         "studies",
         "starlette",
         "uvicorn",
-        "multipart",
+        "python_multipart",
         "cryptography",
         purpose=purpose,
     )

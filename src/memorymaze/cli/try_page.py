@@ -72,7 +72,7 @@ def _run(options: argparse.Namespace) -> int:
     from memorymaze.sites import load_site, load_sites
 
     require_extra(
-        "studies", "starlette", "uvicorn", "multipart", purpose="the page to try"
+        "studies", "starlette", "uvicorn", "python_multipart", purpose="the page to try"
     )
     from memorymaze.studies.try_pages import TryPages
     from memorymaze.studies.try_sessions import Visits
