@@ -30,6 +30,10 @@ class SitePlanError(MemoryMazeError):
     """A site plan breaks the format; names file, feature and rule."""
 
 
+class ImportFileError(MemoryMazeError):
+    """A building's file in another format is unusable; names file and feature or line."""
+
+
 class InstructionFileError(MemoryMazeError):
     """An instruction file or record is unusable; names file and line."""
 

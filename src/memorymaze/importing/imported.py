@@ -1,0 +1,94 @@
+"""What an importer gives, and the frame and the lines that it is made from."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from memorymaze.sites.records import Anchor
+
+XY = tuple[float, float]
+"""Metres, x east and y north."""
+EQUATOR_RADIUS = 6_378_137.0
+"""Metres (WGS 84)."""
+FLATTENING = 1 / 298.257223563
+"""Of the same ellipsoid."""
+
+
+@dataclass(frozen=True, slots=True)
+class CentreLine:
+    """The middle line of a way one can walk."""
+
+    points: tuple[XY, ...]
+    width: float
+    """Metres from wall to wall."""
+    name: str | None = None
+    """What people call the way."""
+
+
+@dataclass(frozen=True, slots=True)
+class ImportedSite:
+    """A building from elsewhere as a plan, with what a person must know of it."""
+
+    plan: dict[str, object]
+    """In the format of `docs/site_plans.md`, as JSON has it."""
+    took: tuple[str, ...]
+    """What the file said, such as `34 doors`."""
+    guessed: tuple[str, ...]
+    """What it did not say and the plan needs, and what was moved to fit."""
+    missing: tuple[str, ...]
+    """What is not in the plan: left out, with the feature's id, or never in the file."""
+
+
+@dataclass
+class ImportNotes:
+    """Lines for a person, gathered while a file is read."""
+
+    took: list[str] = field(default_factory=list[str])
+    guessed: list[str] = field(default_factory=list[str])
+    missing: list[str] = field(default_factory=list[str])
+
+    def imported(self, plan: dict[str, object]) -> ImportedSite:
+        """Return the plan with these lines."""
+        return ImportedSite(
+            plan, tuple(self.took), tuple(self.guessed), tuple(self.missing)
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class LocalFrame:
+    """Metres around a place on the globe.
+
+    The ellipsoid's two radii of curvature at the anchor scale degrees to metres; a
+    kilometre away this is off by some centimetres.
+    """
+
+    anchor: Anchor
+
+    @classmethod
+    def around(cls, positions: Sequence[tuple[float, float]]) -> "LocalFrame":
+        """Return the frame in the middle of positions (longitude, latitude), y north."""
+        middle = [(min(each) + max(each)) / 2 for each in zip(*positions, strict=True)]
+        return cls(Anchor(round(middle[1], 7), round(middle[0], 7), 0.0))
+
+    def metres(self, longitude: float, latitude: float) -> XY:
+        """Return where a place on the globe lies in this frame."""
+        squared = FLATTENING * (2 - FLATTENING)
+        bend = 1 - squared * math.sin(math.radians(self.anchor.latitude)) ** 2
+        across = EQUATOR_RADIUS / math.sqrt(bend)
+        along = EQUATOR_RADIUS * (1 - squared) / bend**1.5
+        east = (
+            math.radians(longitude - self.anchor.longitude)
+            * across
+            * math.cos(math.radians(self.anchor.latitude))
+        )
+        north = math.radians(latitude - self.anchor.latitude) * along
+        cosine, sine = math.cos(self.anchor.bearing), math.sin(self.anchor.bearing)
+        return (east * cosine - north * sine, east * sine + north * cosine)
+
+    def plan_anchor(self) -> dict[str, object]:
+        """Return the member `anchor` of a plan in this frame."""
+        return {
+            "latitude": self.anchor.latitude,
+            "longitude": self.anchor.longitude,
+            "bearing_deg": round(math.degrees(self.anchor.bearing), 4) + 0.0,
+        }
