@@ -9,7 +9,7 @@ import numpy as np
 from memorymaze.construction.floor import Floor
 from memorymaze.construction.growth import grow
 from memorymaze.construction.layout import UnsuitableFloor
-from memorymaze.construction.plan import features_of, plan_bytes
+from memorymaze.construction.plan import features_of
 from memorymaze.construction.recipes import KINDS, RECIPES, Kind
 from memorymaze.construction.rooms import Door, RoomPlanner
 from memorymaze.construction.skeleton import Skeleton
@@ -24,6 +24,7 @@ from memorymaze.construction.walls import Wall, end_wall, walls_of
 from memorymaze.construction.ways import Ways
 from memorymaze.errors import SettingsError, did_you_mean
 from memorymaze.sites.checking import plan_problems
+from memorymaze.sites.plan_writing import plan_bytes
 from memorymaze.sites.reading import understand_plan
 
 MOST_TRIES = 60

@@ -1,27 +1,23 @@
 """A made floor written down in the format of `docs/site_plans.md`."""
 
-import json
-import math
 from collections.abc import Iterator, Sequence
 
-from shapely import LineString, Polygon
+from shapely import LineString
 
 from memorymaze.construction.floor import Floor, corridor_id, hall_id
-from memorymaze.construction.layout import Place
 from memorymaze.construction.rooms import Door, Room
 from memorymaze.construction.things import Thing
 from memorymaze.construction.vocabulary import Vocabulary
 from memorymaze.construction.ways import Route, Way
 from memorymaze.geometry.pose import heading_to
-
-Feature = dict[str, object]
-
-
-def plan_bytes(header: dict[str, object], features: Sequence[Feature]) -> bytes:
-    """Return a plan as a GeoJSON file, one feature a line."""
-    members = json.dumps({"type": "FeatureCollection", **header}, ensure_ascii=False)
-    lines = ",\n".join(json.dumps(each, ensure_ascii=False) for each in features)
-    return f'{members[:-1]}, "features": [\n{lines}\n]}}\n'.encode()
+from memorymaze.sites.plan_writing import (
+    Feature,
+    degrees,
+    line_feature,
+    point_feature,
+    polygon_feature,
+    position,
+)
 
 
 def features_of(
@@ -36,7 +32,7 @@ def features_of(
     features = list(_floor_features(floor, words))
     for index, room in enumerate(rooms, start=1):
         features.append(
-            _polygon(
+            polygon_feature(
                 f"room_{index}", "room", room.polygon, name=room.name, use=room.use
             )
         )
@@ -70,7 +66,7 @@ def _floor_features(floor: Floor, words: Vocabulary) -> Iterator[Feature]:
     for (number, piece), polygon in floor.corridors.items():
         street = layout.streets[number]
         program = words.programs[street.program]
-        yield _polygon(
+        yield polygon_feature(
             corridor_id(number, piece),
             "corridor",
             polygon,
@@ -82,7 +78,7 @@ def _floor_features(floor: Floor, words: Vocabulary) -> Iterator[Feature]:
         zip(layout.halls, floor.halls, strict=True)
     ):
         program = words.programs[hall.program]
-        yield _polygon(
+        yield polygon_feature(
             hall_id(number),
             "area",
             polygon,
@@ -96,7 +92,7 @@ def _floor_features(floor: Floor, words: Vocabulary) -> Iterator[Feature]:
     }
     for point in floor.turning_points:
         hall = floor.hall_around(floor.skeleton.places[point.node])
-        yield _polygon(
+        yield polygon_feature(
             point.id,
             "turning_point",
             point.polygon,
@@ -104,7 +100,7 @@ def _floor_features(floor: Floor, words: Vocabulary) -> Iterator[Feature]:
             or (None if hall is None else layout.halls[hall].name),
             shape=point.shape,
             exits=[
-                {"to": each.to, "heading_deg": _degrees(each.heading)}
+                {"to": each.to, "heading_deg": degrees(each.heading)}
                 for each in point.exits
             ],
         )
@@ -112,10 +108,10 @@ def _floor_features(floor: Floor, words: Vocabulary) -> Iterator[Feature]:
 
 def _door(identity: str, door: Door, room: str | None) -> Feature:
     ends = (door.wall.at(door.start), door.wall.at(door.end))
-    return _feature(
+    return line_feature(
         identity,
         "door",
-        {"type": "LineString", "coordinates": [_position(end) for end in ends]},
+        ends,
         room=room,
         style=door.style,
         color=door.color,
@@ -125,15 +121,15 @@ def _door(identity: str, door: Door, room: str | None) -> Feature:
 
 
 def _landmark(identity: str, thing: Thing) -> Feature:
-    return _feature(
+    return point_feature(
         identity,
         "landmark",
-        {"type": "Point", "coordinates": _position(thing.place)},
+        thing.place,
         category=thing.category,
         color=thing.color,
         name=None,
         text=thing.text,
-        heading_deg=_degrees(thing.heading),
+        heading_deg=degrees(thing.heading),
         size_m=list(thing.size),
         mount=thing.mount,
         obstacle=thing.obstacle,
@@ -142,14 +138,14 @@ def _landmark(identity: str, thing: Thing) -> Feature:
 
 def _route(index: int, number: int, way: Way, route: Route, goal: str) -> Feature:
     role = f"alternative_{number}" if number else "reference"
-    line = [_position(place) for place in way.line]
-    return _feature(
+    line = [position(place) for place in way.line]
+    return line_feature(
         f"route_r{index}_{role}",
         "route",
-        {"type": "LineString", "coordinates": line},
+        way.line,
         route=f"R{index}",
         role=role.split("_")[0],
-        start_heading_deg=_degrees(heading_to(way.line[0], way.line[1])),
+        start_heading_deg=degrees(heading_to(way.line[0], way.line[1])),
         goal=route.destination.name,
         goal_landmark=goal,
         length_m=round(LineString(line).length, 3),
@@ -159,34 +155,3 @@ def _route(index: int, number: int, way: Way, route: Route, goal: str) -> Featur
         ],
         note="",
     )
-
-
-def _polygon(
-    identity: str, kind: str, polygon: Polygon, **properties: object
-) -> Feature:
-    rings = [
-        [_position((x, y)) for x, y in ring.coords]
-        for ring in (polygon.exterior, *polygon.interiors)
-    ]
-    return _feature(
-        identity, kind, {"type": "Polygon", "coordinates": rings}, **properties
-    )
-
-
-def _feature(
-    identity: str, kind: str, geometry: dict[str, object], **properties: object
-) -> Feature:
-    return {
-        "type": "Feature",
-        "id": identity,
-        "geometry": geometry,
-        "properties": {"kind": kind, **properties},
-    }
-
-
-def _position(place: Place) -> list[float]:
-    return [round(place[0], 3) + 0.0, round(place[1], 3) + 0.0]
-
-
-def _degrees(heading: float) -> float:
-    return round(math.degrees(heading) % 360, 2) % 360
