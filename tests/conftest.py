@@ -49,7 +49,7 @@ from memorymaze.simulation import Scene, SimulationSettings, build_scene
 from memorymaze.sites import Site, load_site, load_sites
 
 if TYPE_CHECKING:
-    from playwright.sync_api import Browser
+    from playwright.sync_api import Browser, Page
 
 # How long an example takes says more of the machine than of the code.
 property_settings.register_profile("untimed", deadline=None)
@@ -85,6 +85,28 @@ def browser() -> "Generator[Browser]":
         )
         yield chromium
         chromium.close()
+
+
+@pytest.fixture(scope="session")
+def complaints() -> "Callable[[Page], list[str]]":
+    """What axe finds in a page as it is, and whether one must scroll it sideways.
+
+    axe is a script of its own, which the pages' policy would keep out: the page's context
+    is made with `bypass_csp=True`.
+    """
+    from axe_playwright_python.sync_playwright import Axe
+
+    def found(page: "Page") -> list[str]:
+        broken = Axe().run(page, options={"preload": False}).response["violations"]
+        complaints = [f"{each['id']}: {each['nodes'][0]['html']}" for each in broken]
+        wide = page.evaluate("document.documentElement.scrollWidth")
+        size = page.viewport_size
+        assert size is not None
+        if wide > size["width"]:
+            complaints.append(f"{wide} pixels wide")
+        return [f"{page.title()}: {each}" for each in complaints]
+
+    return found
 
 
 @pytest.fixture(scope="session")

@@ -5,7 +5,6 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from axe_playwright_python.sync_playwright import Axe
 from playwright.sync_api import Browser, Page
 
 from memorymaze.instructions import load_instructions
@@ -16,7 +15,7 @@ from memorymaze.studies.study_file import Study
 
 MakeStudy = Callable[..., Study]
 ServeStudy = Callable[[Study], Any]
-Look = Callable[[], None]
+Complaints = Callable[[Page], list[str]]
 TINY_SITES = Path(__file__).parents[1] / "tiny_sites"
 WAY = "Go straight on to the end of the corridor and then turn left at the junction."
 PHONE = {"width": 390, "height": 844}
@@ -25,7 +24,10 @@ PHONE = {"width": 390, "height": 844}
 class Reader:
     """A page, looked at with axe wherever it is opened; complaints are kept."""
 
-    def __init__(self, browser: Browser, **options: Any) -> None:
+    def __init__(
+        self, browser: Browser, find_complaints: Complaints, **options: Any
+    ) -> None:
+        self._find_complaints = find_complaints
         self.context = browser.new_context(**options)
         self.page: Page = self.context.new_page()
         self.complaints: list[str] = []
@@ -45,14 +47,7 @@ class Reader:
 
     def look(self) -> None:
         """Check the page as it is."""
-        found = Axe().run(self.page, options={"preload": False}).response["violations"]
-        self.complaints += [
-            f"{self.page.title()}: {each['id']}: {each['nodes'][0]['html']}"
-            for each in found
-        ]
-        wide = self.page.evaluate("document.documentElement.scrollWidth")
-        if wide > (self.page.viewport_size or {"width": 0})["width"]:
-            self.complaints.append(f"{self.page.title()}: {wide} pixels wide")
+        self.complaints += self._find_complaints(self.page)
         self.looked_at.append(self.page.title())
 
     def press(self, name: str) -> None:
@@ -81,12 +76,12 @@ class Reader:
 
 
 @pytest.fixture
-def read(browser: Browser) -> Generator[Callable[..., Reader]]:
+def read(browser: Browser, complaints: Complaints) -> Generator[Callable[..., Reader]]:
     """Open a browser of one's own; the test fails on any complaint."""
     readers: list[Reader] = []
 
     def opened(**options: Any) -> Reader:
-        readers.append(Reader(browser, **options))
+        readers.append(Reader(browser, complaints, **options))
         return readers[-1]
 
     yield opened

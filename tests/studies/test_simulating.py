@@ -9,7 +9,7 @@ from memorymaze.errors import StudyError
 from memorymaze.evaluation.run_folder import read_run
 from memorymaze.instructions import load_instructions
 from memorymaze.studies.exporting import export_study
-from memorymaze.studies.follow_runs import export_walks
+from memorymaze.studies.follow.runs import export_walks
 from memorymaze.studies.simulating import simulate_study
 from memorymaze.studies.store import open_store
 from memorymaze.studies.study_file import Study

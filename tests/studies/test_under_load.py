@@ -30,7 +30,7 @@ import sys
 from memorymaze.studies.serving import serving_study
 from memorymaze.studies.store import open_store
 from memorymaze.studies.study_file import load_study
-from memorymaze.studies.web import wait_for_interrupt
+from memorymaze.pages.web import wait_for_interrupt
 with open_store(load_study(sys.argv[1])) as store:
     with serving_study(store, {}, port=int(sys.argv[2])):
         print("ready", flush=True)

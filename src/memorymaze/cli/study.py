@@ -7,9 +7,9 @@ from memorymaze.cli.verbs import VerbParser, Verbs, shown_progress
 from memorymaze.wording import counted
 
 if TYPE_CHECKING:
+    from memorymaze.pages.web import Certificate
     from memorymaze.studies.serving import Addresses
     from memorymaze.studies.study_file import Study
-    from memorymaze.studies.web import Certificate
 
 KINDS = ("online", "memory", "onsite", "follow")
 THIS_MACHINE = ("127.0.0.1", "::1", "localhost")
@@ -106,18 +106,18 @@ def _add_serve(actions: Verbs) -> None:
 
 def _serve(options: argparse.Namespace) -> int:
     _check_installed("study serve")
+    from memorymaze.pages.web import wait_for_interrupt
     from memorymaze.studies.films import make_films
     from memorymaze.studies.serving import serving_study
     from memorymaze.studies.store import open_store
     from memorymaze.studies.study_file import check_is_changed, load_study
-    from memorymaze.studies.web import wait_for_interrupt
 
     study = load_study(options.file)
     if options.host not in THIS_MACHINE:
         check_is_changed(study)
     certificate = None
     if options.tls:
-        from memorymaze.studies.certificates import local_certificate
+        from memorymaze.pages.certificates import local_certificate
 
         certificate = local_certificate(study.path.with_suffix(".tls"), options.host)
     with open_store(study, simulated=options.simulated) as store:
@@ -145,7 +145,7 @@ def _serve(options: argparse.Namespace) -> int:
 
 def _explain_trust(addresses: "Addresses", certificate: "Certificate") -> None:
     """Say how browsers come to trust a certificate that no company vouches for."""
-    from memorymaze.studies.certificates import authority_of, fingerprint
+    from memorymaze.pages.certificates import authority_of, fingerprint
 
     authority = authority_of(certificate)
     print(f"certificate:   browsers trust it after {authority} is installed on them,")
@@ -207,7 +207,7 @@ def _export(options: argparse.Namespace) -> int:
 
 def _export_walks(study: "Study", options: argparse.Namespace) -> int:
     """Write the walks of people as runs."""
-    from memorymaze.studies.follow_runs import export_walks
+    from memorymaze.studies.follow.runs import export_walks
     from memorymaze.studies.store import open_store
 
     with open_store(study, simulated=options.simulated, alone=False) as store:
@@ -246,8 +246,8 @@ def _add_simulate(actions: Verbs) -> None:
 def _simulate(options: argparse.Namespace) -> int:
     _check_installed("study simulate")
     from memorymaze.options import check_whole
+    from memorymaze.studies.interviews.simulating import SPEAKER, find_speaker
     from memorymaze.studies.simulating import simulate_study
-    from memorymaze.studies.simulating_interviews import SPEAKER, find_speaker
     from memorymaze.studies.study_file import load_study
 
     check_whole("--seed", options.seed, least=0)

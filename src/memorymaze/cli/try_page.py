@@ -74,10 +74,10 @@ def _run(options: argparse.Namespace) -> int:
     require_extra(
         "studies", "starlette", "uvicorn", "python_multipart", purpose="the page to try"
     )
-    from memorymaze.studies.try_pages import TryPages
-    from memorymaze.studies.try_sessions import Visits
-    from memorymaze.studies.try_walk import GUIDE
-    from memorymaze.studies.web import Door, make_app, serving, wait_for_interrupt
+    from memorymaze.pages.web import Door, make_app, serving, wait_for_interrupt
+    from memorymaze.trying.pages import ROOM, TryPages
+    from memorymaze.trying.sessions import Visits
+    from memorymaze.trying.walk import GUIDE
 
     if options.robots < 1:
         raise SettingsError(f"--robots: expected 1 or more, got {options.robots}")
@@ -105,7 +105,7 @@ def _run(options: argparse.Namespace) -> int:
         build_agent(agent, isolate=settings.isolate, kept_from=plans)
     hosts = sorted(ONLY_HERE) if options.host in ONLY_HERE else None
     with Visits(settings, beside, most=options.robots) as visits:
-        app = make_app(TryPages(visits, sites).routes(), hosts=hosts)
+        app = make_app(TryPages(visits, sites).routes(), ROOM, hosts=hosts)
         with serving(Door(app, options.host, options.port)) as [address]:
             print(f"try the robot at {address} (Ctrl-C to end)", flush=True)
             wait_for_interrupt()

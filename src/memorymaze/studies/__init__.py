@@ -1,8 +1,9 @@
 """Studies with people: the pages they meet, what they answer, and corpora made of it.
 
-Holds the web application that studies and the page to try the robot share (`web`), study
-files, the store of answers, the pages and the export. Does not hold labels of finished
-texts (`collection`), nor what runs or tables are made of.
+Holds study files, the store of answers, the pages of participants and experimenter, and the
+export. `follow` has people drive a robot, `interviews` a tablet and recordings, `labels`
+what descriptions say on the plan. Does not hold labels of finished texts (`collection`),
+what all pages need (`pages`), nor what runs or tables are made of.
 
 Nothing is imported here: only the verbs that serve pages need the extra `studies`.
 """

@@ -10,9 +10,9 @@ from starlette.requests import Request
 from starlette.responses import RedirectResponse, Response
 from starlette.routing import BaseRoute, Route
 
+from memorymaze.pages.web import Fields, posted, render
 from memorymaze.studies.participant_pages import cookie_name
 from memorymaze.studies.store import Participant, Store
-from memorymaze.studies.web import Fields, posted, render
 
 Endpoint = Callable[[Request], Awaitable[Response] | Response]
 

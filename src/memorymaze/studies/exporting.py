@@ -13,7 +13,7 @@ from memorymaze.durable_files import write_whole
 from memorymaze.errors import SettingsError, StudyError
 from memorymaze.instructions.files import write_instructions
 from memorymaze.instructions.records import Instruction
-from memorymaze.studies.labelling import Labelled, Labelling
+from memorymaze.studies.labels.labelling import Labelled, Labelling
 from memorymaze.studies.store import Answer, Event, Participant, Store
 from memorymaze.studies.study_file import Study
 from memorymaze.studies.tellings import TELLINGS, Tellings, Told

@@ -8,6 +8,7 @@ import json
 import math
 import secrets
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
 from typing import Any
@@ -18,12 +19,12 @@ from starlette.responses import FileResponse, RedirectResponse, Response
 from starlette.routing import BaseRoute, Route
 
 from memorymaze.instructions.statistics import word_count
-from memorymaze.studies.follow_drives import Drives
-from memorymaze.studies.follow_pages import FollowPages
+from memorymaze.pages.web import Fields, posted, render
+from memorymaze.studies.follow.drives import Drives
+from memorymaze.studies.follow.pages import FollowPages
 from memorymaze.studies.schedule import Step, steps_of
-from memorymaze.studies.store import Participant, Store, Taken
+from memorymaze.studies.store import Answer, Participant, Store, Taken
 from memorymaze.studies.study_file import Question
-from memorymaze.studies.web import Fields, posted, render
 
 LONGEST_TEXT = 20_000
 """Characters of a description."""
@@ -38,6 +39,18 @@ EVENTS = frozenset({"play", "pause", "ended", "again"})
 WATCHED = "ended"
 WRONG = "wrong"
 """Event of an attempt at the comprehension check that failed."""
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """Where somebody is in a study."""
+
+    step: Step | None
+    """None where all is answered."""
+    number: int
+    count: int
+    answers: dict[str, Answer]
+    """By step."""
 
 
 class ParticipantPages:
@@ -135,14 +148,13 @@ class ParticipantPages:
     def _steps(self, participant: Participant) -> list[Step]:
         return steps_of(self._design, tuple(participant.cell.split(", ")))
 
-    def _current(self, participant: Participant) -> tuple[Step | None, int, int]:
-        """Return the step that somebody is at, its number, and how many there are."""
-        answered = self._store.answers(participant.id)
+    def _current(self, participant: Participant) -> Place:
+        answers = self._store.answers(participant.id)
         steps = self._steps(participant)
         for number, step in enumerate(steps, start=1):
-            if step.key not in answered:
-                return step, number, len(steps)
-        return None, len(steps), len(steps)
+            if step.key not in answers:
+                return Place(step, number, len(steps), answers)
+        return Place(None, len(steps), len(steps), answers)
 
     def _study(self, request: Request) -> Response:
         participant = self._participant(request)
@@ -150,19 +162,18 @@ class ParticipantPages:
             return _to("/")
         if participant.state == "excluded":
             return self._end(request, "excluded", self._design.codes.excluded)
-        step, number, count = self._current(participant)
-        if participant.state == "complete" or step is None:
+        place = self._current(participant)
+        if participant.state == "complete" or place.step is None:
             return self._end(request, "complete", self._design.codes.complete)
-        self._store.add_event(participant.id, step.key, "opened")
-        return self._page(request, participant, step, number, count)
+        self._store.add_event(participant.id, place.step.key, "opened")
+        return self._page(request, participant, place.step, place)
 
     def _page(
         self,
         request: Request,
         participant: Participant,
         step: Step,
-        number: int,
-        count: int,
+        place: Place,
         *,
         problem: str | None = None,
         given: Fields | None = None,
@@ -177,11 +188,11 @@ class ParticipantPages:
         elif step.kind == "attention":
             view["questions"] = [design.attention[step.number]]
         elif step.kind == "wait":
-            view["seconds_left"] = self._seconds_left(participant, step)
+            view["seconds_left"] = self._seconds_left(step, place.answers)
         elif step.kind in {"tell", "retell"}:
             view["text"] = given.get("text", store.draft(participant.id, step.key))
             view["longest"] = LONGEST_TEXT
-            first = store.answers(participant.id).get(f"tell.{step.route}")
+            first = place.answers.get(f"tell.{step.route}")
             view["first"] = "" if first is None else first.text
         elif step.kind == "follow" and self._follow is not None:
             view |= self._follow.view(participant, step)
@@ -201,8 +212,8 @@ class ParticipantPages:
             200 if problem is None else 400,
             participant=participant,
             step=step,
-            number=number,
-            count=count,
+            number=place.number,
+            count=place.count,
             problem=problem,
             given=given,
             saved="saved" in request.query_params,
@@ -213,16 +224,17 @@ class ParticipantPages:
         participant = self._participant(request)
         if participant is None:
             return _to("/")
-        step, number, count = self._current(participant)
+        place = self._current(participant)
+        step = place.step
         # A page sent twice, or from another window, is not the present one any more.
         if participant.state != "active" or step is None or step.key != _key(request):
             return _to("/study")
         taken = self._takers[step.kind](participant, step, fields)
         if isinstance(taken, str):
             return self._page(
-                request, participant, step, number, count, problem=taken, given=fields
+                request, participant, step, place, problem=taken, given=fields
             )
-        state = "complete" if number == count else "active"
+        state = "complete" if place.number == place.count else "active"
         self._store.add_answer(
             participant.id,
             step.key,
@@ -285,12 +297,12 @@ class ParticipantPages:
     def _take_waited(
         self, participant: Participant, step: Step, fields: Fields
     ) -> Taken | str:
-        if self._seconds_left(participant, step) > 0:
+        if self._seconds_left(step, self._store.answers(participant.id)) > 0:
             return "It is a little too early. This page says when to go on."
         return Taken("")
 
-    def _seconds_left(self, participant: Participant, step: Step) -> int:
-        seen = self._store.answers(participant.id)[f"watch.{step.route}"].at
+    def _seconds_left(self, step: Step, answers: Mapping[str, Answer]) -> int:
+        seen = answers[f"watch.{step.route}"].at
         delay = 60 * (self._design.delay_minutes or 0)
         return max(0, math.ceil(seen + delay - self._store.now()))
 
@@ -349,7 +361,7 @@ class ParticipantPages:
         route = request.path_params["route"]
         if participant is None or route not in self._films:
             raise HTTPException(404)
-        step, *_ = self._current(participant)
+        step = self._current(participant).step
         if step is None or not self._may_watch(step, route):
             raise HTTPException(404)
         # Shown twice while it may be watched; from memory, no browser may keep it.

@@ -6,18 +6,24 @@ from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from typing import NamedTuple
 
+from memorymaze.pages.web import Certificate, Door, make_app, serving
 from memorymaze.studies.experimenter_pages import ExperimenterPages
-from memorymaze.studies.follow_drives import Drives
-from memorymaze.studies.follow_texts import texts_to_follow
-from memorymaze.studies.interview_pages import LOCAL, InterviewPages
-from memorymaze.studies.label_pages import LabelPages
+from memorymaze.studies.follow.drives import Drives
+from memorymaze.studies.follow.texts import texts_to_follow
+from memorymaze.studies.interviews.pages import LOCAL, InterviewPages
+from memorymaze.studies.interviews.recognising import Recogniser
+from memorymaze.studies.interviews.transcript_pages import TranscriptPages
+from memorymaze.studies.labels.pages import LabelPages
 from memorymaze.studies.participant_pages import ParticipantPages
-from memorymaze.studies.recognising import Recogniser
 from memorymaze.studies.store import Store
 from memorymaze.studies.tellings import Tellings
-from memorymaze.studies.transcript_pages import TranscriptPages
-from memorymaze.studies.web import Certificate, Door, make_app, serving
 
+ROOMS = (
+    "memorymaze.studies",
+    "memorymaze.studies.follow",
+    "memorymaze.studies.interviews",
+    "memorymaze.studies.labels",
+)
 MAX_RECORDING = 32_000_000
 """Bytes of a recording; an hour and more."""
 
@@ -63,16 +69,16 @@ def serving_study(
             behind += InterviewPages(
                 experimenter, store, tellings, recogniser, certificate
             ).routes
-            app = make_app(behind, max_body=MAX_RECORDING, hosts=[*LOCAL, host])
+            app = make_app(behind, *ROOMS, max_body=MAX_RECORDING, hosts=[*LOCAL, host])
             with serving(Door(app, host, experimenter_port, certificate)) as [address]:
                 yield Addresses("", f"{address}/enter/{token}")
             return
         if store.study.design.kind == "follow":
             texts = texts_to_follow(store.study)
             drives = stack.enter_context(Drives(store, texts, draws=draws))
-        pages = make_app(ParticipantPages(store, films, drives).routes)
+        pages = make_app(ParticipantPages(store, films, drives).routes, *ROOMS)
         with serving(
             Door(pages, host, port, certificate),
-            Door(make_app(behind, hosts=LOCAL), port=experimenter_port),
+            Door(make_app(behind, *ROOMS, hosts=LOCAL), port=experimenter_port),
         ) as [participants, experimenter]:
             yield Addresses(participants, f"{experimenter}/enter/{token}")

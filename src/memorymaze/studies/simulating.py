@@ -17,11 +17,11 @@ from memorymaze.errors import StudyError
 from memorymaze.instructions.records import Instruction
 from memorymaze.instructions.statistics import word_count
 from memorymaze.studies.answer_file import remove_simulated
-from memorymaze.studies.follow_drives import LONGEST_WAIT
-from memorymaze.studies.follow_pages import SURE
+from memorymaze.studies.follow.drives import LONGEST_WAIT
+from memorymaze.studies.follow.pages import SURE
+from memorymaze.studies.interviews.simulating import SimulatedTablet
 from memorymaze.studies.schedule import cell_name, route_orders
 from memorymaze.studies.serving import serving_study
-from memorymaze.studies.simulating_interviews import SimulatedTablet
 from memorymaze.studies.store import open_store
 from memorymaze.studies.study_file import CheckedQuestion, Study
 from memorymaze.writing import cells_of, parse_rates, sample_outlines, write_texts

@@ -7,7 +7,7 @@ from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
-from jinja2 import Environment, PackageLoader, StrictUndefined
+from jinja2 import ChoiceLoader, Environment, PackageLoader, StrictUndefined
 
 from memorymaze.drawing.svg import svg_number
 from memorymaze.evaluation.outcomes import OUTCOMES, ending_words, outcome_of
@@ -38,10 +38,10 @@ ERROR_TITLES = {"none": "no error", "any": "any error"}
 """Of instructions, where they are not those of the corpus."""
 
 
-def templates_of(room: str) -> Environment:
-    """Return the templates of a room."""
+def templates_of(*rooms: str) -> Environment:
+    """Return the templates of some rooms."""
     return Environment(
-        loader=PackageLoader(room),
+        loader=ChoiceLoader([PackageLoader(room) for room in rooms]),
         autoescape=True,
         undefined=StrictUndefined,
         trim_blocks=True,

@@ -1,0 +1,274 @@
+"""What an experimenter's tablet shows and sends: interviews, also without a network.
+
+The page of interviews is one document, kept by the tablet's browser; its script walks
+through it, keeps everything on the tablet and sends it when it can. Each thing it sends is
+judged here.
+"""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from starlette.concurrency import run_in_threadpool
+from starlette.exceptions import HTTPException
+from starlette.requests import Request
+from starlette.responses import FileResponse, JSONResponse, Response
+from starlette.routing import BaseRoute, Route
+
+from memorymaze.errors import StudyError
+from memorymaze.pages.certificates import authority_of, fingerprint
+from memorymaze.pages.web import Certificate, Fields, render
+from memorymaze.studies.experimenter_pages import ExperimenterPages
+from memorymaze.studies.interviews.recognising import Recogniser
+from memorymaze.studies.interviews.records import (
+    MEDIA_TYPES,
+    VOICE,
+    Interviews,
+    Record,
+    Taken,
+)
+from memorymaze.studies.labels.marking import plan_view, read_marks
+from memorymaze.studies.participant_pages import LONGEST_TEXT
+from memorymaze.studies.schedule import route_orders
+from memorymaze.studies.store import Store
+from memorymaze.studies.study_file import StudyDesign
+from memorymaze.studies.tellings import TELLINGS, Tellings
+
+WORKER = Path(__file__).parent / "static" / "service-worker.js"
+LOCAL = ("127.0.0.1", "localhost", "::1")
+NEEDS_HTTPS = (
+    "Browsers give the microphone to pages over https only, and so that nobody in the "
+    "network listens, recordings are not taken over http. Start the server with --tls and "
+    "open the https address that it prints; until then, type what is said."
+)
+CODES: dict[Taken, int] = {"kept": 200, "known": 200, "taken": 409, "gone": 410}
+REFUSALS: dict[Taken, str] = {
+    "taken": "Another answer to this is kept already.",
+    "gone": "Nobody of this number takes part any more.",
+}
+ROUTE_STEPS = ("tell", "mark", "told", "retell")
+
+
+class InterviewPages:
+    """The pages for a tablet."""
+
+    def __init__(
+        self,
+        experimenter: ExperimenterPages,
+        store: Store,
+        tellings: Tellings,
+        recogniser: Recogniser,
+        certificate: Certificate | None,
+    ) -> None:
+        """Take who guards the pages, the answers, what hears recordings, and https."""
+        self._experimenter = experimenter
+        self._interviews = Interviews(store)
+        self._tellings = tellings
+        self._recogniser = recogniser
+        self._authority = None if certificate is None else authority_of(certificate)
+        self._store = store
+        self._study = store.study
+        self._takers: dict[str, Callable[[Record, Fields], Taken]] = {
+            "consent": self._take_consent,
+            "familiarity": self._take_familiarity,
+            "tell": self._take_told,
+            "retell": self._take_told,
+            "mark": self._take_marks,
+            "done": self._take_end,
+        }
+
+    @property
+    def routes(self) -> list[BaseRoute]:
+        """Where the pages are."""
+        guarded = self._experimenter.guarded
+        return [
+            Route("/interview", guarded(self._interview)),
+            Route("/service-worker.js", self._worker),
+            Route("/offline", self._offline),
+            # Without the token: nobody has it before they trust the server.
+            Route("/trust", self._trust),
+            Route("/trust/authority.crt", self._trusted),
+            Route(
+                "/interviews/{participant}/records/{record}",
+                guarded(self._take),
+                methods=["POST"],
+            ),
+            Route(
+                "/interviews/{participant}/recordings/{record}",
+                self._take_recording,
+                methods=["POST"],
+            ),
+            Route("/interviews/{participant}/transcripts/{step}", guarded(self._heard)),
+            Route("/recordings/{file}", guarded(self._recording)),
+        ]
+
+    # What a tablet keeps ---------------------------------------------------------------
+
+    def _interview(self, request: Request, fields: Fields) -> Response:
+        design, site = self._study.design, self._study.site
+        ways = {
+            each.route: {
+                "start": each.start,
+                "goal": self._study.route(each.route).goal,
+                "plan": plan_view(site, each.route),
+            }
+            for each in design.routes
+        }
+        orders = list(zip(self._store.progress(), route_orders(design), strict=True))
+        return self._experimenter.show(
+            request,
+            "interview.html",
+            ways=ways,
+            orders=orders,
+            study=self._store.folder.name,
+            may_record=_is_safe(request),
+            needs_https=NEEDS_HTTPS,
+            longest=LONGEST_TEXT,
+            is_heard=self._recogniser.is_there,
+        )
+
+    def _worker(self, request: Request) -> Response:
+        # Not under /static/: a worker rules over pages beneath its own address only.
+        return FileResponse(WORKER, media_type="text/javascript")
+
+    def _offline(self, request: Request) -> Response:
+        return render(request, "offline.html")
+
+    def _trust(self, request: Request) -> Response:
+        shown = "" if self._authority is None else fingerprint(self._authority)
+        return render(request, "trust.html", fingerprint=shown)
+
+    def _trusted(self, request: Request) -> Response:
+        if self._authority is None:
+            raise HTTPException(404)
+        return FileResponse(self._authority, media_type="application/x-x509-ca-cert")
+
+    # What a tablet sends ---------------------------------------------------------------
+
+    def _take(self, request: Request, fields: Fields) -> Response:
+        try:
+            record = _record(request, fields)
+            if record.step not in interview_steps(self._study.design):
+                raise ValueError(f"There is no step {record.step!r} in this study.")
+            if any(len(text) > LONGEST_TEXT for text in fields.values()):
+                raise ValueError(f"Expected texts of at most {LONGEST_TEXT:,} letters.")
+            kind = record.step.partition(".")[0]
+            taken = self._takers.get(kind, self._take_text)(record, fields)
+        except (ValueError, StudyError) as error:
+            return JSONResponse({"refused": str(error)}, 400)
+        return _said(taken)
+
+    def _take_consent(self, record: Record, fields: Fields) -> Taken:
+        cell, shown = fields.get("cell", ""), fields.get("shown", "")
+        return self._interviews.begin(record, cell, shown)
+
+    def _take_familiarity(self, record: Record, fields: Fields) -> Taken:
+        text, shown = fields.get("text", ""), fields.get("shown", "")
+        if text not in self._study.design.familiarity.excluded:
+            return self._interviews.take(record, text, shown)
+        return self._interviews.take(
+            record, text, shown, state="excluded", reason="familiarity"
+        )
+
+    def _take_text(self, record: Record, fields: Fields) -> Taken:
+        return self._interviews.take(
+            record, fields.get("text", "").strip(), fields.get("shown", "").strip()
+        )
+
+    def _take_told(self, record: Record, fields: Fields) -> Taken:
+        if not fields.get("text", "").strip() and fields.get("recorded") != "yes":
+            raise ValueError("Expected what was told, typed or recorded, got neither.")
+        return self._take_text(record, fields)
+
+    def _take_marks(self, record: Record, fields: Fields) -> Taken:
+        route = record.step.partition(".")[2]
+        marks = read_marks(fields, self._study.site, route)
+        taken = self._interviews.take(record, marks.as_json())
+        heard = fields.get("transcript", "").strip()
+        if taken == "kept" and heard:
+            self._tellings.add_transcript(
+                record.participant,
+                f"tell.{route}",
+                "the experimenter",
+                heard,
+                is_heard=False,
+            )
+        return taken
+
+    def _take_end(self, record: Record, fields: Fields) -> Taken:
+        return self._interviews.take(record, "", state="complete")
+
+    async def _take_recording(self, request: Request) -> Response:
+        self._experimenter.check(request)
+        if not _is_safe(request):
+            raise HTTPException(403, NEEDS_HTTPS)
+        body = await request.body()
+        return await run_in_threadpool(self._keep_recording, request, body)
+
+    def _keep_recording(self, request: Request, body: bytes) -> Response:
+        media_type = request.headers.get("content-type", "").partition(";")[0]
+        query = dict(request.query_params)
+        steps = interview_steps(self._study.design)
+        try:
+            record = _record(request, query)
+            seconds = float(query.get("seconds", "nan"))
+            about = record.step.removeprefix(VOICE)
+            tells = about.partition(".")[0] in TELLINGS
+            if not (record.step.startswith(VOICE) and tells) or about not in steps:
+                raise ValueError(f"There is no recording of {record.step!r}.")
+            if media_type not in MEDIA_TYPES or not body or not 0 <= seconds < 86_400:
+                raise ValueError(
+                    f"Expected a recording ({', '.join(MEDIA_TYPES)}) and its seconds, "
+                    f"got {len(body)} bytes of {media_type or 'nothing'}."
+                )
+            taken = self._interviews.take_recording(record, body, media_type, seconds)
+        except (ValueError, StudyError) as error:
+            return JSONResponse({"refused": str(error)}, 400)
+        if taken == "kept":
+            self._recogniser.hear_new()
+        return _said(taken)
+
+    # What it asks for ------------------------------------------------------------------
+
+    def _heard(self, request: Request, fields: Fields) -> Response:
+        who, step = request.path_params["participant"], request.path_params["step"]
+        told = [each for each in self._tellings.told(who) if each.step == step]
+        return JSONResponse({
+            "text": told[0].text if told else "",
+            "problem": self._recogniser.problems.get((who, step), ""),
+        })
+
+    def _recording(self, request: Request, fields: Fields) -> Response:
+        for each in self._tellings.recordings():
+            if each.file == request.path_params["file"]:
+                return FileResponse(
+                    self._tellings.path_of(each), media_type=each.media_type
+                )
+        raise HTTPException(404)
+
+
+def interview_steps(design: StudyDesign) -> list[str]:
+    """Return all that may be answered in an interview, whatever its order."""
+    about = [f"{kind}.{each.route}" for each in design.routes for kind in ROUTE_STEPS]
+    known = [f"familiarity.{each.route}" for each in design.routes]
+    return ["consent", *known, "scenario", *about, "done"]
+
+
+def _record(request: Request, fields: Fields) -> Record:
+    return Record(
+        request.path_params["record"],
+        request.path_params["participant"],
+        fields.get("step", ""),
+        float(fields.get("opened", "nan")),
+        float(fields.get("at", "nan")),
+    )
+
+
+def _said(taken: Taken) -> Response:
+    told: dict[str, Any] = {"taken": taken, "refused": REFUSALS.get(taken, "")}
+    return JSONResponse(told, CODES[taken])
+
+
+def _is_safe(request: Request) -> bool:
+    """Tell whether nobody listens between the tablet and here."""
+    return request.url.scheme == "https" or request.url.hostname in LOCAL
