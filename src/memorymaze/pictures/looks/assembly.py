@@ -59,6 +59,21 @@ class MeshPart:
     the top; beyond [0, 1] the picture repeats. None where the material has no texture."""
     material: Material
 
+    def with_normals(self) -> "MeshPart":
+        """Return the part with a normal per vertex; flat faces get their own corners."""
+        if self.normals is not None:
+            return self
+        corners = self.vertices[self.faces]
+        across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        across /= np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-12)
+        return MeshPart(
+            corners.reshape(-1, 3),
+            np.arange(3 * len(corners), dtype=np.int32).reshape(-1, 3),
+            across.repeat(3, axis=0).astype(np.float32),
+            None if self.uv is None else self.uv[self.faces].reshape(-1, 2),
+            self.material,
+        )
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ObjectModel:

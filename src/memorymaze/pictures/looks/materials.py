@@ -15,6 +15,8 @@ Rgb = tuple[float, float, float]
 Pixels = NDArray[np.uint8]
 DULL, POLISHED = 0.1, 0.5
 """The two degrees of shininess of paints: few, so that they can be drawn at once."""
+OPAQUE_FROM = 0.999
+"""Alpha from which on nothing is seen through."""
 ALUMINIUM: Rgb = (0.68, 0.7, 0.72)
 ANTHRACITE: Rgb = (0.13, 0.13, 0.15)
 BASALT: Rgb = (0.13, 0.14, 0.16)
@@ -83,6 +85,11 @@ class Material:
     """Share of its own colour that it gives off, in [0, 1]."""
     shininess: float = 0.1
     """0 is dull, 1 is polished."""
+
+    @property
+    def is_clear(self) -> bool:
+        """Whether one sees through it."""
+        return self.rgba[3] < OPAQUE_FROM
 
 
 @dataclass(frozen=True, slots=True)

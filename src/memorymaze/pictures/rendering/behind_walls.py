@@ -273,9 +273,9 @@ def outer_face(
             )
 
 
-def shaft(hole: Polygon, height: float) -> Slice:
+def shaft(hole: Polygon, height: float, name: str) -> Slice:
     """The inside of a hole with a balustrade, down to a floor below."""
-    made = Slice(np.array(hole.exterior.coords)[:, :2])
+    made = Slice(np.array(hole.exterior.coords)[:, :2], name)
     flat = np.array([[1 / BAY, 0.0], [0.0, 1 / BAY], [0.0, 0.0]])
     made.builders["beyond", surfaces.floor("tile")].polygon(
         hole, -SHAFT_DEPTH, flat, up=True

@@ -61,6 +61,8 @@ SHORTEST = 0.01
 class FloorPart:
     """A piece of floor that no other part overlaps."""
 
+    id: str
+    """Of the area, corridor or turning point it is a piece of."""
     polygon: Polygon
     floor_material: str
     wall_material: str
@@ -96,12 +98,12 @@ def floor_parts(site: Site) -> list[FloorPart]:
     for source in sources:
         rest = source.polygon.difference(taken)
         taken = taken.union(source.polygon)
-        parts += [_part(source, piece) for piece in polygons_of(rest)]
+        parts += [_part(source.id, source, piece) for piece in polygons_of(rest)]
     for point in site.turning_points:
         rest = point.polygon.difference(taken)
         taken = taken.union(point.polygon)
         model = _nearest(point, parts, sources)
-        parts += [_part(model, piece) for piece in polygons_of(rest)]
+        parts += [_part(point.id, model, piece) for piece in polygons_of(rest)]
     return parts
 
 
@@ -135,7 +137,7 @@ def sliced(part: FloorPart) -> Iterator[Polygon]:
                 )
 
 
-def _part(source: Area | Corridor, piece: Polygon) -> FloorPart:
+def _part(identity: str, source: Area | Corridor, piece: Polygon) -> FloorPart:
     if isinstance(source, Corridor):
         (ax, ay), (bx, by) = source.centre_line.coords
         heading = math.atan2(by - ay, bx - ax)
@@ -150,6 +152,7 @@ def _part(source: Area | Corridor, piece: Polygon) -> FloorPart:
         x, y = source.polygon.centroid.coords[0]
         open_air = source.open_air
     return FloorPart(
+        identity,
         piece,
         source.floor_material,
         source.wall_material,

@@ -146,6 +146,8 @@ class Slice:
 
     points: NDArray[np.float64]
     """Corners of what it covers on the plan, (N, 2) metres."""
+    part_of: str
+    """Id of the area, corridor or turning point it belongs to."""
     shows_sky: bool = False
     """Whether one may see the sky through it or over it."""
     builders: dict[tuple[Kind, Material], MeshBuilder] = field(

@@ -11,26 +11,12 @@ from numpy.typing import NDArray
 
 from memorymaze.pictures.looks.assembly import MeshPart
 from memorymaze.pictures.looks.materials import Material
+from memorymaze.pictures.rendering.placed_things import PlacedMeshes
 
 PALETTE_EDGE = 64
 """Colours along an edge of the palette."""
 SWATCH = 4
 """Pixels per colour, so that filtering never mixes neighbours."""
-OPAQUE_FROM = 0.999
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class PlacedMeshes:
-    """Meshes of one thing at one place."""
-
-    parts: Sequence[MeshPart]
-    x: float = 0.0
-    y: float = 0.0
-    z: float = 0.0
-    heading: float = 0.0
-    body: mujoco.MjsBody | None = None
-    """What carries them; None is the ground. Bodies must be filled in the order in
-    which they were made, the ground first."""
 
 
 @dataclass(eq=False)
@@ -47,16 +33,23 @@ class SpecAssembler:
     geom_count: int = 0
 
     def add(
-        self, placed: PlacedMeshes, group: int, *, transparent: bool | None = None
+        self,
+        placed: PlacedMeshes,
+        group: int,
+        *,
+        body: mujoco.MjsBody | None = None,
+        transparent: bool | None = None,
     ) -> int:
         """Add meshes to a geom group and return how many geoms they became.
 
-        Only what is (True) or is not (False) seen through is added; None adds all.
+        Only what is (True) or is not (False) seen through is added; None adds all. The
+        body carries them; None is the ground. Bodies must be filled in the order in
+        which they were made, the ground first.
         """
         plain: dict[tuple[float, float], list[MeshPart]] = {}
         rest: list[MeshPart] = []
         for part in placed.parts:
-            clear = part.material.rgba[3] < OPAQUE_FROM
+            clear = part.material.is_clear
             if transparent is not None and clear != transparent:
                 continue
             if clear or part.material.texture is not None:
@@ -66,9 +59,10 @@ class SpecAssembler:
                 plain.setdefault(look, []).append(part)
         before = self.geom_count
         for look, parts in plain.items():
-            self._geom(self._merged(parts), self._palette_material(look), placed, group)
+            material = self._palette_material(look)
+            self._geom(self._merged(parts), material, placed, group, body)
         for part in rest:
-            self._geom(part, self._material(part.material), placed, group)
+            self._geom(part, self._material(part.material), placed, group, body)
         return self.geom_count - before
 
     def finish(self) -> None:
@@ -83,7 +77,7 @@ class SpecAssembler:
         vertices, faces, normals, uv = [], [], [], []
         count = 0
         for part in parts:
-            flat = _with_normals(part)
+            flat = part.with_normals()
             red, green, blue = (round(255 * c) for c in part.material.rgba[:3])
             number = self._palette.setdefault((red, green, blue), len(self._palette))
             if number >= PALETTE_EDGE**2:
@@ -107,10 +101,14 @@ class SpecAssembler:
         )
 
     def _geom(
-        self, part: MeshPart, material: str, placed: PlacedMeshes, group: int
+        self,
+        part: MeshPart,
+        material: str,
+        placed: PlacedMeshes,
+        group: int,
+        body: mujoco.MjsBody | None,
     ) -> None:
-        body = placed.body or self.spec.worldbody
-        body.add_geom(
+        (body or self.spec.worldbody).add_geom(
             type=mujoco.mjtGeom.mjGEOM_MESH,
             meshname=self._mesh(part),
             material=material,
@@ -124,7 +122,7 @@ class SpecAssembler:
         self.geom_count += 1
 
     def _mesh(self, part: MeshPart) -> str:
-        part = _with_normals(part)
+        part = part.with_normals()
         assert part.normals is not None
         uv = part.uv
         if uv is None:
@@ -216,19 +214,3 @@ class SpecAssembler:
             nchannel=channels,
         )
         texture.data = np.ascontiguousarray(pixels).tobytes()
-
-
-def _with_normals(part: MeshPart) -> MeshPart:
-    """Return the part with a normal per vertex; flat faces get their own corners."""
-    if part.normals is not None:
-        return part
-    corners = part.vertices[part.faces]
-    across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    across /= np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-12)
-    return MeshPart(
-        corners.reshape(-1, 3),
-        np.arange(3 * len(corners), dtype=np.int32).reshape(-1, 3),
-        across.repeat(3, axis=0).astype(np.float32),
-        None if part.uv is None else part.uv[part.faces].reshape(-1, 2),
-        part.material,
-    )

@@ -94,7 +94,7 @@ def structure_of(site: Site) -> Structure:
         _dress(slice_of[face], face, (low, high), start, height)
     holes = orient(site.walkable_floor).interiors
     for ring in sorted(open_rings):
-        slices.append(shaft(Polygon(holes[ring - 1]), height))
+        slices.append(shaft(Polygon(holes[ring - 1]), height, f"hole_{ring}"))
     return Structure(slices, hiding_segments(faces, open_rings, surroundings))
 
 
@@ -172,7 +172,7 @@ def _pattern(part: FloorPart) -> NDArray[np.float64]:
 
 
 def _floor_and_ceiling(part: FloorPart, polygon: Polygon, height: float) -> Slice:
-    made = Slice(np.array(polygon.exterior.coords)[:, :2])
+    made = Slice(np.array(polygon.exterior.coords)[:, :2], part.id)
     # Parts that touch leave rounding gaps; a hair of overlap closes them.
     wide = polygon.buffer(0.004, join_style="mitre")
     pattern = _pattern(part)

@@ -7,26 +7,25 @@ from dataclasses import dataclass
 import mujoco
 import numpy as np
 from numpy.typing import NDArray
-from shapely import Point, prepare
 
 from memorymaze.geometry.pose import Pose
 from memorymaze.pictures.furniture.models import Looks, check_looks
-from memorymaze.pictures.looks import surfaces
-from memorymaze.pictures.looks.assembly import MeshPart
-from memorymaze.pictures.looks.catalogue import model_for_landmark, model_of
-from memorymaze.pictures.looks.doors import model_for_door
-from memorymaze.pictures.rendering.meshes import MeshBuilder
-from memorymaze.pictures.rendering.mujoco_model import (
-    OPAQUE_FROM,
+from memorymaze.pictures.looks.catalogue import model_of
+from memorymaze.pictures.rendering.mujoco_model import SpecAssembler
+from memorymaze.pictures.rendering.placed_things import (
+    SHADOW_HEIGHT,
+    SHADOW_MARGIN,
     PlacedMeshes,
-    SpecAssembler,
+    placed_things,
+    shadow,
+    shadow_under,
 )
 from memorymaze.pictures.rendering.sky import FACES, sky_dome, sky_faces
 from memorymaze.pictures.rendering.structure import Structure, structure_of
 from memorymaze.pictures.rendering.visibility import Sightlines
 from memorymaze.simulation.obstacles.settings import Movable
 from memorymaze.simulation.scene import SceneObject
-from memorymaze.simulation.solids import door_solid, landmark_solid
+from memorymaze.simulation.solids import landmark_solid
 from memorymaze.sites.records import Site
 
 SHOWN_GROUP, HIDDEN_GROUP = 1, 5
@@ -43,8 +42,6 @@ _OWNERS = {
     "decal": FLOOR,
 }
 
-SHADOW_HEIGHT = 0.006
-SHADOW_MARGIN = 0.16
 NOWHERE = (1e9, 1e9)
 """Where nothing is ever seen."""
 
@@ -119,7 +116,7 @@ def build_visual_scene(
     _add_light(spec)
     _add_sky(spec)
     structure = structure_of(site)
-    things = _things(site, looks)
+    things = list(placed_things(site, looks))
     builder = _Builder(SpecAssembler(spec))
     outlets: list[int] = []
     for transparent in (False, True):
@@ -128,7 +125,7 @@ def build_visual_scene(
             for kind, part in made.meshes():
                 if kind != "decal":
                     # One geom stands for its slice; without any it adds none.
-                    if made.shows_sky and bool(transparent) == _is_clear(part):
+                    if made.shows_sky and bool(transparent) == part.material.is_clear:
                         outlets.append(builder.assembler.geom_count)
                     builder.add(
                         PlacedMeshes((part,)),
@@ -137,7 +134,8 @@ def build_visual_scene(
                         radius,
                         transparent=transparent,
                     )
-        for number, (_, placed, centre, radius) in enumerate(things, start=WALL + 1):
+        for number, (_, placed, radius) in enumerate(things, start=WALL + 1):
+            centre = (placed.x, placed.y)
             builder.add(placed, number, centre, radius, transparent=transparent)
     movable_geoms = _add_movables(builder, movables, len(things) + WALL + 1, looks)
     first_decal = builder.assembler.geom_count
@@ -147,7 +145,7 @@ def build_visual_scene(
         _add_shadow_of(builder, each)
     first_sky = builder.assembler.geom_count
     dome = spec.worldbody.add_body(name="sky")
-    builder.add(PlacedMeshes(sky_dome(), body=dome), FLOOR, NOWHERE, 0.0)
+    builder.add(PlacedMeshes(sky_dome()), FLOOR, NOWHERE, 0.0, body=dome)
     builder.assembler.finish()
     model = spec.compile()
     data = mujoco.MjData(model)
@@ -160,7 +158,7 @@ def build_visual_scene(
             SceneObject("floor", None),
             SceneObject("ceiling", None),
             SceneObject("wall", None),
-            *(thing for thing, _, _, _ in things),
+            *(thing.object for thing in things),
             *(SceneObject("person" if m.is_person else "thing", m) for m in movables),
         ),
         np.array(builder.owners, dtype=np.int32),
@@ -198,45 +196,15 @@ class _Builder:
         centre: tuple[float, float],
         radius: float,
         *,
+        body: mujoco.MjsBody | None = None,
         transparent: bool | None = None,
     ) -> None:
-        count = self.assembler.add(placed, SHOWN_GROUP, transparent=transparent)
+        count = self.assembler.add(
+            placed, SHOWN_GROUP, body=body, transparent=transparent
+        )
         self.owners += [owner] * count
         self.centres += [centre] * count
         self.radii += [radius] * count
-
-
-_Thing = tuple[SceneObject, PlacedMeshes, tuple[float, float], float]
-
-
-def _things(site: Site, looks: Looks) -> list[_Thing]:
-    floor = site.walkable_floor
-    prepare(floor)
-    things: list[_Thing] = []
-    for door in site.doors:
-        solid = door_solid(door, site)
-        x, y, _ = solid.position
-        heading = solid.heading
-        ahead = Point(x + 0.2 * math.cos(heading), y + 0.2 * math.sin(heading))
-        if not floor.contains(ahead):
-            heading += math.pi
-        placed = PlacedMeshes(model_for_door(door).parts, x, y, 0.0, heading)
-        # An open leaf swings as far as the door is wide.
-        reach = door.line.length + 0.3
-        things.append((SceneObject("door", door), placed, (x, y), reach))
-    for landmark in site.landmarks:
-        solid = landmark_solid(landmark, site)
-        x, y, z = solid.position
-        placed = PlacedMeshes(
-            model_for_landmark(landmark, looks).parts,
-            x,
-            y,
-            z - solid.half_size[2],
-            solid.heading,
-        )
-        radius = math.hypot(solid.half_size[0], solid.half_size[1])
-        things.append((SceneObject("landmark", landmark), placed, (x, y), radius))
-    return things
 
 
 def _add_movables(
@@ -257,10 +225,11 @@ def _add_movables(
         body = world.add_body(name=each.id, mocap=True)
         before = builder.assembler.geom_count
         builder.add(
-            PlacedMeshes(model.parts, body=body),
+            PlacedMeshes(model.parts),
             first_owner + number,
             NOWHERE,
             math.hypot(each.size[0], each.size[1]) / 2,
+            body=body,
         )
         geoms.append(list(range(before, builder.assembler.geom_count)))
     return geoms
@@ -268,11 +237,11 @@ def _add_movables(
 
 def _add_shadow_of(builder: _Builder, movable: Movable) -> None:
     half_x, half_y = movable.size[1] / 2, movable.size[0] / 2
-    part = _shadow(half_x + SHADOW_MARGIN, half_y + SHADOW_MARGIN)
     name = _shadow_of(movable.id)
     body = builder.assembler.spec.worldbody.add_body(name=name, mocap=True)
     radius = math.hypot(half_x, half_y) + SHADOW_MARGIN
-    builder.add(PlacedMeshes((part,), body=body), FLOOR, NOWHERE, radius)
+    placed = PlacedMeshes((shadow(half_x, half_y),))
+    builder.add(placed, FLOOR, NOWHERE, radius, body=body)
 
 
 def _shadow_of(name: str) -> str:
@@ -286,32 +255,15 @@ def _add_decals(builder: _Builder, structure: Structure, site: Site) -> None:
         centre, radius = _circle(made.points)
         for kind, part in made.meshes():
             if kind == "decal":
-                builder.add(PlacedMeshes((part,), body=ground), FLOOR, centre, radius)
+                placed = PlacedMeshes((part,))
+                builder.add(placed, FLOOR, centre, radius, body=ground)
     for landmark in site.landmarks:
-        solid = landmark_solid(landmark, site)
-        x, y, z = solid.position
-        hx, hy, hz = solid.half_size
-        if landmark.mount != "floor" and z - hz > 0.3:
+        placed = shadow_under(landmark, site)
+        if placed is None:
             continue
-        part = _shadow(hx + SHADOW_MARGIN, hy + SHADOW_MARGIN)
+        hx, hy, _ = landmark_solid(landmark, site).half_size
         radius = math.hypot(hx + SHADOW_MARGIN, hy + SHADOW_MARGIN)
-        placed = PlacedMeshes((part,), x, y, SHADOW_HEIGHT, solid.heading, ground)
-        builder.add(placed, FLOOR, (x, y), radius)
-
-
-def _shadow(half_x: float, half_y: float) -> MeshPart:
-    mesh = MeshBuilder()
-    mesh.quad([
-        (-half_x, -half_y, 0.0),
-        (half_x, -half_y, 0.0),
-        (half_x, half_y, 0.0),
-        (-half_x, half_y, 0.0),
-    ])
-    return mesh.part(surfaces.blob_shadow())
-
-
-def _is_clear(part: MeshPart) -> bool:
-    return part.material.rgba[3] < OPAQUE_FROM
+        builder.add(placed, FLOOR, (placed.x, placed.y), radius, body=ground)
 
 
 def _circle(points: NDArray[np.float64]) -> tuple[tuple[float, float], float]:
