@@ -36,5 +36,7 @@ bash scripts/setup_graphics.sh || echo "setup: going on without graphics" >&2
 if [ -d /usr/share/sweethome3d/furniture ]; then
     "$venv/bin/memorymaze" sites models >/dev/null || echo "setup: going on without furniture models" >&2
 fi
-# Only the tests of reports need a browser.
+# Only tests of exported buildings need them.
+bash scripts/setup_node_packages.sh "$venv" || echo "setup: going on without node packages" >&2
+# Only tests of pages and of exported buildings need a browser.
 bash scripts/setup_browser.sh || echo "setup: going on without a browser" >&2

@@ -5,6 +5,7 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from memorymaze.cli.sites_export import add_export
 from memorymaze.cli.verbs import VerbParser, Verbs
 from memorymaze.wording import counted
 
@@ -33,6 +34,7 @@ def add_parser(verbs: Verbs) -> None:
     _add_check(parts)
     _add_draw(parts)
     _add_models(parts)
+    add_export(parts)
 
 
 def _add_list(verbs: Verbs) -> None:

@@ -1,0 +1,49 @@
+"""`memorymaze sites export`: a site in the format of another program."""
+
+import argparse
+from pathlib import Path
+
+from memorymaze.cli.verbs import Verbs
+
+
+def add_export(verbs: Verbs) -> None:
+    """Add the verb to the command line."""
+    parser = verbs.add_parser(
+        "export",
+        help="write a site in the format of another program",
+        description=(
+            "Write a building with its materials, textures, names and ids for another "
+            "program (docs/exporting.md), and print the file to open there first."
+        ),
+        epilog="example: memorymaze sites export museum_5f --to gltf --out museum_5f.glb",
+        options=_add_options,
+    )
+    parser.set_defaults(run=_export)
+
+
+def _add_options(parser: argparse.ArgumentParser) -> None:
+    from memorymaze.exporting import FORMATS
+
+    parser.add_argument(
+        "site",
+        metavar="FILE|NAME",
+        help="a plan, or a benchmark's site such as university",
+    )
+    parser.add_argument("--to", choices=FORMATS, required=True, help="the format")
+    parser.add_argument(
+        "--out",
+        metavar="PATH",
+        type=Path,
+        help="file or folder to make, which must not be there (default: the site's name "
+        "with what the format's files end in)",
+    )
+
+
+def _export(args: argparse.Namespace) -> int:
+    from memorymaze.exporting import ENDINGS, export_site
+    from memorymaze.sites import load_site
+
+    site = load_site(args.site)
+    out: Path = args.out or Path(f"{Path(site.source).stem}{ENDINGS[args.to]}")
+    print(export_site(site, args.to, out)[0])
+    return 0

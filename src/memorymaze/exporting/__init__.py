@@ -1,0 +1,46 @@
+"""Buildings for others' simulators: glTF and more, with the plan's names and ids.
+
+Holds one file per format, and the building as named meshes that they are made from. How
+things look is made in `pictures`; what comes in is `importing`.
+"""
+
+from collections.abc import Callable
+from importlib import import_module
+from pathlib import Path
+
+from memorymaze.errors import SettingsError, did_you_mean
+from memorymaze.sites.records import Site
+
+__all__ = ["ENDINGS", "FORMATS", "export_site"]
+
+ENDINGS = {"gltf": ".glb"}
+"""What the files of each format end in; a folder in the format's name."""
+FORMATS = tuple(ENDINGS)
+"""What a site can be exported to; each is a file of this room."""
+
+
+def export_site(site: Site, to: str, out: str | Path) -> list[Path]:
+    """Write a building in the format of another program.
+
+    Args:
+        site: A building that passed the checks of `memorymaze.sites`.
+        to: One of `FORMATS`.
+        out: File or folder to make, by the format; it must not exist.
+
+    Returns:
+        The files written, the one to open first.
+
+    Raises:
+        SettingsError: The format is unknown, needs a package that is not installed, or
+            there is something at `out` already.
+    """
+    if to not in FORMATS:
+        raise SettingsError(
+            f"--to: expected one of {', '.join(FORMATS)}; got {to!r}"
+            f"{did_you_mean(to, FORMATS)}"
+        )
+    out = Path(out)
+    out.parent.mkdir(parents=True, exist_ok=True)
+    module = import_module(f"memorymaze.exporting.{to}")
+    write: Callable[[Site, Path], list[Path]] = getattr(module, f"write_{to}")
+    return write(site, out)

@@ -1,0 +1,147 @@
+"""A building as meshes with the names of its plan, which every format is made from."""
+
+import json
+from collections import defaultdict
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import cast
+
+import numpy as np
+from shapely import Polygon
+
+from memorymaze.pictures.looks.assembly import MeshPart
+from memorymaze.pictures.looks.materials import Material
+from memorymaze.pictures.rendering.meshes import Kind
+from memorymaze.pictures.rendering.placed_things import (
+    PlacedMeshes,
+    placed_things,
+    shadow_under,
+)
+from memorymaze.pictures.rendering.structure import structure_of
+from memorymaze.sites.records import Site
+
+Attributes = Mapping[str, object]
+"""What the plan says of a feature, as JSON takes it; nothing stands for null."""
+WORDS: Mapping[Kind, str] = {
+    "floor": "floor",
+    "ceiling": "ceiling",
+    "wall": "wall",
+    "beyond": "beyond",
+    "decal": "shade",
+}
+"""Kinds of what is round a piece of floor."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class NamedMesh:
+    """A feature of the plan with its meshes, or a part of the building around it."""
+
+    name: str
+    """The feature's id, or, for what the plan has no feature for, that of the piece of
+    floor or the thing it belongs to with a word after a slash: `c_west/wall`."""
+    attributes: Attributes
+    """`id` and `kind`; of a feature its properties and its geometry as the plan has
+    them; of other parts `part_of`, the id of what they belong to."""
+    placed: PlacedMeshes
+    """Metres, z up, in the plan's frame; without any parts for what is only a place."""
+
+    @property
+    def kind(self) -> str:
+        """`corridor`, `door`, … as in plans, or `ceiling`, `wall`, `beyond`, `shade`."""
+        return str(self.attributes["kind"])
+
+    @property
+    def words(self) -> str:
+        """What it is, for a semantic label: a thing's category, else its kind."""
+        return str(self.attributes.get("category", self.kind)).lower()
+
+
+def named_meshes(site: Site) -> Iterator[NamedMesh]:
+    """Yield a building: floor with all around it, doors, things, and rooms as places.
+
+    Things look as this project's own code makes them, never as furniture models that
+    carry others' licences.
+    """
+    features = json.loads(site.plan)["features"]
+    attributes = {str(each["id"]): _attributes(each) for each in features}
+    yield from _structure(site, attributes)
+    for thing in placed_things(site, "own"):
+        record = thing.object.record
+        assert record is not None
+        yield NamedMesh(record.id, attributes[record.id], thing.meshes)
+    for landmark in site.landmarks:
+        shade = shadow_under(landmark, site)
+        if shade is not None:
+            yield _around(landmark.id, "decal", shade)
+    for room in site.rooms:
+        yield NamedMesh(room.id, attributes[room.id], _place(room.polygon))
+
+
+def plan_members(site: Site) -> Attributes:
+    """Return what a plan says beside features that have a place: members, routes."""
+    plan = json.loads(site.plan)
+    features = plan.pop("features")
+    routes = [
+        _attributes(each) for each in features if each["properties"]["kind"] == "route"
+    ]
+    return _without_null({**plan, "type": None, "routes": routes or None})
+
+
+def _structure(site: Site, attributes: Mapping[str, Attributes]) -> Iterator[NamedMesh]:
+    found: dict[tuple[str, Kind], list[MeshPart]] = defaultdict(list)
+    for made in structure_of(site).slices:
+        for kind, part in made.meshes():
+            found[made.part_of, kind].append(part)
+    for feature in (*site.corridors, *site.areas, *site.turning_points):
+        floor = found.pop((feature.id, "floor"), None)
+        # Another feature may cover all of its floor: then it is a place only.
+        placed = _on_the_plan(floor) if floor else _place(feature.polygon)
+        yield NamedMesh(feature.id, attributes[feature.id], placed)
+    for (feature, kind), parts in found.items():
+        yield _around(feature, kind, _on_the_plan(parts))
+
+
+def _around(feature: str, kind: Kind, placed: PlacedMeshes) -> NamedMesh:
+    word = WORDS[kind]
+    name = f"{feature}/{word}"
+    return NamedMesh(name, {"id": name, "kind": word, "part_of": feature}, placed)
+
+
+def _place(polygon: Polygon) -> PlacedMeshes:
+    place = polygon.representative_point()
+    return PlacedMeshes((), place.x, place.y)
+
+
+def _on_the_plan(parts: Sequence[MeshPart]) -> PlacedMeshes:
+    """Join the parts of each material; their vertices are in the plan's frame."""
+    by_material: dict[Material, list[MeshPart]] = defaultdict(list)
+    for part in parts:
+        by_material[part.material].append(part)
+    return PlacedMeshes([_joined(each) for each in by_material.values()])
+
+
+def _joined(parts: Sequence[MeshPart]) -> MeshPart:
+    starts = np.cumsum([0, *(len(part.vertices) for part in parts)])
+    return MeshPart(
+        np.concatenate([part.vertices for part in parts]),
+        np.concatenate([
+            part.faces + np.int32(start)
+            for part, start in zip(parts, starts, strict=False)
+        ]),
+        np.concatenate([part.normals for part in parts if part.normals is not None]),
+        np.concatenate([part.uv for part in parts if part.uv is not None]),
+        parts[0].material,
+    )
+
+
+def _attributes(feature: Attributes) -> Attributes:
+    properties = cast(Attributes, feature["properties"])
+    return _without_null({
+        "id": feature["id"],
+        **properties,
+        "geometry": feature["geometry"],
+    })
+
+
+def _without_null(members: Attributes) -> Attributes:
+    return {name: value for name, value in members.items() if value is not None}
