@@ -23,22 +23,16 @@ from memorymaze.agents.guide.alignments import (
 from memorymaze.agents.guide.likelihoods import (
     Likelihoods,
     Weights,
-    junction_ratio,
-    length_ratio,
-    length_to_come,
-    ordinal_ratio,
-    ordinal_to_come,
-    passings_ratio,
     then,
-    untold_length,
     way_ratio,
 )
+from memorymaze.agents.guide.said_of_legs import SaidOfLegs
 from memorymaze.agents.guide.things import Things
 from memorymaze.agents.walking.choices import BACK, SLIGHT, Choices, choices_at
 from memorymaze.agents.walking.floor_map import FloorMap, Stretch
 from memorymaze.agents.walking.outlooks import faces, length_of
 from memorymaze.geometry.pose import wrap_angle
-from memorymaze.routes import Leg, Length, RoutePlan
+from memorymaze.routes import RoutePlan
 
 LEAST_WEIGHT = 1e-4
 """Share of the heaviest alignment below which one is not followed."""
@@ -75,6 +69,10 @@ class Belief:
     visits: list[Visit] = field(default_factory=list[Visit])
     start: int = 0
     """Crossing where the walk began."""
+
+    def __post_init__(self) -> None:
+        """Hold what was said of the legs together."""
+        self._said = SaidOfLegs(self.plan, self.model, self.things)
 
     def update(self, starts: list[Start]) -> None:
         """Sum all alignments anew, from all ways to begin.
@@ -189,7 +187,7 @@ class Belief:
         stretch = self.floor.stretches.get((segment.at, exit))
         if stretch is None:
             if exit not in self.floor.crossings[segment.at].closed:
-                self._reach(segment, exit, self._to_come(segment, exit))
+                self._reach(segment, exit, self._said.to_come(segment, exit))
             return
         self._followed += 1
         if segment.places >= MOST_PLACES or self._followed > MOST_ALIGNMENTS:
@@ -277,7 +275,7 @@ class Belief:
 
     def _plain_turn_fits(self, segment: Segment, choices: Choices) -> bool:
         """Tell whether a turn about which nothing else was said could be here."""
-        leg = self._leg(segment)
+        leg = self._said.leg_of(segment)
         if leg is None or leg.turn.way not in {"left", "right"}:
             return False
         turn = leg.turn
@@ -301,7 +299,7 @@ class Belief:
             if self._is_light(weights):
                 return
             leg = self.plan.legs[number]
-            here = self._at_place(segment, number, weights, lead, choices)
+            here = self._said.at_place(segment, number, weights, lead, choices)
             if not self._is_light(here):
                 base = replace(segment, weights=here, story=story, slips=slips)
                 self._take(base, number, choices)
@@ -381,86 +379,9 @@ class Belief:
                 telling=self.telling,
             )
             self._add(done, index)
-            following = self._leg(done)
+            following = self._said.leg_of(done)
             if anew and following is not None and following.on_the_spot:
                 self._turn(done, self._choices(segment.at, done.heading))
-
-    def _at_place(
-        self,
-        segment: Segment,
-        number: int,
-        weights: Weights,
-        lead: float,
-        choices: Choices,
-    ) -> Weights:
-        """Weigh all that was said of where a turn is against a crossing."""
-        model = self.model
-        leg = self.plan.legs[number]
-        turn = leg.turn
-        junction = len(choices.ways) > 1
-        junctions = segment.junctions + junction
-        on_side = self._on_side(segment, leg) + 1
-        fine: float | Weights = junction_ratio(model, turn, choices)
-        fine = fine * ordinal_ratio(model, turn, on_side, junctions, choices)
-        fine = fine * passings_ratio(
-            model, leg.passings, segment.left, segment.right, segment.junctions
-        )
-        length = _with_lead(length_of(leg), lead)
-        if length is not None and segment.walked:
-            fine = fine * length_ratio(
-                model, length, segment.walked, segment.places, junctions
-            )
-        elif length is None:
-            fine = fine * untold_length(model, segment.walked)
-        if not leg.on_the_spot and not segment.walked:
-            fine = fine * 0.13
-        right = weights * (1 - model.wrong_place) * fine
-        after = self.things.weigh(
-            right,
-            number,
-            segment.line,
-            segment.asked or frozenset(),
-            self.floor.crossings[segment.at].place,
-            segment.at,
-        )
-        after[1] += model.wrong_place * (weights[0] + model.again * weights[1])
-        return after
-
-    def _to_come(self, segment: Segment, exit: int) -> Weights:
-        """Weigh what was said of the present leg against its going on beyond here."""
-        leg = self._leg(segment)
-        ahead = self.things.ahead(segment.leg, segment.line, segment.at, exit)
-        weights = segment.weights * ahead
-        if leg is None:
-            length = self.plan.arrival.length
-            if length is None:
-                return weights * untold_length(self.model, segment.walked)
-            ratio = length_to_come(self.model, length, segment.walked, segment.places)
-            return weights * np.sqrt(ratio)
-        ratio = np.ones(weights.shape[1])
-        length = length_of(leg)
-        if length is None:
-            ratio = ratio * untold_length(self.model, segment.walked)
-        if length is not None:
-            ratio = ratio * length_to_come(
-                self.model, length, segment.walked, segment.places
-            )
-        ratio = ratio * ordinal_to_come(
-            self.model, leg.turn, self._on_side(segment, leg), segment.junctions
-        )
-        ratio = ratio * self.things.so_far(segment.leg, segment.line)
-        ratio = ratio * min(
-            passings_ratio(
-                self.model,
-                leg.passings,
-                segment.left,
-                segment.right,
-                segment.junctions,
-                going_on=True,
-            ),
-            1.0,
-        )
-        return weights * np.maximum(ratio, self.model.wrong_place)
 
     def _hint(self, at: int, exit: int, ways: int) -> float:
         """Weigh a way out against the signs that point to the destination there."""
@@ -497,16 +418,6 @@ class Belief:
             if index not in crossing.closed:
                 yield index, wrap_angle(heading - segment.heading)
 
-    def _on_side(self, segment: Segment, leg: Leg) -> int:
-        way = leg.turn.way
-        if way.endswith("left"):
-            return segment.left
-        return segment.right if way.endswith("right") else segment.junctions
-
-    def _leg(self, segment: Segment) -> Leg | None:
-        legs = self.plan.legs
-        return legs[segment.leg] if segment.leg < len(legs) else None
-
 
 def _summed(segments: list[Segment]) -> list[Segment]:
     """Sum the alignments of a way out that differ in nothing but how they came there."""
@@ -517,10 +428,3 @@ def _summed(segments: list[Segment]) -> list[Segment]:
     heaviest = max(begun, key=lambda each: each.weights.sum())
     weights = np.sum([each.weights for each in begun], axis=0)
     return [replace(heaviest, weights=weights), *others]
-
-
-def _with_lead(length: Length | None, lead: float) -> Length | None:
-    """Add the length of legs that were left out."""
-    if length is None or not lead or length.unit == "places":
-        return length
-    return replace(length, metres=length.metres + lead)

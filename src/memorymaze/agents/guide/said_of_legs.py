@@ -1,0 +1,127 @@
+"""What was said of a leg, weighed against where its turn may be and how far it may go on."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from memorymaze.agents.guide.alignments import Segment
+from memorymaze.agents.guide.likelihoods import (
+    Likelihoods,
+    Weights,
+    junction_ratio,
+    length_ratio,
+    length_to_come,
+    ordinal_ratio,
+    ordinal_to_come,
+    passings_ratio,
+    untold_length,
+)
+from memorymaze.agents.guide.things import Things
+from memorymaze.agents.walking.choices import Choices
+from memorymaze.agents.walking.outlooks import length_of
+from memorymaze.routes import Leg, Length, RoutePlan
+
+
+@dataclass(frozen=True, slots=True)
+class SaidOfLegs:
+    """Lengths, counts, junctions and things that were said of the legs of a plan."""
+
+    plan: RoutePlan
+    model: Likelihoods
+    things: Things
+
+    def leg_of(self, segment: Segment) -> Leg | None:
+        """Return the leg that a segment is in; None on the way to the destination."""
+        legs = self.plan.legs
+        return legs[segment.leg] if segment.leg < len(legs) else None
+
+    def at_place(
+        self,
+        segment: Segment,
+        number: int,
+        weights: Weights,
+        lead: float,
+        choices: Choices,
+    ) -> Weights:
+        """Weigh all that was said of where a turn is against a crossing."""
+        model = self.model
+        leg = self.plan.legs[number]
+        turn = leg.turn
+        junction = len(choices.ways) > 1
+        junctions = segment.junctions + junction
+        on_side = _on_side(segment, leg) + 1
+        fine: float | Weights = junction_ratio(model, turn, choices)
+        fine = fine * ordinal_ratio(model, turn, on_side, junctions, choices)
+        fine = fine * passings_ratio(
+            model, leg.passings, segment.left, segment.right, segment.junctions
+        )
+        length = _with_lead(length_of(leg), lead)
+        if length is not None and segment.walked:
+            fine = fine * length_ratio(
+                model, length, segment.walked, segment.places, junctions
+            )
+        elif length is None:
+            fine = fine * untold_length(model, segment.walked)
+        if not leg.on_the_spot and not segment.walked:
+            fine = fine * 0.13
+        right = weights * (1 - model.wrong_place) * fine
+        after = self.things.weigh(
+            right,
+            number,
+            segment.line,
+            segment.asked or frozenset(),
+            segment.line[-1],
+            segment.at,
+        )
+        after[1] += model.wrong_place * (weights[0] + model.again * weights[1])
+        return after
+
+    def to_come(self, segment: Segment, exit: int) -> Weights:
+        """Weigh what was said of the present leg against its going on beyond here."""
+        leg = self.leg_of(segment)
+        ahead = self.things.ahead(segment.leg, segment.line, segment.at, exit)
+        weights = segment.weights * ahead
+        if leg is None:
+            length = self.plan.arrival.length
+            if length is None:
+                return weights * untold_length(self.model, segment.walked)
+            ratio = length_to_come(self.model, length, segment.walked, segment.places)
+            return weights * np.sqrt(ratio)
+        ratio = np.ones(weights.shape[1])
+        length = length_of(leg)
+        if length is None:
+            ratio = ratio * untold_length(self.model, segment.walked)
+        if length is not None:
+            ratio = ratio * length_to_come(
+                self.model, length, segment.walked, segment.places
+            )
+        ratio = ratio * ordinal_to_come(
+            self.model, leg.turn, _on_side(segment, leg), segment.junctions
+        )
+        ratio = ratio * self.things.so_far(segment.leg, segment.line)
+        ratio = ratio * min(
+            passings_ratio(
+                self.model,
+                leg.passings,
+                segment.left,
+                segment.right,
+                segment.junctions,
+                going_on=True,
+            ),
+            1.0,
+        )
+        return weights * np.maximum(ratio, self.model.wrong_place)
+
+
+def _on_side(segment: Segment, leg: Leg) -> int:
+    way = leg.turn.way
+    if way.endswith("left"):
+        return segment.left
+    return segment.right if way.endswith("right") else segment.junctions
+
+
+def _with_lead(length: Length | None, lead: float) -> Length | None:
+    """Add the length of legs that were left out."""
+    if length is None or not lead or length.unit == "places":
+        return length
+    return replace(length, metres=length.metres + lead)
