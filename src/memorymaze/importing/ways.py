@@ -1,0 +1,245 @@
+"""Centre lines made into the floor of a plan: corridors, turning points, open areas.
+
+What comes out keeps the rules of the floor (`sites/floor_rules.py`): what would break one
+is made smaller or left to an area, and told.
+"""
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import cast
+
+import shapely
+from shapely import LineString, MultiPolygon, Polygon
+
+from memorymaze.errors import ImportFileError
+from memorymaze.geometry.pose import heading_to
+from memorymaze.importing.corridors import PlannedCorridor, corridors_along
+from memorymaze.importing.imported import CentreLine, ImportNotes
+from memorymaze.importing.junctions import Junction, junctions_of, shape_of, ways_out
+from memorymaze.importing.line_graph import Leg, legs_of, nodes_of
+from memorymaze.importing.shapes import moved, polygons
+from memorymaze.sites.plan_writing import Feature, degrees, polygon_feature
+from memorymaze.sites.records import floor_pieces
+from memorymaze.wording import counted
+
+FLOOR_MATERIAL, WALL_MATERIAL = "linoleum", "plaster"
+SMALLEST_FLOOR = 1.0
+"""Square metres of the smallest floor."""
+SMALLEST_PIECE = 0.1
+"""Square metres of the smallest area that is left beside corridors."""
+SEAM = 0.03
+"""Metres by half of the widest strip beside corridors that is left out of the floor."""
+PATCH = 0.1
+"""Metres that a piece that closes a hole reaches under the parts around it."""
+SMALLEST_HOLE = 0.06
+"""Square metres of the smallest block that one walks around."""
+
+
+@dataclass(frozen=True, slots=True)
+class OpenArea:
+    """Floor that is no corridor."""
+
+    polygon: Polygon
+    name: str | None
+    open_air: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class PlannedFloor:
+    """The walkable floor of a plan."""
+
+    features: tuple[Feature, ...]
+    """Corridors, areas and turning points."""
+    polygon: Polygon
+    """Their union, as rules and robots see it."""
+
+
+def plan_floor(
+    lines: Sequence[CentreLine],
+    notes: ImportNotes,
+    floor: Polygon | MultiPolygon | None = None,
+    areas: Sequence[OpenArea] = (),
+) -> PlannedFloor:
+    """Return corridors along lines, turning points between them, and areas elsewhere.
+
+    `floor` is where one can walk, beside the areas; without it, it is what the lines'
+    widths cover. Where it is in pieces, all but the largest are left out and told.
+    """
+    walkable = _walkable(lines, floor, areas, notes)
+    opened = [
+        OpenArea(part, area.name, area.open_air)
+        for area in areas
+        for part in polygons(area.polygon.intersection(walkable))
+        if part.area > SMALLEST_PIECE
+    ]
+    legs = [part for leg in legs_of(lines) for part in _cut_at_areas(leg, opened)]
+    across = {leg for leg in legs if _crosses(leg, opened)}
+    inner = shapely.union_all([area.polygon.buffer(-2 * SEAM) for area in opened])
+    between = cast(Polygon | MultiPolygon, walkable.difference(inner))
+    outside = [leg for leg in legs if leg not in across]
+    corridors = list(corridors_along(outside, between, nodes_of(legs)))
+    junctions = junctions_of(legs, walkable, across, notes)
+    taken = [each.polygon for each in (*opened, *corridors, *junctions)]
+    opened += [OpenArea(part, None) for part in _rest(walkable, taken)]
+    return _planned(corridors, opened, junctions, notes)
+
+
+def _walkable(
+    lines: Sequence[CentreLine],
+    floor: Polygon | MultiPolygon | None,
+    areas: Sequence[OpenArea],
+    notes: ImportNotes,
+) -> Polygon:
+    """Return the floor to be covered, in one piece."""
+    given = [floor] if floor is not None else list(_widened(lines))
+    parts = [
+        part
+        for each in (*given, *(area.polygon for area in areas))
+        for part in polygons(each)
+    ]
+    pieces = polygons(shapely.union_all(parts))
+    if not pieces or pieces[0].area < SMALLEST_FLOOR:
+        raise ImportFileError("expected some floor to walk on, got none")
+    for piece in pieces[1:]:
+        if piece.area >= SMALLEST_PIECE:
+            where = piece.representative_point()
+            notes.missing.append(
+                f"{piece.area:.1f} m² of floor at ({where.x:.1f}, {where.y:.1f}): it "
+                "does not hang together with the rest"
+            )
+    holes = [hole for hole in pieces[0].interiors if Polygon(hole).area > SMALLEST_HOLE]
+    return polygons(Polygon(pieces[0].exterior, holes))[0]
+
+
+def _widened(lines: Sequence[CentreLine]) -> Iterator[Polygon]:
+    """Yield what the lines' widths cover, square where they meet."""
+    legs = legs_of(lines)
+    nodes = nodes_of(legs)
+    for leg in legs:
+        points = list(leg.points)
+        for end, node in zip((0, -1), leg.ends, strict=True):
+            others = [each.width for each in nodes[node] if each is not leg]
+            if others:
+                outward = heading_to(leg.points_from(node)[1], node)
+                points[end] = moved(node, outward, max(others) / 2)
+        yield LineString(points).buffer(
+            leg.width / 2, cap_style="flat", join_style="mitre"
+        )
+
+
+def _cut_at_areas(leg: Leg, areas: Sequence[OpenArea]) -> Iterator[Leg]:
+    """Yield a leg's parts outside and inside open areas."""
+    parts = [LineString(leg.points)]
+    for area in areas:
+        parts = [
+            piece
+            for part in parts
+            for cut in (part.difference(area.polygon), part.intersection(area.polygon))
+            for piece in shapely.get_parts(cut).tolist()
+            if isinstance(piece, LineString)
+        ]
+    for part in parts:
+        rounded = [(round(x, 3), round(y, 3)) for x, y in part.coords]
+        steps = [rounded[0], *(b for a, b in pairwise(rounded) if a != b)]
+        if len(steps) > 1:
+            yield Leg(tuple(steps), leg.width, leg.name)
+
+
+def _crosses(leg: Leg, areas: Sequence[OpenArea]) -> bool:
+    """Tell whether a leg lies in an open area."""
+    middle = LineString(leg.points).interpolate(0.5, normalized=True)
+    return any(area.polygon.covers(middle) for area in areas)
+
+
+def _rest(floor: Polygon, taken: Sequence[Polygon]) -> list[Polygon]:
+    """Return the floor that nothing covers yet, reaching a little under the rest."""
+    left = floor.difference(shapely.union_all(list(taken)))
+    wide = left.buffer(-SEAM, join_style="mitre")
+    wider = wide.buffer(2 * SEAM, join_style="mitre", mitre_limit=2.0)
+    return [
+        part
+        for part in polygons(wider.intersection(floor))
+        if part.area > SMALLEST_PIECE
+    ]
+
+
+def _exact(parts: Iterable[Polygon]) -> Polygon | MultiPolygon:
+    """Return the union as `sites check` sees it first, with seams of 2 micrometres."""
+    eased = [part.buffer(1e-6, join_style="mitre") for part in parts]
+    return cast(Polygon | MultiPolygon, shapely.union_all(eased))
+
+
+def _patches(parts: Sequence[Polygon]) -> list[Polygon]:
+    """Return pieces that close the small holes between parts."""
+    return [
+        patch
+        for piece in polygons(_exact(parts))
+        for hole in piece.interiors
+        if Polygon(hole).area < SMALLEST_HOLE
+        for patch in polygons(Polygon(hole).buffer(PATCH, join_style="mitre"))
+    ]
+
+
+def _planned(
+    corridors: Sequence[PlannedCorridor],
+    areas: Sequence[OpenArea],
+    junctions: Sequence[Junction],
+    notes: ImportNotes,
+) -> PlannedFloor:
+    """Return the parts as features, with the seams between them closed."""
+    parts = [each.polygon for each in (*corridors, *areas, *junctions)]
+    areas = [*areas, *(OpenArea(patch, None) for patch in _patches(parts))]
+    exact = _exact([*parts, *(area.polygon for area in areas)])
+    while True:
+        shapes = {
+            **{f"corridor_{n}": part.polygon for n, part in enumerate(corridors, 1)},
+            **{f"area_{n}": part.polygon for n, part in enumerate(areas, 1)},
+            **{f"tp_{n}": part.polygon for n, part in enumerate(junctions, 1)},
+        }
+        ways = [ways_out(each, exact, shapes) for each in junctions]
+        # A turning point without a way out is floor all the same.
+        blind = [each for each, out in zip(junctions, ways, strict=True) if not out]
+        if not blind:
+            break
+        areas += [OpenArea(each.polygon, None) for each in blind]
+        junctions = [each for each in junctions if each not in blind]
+    features = [
+        _floor_feature(f"corridor_{number}", "corridor", corridor)
+        for number, corridor in enumerate(corridors, 1)
+    ]
+    features += [
+        _floor_feature(f"area_{number}", "area", area, open_air=area.open_air)
+        for number, area in enumerate(areas, 1)
+    ]
+    features += [
+        polygon_feature(
+            f"tp_{number}",
+            "turning_point",
+            junction.polygon,
+            name=None,
+            shape=shape_of(junction, out),
+            exits=[{"to": way.to, "heading_deg": degrees(way.heading)} for way in out],
+        )
+        for number, (junction, out) in enumerate(zip(junctions, ways, strict=True), 1)
+    ]
+    floor = floor_pieces(list(shapes.values()))[0]
+    notes.took.append(
+        f"{floor.area:.0f} m² of floor: {counted(len(corridors), 'corridor')}, "
+        f"{counted(len(junctions), 'turning point')}, {counted(len(areas), 'open area')}"
+    )
+    return PlannedFloor(tuple(features), floor)
+
+
+def _floor_feature(
+    identity: str, kind: str, part: PlannedCorridor | OpenArea, **properties: object
+) -> Feature:
+    return polygon_feature(
+        identity,
+        kind,
+        part.polygon,
+        name=part.name,
+        floor_material=FLOOR_MATERIAL,
+        wall_material=WALL_MATERIAL,
+        **properties,
+    )

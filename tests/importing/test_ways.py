@@ -1,0 +1,129 @@
+import math
+
+import pytest
+from shapely import box, union_all
+
+from memorymaze.construction import make_building
+from memorymaze.errors import ImportFileError
+from memorymaze.importing.centre_lines import centre_lines
+from memorymaze.importing.imported import CentreLine, ImportNotes
+from memorymaze.importing.ways import OpenArea, plan_floor
+from memorymaze.sites import check_site, load_site
+from memorymaze.sites.plan_writing import plan_bytes
+
+
+@pytest.fixture
+def planned(tmp_path):
+    """Make a site of lines, and see that it breaks no rule that is an error."""
+
+    def plan(lines, floor=None, areas=()):
+        notes = ImportNotes()
+        made = plan_floor(lines, notes, floor, areas)
+        path = tmp_path / "floor.geojson"
+        header = {
+            "name": "floor", "title": "Floor", "floor": "1", "ceiling_height_m": 2.8,
+            "anchor": None, "description": "",
+        }  # fmt: skip
+        path.write_bytes(plan_bytes(header, made.features))
+        wrong = [each for each in check_site(path) if each.severity == "error"]
+        assert wrong == []
+        return load_site(path), notes
+
+    return plan
+
+
+def line(*points, width=2.0, name=None):
+    return CentreLine(points, width, name)
+
+
+def shapes(site):
+    return sorted(point.shape for point in site.turning_points)
+
+
+def test_two_lines_that_meet_at_a_corner_are_two_corridors_and_a_turning_point(planned):
+    site, _ = planned([line((0, 0), (10, 0)), line((10, 0), (10, 8), name="Lane")])
+    assert [round(each.width, 2) for each in site.corridors] == [2.0, 2.0]
+    assert {each.name for each in site.corridors} == {None, "Lane"}
+    (corner,) = site.turning_points
+    assert corner.shape == "corner"
+    headings = [round(math.degrees(way.heading)) for way in corner.exits]
+    assert sorted(headings) == [90, 180]
+    assert (
+        site.walkable_floor.equals_exact(
+            union_all([box(0, -1, 11, 1), box(9, -1, 11, 8)]).normalize(), 0.02
+        )
+        or site.walkable_floor.symmetric_difference(
+            union_all([box(0, -1, 11, 1), box(9, -1, 11, 8)])
+        ).area
+        < 0.05
+    )
+
+
+def test_lines_that_cross_meet_though_neither_has_a_point_there(planned):
+    site, _ = planned([line((-10, 0), (10, 0)), line((0, -8), (0, 8))])
+    assert shapes(site) == ["crossing"]
+
+
+def test_a_line_that_ends_just_short_of_another_meets_it(planned):
+    site, _ = planned([line((-10, 0), (10, 0)), line((0, 0.2), (0, 8))])
+    assert shapes(site) == ["t_junction"]
+
+
+def test_a_bend_below_fifteen_degrees_is_no_turning_point(planned):
+    site, _ = planned([line((0, 0), (10, 0), (20, 2.5))])
+    assert (len(site.corridors), shapes(site)) == (2, [])
+
+
+def test_two_junctions_close_together_are_one_turning_point(planned):
+    site, _ = planned([
+        line((-10, 0), (10, 0)), line((0, 0), (0, 8)), line((0.8, 0), (0.8, -8)),
+    ])  # fmt: skip
+    assert shapes(site) == ["crossing"]
+
+
+def test_a_line_into_an_open_area_ends_at_an_opening(planned):
+    hall = OpenArea(box(10, -6, 22, 6), "Hall")
+    site, _ = planned([line((0, 0), (10, 0))], areas=[hall])
+    assert [each.name for each in site.areas] == ["Hall"]
+    assert shapes(site) == ["opening"]
+    (opening,) = site.turning_points
+    assert {way.to for way in opening.exits} == {"corridor_1", "area_1"}
+
+
+def test_floor_that_does_not_hang_together_is_left_out_and_told(planned):
+    site, notes = planned([line((0, 0), (20, 0)), line((0, 10), (8, 10))])
+    assert site.walkable_floor.bounds[3] == pytest.approx(1.0)
+    assert notes.missing == [
+        "16.0 m² of floor at (4.0, 10.0): it does not hang together with the rest"
+    ]
+
+
+def test_a_block_within_the_floor_stays_one(planned):
+    around = box(0, 0, 20, 20) - box(3, 3, 17, 17)
+    site, _ = planned(centre_lines(around), around)
+    assert len(site.walkable_floor.interiors) == 1
+    assert shapes(site) == ["corner"] * 4
+
+
+def test_no_floor_at_all_is_an_error():
+    with pytest.raises(ImportFileError, match="expected some floor to walk on"):
+        plan_floor([], ImportNotes())
+
+
+@pytest.mark.parametrize("name", ["university", "museum_5f", "museum_7f"])
+def test_a_floor_of_the_benchmark_comes_back_from_its_outline(
+    name, builtin_sites, planned
+):
+    floor = builtin_sites[name].walkable_floor
+    site, _ = planned(centre_lines(floor), floor)
+    assert site.walkable_floor.symmetric_difference(floor).area < 0.005 * floor.area
+    assert len(site.turning_points) >= 0.7 * len(builtin_sites[name].turning_points)
+
+
+@pytest.mark.parametrize("kind", ["hospital", "museum", "airport"])
+def test_a_made_floor_comes_back_from_its_outline(kind, planned, tmp_path):
+    original = tmp_path / "original.geojson"
+    original.write_bytes(make_building(kind, 11).plan)
+    floor = load_site(original).walkable_floor
+    site, _ = planned(centre_lines(floor), floor)
+    assert site.walkable_floor.symmetric_difference(floor).area < 0.005 * floor.area
