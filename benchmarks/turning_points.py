@@ -24,12 +24,12 @@ from memorymaze.geometry.pose import Pose, turn_between
 from memorymaze.perception.turning_points import TurningPointFinder
 from memorymaze.robot.api import Direction
 from memorymaze.simulation import SimulatedRobot, build_scene
-from memorymaze.simulation.motion.commands import direction_of
 from memorymaze.simulation.senses.lidar import Lidar, LidarSettings
 from memorymaze.simulation.senses.odometry import Odometry, OdometrySettings
 from memorymaze.simulation.senses.turning_points import AnnotatedTurningPoints
 from memorymaze.sites import BUILTIN_SITE_NAMES, Site, load_site
 from memorymaze.sites.records import Route
+from memorymaze.steering.commands import direction_of
 
 NEAR = 1.5
 """Metres between a sensed turning point and the area of the annotated one."""

@@ -17,9 +17,9 @@ from memorymaze.geometry.pose import Pose, turn_between
 from memorymaze.perception.matching import points_elsewhere
 from memorymaze.robot.api import DIRECTIONS, Robot
 from memorymaze.simulation import Scene, SimulatedRobot, build_scene
-from memorymaze.simulation.motion.commands import direction_of, exit_meant
 from memorymaze.sites import Site, load_site
 from memorymaze.sites.records import Route
+from memorymaze.steering.commands import direction_of, exit_meant
 
 PutRobot = Callable[..., SimulatedRobot]
 Scenes = dict[str, Scene]

@@ -3,8 +3,9 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Literal, Protocol
+from typing import Literal, NoReturn, Protocol
 
+from memorymaze.errors import DetectorError
 from memorymaze.geometry.pose import Pose
 from memorymaze.robot.steps import CameraPicture
 
@@ -96,6 +97,44 @@ class CameraView(Protocol):
             RenderingError: This machine cannot draw; says what to install.
         """
         ...
+
+
+class Draw(Protocol):
+    """Draws or takes a picture of what the camera sees from where the robot is."""
+
+    def __call__(self, width: int, height: int, horizontal_fov: float) -> CameraPicture:
+        """Return the picture."""
+        ...
+
+
+class PictureView:
+    """One look of a camera of which there is nothing but pictures."""
+
+    def __init__(self, pose: Pose, take: Draw) -> None:
+        """Look from a pose, by the robot's odometry."""
+        self.pose = pose
+        """See `CameraView.pose`."""
+        self._take = take
+
+    def picture(
+        self, width: int = 640, height: int = 480, horizontal_fov: float = math.pi / 2
+    ) -> CameraPicture:
+        """See `CameraView.picture`."""
+        return self._take(width, height, horizontal_fov)
+
+    def visible_objects(self, range_limit: float) -> NoReturn:
+        """Refuse to tell."""
+        raise DetectorError(
+            "expected a detector that looks at pictures, such as PictureDetector; this one "
+            "wants to be told what is seen, which only a simulation can"
+        )
+
+    def visible_texts(self, range_limit: float) -> NoReturn:
+        """Refuse to tell."""
+        raise DetectorError(
+            "expected a reader that looks at pictures, such as PictureSignReader; this one "
+            "wants to be told what is written, which only a simulation can"
+        )
 
 
 def bearing_of(box: Box, width: int) -> float:

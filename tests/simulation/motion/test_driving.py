@@ -12,18 +12,22 @@ from memorymaze.simulation import (
     SimulationSettings,
     build_scene,
 )
-from memorymaze.simulation.motion.driving import Driver
+from memorymaze.simulation.body import SimulatedBody
+from memorymaze.simulation.plan_floor import PlanFloor
+from memorymaze.simulation.senses.turning_points import AnnotatedTurningPoints
+from memorymaze.steering.driving import Driver
 
 PutRobot = Callable[..., SimulatedRobot]
 
 
-def driver_at(scene: Scene, x: float, y: float, degrees: float = 0.0) -> Driver:
-    return Driver(
-        scene,
-        Pose(x, y, math.radians(degrees)),
-        SimulationSettings(),
-        np.random.default_rng(0),
-    )
+def driver_at(
+    scene: Scene, x: float, y: float, degrees: float = 0.0
+) -> tuple[SimulatedBody, Driver]:
+    settings = SimulationSettings()
+    start = Pose(x, y, math.radians(degrees))
+    body = SimulatedBody(scene, start, settings, np.random.default_rng(0))
+    floor = PlanFloor(body, AnnotatedTurningPoints(scene))
+    return body, Driver(body, floor, settings)
 
 
 def push(driver: Driver, seconds: float, speed: float = 0.5) -> None:
@@ -37,10 +41,10 @@ def test_walls_and_obstacles_stop_the_robot_for_real(plans: Any) -> None:
         plans.thing("crate", 5, 0, size=(1.0, 0.6, 0.3)),
     )
     scene = build_scene(site)
-    against_crate = driver_at(scene, 3, 0)
+    _, against_crate = driver_at(scene, 3, 0)
     push(against_crate, 10)
     assert against_crate.pose.x == pytest.approx(4.7 - 0.25, abs=0.03)
-    against_wall = driver_at(scene, 8, 0)
+    _, against_wall = driver_at(scene, 8, 0)
     push(against_wall, 10)
     assert against_wall.pose.x == pytest.approx(9.75, abs=0.03)
 
@@ -50,22 +54,22 @@ def test_pushing_against_a_thing_is_one_collision_with_it(plans: Any) -> None:
         plans.corridor("way", 0, -1, 10, 1),
         plans.thing("crate", 5, 0, size=(1.0, 0.6, 1.0)),
     )
-    driver = driver_at(build_scene(site), 3, 0)
+    body, driver = driver_at(build_scene(site), 3, 0)
     push(driver, 8)
-    (collision,) = driver.collisions
+    (collision,) = body.collisions
     assert (collision.kind, collision.object_id) == ("landmark", "crate")
     assert collision.pose.x == pytest.approx(4.45, abs=0.05)
     push(driver, 4, speed=-0.5)
     push(driver, 8)
-    assert len(driver.collisions) == 2
+    assert len(body.collisions) == 2
 
 
 def test_the_robot_stays_upright_and_on_the_floor(scenes: dict[str, Scene]) -> None:
-    driver = driver_at(scenes["corridor"], 2, 0.3)
+    body, driver = driver_at(scenes["corridor"], 2, 0.3)
     rng = np.random.default_rng(5)
     for _ in range(600):
         driver.tick(float(rng.uniform(-1, 1)), float(rng.uniform(-2, 2)), 0.0)
-        z, w, i, j = driver.base.data.qpos[[2, 3, 4, 5]].tolist()
+        z, w, i, j = body.base.data.qpos[[2, 3, 4, 5]].tolist()
         assert abs(z) < 0.01
         assert math.hypot(i, j) < 0.02 + 0 * w
 
@@ -83,21 +87,21 @@ def test_speed_and_acceleration_keep_their_limits(
 
 
 def test_turning_on_the_spot_stays_on_the_spot(scenes: dict[str, Scene]) -> None:
-    driver = driver_at(scenes["corridor"], 2, 0)
+    _, driver = driver_at(scenes["corridor"], 2, 0)
     driver.spin_to(2.5)
     assert driver.pose.heading == pytest.approx(2.5, abs=0.01)
     assert math.dist(driver.pose[:2], (2, 0)) < 0.02
 
 
 def test_backs_up_to_a_point_close_behind(scenes: dict[str, Scene]) -> None:
-    driver = driver_at(scenes["corridor"], 5, 0)
+    _, driver = driver_at(scenes["corridor"], 5, 0)
     driver.drive_to(4.2, 0.1)
     assert math.dist(driver.pose[:2], (4.2, 0.1)) < 0.05
     assert abs(driver.pose.heading) < 0.3
 
 
 def test_turns_and_drives_to_a_point_far_behind(scenes: dict[str, Scene]) -> None:
-    driver = driver_at(scenes["corridor"], 8, 0)
+    _, driver = driver_at(scenes["corridor"], 8, 0)
     driver.drive_to(4, 0)
     assert math.dist(driver.pose[:2], (4, 0)) < 0.05
     assert abs(driver.pose.heading) > 3

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from memorymaze.geometry.pose import Pose
 from memorymaze.simulation import build_scene
-from memorymaze.simulation.motion.lanes import (
+from memorymaze.steering.lanes import (
     MIN_CLEARANCE,
     Lane,
     LaneFollower,

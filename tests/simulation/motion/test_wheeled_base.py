@@ -17,7 +17,7 @@ def test_what_nothing_touches_changes_no_motion(scenes: dict[str, Scene]) -> Non
     )
     rng = np.random.default_rng(5)
     touched: set[int] = set()
-    for _ in range(400):
+    for _ in range(800):
         speed, turn_rate = rng.uniform(0, 1), rng.uniform(-1, 1)
         for base in (whole, tangible):
             base.drive(speed, turn_rate, 5)

@@ -8,9 +8,9 @@ from shapely import Point
 
 from memorymaze.geometry.pose import Pose
 from memorymaze.simulation import SimulatedRobot, SimulationSettings, build_scene
-from memorymaze.simulation.motion.wheeled_base import ROBOT_RADIUS
 from memorymaze.simulation.obstacles import ObstacleSettings
 from memorymaze.simulation.obstacles.placing import footprint
+from memorymaze.steering.settings import ROBOT_RADIUS
 
 
 def _among_things(site, seed: int) -> SimulatedRobot:

@@ -16,16 +16,12 @@ from memorymaze.simulation import (
     SimulationSettings,
     build_scene,
 )
-from memorymaze.simulation.motion.commands import direction_of
 from memorymaze.simulation.senses.lidar import Lidar, LidarSettings
 from memorymaze.simulation.senses.odometry import Odometry, OdometrySettings
-from memorymaze.simulation.senses.turning_points import (
-    SCAN_PERIOD,
-    AnnotatedTurningPoints,
-    LidarTurningPoints,
-    Visit,
-)
+from memorymaze.simulation.senses.turning_points import AnnotatedTurningPoints, Visit
 from memorymaze.sites import Site
+from memorymaze.steering.commands import direction_of
+from memorymaze.steering.turning_points import SCAN_PERIOD, LidarTurningPoints
 from memorymaze.testing import check_robot
 
 BY_LIDAR = SimulationSettings(turning_points="lidar")
@@ -120,9 +116,9 @@ def drive(
     ]
     rng = np.random.default_rng(seed)
     source = LidarTurningPoints(
-        Lidar(scene, None, sensors.get("lidar"), rng),
-        Odometry(poses[0], sensors.get("odometry"), rng),
+        Lidar(scene, None, sensors.get("lidar"), rng).scan,
         poses[0],
+        Odometry(poses[0], sensors.get("odometry"), rng).update,
     )
     seen: list[Sighting] = []
     for step, pose in enumerate(poses):

@@ -273,7 +273,7 @@ Box = tuple[float, float, float, float]
 def seen_blocks(scene: Scene, robot: SimulatedRobot) -> dict[tuple[float, float], Box]:
     """Cast a ray per block of pixels; return the box of each thing by its middle."""
     robot.camera_view()
-    data = robot._driver.base.data
+    data = robot._body.base.data
     lens = data.cam("eye")
     u, v = (
         grid.ravel()

@@ -31,8 +31,9 @@ from memorymaze.results.replay.senses import PICTURE_SIZE, Eyes, Scans
 from memorymaze.results.story.moments import Moment, Moments
 from memorymaze.results.story.recorded_episode import RecordedEpisode
 from memorymaze.simulation import build_scene
-from memorymaze.simulation.motion.wheeled_base import CAMERA_HEIGHT, ROBOT_RADIUS
+from memorymaze.simulation.motion.wheeled_base import CAMERA_HEIGHT
 from memorymaze.sites import Site
+from memorymaze.steering.settings import ROBOT_RADIUS
 
 TIMELINE = "simulated_time"
 CAMERA = "world/robot/camera"

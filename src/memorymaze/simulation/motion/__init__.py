@@ -1,5 +1,5 @@
-"""How the robot moves: wheels, straight ways, lanes round things, turns, given lines.
+"""How the simulated robot moves: wheels, and what the plan and given lines tell of ways.
 
-From below: `wheeled_base` has the wheels, `driving` moves in simulated time, `pilot`
-makes motions of the calls. What is in the way of a move comes from `obstacles`.
+`wheeled_base` has the wheels; `straight_ways` and `clearance` are the plan's part of what
+`steering` asks for; `line_following` is for walks whose way is known.
 """

@@ -9,18 +9,14 @@ from numpy.typing import NDArray
 
 from memorymaze.geometry import polyline
 from memorymaze.geometry.pose import turn_between
-from memorymaze.simulation.motion.clearance import Clearance
-from memorymaze.simulation.motion.driving import Driver
-from memorymaze.simulation.motion.lanes import (
+from memorymaze.steering.detours import FreeSpace
+from memorymaze.steering.driving import Driver
+from memorymaze.steering.floor import GETS_PAST, LOOK_AROUND, Surroundings
+from memorymaze.steering.lanes import (
     Lane,
     LaneFollower,
     lane_along,
     lane_round_things,
-)
-from memorymaze.simulation.obstacles.surroundings import (
-    GETS_PAST,
-    LOOK_AROUND,
-    Surroundings,
 )
 
 FloatArray = NDArray[np.float64]
@@ -49,7 +45,7 @@ def follow_line(
     """
     here = np.array([driver.pose[:2]])
     line = _without_repeats(np.concatenate([here, points]))
-    surroundings = driver.surroundings
+    surroundings = driver.floor.surroundings
     for leg in _legs(line):
         if surroundings is not None:
             how = _follow_among_people(driver, leg, max_speed, surroundings)
@@ -68,7 +64,7 @@ def _follow_among_people(
 ) -> FollowEnd:
     """Drive along a straight leg, round things; wait for people or go round them."""
     driver.held_for = 0.0
-    lane = _rest_of(leg, driver, max_speed, surroundings.clearance)
+    lane = _rest_of(leg, driver, max_speed, driver.floor.clearance)
     if lane is None:
         return "arrived"
     follower = _joined(driver, lane)
@@ -88,7 +84,7 @@ def _follow_among_people(
         needed = follower.remaining
         if how == "end":
             driver.wait(LOOK_AROUND)
-            clearance, needed = clearance or surroundings.clearance, GETS_PAST
+            clearance, needed = clearance or driver.floor.clearance, GETS_PAST
         elif driver.hindrance is not None:
             needed = min(needed, driver.hindrance.ahead + GETS_PAST)
         if clearance is not None:
@@ -110,7 +106,7 @@ def _joined(driver: Driver, lane: Lane) -> LaneFollower:
 
 
 def _rest_of(
-    leg: FloatArray, driver: Driver, max_speed: float, clearance: Clearance
+    leg: FloatArray, driver: Driver, max_speed: float, clearance: FreeSpace
 ) -> Lane | None:
     """Return the lane along what is left of a leg; None where nothing is left."""
     here = driver.pose[:2]

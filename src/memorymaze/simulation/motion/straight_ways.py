@@ -10,7 +10,6 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Protocol
 
 import shapely
 from shapely import LineString, Point, Polygon
@@ -18,6 +17,8 @@ from shapely import LineString, Point, Polygon
 from memorymaze.geometry.pose import turn_between
 from memorymaze.simulation.motion.clearance import Clearance
 from memorymaze.sites.records import Corridor, Exit, Site, TurningPoint
+from memorymaze.steering.floor import END_GAP, StraightWay
+from memorymaze.steering.turning_points import WayOut
 
 XY = tuple[float, float]
 
@@ -40,8 +41,6 @@ GAP_TOLERANCE = 1.0
 """Walls up to this many metres thick, such as pillars, do not end the way."""
 SCAN_STEP = 0.25
 EXIT_PROBE = 3.0
-END_GAP = 0.7
-"""Metres from the robot's centre to the wall at which it halts."""
 EDGE_GAP = 0.3
 """Metres before the edge of a bend's turning point at which it halts there."""
 LEAST_CROSSING = 1.0
@@ -52,20 +51,6 @@ bend's outer side and not a way."""
 LONGEST_WAY = 500.0
 ON_FLOOR = 0.01
 """Metres outside the corridor's edge that still count as on its floor."""
-
-
-class WayOut(Protocol):
-    """A way that leads out of a turning point."""
-
-    @property
-    def heading(self) -> float:
-        """Outward, radians."""
-        ...
-
-    @property
-    def to(self) -> str | None:
-        """Id of the corridor or area it leads to; None where that is not known."""
-        ...
 
 
 @dataclass(frozen=True, slots=True)
@@ -148,18 +133,6 @@ def counter_clockwise(polygon: Polygon) -> tuple[XY, ...]:
     if not ring.is_ccw:
         corners.reverse()
     return tuple(corners)
-
-
-@dataclass(frozen=True, slots=True)
-class StraightWay:
-    """A line to follow."""
-
-    points: tuple[XY, ...]
-    """Vertices, metres; the first is the place nearest to the robot."""
-    courses: tuple[float, ...]
-    """Heading of the corridor or the open way at each piece, one less than points."""
-    halt: float
-    """Metres along the line at which the robot has to halt."""
 
 
 class StraightWays:

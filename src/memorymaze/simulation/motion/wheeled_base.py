@@ -12,9 +12,8 @@ import numpy as np
 
 from memorymaze.geometry.pose import Pose
 from memorymaze.simulation.settings import TIMESTEP, SimulationSettings
+from memorymaze.steering.settings import ROBOT_RADIUS
 
-ROBOT_RADIUS = 0.25
-"""Metres; everything of the robot stays within this circle around its centre."""
 CAMERA_HEIGHT = 1.25
 """Metres over the floor; the lens looks ahead from the robot's axis."""
 ROBOT_GROUP = 5
@@ -106,8 +105,7 @@ def add_wheeled_base(spec: mujoco.MjSpec) -> None:
 class WheeledBase:
     """The moving robot in one episode: wheel speeds in, pose out.
 
-    Speeds change no faster than the settings allow. Time passes only in `drive`
-    and `rest`.
+    Time passes only in `drive` and `rest`.
     """
 
     def __init__(
@@ -129,14 +127,8 @@ class WheeledBase:
         self._moving_model = moving
         self._moving = self.data if moving is model else mujoco.MjData(moving)
         self._geoms = geoms
-        self.speed = 0.0
-        """Commanded speed ahead, metres per second."""
-        self.turn_rate = 0.0
-        """Commanded turn rate, radians per second, left positive."""
         self._model = model
         self._groups = moving.geom_group.tolist()
-        self._acceleration = settings.max_acceleration
-        self._turn_acceleration = settings.max_turn_acceleration
         self._noise = settings.wheel_noise
         self._rng = rng
         self._errors: list[float] = []
@@ -167,13 +159,8 @@ class WheeledBase:
 
         Metres per second, negative backs up; radians per second, left positive.
         """
-        duration = steps * TIMESTEP
-        self.speed = _approach(self.speed, speed, self._acceleration * duration)
-        self.turn_rate = _approach(
-            self.turn_rate, turn_rate, self._turn_acceleration * duration
-        )
-        across = self.turn_rate * WHEEL_OFFSET
-        left, right = self.speed - across, self.speed + across
+        across = turn_rate * WHEEL_OFFSET
+        left, right = speed - across, speed + across
         if self._noise > 0:
             if len(self._errors) < 2:
                 self._errors = self._rng.normal(1.0, self._noise, 512).tolist()
@@ -184,6 +171,18 @@ class WheeledBase:
         mujoco.mj_step(self._moving_model, self._moving, nstep=steps)
         self._steps += steps
         self._show()
+
+    @property
+    def speed(self) -> float:
+        """Metres per second over the floor, whichever way."""
+        vx, vy = self.velocity
+        return math.hypot(vx, vy)
+
+    @property
+    def velocity(self) -> tuple[float, float]:
+        """Metres per second, along x and y."""
+        vx, vy = self._moving.qvel[:2].tolist()
+        return vx, vy
 
     def rest(self, steps: int) -> None:
         """Let time pass for a robot at rest in a building where nothing moves."""
@@ -218,7 +217,3 @@ class WheeledBase:
         """Bring the camera and geom poses in `data` to the present pose."""
         mujoco.mj_kinematics(self._model, self.data)
         mujoco.mj_camlight(self._model, self.data)
-
-
-def _approach(value: float, target: float, change: float) -> float:
-    return max(value - change, min(value + change, target))

@@ -4,7 +4,6 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple
 
 import mujoco
 import numpy as np
@@ -13,18 +12,15 @@ from shapely import LineString, Point, Polygon
 from memorymaze.geometry.pose import Pose
 from memorymaze.robot.asking import HEARING_RANGE
 from memorymaze.simulation.motion.clearance import Clearance
-from memorymaze.simulation.motion.wheeled_base import ROBOT_RADIUS
 from memorymaze.simulation.obstacles.crowd import Crowd, Person, RobotMotion
 from memorymaze.simulation.obstacles.placing import footprint, place_things
 from memorymaze.simulation.obstacles.settings import Movable, ObstacleSettings
 from memorymaze.simulation.scene import Scene
+from memorymaze.steering.floor import LANE_STEP, Hindrance
+from memorymaze.steering.settings import ROBOT_RADIUS
 
 PEOPLE_MET = 6.0
 """Metres within which people who stand matter to a way round them."""
-LOOK_AROUND = 1.5
-"""Seconds of waiting from one look for a way round people who stand to the next."""
-GETS_PAST = 1.5
-"""Metres that a way round people must lead on for the robot to take it."""
 NOTED_EVERY = 1.0
 """Seconds after which it is kept again where people are."""
 PERSON_ROOM = 0.2
@@ -33,8 +29,6 @@ CLOSE = 0.3
 """Metres between the robot's shell and a person below which it is a near miss."""
 APART_AGAIN = 0.4
 """Metres from which on it is over; so that swaying at the limit counts once."""
-LANE_STEP = 0.2
-"""Metres between the places of a lane that are looked at."""
 KEPT = 0.2
 """Metres kept between the robot's shell and people, while it goes towards them."""
 STAND_OFF = 0.6
@@ -66,14 +60,6 @@ class NearMiss:
     """Id of the person."""
     gap: float
     """Least distance between the robot's shell and the person, metres."""
-
-
-class Hindrance(NamedTuple):
-    """Somebody the robot would come too close to if it drove on."""
-
-    person: Person
-    ahead: float
-    """Metres the robot may still drive."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -154,6 +140,12 @@ class Surroundings:
         self._show_people()
         if now - self.walked[-1][0] >= NOTED_EVERY:
             self._note_people(now)
+
+    def hindrance(
+        self, places: Sequence[tuple[float, float, float]], speed: float
+    ) -> Hindrance | None:
+        """Return the first person in the way; see `find_hindrance`."""
+        return None if self.crowd is None else find_hindrance(self.crowd, places, speed)
 
     def clearance_now(self, place: tuple[float, float]) -> Clearance | None:
         """Return distances to everything that stands, people near a place among it.
@@ -254,7 +246,7 @@ def find_hindrance(
         limit = ROBOT_RADIUS + person.radius + KEPT
         ahead = _conflict(person, places, pace, limit)
         if ahead is not None and (first is None or ahead < first.ahead):
-            first = Hindrance(person, ahead)
+            first = Hindrance(ahead)
     return first
 
 

@@ -6,7 +6,7 @@ them. Rooms are not things: one sees their doors and signs.
 """
 
 import math
-from typing import NamedTuple, Protocol
+from typing import NamedTuple
 
 import mujoco
 import numpy as np
@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from memorymaze.errors import RenderingError
 from memorymaze.geometry.pose import Pose
-from memorymaze.perception.camera_view import VisibleObject, VisibleText
+from memorymaze.perception.camera_view import Draw, VisibleObject, VisibleText
 from memorymaze.robot.steps import CameraPicture
 from memorymaze.simulation.motion.wheeled_base import ROBOT_GROUP
 from memorymaze.simulation.scene import Scene
@@ -45,14 +45,6 @@ LARGEST_MOVABLE = 2.0
 """Metres from the middle of a thing or person to its farthest part, at most."""
 NEAREST = 0.05
 """Depth in metres below which nothing is seen."""
-
-
-class Draw(Protocol):
-    """Draws what the camera sees from where the robot is."""
-
-    def __call__(self, width: int, height: int, horizontal_fov: float) -> CameraPicture:
-        """Return the picture."""
-        ...
 
 
 class _Seen(NamedTuple):

@@ -2,31 +2,16 @@
 
 import math
 
-import numpy as np
-from numpy.typing import NDArray
-
 from memorymaze.geometry.pose import turn_between, wrap_angle
 from memorymaze.robot.api import DIRECTIONS, Direction, MoveEnd, TurnResult
-from memorymaze.simulation.motion.clearance import Clearance
-from memorymaze.simulation.motion.commands import direction_of, exit_meant
-from memorymaze.simulation.motion.driving import DriveEnd, Driver
-from memorymaze.simulation.motion.lanes import Lane, LaneFollower, plan_lane
-from memorymaze.simulation.motion.line_following import follow_line
-from memorymaze.simulation.motion.primitive_motions import (
-    drive_on,
-    go_straight,
-    spin_by,
-)
-from memorymaze.simulation.motion.straight_ways import WayOut
-from memorymaze.simulation.motion.wheeled_base import ROBOT_RADIUS
-from memorymaze.simulation.obstacles.surroundings import (
-    GETS_PAST,
-    LOOK_AROUND,
-    Surroundings,
-)
-from memorymaze.simulation.scene import Scene
-from memorymaze.simulation.senses.turning_points import Stay
-from memorymaze.simulation.settings import SimulationSettings
+from memorymaze.steering.commands import direction_of, exit_meant
+from memorymaze.steering.detours import FreeSpace
+from memorymaze.steering.driving import DriveEnd, Driver
+from memorymaze.steering.floor import GETS_PAST, LOOK_AROUND, Surroundings
+from memorymaze.steering.lanes import Lane, LaneFollower, plan_lane
+from memorymaze.steering.primitive_motions import drive_on, go_straight, spin_by
+from memorymaze.steering.settings import ROBOT_RADIUS, RobotSettings
+from memorymaze.steering.turning_points import Stay, WayOut
 
 REPLAN_OFFSET = 0.35
 """Metres beside its lane from which on a robot plans anew."""
@@ -49,15 +34,12 @@ class Pilot:
     goes round an obstacle. Every motion raises `TimeIsUp` when the time budget ends.
     """
 
-    def __init__(
-        self, scene: Scene, driver: Driver, settings: SimulationSettings
-    ) -> None:
+    def __init__(self, driver: Driver, settings: RobotSettings) -> None:
         """Begin with the start heading as the course."""
-        self._scene = scene
         self._driver = driver
+        self._floor = driver.floor
         self._settings = settings
-        around = driver.surroundings
-        self._clearance = scene.clearance if around is None else around.clearance
+        around = driver.floor.surroundings
         self._patience = math.inf if around is None else around.patience
         self._course = driver.pose.heading
         self._fresh = True
@@ -80,12 +62,11 @@ class Pilot:
             or abs(follower.off_course) > REPLAN_ANGLE
         ):
             follower = self._planned()
-        if driver.surroundings is None:
+        around = self._floor.surroundings
+        if around is None:
             how = driver.follow(follower, distance, self._settings.rolling_speed)
         else:
-            how, follower = self._move_among_people(
-                follower, distance, driver.surroundings
-            )
+            how, follower = self._move_among_people(follower, distance, around)
         self._course = follower.station.course
         if how == "distance":
             return "done"
@@ -95,13 +76,7 @@ class Pilot:
         if how == "end":
             return "obstacle" if follower.lane.end == "obstacle" else "wall"
         self._follower = None
-        return self._what_blocks()
-
-    def _what_blocks(self) -> MoveEnd:
-        collisions = self._driver.collisions
-        things = ("landmark", "thing", "person")
-        hit_thing = bool(collisions) and collisions[-1].kind in things
-        return "obstacle" if hit_thing else "wall"
+        return self._floor.what_blocks()
 
     def _move_among_people(
         self, follower: LaneFollower, distance: float, surroundings: Surroundings
@@ -128,7 +103,7 @@ class Pilot:
                 follower = self._round_people(follower, clearance)
 
     def _round_people(
-        self, follower: LaneFollower, clearance: Clearance
+        self, follower: LaneFollower, clearance: FreeSpace
     ) -> LaneFollower:
         """Return a lane round those who stand; the old one where there is no way."""
         lane = self._straight_lane(clearance)
@@ -140,13 +115,13 @@ class Pilot:
 
     def _planned(self) -> LaneFollower:
         self.come_to_rest()
-        follower = self._joined(self._straight_lane(self._clearance))
+        follower = self._joined(self._straight_lane(self._floor.clearance))
         self._fresh = False
         return follower
 
-    def _straight_lane(self, clearance: Clearance) -> Lane:
+    def _straight_lane(self, clearance: FreeSpace) -> Lane:
         pose = self._driver.pose
-        way = self._scene.straight_ways.way(
+        way = self._floor.straight_way(
             pose[:2], self._course, fresh=self._fresh, towards=self._towards
         )
         return plan_lane(way, pose, clearance, self._settings.max_speed)
@@ -164,7 +139,7 @@ class Pilot:
 
     def directions(self) -> list[Direction]:
         """Return where one can go on from the turning point the robot is in."""
-        stay = self._driver.turning_points.current
+        stay = self._floor.turning_points.current
         if stay is None:
             return []
         found = {
@@ -175,7 +150,7 @@ class Pilot:
 
     def turn(self, direction: Direction) -> TurnResult:
         """Face the way that lies in a direction, if there is one."""
-        stay = self._driver.turning_points.current
+        stay = self._floor.turning_points.current
         if direction == "around":
             return self._turn_around(stay)
         if stay is None:
@@ -214,10 +189,12 @@ class Pilot:
             station = self._follower.station
             place = (station.way_x, station.way_y)
         meeting = stay.meeting_point(way, place, self._course)
-        if self._clearance.is_free([driver.pose[:2], meeting], ROBOT_RADIUS + 0.02):
+        if self._floor.clearance.is_free(
+            [driver.pose[:2], meeting], ROBOT_RADIUS + 0.02
+        ):
             driver.drive_to(*meeting, patience=self._patience)
         driver.spin_to(way.heading)
-        self._face(way.heading, way.to)
+        self.face(way.heading, way.to)
         angle = math.degrees(turn_between(before, driver.pose.heading))
         return TurnResult(
             True, angle, f"turned {abs(angle):.0f} degrees, {_in_words(direction)}"
@@ -240,17 +217,17 @@ class Pilot:
         ):
             back, towards = behind.heading, behind.to
         driver.spin_to(back)
-        self._face(back, towards)
+        self.face(back, towards)
         angle = math.degrees(turn_between(before, driver.pose.heading))
         return TurnResult(True, angle, "turned around")
 
-    def _face(self, course: float, towards: str | None) -> None:
+    def face(self, course: float, towards: str | None) -> None:
         """Take a new course, from where the robot stands."""
         self._course = wrap_angle(course)
         self._towards = towards
         self._fresh = True
         self._follower = None
-        self._driver.turning_points.note_turn()
+        self._floor.turning_points.note_turn()
 
     def step_forward(self, distance: float) -> float:
         """Drive straight ahead, without keeping to the way; return metres moved."""
@@ -264,7 +241,7 @@ class Pilot:
         self.come_to_rest()
         turned = spin_by(self._driver, angle, self._settings)
         self._stand_anew()
-        self._driver.turning_points.note_turn()
+        self._floor.turning_points.note_turn()
         return turned
 
     def drive(self, speed: float, turn_rate: float, seconds: float) -> float:
@@ -273,7 +250,7 @@ class Pilot:
         driven = drive_on(driver, speed, turn_rate, seconds, period)
         self._stand_anew()
         if turn_rate:
-            driver.turning_points.note_turn()
+            self._floor.turning_points.note_turn()
         return driven
 
     def _stand_anew(self) -> None:
@@ -282,15 +259,6 @@ class Pilot:
         self._towards = None
         self._fresh = True
         self._follower = None
-
-    def follow(self, points: NDArray[np.float64]) -> MoveEnd:
-        """Drive along a given line, (N, 2) metres, to its end."""
-        self._follower = None
-        how = follow_line(self._driver, points, self._settings.max_speed)
-        self._face(self._driver.pose.heading, None)
-        if how == "blocked":
-            return self._what_blocks()
-        return "done" if how == "arrived" else "obstacle"
 
 
 def _in_words(direction: str) -> str:

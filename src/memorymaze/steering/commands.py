@@ -12,7 +12,7 @@ import numpy as np
 from memorymaze.errors import CommandError, did_you_mean
 from memorymaze.input_files import LONGEST_SHOWN
 from memorymaze.robot.api import DIRECTIONS, Direction
-from memorymaze.simulation.settings import TIMESTEP, SimulationSettings
+from memorymaze.steering.settings import TICK, RobotSettings
 
 # Upper end of each sector, degrees to either side.
 FORWARD, SLIGHT, SIDE, SHARP = 15, 60, 120, 160
@@ -124,12 +124,12 @@ def degrees_to_turn(degrees: object) -> float:
     )
 
 
-def check_speeds(settings: SimulationSettings, asked: Mapping[str, object]) -> None:
+def check_speeds(settings: RobotSettings, asked: Mapping[str, object]) -> None:
     """Refuse `speed`, `turn_rate` and `seconds` that the robot cannot drive by."""
     bounds = {
         "speed": (-settings.max_speed, settings.max_speed),
         "turn_rate": (-settings.max_turn_rate, settings.max_turn_rate),
-        "seconds": (TIMESTEP, math.inf),
+        "seconds": (TICK, math.inf),
     }
     for name, value in asked.items():
         lowest, highest = bounds[name]

@@ -1,4 +1,4 @@
-"""What a walk leaves behind: calls and collisions; and which calls may still be made."""
+"""The calls of an episode: what the trace tells of each, and which may still be made."""
 
 from collections.abc import Callable, Generator, Mapping
 from contextlib import contextmanager
@@ -8,7 +8,7 @@ from typing import NamedTuple, TypeVar, cast
 from memorymaze.errors import CommandError, EpisodeOver, SettingsError
 from memorymaze.geometry.pose import Pose, turn_between
 from memorymaze.robot.api import Detection, MoveResult, SignText, TurnResult
-from memorymaze.simulation.settings import SimulationSettings
+from memorymaze.steering.settings import RobotSettings
 
 Result = TypeVar("Result")
 
@@ -31,7 +31,7 @@ class TraceEvent:
     """One call of the control API, when it was over."""
 
     time: float
-    """Simulated seconds since the start of the episode."""
+    """Seconds since the start of the episode."""
     pose: Pose
     """Where the robot was when the call returned."""
     call: str
@@ -42,25 +42,11 @@ class TraceEvent:
     """What it returned, as JSON knows it; `{"error": ...}` when it raised."""
 
 
-@dataclass(frozen=True, slots=True)
-class Collision:
-    """The robot's body touched something; one record however long the touch lasted."""
-
-    time: float
-    """Simulated seconds since the start of the episode."""
-    pose: Pose
-    """Where the robot was at the first touch."""
-    kind: str
-    """`wall`, `door` or `landmark`."""
-    object_id: str | None
-    """Id of the door or landmark; None for a wall."""
-
-
 class Moment(NamedTuple):
     """When and where a call ended."""
 
     time: float
-    """Simulated seconds."""
+    """Seconds."""
     pose: Pose
     distance: float
     """Metres driven so far."""
@@ -93,7 +79,7 @@ class CallLog:
 
     def __init__(
         self,
-        settings: SimulationSettings,
+        settings: RobotSettings,
         on_event: Callable[[TraceEvent], None] | None,
     ) -> None:
         """Begin an episode."""

@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 
 from memorymaze.errors import CommandError
 from memorymaze.robot.api import DIRECTIONS
-from memorymaze.simulation.motion.commands import (
+from memorymaze.steering.commands import (
     direction_of,
     exit_meant,
     parse_direction,

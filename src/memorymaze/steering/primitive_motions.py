@@ -1,14 +1,14 @@
 """Motions without help in steering: straight ahead, on the spot, and at given speeds.
 
 Steps and turns are steered by where the robot really is, so they end where they were
-asked to, whatever the wheels' noise.
+asked to, however the wheels err.
 """
 
 import math
 
 from memorymaze.geometry.pose import turn_between
-from memorymaze.simulation.motion.driving import Driver
-from memorymaze.simulation.settings import TIMESTEP, SimulationSettings
+from memorymaze.steering.driving import Driver
+from memorymaze.steering.settings import TICK, RobotSettings
 
 BLOCKED_DECISIONS = 40
 """Decisions in a row without motion after which the robot gives up."""
@@ -21,11 +21,9 @@ BRAKING_SHARE = 0.8
 APPROACH = 16.0
 """Speed per metre, or turn rate per radian, that is left at the very end; 1/s."""
 DECISION = 2
-"""Physics steps from one decision to the next, so that it stops to the millimetre."""
+"""Ticks from one decision to the next, so that it stops to the millimetre."""
 RECOIL = 0.002
 """Metres that a push against something may seem to move the robot."""
-AHEAD = 0.1
-"""Cosine of the angle to straight ahead below which what it touches is beside it."""
 STRAIGHTENING = 6.0
 """Turn rate per radian off the heading, 1/s; and per metre aside times speed, 1/m^2."""
 
@@ -33,7 +31,7 @@ STRAIGHTENING = 6.0
 def go_straight(
     driver: Driver,
     distance: float,
-    settings: SimulationSettings,
+    settings: RobotSettings,
     patience: float = math.inf,
 ) -> float:
     """Drive straight ahead from a stand and come to rest; return metres moved.
@@ -58,10 +56,10 @@ def go_straight(
         error = turn_between(driver.pose.heading, start.heading)
         turn_rate = STRAIGHTENING * (error - speed * aside)
         moved = driver.tick(speed, turn_rate, start.heading, DECISION)
-        if _touches_ahead(driver, ahead_x, ahead_y):
+        if driver.floor.is_blocked_ahead(driver.pose, start.heading):
             break
         waits = driver.hindrance is not None
-        slow = moved < 0.1 * driver.base.speed * DECISION * TIMESTEP
+        slow = moved < 0.1 * driver.speed * DECISION * TICK
         idle = idle + 1 if slow and not waits else 0
     driver.come_to_rest()
     # Else the many steps of a walk would add up what the wheels are off.
@@ -74,7 +72,7 @@ def go_straight(
     return moved
 
 
-def spin_by(driver: Driver, angle: float, settings: SimulationSettings) -> float:
+def spin_by(driver: Driver, angle: float, settings: RobotSettings) -> float:
     """Turn on the spot from a stand and come to rest; return radians turned.
 
     The angle is left positive; a full turn is one.
@@ -91,7 +89,7 @@ def spin_by(driver: Driver, angle: float, settings: SimulationSettings) -> float
         driver.tick(0.0, math.copysign(rate, left), None, DECISION)
         step = turn_between(before, driver.pose.heading)
         turned += step
-        slow = abs(step) < 0.1 * abs(driver.base.turn_rate) * DECISION * TIMESTEP
+        slow = abs(step) < 0.1 * abs(driver.turn_rate) * DECISION * TICK
         idle = idle + 1 if slow else 0
     before = driver.pose.heading
     driver.come_to_rest()
@@ -103,11 +101,11 @@ def drive_on(
 ) -> float:
     """Go for speeds for some time and roll on afterwards; return metres driven.
 
-    The time is a multiple of the physics step; `period` is from one decision to the
+    The time is a multiple of `TICK`; `period` is from one decision to the
     next, seconds.
     """
     driver.hindrance = None
-    left, whole = round(seconds / TIMESTEP), round(period / TIMESTEP)
+    left, whole = round(seconds / TICK), round(period / TICK)
     driven = 0.0
     while left > 0:
         steps = min(left, whole)
@@ -120,13 +118,3 @@ def _falling(left: float, braking: float) -> float:
     """Return the speed at which to brake: even first, ever softer at the very end."""
     soft = braking / APPROACH
     return math.sqrt(soft * soft + 2 * braking * left) - soft
-
-
-def _touches_ahead(driver: Driver, ahead_x: float, ahead_y: float) -> bool:
-    """Return whether the body touches something in its way."""
-    pose = driver.pose
-    for x, y in driver.base.touched_places():
-        dx, dy = x - pose.x, y - pose.y
-        if dx * ahead_x + dy * ahead_y > AHEAD * math.hypot(dx, dy):
-            return True
-    return False

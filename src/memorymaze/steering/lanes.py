@@ -16,16 +16,16 @@ from numpy.typing import NDArray
 
 from memorymaze.geometry import polyline
 from memorymaze.geometry.pose import Pose, turn_between
-from memorymaze.simulation.motion.clearance import SPACING, Clearance, make_detours
-from memorymaze.simulation.motion.straight_ways import StraightWay
-from memorymaze.simulation.motion.wheeled_base import ROBOT_RADIUS
+from memorymaze.steering.detours import SPACING, FreeSpace, make_detours
+from memorymaze.steering.floor import StraightWay
+from memorymaze.steering.settings import ROBOT_RADIUS
 
 FloatArray = NDArray[np.float64]
 
 LaneEnd = Literal["wall", "obstacle", "done"]
 """What is behind the last station of a lane."""
 SLANTED_END_GAP = 0.45
-"""The same, measured square to a wall that the way meets at a slant."""
+"""As `END_GAP`, measured square to a wall that the way meets at a slant."""
 MIN_CLEARANCE = ROBOT_RADIUS + 0.07
 """Distance in metres that a lane keeps from walls and obstacles wherever it can."""
 LEAST_CLEARANCE = ROBOT_RADIUS + 0.05
@@ -86,7 +86,7 @@ class Lane:
 
 
 def plan_lane(
-    way: StraightWay, pose: Pose, clearance: Clearance, max_speed: float
+    way: StraightWay, pose: Pose, clearance: FreeSpace, max_speed: float
 ) -> Lane:
     """Plan the drive along a straight way: onto it, round obstacles, up to its end.
 
@@ -123,7 +123,7 @@ def lane_round_things(
     points: FloatArray,
     place: tuple[float, float],
     max_speed: float,
-    clearance: Clearance,
+    clearance: FreeSpace,
 ) -> Lane:
     """Return the lane from a place to a line, along it and round what stands on it.
 
@@ -142,7 +142,7 @@ def _round_things(
     base: FloatArray,
     place: tuple[float, float],
     least: FloatArray,
-    clearance: Clearance,
+    clearance: FreeSpace,
     max_speed: float,
 ) -> tuple[FloatArray, FloatArray, int]:
     """Lead from a place onto a line and round what stands on it, as far as one gets.

@@ -1,0 +1,191 @@
+"""`SimulatedBody`: what moves and measures in a simulated building, and what that leaves.
+
+It is driven and read through `SensorsAndMotion`, as any robot's body. What only a simulation
+knows of it besides is for the evaluation: the true pose, collisions, the trajectory.
+"""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from memorymaze.errors import RenderingError
+from memorymaze.geometry.pose import Pose
+from memorymaze.geometry.trajectory import TimedPose, Trajectory
+from memorymaze.perception.camera_view import CameraView
+from memorymaze.robot.sensors_and_motion import OdometryReading
+from memorymaze.robot.steps import CameraPicture, LidarScan
+from memorymaze.simulation.cameras import CameraMaker, RobotCameras
+from memorymaze.simulation.motion.wheeled_base import WheeledBase
+from memorymaze.simulation.obstacles.surroundings import Surroundings
+from memorymaze.simulation.scene import Scene
+from memorymaze.simulation.senses.lidar import Lidar, LidarSettings
+from memorymaze.simulation.senses.odometry import Odometry, OdometrySettings
+from memorymaze.simulation.senses.visibility import RayCamera
+from memorymaze.simulation.settings import TIMESTEP, SimulationSettings
+
+SAME_TOUCH = 1.0
+"""Seconds within which touching the same thing again is the same collision."""
+AHEAD = 0.1
+"""Cosine of the angle to straight ahead below which what it touches is beside it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Collision:
+    """The robot's body touched something; one record however long the touch lasted."""
+
+    time: float
+    """Simulated seconds since the start of the episode."""
+    pose: Pose
+    """Where the robot was at the first touch."""
+    kind: str
+    """`wall`, `door`, `landmark`, `thing` or `person`."""
+    object_id: str | None
+    """Id of what was touched; None for a wall."""
+
+
+class SimulatedBody:
+    """The robot's body in one episode; implements `SensorsAndMotion`."""
+
+    def __init__(
+        self,
+        scene: Scene,
+        start: Pose,
+        settings: SimulationSettings,
+        rng: np.random.Generator,
+        *,
+        lidar: LidarSettings | None = None,
+        odometry: OdometrySettings | None = None,
+        localised: bool = True,
+        cameras: CameraMaker | None = None,
+    ) -> None:
+        """Put it at rest on its start pose, with nobody around.
+
+        Children of `rng` give the noise of LiDAR and odometry. A `localised` body knows
+        where it is in the building; another one has its wheels' odometry alone, from the
+        start pose on.
+        """
+        self.scene = scene
+        """The building it is in."""
+        tangible = scene.tangible, scene.tangible_geoms
+        self.base = WheeledBase(scene.model, start, settings, rng, tangible)
+        self.pose = self.base.pose
+        """Where it really is."""
+        self.surroundings: Surroundings | None = None
+        """What there is beyond the plan; None for nothing, which costs nothing."""
+        self.collisions: list[Collision] = []
+        self.on_motion: Callable[[float, Pose], None] | None = None
+        """Called with time and pose after each motion; must change nothing."""
+        lidar_rng, odometry_rng = rng.spawn(2)
+        self.lidar = Lidar(scene, self.base.data, lidar, lidar_rng)
+        """Its LiDAR, which can measure from elsewhere as well."""
+        self.wheel_odometry = Odometry(start, odometry, odometry_rng)
+        """Where it would believe it is by its wheels."""
+        self._localised = localised
+        self._camera_maker = cameras
+        self._samples = [TimedPose(0.0, *start)]
+        self._sampling_period = settings.sampling_period
+        self._sample_due = settings.sampling_period
+        self._touches: dict[int, float] = {}
+        self._look: tuple[tuple[float, Pose], RayCamera] | None = None
+        """When and where the camera looked last, and what it sees there."""
+
+    @property
+    def time(self) -> float:
+        """Simulated seconds since the start."""
+        return self.base.time
+
+    # What steering calls.
+
+    def odometry(self) -> OdometryReading:
+        """See `SensorsAndMotion.odometry`."""
+        pose = self.pose if self._localised else self.wheel_odometry.pose
+        return OdometryReading(self.base.time, pose, self.base.speed)
+
+    def drive(self, speed: float, turn_rate: float, seconds: float) -> None:
+        """See `SensorsAndMotion.drive`."""
+        base = self.base
+        base.drive(speed, turn_rate, round(seconds / TIMESTEP))
+        self.pose = pose = base.pose
+        if not self._localised:
+            self.wheel_odometry.update(pose)
+        if self.surroundings is not None:
+            self.surroundings.advance(base.time, pose, base.velocity)
+        touched = base.touched_geoms()
+        if touched:
+            self._note_touches(touched)
+        if base.time >= self._sample_due - 1e-9:
+            self.sample()
+        if self.on_motion is not None:
+            self.on_motion(base.time, pose)
+
+    def lidar_scan(self) -> LidarScan:
+        """See `SensorsAndMotion.lidar_scan`."""
+        return self.lidar.scan(self.pose, self.time)
+
+    def camera_picture(
+        self, width: int = 640, height: int = 480, horizontal_fov: float = math.pi / 2
+    ) -> CameraPicture:
+        """See `SensorsAndMotion.camera_picture`; the first call takes seconds."""
+        frame = self.cameras.frame(self.pose, width, height, horizontal_fov)
+        return CameraPicture(frame.rgb, frame.depth)
+
+    # What the simulation knows besides.
+
+    def rest(self, seconds: float) -> None:
+        """Let time pass for a robot at rest in a building where nothing moves.
+
+        Nothing changes, so that nothing has to be computed.
+        """
+        self.base.rest(round(seconds / TIMESTEP))
+
+    def sample(self) -> None:
+        """Add the present pose to the trajectory."""
+        if self._samples[-1].time < self.time:
+            self._samples.append(TimedPose(self.time, *self.pose))
+        self._sample_due = self.time + self._sampling_period
+
+    def trajectory(self) -> Trajectory:
+        """Return the poses so far."""
+        return Trajectory(self._samples)
+
+    def touches_ahead(self, course: float) -> bool:
+        """Whether it touches something in its way."""
+        ahead_x, ahead_y = math.cos(course), math.sin(course)
+        for x, y in self.base.touched_places():
+            dx, dy = x - self.pose.x, y - self.pose.y
+            if dx * ahead_x + dy * ahead_y > AHEAD * math.hypot(dx, dy):
+                return True
+        return False
+
+    def camera_view(self) -> CameraView:
+        """Return what the camera truly sees."""
+        moment = (self.time, self.pose)
+        if self._look is None or self._look[0] != moment:
+            self.base.update_view()
+            camera = RayCamera(self.scene, self.base.data, self.camera_picture)
+            self._look = (moment, camera)
+        return self._look[1]
+
+    @cached_property
+    def cameras(self) -> RobotCameras:
+        """What draws its pictures."""
+        if self._camera_maker is None:
+            raise RenderingError(
+                "expected a robot with cameras, got one made without; give "
+                "SimulatedRobot cameras=memorymaze.pictures.robot_cameras"
+            )
+        return self._camera_maker(self.scene, self.base.data)
+
+    def _note_touches(self, geoms: list[int]) -> None:
+        for geom in sorted(set(geoms)):
+            last = self._touches.get(geom)
+            if last is None or self.time - last > SAME_TOUCH:
+                thing = self.scene.objects[geom]
+                name = None if thing.record is None else thing.record.id
+                self.collisions.append(
+                    Collision(self.time, self.pose, thing.kind, name)
+                )
+            self._touches[geom] = self.time

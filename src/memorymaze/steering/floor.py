@@ -1,0 +1,110 @@
+"""What steering needs to know of the floor, as roles: from a plan, or from scans."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal, NamedTuple, Protocol
+
+from memorymaze.geometry.pose import Pose
+from memorymaze.steering.detours import FreeSpace
+from memorymaze.steering.turning_points import TurningPointSource
+
+XY = tuple[float, float]
+
+END_GAP = 0.7
+"""Metres from the robot's centre to the wall at which it halts."""
+
+
+@dataclass(frozen=True, slots=True)
+class StraightWay:
+    """A line to follow."""
+
+    points: tuple[XY, ...]
+    """Vertices, metres; the first is the place nearest to the robot."""
+    courses: tuple[float, ...]
+    """Heading of the corridor or the open way at each piece, one less than points."""
+    halt: float
+    """Metres along the line at which the robot has to halt."""
+
+
+class Hindrance(NamedTuple):
+    """Somebody the robot would come too close to if it drove on."""
+
+    ahead: float
+    """Metres the robot may still drive."""
+
+
+class Surroundings(Protocol):
+    """What may stand or walk in the way that was not there when the way was planned."""
+
+    @property
+    def patience(self) -> float:
+        """Seconds a move waits before it reports an obstacle."""
+        ...
+
+    def hindrance(
+        self, places: Sequence[tuple[float, float, float]], speed: float
+    ) -> Hindrance | None:
+        """Return what is in the way; None where nothing is.
+
+        `places` are where the robot will be, `LANE_STEP` apart, from where it is now: x, y
+        in metres and heading in radians.
+        """
+        ...
+
+    def clearance_now(self, place: XY) -> FreeSpace | None:
+        """Return the room there is now around a place; None where nobody stands."""
+        ...
+
+
+class Floor(Protocol):
+    """What is known of the floor one robot drives on."""
+
+    @property
+    def turning_points(self) -> TurningPointSource:
+        """Where it can turn into other ways."""
+        ...
+
+    @property
+    def clearance(self) -> FreeSpace:
+        """The room there is, people left out."""
+        ...
+
+    @property
+    def surroundings(self) -> Surroundings | None:
+        """What may come in the way; None for nothing, which costs nothing."""
+        ...
+
+    @property
+    def horizon(self) -> float:
+        """Metres after which a way is to be found anew; inf where it is known whole."""
+        ...
+
+    def update(self, pose: Pose, travel: float | None, time: float) -> None:
+        """Take note of where the robot is; see `TurningPointSource.update`."""
+        ...
+
+    def straight_way(
+        self, position: XY, course: float, *, fresh: bool, towards: str | None
+    ) -> StraightWay:
+        """Return the straight way from a place, for a robot on a course.
+
+        A `fresh` robot has turned since it last followed a way, and joins one at a greater
+        angle. `towards` is what the way leads to that a turn was made into.
+        """
+        ...
+
+    def is_blocked_ahead(self, pose: Pose, course: float) -> bool:
+        """Whether the robot touches what is in its way, or would at the next step."""
+        ...
+
+    def what_blocks(self) -> Literal["wall", "obstacle"]:
+        """Return what the robot pushed against when it could not get on."""
+        ...
+
+
+LANE_STEP = 0.2
+"""Metres between the places of a lane that are looked at."""
+LOOK_AROUND = 1.5
+"""Seconds of waiting from one look for a way round people who stand to the next."""
+GETS_PAST = 1.5
+"""Metres that a way round people must lead on for the robot to take it."""
