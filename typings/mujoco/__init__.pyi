@@ -42,7 +42,12 @@ class MjsMaterial:
     textures: dict[int, str]
 
 class MjsTexture:
+    name: str
+    width: int
+    height: int
+    nchannel: int
     data: bytes
+    file: str
 
 class MjsActuator:
     forcelimited: bool
@@ -51,7 +56,12 @@ class MjsActuator:
 
 class MjsBody:
     def add_body(
-        self, *, name: str = ..., pos: _Numbers = ..., mocap: bool = ...
+        self,
+        *,
+        name: str = ...,
+        pos: _Numbers = ...,
+        quat: _Numbers = ...,
+        mocap: bool = ...,
     ) -> MjsBody: ...
     def add_freejoint(self) -> MjsJoint: ...
     def add_joint(
@@ -128,6 +138,8 @@ class MjSpec:
     visual: _Visual
     stat: _Statistic
     worldbody: MjsBody
+    modelfiledir: str
+    textures: Sequence[MjsTexture]
     def __init__(self) -> None: ...
     def add_actuator(self, *, name: str, target: str, trntype: int) -> MjsActuator: ...
     def add_mesh(
@@ -145,7 +157,9 @@ class MjSpec:
     def add_texture(
         self, *, name: str, type: int, width: int, height: int, nchannel: int
     ) -> MjsTexture: ...
+    def add_text(self, *, name: str, data: str) -> object: ...
     def compile(self) -> MjModel: ...
+    def to_xml(self) -> str: ...
 
 class _ModelBody:
     id: int

@@ -37,6 +37,12 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
         help="file or folder to make, which must not be there (default: the site's name "
         "with what the format's files end in)",
     )
+    parser.add_argument(
+        "--resolution",
+        metavar="METRES",
+        type=float,
+        help="metres per pixel of a ROS map (default: 0.05)",
+    )
 
 
 def _export(args: argparse.Namespace) -> int:
@@ -45,5 +51,5 @@ def _export(args: argparse.Namespace) -> int:
 
     site = load_site(args.site)
     out: Path = args.out or Path(f"{Path(site.source).stem}{ENDINGS[args.to]}")
-    print(export_site(site, args.to, out)[0])
+    print(export_site(site, args.to, out, resolution=args.resolution)[0])
     return 0

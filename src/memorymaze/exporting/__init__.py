@@ -9,23 +9,33 @@ from importlib import import_module
 from pathlib import Path
 
 from memorymaze.errors import SettingsError, did_you_mean
+from memorymaze.extras import require_extra
 from memorymaze.sites.records import Site
 
 __all__ = ["ENDINGS", "FORMATS", "export_site"]
 
-ENDINGS = {"gltf": ".glb"}
-"""What the files of each format end in; a folder in the format's name."""
+ENDINGS = {
+    "gltf": ".glb",
+    "usd": "_usd",
+    "mjcf": "_mjcf",
+    "ros_map": "_ros_map",
+    "habitat": "_habitat",
+}
+"""What follows the site's name in that of the file or folder of each format."""
 FORMATS = tuple(ENDINGS)
 """What a site can be exported to; each is a file of this room."""
 
 
-def export_site(site: Site, to: str, out: str | Path) -> list[Path]:
+def export_site(
+    site: Site, to: str, out: str | Path, *, resolution: float | None = None
+) -> list[Path]:
     """Write a building in the format of another program.
 
     Args:
         site: A building that passed the checks of `memorymaze.sites`.
         to: One of `FORMATS`.
         out: File or folder to make, by the format; it must not exist.
+        resolution: Metres per pixel of a `ros_map`; None for 0.05.
 
     Returns:
         The files written, the one to open first.
@@ -39,8 +49,17 @@ def export_site(site: Site, to: str, out: str | Path) -> list[Path]:
             f"--to: expected one of {', '.join(FORMATS)}; got {to!r}"
             f"{did_you_mean(to, FORMATS)}"
         )
+    options: dict[str, float] = {}
+    if resolution is not None:
+        if to != "ros_map":
+            raise SettingsError(
+                f"--resolution: expected only with --to ros_map, got --to {to}"
+            )
+        options["resolution"] = resolution
+    if to == "usd":
+        require_extra("usd", "pxr", purpose="--to usd")
     out = Path(out)
     out.parent.mkdir(parents=True, exist_ok=True)
     module = import_module(f"memorymaze.exporting.{to}")
-    write: Callable[[Site, Path], list[Path]] = getattr(module, f"write_{to}")
-    return write(site, out)
+    write: Callable[..., list[Path]] = getattr(module, f"write_{to}")
+    return write(site, out, **options)

@@ -23,17 +23,16 @@ from memorymaze.exporting.named_meshes import (
     plan_members,
 )
 from memorymaze.pictures.looks.assembly import MeshPart
+from memorymaze.pictures.looks.materials import Rgb
 from memorymaze.sites.records import Site
 
 MAGIC, VERSION, JSON_CHUNK, BINARY_CHUNK = 0x46546C67, 2, 0x4E4F534A, 0x004E4942
-COMPONENTS = {"float32": 5126, "uint32": 5125, "uint8": 5121}
-SHAPES = {1: "SCALAR", 2: "VEC2", 3: "VEC3", 4: "VEC4"}
+COMPONENTS = {"float32": 5126, "uint32": 5125}
+SHAPES = {1: "SCALAR", 2: "VEC2", 3: "VEC3"}
 ARRAY_BUFFER, ELEMENT_ARRAY_BUFFER = 34962, 34963
 LINEAR, LINEAR_MIPMAP_LINEAR, REPEAT = 9729, 9987, 10497
 
 Json = dict[str, Any]
-Rgba = tuple[int, int, int, int]
-"""In whole numbers up to 255."""
 
 
 def write_gltf(site: Site, out: Path) -> list[Path]:
@@ -60,10 +59,10 @@ class Glb:
         self._mesh_numbers: dict[tuple[object, ...], int] = {}
         self._kept: list[MeshPart] = []
 
-    def add(self, mesh: NamedMesh, colour: Rgba | None = None) -> None:
+    def add(self, mesh: NamedMesh, colour: Rgb | None = None) -> None:
         """Add a node; things of one model share a mesh.
 
-        A colour takes the place of all materials, at every vertex.
+        A colour, as shares of light, takes the place of all materials at every vertex.
         """
         placed = mesh.placed
         node: Json = {"name": mesh.name, "extras": dict(mesh.attributes)}
@@ -78,10 +77,11 @@ class Glb:
                 self._mesh_numbers[key] = len(self._meshes)
                 # While they are kept, no other part gets their identity.
                 self._kept += placed.parts
-                primitives = [
-                    self._primitive(part, look, colour)
-                    for part, look in self._materials.of(mesh)
-                ]
+                if colour is None:
+                    looks = self._materials.of(mesh)
+                    primitives = [self._drawn(part, look) for part, look in looks]
+                else:
+                    primitives = [self._painted(each, colour) for each in placed.parts]
                 self._meshes.append({"name": mesh.name, "primitives": primitives})
             node["mesh"] = self._mesh_numbers[key]
         self._nodes.append(node)
@@ -133,32 +133,33 @@ class Glb:
             binary,
         ))
 
-    def _primitive(
-        self, part: MeshPart, look: NamedMaterial, colour: Rgba | None
-    ) -> Json:
+    def _drawn(self, part: MeshPart, look: NamedMaterial) -> Json:
+        made = self._primitive(part)
+        made["material"] = look.number
+        if look.picture is not None:
+            uv = part.with_normals().uv
+            if uv is None:
+                raise RuntimeError(f"{look.name}: a mesh with a picture has no uv")
+            made["attributes"]["TEXCOORD_0"] = self._vertices(uv)
+        return made
+
+    def _painted(self, part: MeshPart, colour: Rgb) -> Json:
+        made = self._primitive(part)
+        colours = np.tile(np.array(colour), (len(part.with_normals().vertices), 1))
+        made["attributes"]["COLOR_0"] = self._vertices(colours)
+        return made
+
+    def _primitive(self, part: MeshPart) -> Json:
         part = part.with_normals()
         assert part.normals is not None
         indices = np.ascontiguousarray(part.faces, dtype=np.uint32).ravel()
-        attributes = {
-            "POSITION": self._vertices(y_up(part.vertices), bounds=True),
-            "NORMAL": self._vertices(y_up(unit(part.normals))),
-        }
-        made: Json = {
-            "attributes": attributes,
+        return {
+            "attributes": {
+                "POSITION": self._vertices(y_up(part.vertices), bounds=True),
+                "NORMAL": self._vertices(y_up(unit(part.normals))),
+            },
             "indices": self._accessor(indices, ELEMENT_ARRAY_BUFFER),
         }
-        if colour is not None:
-            colours = np.tile(np.array(colour, dtype=np.uint8), (len(part.vertices), 1))
-            attributes["COLOR_0"] = self._accessor(
-                colours, ARRAY_BUFFER, normalized=True
-            )
-            return made
-        made["material"] = look.number
-        if look.picture is not None:
-            if part.uv is None:
-                raise RuntimeError(f"{look.name}: a mesh with a picture has no uv")
-            attributes["TEXCOORD_0"] = self._vertices(part.uv)
-        return made
 
     def _vertices(self, rows: NDArray[np.floating], *, bounds: bool = False) -> int:
         values = np.ascontiguousarray(rows, dtype=np.float32)

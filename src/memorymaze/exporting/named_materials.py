@@ -44,7 +44,8 @@ class NamedMaterials:
     def of(self, mesh: NamedMesh) -> Iterator[tuple[MeshPart, NamedMaterial]]:
         """Yield the parts of a mesh with their materials."""
         for part in mesh.placed.parts:
-            yield part, self._named(part.material, mesh.words)
+            user = mesh.attributes.get("floor_material", mesh.label)
+            yield part, self._named(part.material, str(user))
 
     def _named(self, material: Material, user: str) -> NamedMaterial:
         picture = None
@@ -70,7 +71,7 @@ class NamedMaterials:
         if key not in self._picture_numbers:
             self._picture_numbers[key] = len(self.pictures)
             word = re.sub(r"[^a-z0-9]+", "_", user).strip("_") or "thing"
-            self.pictures.append((f"{word}_picture_{len(self.pictures)}", pixels))
+            self.pictures.append((f"{word}_{len(self.pictures)}", pixels))
         return self._picture_numbers[key]
 
     def _free(self, wanted: str) -> str:

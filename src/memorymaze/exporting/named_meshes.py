@@ -30,6 +30,8 @@ WORDS: Mapping[Kind, str] = {
     "decal": "shade",
 }
 """Kinds of what is round a piece of floor."""
+FLOORS = ("corridor", "area", "turning_point")
+"""Kinds of features that are floor."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -51,8 +53,10 @@ class NamedMesh:
         return str(self.attributes["kind"])
 
     @property
-    def words(self) -> str:
-        """What it is, for a semantic label: a thing's category, else its kind."""
+    def label(self) -> str:
+        """What it is called where pixels get classes: `floor`, `door`, `bench`, …."""
+        if self.kind in FLOORS:
+            return "floor"
         return str(self.attributes.get("category", self.kind)).lower()
 
 
@@ -62,8 +66,7 @@ def named_meshes(site: Site) -> Iterator[NamedMesh]:
     Things look as this project's own code makes them, never as furniture models that
     carry others' licences.
     """
-    features = json.loads(site.plan)["features"]
-    attributes = {str(each["id"]): _attributes(each) for each in features}
+    attributes = feature_attributes(site)
     yield from _structure(site, attributes)
     for thing in placed_things(site, "own"):
         record = thing.object.record
@@ -75,6 +78,12 @@ def named_meshes(site: Site) -> Iterator[NamedMesh]:
             yield _around(landmark.id, "decal", shade)
     for room in site.rooms:
         yield NamedMesh(room.id, attributes[room.id], _place(room.polygon))
+
+
+def feature_attributes(site: Site) -> Mapping[str, Attributes]:
+    """Return what a plan says of each feature, by its id."""
+    features = json.loads(site.plan)["features"]
+    return {str(each["id"]): _attributes(each) for each in features}
 
 
 def plan_members(site: Site) -> Attributes:

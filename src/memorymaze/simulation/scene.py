@@ -5,7 +5,7 @@ whose places an episode sets, 5 the robot. Only walls and obstacles touch the ro
 """
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Literal
@@ -147,16 +147,7 @@ def build_scene(site: Site, obstacles: ObstacleSettings | None = None) -> Scene:
         )
     objects += [SceneObject("floor", None), SceneObject("ceiling", None)]
 
-    open_rings = rings_with_things_above(site)
-    for wall in walls_around(site.walkable_floor):
-        height = site.ceiling_height
-        if wall.ring in open_rings:
-            height = BALUSTRADE_HEIGHT
-        solid = Solid(
-            (wall.x, wall.y, height / 2),
-            (wall.half_length, wall.half_thickness, height / 2),
-            wall.heading,
-        )
+    for solid in wall_solids(site):
         _add_box(world, solid, WALL_GROUP, touches=True)
         objects.append(SceneObject("wall", None))
 
@@ -210,6 +201,20 @@ def _movables(site: Site, obstacles: ObstacleSettings) -> list[Movable]:
         *things(obstacles.things_on(length), obstacles.kinds),
         *people(obstacles.people_on(site.walkable_floor.area)),
     ]
+
+
+def wall_solids(site: Site) -> Iterator[Solid]:
+    """Yield the walls of a site: up to the ceiling, or balustrades round open holes."""
+    open_rings = rings_with_things_above(site)
+    for wall in walls_around(site.walkable_floor):
+        height = site.ceiling_height
+        if wall.ring in open_rings:
+            height = BALUSTRADE_HEIGHT
+        yield Solid(
+            (wall.x, wall.y, height / 2),
+            (wall.half_length, wall.half_thickness, height / 2),
+            wall.heading,
+        )
 
 
 def rings_with_things_above(site: Site) -> set[int]:

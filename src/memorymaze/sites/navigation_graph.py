@@ -31,6 +31,8 @@ CAMERA_HEIGHT = 1.25
 """Metres above the floor."""
 APART = 0.6
 """Metres: a viewpoint nearer than this to another one is not set."""
+ROBOT_RADIUS = 0.25
+"""Metres kept from walls and obstacles."""
 SHIFT = 1.5
 """Metres a viewpoint is moved to get off an obstacle or a wall."""
 
@@ -120,7 +122,7 @@ def navigation_graph(
     *,
     spacing: float = 2.25,
     longest_edge: float = 5.0,
-    robot_radius: float = 0.25,
+    robot_radius: float = ROBOT_RADIUS,
 ) -> NavigationGraph:
     """Make the navigation graph of a site.
 
@@ -139,7 +141,7 @@ def navigation_graph(
     Raises:
         SitePlanError: The robot fits nowhere, or just not between two places.
     """
-    standing = _standing_floor(site, robot_radius)
+    standing = standing_floor(site, robot_radius)
     floor = Floor(standing)
     places = _place_viewpoints(site, standing, spacing)
     edges = _edges(places, floor, longest_edge)
@@ -154,7 +156,8 @@ def navigation_graph(
     )
 
 
-def _standing_floor(site: Site, robot_radius: float) -> Polygon:
+def standing_floor(site: Site, robot_radius: float = ROBOT_RADIUS) -> Polygon:
+    """Return where a robot's middle can be, on the largest piece it can drive in."""
     eroded = site.free_floor.buffer(-robot_radius, join_style="mitre")
     if eroded.is_empty:
         raise SitePlanError(

@@ -113,7 +113,7 @@ def build_visual_scene(
     looks = check_looks(looks)
     spec = mujoco.MjSpec()
     spec.modelname = f"{site.name}_looks"
-    _add_light(spec)
+    add_lights(spec)
     _add_sky(spec)
     structure = structure_of(site)
     things = list(placed_things(site, looks))
@@ -273,7 +273,7 @@ def _circle(points: NDArray[np.float64]) -> tuple[tuple[float, float], float]:
     return (float(centre[0]), float(centre[1])), radius + 0.1
 
 
-def _add_light(spec: mujoco.MjSpec) -> None:
+def add_lights(spec: mujoco.MjSpec) -> None:
     """A rig without shadows: enough to tell the sides of things apart."""
     visual = spec.visual
     visual.headlight.active = 1

@@ -1,0 +1,92 @@
+"""A building as MJCF: a folder with one XML and its pictures, for MuJoCo alone."""
+
+import json
+import math
+from collections.abc import Iterator
+from pathlib import Path
+
+import mujoco
+import numpy as np
+
+from memorymaze.durable_files import new_folder
+from memorymaze.exporting.named_materials import png_of
+from memorymaze.exporting.named_meshes import NamedMesh, named_meshes, plan_members
+from memorymaze.pictures.rendering.mujoco_model import SpecAssembler
+from memorymaze.pictures.rendering.placed_things import PlacedMeshes
+from memorymaze.pictures.rendering.visual_scene import add_lights
+from memorymaze.simulation.scene import wall_solids
+from memorymaze.simulation.solids import Solid, landmark_solid
+from memorymaze.sites.records import Site
+
+TEXTURES = "textures"
+SEEN_GROUP, SOLID_GROUP = 1, 3
+"""MuJoCo's viewer shows groups 0 to 2: what is seen, not the boxes one drives against."""
+
+
+def write_mjcf(site: Site, out: Path) -> list[Path]:
+    """Write a building as a folder with `NAME.xml`."""
+    spec = mujoco.MjSpec()
+    spec.modelname = site.name
+    add_lights(spec)
+    for name, solid in _solids(site):
+        spec.worldbody.add_geom(
+            name=name,
+            type=mujoco.mjtGeom.mjGEOM_BOX,
+            size=list(solid.half_size),
+            pos=list(solid.position),
+            quat=_about_z(solid.heading),
+            group=SOLID_GROUP,
+        )
+    spec.worldbody.add_geom(
+        name="floor",
+        type=mujoco.mjtGeom.mjGEOM_PLANE,
+        size=[0, 0, 1],
+        group=SOLID_GROUP,
+    )
+    assembler = SpecAssembler(spec)
+    spec.add_text(name="plan", data=_text(plan_members(site)))
+    for mesh in named_meshes(site):
+        _add(assembler, mesh)
+    assembler.finish()
+    with new_folder(out) as folder:
+        (folder / TEXTURES).mkdir()
+        names = [f"{site.name}.xml"]
+        for texture in spec.textures:
+            pixels = np.frombuffer(bytes(texture.data), dtype=np.uint8)
+            shape = (texture.height, texture.width, texture.nchannel)
+            names.append(f"{TEXTURES}/{texture.name}.png")
+            (folder / names[-1]).write_bytes(png_of(pixels.reshape(shape)))
+            texture.file, texture.data = names[-1], b""
+        # The XML is only written for what compiles, so it looks for the pictures.
+        spec.modelfiledir = str(folder)
+        (folder / names[0]).write_text(spec.to_xml(), encoding="utf-8")
+    return [out / name for name in names]
+
+
+def _solids(site: Site) -> Iterator[tuple[str, Solid]]:
+    """Yield what a robot drives against, the same boxes as in our own scene."""
+    for number, solid in enumerate(wall_solids(site)):
+        yield f"wall_{number}/solid", solid
+    for landmark in site.landmarks:
+        if landmark.obstacle:
+            yield f"{landmark.id}/solid", landmark_solid(landmark, site)
+
+
+def _add(assembler: SpecAssembler, mesh: NamedMesh) -> None:
+    """Add a body with what is seen of a feature, and a text with what it is."""
+    placed = mesh.placed
+    body = assembler.spec.worldbody.add_body(
+        name=mesh.name,
+        pos=[placed.x, placed.y, placed.z],
+        quat=_about_z(placed.heading),
+    )
+    assembler.add(PlacedMeshes(placed.parts), SEEN_GROUP, body=body)
+    assembler.spec.add_text(name=mesh.name, data=_text(mesh.attributes))
+
+
+def _about_z(heading: float) -> list[float]:
+    return [math.cos(heading / 2), 0.0, 0.0, math.sin(heading / 2)]
+
+
+def _text(attributes: object) -> str:
+    return json.dumps(attributes, ensure_ascii=False)
