@@ -25,6 +25,7 @@ EXTRAS = (
     ("ocr", ("onnxruntime", "rapidocr"), "--signs ocr"),
     ("ray", ("ray",), "evaluate --ray, episodes on a cluster"),
     ("rerun", ("rerun",), "replay --rerun"),
+    ("ros", ("yaml",), "sites import --from ros_map"),
     (
         "studies",
         ("starlette", "uvicorn", "python_multipart", "cryptography"),

@@ -1,0 +1,151 @@
+"""A map that a robot made: free space to floor, centre lines, corridors, turning points."""
+
+import math
+import re
+from pathlib import Path
+
+import shapely
+from shapely import LineString, Polygon
+
+from memorymaze.errors import ImportFileError, SettingsError
+from memorymaze.extras import require_extra
+from memorymaze.importing.centre_lines import centre_lines
+from memorymaze.importing.imported import ImportedSite, ImportNotes
+from memorymaze.importing.straight_walls import straight_walls
+from memorymaze.importing.ways import plan_floor
+from memorymaze.sites.floor_rules import ROBOT_RADIUS
+from memorymaze.sites.plan_writing import Feature, degrees, point_feature
+from memorymaze.wording import counted
+
+STRAY = 0.12
+"""Metres by which a straight wall may stray from the map's."""
+STRAY_CELLS = 2.0
+"""The same in cells, where cells are large."""
+OBSTACLE_ACROSS = 1.5
+"""Metres; what stands free and is no longer is an obstacle, else wall."""
+OBSTACLE_HEIGHT = 1.0
+"""Metres; a map does not tell."""
+CEILING = 2.8
+"""Metres; nor this."""
+PLACES_TOLD = 5
+
+
+def import_ros_map(path: Path, *, narrowest: float = 2 * ROBOT_RADIUS) -> ImportedSite:
+    """Return the floor of a ROS map as a plan, in metres of the map's frame.
+
+    What lies behind ways narrower than `narrowest` metres is left out.
+    """
+    require_extra("ros", "yaml", purpose="reading the map's YAML file")
+    from memorymaze.importing.free_space import free_space
+    from memorymaze.importing.occupancy import read_occupancy
+
+    if not 0 < narrowest < math.inf:
+        raise SettingsError(
+            f"narrowest: expected metres greater than 0, got {narrowest:g}"
+        )
+    grid = read_occupancy(path)
+    try:
+        space = free_space(grid, narrowest / 2)
+    except ImportFileError as error:
+        raise ImportFileError(f"{path}: {error}") from None
+    notes = ImportNotes()
+    stray = max(STRAY, STRAY_CELLS * grid.resolution)
+    holes = [Polygon(hole) for hole in space.floor.interiors]
+    standing = [hole for hole in holes if _is_obstacle(hole)]
+    walls = [hole.exterior for hole in holes if not _is_obstacle(hole)]
+    floor = straight_walls(Polygon(space.floor.exterior, walls), stray)
+    planned = plan_floor(centre_lines(floor), notes, floor)
+    obstacles = [
+        _obstacle_feature(number, hole)
+        for number, hole in enumerate(standing, 1)
+        if planned.polygon.covers(hole.centroid)
+    ]
+    rows, columns = grid.free.shape
+    notes.took.insert(
+        0,
+        f"{columns} by {rows} cells of {grid.resolution:g} m, in the map's own frame",
+    )
+    notes.guessed += [
+        f"walls: straight lines that stray by up to {stray:.2f} m from the cells",
+        f"ceiling height: {CEILING} m; materials",
+    ]
+    if grid.unknown_as_saved:
+        notes.guessed.append(
+            f"{grid.unknown_as_saved} cells of shade 205 are unknown space, as map_saver "
+            "writes it, though the map's free_thresh would make them free"
+        )
+    if space.specks:
+        notes.guessed.append(f"{counted(space.specks, 'speck')} amid free floor: noise")
+    if obstacles:
+        notes.guessed.append(
+            f"{counted(len(obstacles), 'obstacle')} that stand free: boxes of "
+            f"{OBSTACLE_HEIGHT:g} m height; say what they are"
+        )
+    if space.left_out >= 1:
+        notes.missing.append(
+            f"{space.left_out:.0f} m² of free cells behind ways narrower than "
+            f"{narrowest:g} m, or not connected"
+        )
+    if space.gaps:
+        notes.missing.append(_gaps_told(space.gaps))
+    notes.missing.append("rooms, doors, names, things, routes: add them by hand")
+    name = re.sub("[^a-z0-9]+", "_", path.stem.lower()).strip("_") or "ros_map"
+    return notes.imported({
+        "type": "FeatureCollection",
+        "name": name,
+        "title": name.replace("_", " ").capitalize(),
+        "floor": "ground floor",
+        "ceiling_height_m": CEILING,
+        "anchor": None,
+        "description": f"Made from the ROS map {path.name}.",
+        "features": [*planned.features, *obstacles],
+    })
+
+
+def _is_obstacle(hole: Polygon) -> bool:
+    return max(_sides(hole)) <= OBSTACLE_ACROSS
+
+
+def _sides(shape: Polygon) -> tuple[float, float]:
+    """Return the sides of the smallest rectangle around a shape."""
+    corners = shapely.get_coordinates(shape.minimum_rotated_rectangle)
+    return math.dist(*corners[:2]), math.dist(*corners[1:3])
+
+
+def _obstacle_feature(number: int, hole: Polygon) -> Feature:
+    box = shapely.get_coordinates(hole.minimum_rotated_rectangle)
+    first, second = math.dist(*box[:2]), math.dist(*box[1:3])
+    # Its front is a long side.
+    side = box[1] - box[0] if first < second else box[2] - box[1]
+    return point_feature(
+        f"box_{number}",
+        "landmark",
+        (hole.centroid.x, hole.centroid.y),
+        category="box",
+        color=None,
+        name=None,
+        text=None,
+        heading_deg=degrees(math.atan2(side[1], side[0])),
+        size_m=[
+            round(max(first, second), 2),
+            round(min(first, second), 2),
+            OBSTACLE_HEIGHT,
+        ],
+        mount="floor",
+        obstacle=True,
+    )
+
+
+def _gaps_told(gaps: tuple[LineString, ...]) -> str:
+    """Return where the floor ends without a wall, the longest stretches first."""
+    longest = sorted(gaps, key=lambda gap: -gap.length)[:PLACES_TOLD]
+    places = ", ".join(
+        f"({middle.x:.1f}, {middle.y:.1f}) over {gap.length:.1f} m"
+        for gap in longest
+        for middle in [gap.interpolate(0.5, normalized=True)]
+    )
+    more = f" and {len(gaps) - PLACES_TOLD} more" if len(gaps) > PLACES_TOLD else ""
+    return (
+        f"walls at {places}{more}: the map ends there in unknown space; an opening, "
+        "glass, or not explored"
+    )

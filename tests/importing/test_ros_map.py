@@ -1,0 +1,134 @@
+import json
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+from benchmarks.noisy_maps import Noise, write_map
+from shapely import box
+
+from memorymaze.errors import ImportFileError, SettingsError
+from memorymaze.importing.imported import ImportedSite
+from memorymaze.importing.ros_map import import_ros_map
+from memorymaze.sites import Site, load_site
+from memorymaze.sites import check_site as problems_of
+from memorymaze.sites.plan_writing import line_feature
+from memorymaze.testing import check_site
+
+FLOOR = box(0, 0, 20, 2.4) | box(17.6, 0, 20, 14) | box(8, 0, 10.4, 9)
+CLEAN = Noise()
+ROOM = box(4, 2.4, 4.9, 2.6) | box(2, 2.6, 7, 8)
+
+
+@pytest.fixture
+def mapped(tmp_path: Path) -> Callable[..., Path]:
+    def write(noise: Noise = CLEAN, floor: object = FLOOR, seed: int = 3) -> Path:
+        rng = np.random.default_rng(seed)
+        return write_map(tmp_path / "office", floor, noise, rng)[0]
+
+    return write
+
+
+@pytest.fixture
+def loaded(tmp_path: Path) -> Callable[..., Site]:
+    """Write an imported plan, see that it breaks no rule, and load it."""
+
+    def load(imported: ImportedSite, *more: object) -> Site:
+        path = tmp_path / f"{imported.plan['name']}.geojson"
+        features = [*imported.plan["features"], *more]
+        path.write_text(json.dumps({**imported.plan, "features": features}))
+        assert [each for each in problems_of(path) if each.severity == "error"] == []
+        return load_site(path)
+
+    return load
+
+
+def test_a_map_becomes_corridors_and_turning_points(
+    mapped: Callable[..., Path], loaded: Callable[..., Site]
+) -> None:
+    imported = import_ros_map(mapped())
+    site = loaded(imported)
+
+    assert site.walkable_floor.symmetric_difference(FLOOR).area < 0.02 * FLOOR.area
+    assert sorted(each.shape for each in site.turning_points) == [
+        "corner",
+        "t_junction",
+    ]
+    assert "520 by 400 cells of 0.05 m, in the map's own frame" in " ".join(
+        imported.took
+    )
+    assert "rooms, doors, names" in imported.missing[-1]
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_a_noisy_map_of_a_building_askew_gives_the_same_ways(
+    mapped: Callable[..., Path], loaded: Callable[..., Site], seed: int
+) -> None:
+    noise = Noise(ragged=0.04, specks=0.02, missing_wall=0.05, turned_deg=23)
+
+    site = loaded(import_ros_map(mapped(noise, seed=seed)))
+
+    assert site.walkable_floor.area == pytest.approx(FLOOR.area, rel=0.05)
+    assert sorted(each.shape for each in site.turning_points) == [
+        "corner",
+        "t_junction",
+    ]
+
+
+def test_a_route_over_the_floor_of_a_map_can_be_driven(
+    mapped: Callable[..., Path], loaded: Callable[..., Site], tmp_path: Path
+) -> None:
+    path = mapped(CLEAN, FLOOR - box(18.6, 12.4, 19.0, 12.8))
+    imported = import_ros_map(path)
+    route = line_feature(
+        "route_r1_reference",
+        "route",
+        [(1, 1.2), (18.8, 1.2), (18.8, 11)],
+        route="R1",
+        role="reference",
+        start_heading_deg=0,
+        goal="the box",
+        goal_landmark="box_1",
+        turns=[],
+        note="",
+    )
+
+    site = loaded(imported, route)
+
+    assert [each.category for each in site.landmarks] == ["box"]
+    assert "1 obstacle that stand" in " ".join(imported.guessed)
+    check_site(site.source)
+
+
+def test_rooms_behind_doors_are_kept_or_left_out_as_told(
+    mapped: Callable[..., Path], loaded: Callable[..., Site]
+) -> None:
+    path = mapped(CLEAN, FLOOR | ROOM)
+
+    whole = loaded(import_ros_map(path))
+    imported = import_ros_map(path, narrowest=1.2)
+
+    assert whole.walkable_floor.area == pytest.approx((FLOOR | ROOM).area, rel=0.02)
+    assert loaded(imported).walkable_floor.area == pytest.approx(FLOOR.area, rel=0.02)
+    assert imported.missing[0].startswith("26 m² of free cells behind ways narrower")
+
+
+def test_an_edge_that_nobody_saw_is_told(mapped: Callable[..., Path]) -> None:
+    path = mapped(Noise(missing_wall=0.5))
+
+    assert any("the map ends there" in line for line in import_ros_map(path).missing)
+
+
+def test_a_map_without_floor_is_refused_by_name(mapped: Callable[..., Path]) -> None:
+    path = mapped(floor=box(0, 0, 5, 0.3))
+
+    with pytest.raises(ImportFileError, match=r"map\.yaml: expected floor for a robot"):
+        import_ros_map(path)
+
+
+@pytest.mark.parametrize("narrowest", [0.0, -1.0, float("nan"), float("inf")])
+def test_a_width_without_meaning_is_refused(
+    mapped: Callable[..., Path], narrowest: float
+) -> None:
+    with pytest.raises(SettingsError, match="narrowest: expected metres"):
+        import_ros_map(mapped(), narrowest=narrowest)
