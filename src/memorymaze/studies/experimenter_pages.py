@@ -1,6 +1,5 @@
 """What the experimenter sees: progress, participants, withdrawal; behind a token."""
 
-import hmac
 from collections.abc import Awaitable, Callable
 from datetime import datetime
 from typing import Any
@@ -10,6 +9,7 @@ from starlette.requests import Request
 from starlette.responses import RedirectResponse, Response
 from starlette.routing import BaseRoute, Route
 
+from memorymaze.pages.entrance import Entrance
 from memorymaze.pages.web import Fields, posted, render
 from memorymaze.studies.participant_pages import cookie_name
 from memorymaze.studies.store import Participant, Store
@@ -23,14 +23,17 @@ class ExperimenterPages:
     def __init__(self, store: Store, token: str) -> None:
         """Take the answers' store, and what the printed address ends with."""
         self._store = store
-        self._token = token
-        self._cookie = cookie_name("experimenter", store)
+        self.entrance = Entrance(
+            token,
+            cookie_name("experimenter", store),
+            "Open the experimenter's address that the server printed.",
+        )
 
     @property
     def routes(self) -> list[BaseRoute]:
         """Where the pages are."""
         return [
-            Route("/enter/{token}", self._enter),
+            *self.entrance.routes,
             Route("/", self.guarded(self._overview)),
             Route("/find", self.guarded(self._find)),
             Route("/participants/{id}", self.guarded(self._participant)),
@@ -48,34 +51,10 @@ class ExperimenterPages:
         """Return an endpoint that only who has the token gets to."""
 
         def checked(request: Request, fields: Fields) -> Response:
-            self.check(request)
+            self.entrance.check(request)
             return page(request, fields)
 
         return posted(checked)
-
-    def check(self, request: Request) -> None:
-        """Refuse who has not got the token."""
-        if not self._is(request.cookies.get(self._cookie, "")):
-            raise HTTPException(
-                403, "Open the experimenter's address that the server printed."
-            )
-
-    def _is(self, given: str) -> bool:
-        return hmac.compare_digest(given.encode(), self._token.encode())
-
-    def _enter(self, request: Request) -> Response:
-        given = request.path_params["token"]
-        if not self._is(given):
-            raise HTTPException(403, "This is not the address that the server printed.")
-        response = RedirectResponse("/", status_code=303)
-        response.set_cookie(
-            self._cookie,
-            given,
-            httponly=True,
-            samesite="strict",
-            secure=request.url.scheme == "https",
-        )
-        return response
 
     def _overview(self, request: Request, fields: Fields) -> Response:
         store = self._store

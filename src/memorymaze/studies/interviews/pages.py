@@ -199,7 +199,7 @@ class InterviewPages:
         return self._interviews.take(record, "", state="complete")
 
     async def _take_recording(self, request: Request) -> Response:
-        self._experimenter.check(request)
+        self._experimenter.entrance.check(request)
         if not _is_safe(request):
             raise HTTPException(403, NEEDS_HTTPS)
         body = await request.body()
