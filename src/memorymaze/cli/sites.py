@@ -1,10 +1,11 @@
-"""`memorymaze sites`: list, begin, make, check and draw site plans."""
+"""`memorymaze sites`: list, begin, edit, make, check and draw site plans."""
 
 import argparse
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from memorymaze.cli.sites_edit import add_edit
 from memorymaze.cli.sites_export import add_export
 from memorymaze.cli.verbs import VerbParser, Verbs
 from memorymaze.wording import counted
@@ -20,8 +21,8 @@ def add_parser(verbs: Verbs) -> None:
     """Add the verb to the command line."""
     parser = verbs.add_parser(
         "sites",
-        help="list, begin, make, check and draw site plans, and get models for them",
-        description="List, begin, make, check and draw site plans (docs/site_plans.md), and "
+        help="list, begin, edit, make, check and draw site plans, and get models for them",
+        description="List, begin, edit, make, check and draw site plans (docs/site_plans.md), and "
         "convert models for what stands in them (docs/assets.md).",
         epilog="example: memorymaze sites check my_buildings/annex.geojson",
     )
@@ -30,6 +31,7 @@ def add_parser(verbs: Verbs) -> None:
     )
     _add_list(parts)
     _add_new(parts)
+    add_edit(parts)
     _add_generate(parts)
     _add_check(parts)
     _add_draw(parts)
@@ -233,29 +235,12 @@ def _check(args: argparse.Namespace) -> int:
 
 def _without_a_look(path: Path, found: "list[SiteProblem]") -> "list[SiteProblem]":
     """Return a warning for each category of a sound plan that nothing looks like."""
-    from memorymaze.pictures.looks.catalogue import archetype_of
+    from memorymaze.pictures.looks.catalogue import problems_of_looks
     from memorymaze.sites import load_site
-    from memorymaze.sites.problems import SiteProblem
 
     if any(problem.severity == "error" for problem in found):
         return []
-    unknown = {
-        thing.category: thing.id
-        for thing in reversed(load_site(path).landmarks)
-        if archetype_of(thing.category) is None
-    }
-    return [
-        SiteProblem(
-            feature,
-            "known-look",
-            f"expected a category that has a look, got {category!r}, shown as a box "
-            "with its name; use a common noun such as bench, or end with one "
-            "(reading bench)",
-            "warning",
-            str(path),
-        )
-        for category, feature in reversed(unknown.items())
-    ]
+    return problems_of_looks(load_site(path))
 
 
 def _draw(args: argparse.Namespace) -> int:

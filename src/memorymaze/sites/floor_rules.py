@@ -159,7 +159,7 @@ def _turning_point(
             f"expected a convex shape, got one that lacks {lacking:.2f} m² of its hull",
         )
     middle = point.polygon.centroid
-    reach = 0.75 * math.sqrt(point.polygon.area) + 0.8
+    reach = exit_reach(point.polygon)
     for index, way in enumerate(point.exits):
         degrees = math.degrees(way.heading) % 360
         neighbour = parts.get(way.to, point.polygon)
@@ -190,6 +190,11 @@ def _turning_point(
                     f"{way.to!r} and {other.to!r} near {degrees:.0f} degrees",
                     "warning",
                 )
+
+
+def exit_reach(place: Polygon) -> float:
+    """Return how far from the middle of a turning point its exits must be free, metres."""
+    return 0.75 * math.sqrt(place.area) + 0.8
 
 
 def thing_findings(site: Site, floor: Polygon) -> Iterator[SiteProblem]:

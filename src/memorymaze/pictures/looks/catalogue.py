@@ -17,7 +17,8 @@ from memorymaze.pictures.looks.assembly import Assembly, ObjectModel, Order
 from memorymaze.pictures.looks.bins_and_barriers import placeholder
 from memorymaze.pictures.looks.windows import is_window, window_model
 from memorymaze.pictures.tables import read_table
-from memorymaze.sites.records import Landmark, Mount
+from memorymaze.sites.problems import SiteProblem
+from memorymaze.sites.records import Landmark, Mount, Site
 
 Builder = Callable[[Assembly, Order], None]
 """Puts a thing of a size, colour and text together."""
@@ -67,6 +68,27 @@ def archetype_of(category: str) -> str | None:
             if form in names:
                 return names[form]
     return None
+
+
+def problems_of_looks(site: Site) -> list[SiteProblem]:
+    """Return a warning for each category of a plan that nothing looks like."""
+    unknown = {
+        thing.category: thing.id
+        for thing in reversed(site.landmarks)
+        if archetype_of(thing.category) is None
+    }
+    return [
+        SiteProblem(
+            feature,
+            "known-look",
+            f"expected a category that has a look, got {category!r}, shown as a box "
+            "with its name; use a common noun such as bench, or end with one "
+            "(reading bench)",
+            "warning",
+            site.source,
+        )
+        for category, feature in reversed(unknown.items())
+    ]
 
 
 def model_for_landmark(landmark: Landmark, looks: Looks = "own") -> ObjectModel:

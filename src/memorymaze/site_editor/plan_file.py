@@ -1,0 +1,256 @@
+"""The file that is edited: what it says, what is not saved yet, and saving.
+
+A browser sends the features that it has not touched by their place in the file, so that
+they are written again byte for byte.
+"""
+
+import json
+import threading
+from dataclasses import dataclass
+from hashlib import sha256
+from pathlib import Path
+from typing import Any
+
+from pydantic import BaseModel, ConfigDict, ValidationError
+
+from memorymaze.durable_files import write_whole
+from memorymaze.errors import SettingsError, SitePlanError
+from memorymaze.input_files import parse_json, read_text
+from memorymaze.site_editor.json_text import (
+    Verbatim,
+    Written,
+    assembled,
+    dumped,
+    read_written,
+    rewritten,
+)
+
+Plan = dict[str, Any]
+SUFFIXES = (".geojson", ".json")
+
+
+class Edited(BaseModel):
+    """A plan as a browser sends it."""
+
+    model_config = ConfigDict(strict=True, frozen=True)
+
+    base: str
+    """Fingerprint of the file's text that it began with."""
+    members: Plan
+    """All members but the features."""
+    features: list[Any]
+    """A number is the place of a feature in the file that is not changed."""
+
+
+class Picture(BaseModel):
+    """Where the picture of a floor plan lies beneath the plan."""
+
+    model_config = ConfigDict(strict=True, frozen=True)
+
+    x: float
+    """Of its upper left corner, metres."""
+    y: float
+    metres_per_pixel: float
+    turn_deg: float
+    """Counter-clockwise about that corner."""
+    opacity: float
+
+
+class Kept(BaseModel):
+    """What is kept beside the plan: what is not saved, and where the picture lies."""
+
+    base: str = ""
+    draft: Plan | None = None
+    picture: Picture | None = None
+
+
+class ChangedMeanwhile(Exception):
+    """The file is not what the browser began with; the message says what to do."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Read:
+    """The file as it was read."""
+
+    text: str
+    written: Written
+    is_there: bool
+
+    @property
+    def base(self) -> str:
+        return sha256(self.text.encode()).hexdigest() if self.is_there else ""
+
+
+class PlanFile:
+    """A plan's file and its drafts; several threads may use it."""
+
+    def __init__(self, path: Path) -> None:
+        """Read the file, which need not be there; SitePlanError says what is no JSON."""
+        if path.suffix not in SUFFIXES:
+            raise SettingsError(
+                f"{path}: expected a plan's file, *{' or *'.join(SUFFIXES)}, got "
+                f"{path.name!r}"
+            )
+        self.path = path.resolve()  # a link stays a link when the file is replaced
+        self._drafts = path.with_name(f".{path.stem}.editing.json")
+        self._lock = threading.RLock()
+        self._kept = self._read_kept()
+        self._read = self._read_file()
+
+    def contents(self) -> dict[str, Any]:
+        """Return what a page begins with, from the disk."""
+        with self._lock:
+            self._read = self._read_file()
+            return {
+                "base": self._read.base,
+                "plan": self._read.written.value,
+                "draft": self._kept.draft,
+                "is_old_draft": self._kept.base != self._read.base,
+                "picture": self._kept.picture and self._kept.picture.model_dump(),
+            }
+
+    def document(self, edited: Edited) -> Plan:
+        """Return what a browser sent as a whole plan."""
+        with self._lock:
+            if edited.base != self._read.base:
+                raise ChangedMeanwhile(
+                    "This plan was saved or loaded in another window. Load this page "
+                    "again; what is not saved there comes along."
+                )
+            there = self._read.written.value.get("features")
+            there = there if isinstance(there, list) else []
+            if any(
+                isinstance(e, int) and not 0 <= e < len(there) for e in edited.features
+            ):
+                raise ChangedMeanwhile("Load this page again.")
+            features = [
+                there[each] if isinstance(each, int) else each
+                for each in edited.features
+            ]
+        return {**edited.members, "features": features}
+
+    def keep_draft(self, edited: Edited) -> Plan:
+        """Keep what is not saved, and return it as a whole plan."""
+        with self._lock:
+            document = self.document(edited)
+            is_saved = self._text_of(edited) == self._read.text
+            self._keep(base=self._read.base, draft=None if is_saved else document)
+        return document
+
+    def discard_draft(self) -> None:
+        """Forget what is not saved."""
+        with self._lock:
+            self._keep(draft=None)
+
+    def keep_picture(self, picture: Picture) -> None:
+        """Keep where the picture lies."""
+        with self._lock:
+            self._keep(picture=picture)
+
+    def save(self, edited: Edited, *, over_others: bool) -> str:
+        """Write the file, and return its new fingerprint.
+
+        A file that somebody else changed since it was read is only written with
+        `over_others`; else ChangedMeanwhile.
+        """
+        with self._lock:
+            self.document(edited)
+            text = self._text_of(edited)
+            if not over_others and self._is_changed_on_disk():
+                raise ChangedMeanwhile(
+                    f"{self.path.name} was changed on the disk since it was loaded here."
+                )
+            is_new = text != self._read.text or not self._read.is_there
+            if is_new or self._is_changed_on_disk():
+                write_whole(self.path, text.encode())
+            self._read = _Read(text, read_written(text), is_there=True)
+            self._keep(draft=None)
+            return self._read.base
+
+    def _text_of(self, edited: Edited) -> str:
+        """Return what the file says when this is saved."""
+        text, whole = self._read.text, self._read.written
+        listed = next((i.content for i in whole.items if i.name == "features"), None)
+        if listed is None or not isinstance(listed.value, list):
+            text_of_list, listed = "[\n  ]", read_written("[\n  ]")
+        else:
+            text_of_list = text
+        by_id = {
+            str(item.content.value.get("id")): item
+            for item in reversed(listed.items)
+            if isinstance(item.content.value, dict)
+        }
+
+        def part(each: Any) -> tuple[str | None, str]:
+            if isinstance(each, int):
+                item = listed.items[each]
+                return item.lead, text[item.start : item.content.end]
+            item = by_id.get(str(each.get("id"))) if isinstance(each, dict) else None
+            if item is None:
+                return None, dumped(each)
+            return item.lead, rewritten(text, item.content, each)
+
+        features = text_of_list[listed.start : listed.end]
+        if edited.features != list(range(len(listed.items))):
+            features = assembled(
+                text_of_list, listed, map(part, edited.features), "\n    "
+            )
+        new = {**edited.members, "features": Verbatim(features)}
+        return text[: whole.start] + rewritten(text, whole, new) + text[whole.end :]
+
+    def _read_file(self) -> _Read:
+        if not self.path.exists():
+            text = _new_plan(self.path.stem)
+            return _Read(text, read_written(text), is_there=False)
+        text = read_text(self.path, SitePlanError)
+        try:
+            document = parse_json(text)
+        except ValueError as error:
+            raise SitePlanError(
+                f"{self.path}: {error}; correct it in a text editor first"
+            ) from None
+        if not isinstance(document, dict):
+            raise SitePlanError(
+                f'{self.path}: expected {{"type": "FeatureCollection", …}} at the top'
+            )
+        return _Read(text, read_written(text), is_there=True)
+
+    def _is_changed_on_disk(self) -> bool:
+        if not self.path.exists():
+            return self._read.is_there
+        if not self._read.is_there:
+            return True
+        return read_text(self.path, SitePlanError) != self._read.text
+
+    def _read_kept(self) -> Kept:
+        if not self._drafts.exists():
+            return Kept()
+        try:
+            return Kept.model_validate_json(read_text(self._drafts, SitePlanError))
+        except ValidationError as error:
+            raise SitePlanError(
+                f"{self._drafts}: expected a draft that this page kept; repair or "
+                f"remove it ({error.errors()[0]['msg']})"
+            ) from None
+
+    def _keep(self, **changed: Any) -> None:
+        self._kept = self._kept.model_copy(update=changed)
+        if self._kept.draft is None and self._kept.picture is None:
+            self._drafts.unlink(missing_ok=True)
+        else:
+            write_whole(self._drafts, json.dumps(self._kept.model_dump()).encode())
+
+
+def _new_plan(name: str) -> str:
+    """Return a plan in which nothing stands yet."""
+    members = {
+        "type": "FeatureCollection",
+        "name": name,
+        "title": name.replace("_", " ").capitalize(),
+        "floor": "ground floor",
+        "ceiling_height_m": 2.8,
+        "anchor": None,
+        "description": "",
+    }
+    lines = [f"  {dumped(key)}: {dumped(value)},\n" for key, value in members.items()]
+    return f'{{\n{"".join(lines)}  "features": [\n  ]\n}}\n'
