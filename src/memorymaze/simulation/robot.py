@@ -54,6 +54,7 @@ class SimulatedRobot(GuideRobot):
         lidar: LidarSettings | None = None,
         odometry: OdometrySettings | None = None,
         cameras: CameraMaker | None = None,
+        knows_plan: bool = True,
     ) -> None:
         """Put a robot into a building.
 
@@ -76,6 +77,9 @@ class SimulatedRobot(GuideRobot):
                 when None. Another child of `rng` gives the noise.
             cameras: What draws its pictures, such as `memorymaze.pictures.robot_cameras`;
                 None for a robot that takes none.
+            knows_plan: Whether it steers by the plan and knows where it is on it. One that
+                does not has its LiDAR and its odometry, as any robot on a body of one's
+                own; `follow` is not for it.
 
         Raises:
             SettingsError: There are to be people, and the package for them is missing.
@@ -90,6 +94,7 @@ class SimulatedRobot(GuideRobot):
             rng or np.random.default_rng(0),
             lidar=lidar,
             odometry=odometry,
+            localised=knows_plan,
             cameras=cameras,
         )
         if scene.obstacles is not None:
@@ -102,7 +107,9 @@ class SimulatedRobot(GuideRobot):
             )
         super().__init__(
             body,
-            PlanFloor(body, _turning_points(body, start, settings)),
+            PlanFloor(body, _turning_points(body, start, settings))
+            if knows_plan
+            else None,
             settings,
             on_event,
             detector=detector or TruthDetector(settings.detection_range),

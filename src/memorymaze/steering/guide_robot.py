@@ -31,6 +31,7 @@ from memorymaze.steering.commands import (
 from memorymaze.steering.driving import Driver, TimeIsUp
 from memorymaze.steering.floor import Floor
 from memorymaze.steering.pilot import Pilot
+from memorymaze.steering.sensed_floor import SensedFloor
 from memorymaze.steering.settings import RobotSettings
 
 Result = TypeVar("Result")
@@ -48,7 +49,7 @@ class GuideRobot:
     def __init__(
         self,
         body: SensorsAndMotion,
-        floor: Floor,
+        floor: Floor | None = None,
         settings: RobotSettings | None = None,
         on_event: Callable[[TraceEvent], None] | None = None,
         *,
@@ -59,7 +60,8 @@ class GuideRobot:
 
         Args:
             body: What moves and measures.
-            floor: What is known of the floor.
+            floor: What is known of the floor; None for what the LiDAR sees, in the frame
+                of the body's odometry.
             settings: Abilities and limits; the defaults when None.
             on_event: Called after each call of the control API.
             detector: Eyes of `detect_from_RGB_image`, such as a `PictureDetector`; with
@@ -69,8 +71,8 @@ class GuideRobot:
         self.settings = settings or RobotSettings()
         """Its abilities and the limits of the episode."""
         self._body = body
-        self._floor = floor
-        self._driver = Driver(body, floor, self.settings)
+        self._floor = floor or SensedFloor(body)
+        self._driver = Driver(body, self._floor, self.settings)
         self._pilot = Pilot(self._driver, self.settings)
         self._log = CallLog(self.settings, on_event)
         self._detector = detector

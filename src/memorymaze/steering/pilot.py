@@ -19,6 +19,12 @@ REPLAN_ANGLE = math.radians(40)
 """Angle to its lane from which on a robot plans anew."""
 SPIN_FIRST = math.radians(8)
 """Angle to a new lane's beginning from which on the robot first turns on the spot."""
+ON_WAY = 0.1
+"""Metres between a lane and its way within which a robot is not going round something."""
+SHORT_LANE = 2.0
+"""Metres of a lane left with which it is planned anew wherever the robot is."""
+LEAST_PART = 0.2
+"""Metres that are driven at least before it is looked at again."""
 BACK_SECTOR = math.radians(35)
 """`around` faces an exit that lies within this angle of a half turn."""
 
@@ -45,6 +51,7 @@ class Pilot:
         self._fresh = True
         self._towards: str | None = None
         self._follower: LaneFollower | None = None
+        self._planned_at = 0.0
 
     def come_to_rest(self) -> None:
         """Brake until the robot stands."""
@@ -62,12 +69,16 @@ class Pilot:
             or abs(follower.off_course) > REPLAN_ANGLE
         ):
             follower = self._planned()
-        around = self._floor.surroundings
-        if around is None:
-            how = driver.follow(follower, distance, self._settings.rolling_speed)
-        else:
-            how, follower = self._move_among_people(follower, distance, around)
-        self._course = follower.station.course
+        left = distance
+        while True:
+            follower = self._planned_on(follower)
+            part = min(left, self._until_new_plan())
+            before = driver.distance
+            how, follower = self._follow(follower, part, ends=part == left)
+            self._course = follower.station.course
+            if how != "distance" or part == left:
+                break
+            left -= driver.distance - before
         if how == "distance":
             return "done"
         if how == "held":
@@ -78,8 +89,41 @@ class Pilot:
         self._follower = None
         return self._floor.what_blocks()
 
+    def _until_new_plan(self) -> float:
+        """Return how far to drive before looking whether the way is to be found anew."""
+        driven = self._driver.distance - self._planned_at
+        return max(self._floor.horizon - driven, LEAST_PART)
+
+    def _planned_on(self, follower: LaneFollower) -> LaneFollower:
+        """Return the lane from here on, where what is known of the way has grown.
+
+        A robot that is going round something first gets past it.
+        """
+        if self._driver.distance - self._planned_at < self._floor.horizon:
+            return follower
+        station = follower.station
+        beside = math.dist(station[:2], (station.way_x, station.way_y))
+        if beside > ON_WAY and follower.remaining > SHORT_LANE:
+            return follower
+        lane = self._straight_lane(self._floor.clearance)
+        return self._joined(lane)
+
+    def _follow(
+        self, follower: LaneFollower, distance: float, *, ends: bool
+    ) -> tuple[DriveEnd, LaneFollower]:
+        """Drive along a lane, to roll on from its end or to go on at full speed."""
+        settings, around = self._settings, self._floor.surroundings
+        speed = settings.rolling_speed if ends else settings.max_speed
+        if around is None:
+            return self._driver.follow(follower, distance, speed), follower
+        return self._move_among_people(follower, distance, speed, around)
+
     def _move_among_people(
-        self, follower: LaneFollower, distance: float, surroundings: Surroundings
+        self,
+        follower: LaneFollower,
+        distance: float,
+        end_speed: float,
+        surroundings: Surroundings,
     ) -> tuple[DriveEnd, LaneFollower]:
         """Drive on; wait for people, or go round those who stand, as patience lasts."""
         driver = self._driver
@@ -90,7 +134,7 @@ class Pilot:
             how = driver.follow(
                 follower,
                 left,
-                self._settings.rolling_speed,
+                end_speed,
                 min(driver.held_for + LOOK_AROUND, surroundings.patience),
             )
             if how != "held":
@@ -129,6 +173,7 @@ class Pilot:
     def _joined(self, lane: Lane) -> LaneFollower:
         """Begin a lane, facing along it."""
         driver = self._driver
+        self._planned_at = driver.distance
         follower = LaneFollower(lane)
         follower.update(driver.pose)
         if lane.length > 0 and abs(follower.off_course) > SPIN_FIRST:

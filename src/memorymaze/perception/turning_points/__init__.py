@@ -5,5 +5,15 @@ from memorymaze.perception.turning_points.finder import (
     TurningPointFinder,
 )
 from memorymaze.perception.turning_points.junctions import SensedWay
+from memorymaze.perception.turning_points.local_map import (
+    WallDirections,
+    without_drop_outs,
+)
 
-__all__ = ["SensedTurningPoint", "SensedWay", "TurningPointFinder"]
+__all__ = [
+    "SensedTurningPoint",
+    "SensedWay",
+    "TurningPointFinder",
+    "WallDirections",
+    "without_drop_outs",
+]

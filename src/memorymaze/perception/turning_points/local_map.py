@@ -87,7 +87,7 @@ class LocalMap:
         step = 2 * math.pi / len(angles)
         turns = (np.arctan2(dy, dx) - pose.heading - angles[0]) / step
         before = np.floor(turns).astype(np.intp)
-        seen = _without_drop_outs(ranges)
+        seen = without_drop_outs(ranges)
         nearer = np.minimum(seen, np.roll(seen, -1))
         through = distances < nearer[before % len(angles)] - CELL / 2
         self._evidence[through] += 1.0
@@ -119,7 +119,7 @@ class LocalMap:
         self._corner = wanted
 
 
-def _without_drop_outs(ranges: FloatArray) -> FloatArray:
+def without_drop_outs(ranges: FloatArray) -> FloatArray:
     """Return ranges with single rays that gave nothing filled from their neighbours.
 
     Where neighbours gave nothing either, there is nothing near: `inf` stays.
@@ -164,14 +164,19 @@ class WallDirections:
             np.stack([x[good], y[good], np.arctan2(dy[good], dx[good]), length[good]])
         )
 
+    @property
+    def hits(self) -> FloatArray:
+        """All kept hits: x, y, direction of the wall and metres of it, shape (4, N)."""
+        if self._all is None:
+            self._all = np.concatenate(self._scans, axis=1)
+        return self._all
+
     def along(self, x: float, y: float, radius: float, heading: float) -> FloatArray:
         """Return the directions of walls around a place near a heading, radians.
 
         The one with most wall comes first; none where no walls run near the heading.
         """
-        if self._all is None:
-            self._all = np.concatenate(self._scans, axis=1)
-        hits = self._all
+        hits = self.hits
         near = (hits[0] - x) ** 2 + (hits[1] - y) ** 2 < radius * radius
         off = (hits[2][near] - heading + math.pi / 2) % math.pi - math.pi / 2
         length = hits[3][near]

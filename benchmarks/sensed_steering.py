@@ -1,0 +1,133 @@
+"""How agents walk on a robot that knows no plan: its LiDAR and odometry alone steer it.
+
+`python -m benchmarks.sensed_steering [--agents NAME …] [--limit N] [--obstacles SETTINGS]
+[--noise]` has each agent follow the same texts three times: with the plan, with the plan's
+ways but turning points by LiDAR, and with nothing but what the simulated body tells through
+`SensorsAndMotion`. Detector and reader of signs are those that know the truth each time.
+"""
+
+import argparse
+import sys
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from benchmarks.turning_points import NOISY_LIDAR, NOISY_ODOMETRY
+from memorymaze.evaluation.agent_catalogue import build_agent
+from memorymaze.evaluation.arena import Arena
+from memorymaze.evaluation.episode import run_episode
+from memorymaze.evaluation.plan import RunPlan, plan_run
+from memorymaze.evaluation.results import EpisodeResult
+from memorymaze.evaluation.seeds import obstacle_generator
+from memorymaze.evaluation.settings import AgentSettings, RunSettings, with_choices
+from memorymaze.instructions.records import Episode
+from memorymaze.perception.eyes import Eyes
+from memorymaze.simulation import SimulatedRobot, SimulationSettings, TraceEvent
+
+AGENTS = ("rules", "guide", "examples/right_hand.py:RightHand")
+
+
+class SensedArena(Arena):
+    """Puts robots into a building of whose plan they know nothing."""
+
+    noise = False
+
+    def robot(
+        self,
+        episode: Episode,
+        settings: SimulationSettings,
+        rng: np.random.Generator,
+        on_event: Callable[[TraceEvent], None],
+        detector_rng: np.random.Generator | None = None,
+    ) -> SimulatedRobot:
+        """See `Arena.robot`."""
+        return SimulatedRobot(
+            self.scene,
+            episode.start,
+            settings,
+            rng,
+            on_event,
+            detector=Eyes().detector_for(
+                np.random.default_rng(0), settings.detection_range
+            ),
+            obstacles_rng=obstacle_generator(
+                0 if self.obstacles is None else self.obstacles.seed, episode.id
+            ),
+            keep_free=episode.reference_path,
+            lidar=NOISY_LIDAR if self.noise else None,
+            odometry=NOISY_ODOMETRY if self.noise else None,
+            knows_plan=False,
+        )
+
+
+@dataclass(frozen=True)
+class Known:
+    """What a robot knows of the floor."""
+
+    name: str
+    choices: dict[str, str]
+    arena: type[Arena] = Arena
+
+
+KNOWN = (
+    Known("the plan", {}),
+    Known("the plan's ways, turning points by LiDAR", {"turning_points": "lidar"}),
+    Known("LiDAR and odometry alone", {}, SensedArena),
+)
+COLUMNS = {
+    "success": "SR",
+    "oracle_success": "OSR",
+    "path_length": "metres",
+    "collisions": "collisions",
+    "person_collisions": "with people",
+    "duration_s": "seconds",
+}
+
+
+def walked(plan: RunPlan, known: Known) -> list[EpisodeResult]:
+    agent_for = build_agent(plan.settings.agent)
+    arenas = {
+        name: known.arena(site, plan.settings.obstacles)
+        for name, site in plan.sites.items()
+    }
+    results: list[EpisodeResult] = []
+    for episode in plan.episodes:
+        arena = arenas[episode.instruction.site]
+        run = run_episode(agent_for(episode), episode, arena, plan.settings)
+        results.append(run.result)
+        told = {name: getattr(run.result, name) for name in COLUMNS}
+        print(known.name, episode.id, run.result.stopped_by, told, file=sys.stderr)
+    return results
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(prog="python -m benchmarks.sensed_steering")
+    parser.add_argument("--agents", nargs="+", default=AGENTS)
+    parser.add_argument("--limit", type=int, default=24)
+    parser.add_argument("--obstacles")
+    parser.add_argument("--noise", action="store_true")
+    parser.add_argument("--only", type=int, choices=range(3))
+    options = parser.parse_args()
+    SensedArena.noise = options.noise
+    print("agent | knows | episodes |", " | ".join(COLUMNS.values()))
+    for agent in options.agents:
+        for number, known in enumerate(KNOWN):
+            if options.only not in (None, number):
+                continue
+            choices = dict(known.choices)
+            if options.obstacles:
+                choices["obstacles"] = options.obstacles
+            settings = with_choices(RunSettings(limit=options.limit), choices)
+            plan = plan_run(AgentSettings(agent), None, settings)
+            results = walked(plan, known)
+            means = [
+                f"{np.mean([float(getattr(each, name)) for each in results]):.2f}"
+                for name in COLUMNS
+            ]
+            print(agent, known.name, len(results), *means, sep=" | ", flush=True)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
