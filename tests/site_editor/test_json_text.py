@@ -43,14 +43,14 @@ def change(text: str, new: Any) -> str:
             '{"a": 1, "b": 2}', {"b": 2, "c": 3}, '{"b": 2, "c": 3}', id="other members"
         ),
         pytest.param(
-            '{\n  "a": 1\n}',
-            {"a": 1, "b": 2},
-            '{\n  "a": 1,\n  "b": 2\n}',
-            id="indented",
+            '{\n  "a": {"b": 1, "c": [1]}\n}',
+            {"a": {"b": 1, "c": [1, 2]}},
+            '{\n  "a": {"b": 1, "c": [1, 2]}\n}',
+            id="only the list that has another length",
         ),
         pytest.param('{"on": 1}', {"on": True}, '{"on": true}', id="true is not 1"),
         pytest.param('["\\u00e4"]', ["ä"], '["\\u00e4"]', id="escapes stay"),
-        pytest.param("{}", {"a": "ä"}, '{ "a": "ä"}', id="from nothing"),
+        pytest.param("{}", {"a": "ä"}, '{"a": "ä"}', id="from nothing"),
     ],
 )
 def test_what_means_the_same_is_written_the_same(

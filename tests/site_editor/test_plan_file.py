@@ -27,6 +27,11 @@ def edited(
     return Edited(base=contents["base"], members=kept | members, features=features)
 
 
+def edited_from_nothing(file: PlanFile) -> Edited:
+    base = file.contents()["base"]
+    return Edited(base=base, members={"title": "Tower"}, features=[])
+
+
 def bench(file: PlanFile) -> dict[str, Any]:
     return json.loads(json.dumps(file.contents()["plan"]["features"][5]))
 
@@ -135,6 +140,15 @@ def test_a_file_that_is_not_there_begins_empty_and_is_written_when_saved(
         "members",
         "floor-connected",
     }
+
+
+def test_what_lacks_is_written_when_it_is_saved(tmp_path: Path) -> None:
+    path = tmp_path / "tower.geojson"
+    path.write_text("{}", encoding="utf-8")
+    file = PlanFile(path)
+    file.save(edited_from_nothing(file), over_others=False)
+    plan = json.loads(path.read_text(encoding="utf-8"))
+    assert plan == {"title": "Tower", "features": []}
 
 
 @pytest.mark.parametrize(

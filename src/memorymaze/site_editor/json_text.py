@@ -2,7 +2,7 @@
 
 import json
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -17,23 +17,8 @@ class Written:
     value: Any
     start: int
     end: int
-    items: tuple["Item", ...] = ()
-    """Of an object or a list."""
-
-
-class Verbatim(str):
-    """A value that is text already."""
-
-
-@dataclass(frozen=True, slots=True)
-class Item:
-    """A member of an object, or an element of a list."""
-
-    name: str | None
-    lead: str
-    """The blanks before it."""
-    start: int
-    content: Written
+    parts: tuple["Written", ...] = ()
+    """Elements of a list, or values of an object in the order of its names."""
 
 
 def read_written(text: str, start: int = 0) -> Written:
@@ -42,84 +27,67 @@ def read_written(text: str, start: int = 0) -> Written:
     if text[start] not in "{[":
         value, end = DECODER.raw_decode(text, start)
         return Written(value, start, end)
-    items: list[Item] = []
-    before = start + 1
-    at = _past_blanks(text, before)
+    names: list[str] = []
+    parts: list[Written] = []
+    at = _past_blanks(text, start + 1)
     while text[at] not in "}]":
-        begin, name = at, None
         if text[start] == "{":
             name, at = DECODER.raw_decode(text, at)
+            names.append(name)
             at = _past_blanks(text, at) + 1  # the colon
-        content = read_written(text, at)
-        items.append(Item(name, text[before:begin], begin, content))
-        at = _past_blanks(text, content.end)
+        parts.append(read_written(text, at))
+        at = _past_blanks(text, parts[-1].end)
         if text[at] == ",":
-            before = at + 1
-            at = _past_blanks(text, before)
-    values = [item.content.value for item in items]
-    value = dict(zip([item.name for item in items], values, strict=True))
-    return Written(value if text[start] == "{" else values, start, at + 1, tuple(items))
+            at = _past_blanks(text, at + 1)
+    values = [part.value for part in parts]
+    value = dict(zip(names, values, strict=True)) if text[start] == "{" else values
+    return Written(value, start, at + 1, tuple(parts))
 
 
 def rewritten(text: str, old: Written, new: Any) -> str:
     """Return the text of a new value that stands in the place of an old one."""
-    if isinstance(new, Verbatim):
-        return new
-    if is_same(old.value, new):
-        return text[old.start : old.end]
-    if isinstance(old.value, dict) and isinstance(new, dict):
-        kept = [
-            (
-                item.lead,
-                text[item.start : item.content.start]
-                + rewritten(text, item.content, new[item.name]),
-            )
-            for item in old.items
-            if item.name in new
-        ]
-        added = [
-            (None, f"{dumped(name)}: {dumped(value)}")
-            for name, value in new.items()
-            if name not in old.value
-        ]
-        return assembled(text, old, [*kept, *added])
-    if (
-        isinstance(old.value, list)
-        and isinstance(new, list)
-        and len(old.items) == len(new)
-    ):
-        pairs = zip(old.items, new, strict=True)
-        parts = [(i.lead, rewritten(text, i.content, value)) for i, value in pairs]
-        return assembled(text, old, parts)
-    return dumped(new)
+    match old.value, new:
+        case _ if is_same(old.value, new):
+            return text[old.start : old.end]
+        case dict(), dict() if old.value.keys() == new.keys():
+            values = [new[name] for name in old.value]
+        case list(), list() if len(old.value) == len(new):
+            values = new
+        case _:
+            return dumped(new)
+    pairs = zip(old.parts, values, strict=True)
+    return refilled(text, old, [rewritten(text, part, value) for part, value in pairs])
 
 
-def assembled(
-    text: str, old: Written, parts: Iterable[tuple[str | None, str]], lead: str = " "
-) -> str:
-    """Return an object or list of parts, each after its blanks.
+def refilled(text: str, old: Written, contents: Iterable[str]) -> str:
+    """Return the text of an object or list with other contents, one for each part."""
+    pieces: list[str] = []
+    at = old.start
+    for part, content in zip(old.parts, contents, strict=True):
+        pieces += [text[at : part.start], content]
+        at = part.end
+    return "".join([*pieces, text[at : old.end]])
 
-    A part without blanks of its own gets those of the others, or `lead`.
-    """
-    leads = [item.lead for item in old.items] or [lead]
-    first, others = leads[0], leads[-1]
-    if len(leads) == 1 and "\n" not in first:
-        others = lead
-    written = ",".join(
-        ((own or others) if number else first) + part
-        for number, (own, part) in enumerate(parts)
-    )
-    tail = old.items[-1].content.end if old.items else old.start + 1
-    return text[old.start] + written + text[tail : old.end]
+
+def relisted(text: str, old: Written, contents: Sequence[str]) -> str:
+    """Return the text of a list with other elements, which may not have been there."""
+    if len(contents) == len(old.parts) and old.end:
+        return refilled(text, old, contents)
+    if not contents or not old.parts:
+        return "[" + ",".join(f"\n    {each}" for each in contents) + "\n  ]"
+    first, last = old.parts[0], old.parts[-1]
+    lead, tail = text[old.start : first.start], text[last.end : old.end]
+    others = [
+        text[a.end : b.start] for a, b in zip(old.parts, old.parts[1:], strict=False)
+    ]
+    return lead + (others[-1] if others else f",{lead[1:]}").join(contents) + tail
 
 
 def is_same(old: Any, new: Any) -> bool:
     """Tell whether values are the same to a browser: 5 is 5.0, and numbers are floats."""
     match old, new:
-        case bool() | None, _:
+        case (bool() | None, _) | (_, bool() | None):
             return old is new
-        case _, bool() | None:
-            return False
         case ((int() | float()), (int() | float())):
             return float(old) == float(new)
         case dict(), dict():

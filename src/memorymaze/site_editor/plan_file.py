@@ -6,7 +6,7 @@ they are written again byte for byte.
 
 import json
 import threading
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from hashlib import sha256
 from pathlib import Path
 from typing import Any
@@ -17,11 +17,11 @@ from memorymaze.durable_files import write_whole
 from memorymaze.errors import SettingsError, SitePlanError
 from memorymaze.input_files import parse_json, read_text
 from memorymaze.site_editor.json_text import (
-    Verbatim,
     Written,
-    assembled,
     dumped,
     read_written,
+    refilled,
+    relisted,
     rewritten,
 )
 
@@ -170,33 +170,34 @@ class PlanFile:
     def _text_of(self, edited: Edited) -> str:
         """Return what the file says when this is saved."""
         text, whole = self._read.text, self._read.written
-        listed = next((i.content for i in whole.items if i.name == "features"), None)
-        if listed is None or not isinstance(listed.value, list):
-            text_of_list, listed = "[\n  ]", read_written("[\n  ]")
-        else:
-            text_of_list = text
+        written = dict(zip(whole.value, whole.parts, strict=True))
+        listed = written.get("features", Written([], 0, 0))
+        parts = listed.parts if isinstance(listed.value, list) else ()
         by_id = {
-            str(item.content.value.get("id")): item
-            for item in reversed(listed.items)
-            if isinstance(item.content.value, dict)
+            str(part.value.get("id")): part
+            for part in reversed(parts)
+            if isinstance(part.value, dict)
         }
 
-        def part(each: Any) -> tuple[str | None, str]:
+        def feature(each: Any) -> str:
             if isinstance(each, int):
-                item = listed.items[each]
-                return item.lead, text[item.start : item.content.end]
-            item = by_id.get(str(each.get("id"))) if isinstance(each, dict) else None
-            if item is None:
-                return None, dumped(each)
-            return item.lead, rewritten(text, item.content, each)
+                return text[parts[each].start : parts[each].end]
+            part = by_id.get(str(each.get("id"))) if isinstance(each, dict) else None
+            return dumped(each) if part is None else rewritten(text, part, each)
 
-        features = text_of_list[listed.start : listed.end]
-        if edited.features != list(range(len(listed.items))):
-            features = assembled(
-                text_of_list, listed, map(part, edited.features), "\n    "
-            )
-        new = {**edited.members, "features": Verbatim(features)}
-        return text[: whole.start] + rewritten(text, whole, new) + text[whole.end :]
+        features = [feature(each) for each in edited.features]
+        contents = {
+            name: rewritten(text, written[name], value)
+            if name in written
+            else dumped(value)
+            for name, value in edited.members.items()
+        }
+        contents["features"] = relisted(text, replace(listed, parts=parts), features)
+        if contents.keys() != written.keys():
+            lines = [f"  {dumped(name)}: {each}" for name, each in contents.items()]
+            return "{\n" + ",\n".join(lines) + "\n}\n"
+        body = refilled(text, whole, [contents[name] for name in written])
+        return text[: whole.start] + body + text[whole.end :]
 
     def _read_file(self) -> _Read:
         if not self.path.exists():
