@@ -114,9 +114,11 @@ def test_a_bench_is_moved_by_the_keyboard_alone_and_saved(
         draughtsman.keys("Shift+ArrowRight", "ArrowRight", "ArrowLeft", "ArrowLeft")
         expect(page.get_by_label("x of place 1")).to_have_value("5.9")
         draughtsman.fill("Color", "red")
+        assert page.evaluate("document.activeElement.name") == "name"
+        draughtsman.fill("y of place 1", "-0.8")
         draughtsman.save()
         moved = feature(annex, "bench")
-        assert moved["geometry"]["coordinates"] == [5.9, -0.75]
+        assert moved["geometry"]["coordinates"] == [5.9, -0.8]
         assert moved["properties"]["color"] == "red"
         page.locator("#plan").focus()
         for _ in range(10):

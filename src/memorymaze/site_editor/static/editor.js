@@ -15,7 +15,7 @@ const at = (id) => document.getElementById(id);
 const say = (words) => { at("status").textContent = words; };
 const numbered = (count, word) => `${count} ${word}${count === 1 ? "" : "s"}`;
 
-const plan = new Plan((label) => changed(label));
+const plan = new Plan(() => changed());
 const drawing = new Drawing(at("plan"));
 let [form, problems, names, waiting, isChecking] = [null, [], "", 0, false];
 let [picture, measured] = [null, null];
@@ -50,11 +50,16 @@ async function tried(act) {
 async function check() {
   if (isChecking) return;
   isChecking = true;
-  const state = plan.state;
-  const told = await tried(() => send("/check", plan.message()));
+  const { state, base } = plan;
+  // What was saved while this was on its way is checked once more.
+  const isOld = () => plan.base !== base || plan.state.features !== state.features || plan.state.members !== state.members;
+  try {
+    showProblems(await send("/check", plan.message()));
+  } catch (error) {
+    if (!isOld()) await tried(() => { throw error; });
+  }
   isChecking = false;
-  if (plan.state.features !== state.features || plan.state.members !== state.members) waitAndCheck();
-  if (told) showProblems(told);
+  if (isOld()) waitAndCheck();
 }
 
 function waitAndCheck() {
@@ -162,18 +167,17 @@ async function proposeTurningPoints() {
 
 // What is shown ---------------------------------------------------------------------------
 
-function changed(label = "") {
+function changed() {
   drawing.render(plan.state);
   const { isSaved } = plan;
   document.title = `${isSaved ? "" : "• "}${document.querySelector("h1").textContent}`;
   at("saved").textContent = isSaved ? "saved" : "not saved";
   at("undo").disabled = !plan.past.length;
   at("redo").disabled = !plan.coming.length;
-  if (!label.startsWith("drag")) showDetails();
+  cancelAnimationFrame(changed.details);
+  changed.details = requestAnimationFrame(showDetails);
   if (plan.state.features !== changed.features || plan.state.members !== changed.members) {
     ({ features: changed.features, members: changed.members } = plan.state);
-    clearTimeout(changed.details);
-    changed.details = setTimeout(showDetails, PAUSE);
     waitAndCheck();
   }
 }

@@ -29,18 +29,31 @@ export class Form {
   }
 
   show() {
-    const focused = this.element.contains(document.activeElement) && document.activeElement.name;
     const { feature, state } = this.plan;
+    const { members, selected, corner } = state;
+    const said = JSON.stringify(selected < 0 ? members : feature, null, 1);
+    const shown = JSON.stringify([selected, corner, said]);
+    if (shown === this.shown) return;
+    const isKept = this.ownChange && this.selected === selected;
+    [this.shown, this.selected, this.ownChange] = [shown, selected, false];
+    if (isKept) {
+      this.element.querySelector("textarea").value = said;
+      return;
+    }
+    const focused = this.element.contains(document.activeElement) && document.activeElement.name;
     const isOpen = this.element.querySelector("details")?.open ?? false;
     const parts = state.selected < 0 ? this.partsOfPlan() : this.partsOfFeature(feature);
-    this.element.replaceChildren(...parts.filter(Boolean), this.json(feature, isOpen));
+    this.element.replaceChildren(...parts, this.json(said, isOpen));
     if (focused) this.element.querySelector(`[name="${CSS.escape(focused)}"]`)?.focus();
   }
 
   partsOfPlan() {
     const { members } = this.plan.state;
-    const commit = (name, value) =>
-      this.plan.change(`plan ${name}`, { members: { ...members, [name]: value } });
+    const commit = (name, value) => {
+      this.ownChange = true;
+      const now = this.plan.state.members;
+      this.plan.change(`plan ${name}`, { members: { ...now, [name]: value } });
+    };
     const { type, anchor, ...fields } = this.forms.plan.properties;
     return [made("h2", {}, "Plan"), ...Object.entries(fields).map(([name, schema]) =>
       this.control(name, schema, members[name], (value) => commit(name, value)))];
@@ -52,17 +65,26 @@ export class Form {
     const heading = made("h2", {}, `${titled(kind ?? "a broken feature")} `, made("small", {}, String(feature?.id ?? "")));
     if (!schema) return [heading, made("p", {}, "This is not of a kind that plans know. Correct its JSON, or delete it."), this.buttons()];
     const inner = schema.$defs[schema.properties.properties.$ref.split("/").at(-1)].properties;
-    const commit = (name, value) => this.plan.replace(`${this.plan.state.selected} ${name}`,
-      { ...feature, properties: { ...feature.properties, [name]: value } });
+    const commit = (name, value) => {
+      const now = this.plan.feature;
+      this.plan.replace(`${this.plan.state.selected} ${name}`,
+        { ...now, properties: { ...now.properties, [name]: value } });
+    };
+    const commitHere = (name, value) => {
+      // The field shows it already; what one has gone on to must not be made anew.
+      this.ownChange = true;
+      commit(name, value);
+    };
     const fields = Object.entries(inner).filter(([name]) => name !== "length_m" || name in feature.properties);
     return [
       heading,
-      this.control("id", { type: "string" }, feature.id, (id) => this.plan.replace("id", { ...feature, id })),
+      this.control("id", { type: "string" }, feature.id, (id) => this.plan.replace("id", { ...this.plan.feature, id })),
       ...fields.map(([name, field]) => {
         const rows = field.items?.$ref && schema.$defs[field.items.$ref.split("/").at(-1)].properties;
-        const change = (value) => commit(name, value);
-        if (rows) return this.rows(name, rows, feature.properties[name], change);
-        return this.control(name, field, feature.properties[name], change);
+        const value = feature.properties[name];
+        if (rows) return this.rows(name, rows, value, (changed) => commit(name, changed));
+        if (field.items) return this.sizes(name, field.items, value, commitHere);
+        return this.control(name, field, value, (changed) => commitHere(name, changed));
       }),
       this.buttons(kind),
       this.places(feature, kind),
@@ -72,12 +94,7 @@ export class Form {
   // Return a labelled control for a value of a JSON schema.
   control(name, schema, value, commit, label = titled(name)) {
     const isNullable = schema.anyOf?.some((each) => each.type === "null");
-    const { type, enum: words, items } = schema.anyOf?.find((each) => each.type !== "null") ?? schema;
-    if (type === "array" && items) {
-      const parts = SIZES.map((part, n) => this.control(`${name}.${n}`, items, value?.[n],
-        (one) => commit([0, 1, 2].map((m) => (m === n ? one : value?.[m]))), titled(part)));
-      return made("fieldset", { className: "row" }, made("legend", {}, titled(name)), ...parts);
-    }
+    const { type, enum: words } = schema.anyOf?.find((each) => each.type !== "null") ?? schema;
     if (words) {
       const options = words.map((word) => made("option", { value: word, selected: word === value }, word.replaceAll("_", " ")));
       const select = made("select", { name }, ...options);
@@ -98,6 +115,13 @@ export class Form {
       else this.show();
     });
     return made("label", { className: type === "boolean" ? "choice" : "" }, label, input, ...(list ? [list] : []));
+  }
+
+  sizes(name, schema, values, commit) {
+    const now = () => this.plan.feature.properties[name] ?? [];
+    const parts = SIZES.map((part, n) => this.control(`${name}.${n}`, schema, values?.[n],
+      (one) => commit(name, SIZES.map((_, m) => (m === n ? one : now()[m]))), titled(part)));
+    return made("fieldset", { className: "row" }, made("legend", {}, titled(name)), ...parts);
   }
 
   ids(kinds) {
@@ -145,30 +169,31 @@ export class Form {
     const number = { type: "number" };
     const label = `${this.plan.state.selected} place`;
     const parts = [];
+    const put = (changed) => this.plan.replace(label, withLines(this.plan.feature, changed));
     if (kind === "corridor" && lines[0]?.length === 4) {
       const { start, end, width } = middleLine(lines[0]);
       parts.push(this.control("width_m", number, width, (wide) => {
-        if (wide > 0) this.plan.replace(label, withLines(feature, [corridorAlong(start, end, wide)]));
+        if (wide > 0) put([corridorAlong(start, end, wide)]);
       }));
     }
     lines.forEach((line, row) => line.forEach((place, n) => {
       const { corner } = this.plan.state;
       const isNow = corner?.[0] === row && corner[1] === n;
       const fields = ["x", "y"].map((axis, m) => this.control(`${axis} ${row} ${n}`, number, place[m], (value) =>
-        this.plan.replace(label, withLines(feature, lines.with(row, line.with(n, place.with(m, round(value)))))),
+        put(lines.with(row, line.with(n, place.with(m, round(value))))),
         `${axis} of place ${n + 1}${row ? ` in hole ${row}` : ""}`));
       parts.push(made("div", { className: isNow ? "row now" : "row" }, ...fields));
     }));
     return made("fieldset", { className: "places" }, made("legend", {}, "Places (m)"), ...parts);
   }
 
-  json(feature, isOpen) {
-    const shown = this.plan.state.selected < 0 ? this.plan.state.members : feature;
-    const text = made("textarea", { name: "json", value: JSON.stringify(shown, null, 1), spellcheck: false });
+  json(said, isOpen) {
+    const text = made("textarea", { name: "json", value: said, spellcheck: false });
     const wrong = made("p", { className: "wrong", role: "alert" });
     const take = this.button("Take this JSON", () => {
       try {
         const value = JSON.parse(text.value);
+        if (value?.constructor !== Object) throw new Error("Expected an object: { … }");
         if (this.plan.state.selected < 0) this.plan.change("json", { members: value });
         else this.plan.replace("json", value);
       } catch (error) {

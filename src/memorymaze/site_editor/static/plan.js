@@ -53,7 +53,7 @@ export class Plan {
     this.last = { label, at: now };
     this.coming = [];
     this.state = { ...this.state, ...next };
-    this.tell(label);
+    this.tell();
   }
 
   step(from, to) {
