@@ -4,29 +4,28 @@ import math
 import re
 from pathlib import Path
 
-import shapely
-from shapely import LineString, Polygon
+from shapely import LineString
 
 from memorymaze.errors import ImportFileError, SettingsError
 from memorymaze.extras import require_extra
 from memorymaze.importing.centre_lines import centre_lines
 from memorymaze.importing.imported import ImportedSite, ImportNotes
+from memorymaze.importing.obstacles import (
+    OBSTACLE_HEIGHT,
+    box_features,
+    without_obstacles,
+)
 from memorymaze.importing.straight_walls import straight_walls
 from memorymaze.importing.ways import plan_floor
 from memorymaze.sites.floor_rules import ROBOT_RADIUS
-from memorymaze.sites.plan_writing import Feature, degrees, point_feature
 from memorymaze.wording import counted
 
 STRAY = 0.12
 """Metres by which a straight wall may stray from the map's."""
 STRAY_CELLS = 2.0
 """The same in cells, where cells are large."""
-OBSTACLE_ACROSS = 1.5
-"""Metres; what stands free and is no longer is an obstacle, else wall."""
-OBSTACLE_HEIGHT = 1.0
-"""Metres; a map does not tell."""
 CEILING = 2.8
-"""Metres; nor this."""
+"""Metres; a map does not tell."""
 PLACES_TOLD = 5
 
 
@@ -50,16 +49,10 @@ def import_ros_map(path: Path, *, narrowest: float = 2 * ROBOT_RADIUS) -> Import
         raise ImportFileError(f"{path}: {error}") from None
     notes = ImportNotes()
     stray = max(STRAY, STRAY_CELLS * grid.resolution)
-    holes = [Polygon(hole) for hole in space.floor.interiors]
-    standing = [hole for hole in holes if _is_obstacle(hole)]
-    walls = [hole.exterior for hole in holes if not _is_obstacle(hole)]
-    floor = straight_walls(Polygon(space.floor.exterior, walls), stray)
+    ragged, standing = without_obstacles(space.floor)
+    floor = straight_walls(ragged, stray)
     planned = plan_floor(centre_lines(floor), notes, floor)
-    obstacles = [
-        _obstacle_feature(number, hole)
-        for number, hole in enumerate(standing, 1)
-        if planned.polygon.covers(hole.centroid)
-    ]
+    obstacles = list(box_features(standing, planned.polygon))
     rows, columns = grid.free.shape
     notes.took.insert(
         0,
@@ -100,40 +93,6 @@ def import_ros_map(path: Path, *, narrowest: float = 2 * ROBOT_RADIUS) -> Import
         "description": f"Made from the ROS map {path.name}.",
         "features": [*planned.features, *obstacles],
     })
-
-
-def _is_obstacle(hole: Polygon) -> bool:
-    return max(_sides(hole)) <= OBSTACLE_ACROSS
-
-
-def _sides(shape: Polygon) -> tuple[float, float]:
-    """Return the sides of the smallest rectangle around a shape."""
-    corners = shapely.get_coordinates(shape.minimum_rotated_rectangle)
-    return math.dist(*corners[:2]), math.dist(*corners[1:3])
-
-
-def _obstacle_feature(number: int, hole: Polygon) -> Feature:
-    box = shapely.get_coordinates(hole.minimum_rotated_rectangle)
-    first, second = math.dist(*box[:2]), math.dist(*box[1:3])
-    # Its front is a long side.
-    side = box[1] - box[0] if first < second else box[2] - box[1]
-    return point_feature(
-        f"box_{number}",
-        "landmark",
-        (hole.centroid.x, hole.centroid.y),
-        category="box",
-        color=None,
-        name=None,
-        text=None,
-        heading_deg=degrees(math.atan2(side[1], side[0])),
-        size_m=[
-            round(max(first, second), 2),
-            round(min(first, second), 2),
-            OBSTACLE_HEIGHT,
-        ],
-        mount="floor",
-        obstacle=True,
-    )
 
 
 def _gaps_told(gaps: tuple[LineString, ...]) -> str:

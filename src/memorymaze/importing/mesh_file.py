@@ -1,0 +1,143 @@
+"""Meshes of one floor from a file: named pieces with z up, in metres."""
+
+import io
+import warnings
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from memorymaze.errors import ImportFileError
+from memorymaze.input_files import read_file
+
+FORMATS = (".glb", ".obj")
+MOST_TRIANGLES = 2_000_000
+STOREY = (1.8, 15.0)
+"""Metres that the mesh of one floor is high."""
+UNITS = {"metres": 1.0, "centimetres": 0.01, "millimetres": 0.001}
+FLAT = 0.98
+"""Least share of a face's normal that points up or down where it is level."""
+
+Points = NDArray[np.float64]
+Faces = NDArray[np.int64]
+
+
+@dataclass(frozen=True, eq=False)
+class Piece:
+    """A node of a scene with its mesh, which may be empty, in metres, z up."""
+
+    name: str
+    extras: Mapping[str, Any]
+    """What the file says beside its shape, such as the plan's members in our export."""
+    vertices: Points
+    faces: Faces
+
+    @property
+    def triangles(self) -> Points:
+        """Corners, (n, 3, 3)."""
+        return self.vertices[self.faces]
+
+
+def read_mesh(path: Path) -> tuple[list[Piece], list[str]]:
+    """Return the pieces of a GLB or OBJ file, and what was guessed of its frame."""
+    if path.suffix.lower() not in FORMATS:
+        raise ImportFileError(
+            f"{path}: expected a mesh as {' or '.join(FORMATS)}, got {path.suffix!r}"
+        )
+    kind = path.suffix.lower()[1:]
+    pieces = list(_pieces(_scene(path, kind)))
+    count = sum(len(piece.faces) for piece in pieces)
+    if not 0 < count <= MOST_TRIANGLES:
+        raise ImportFileError(
+            f"{path}: expected 1 to {MOST_TRIANGLES:,} triangles, got {count:,}"
+        )
+    if not all(np.isfinite(piece.vertices).all() for piece in pieces):
+        raise ImportFileError(f"{path}: expected finite coordinates, got others")
+    guessed: list[str] = []
+    if kind == "glb" or _level_area(pieces, 1) > _level_area(pieces, 2):
+        # (x, y, z) with y up is (x, -z, y) with z up.
+        pieces = [
+            _changed(piece, piece.vertices[:, [0, 2, 1]] * (1, -1, 1))
+            for piece in pieces
+        ]
+        guessed += ["up: along y, where most faces are level"] if kind == "obj" else []
+    elif kind == "obj":
+        guessed.append("up: along z, where most faces are level")
+    heights = np.concatenate([piece.vertices[:, 2] for piece in pieces])
+    high = float(heights.max() - heights.min())
+    unit = next(
+        (name for name, size in UNITS.items() if STOREY[0] <= high * size <= STOREY[1]),
+        None,
+    )
+    if unit is None:
+        raise ImportFileError(
+            f"{path}: expected the mesh of one floor, {STOREY[0]:g} to {STOREY[1]:g} m high "
+            f"(or in cm or mm), got {high:.3g}; cut out one floor, or scale it to metres"
+        )
+    if unit != "metres" or kind == "obj":
+        guessed.append(f"unit: {unit}, as the mesh is {high:.4g} high")
+    size = UNITS[unit]
+    return [_changed(piece, piece.vertices * size) for piece in pieces], guessed
+
+
+def _scene(path: Path, kind: str) -> Any:
+    """Return what trimesh reads; other files that this one names are not read."""
+    import trimesh
+
+    content = read_file(path, ImportFileError)
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            return trimesh.load_scene(
+                io.BytesIO(content), file_type=kind, process=False, skip_materials=True
+            )
+    except Exception as problem:  # the reader raises whatever the file brings about
+        raise ImportFileError(
+            f"{path}: expected a mesh as {kind.upper()}, got: {problem}"
+        ) from None
+
+
+def _pieces(scene: Any) -> Iterator[Piece]:
+    """Yield a piece for each node that has a mesh or says something."""
+    edges, parents = scene.graph.transforms.edge_data, scene.graph.transforms.parents
+    for node in scene.graph.nodes:
+        matrix, name = scene.graph.get(node)
+        extras = edges.get((parents.get(node), node), {}).get("metadata") or {}
+        mesh = scene.geometry.get(name)
+        faces = getattr(mesh, "faces", ())
+        if not extras and not len(faces):
+            continue
+        vertices = np.zeros((0, 3))
+        if len(faces):
+            corners = np.asarray(mesh.vertices, dtype=np.float64)
+            vertices = corners @ matrix[:3, :3].T + matrix[:3, 3]
+        numbers = np.asarray(faces, dtype=np.int64).reshape(-1, 3)
+        yield Piece(str(extras.get("id") or node), extras, vertices, numbers)
+
+
+def _changed(piece: Piece, vertices: Points) -> Piece:
+    return Piece(piece.name, piece.extras, vertices, piece.faces)
+
+
+def _level_area(pieces: list[Piece], axis: int) -> float:
+    """Return the area of faces that are level if an axis points up."""
+    return (
+        sum(
+            float(
+                np.linalg.norm(n, axis=1)[
+                    np.abs(n[:, axis]) > FLAT * np.linalg.norm(n, axis=1)
+                ].sum()
+            )
+            for n in map(normals, pieces)
+        )
+        / 2
+    )
+
+
+def normals(piece: Piece) -> Points:
+    """Return the normals of a piece's faces, twice their area long."""
+    a, b, c = piece.triangles.transpose(1, 0, 2)
+    return np.cross(b - a, c - a)
