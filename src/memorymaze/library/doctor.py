@@ -20,7 +20,7 @@ EXTRAS = (
     (
         "models",
         ("trimesh", "fast_simplification"),
-        "sites models, furniture for cameras",
+        "sites models, furniture for cameras; sites import --from mesh",
     ),
     ("ocr", ("onnxruntime", "rapidocr"), "--signs ocr"),
     ("ray", ("ray",), "evaluate --ray, episodes on a cluster"),
