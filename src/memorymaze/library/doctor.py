@@ -31,6 +31,7 @@ EXTRAS = (
         ("starlette", "uvicorn", "python_multipart", "cryptography"),
         "memorymaze study and try",
     ),
+    ("usd", ("pxr",), "sites export --to usd"),
 )
 """Extra, its packages as they are imported, and what needs them."""
 
