@@ -10,7 +10,12 @@ import numpy as np
 
 from memorymaze.durable_files import new_folder
 from memorymaze.exporting.named_materials import png_of
-from memorymaze.exporting.named_meshes import NamedMesh, named_meshes, plan_members
+from memorymaze.exporting.named_meshes import (
+    NamedMesh,
+    file_stem,
+    named_meshes,
+    plan_members,
+)
 from memorymaze.pictures.rendering.mujoco_model import SpecAssembler
 from memorymaze.pictures.rendering.placed_things import PlacedMeshes
 from memorymaze.pictures.rendering.visual_scene import add_lights
@@ -50,7 +55,7 @@ def write_mjcf(site: Site, out: Path) -> list[Path]:
     assembler.finish()
     with new_folder(out) as folder:
         (folder / TEXTURES).mkdir()
-        names = [f"{site.name}.xml"]
+        names = [f"{file_stem(site)}.xml"]
         for texture in spec.textures:
             pixels = np.frombuffer(bytes(texture.data), dtype=np.uint8)
             shape = (texture.height, texture.width, texture.nchannel)

@@ -1,6 +1,7 @@
 """A building as meshes with the names of its plan, which every format is made from."""
 
 import json
+import re
 from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -84,6 +85,11 @@ def feature_attributes(site: Site) -> Mapping[str, Attributes]:
     """Return what a plan says of each feature, by its id."""
     features = json.loads(site.plan)["features"]
     return {str(each["id"]): _attributes(each) for each in features}
+
+
+def file_stem(site: Site) -> str:
+    """Return the name of a site as every file system takes it."""
+    return re.sub(r"[^\w-]+", "_", site.name)
 
 
 def plan_members(site: Site) -> Attributes:

@@ -31,6 +31,7 @@ from memorymaze.exporting.named_meshes import (
     FLOORS,
     Attributes,
     NamedMesh,
+    file_stem,
     named_meshes,
     plan_members,
 )
@@ -50,7 +51,7 @@ def write_usd(site: Site, out: Path) -> list[Path]:
     stage.add_materials()
     with new_folder(out) as folder:
         (folder / TEXTURES).mkdir()
-        names = [f"{site.name}.usdc"]
+        names = [f"{file_stem(site)}.usdc"]
         stage.stage.GetRootLayer().Export(str(folder / names[0]))
         for name, pixels in stage.materials.pictures:
             names.append(f"{TEXTURES}/{name}.png")
