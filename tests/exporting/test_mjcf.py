@@ -7,6 +7,9 @@ import numpy as np
 import pytest
 
 from memorymaze.exporting import export_site
+from memorymaze.geometry.pose import Pose
+from memorymaze.pictures.rendering import RenderedCamera, build_visual_scene
+from memorymaze.pictures.rendering.open_gl import open_context
 from memorymaze.simulation import build_scene
 from memorymaze.sites import Site
 
@@ -104,3 +107,54 @@ def test_mujoco_loads_large_buildings(builtin_sites: dict[str, Site], tmp_path: 
         assert {each.id for each in site.landmarks} <= {
             model.body(number).name for number in range(model.nbody)
         }
+
+
+def drawn(model: mujoco.MjModel, pose: Pose, fov: float) -> np.ndarray:
+    """What MuJoCo shows of it from a pose, 160 by 120 pixels."""
+    data = mujoco.MjData(model)
+    mujoco.mj_kinematics(model, data)
+    model.vis.global_.offwidth, model.vis.global_.offheight = 160, 120
+    context = open_context(160, 120)
+    context.make_current()
+    buffers = mujoco.MjrContext(model, mujoco.mjtFontScale.mjFONTSCALE_100.value)
+    mujoco.mjr_setBuffer(mujoco.mjtFramebuffer.mjFB_OFFSCREEN.value, buffers)
+    scene = mujoco.MjvScene(model, maxgeom=model.ngeom + 8)
+    mujoco.mjv_updateScene(
+        model,
+        data,
+        mujoco.MjvOption(),
+        mujoco.MjvPerturb(),
+        mujoco.MjvCamera(),
+        mujoco.mjtCatBit.mjCAT_ALL.value,
+        scene,
+    )
+    top = 0.05 * math.tan(fov / 2) * 120 / 160
+    for eye in scene.camera:
+        eye.pos = (pose.x, pose.y, 1.25)
+        eye.forward = (math.cos(pose.heading), math.sin(pose.heading), 0.0)
+        eye.up = (0.0, 0.0, 1.0)
+        eye.frustum_center, eye.frustum_width = 0.0, 0.0
+        eye.frustum_bottom, eye.frustum_top = -top, top
+        eye.frustum_near, eye.frustum_far = 0.05, 100.0
+    pixels = np.empty((120, 160, 3), dtype=np.uint8)
+    rect = mujoco.MjrRect(0, 0, 160, 120)
+    mujoco.mjr_render(rect, scene, buffers)
+    mujoco.mjr_readPixels(pixels, None, rect, buffers)
+    buffers.free()
+    context.free()
+    return pixels[::-1]
+
+
+def test_it_looks_like_our_own_pictures(
+    corridor_model: mujoco.MjModel, corridor_site: Site
+):
+    fov = math.radians(80)
+    door = corridor_site.doors[1].line.centroid
+    with RenderedCamera(
+        build_visual_scene(corridor_site, looks="own"), 160, 120, fov
+    ) as camera:
+        for pose in (corridor_site.routes[0].start, Pose(door.x, 0.0, math.pi / 2)):
+            ours = camera.picture(pose, 1.25).astype(float)
+            theirs = drawn(corridor_model, pose, fov).astype(float)
+            assert ours.std() > 20
+            assert np.abs(ours - theirs).mean() < 2
