@@ -148,7 +148,7 @@ def test_what_lacks_is_written_when_it_is_saved(tmp_path: Path) -> None:
     file = PlanFile(path)
     file.save(edited_from_nothing(file), over_others=False)
     plan = json.loads(path.read_text(encoding="utf-8"))
-    assert plan == {"title": "Tower", "features": []}
+    assert plan == {"title": "Tower"}
 
 
 @pytest.mark.parametrize(

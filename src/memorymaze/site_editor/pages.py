@@ -7,10 +7,11 @@ from typing import Any, TypeVar, cast
 
 from pydantic import BaseModel, ConfigDict, ValidationError
 from shapely import Polygon
+from shapely.errors import ShapelyError
 from starlette.concurrency import run_in_threadpool
 from starlette.exceptions import HTTPException
 from starlette.requests import Request
-from starlette.responses import FileResponse, JSONResponse, Response
+from starlette.responses import FileResponse, Response
 from starlette.routing import BaseRoute, Route
 
 from memorymaze.errors import SitePlanError
@@ -102,7 +103,9 @@ class EditorPages:
                 return _answered(await run_in_threadpool(answer, told))
             except ChangedMeanwhile as error:
                 return _answered({"problem": str(error)}, 409)
-            except (OSError, SitePlanError) as error:
+            except SitePlanError as error:
+                return _answered({"problem": str(error)}, 400)
+            except OSError as error:
                 return _answered({"problem": f"Not kept: {error}"}, 507)
 
         return Route(
@@ -169,7 +172,12 @@ class EditorPages:
         if site is None:
             return {"features": [told.feature] if told.feature else []}
         if told.feature is not None:
-            return {"features": [completed(told.feature, site)]}
+            try:
+                return {"features": [completed(told.feature, site)]}
+            except (LookupError, TypeError, ValueError, ShapelyError) as error:
+                raise SitePlanError(
+                    f"Its places make no shape to propose anything for ({error})."
+                ) from None
         ids = {str(each["id"]) for each in document["features"] if _has_id(each)}
         return {"features": list(missing_turning_points(site, ids))}
 
@@ -185,7 +193,13 @@ def _has_id(feature: object) -> bool:
 
 
 def _answered(content: object, status: int = 200) -> Response:
-    return JSONResponse(content, status, {"Cache-Control": "no-store"})
+    # JSON of plain letters can hold halves of characters, which plans may have.
+    return Response(
+        json.dumps(content),
+        status,
+        {"Cache-Control": "no-store"},
+        media_type="application/json",
+    )
 
 
 def _site_of(document: Plan, path: Path) -> tuple[Site | None, bool]:

@@ -192,7 +192,9 @@ class PlanFile:
             else dumped(value)
             for name, value in edited.members.items()
         }
-        contents["features"] = relisted(text, replace(listed, parts=parts), features)
+        if features or "features" in written:
+            old = replace(listed, parts=parts)
+            contents["features"] = relisted(text, old, features)
         if contents.keys() != written.keys():
             lines = [f"  {dumped(name)}: {each}" for name, each in contents.items()]
             return "{\n" + ",\n".join(lines) + "\n}\n"

@@ -91,15 +91,16 @@ export class Drawing {
   }
 
   make(feature) {
-    const { kind, name, heading_deg: heading, size_m: size } = feature.properties ?? {};
+    const { kind, name, heading_deg: degrees, size_m: size } = feature.properties ?? {};
+    const heading = Number.isFinite(degrees) ? degrees : 0;
     const layer = this.layers[kind] ? kind : "other";
     const isLine = feature.geometry?.type === "LineString";
     let lines = linesOf(feature);
     if (feature.geometry?.type === "Point" && lines.length) {
       const [[place]] = lines;
       const sizes = Array.isArray(size) && size.every(Number.isFinite) ? size : [0.5, 0.5];
-      const corners = footprint(place, sizes, heading ?? 0);
-      const front = footprint(place, [0, sizes[1] + 0.3], heading ?? 0)[0];
+      const corners = footprint(place, sizes, heading);
+      const front = footprint(place, [0, sizes[1] + 0.3], heading)[0];
       lines = [corners, [place, front]];
     }
     const group = made("g", { class: `feature ${layer}` }, this.layers[layer]);

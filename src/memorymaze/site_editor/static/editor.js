@@ -317,12 +317,8 @@ addEventListener("pagehide", () => {
 });
 
 async function load() {
-  const reply = await fetch("/plan");
-  const told = await reply.json();
-  if (!reply.ok) {
-    say(told.problem);
-    return;
-  }
+  const told = await tried(() => send("/plan", undefined, { method: "GET" }));
+  if (!told) return;
   form = new Form(at("form"), told.forms, plan, propose);
   plan.begin(told);
   at("draft").hidden = !told.draft;

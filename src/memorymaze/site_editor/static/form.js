@@ -62,7 +62,7 @@ export class Form {
   partsOfFeature(feature) {
     const kind = feature?.properties?.kind;
     const schema = this.forms.kinds[kind];
-    const heading = made("h2", {}, `${titled(kind ?? "a broken feature")} `, made("small", {}, String(feature?.id ?? "")));
+    const heading = made("h2", {}, schema ? `${titled(kind)} ` : "A broken feature ", made("small", {}, String(feature?.id ?? "")));
     if (!schema) return [heading, made("p", {}, "This is not of a kind that plans know. Correct its JSON, or delete it."), this.buttons()];
     const inner = schema.$defs[schema.properties.properties.$ref.split("/").at(-1)].properties;
     const commit = (name, value) => {
@@ -153,7 +153,7 @@ export class Form {
   buttons(kind) {
     const shown = [this.button("Duplicate", () => this.plan.duplicate()),
       this.button("Delete", () => this.plan.remove())];
-    if (PROPOSED[kind]) shown.unshift(this.button(`Propose ${PROPOSED[kind]}`, this.propose));
+    if (PROPOSED[kind] && linesOf(this.plan.feature).length) shown.unshift(this.button(`Propose ${PROPOSED[kind]}`, this.propose));
     return made("div", { className: "buttons" }, ...shown);
   }
 

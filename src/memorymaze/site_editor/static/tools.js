@@ -149,7 +149,9 @@ export class Tools {
   point(place) {
     this.next = place;
     const last = this.places.at(-1);
-    const words = last ? `${distance(last, place).toFixed(2)} m` : "";
+    const isBox = TOOLS[this.tool].closes && this.places.length === 1;
+    const sides = last && [0, 1].map((n) => Math.abs(place[n] - last[n]).toFixed(2));
+    const words = isBox ? `${sides.join(" × ")} m` : last ? `${distance(last, place).toFixed(2)} m` : "";
     this.drawing.outline(this.cornersOf([...this.places, place]), this.tool !== "route", place, words);
   }
 
