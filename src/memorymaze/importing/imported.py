@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from memorymaze.sites.records import Anchor
+from memorymaze.wording import single_spaced
 
 XY = tuple[float, float]
 """Metres, x east and y north."""
@@ -46,11 +47,29 @@ class ImportNotes:
     took: list[str] = field(default_factory=list[str])
     guessed: list[str] = field(default_factory=list[str])
     missing: list[str] = field(default_factory=list[str])
+    _features: dict[tuple[bool, str], list[str]] = field(
+        default_factory=dict[tuple[bool, str], list[str]]
+    )
+
+    def guess(self, what: str, feature: str) -> None:
+        """Note a feature of which something was guessed; likes share a line."""
+        self._features.setdefault((True, what), []).append(feature)
+
+    def miss(self, what: str, feature: str) -> None:
+        """Note a feature that was left out, with the reason; likes share a line."""
+        self._features.setdefault((False, what), []).append(feature)
 
     def imported(self, plan: dict[str, object]) -> ImportedSite:
         """Return the plan with these lines."""
+        lines: dict[bool, list[str]] = {True: [], False: []}
+        for (guessed, what), features in self._features.items():
+            shown = ", ".join(single_spaced(each) for each in features)
+            lines[guessed].append(f"{what} ({len(features)}): {shown}")
         return ImportedSite(
-            plan, tuple(self.took), tuple(self.guessed), tuple(self.missing)
+            plan,
+            tuple(self.took),
+            (*self.guessed, *lines[True]),
+            (*self.missing, *lines[False]),
         )
 
 
