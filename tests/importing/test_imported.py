@@ -2,7 +2,8 @@ import math
 
 import pytest
 
-from memorymaze.importing.imported import LocalFrame
+from memorymaze.errors import ImportFileError, SettingsError
+from memorymaze.importing.imported import LocalFrame, chosen_floor
 from memorymaze.sites.records import Anchor
 
 
@@ -24,7 +25,28 @@ def test_the_bearing_turns_north_away_from_y():
 
 
 def test_a_frame_is_in_the_middle_of_what_it_is_around():
-    frame = LocalFrame.around([(10.0, 50.0), (10.002, 50.001), (10.001, 50.004)])
-    assert frame.plan_anchor() == {
-        "latitude": 50.002, "longitude": 10.001, "bearing_deg": 0.0,
+    places = [(10.0, 50.0), (10.002, 50.001), (10.001, 50.004)]
+    assert LocalFrame.around(places, "f").plan_anchor() == {
+        "latitude": 50.001, "longitude": 10.001, "bearing_deg": 0.0,
     }  # fmt: skip
+
+
+def test_a_place_far_from_all_others_is_told():
+    places = [(10.0, 50.0), (10.001, 50.0), (0.0, 0.0)]
+    with pytest.raises(ImportFileError, match=r"f: .*2000 m across.*longitude 0.0"):
+        LocalFrame.around(places, "f")
+
+
+@pytest.mark.parametrize("asked", ["2", "2F", " 2f "])
+def test_a_floor_is_chosen_by_its_number_or_its_name(asked):
+    assert chosen_floor({1.0: "1F", 2.0: "2F"}, asked, "f") == 2.0
+
+
+def test_the_only_floor_need_not_be_asked_for():
+    assert chosen_floor({0.0: "G"}, None, "f") == 0.0
+
+
+@pytest.mark.parametrize("asked", [None, "7F"])
+def test_a_floor_that_is_not_clear_is_an_error_that_lists_them(asked):
+    with pytest.raises(SettingsError, match="1F, 2F"):
+        chosen_floor({1.0: "1F", 2.0: "2F"}, asked, "f")

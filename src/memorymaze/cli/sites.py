@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from memorymaze.cli.sites_edit import add_edit
 from memorymaze.cli.sites_export import add_export
+from memorymaze.cli.sites_import import add_import
 from memorymaze.cli.verbs import VerbParser, Verbs
 from memorymaze.wording import counted
 
@@ -36,6 +37,7 @@ def add_parser(verbs: Verbs) -> None:
     _add_check(parts)
     _add_draw(parts)
     _add_models(parts)
+    add_import(parts)
     add_export(parts)
 
 

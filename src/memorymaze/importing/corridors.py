@@ -3,12 +3,13 @@
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import combinations, pairwise
 
+import networkx as nx
 import shapely
-from shapely import LineString, MultiPolygon, Polygon, STRtree
+from shapely import LineString, MultiPolygon, Point, Polygon, STRtree
 
-from memorymaze.geometry.pose import heading_to
+from memorymaze.geometry.pose import heading_to, turn_between
 from memorymaze.importing.imported import XY
 from memorymaze.importing.line_graph import BEND, Leg
 from memorymaze.importing.shapes import furthest, moved, strip
@@ -23,6 +24,12 @@ SHORTEST = 0.5
 """Metres."""
 ASKEW = math.radians(6)
 """Walls beside a line that are turned against it by less say its true direction."""
+IN_LINE, OFF_LINE = math.radians(3), 0.1
+"""Legs that bend less, and stray by fewer metres from a line, are one corridor."""
+SAME_WIDTH = 1.1
+"""Ratio of two widths that still are one corridor's."""
+AS_WIDE = 0.97
+"""Share of the width of its parts that a corridor through junctions keeps."""
 LONGER_THAN_WIDE = 1.1
 """What is shorter than so many widths has no direction of its own and is an area."""
 
@@ -46,17 +53,83 @@ def corridors_along(
         for ring in shapely.get_rings(floor)
         for wall in pairwise(ring.coords)
     ])
-    for leg in legs:
-        for step in pairwise(leg.points):
-            reaches = [_reach_beyond(end, leg, nodes) for end in step]
-            fits = [
-                fit
-                for line in (step, _along_walls(step, leg.width, walls))
-                for inset in (0.0, leg.width / 2)
-                if (fit := _fitting(eased, line, leg.width, inset, reaches)) is not None
-            ]
-            if fits:
-                yield PlannedCorridor(max(fits, key=lambda fit: fit.area), leg.name)
+
+    def widest(step: tuple[XY, XY], leg: Leg) -> Polygon | None:
+        reaches = [_reach_beyond(end, leg, nodes) for end in step]
+        fits = [
+            fit
+            for line in (step, _along_walls(step, leg.width, walls))
+            for inset in (0.0, leg.width / 2)
+            if (fit := _fitting(eased, line, leg.width, inset, reaches)) is not None
+        ]
+        return max(fits, key=lambda fit: fit.area, default=None)
+
+    for street in _streets(legs, nodes):
+        through = widest(street.ends, street.leg) if len(street.legs) > 1 else None
+        parts = [
+            (part, leg)
+            for leg in street.legs
+            for step in pairwise(leg.points)
+            if (part := widest(step, leg)) is not None
+        ]
+        if through is not None and all(
+            _width(through) >= AS_WIDE * _width(part) for part, _ in parts
+        ):
+            parts = [(through, street.leg)]
+        for part, leg in parts:
+            yield PlannedCorridor(part, leg.name)
+
+
+@dataclass(frozen=True)
+class _Street:
+    """Legs in line, one after the other through junctions."""
+
+    legs: tuple[Leg, ...]
+    ends: tuple[XY, XY]
+
+    @property
+    def leg(self) -> Leg:
+        """All of them as one."""
+        return Leg(self.ends, self.legs[0].width, self.legs[0].name)
+
+
+def _streets(
+    legs: Sequence[Leg], nodes: Mapping[XY, Sequence[Leg]]
+) -> Iterator[_Street]:
+    """Yield the legs, those together that go straight on with one width and name."""
+    graph: nx.Graph[Leg] = nx.Graph()
+    graph.add_nodes_from(legs)
+    for node, leaving in nodes.items():
+        graph.add_edges_from(
+            (leg, other)
+            for leg, other in combinations(leaving, 2)
+            if leg in graph and other in graph and _goes_on(node, leg, other)
+        )
+    for group in nx.connected_components(graph):
+        street = sorted(group, key=legs.index)
+        places = [end for leg in street for end in leg.ends]
+        ends = max(combinations(places, 2), key=lambda pair: math.dist(*pair))
+        chord = LineString(ends)
+        if all(chord.distance(Point(place)) <= OFF_LINE for place in places):
+            yield _Street(tuple(street), ends)
+        else:
+            yield from (_Street((leg,), leg.ends) for leg in street)
+
+
+def _goes_on(node: XY, leg: Leg, other: Leg) -> bool:
+    """Tell whether one leg is the other, gone on straight from a node."""
+    headings = [heading_to(node, each.points_from(node)[1]) for each in (leg, other)]
+    return (
+        leg.name == other.name
+        and len(leg.points) == len(other.points) == 2
+        and max(leg.width, other.width) <= SAME_WIDTH * min(leg.width, other.width)
+        and math.pi - abs(turn_between(*headings)) < IN_LINE
+    )
+
+
+def _width(rectangle: Polygon) -> float:
+    ring = rectangle.exterior.coords
+    return math.dist(ring[0], ring[3])
 
 
 def _along_walls(step: tuple[XY, XY], width: float, walls: STRtree) -> tuple[XY, XY]:

@@ -1,16 +1,32 @@
 """What an importer gives, and the frame and the lines that it is made from."""
 
 import math
-from collections.abc import Sequence
+import re
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from pathlib import Path
+from statistics import median
+from typing import TypeVar
 
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+from shapely.geometry.base import BaseGeometry
+
+from memorymaze.errors import ImportFileError, SettingsError, did_you_mean
+from memorymaze.sites.loading_rules import FLOOR_ACROSS
+from memorymaze.sites.plan_writing import Feature
 from memorymaze.sites.records import Anchor
 from memorymaze.wording import single_spaced
 
+Key = TypeVar("Key", bound=str | float)
+Shape = TypeVar("Shape", bound=BaseGeometry)
 XY = tuple[float, float]
 """Metres, x east and y north."""
 EQUATOR_RADIUS = 6_378_137.0
 """Metres (WGS 84)."""
+CEILING = 2.8
+"""Metres; none of the formats tells."""
 FLATTENING = 1 / 298.257223563
 """Of the same ellipsoid."""
 
@@ -84,10 +100,21 @@ class LocalFrame:
     anchor: Anchor
 
     @classmethod
-    def around(cls, positions: Sequence[tuple[float, float]]) -> "LocalFrame":
+    def around(
+        cls, positions: Sequence[tuple[float, float]], source: str
+    ) -> "LocalFrame":
         """Return the frame in the middle of positions (longitude, latitude), y north."""
-        middle = [(min(each) + max(each)) / 2 for each in zip(*positions, strict=True)]
-        return cls(Anchor(round(middle[1], 7), round(middle[0], 7), 0.0))
+        middle = [median(each) for each in zip(*positions, strict=True)]
+        frame = cls(Anchor(round(middle[1], 7), round(middle[0], 7), 0.0))
+        for longitude, latitude in positions:
+            away = math.hypot(*frame.metres(longitude, latitude))
+            if not away <= FLOOR_ACROSS:
+                raise ImportFileError(
+                    f"{source}: expected a floor at most {FLOOR_ACROSS:.0f} m across, got "
+                    f"a place {away / 1000:.1f} km from the middle, at longitude "
+                    f"{longitude}, latitude {latitude}"
+                )
+        return frame
 
     def metres(self, longitude: float, latitude: float) -> XY:
         """Return where a place on the globe lies in this frame."""
@@ -104,6 +131,14 @@ class LocalFrame:
         cosine, sine = math.cos(self.anchor.bearing), math.sin(self.anchor.bearing)
         return (east * cosine - north * sine, east * sine + north * cosine)
 
+    def placed(self, geometry: Shape) -> Shape:
+        """Return a geometry of degrees in this frame."""
+
+        def moved(positions: NDArray[np.float64]) -> NDArray[np.float64]:
+            return np.array([self.metres(*each) for each in positions]).reshape(-1, 2)
+
+        return shapely.transform(shapely.force_2d(geometry), moved)
+
     def plan_anchor(self) -> dict[str, object]:
         """Return the member `anchor` of a plan in this frame."""
         return {
@@ -111,3 +146,47 @@ class LocalFrame:
             "longitude": self.anchor.longitude,
             "bearing_deg": round(math.degrees(self.anchor.bearing), 4) + 0.0,
         }
+
+
+def chosen_floor(floors: Mapping[Key, str], asked: str | None, source: str) -> Key:
+    """Return the key of the floor that is asked for by key or name, or of the only one."""
+    if asked is None and len(floors) == 1:
+        return next(iter(floors))
+    wanted = (asked or "").strip().casefold()
+    for key, name in floors.items():
+        if wanted in (
+            str(key).casefold(),
+            f"{key:g}" if isinstance(key, float) else "",
+            name.casefold(),
+        ):
+            return key
+    known = ", ".join(floors.values())
+    if asked is None:
+        raise SettingsError(
+            f"{source}: has several floors; choose one: --floor {known}"
+        )
+    raise SettingsError(
+        f"{source}: expected a floor of {known}, got {asked!r}"
+        f"{did_you_mean(asked, floors.values())}"
+    )
+
+
+def site_plan(
+    path: Path,
+    title: str | None,
+    floor: str,
+    frame: LocalFrame,
+    features: Sequence[Feature],
+) -> dict[str, object]:
+    """Return the plan of a building on the globe, named like its file."""
+    name = re.sub("[^a-z0-9]+", "_", path.stem.lower()).strip("_") or "imported"
+    return {
+        "type": "FeatureCollection",
+        "name": name,
+        "title": title or name.replace("_", " ").capitalize(),
+        "floor": floor,
+        "ceiling_height_m": CEILING,
+        "anchor": frame.plan_anchor(),
+        "description": f"Imported from {single_spaced(path.name)}.",
+        "features": list(features),
+    }

@@ -62,7 +62,9 @@ def junctions_of(
     alone = {
         node
         for node, leaving in nodes.items()
-        if len(leaving) == 1 and _ends_in_the_open(node, leaving[0], floor)
+        if len(leaving) == 1
+        and leaving[0] not in across
+        and _ends_in_the_open(node, leaving[0], floor)
     }
     kept = alone | {
         node

@@ -22,6 +22,8 @@ from memorymaze.sites.route_rules import CLEARANCE, GOAL_NEAR, STRAIGHT
 
 MIDDLE_NEAR = 4.0
 """Metres from a place to the middle line of the way that it lies at."""
+IN_FRONT = 1.5
+"""Metres before a goal in the open at which one has arrived."""
 OFF_MIDDLE = 3.0
 """Metres more that a bend at an inner corner counts, so that middle lines come first."""
 SLIGHT = math.radians(60)
@@ -49,7 +51,7 @@ def reference_route(site: Site, start: str, goal: str) -> Feature:
     the goal has something within 4 m that people can be sent to. Raises `SettingsError`
     where there is no such place, or no way.
     """
-    free = site.free_floor.buffer(-CLEARANCE - SPACING, quad_segs=2)
+    free = site.free_floor.buffer(-CLEARANCE - SPACING, join_style="mitre")
     pieces = [piece for piece in shapely.get_parts(free) if isinstance(piece, Polygon)]
     if not pieces:
         raise SettingsError(
@@ -72,6 +74,8 @@ def reference_route(site: Site, start: str, goal: str) -> Feature:
     middles = [each.centre_line for each in site.corridors]
     first, last = (_on_middle(each.place, from_piece, middles) for each in (begin, end))
     line = _shortest(first, last, from_piece, site)
+    if not any(Point(last).distance(middle) < SPACING for middle in middles):
+        line = _ended_near(line, _goals(site)[end.goal][0])
     numbers = {each.route for each in site.routes}
     number = next(n for n in range(1, len(numbers) + 2) if f"R{n}" not in numbers)
     return line_feature(
@@ -106,7 +110,7 @@ def _end(site: Site, said: str, which: str) -> _End:
                 f"{site.walkable_floor.distance(spot):.1f} m off it"
             )
         near = min(goals, key=lambda each: goals[each][0].distance(spot), default=None)
-        if near is None or goals[near][0].distance(spot) > GOAL_NEAR - MIDDLE_NEAR / 4:
+        if near is None or goals[near][0].distance(spot) > GOAL_NEAR:
             return _End(place, None, said)
         return _End(place, near, goals[near][1])
     found = [
@@ -192,6 +196,17 @@ def _shortest(start: XY, goal: XY, free: Polygon, site: Site) -> list[XY]:
     line = [line[0], *(b for a, b in pairwise(line) if math.dist(a, b) > 0.05)]
     if len(line) < 2:
         raise SettingsError("route: expected two places apart, got one place twice")
+    return line
+
+
+def _ended_near(line: list[XY], goal: Point | LineString | Polygon) -> list[XY]:
+    """Return a line without what goes on round a goal that is reached before its end."""
+    near = goal.buffer(IN_FRONT)
+    for place, step in enumerate(pairwise(line), start=1):
+        entered = LineString(step).intersection(near)
+        if not entered.is_empty and entered.distance(Point(step[0])) > 0.5:
+            stop = nearest_points(entered, Point(step[0]))[0]
+            return [*line[:place], (stop.x, stop.y)]
     return line
 
 

@@ -6,11 +6,11 @@ is made smaller or left to an area, and told.
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import combinations, pairwise
 from typing import cast
 
 import shapely
-from shapely import LineString, MultiPolygon, Polygon
+from shapely import LineString, MultiPolygon, Point, Polygon
 
 from memorymaze.errors import ImportFileError
 from memorymaze.geometry.pose import heading_to
@@ -18,7 +18,7 @@ from memorymaze.importing.corridors import PlannedCorridor, corridors_along
 from memorymaze.importing.imported import CentreLine, ImportNotes
 from memorymaze.importing.junctions import Junction, junctions_of, shape_of, ways_out
 from memorymaze.importing.line_graph import Leg, legs_of, nodes_of
-from memorymaze.importing.shapes import moved, polygons
+from memorymaze.importing.shapes import moved, polygons, strip
 from memorymaze.sites.plan_writing import Feature, degrees, polygon_feature
 from memorymaze.sites.records import floor_pieces
 from memorymaze.wording import counted
@@ -32,6 +32,10 @@ SEAM = 0.03
 """Metres by half of the widest strip beside corridors that is left out of the floor."""
 PATCH = 0.1
 """Metres that a piece that closes a hole reaches under the parts around it."""
+INTO_AREA = 1.5
+"""Metres ahead of the end of a way within which an open area is what it leads to."""
+SHORTEST_PART = 0.1
+"""Metres of the shortest way that an open area cuts off."""
 SMALLEST_HOLE = 0.06
 """Square metres of the smallest block that one walks around."""
 
@@ -74,6 +78,7 @@ def plan_floor(
         if part.area > SMALLEST_PIECE
     ]
     legs = [part for leg in legs_of(lines) for part in _cut_at_areas(leg, opened)]
+    legs += list(_into_areas(legs, opened))
     across = {leg for leg in legs if _crosses(leg, opened)}
     inner = shapely.union_all([area.polygon.buffer(-2 * SEAM) for area in opened])
     between = cast(Polygon | MultiPolygon, walkable.difference(inner))
@@ -92,7 +97,7 @@ def _walkable(
     notes: ImportNotes,
 ) -> Polygon:
     """Return the floor to be covered, in one piece."""
-    given = [floor] if floor is not None else list(_widened(lines))
+    given = [floor] if floor is not None else list(widened(lines))
     parts = [
         part
         for each in (*given, *(area.polygon for area in areas))
@@ -112,20 +117,22 @@ def _walkable(
     return polygons(Polygon(pieces[0].exterior, holes))[0]
 
 
-def _widened(lines: Sequence[CentreLine]) -> Iterator[Polygon]:
-    """Yield what the lines' widths cover, square where they meet."""
+def widened(lines: Sequence[CentreLine]) -> Iterator[Polygon]:
+    """Yield what the lines' widths cover, walls drawn out to where they meet."""
     legs = legs_of(lines)
-    nodes = nodes_of(legs)
     for leg in legs:
-        points = list(leg.points)
-        for end, node in zip((0, -1), leg.ends, strict=True):
-            others = [each.width for each in nodes[node] if each is not leg]
-            if others:
-                outward = heading_to(leg.points_from(node)[1], node)
-                points[end] = moved(node, outward, max(others) / 2)
-        yield LineString(points).buffer(
+        yield LineString(leg.points).buffer(
             leg.width / 2, cap_style="flat", join_style="mitre"
         )
+    for node, leaving in nodes_of(legs).items():
+        reach = 2 * max(leg.width for leg in leaving)
+        stubs: list[Polygon] = []
+        for leg in leaving:
+            heading = heading_to(node, leg.points_from(node)[1])
+            start, half = moved(node, heading, -reach), leg.width / 2
+            stubs.append(strip(start, heading, 2 * reach, half, half))
+        for stub, other in combinations(stubs, 2):
+            yield from polygons(stub.intersection(other))
 
 
 def _cut_at_areas(leg: Leg, areas: Sequence[OpenArea]) -> Iterator[Leg]:
@@ -137,13 +144,26 @@ def _cut_at_areas(leg: Leg, areas: Sequence[OpenArea]) -> Iterator[Leg]:
             for part in parts
             for cut in (part.difference(area.polygon), part.intersection(area.polygon))
             for piece in shapely.get_parts(cut).tolist()
-            if isinstance(piece, LineString)
+            if isinstance(piece, LineString) and not piece.is_empty
         ]
     for part in parts:
         rounded = [(round(x, 3), round(y, 3)) for x, y in part.coords]
         steps = [rounded[0], *(b for a, b in pairwise(rounded) if a != b)]
-        if len(steps) > 1:
+        if len(steps) > 1 and part.length >= SHORTEST_PART:
             yield Leg(tuple(steps), leg.width, leg.name)
+
+
+def _into_areas(legs: Sequence[Leg], areas: Sequence[OpenArea]) -> Iterator[Leg]:
+    """Yield short legs that lead on into open areas where others end at them."""
+    for node, leaving in nodes_of(legs).items():
+        heading = heading_to(leaving[0].points_from(node)[1], node)
+        inside = moved(node, heading, INTO_AREA)
+        if len(leaving) == 1 and any(
+            area.polygon.covers(Point(inside))
+            and area.polygon.buffer(-SHORTEST_PART).distance(Point(node)) > 0
+            for area in areas
+        ):
+            yield Leg((node, inside), leaving[0].width, None)
 
 
 def _crosses(leg: Leg, areas: Sequence[OpenArea]) -> bool:

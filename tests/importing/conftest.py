@@ -1,0 +1,59 @@
+"""Invented buildings in the formats of others, and walks through what is made of them.
+
+None of the buildings in `data/` exists; the files keep the exact formats.
+"""
+
+import json
+import zipfile
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from memorymaze.importing.imported import ImportedSite
+from memorymaze.importing.reference_route import reference_route
+from memorymaze.sites import Site, load_site
+from memorymaze.testing import check_site
+
+DATA = Path(__file__).parent / "data"
+
+Walk = Callable[..., Site]
+
+
+@pytest.fixture(scope="session")
+def quay_house() -> Path:
+    """CaBot map data: a ring of four corridors on floor 2, two corridors on floor 1."""
+    return DATA / "quay_house_MapData.geojson"
+
+
+@pytest.fixture(scope="session")
+def lantern_building() -> Path:
+    """OpenStreetMap: on level 3 one outline for all hallways, on level 2 a corridor."""
+    return DATA / "lantern_building.osm"
+
+
+@pytest.fixture
+def mill_court(tmp_path: Path) -> Path:
+    """An IMDF archive: on level 1 a walkway like an H and a lobby, on G a walkway."""
+    path = tmp_path / "mill_court.zip"
+    with zipfile.ZipFile(path, "w") as archive:
+        for file in sorted((DATA / "mill_court").iterdir()):
+            archive.write(file, f"Mill Court/{file.name}")
+    return path
+
+
+@pytest.fixture
+def walked(tmp_path: Path) -> Walk:
+    """Write a plan with a route and let the oracle walk it."""
+
+    def walk(imported: ImportedSite, start: str, goal: str) -> Site:
+        plan = dict(imported.plan)
+        path = tmp_path / f"{plan['name']}.geojson"
+        path.write_text(json.dumps(plan), encoding="utf-8")
+        route = reference_route(load_site(path), start, goal)
+        plan["features"] = [*plan["features"], route]
+        path.write_text(json.dumps(plan), encoding="utf-8")
+        check_site(path)
+        return load_site(path)
+
+    return walk

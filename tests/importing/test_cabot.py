@@ -1,0 +1,115 @@
+import json
+
+import pytest
+
+from memorymaze.errors import ImportFileError, SettingsError
+from memorymaze.importing.cabot import import_cabot
+
+
+def kinds(imported, kind):
+    return [
+        feature["properties"]
+        for feature in imported.plan["features"]
+        if feature["properties"]["kind"] == kind
+    ]
+
+
+def changed(path, tmp_path, change):
+    """Write map data with something else in it."""
+    document = json.loads(path.read_text("utf-8"))
+    change(document["features"])
+    out = tmp_path / "MapData.geojson"
+    out.write_text(json.dumps(document), encoding="utf-8")
+    return out
+
+
+def by_id(features, identity):
+    return next(each for each in features if each["_id"] == identity)
+
+
+def test_links_in_line_are_one_corridor_and_an_oracle_walks_it(quay_house, walked):
+    site = walked(import_cabot(quay_house, "2F"), "Elevator", "Rope Workshop")
+    widths = sorted(round(each.width, 1) for each in site.corridors)
+    assert widths == [1.5, 2.0, 2.0, 2.4]
+    assert max(each.length for each in site.corridors) == pytest.approx(36, abs=0.1)
+    assert sorted(point.shape for point in site.turning_points) == [
+        "corner", "corner", "t_junction", "t_junction",
+    ]  # fmt: skip
+    assert site.anchor.latitude == pytest.approx(47.3, abs=0.001)
+    assert [turn.direction for turn in site.routes[0].turns] == ["left", "right"]
+
+
+def test_entrances_are_doors_labelled_by_their_facilities(quay_house):
+    doors = {
+        each["label"]: each for each in kinds(import_cabot(quay_house, "2"), "door")
+    }
+    assert doors.keys() == {
+        "Map Room", "Canteen, North side", "Chart Store", "Harbour Office",
+        "Rope Workshop", "Elevator", "Stairs",
+    }  # fmt: skip
+    assert doors["Canteen, North side"]["style"] == "automatic_glass"
+    assert doors["Elevator"]["style"] == "elevator"
+    assert doors["Stairs"]["source"] == "EDITOR_node_st"
+
+
+def test_named_points_of_interest_are_things(quay_house):
+    things = {
+        each["category"]: each
+        for each in kinds(import_cabot(quay_house, "2"), "landmark")
+    }
+    assert things.keys() == {"vending machine", "potted plant", "pillar"}
+
+
+def test_what_is_guessed_and_missing_is_told_with_ids(quay_house):
+    imported = import_cabot(quay_house, "2")
+    assert "widths of 2 links: 1.5 m" in imported.guessed
+    assert "facilities without an entrance (1): EDITOR_facil_6" in imported.missing
+    assert (
+        "doors across a way, which plans do not have (1): EDITOR_facil_12"
+        in imported.missing
+    )
+    assert (
+        "points of interest that are no things: _nav_info_ (1): EDITOR_facil_18"
+        in imported.missing
+    )
+
+
+def test_of_several_floors_one_is_chosen(quay_house):
+    with pytest.raises(SettingsError, match="choose one: --floor 1F, 2F"):
+        import_cabot(quay_house)
+
+
+def test_a_link_to_no_node_is_told_and_the_rest_is_taken(quay_house, tmp_path):
+    def break_link(features):
+        by_id(features, "EDITOR_link_9")["properties"]["end_id"] = "nowhere"
+
+    imported = import_cabot(changed(quay_house, tmp_path, break_link), "2")
+    assert (
+        "links that do not join two nodes of the file (1): EDITOR_link_9"
+        in imported.missing
+    )
+
+
+def test_a_width_that_no_corridor_has_is_told(quay_house, tmp_path):
+    def widen(features):
+        by_id(features, "EDITOR_link_1")["properties"]["hulop_road_width"] = 150
+
+    imported = import_cabot(changed(quay_house, tmp_path, widen), "2")
+    assert any("EDITOR_link_1" in line and "width" in line for line in imported.guessed)
+
+
+@pytest.mark.parametrize(
+    ("content", "message"),
+    [
+        pytest.param("{", "expected JSON", id="no JSON"),
+        pytest.param("[]", 'expected a GeoJSON FeatureCollection', id="a list"),
+        pytest.param('{"features": []}', 'points with a "node_id"', id="nothing in it"),
+    ],
+)  # fmt: skip
+def test_what_is_no_map_data_is_an_error_that_names_the_file(
+    content, message, tmp_path
+):
+    path = tmp_path / "MapData.geojson"
+    path.write_text(content, encoding="utf-8")
+    with pytest.raises(ImportFileError, match=f"MapData.geojson: .*{message}"):
+        import_cabot(path)
