@@ -41,13 +41,18 @@ def replaced_when_whole(target: Path) -> Generator[Path]:
         unfinished.unlink(missing_ok=True)
 
 
-def write_new(path: str | Path, content: bytes) -> None:
-    """Write a file that is not there yet."""
-    path = Path(path)
+def check_new_file(path: Path) -> None:
+    """Refuse a place for a new file before anything is done for it."""
     if path.exists():
         raise SettingsError(
             f"--out {path}: exists already; choose another name, or delete it"
         )
+
+
+def write_new(path: str | Path, content: bytes) -> None:
+    """Write a file that is not there yet."""
+    path = Path(path)
+    check_new_file(path)
     try:
         write_whole(path, content)
     except OSError as error:

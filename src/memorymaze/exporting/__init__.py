@@ -8,6 +8,7 @@ from collections.abc import Callable
 from importlib import import_module
 from pathlib import Path
 
+from memorymaze.durable_files import check_new_file, check_new_folder
 from memorymaze.errors import SettingsError, did_you_mean
 from memorymaze.extras import require_extra
 from memorymaze.sites.records import Site
@@ -59,6 +60,8 @@ def export_site(
     if to == "usd":
         require_extra("usd", "pxr", purpose="--to usd")
     out = Path(out)
+    check = check_new_file if to == "gltf" else check_new_folder
+    check(out)
     out.parent.mkdir(parents=True, exist_ok=True)
     module = import_module(f"memorymaze.exporting.{to}")
     write: Callable[..., list[Path]] = getattr(module, f"write_{to}")

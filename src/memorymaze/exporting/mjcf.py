@@ -1,7 +1,6 @@
 """A building as MJCF: a folder with one XML and its pictures, for MuJoCo alone."""
 
 import json
-import math
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -19,7 +18,7 @@ from memorymaze.exporting.named_meshes import (
 from memorymaze.pictures.rendering.mujoco_model import SpecAssembler
 from memorymaze.pictures.rendering.placed_things import PlacedMeshes
 from memorymaze.pictures.rendering.visual_scene import add_lights
-from memorymaze.simulation.scene import wall_solids
+from memorymaze.simulation.scene import about_z, wall_solids
 from memorymaze.simulation.solids import Solid, landmark_solid
 from memorymaze.sites.records import Site
 
@@ -39,7 +38,7 @@ def write_mjcf(site: Site, out: Path) -> list[Path]:
             type=mujoco.mjtGeom.mjGEOM_BOX,
             size=list(solid.half_size),
             pos=list(solid.position),
-            quat=_about_z(solid.heading),
+            quat=about_z(solid.heading),
             group=SOLID_GROUP,
         )
     spec.worldbody.add_geom(
@@ -83,14 +82,10 @@ def _add(assembler: SpecAssembler, mesh: NamedMesh) -> None:
     body = assembler.spec.worldbody.add_body(
         name=mesh.name,
         pos=[placed.x, placed.y, placed.z],
-        quat=_about_z(placed.heading),
+        quat=about_z(placed.heading),
     )
     assembler.add(PlacedMeshes(placed.parts), SEEN_GROUP, body=body)
     assembler.spec.add_text(name=mesh.name, data=_text(mesh.attributes))
-
-
-def _about_z(heading: float) -> list[float]:
-    return [math.cos(heading / 2), 0.0, 0.0, math.sin(heading / 2)]
 
 
 def _text(attributes: object) -> str:

@@ -152,8 +152,8 @@ def _joined(parts: Sequence[MeshPart]) -> MeshPart:
 def _attributes(feature: Attributes) -> Attributes:
     properties = cast(Attributes, feature["properties"])
     return _without_null({
-        "id": feature["id"],
         **properties,
+        "id": feature["id"],
         "geometry": feature["geometry"],
     })
 

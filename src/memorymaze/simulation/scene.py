@@ -233,14 +233,15 @@ def _add_box(body: mujoco.MjsBody, solid: Solid, group: int, *, touches: bool) -
         type=mujoco.mjtGeom.mjGEOM_BOX,
         size=list(solid.half_size),
         pos=list(solid.position),
-        quat=_about_z(solid.heading),
+        quat=about_z(solid.heading),
         group=group,
         contype=SOLID_CONTACT if touches else 0,
         conaffinity=0,
     )
 
 
-def _about_z(heading: float) -> list[float]:
+def about_z(heading: float) -> list[float]:
+    """Return a heading as a quaternion, w first."""
     return [math.cos(heading / 2), 0.0, 0.0, math.sin(heading / 2)]
 
 

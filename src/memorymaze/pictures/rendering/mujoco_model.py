@@ -1,7 +1,6 @@
 """Puts meshes into a MuJoCo model: few geoms, few textures, equal ones only once."""
 
 import hashlib
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
@@ -12,6 +11,7 @@ from numpy.typing import NDArray
 from memorymaze.pictures.looks.assembly import MeshPart
 from memorymaze.pictures.looks.materials import Material
 from memorymaze.pictures.rendering.placed_things import PlacedMeshes
+from memorymaze.simulation.scene import about_z
 
 PALETTE_EDGE = 64
 """Colours along an edge of the palette."""
@@ -113,7 +113,7 @@ class SpecAssembler:
             meshname=self._mesh(part),
             material=material,
             pos=[placed.x, placed.y, placed.z],
-            quat=[math.cos(placed.heading / 2), 0, 0, math.sin(placed.heading / 2)],
+            quat=about_z(placed.heading),
             group=group,
             contype=0,
             conaffinity=0,
