@@ -179,6 +179,34 @@ def test_a_building_is_drawn_from_nothing_and_walked(
 
 
 @pytest.mark.proof
+def test_what_is_chosen_is_dragged_copied_and_deleted_and_each_step_taken_back(
+    annex: Path, edit: EditPlan, draughtsman: Draughtsman
+) -> None:
+    page, before = draughtsman.page, annex.read_bytes()
+    undo = page.get_by_role("button", name="Undo")
+    with edit(annex) as address, draughtsman.working_at(address):
+        draughtsman.click(14, 6)
+        expect(page.locator("#form h2")).to_contain_text("room_library")
+        draughtsman.drag((14, 6), (14.52, 6))
+        expect(page.get_by_label("x of place 1")).to_have_value("12.5")
+        draughtsman.drag((16.5, 8), (16.1, 9.02))  # near an axis of the corridor
+        expect(page.get_by_label("x of place 3")).to_have_value("16.1")
+        expect(page.get_by_label("y of place 3")).to_have_value("9")
+        draughtsman.keys(".", "Delete", "Control+d")
+        expect(page.locator("#form h2")).to_contain_text("room_library_1")
+        draughtsman.keys("Delete")
+        draughtsman.is_checked()
+        assert page.locator("#features option").count() == 8
+        for _ in range(5):
+            expect(undo).to_be_enabled()
+            draughtsman.keys("Control+z")
+        expect(undo).to_be_disabled()
+        draughtsman.keys(*["Control+Shift+z"] * 2, *["Control+z"] * 2)
+        draughtsman.save()
+    assert annex.read_bytes() == before
+
+
+@pytest.mark.proof
 def test_what_is_wrong_is_shown_where_it_is_and_a_broken_plan_is_mended(
     annex: Path, edit: EditPlan, draughtsman: Draughtsman, complaints: Complaints
 ) -> None:
@@ -217,11 +245,15 @@ def test_a_reload_loses_nothing_and_another_hand_is_not_overwritten(
     page = draughtsman.page
     page.on("dialog", lambda dialog: dialog.accept())
     with edit(annex) as address, draughtsman.working_at(address):
-        draughtsman.fill("Title", "Tower")
+        page.get_by_label("Title").fill("Tower")
         page.reload()
         draughtsman.is_checked()
         expect(page.locator("#draft")).to_be_visible()
         expect(page.get_by_label("Title")).to_have_value("Tower")
+        draughtsman.tool("Throw it away")
+        expect(page.get_by_label("Title")).to_have_value("Annex")
+        expect(page.locator("#saved")).to_have_text("saved")
+        page.get_by_label("Title").fill("Tower")
         other = annex.read_text(encoding="utf-8").replace("Library", "Archive")
         annex.write_text(other, encoding="utf-8")
         draughtsman.keys("Control+s")

@@ -29,7 +29,7 @@ EXTRAS = (
     (
         "studies",
         ("starlette", "uvicorn", "python_multipart", "cryptography"),
-        "memorymaze study and try",
+        "memorymaze study, try and sites edit",
     ),
     ("usd", ("pxr",), "sites export --to usd"),
 )

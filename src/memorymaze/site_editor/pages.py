@@ -147,15 +147,7 @@ class EditorPages:
             floor = (*site.corridors, *site.areas, *site.turning_points)
             walls = floor_pieces([each.polygon for each in floor])
         return {
-            "problems": [
-                {
-                    "feature": each.feature,
-                    "rule": each.rule,
-                    "message": each.message,
-                    "severity": each.severity,
-                }
-                for each in problems
-            ],
+            "problems": [each._asdict() for each in problems],
             "walls": [
                 [[round(x, 3), round(y, 3)] for x, y, *_ in ring.coords]
                 for piece in walls

@@ -1,7 +1,7 @@
 // The page: what is loaded, checked and saved, and what its buttons and lists do.
 import { Drawing } from "./drawing.js";
 import { Form, PROPOSED, made } from "./form.js";
-import { distance, middleOf, moved, nearestOn, round } from "./geometry.js";
+import { distance, moved, nearestOn, round } from "./geometry.js";
 import { Plan } from "./plan.js";
 import { Tools } from "./tools.js";
 
@@ -69,11 +69,16 @@ function waitAndCheck() {
 }
 
 async function save(overOthers = false) {
-  const state = plan.state;
+  // What is typed but not left yet is part of the plan too.
+  const field = document.activeElement;
+  field.blur();
+  field.focus();
+  const { state } = plan;
   try {
     const { base } = await send("/save", { ...plan.message(), over_others: overOthers });
     plan.take(base, state);
     at("conflict").close();
+    at("draft").hidden = true;
     say("Saved.");
     changed();
   } catch (error) {
@@ -89,20 +94,19 @@ async function save(overOthers = false) {
 async function drawn(tool, places) {
   if (tool === "measure") {
     measured = places;
-    at("measured").showModal();
+    if (picture) at("measured").showModal();
+    else say("There is no picture beneath: begin with --picture.");
     return;
   }
-  const features = fresh(tool, places);
-  const proposed = PROPOSED[tool] && await tried(() =>
-    send("/propose", { ...plan.message(), feature: features[0] }));
-  plan.add(`draw ${plan.state.features.length}`, ...(proposed?.features ?? features));
+  const feature = fresh(tool, places);
+  const proposed = PROPOSED[tool] && await tried(() => send("/propose", { ...plan.message(), feature }));
+  plan.add(`draw ${plan.state.features.length}`, ...(proposed?.features ?? [feature]));
   say(`${plan.feature.id} drawn.`);
   if (tool !== "corridor" && tool !== "landmark") tools.use("select");
 }
 
 function fresh(kind, places) {
-  const known = plan.state.features.filter((each) => each?.properties?.kind === "route").map((each) => each.properties.route);
-  const route = `R${[1, 2, 3, 4, 5, 6, 7, 8, 9].find((n) => !known.includes(`R${n}`)) ?? 10}`;
+  const route = plan.freeName("R");
   const [place, heading] = kind === "landmark" ? standing(places[0], 0.4) : [];
   const floor = { name: null, floor_material: "carpet", wall_material: "plaster" };
   const properties = {
@@ -121,36 +125,35 @@ function fresh(kind, places) {
     landmark: () => ({ type: "Point", coordinates: place }),
     route: () => ({ type: "LineString", coordinates: places }),
   }[kind]?.() ?? { type: "Polygon", coordinates: [[...places, places[0]]] };
-  const id = kind === "route" ? `route_${route.toLowerCase()}_reference` : plan.freeId(PREFIX[kind] ?? kind);
-  return [{ type: "Feature", id, geometry, properties: { kind, ...properties } }];
+  const id = kind === "route" ? `route_${route.toLowerCase()}_reference` : plan.freeName(`${PREFIX[kind] ?? kind}_`);
+  return { type: "Feature", id, geometry, properties: { kind, ...properties } };
 }
 
-// Return the wall nearest to a place: where it is, from where to where, and how far away.
+// Return the wall nearest to a place, where on it that is, and how far away.
 function wallAt(place) {
-  const walls = tools.walls.map((side) => ({ side, foot: nearestOn(place, side) }));
-  const gap = ({ foot }) => distance(place, foot);
-  const [first, ...others] = walls;
-  const { side, foot } = others.reduce((best, each) => (gap(each) < gap(best) ? each : best), first);
-  const [start, end] = side;
-  const long = distance(start, end);
-  return { start, foot, long, gap: gap({ foot }), along: [0, 1].map((n) => (end[n] - start[n]) / long) };
+  const found = tools.walls.map((side) => {
+    const foot = nearestOn(place, side);
+    return { side, foot, gap: distance(place, foot) };
+  });
+  return found.reduce((best, each) => (each.gap < best.gap ? each : best), { gap: Infinity });
 }
 
 // Return a door along the wall nearest to a place.
 function doorAt(place) {
-  if (!tools.walls.length) return [place, moved(place, [2 * HALF_DOOR, 0])];
-  const { start, foot, long, along } = wallAt(place);
-  const middle = Math.min(Math.max(distance(start, foot), HALF_DOOR), Math.max(HALF_DOOR, long - HALF_DOOR));
-  return [-HALF_DOOR, HALF_DOOR].map((by) => along.map((part, n) => round(start[n] + part * (middle + by))));
+  const { side: [start, end] = [place, moved(place, [2 * HALF_DOOR, 0])], foot = place } = wallAt(place);
+  const long = distance(start, end);
+  const middle = Math.max(HALF_DOOR, Math.min(distance(start, foot), long - HALF_DOOR));
+  return [-HALF_DOOR, HALF_DOOR].map((by) =>
+    [0, 1].map((n) => round(start[n] + ((end[n] - start[n]) / long) * (middle + by))));
 }
 
 // Return where a thing stands and the way it faces: near a wall, with its back to it.
 function standing(place, depth) {
-  const wall = tools.walls.length ? wallAt(place) : { gap: Infinity };
-  if (wall.gap > AT_WALL || wall.gap === 0) return [place, 90];
-  const out = [0, 1].map((n) => (place[n] - wall.foot[n]) / wall.gap);
+  const { foot, gap } = wallAt(place);
+  if (gap > AT_WALL || gap === 0) return [place, 90];
+  const out = [0, 1].map((n) => (place[n] - foot[n]) / gap);
   const degrees = Math.round((Math.atan2(out[1], out[0]) * 180) / Math.PI);
-  return [moved(wall.foot, out.map((part) => (part * depth) / 2)), (degrees + 360) % 360];
+  return [moved(foot, out.map((part) => (part * depth) / 2)), (degrees + 360) % 360];
 }
 
 async function propose() {
@@ -189,12 +192,12 @@ function showDetails() {
     `${{ error: "✘ ", warning: "△ " }[worst.get(each)] ?? ""}${each?.id ?? `features[${n}]`}`);
   const kinds = features.map((each) => (KINDS.includes(each?.properties?.kind) ? each.properties.kind : "other"));
   const list = at("features");
-  const shown = JSON.stringify([titles, kinds]);
+  const isPlanWrong = problems.some((each) => each.feature === "-" && each.severity === "error");
+  const shown = JSON.stringify([titles, kinds, isPlanWrong]);
   if (shown !== names) {
     names = shown;
     const groups = KINDS.map((kind) => made("optgroup", { label: kind.replace("_", " ") },
       ...titles.flatMap((title, n) => (kinds[n] === kind ? [made("option", { value: n }, title)] : []))));
-    const isPlanWrong = problems.some((each) => each.feature === "-" && each.severity === "error");
     list.replaceChildren(made("option", { value: -1 }, `${isPlanWrong ? "✘ " : ""}The plan itself`),
       ...groups.filter((group) => group.children.length));
   }
@@ -231,7 +234,7 @@ function showProblems(told) {
 
 function jumpTo(name) {
   plan.select(plan.placeOf(name));
-  if (plan.feature) drawing.show([plan.feature]);
+  drawing.show([plan.feature]);
   say(plan.feature ? `${name} chosen.` : "The plan itself is chosen.");
 }
 
@@ -239,10 +242,14 @@ function jumpTo(name) {
 
 const PLACING = ["x", "y", "metres_per_pixel", "turn_deg", "opacity"];
 
-function layPicture(placed) {
+function showPicture(placed) {
   picture = placed;
   PLACING.forEach((name) => { at(`picture-${name}`).value = round(picture[name] * 1000) / 1000; });
   drawing.layPicture(picture, [picture.width, picture.height]);
+}
+
+function layPicture(placed) {
+  showPicture(placed);
   const { width, height, ...kept } = picture;
   tried(() => send("/place", kept));
 }
@@ -254,7 +261,7 @@ async function loadPicture(placed) {
   drawing.picture.setAttribute("href", image.src);
   const { naturalWidth: width, naturalHeight: height } = image;
   const begun = { x: 0, y: height * 0.02, metres_per_pixel: 0.02, turn_deg: 0, opacity: 0.5 };
-  layPicture({ ...(placed ?? begun), width, height });
+  showPicture({ ...(placed ?? begun), width, height });
   PLACING.forEach((name) => at(`picture-${name}`).addEventListener("change", ({ target }) => {
     if (Number.isFinite(target.valueAsNumber)) layPicture({ ...picture, [name]: target.valueAsNumber });
   }));
@@ -304,14 +311,16 @@ addEventListener("keydown", (event) => {
 });
 at("features").addEventListener("change", ({ target }) => {
   plan.select(Number(target.value));
-  const middle = plan.feature && middleOf(plan.feature);
-  if (middle) drawing.show([plan.feature]);
+  drawing.show([plan.feature]);
 });
 at("features").addEventListener("keydown", (event) => {
   if (event.key === "Delete" && plan.feature) plan.remove();
 });
 at("measured").addEventListener("close", () => { if (at("measured").returnValue === "take") scalePicture(); });
-addEventListener("beforeunload", (event) => { if (!plan.isSaved) event.preventDefault(); });
+addEventListener("beforeunload", (event) => {
+  document.activeElement.blur();
+  if (!plan.isSaved) event.preventDefault();
+});
 addEventListener("pagehide", () => {
   if (!plan.isSaved) send("/check", plan.message(), { keepalive: true }).catch(() => {});
 });

@@ -12,7 +12,8 @@ export class Plan {
   begin({ base, plan, draft }) {
     const { features, ...members } = plan;
     const listed = Array.isArray(features) ? features : [];
-    this.take(base, { members, features: listed, selected: -1, corner: null });
+    this.state = { members, features: listed, selected: -1, corner: null };
+    this.take(base, this.state);
     [this.past, this.coming, this.last] = [[], [], null];
     if (draft) {
       const known = new Map(listed.map((each) => [JSON.stringify(each), each]));
@@ -26,7 +27,7 @@ export class Plan {
 
   // Take note that the file says what a state says.
   take(base, state) {
-    [this.base, this.state, this.saved] = [base, this.state ?? state, state];
+    [this.base, this.saved] = [base, state];
     this.places = new Map(state.features.map((feature, place) => [feature, place]));
   }
 
@@ -92,7 +93,7 @@ export class Plan {
 
   duplicate() {
     const lines = linesOf(this.feature).map((line) => line.map((each) => moved(each, [1, -1])));
-    const copy = { ...this.feature, id: this.freeId(String(this.feature.id).replace(/_\d+$/, "")) };
+    const copy = { ...this.feature, id: this.freeName(`${String(this.feature.id).replace(/_\d+$/, "")}_`) };
     this.add("duplicate", lines.length ? withLines(copy, lines) : copy);
   }
 
@@ -126,11 +127,12 @@ export class Plan {
     return true;
   }
 
-  freeId(stem) {
-    const known = new Set(this.state.features.map((each) => each?.id));
-    for (let number = 1; ; number += 1) {
-      if (!known.has(`${stem}_${number}`)) return `${stem}_${number}`;
-    }
+  // Return a name with the lowest number that no feature's id has, or no route's name.
+  freeName(stem) {
+    const known = new Set(this.state.features.flatMap((each) => [each?.id, each?.properties?.route]));
+    let number = 1;
+    while (known.has(`${stem}${number}`)) number += 1;
+    return `${stem}${number}`;
   }
 
   // Return the place of the feature that a problem names: by its id, or by its place.
