@@ -163,7 +163,7 @@ def test_a_building_is_drawn_from_nothing_and_walked(
         draughtsman.click(11, 0)
         draughtsman.click(11, 6)
         draughtsman.keys("Enter")
-        expect(page.get_by_label("Goal", exact=True)).to_have_value("the Library")
+        expect(page.get_by_label("Goal", exact=True)).to_have_value("Library")
         draughtsman.is_checked()
         expect(page.locator("#errors-count")).to_have_text("0 errors")
         assert complaints(page) == []

@@ -75,7 +75,7 @@ def reference_route(site: Site, start: str, goal: str) -> Feature:
     first, last = (_on_middle(each.place, from_piece, middles) for each in (begin, end))
     line = _shortest(first, last, from_piece, site)
     if not any(Point(last).distance(middle) < SPACING for middle in middles):
-        line = _ended_near(line, _goals(site)[end.goal][0])
+        line = _ended_near(line, goals_of(site)[end.goal][0])
     numbers = {each.route for each in site.routes}
     number = next(n for n in range(1, len(numbers) + 2) if f"R{n}" not in numbers)
     return line_feature(
@@ -87,14 +87,14 @@ def reference_route(site: Site, start: str, goal: str) -> Feature:
         start_heading_deg=degrees(heading_to(line[0], line[1])),
         goal=end.words,
         goal_landmark=end.goal,
-        turns=list(_turns(line, site)),
+        turns=list(turns_along(line, site)),
         note="",
     )
 
 
 def _end(site: Site, said: str, which: str) -> _End:
     """Return the place that somebody means."""
-    goals = _goals(site)
+    goals = goals_of(site)
     written = PLACE.fullmatch(said)
     if written:
         try:
@@ -133,7 +133,7 @@ def _end(site: Site, said: str, which: str) -> _End:
     return _End((there.x, there.y), identity, goals[identity][1])
 
 
-def _goals(site: Site) -> dict[str, tuple[Point | LineString | Polygon, str]]:
+def goals_of(site: Site) -> dict[str, tuple[Point | LineString | Polygon, str]]:
     """Return what one can be sent to, with its words, rooms first."""
 
     def words(each: Room | Door | Landmark) -> str:
@@ -238,8 +238,8 @@ def _drawn_out(line: LineString) -> LineString:
     return LineString([(x - dx, y - dy), (end_x + dx, end_y + dy)])
 
 
-def _turns(line: Sequence[XY], site: Site) -> Iterator[Mapping[str, str]]:
-    """Yield the turns at turning points, bends within one put together."""
+def turns_along(line: Sequence[XY], site: Site) -> Iterator[Mapping[str, str]]:
+    """Yield the turns of a line at turning points, bends within one put together."""
     bends: dict[str, float] = {}
     for before, corner, after in zip(line, line[1:], line[2:], strict=False):
         angle = turn_between(heading_to(before, corner), heading_to(corner, after))

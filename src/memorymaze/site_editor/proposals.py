@@ -13,15 +13,14 @@ from shapely import LineString, Point, Polygon, union_all
 from shapely.affinity import scale
 
 from memorymaze.geometry.pose import heading_to, turn_between
+from memorymaze.importing.reference_route import goals_of, turns_along
 from memorymaze.sites.floor_rules import ROOM_OFF_DOOR, SAME_WAY, TOUCH, exit_reach
 from memorymaze.sites.plan_writing import degrees, polygon_feature
 from memorymaze.sites.records import Area, Corridor, Site, TurningPoint
-from memorymaze.sites.route_rules import GOAL_NEAR, ROUNDING, STRAIGHT
+from memorymaze.sites.route_rules import GOAL_NEAR
 
 Feature = dict[str, Any]
 Floor = Corridor | Area | TurningPoint
-SLIGHT = math.radians(60)
-"""Turns up to this are slight."""
 STRAIGHT_ON = math.radians(150)
 """Exits at a larger angle are a way through."""
 CROSSING = math.radians(20)
@@ -155,39 +154,17 @@ def _across_edges(place: Polygon) -> Iterator[float]:
 def _way(line: LineString, site: Site) -> Feature:
     """Return what follows from a route's line."""
     places = [(x, y) for x, y, *_ in line.coords]
-    legs = [heading_to(*leg) for leg in pairwise(places)]
-    turns: list[tuple[str, float]] = []
-    for corner, (before, after) in zip(places[1:], pairwise(legs), strict=False):
-        angle = turn_between(before, after)
-        here = [
-            point.id
-            for point in site.turning_points
-            if point.polygon.distance(Point(corner)) <= ROUNDING
-        ]
-        if abs(angle) > STRAIGHT and here:
-            # Several bends in one place are one turn.
-            before_it = turns.pop()[1] if turns and turns[-1][0] == here[0] else 0.0
-            turns.append((here[0], before_it + angle))
     end = Point(places[-1])
-    goals = [
-        *((door.line, door.id, door.label) for door in site.doors),
-        *((e.position, e.id, e.name or e.category) for e in site.landmarks),
-        *((room.polygon, room.id, room.name) for room in site.rooms),
-    ]
     found: Feature = {
-        "start_heading_deg": degrees(legs[0]),
-        "turns": [{"at": at, "direction": _direction(by)} for at, by in turns],
+        "start_heading_deg": degrees(heading_to(places[0], places[1])),
+        "turns": list(turns_along(places, site)),
     }
-    near = [each for each in goals if each[0].distance(end) <= GOAL_NEAR]
+    # The wall of a room is often nearer than what one is led to.
+    near = [
+        (isinstance(shape, Polygon), shape.distance(end), identity, words)
+        for identity, (shape, words) in goals_of(site).items()
+        if shape.distance(end) <= GOAL_NEAR
+    ]
     if near:
-        # The wall of a room is often nearer than what one is led to.
-        _, found["goal_landmark"], name = min(
-            near, key=lambda each: (isinstance(each[0], Polygon), each[0].distance(end))
-        )
-        found["goal"] = f"the {name}" if name else "the door"
+        *_, found["goal_landmark"], found["goal"] = min(near)
     return found
-
-
-def _direction(angle: float) -> str:
-    side = "left" if angle > 0 else "right"
-    return f"slight_{side}" if abs(angle) <= SLIGHT else side
