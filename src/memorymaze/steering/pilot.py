@@ -80,6 +80,8 @@ class Pilot:
                 break
             left -= driver.distance - before
         if how == "distance":
+            if self._settings.rolling_speed == 0:
+                self.come_to_rest()
             return "done"
         if how == "held":
             self._follower = None

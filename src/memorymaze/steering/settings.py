@@ -29,7 +29,8 @@ class RobotSettings:
     max_acceleration: float = 1.5
     """Of speeding up and braking, metres per second squared."""
     rolling_speed: float = 0.5
-    """Greatest speed at which a move that is done hands over to the next call."""
+    """Greatest speed at which a move that is done hands over to the next call; 0 has every
+    move end at rest."""
     max_turn_rate: float = 1.8
     """Radians per second."""
     max_turn_acceleration: float = 4.0

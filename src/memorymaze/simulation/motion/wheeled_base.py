@@ -133,6 +133,7 @@ class WheeledBase:
         self._rng = rng
         self._errors: list[float] = []
         self._qpos = self._moving.qpos
+        self._qvel = self._moving.qvel
         self._ctrl = self._moving.ctrl
         address = int(model.jnt_qposadr[model.body("robot").jntadr[0]])
         if address != 0:
@@ -175,14 +176,12 @@ class WheeledBase:
     @property
     def speed(self) -> float:
         """Metres per second over the floor, whichever way."""
-        vx, vy = self.velocity
-        return math.hypot(vx, vy)
+        return math.hypot(self._qvel.item(0), self._qvel.item(1))
 
     @property
     def velocity(self) -> tuple[float, float]:
         """Metres per second, along x and y."""
-        vx, vy = self._moving.qvel[:2].tolist()
-        return vx, vy
+        return self._qvel.item(0), self._qvel.item(1)
 
     def rest(self, steps: int) -> None:
         """Let time pass for a robot at rest in a building where nothing moves."""

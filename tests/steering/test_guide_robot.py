@@ -1,0 +1,88 @@
+"""The control API on the body of forty lines of `examples/own_robot.py`, in no simulator."""
+
+import math
+import runpy
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from memorymaze.errors import DetectorError, EpisodeOver
+from memorymaze.geometry.pose import Pose, wrap_angle
+from memorymaze.perception.detector import TruthDetector
+from memorymaze.robot.sensors_and_motion import OdometryReading
+from memorymaze.robot.steps import SteppingRobot
+from memorymaze.steering import GuideRobot, RobotSettings
+from memorymaze.steering.calls import TraceEvent
+
+EXAMPLE = Path(__file__).parents[2] / "examples" / "own_robot.py"
+PointBody: Any = runpy.run_path(str(EXAMPLE))["PointBody"]
+
+
+class Elsewhere(PointBody):
+    """Tells of itself in a frame turned by 2 radians, by a clock that began long ago."""
+
+    def odometry(self) -> OdometryReading:
+        time, (x, y, heading), speed = super().odometry()
+        cosine, sine = math.cos(2), math.sin(2)
+        pose = Pose(
+            500 + x * cosine - y * sine,
+            -300 + x * sine + y * cosine,
+            wrap_angle(heading + 2),
+        )
+        return OdometryReading(1e6 + time, pose, speed)
+
+
+def test_it_is_what_agents_are_given() -> None:
+    assert isinstance(GuideRobot(PointBody()), SteppingRobot)
+
+
+@pytest.mark.parametrize("kind", [PointBody, Elsewhere])
+def test_where_odometry_begins_makes_no_difference(kind: Any) -> None:
+    body = kind()
+    robot = GuideRobot(body, settings=RobotSettings(time_budget=100))
+    assert robot.move_forward(100).reason == "wall"
+    assert body.pose[:2] == pytest.approx((14 - 0.7, 0), abs=0.1)
+    assert robot.detect_turning_point() == ["right"]
+    assert robot.turn("right").turned
+    robot.move_forward(4)
+    assert body.pose[:2] == pytest.approx((13, -4), abs=0.15)
+
+
+def test_the_time_budget_is_of_the_bodys_clock() -> None:
+    robot = GuideRobot(Elsewhere(), settings=RobotSettings(time_budget=3))
+    result = robot.move_forward(10)
+    assert result.reason == "budget"
+    assert 1 < result.distance < 3
+    with pytest.raises(EpisodeOver):
+        robot.say("Still there?")
+
+
+def test_without_rolling_every_move_ends_at_rest() -> None:
+    body = PointBody()
+    robot = GuideRobot(body, settings=RobotSettings(rolling_speed=0))
+    robot.move_forward(1)
+    assert body.speed == pytest.approx(0, abs=0.05)
+
+
+def test_without_eyes_nothing_is_seen() -> None:
+    robot = GuideRobot(PointBody())
+    assert robot.detect_from_RGB_image("door") == []
+    assert robot.read_signs() == []
+
+
+def test_a_detector_that_wants_to_be_told_what_is_seen_is_refused() -> None:
+    robot = GuideRobot(PointBody(), detector=TruthDetector())
+    with pytest.raises(DetectorError, match="such as PictureDetector"):
+        robot.detect_from_RGB_image("door")
+
+
+def test_each_call_is_told_of() -> None:
+    events: list[TraceEvent] = []
+    robot = GuideRobot(PointBody(), on_event=events.append)
+    robot.move_forward(0.5)
+    robot.turn_by(30)
+    assert robot.finish() == "agent"
+    assert [each.call for each in events] == ["move_forward", "turn_by", "stop"]
+    assert events[-1].time > 0
+    assert robot.calls == 2
