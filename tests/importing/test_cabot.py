@@ -98,6 +98,17 @@ def test_a_width_that_no_corridor_has_is_told(quay_house, tmp_path):
     assert any("EDITOR_link_1" in line and "width" in line for line in imported.guessed)
 
 
+def test_a_node_in_another_town_is_told_and_the_rest_is_taken(quay_house, tmp_path):
+    def move(features):
+        by_id(features, "EDITOR_node_r5")["geometry"]["coordinates"] = [9.0, 47.3]
+
+    imported = import_cabot(changed(quay_house, tmp_path, move), "2")
+    assert (
+        "features more than 1000 m from the middle of the rest (1): EDITOR_node_r5"
+        in imported.missing
+    )
+
+
 @pytest.mark.parametrize(
     ("content", "message"),
     [

@@ -2,7 +2,7 @@ import math
 
 import pytest
 
-from memorymaze.errors import ImportFileError, SettingsError
+from memorymaze.errors import SettingsError
 from memorymaze.importing.imported import LocalFrame, chosen_floor
 from memorymaze.sites.records import Anchor
 
@@ -26,15 +26,15 @@ def test_the_bearing_turns_north_away_from_y():
 
 def test_a_frame_is_in_the_middle_of_what_it_is_around():
     places = [(10.0, 50.0), (10.002, 50.001), (10.001, 50.004)]
-    assert LocalFrame.around(places, "f").plan_anchor() == {
+    assert LocalFrame.around(places).plan_anchor() == {
         "latitude": 50.001, "longitude": 10.001, "bearing_deg": 0.0,
     }  # fmt: skip
 
 
-def test_a_place_far_from_all_others_is_told():
-    places = [(10.0, 50.0), (10.001, 50.0), (0.0, 0.0)]
-    with pytest.raises(ImportFileError, match=r"f: .*2000 m across.*longitude 0.0"):
-        LocalFrame.around(places, "f")
+def test_a_frame_reaches_a_building_and_not_another_town():
+    frame = LocalFrame.around([(10.0, 50.0), (10.001, 50.0), (0.0, 0.0)])
+    assert frame.reaches([(10.0, 50.0), (10.001, 50.005)])
+    assert not frame.reaches([(10.0, 50.0), (0.0, 0.0)])
 
 
 @pytest.mark.parametrize("asked", ["2", "2F", " 2f "])

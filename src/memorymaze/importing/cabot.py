@@ -15,7 +15,11 @@ from shapely import LineString, Point
 
 from memorymaze.errors import ImportFileError
 from memorymaze.importing.found import Found, FoundDoor, FoundThing
-from memorymaze.importing.geojson_features import SourceFeature, read_features
+from memorymaze.importing.geojson_features import (
+    SourceFeature,
+    read_features,
+    within_reach,
+)
 from memorymaze.importing.imported import (
     XY,
     CentreLine,
@@ -101,7 +105,8 @@ def import_cabot(path: Path, floor: str | None = None) -> ImportedSite:
             f'{path}: expected nodes, points with a "node_id", got none; is it the '
             "MapData.geojson of a CaBot site package?"
         )
-    frame = LocalFrame.around(places, str(path))
+    frame = LocalFrame.around(places)
+    features = within_reach(features, frame, notes)
     nodes = _nodes(features, frame, notes)
     floors = {
         level: _floor_name(level) for level in sorted({n.floor for n in nodes.values()})

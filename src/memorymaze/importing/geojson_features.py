@@ -5,12 +5,14 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import cast
 
+import numpy as np
 import shapely
+from shapely import get_coordinates
 from shapely.geometry import shape
 from shapely.geometry.base import BaseGeometry
 
 from memorymaze.errors import ImportFileError
-from memorymaze.importing.imported import ImportNotes
+from memorymaze.importing.imported import FAR, ImportNotes, LocalFrame
 from memorymaze.input_files import parse_json, shown
 
 SHAPES = ("Point", "LineString", "Polygon", "MultiPolygon")
@@ -70,6 +72,20 @@ def read_features(
     return list(_sound(cast(list[object], features), source, notes))
 
 
+def within_reach(
+    features: Sequence[SourceFeature], frame: LocalFrame, notes: ImportNotes
+) -> list[SourceFeature]:
+    """Return the features without those too far away to be of the same building."""
+    kept: list[SourceFeature] = []
+    for feature in features:
+        places = () if feature.geometry is None else get_coordinates(feature.geometry)
+        if frame.reaches(places):
+            kept.append(feature)
+        else:
+            notes.miss(f"features {FAR}", feature.id)
+    return kept
+
+
 def _sound(
     features: Sequence[object], source: str, notes: ImportNotes
 ) -> Iterator[SourceFeature]:
@@ -103,8 +119,9 @@ def _geometry(raw: object) -> BaseGeometry | None:
     if described.get("type") not in SHAPES:
         return None
     try:
-        made = shape(described)
-        places = shapely.get_coordinates(made)
+        with np.errstate(invalid="ignore"):
+            made = shape(described)
+        places = get_coordinates(made)
     # shape() trusts what it is given: anything can come of other things.
     except (
         TypeError,

@@ -14,7 +14,11 @@ from shapely import LineString, MultiPolygon, Polygon
 
 from memorymaze.errors import ImportFileError
 from memorymaze.importing.found import FoundDoor, FoundRoom, FoundThing
-from memorymaze.importing.geojson_features import SourceFeature, read_features
+from memorymaze.importing.geojson_features import (
+    SourceFeature,
+    read_features,
+    within_reach,
+)
 from memorymaze.importing.imported import (
     ImportedSite,
     ImportNotes,
@@ -90,7 +94,8 @@ def import_imdf(path: Path, floor: str | None = None) -> ImportedSite:
     ]
     if not places:
         raise ImportFileError(f"{path}: expected units with outlines, got none")
-    frame = LocalFrame.around(places, str(path))
+    frame = LocalFrame.around(places)
+    files = {kind: within_reach(each, frame, notes) for kind, each in files.items()}
     ordinals: dict[str, float] = {}
     floors: dict[float, str] = {}
     for level in files["level"]:

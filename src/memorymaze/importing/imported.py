@@ -2,7 +2,7 @@
 
 import math
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from statistics import median
@@ -13,7 +13,7 @@ import shapely
 from numpy.typing import NDArray
 from shapely.geometry.base import BaseGeometry
 
-from memorymaze.errors import ImportFileError, SettingsError, did_you_mean
+from memorymaze.errors import SettingsError, did_you_mean
 from memorymaze.sites.loading_rules import FLOOR_ACROSS
 from memorymaze.sites.plan_writing import Feature
 from memorymaze.sites.records import Anchor
@@ -25,6 +25,8 @@ XY = tuple[float, float]
 """Metres, x east and y north."""
 EQUATOR_RADIUS = 6_378_137.0
 """Metres (WGS 84)."""
+FAR = f"more than {FLOOR_ACROSS / 2:.0f} m from the middle of the rest"
+"""Why a feature is left out that the frame does not reach."""
 CEILING = 2.8
 """Metres; none of the formats tells."""
 FLATTENING = 1 / 298.257223563
@@ -100,21 +102,17 @@ class LocalFrame:
     anchor: Anchor
 
     @classmethod
-    def around(
-        cls, positions: Sequence[tuple[float, float]], source: str
-    ) -> "LocalFrame":
+    def around(cls, positions: Sequence[tuple[float, float]]) -> "LocalFrame":
         """Return the frame in the middle of positions (longitude, latitude), y north."""
         middle = [median(each) for each in zip(*positions, strict=True)]
-        frame = cls(Anchor(round(middle[1], 7), round(middle[0], 7), 0.0))
-        for longitude, latitude in positions:
-            away = math.hypot(*frame.metres(longitude, latitude))
-            if not away <= FLOOR_ACROSS:
-                raise ImportFileError(
-                    f"{source}: expected a floor at most {FLOOR_ACROSS:.0f} m across, got "
-                    f"a place {away / 1000:.1f} km from the middle, at longitude "
-                    f"{longitude}, latitude {latitude}"
-                )
-        return frame
+        return cls(Anchor(round(middle[1], 7), round(middle[0], 7), 0.0))
+
+    def reaches(self, positions: Iterable[Sequence[float]]) -> bool:
+        """Tell whether places are near enough to be of the same building."""
+        return all(
+            math.hypot(*self.metres(*each[:2])) <= FLOOR_ACROSS / 2
+            for each in positions
+        )
 
     def metres(self, longitude: float, latitude: float) -> XY:
         """Return where a place on the globe lies in this frame."""

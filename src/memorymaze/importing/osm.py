@@ -18,6 +18,7 @@ from memorymaze.errors import ImportFileError
 from memorymaze.geometry.pose import heading_to
 from memorymaze.importing.found import FoundDoor, FoundRoom, FoundThing
 from memorymaze.importing.imported import (
+    FAR,
     XY,
     CentreLine,
     ImportedSite,
@@ -102,7 +103,7 @@ def import_osm(path: Path, floor: str | None = None) -> ImportedSite:
     places = [place for element in indoor for place in _places(element, elements)]
     if not places:
         raise ImportFileError(f"{path}: expected nodes with places, got none")
-    building = _Building(elements, LocalFrame.around(places, str(path)), notes)
+    building = _Building(elements, LocalFrame.around(places), notes)
     for element in indoor:
         found = element.levels() or building.levels_around(element)
         if chosen in (found or ({0.0} if levels == {0.0} else set())):
@@ -192,6 +193,9 @@ class _Building:
 
     def draw(self, element: Element) -> None:
         """Draw an element of the level, or tell why not."""
+        if not self.frame.reaches(_places(element, self._elements)):
+            self._notes.miss(f"elements {FAR}", element.id)
+            return
         if element.place is not None:
             self._draw_node(element, self.frame.metres(*element.place))
             return
