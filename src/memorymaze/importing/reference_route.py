@@ -23,7 +23,7 @@ from memorymaze.sites.route_rules import CLEARANCE, GOAL_NEAR, STRAIGHT
 MIDDLE_NEAR = 4.0
 """Metres from a place to the middle line of the way that it lies at."""
 IN_FRONT = 1.5
-"""Metres before a goal in the open at which one has arrived."""
+"""Metres before a goal at which one has arrived."""
 OFF_MIDDLE = 3.0
 """Metres more that a bend at an inner corner counts, so that middle lines come first."""
 SLIGHT = math.radians(60)
@@ -74,8 +74,11 @@ def reference_route(site: Site, start: str, goal: str) -> Feature:
     middles = [each.centre_line for each in site.corridors]
     first, last = (_on_middle(each.place, from_piece, middles) for each in (begin, end))
     line = _shortest(first, last, from_piece, site)
+    there = goals_of(site)[end.goal][0]
+    while len(line) > 2 and there.distance(Point(line[-2])) <= IN_FRONT:
+        line.pop()
     if not any(Point(last).distance(middle) < SPACING for middle in middles):
-        line = _ended_near(line, goals_of(site)[end.goal][0])
+        line = _ended_near(line, there)
     numbers = {each.route for each in site.routes}
     number = next(n for n in range(1, len(numbers) + 2) if f"R{n}" not in numbers)
     return line_feature(
