@@ -77,6 +77,13 @@ class ImportNotes:
         """Note a feature that was left out, with the reason; likes share a line."""
         self._features.setdefault((False, what), []).append(feature)
 
+    def guess_looks(self) -> None:
+        """Note what a plan has and formats for finding one's way do not."""
+        self.guessed.append(
+            f"ceiling height: {CEILING} m; materials of floors and walls; colours of "
+            "doors; sizes of things by their kinds"
+        )
+
     def imported(self, plan: dict[str, object]) -> ImportedSite:
         """Return the plan with these lines."""
         lines: dict[bool, list[str]] = {True: [], False: []}

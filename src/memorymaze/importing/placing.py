@@ -87,6 +87,7 @@ def place_found(floor: PlannedFloor, found: Found, notes: ImportNotes) -> list[F
         for placed, what in ((rooms, "room"), (doors, "door"), (things, "thing"))
     )
     notes.took.append(", ".join(counts))
+    notes.guess_looks()
     return [*rooms, *doors, *things]
 
 
