@@ -1,6 +1,13 @@
-"""ROS maps of known floors, as noisy as those that robots make: see docs/importing.md."""
+"""ROS maps of known floors, as noisy as those that robots make, and what comes back.
 
+`python -m benchmarks.noisy_maps` makes maps of the benchmark's floors and of a made building
+of each kind, imports them and holds the plans against the true ones (docs/importing.md).
+"""
+
+import json
 import math
+import tempfile
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -8,8 +15,14 @@ import numpy as np
 import shapely
 from PIL import Image
 from scipy import ndimage
-from shapely import Polygon
+from scipy.optimize import linear_sum_assignment
+from shapely import LineString, Point, Polygon
 from shapely.affinity import rotate
+
+from memorymaze.construction import KINDS, make_building
+from memorymaze.importing.ros_map import import_ros_map
+from memorymaze.sites import BUILTIN_SITE_NAMES, Site, check_site, load_site
+from memorymaze.tables import Column, Table
 
 WALL = 0.15
 """Metres of wall that a scanner shows around a floor."""
@@ -17,6 +30,19 @@ MARGIN = 3.0
 """Metres of unknown space around it."""
 FREE, OCCUPIED, UNKNOWN = 254, 0, 205
 """Shades as `map_saver` writes them."""
+SAME_POINT = 2.0
+"""Metres between the middles of two turning points that are one."""
+SAME_LINE = 0.6
+"""Metres between two middle lines of one corridor."""
+SEED = 7
+VALUES = (
+    "area error %",
+    "turning points: recall %",
+    "precision %",
+    "corridors: recall %",
+    "precision (length) %",
+    "errors",
+)
 
 
 @dataclass(frozen=True)
@@ -89,3 +115,118 @@ def _waves(
     """Return smooth noise of mean 0 and standard deviation 1."""
     rough = ndimage.gaussian_filter(rng.standard_normal(size), wavelength / 4)
     return (rough - rough.mean()) / rough.std()
+
+
+LEVELS = {
+    "clean": Noise(turned_deg=12),
+    "as from a good LiDAR": Noise(0.03, 0.005, 0.03, 12, 15),
+    "as from a poor one": Noise(0.06, 0.02, 0.10, 12, 30),
+}
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """An imported floor against the true one."""
+
+    area_error: float
+    """Square metres in just one of the two, as a share of the true floor."""
+    points: tuple[int, int, int]
+    """Turning points: true ones but dead ends, found, found and true."""
+    lengths: tuple[float, float, float, float]
+    """Metres of middle lines: true, of these found, found, of these true."""
+    errors: int
+    """Of `sites check`."""
+
+
+def compare(true: Site, found: Site, turned_deg: float, errors: int) -> Comparison:
+    """Hold a plan made from a map against the true one, turned as the map was."""
+    floor = rotate(true.walkable_floor, turned_deg, origin=(0, 0))
+    # The importer makes no turning points of dead ends.
+    wanted = [
+        rotate(point.polygon, turned_deg, origin=(0, 0)).centroid
+        for point in true.turning_points
+        if point.shape != "dead_end"
+    ]
+    got = [point.polygon.centroid for point in found.turning_points]
+    lines = [
+        rotate(each.centre_line, turned_deg, origin=(0, 0)) for each in true.corridors
+    ]
+    drawn = [each.centre_line for each in found.corridors]
+    return Comparison(
+        floor.symmetric_difference(found.walkable_floor).area / floor.area,
+        (len(wanted), len(got), _matched(wanted, got)),
+        (*_covered(lines, drawn), *_covered(drawn, lines)),
+        errors,
+    )
+
+
+def _matched(wanted: Sequence[Point], got: Sequence[Point]) -> int:
+    """Return how many pairs of near turning points there are, each in one pair."""
+    apart = np.array([[one.distance(other) for other in got] for one in wanted])
+    pairs = linear_sum_assignment(np.minimum(apart, 10 * SAME_POINT))
+    return int((apart[pairs] <= SAME_POINT).sum())
+
+
+def _covered(lines: Sequence[LineString], by: Sequence[LineString]) -> tuple[float, float]:
+    """Return the length of lines, and how much of it lies along others."""
+    whole = shapely.union_all(list(lines))
+    near = shapely.union_all([line.buffer(SAME_LINE) for line in by])
+    return whole.length, whole.intersection(near).length
+
+
+def floors(folder: Path) -> Iterator[Site]:
+    """Yield the benchmark's floors, and a made building of each kind."""
+    for name in BUILTIN_SITE_NAMES:
+        yield load_site(name)
+    for kind in KINDS:
+        building = make_building(kind, SEED)
+        path = folder / f"{building.name}.geojson"
+        path.write_bytes(building.plan)
+        yield load_site(path)
+
+
+def measure(site: Site, noise: Noise, folder: Path) -> Comparison:
+    """Return how a site comes back from a map."""
+    rng = np.random.default_rng(SEED)
+    path, _ = write_map(folder / site.name, site.walkable_floor, noise, rng)
+    plan = folder / f"{site.name}_map.geojson"
+    plan.write_text(json.dumps(import_ros_map(path).plan), encoding="utf-8")
+    errors = sum(each.severity == "error" for each in check_site(plan))
+    return compare(site, load_site(plan), noise.turned_deg, errors)
+
+
+def main() -> None:
+    """Print a line per level of noise for the benchmark's floors and for made ones."""
+    rows: list[dict[str, object]] = []
+    with tempfile.TemporaryDirectory() as made:
+        folder = Path(made)
+        sites = list(floors(folder))
+        own = len(BUILTIN_SITE_NAMES)
+        for level, noise in LEVELS.items():
+            found = [measure(site, noise, folder) for site in sites]
+            for what, part in (("benchmark", found[:own]), ("made", found[own:])):
+                points = np.array([each.points for each in part]).sum(axis=0)
+                lengths = np.array([each.lengths for each in part]).sum(axis=0)
+                values = (
+                    100 * np.mean([each.area_error for each in part]),
+                    100 * points[2] / points[0],
+                    100 * points[2] / points[1],
+                    100 * lengths[1] / lengths[0],
+                    100 * lengths[3] / lengths[2],
+                    sum(each.errors for each in part),
+                )
+                rows.append({
+                    "map": level,
+                    "floors": f"{what} ({len(part)})",
+                    **dict(zip(VALUES, map(float, values), strict=True)),
+                })
+    labels = [Column(name, name, role="label") for name in ("map", "floors")]
+    values = [
+        Column(name, name, digits=1 if number == 0 else 0)
+        for number, name in enumerate(VALUES)
+    ]
+    print(Table("", (*labels, *values), rows).markdown())
+
+
+if __name__ == "__main__":
+    main()

@@ -19,10 +19,11 @@ from shapely import (
 
 from memorymaze.importing.imported import XY, CentreLine
 from memorymaze.importing.skeleton import branches, floor_skeleton
+from memorymaze.sites.floor_rules import CORRIDOR_WIDTHS
 
 NARROWEST = 0.2
 """Metres; on a floor that is narrower everywhere there is no way."""
-WIDEST = 6.0
+WIDEST = CORRIDOR_WIDTHS[1]
 """Metres; what is wider is an open area."""
 PARALLEL = 0.9
 """Least ratio of width to twice the distance of the nearest wall between parallel walls."""
