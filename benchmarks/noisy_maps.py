@@ -167,7 +167,9 @@ def _matched(wanted: Sequence[Point], got: Sequence[Point]) -> int:
     return int((apart[pairs] <= SAME_POINT).sum())
 
 
-def _covered(lines: Sequence[LineString], by: Sequence[LineString]) -> tuple[float, float]:
+def _covered(
+    lines: Sequence[LineString], by: Sequence[LineString]
+) -> tuple[float, float]:
     """Return the length of lines, and how much of it lies along others."""
     whole = shapely.union_all(list(lines))
     near = shapely.union_all([line.buffer(SAME_LINE) for line in by])

@@ -75,7 +75,7 @@ def test_every_setting_of_a_run_is_an_option_of_evaluate(
         ("--seed", "-1", "seed: expected a whole number of at least 0, got -1"),
         ("--success-distance", "far", "--success-distance: expected a number"),
         ("--signs", "OCR", "--signs: expected truth or ocr, got 'OCR'"),
-        ("--looks", "old", "--looks: expected own or models or none, got 'old'"),
+        ("--looks", "old", "--looks: expected own, models or mesh or none, got 'old'"),
         ("--turning-points", "map", "--turning-points: expected annotated or lidar"),
         ("--detector", "truht", "did you mean 'truth'"),
         ("--obstacles", "few", "obstacles: expected a level (light, medium, heavy)"),

@@ -38,6 +38,13 @@ def add_import(verbs: Verbs) -> None:
     )
     parser.add_argument("--floor", help="which floor, where the file has several")
     parser.add_argument(
+        "--narrowest",
+        type=float,
+        metavar="METRES",
+        help="of a ROS map, leave out what lies behind ways narrower than this, such as "
+        "rooms behind doors with 1.2 (default: 0.5, what a robot needs)",
+    )
+    parser.add_argument(
         "--route",
         nargs=2,
         metavar=("FROM", "TO"),
@@ -76,6 +83,8 @@ def _import(args: argparse.Namespace) -> int:
             f"--floor: expected with {', '.join(ON_FLOORS)}, got {args.format}, which has "
             "one floor"
         )
+    if args.narrowest is not None and args.format != "ros_map":
+        raise SettingsError(f"--narrowest: expected with ros_map, got {args.format}")
     imported = _imported(args)
     for heading, lines in (
         ("took", imported.took),
@@ -125,7 +134,9 @@ def _imported(args: argparse.Namespace) -> "ImportedSite":
         case "ros_map":
             from memorymaze.importing.ros_map import import_ros_map
 
-            return import_ros_map(args.file)
+            if args.narrowest is None:
+                return import_ros_map(args.file)
+            return import_ros_map(args.file, narrowest=args.narrowest)
         case _:
             from memorymaze.importing.mesh import import_mesh
 

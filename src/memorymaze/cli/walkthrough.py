@@ -41,9 +41,9 @@ def add_parser(verbs: Verbs) -> None:
     )
     parser.add_argument(
         "--looks",
-        choices=("own", "models"),
-        help="how things look: own, or models (furniture models; see memorymaze sites "
-        "models, and the default where it was called)",
+        choices=("own", "models", "mesh"),
+        help="how things look: own, models (furniture models; see memorymaze sites "
+        "models, and the default where it was called), or mesh (PLAN.glb beside the plan)",
     )
     parser.set_defaults(run=_run)
 

@@ -185,8 +185,8 @@ class RunSettings:
     """run an agent of your own in a process of its own, which has no buildings and cannot
     read plans"""
     looks: Looks | None = field(default=None, metadata={"metavar": "LOOKS"})
-    """how things look to cameras: own, or models (furniture models; see memorymaze sites
-    models, and the default where it was called)"""
+    """how things look to cameras: own, models (furniture models; see memorymaze sites
+    models, and the default where it was called), or mesh (PLAN.glb beside the plan)"""
     simulation: SimulationSettings = field(default_factory=SimulationSettings)
     """The robot's abilities and the other limits of an episode."""
 

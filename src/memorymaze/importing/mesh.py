@@ -29,8 +29,8 @@ def import_mesh(path: Path) -> ImportedSite:
     """
     require_extra("models", "trimesh", purpose="reading meshes")
     from memorymaze.importing.mesh_features import by_kind, door_line, features_on
-    from memorymaze.importing.mesh_file import read_mesh
     from memorymaze.importing.mesh_floor import floor_of
+    from memorymaze.pictures.building_mesh import read_mesh
 
     pieces, guessed = read_mesh(path)
     kinds = by_kind(pieces)

@@ -10,9 +10,9 @@ from shapely import LineString, MultiPoint, Polygon
 from shapely.geometry import shape
 
 from memorymaze.importing.imported import ImportNotes
-from memorymaze.importing.mesh_file import Piece
 from memorymaze.importing.obstacles import box_around
 from memorymaze.importing.shapes import moved
+from memorymaze.pictures.building_mesh import Piece
 from memorymaze.sites.floor_rules import DOOR_OFF_WALL, ROOM_ON_FLOOR, THING_OFF_FLOOR
 from memorymaze.sites.plan_writing import Feature, degrees, line_feature, point_feature
 from memorymaze.wording import counted

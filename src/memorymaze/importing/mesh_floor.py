@@ -10,18 +10,12 @@ from trimesh import Trimesh
 from trimesh.intersections import mesh_plane
 
 from memorymaze.errors import ImportFileError
-from memorymaze.importing.mesh_file import FLAT, Piece, Points, normals
 from memorymaze.importing.shapes import polygons
+from memorymaze.pictures.building_mesh import FLAT, Piece, Points, levels, normals
 from memorymaze.sites.floor_rules import ROBOT_RADIUS
 
-BIN = 0.05
-"""Metres of height in which level faces count as one level."""
-LARGE = 0.4
-"""Of the largest level's area that makes a level a floor or a ceiling."""
 STEP = 0.1
 """Metres that a floor may rise or fall and still be walked over."""
-LEAST_HEADROOM = 1.8
-"""Metres between floor and ceiling."""
 SLICES = (0.15, 0.3, 0.5, 0.75, 1.0, 1.25, 1.5)
 """Metres above the floor at which walls and obstacles are looked for."""
 CRACK = 0.02
@@ -45,7 +39,7 @@ class MeshFloor:
 
 def floor_of(pieces: Sequence[Piece], doors: Sequence[Polygon] = ()) -> MeshFloor:
     """Return the largest floor that a robot drives over; doors are closed."""
-    height, ceiling = _levels(pieces)
+    height, ceiling = levels(pieces)
     ground = shapely.union_all(
         list(_level_shapes(pieces, height - STEP, height + STEP))
     )
@@ -77,39 +71,6 @@ def _is_walled(part: Polygon, walls: shapely.Geometry) -> bool:
     """Tell whether walls stand around a piece of floor; else it is the ground outside."""
     edge = part.exterior
     return edge.intersection(walls).length > edge.length / 2
-
-
-def _levels(pieces: Sequence[Piece]) -> tuple[float, float | None]:
-    """Return the heights of the floor and, above it, of the ceiling."""
-    heights = np.concatenate([
-        piece.triangles[:, :, 2].mean(axis=1) for piece in pieces
-    ])
-    across = np.concatenate([normals(piece) for piece in pieces])
-    areas = np.linalg.norm(across, axis=1) / 2
-    slopes = across[:, 2] / np.maximum(2 * areas, 1e-12)
-    up = slopes > FLAT
-    if areas[up].sum() < 0.1 * areas[np.abs(slopes) > FLAT].sum():
-        up = np.abs(slopes) > FLAT  # its faces do not tell their sides
-    floors = _large_levels(heights[up], areas[up])
-    if not floors:
-        raise ImportFileError("expected level faces to walk on, got none")
-    floor = floors[0]
-    level = np.abs(slopes) > FLAT
-    above = level & (heights > floor + LEAST_HEADROOM)
-    ceilings = _large_levels(heights[above], areas[above])
-    return floor, ceilings[0] - floor if ceilings else None
-
-
-def _large_levels(heights: Points, areas: Points) -> list[float]:
-    """Return the heights at which there is much area, the lowest first."""
-    if not len(heights) or areas.sum() <= 0:
-        return []
-    bins = np.round(heights / BIN).astype(int)
-    lowest = bins.min()
-    found = np.bincount(bins - lowest, weights=areas)
-    sums = np.bincount(bins - lowest, weights=areas * heights)
-    large = np.flatnonzero(found >= LARGE * found.max())
-    return [float(sums[each] / found[each]) for each in large]
 
 
 def _level_shapes(

@@ -95,7 +95,7 @@ def test_models_are_used_once_converted_unless_the_user_says_otherwise(
 
 
 def test_looks_of_another_name_are_refused() -> None:
-    with pytest.raises(SettingsError, match=r"own, models; got 'blender'"):
+    with pytest.raises(SettingsError, match=r"own, models, mesh; got 'blender'"):
         check_looks("blender")  # pyright: ignore[reportArgumentType]
 
 

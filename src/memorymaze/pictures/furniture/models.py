@@ -18,8 +18,9 @@ from memorymaze.pictures.looks.assembly import MeshPart, ObjectModel, Order
 from memorymaze.pictures.looks.materials import Material, Rgb, colours_of
 from memorymaze.pictures.tables import read_table
 
-Looks = Literal["own", "models"]
-"""How things look: as made by this project's code alone, or by furniture models too."""
+Looks = Literal["own", "models", "mesh"]
+"""How things look: as made by this project's code alone, by furniture models too, or the
+whole building as the mesh beside its plan."""
 FORMAT = 1
 """Of the cache; another format has another folder."""
 INDEX, CREDITS = "index.json", "CREDITS.md"

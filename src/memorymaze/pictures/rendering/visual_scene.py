@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from memorymaze.geometry.pose import Pose
 from memorymaze.pictures.furniture.models import Looks, check_looks
 from memorymaze.pictures.looks.catalogue import model_of
+from memorymaze.pictures.rendering.mesh_looks import mesh_building
 from memorymaze.pictures.rendering.mujoco_model import SpecAssembler
 from memorymaze.pictures.rendering.placed_things import (
     SHADOW_HEIGHT,
@@ -108,19 +109,22 @@ def build_visual_scene(
     Args:
         site: A building that passed the checks of `memorymaze.sites`.
         movables: Things and people that `VisualScene.place` will place.
-        looks: How things look; None for models where they were converted.
+        looks: How things look; None for models where they were converted; `mesh` for
+            the building's own mesh, which stands beside its plan.
     """
     looks = check_looks(looks)
     spec = mujoco.MjSpec()
     spec.modelname = f"{site.name}_looks"
     add_lights(spec)
     _add_sky(spec)
-    structure = structure_of(site)
-    things = list(placed_things(site, looks))
+    mesh = mesh_building(site) if looks == "mesh" else None
+    structure = structure_of(site) if mesh is None else None
+    slices = () if structure is None else structure.slices
+    things = list(placed_things(site, looks)) if mesh is None else mesh.things
     builder = _Builder(SpecAssembler(spec))
     outlets: list[int] = []
     for transparent in (False, True):
-        for made in structure.slices:
+        for made in slices:
             centre, radius = _circle(made.points)
             for kind, part in made.meshes():
                 if kind != "decal":
@@ -134,12 +138,23 @@ def build_visual_scene(
                         radius,
                         transparent=transparent,
                     )
+        for kind, placed, radius in () if mesh is None else mesh.rest:
+            # One may see the sky past any of it.
+            outlets.append(builder.assembler.geom_count)
+            builder.add(
+                placed,
+                _OWNERS[kind],
+                (placed.x, placed.y),
+                radius,
+                transparent=transparent,
+            )
         for number, (_, placed, radius) in enumerate(things, start=WALL + 1):
             centre = (placed.x, placed.y)
             builder.add(placed, number, centre, radius, transparent=transparent)
     movable_geoms = _add_movables(builder, movables, len(things) + WALL + 1, looks)
     first_decal = builder.assembler.geom_count
-    _add_decals(builder, structure, site)
+    if structure is not None:
+        _add_decals(builder, structure, site)
     for each, geoms in zip(movables, movable_geoms, strict=True):
         geoms.append(builder.assembler.geom_count)
         _add_shadow_of(builder, each)
@@ -167,7 +182,8 @@ def build_visual_scene(
         first_decal,
         first_sky,
         np.array(outlets, dtype=np.intp),
-        Sightlines(structure.hiding),
+        # What a mesh hides is not known beforehand.
+        Sightlines(np.empty((0, 4)) if structure is None else structure.hiding),
         np.zeros((model.ngeom - first_sky, 3)),
         {
             each.id: np.array(geoms, dtype=np.intp)

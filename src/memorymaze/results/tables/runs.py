@@ -32,6 +32,7 @@ MOST_ROUTES = 24
 LOOKS = {
     "own": "things as memorymaze makes them itself",
     "models": "furniture models of Sweet Home 3D (docs/assets.md)",
+    "mesh": "meshes beside the plans (docs/importing.md)",
 }
 
 

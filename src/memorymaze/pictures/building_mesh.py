@@ -2,8 +2,8 @@
 
 import io
 import warnings
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +18,12 @@ MOST_TRIANGLES = 2_000_000
 STOREY = (1.8, 15.0)
 """Metres that the mesh of one floor is high."""
 UNITS = {"metres": 1.0, "centimetres": 0.01, "millimetres": 0.001}
+BIN = 0.05
+"""Metres of height in which level faces count as one level."""
+LARGE = 0.4
+"""Of the largest level's area that makes a level a floor or a ceiling."""
+LEAST_HEADROOM = 1.8
+"""Metres between floor and ceiling."""
 FLAT = 0.98
 """Least share of a face's normal that points up or down where it is level."""
 
@@ -34,6 +40,8 @@ class Piece:
     """What the file says beside its shape, such as the plan's members in our export."""
     vertices: Points
     faces: Faces
+    visual: Any = None
+    """How it looks, as trimesh has it."""
 
     @property
     def triangles(self) -> Points:
@@ -41,14 +49,14 @@ class Piece:
         return self.vertices[self.faces]
 
 
-def read_mesh(path: Path) -> tuple[list[Piece], list[str]]:
+def read_mesh(path: Path, *, with_looks: bool = False) -> tuple[list[Piece], list[str]]:
     """Return the pieces of a GLB or OBJ file, and what was guessed of its frame."""
     if path.suffix.lower() not in FORMATS:
         raise ImportFileError(
             f"{path}: expected a mesh as {' or '.join(FORMATS)}, got {path.suffix!r}"
         )
     kind = path.suffix.lower()[1:]
-    pieces = list(_pieces(_scene(path, kind)))
+    pieces = list(_pieces(_scene(path, kind, with_looks=with_looks)))
     count = sum(len(piece.faces) for piece in pieces)
     if not 0 < count <= MOST_TRIANGLES:
         raise ImportFileError(
@@ -83,7 +91,7 @@ def read_mesh(path: Path) -> tuple[list[Piece], list[str]]:
     return [_changed(piece, piece.vertices * size) for piece in pieces], guessed
 
 
-def _scene(path: Path, kind: str) -> Any:
+def _scene(path: Path, kind: str, *, with_looks: bool) -> Any:
     """Return what trimesh reads; other files that this one names are not read."""
     import trimesh
 
@@ -92,7 +100,10 @@ def _scene(path: Path, kind: str) -> Any:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
             return trimesh.load_scene(
-                io.BytesIO(content), file_type=kind, process=False, skip_materials=True
+                io.BytesIO(content),
+                file_type=kind,
+                process=False,
+                skip_materials=not with_looks,
             )
     except Exception as problem:  # the reader raises whatever the file brings about
         raise ImportFileError(
@@ -115,11 +126,12 @@ def _pieces(scene: Any) -> Iterator[Piece]:
             corners = np.asarray(mesh.vertices, dtype=np.float64)
             vertices = corners @ matrix[:3, :3].T + matrix[:3, 3]
         numbers = np.asarray(faces, dtype=np.int64).reshape(-1, 3)
-        yield Piece(str(extras.get("id") or node), extras, vertices, numbers)
+        name = str(extras.get("id") or node)
+        yield Piece(name, extras, vertices, numbers, getattr(mesh, "visual", None))
 
 
 def _changed(piece: Piece, vertices: Points) -> Piece:
-    return Piece(piece.name, piece.extras, vertices, piece.faces)
+    return replace(piece, vertices=vertices)
 
 
 def _level_area(pieces: list[Piece], axis: int) -> float:
@@ -141,3 +153,36 @@ def normals(piece: Piece) -> Points:
     """Return the normals of a piece's faces, twice their area long."""
     a, b, c = piece.triangles.transpose(1, 0, 2)
     return np.cross(b - a, c - a)
+
+
+def levels(pieces: Sequence[Piece]) -> tuple[float, float | None]:
+    """Return the heights of the floor and, above it, of the ceiling."""
+    heights = np.concatenate([
+        piece.triangles[:, :, 2].mean(axis=1) for piece in pieces
+    ])
+    across = np.concatenate([normals(piece) for piece in pieces])
+    areas = np.linalg.norm(across, axis=1) / 2
+    slopes = across[:, 2] / np.maximum(2 * areas, 1e-12)
+    up = slopes > FLAT
+    if areas[up].sum() < 0.1 * areas[np.abs(slopes) > FLAT].sum():
+        up = np.abs(slopes) > FLAT  # its faces do not tell their sides
+    floors = _large_levels(heights[up], areas[up])
+    if not floors:
+        raise ImportFileError("expected level faces to walk on, got none")
+    floor = floors[0]
+    level = np.abs(slopes) > FLAT
+    above = level & (heights > floor + LEAST_HEADROOM)
+    ceilings = _large_levels(heights[above], areas[above])
+    return floor, ceilings[0] - floor if ceilings else None
+
+
+def _large_levels(heights: Points, areas: Points) -> list[float]:
+    """Return the heights at which there is much area, the lowest first."""
+    if not len(heights) or areas.sum() <= 0:
+        return []
+    bins = np.round(heights / BIN).astype(int)
+    lowest = bins.min()
+    found = np.bincount(bins - lowest, weights=areas)
+    sums = np.bincount(bins - lowest, weights=areas * heights)
+    large = np.flatnonzero(found >= LARGE * found.max())
+    return [float(sums[each] / found[each]) for each in large]

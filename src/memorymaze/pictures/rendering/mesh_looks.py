@@ -1,0 +1,146 @@
+"""Looks of a building from the mesh it was imported from: a GLB beside its plan."""
+
+import math
+from collections import defaultdict
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+
+from memorymaze.errors import SettingsError
+from memorymaze.pictures.building_mesh import Piece, levels, normals, read_mesh
+from memorymaze.pictures.looks.assembly import MeshPart
+from memorymaze.pictures.looks.materials import OPAQUE_FROM, Material
+from memorymaze.pictures.rendering.placed_things import PlacedMeshes, PlacedThing
+from memorymaze.simulation.scene import SceneObject
+from memorymaze.sites.records import Door, Site
+
+LARGEST_TEXTURE = 2048
+"""Pixels along a side."""
+LEVEL = 0.9
+"""Least share of a piece's mean normal that points up or down in floors and ceilings."""
+
+
+@dataclass(frozen=True)
+class MeshBuilding:
+    """A building's mesh in the plan's frame."""
+
+    things: list[PlacedThing]
+    """The plan's doors and landmarks, in its order; without parts where no node has
+    their id."""
+    rest: list[tuple[str, PlacedMeshes, float]]
+    """All else: `floor`, `ceiling` or `wall`, the meshes, the radius of their circle."""
+
+
+def mesh_of(site: Site) -> Path:
+    """Return the mesh that stands beside a site's plan, of the same name."""
+    path = Path(site.source).with_suffix(".glb")
+    if not site.source or not path.is_file():
+        raise SettingsError(
+            f"looks: expected the mesh of {site.name} beside its plan, {path}, got none; "
+            "copy it there, or let things look `own`"
+        )
+    return path
+
+
+def mesh_building(site: Site) -> MeshBuilding:
+    """Return how a site's mesh looks."""
+    path = mesh_of(site)
+    found, _ = read_mesh(path, with_looks=True)
+    pieces = [piece for piece in found if len(piece.faces)]
+    floor, _ = levels(pieces)
+    materials: dict[int, Material] = {}
+    named: defaultdict[str, list[Piece]] = defaultdict(list)
+    for piece in pieces:
+        named[piece.name].append(piece)
+    things: list[PlacedThing] = []
+    for record in (*site.doors, *site.landmarks):
+        placed, radius = _placed(named.pop(record.id, ()), floor, materials)
+        seen = SceneObject("door" if isinstance(record, Door) else "landmark", record)
+        things.append(PlacedThing(seen, placed, radius))
+    rest = [
+        (_part_of_building(piece, floor), *_placed([piece], floor, materials))
+        for group in named.values()
+        for piece in group
+    ]
+    return MeshBuilding(things, rest)
+
+
+def _part_of_building(piece: Piece, floor: float) -> str:
+    across = normals(piece)
+    total = float(np.linalg.norm(across, axis=1).sum())
+    if np.abs(across[:, 2]).sum() < LEVEL * total:
+        return "wall"
+    return "floor" if piece.vertices[:, 2].mean() < floor + 0.5 else "ceiling"
+
+
+def _placed(
+    pieces: Sequence[Piece], floor: float, materials: dict[int, Material]
+) -> tuple[PlacedMeshes, float]:
+    """Return pieces around their middle on the plan, and the radius of their circle."""
+    if not pieces:
+        return PlacedMeshes(()), 0.0
+    corners = np.concatenate([piece.vertices[:, :2] for piece in pieces])
+    low, high = corners.min(axis=0), corners.max(axis=0)
+    x, y = ((low + high) / 2).tolist()
+    parts = [
+        _part(piece, piece.vertices - (x, y, floor), materials) for piece in pieces
+    ]
+    return PlacedMeshes(parts, x, y), math.dist(low, high) / 2 + 0.1
+
+
+def _part(
+    piece: Piece, vertices: NDArray[np.float64], materials: dict[int, Material]
+) -> MeshPart:
+    made = getattr(piece.visual, "material", None)
+    uv = getattr(piece.visual, "uv", None)
+    key = id(made if made is not None else piece.visual)
+    if key not in materials:
+        materials[key] = _material(made, piece.visual, pictured=uv is not None)
+    material = materials[key]
+    return MeshPart(
+        vertices.astype(np.float32),
+        piece.faces.astype(np.int32),
+        None,
+        None
+        if material.texture is None
+        else (np.asarray(uv, dtype=np.float32) * (1, -1) + (0, 1)).astype(np.float32),
+        material,
+    )
+
+
+def _material(made: Any, visual: Any, *, pictured: bool) -> Material:
+    """Return a material of ours; of one without, the mean of its vertices' colours."""
+    if made is None:
+        mean = np.asarray(visual.vertex_colors).mean(axis=0) / 255
+        return Material(tuple(mean.tolist()))
+    factor = getattr(made, "baseColorFactor", None)
+    shares = np.ones(4) if factor is None else np.asarray(factor, dtype=float) / 255
+    # glTF's factors are shares of light; colours here are as screens have them.
+    light = shares[:3]
+    colour = np.where(
+        light <= 0.0031308, 12.92 * light, 1.055 * light ** (1 / 2.4) - 0.055
+    )
+    alpha = float(shares[3]) if made.alphaMode == "BLEND" else 1.0
+    glow = getattr(made, "emissiveFactor", None)
+    image = getattr(made, "baseColorTexture", None) if pictured else None
+    roughness = getattr(made, "roughnessFactor", None)
+    red, green, blue = colour.tolist()
+    return Material(
+        (red, green, blue, alpha if alpha < OPAQUE_FROM else 1.0),
+        None if image is None else _pixels(image),
+        0.0 if glow is None else float(min(1.0, np.max(glow))),
+        0.1 if roughness is None else float(1 - roughness),
+    )
+
+
+def _pixels(image: Image.Image) -> NDArray[np.uint8]:
+    picture = image.convert("RGBA" if "A" in image.getbands() else "RGB")
+    picture.thumbnail((LARGEST_TEXTURE, LARGEST_TEXTURE), Image.Resampling.LANCZOS)
+    pixels = np.array(picture, dtype=np.uint8)
+    pixels.flags.writeable = False
+    return pixels
