@@ -48,6 +48,16 @@ def test_nobody_gets_in_without_the_token(annex: Path, edit: EditPlan) -> None:
             assert httpx2.get(address + path).status_code == 403
 
 
+def test_forms_offer_the_words_that_the_format_and_the_cameras_know(
+    script: Script,
+) -> None:
+    forms = script.client.get("/plan").json()["forms"]
+    assert set(forms["kinds"]) >= {"corridor", "turning_point", "landmark", "route"}
+    assert "stairwell" in forms["words"]["use"]
+    assert "bench" in forms["words"]["category"]
+    assert "red" in forms["words"]["color"]
+
+
 def test_a_form_from_elsewhere_is_refused(script: Script, annex: Path) -> None:
     before = annex.read_bytes()
     del script.client.headers["x-csrf-token"]

@@ -1,11 +1,11 @@
 """The page to edit a plan, and what its script asks for."""
 
 import json
-from collections.abc import Awaitable, Callable
+from collections.abc import Callable
 from pathlib import Path
-from typing import Any, TypeVar, cast
+from typing import Any, TypeVar
 
-from pydantic import BaseModel, ConfigDict, ValidationError
+from pydantic import BaseModel, ConfigDict
 from shapely import Polygon
 from shapely.errors import ShapelyError
 from starlette.concurrency import run_in_threadpool
@@ -18,6 +18,7 @@ from memorymaze.errors import SitePlanError
 from memorymaze.pages.entrance import Entrance
 from memorymaze.pages.web import render
 from memorymaze.pictures.looks.catalogue import archetypes, problems_of_looks
+from memorymaze.pictures.looks.materials import colour_words
 from memorymaze.site_editor.plan_file import (
     ChangedMeanwhile,
     Edited,
@@ -97,7 +98,7 @@ class EditorPages:
             self._entrance.check(request)
             try:
                 told = message.model_validate(json.loads(await request.body()))
-            except (ValueError, ValidationError):
+            except ValueError:
                 raise HTTPException(400) from None
             try:
                 return _answered(await run_in_threadpool(answer, told))
@@ -108,9 +109,7 @@ class EditorPages:
             except OSError as error:
                 return _answered({"problem": f"Not kept: {error}"}, 507)
 
-        return Route(
-            path, cast(Callable[..., Awaitable[Response]], endpoint), methods=["POST"]
-        )
+        return Route(path, endpoint, methods=["POST"])
 
     def _show(self, request: Request) -> Response:
         self._entrance.check(request)
@@ -213,5 +212,6 @@ def _forms() -> dict[str, Any]:
             "use": ROOM_USES,
             "style": DOOR_STYLES,
             "category": sorted(archetypes()),
+            "color": sorted(colour_words().colours),
         },
     }
