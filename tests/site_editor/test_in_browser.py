@@ -282,6 +282,27 @@ def test_a_reload_loses_nothing_and_another_hand_is_not_overwritten(
 
 
 @pytest.mark.proof
+def test_what_another_window_saved_is_only_replaced_on_purpose(
+    annex: Path, edit: EditPlan, draughtsman: Draughtsman
+) -> None:
+    page = draughtsman.page
+    with edit(annex) as address, draughtsman.working_at(address):
+        other = Draughtsman(page.context.new_page())
+        with other.working_at(address):
+            other.fill("Title", "Tower")
+            other.save()
+        draughtsman.fill("Floor", "first floor")
+        draughtsman.is_checked()
+        draughtsman.keys("Control+s")
+        expect(page.locator("#conflict-words")).to_contain_text("in another window")
+        assert json.loads(annex.read_text(encoding="utf-8"))["title"] == "Tower"
+        page.get_by_role("button", name="Save over it").press("Enter")
+        expect(page.locator("#saved")).to_have_text("saved")
+    plan = json.loads(annex.read_text(encoding="utf-8"))
+    assert (plan["title"], plan["floor"]) == ("Annex", "first floor")
+
+
+@pytest.mark.proof
 def test_a_picture_is_laid_beneath_to_scale(
     annex: Path, edit: EditPlan, draughtsman: Draughtsman, complaints: Complaints
 ) -> None:

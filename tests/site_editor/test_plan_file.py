@@ -40,7 +40,7 @@ def test_saving_without_a_change_writes_nothing(annex: Path) -> None:
     annex.write_bytes(b"\xef\xbb\xbf" + annex.read_bytes().replace(b"\n", b"\r\n"))
     before = annex.read_bytes()
     file = PlanFile(annex)
-    file.save(edited(file), over_others=False)
+    file.save(edited(file))
     assert annex.read_bytes() == before
 
 
@@ -49,7 +49,7 @@ def test_one_changed_number_is_one_changed_line(annex: Path) -> None:
     file = PlanFile(annex)
     moved = bench(file)
     moved["geometry"]["coordinates"][0] = 5.5
-    file.save(edited(file, {5: moved}), over_others=False)
+    file.save(edited(file, {5: moved}))
     after = annex.read_text(encoding="utf-8").splitlines()
     differing = [pair for pair in zip(before, after, strict=True) if len(set(pair)) > 1]
     assert [after.strip() for _, after in differing] == [
@@ -69,7 +69,7 @@ def test_features_come_and_go_and_what_the_format_does_not_know_is_kept(
     file = PlanFile(annex)
     new = bench(file) | {"id": "bench_2", "seen_by": ["ü"]}
     message = edited(file, {6: new}, survey={"by": "us"})
-    file.save(message, over_others=False)
+    file.save(message)
     plan = json.loads(annex.read_text(encoding="utf-8"))
     assert [each["id"] for each in plan["features"]][4:] == [
         "door_library",
@@ -94,7 +94,7 @@ def test_nothing_stays_beside_the_plan_once_it_is_saved(annex: Path) -> None:
     file = PlanFile(annex)
     message = edited(file, title="Tower")
     file.keep_draft(message)
-    file.save(message, over_others=False)
+    file.save(message)
     assert list(annex.parent.iterdir()) == [annex]
     assert PlanFile(annex).contents()["plan"]["title"] == "Tower"
 
@@ -114,17 +114,17 @@ def test_what_somebody_else_wrote_meanwhile_is_only_replaced_on_purpose(
     with pytest.raises(
         ChangedMeanwhile, match=r"annex\.geojson was changed on the disk"
     ):
-        file.save(message, over_others=False)
-    file.save(message, over_others=True)
+        file.save(message)
+    file.save(edited(file, title="Tower"))
     assert '"title": "Tower"' in annex.read_text(encoding="utf-8")
 
 
 def test_a_window_that_began_with_another_state_is_told_so(annex: Path) -> None:
     file = PlanFile(annex)
     other = edited(file, title="Other window")
-    file.save(edited(file, title="Tower"), over_others=False)
+    file.save(edited(file, title="Tower"))
     with pytest.raises(ChangedMeanwhile, match="in another window"):
-        file.save(other, over_others=False)
+        file.save(other)
 
 
 def test_a_file_that_is_not_there_begins_empty_and_is_written_when_saved(
@@ -133,7 +133,7 @@ def test_a_file_that_is_not_there_begins_empty_and_is_written_when_saved(
     path = tmp_path / "tower.geojson"
     file = PlanFile(path)
     assert not path.exists()
-    file.save(edited(file), over_others=False)
+    file.save(edited(file))
     plan = json.loads(path.read_text(encoding="utf-8"))
     assert (plan["name"], plan["features"]) == ("tower", [])
     assert {each.rule for each in check_site(path) if each.severity == "error"} == {
@@ -146,7 +146,7 @@ def test_what_lacks_is_written_when_it_is_saved(tmp_path: Path) -> None:
     path = tmp_path / "tower.geojson"
     path.write_text("{}", encoding="utf-8")
     file = PlanFile(path)
-    file.save(edited_from_nothing(file), over_others=False)
+    file.save(edited_from_nothing(file))
     plan = json.loads(path.read_text(encoding="utf-8"))
     assert plan == {"title": "Tower"}
 

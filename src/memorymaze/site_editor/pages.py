@@ -47,12 +47,6 @@ LARGEST_PLAN = 32_000_000
 """Bytes that a browser may send."""
 
 
-class Save(Edited):
-    """A plan that is to be written."""
-
-    over_others: bool
-
-
 class Proposal(Edited):
     """A plan, and a drawn feature to complete; None: all turning points that lack."""
 
@@ -83,7 +77,7 @@ class EditorPages:
             Route("/picture", self._show_picture),
             Route("/plan", self._load),
             self._told("/check", Edited, self._check),
-            self._told("/save", Save, self._save),
+            self._told("/save", Edited, self._save),
             self._told("/propose", Proposal, self._propose),
             self._told("/discard", Nothing, self._discard),
             self._told("/place", Picture, self._place),
@@ -154,8 +148,8 @@ class EditorPages:
             ],
         }
 
-    def _save(self, told: Save) -> dict[str, str]:
-        return {"base": self._file.save(told, over_others=told.over_others)}
+    def _save(self, edited: Edited) -> dict[str, str]:
+        return {"base": self._file.save(edited)}
 
     def _propose(self, told: Proposal) -> dict[str, list[Plan]]:
         document = self._file.document(told)

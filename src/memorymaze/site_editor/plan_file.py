@@ -114,15 +114,14 @@ class PlanFile:
         with self._lock:
             if edited.base != self._read.base:
                 raise ChangedMeanwhile(
-                    "This plan was saved or loaded in another window. Load this page "
-                    "again; what is not saved there comes along."
+                    f"{self.path.name} was saved in another window since it was loaded here."
                 )
             there = self._read.written.value.get("features")
             there = there if isinstance(there, list) else []
             if any(
                 isinstance(e, int) and not 0 <= e < len(there) for e in edited.features
             ):
-                raise ChangedMeanwhile("Load this page again.")
+                raise ChangedMeanwhile(f"{self.path.name} has other features now.")
             features = [
                 there[each] if isinstance(each, int) else each
                 for each in edited.features
@@ -147,21 +146,20 @@ class PlanFile:
         with self._lock:
             self._keep(picture=picture)
 
-    def save(self, edited: Edited, *, over_others: bool) -> str:
+    def save(self, edited: Edited) -> str:
         """Write the file, and return its new fingerprint.
 
-        A file that somebody else changed since it was read is only written with
-        `over_others`; else ChangedMeanwhile.
+        ChangedMeanwhile says that somebody else changed the file since it was read: who
+        wants to replace it all the same reads it again first.
         """
         with self._lock:
             self.document(edited)
             text = self._text_of(edited)
-            if not over_others and self._is_changed_on_disk():
+            if self._is_changed_on_disk():
                 raise ChangedMeanwhile(
                     f"{self.path.name} was changed on the disk since it was loaded here."
                 )
-            is_new = text != self._read.text or not self._read.is_there
-            if is_new or self._is_changed_on_disk():
+            if text != self._read.text or not self._read.is_there:
                 write_whole(self.path, text.encode())
             self._read = _Read(text, read_written(text), is_there=True)
             self._keep(draft=None)

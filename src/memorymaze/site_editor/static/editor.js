@@ -18,7 +18,7 @@ const numbered = (count, word) => `${count} ${word}${count === 1 ? "" : "s"}`;
 const plan = new Plan(() => changed());
 const drawing = new Drawing(at("plan"));
 let [form, problems, names, waiting, isChecking] = [null, [], "", 0, false];
-let [picture, measured] = [null, null];
+let [picture, measured, replaces] = [null, null, ""];
 const settings = () => ({ width: Math.max(0.1, at("width").valueAsNumber || 2), snaps: at("snaps").checked });
 const tools = new Tools({ drawing, plan, settings, say, drawn, changed: () => {
   document.querySelectorAll("[data-tool]").forEach((button) =>
@@ -56,7 +56,8 @@ async function check() {
   try {
     showProblems(await send("/check", plan.message()));
   } catch (error) {
-    if (!isOld()) await tried(() => { throw error; });
+    if (!isOld() && error.status === 409) await follow(error);
+    else if (!isOld()) await tried(() => { throw error; });
   }
   isChecking = false;
   if (isOld()) waitAndCheck();
@@ -68,23 +69,39 @@ function waitAndCheck() {
   waiting = setTimeout(check, PAUSE);
 }
 
-async function save(overOthers = false) {
+// Go on from what the file says now; it is only replaced when somebody says so.
+async function follow(error) {
+  const told = await tried(() => send("/plan", undefined, { method: "GET" }));
+  if (told) plan.follow(told);
+  replaces = error.message;
+  changed();
+}
+
+function askWhetherToReplace() {
+  at("conflict-words").textContent = replaces;
+  if (!at("conflict").open) at("conflict").showModal();
+}
+
+async function save() {
+  if (replaces) {
+    askWhetherToReplace();
+    return;
+  }
   // What is typed but not left yet is part of the plan too.
   const field = document.activeElement;
   field.blur();
   field.focus();
   const { state } = plan;
   try {
-    const { base } = await send("/save", { ...plan.message(), over_others: overOthers });
+    const { base } = await send("/save", plan.message());
     plan.take(base, state);
-    at("conflict").close();
     at("draft").hidden = true;
     say("Saved.");
     changed();
   } catch (error) {
     if (error.status === 409) {
-      at("conflict-words").textContent = error.message;
-      if (!at("conflict").open) at("conflict").showModal();
+      await follow(error);
+      askWhetherToReplace();
     } else await tried(() => { throw error; });
   }
 }
@@ -282,7 +299,11 @@ function scalePicture() {
 
 const acts = {
   undo: () => plan.undo(), redo: () => plan.redo(), save: () => save(),
-  over: () => save(true),
+  over: () => {
+    replaces = "";
+    at("conflict").close();
+    save();
+  },
   closer: () => drawing.zoom(1.25), farther: () => drawing.zoom(0.8),
   all: () => drawing.show(plan.state.features),
   meetings: proposeTurningPoints,
@@ -328,6 +349,7 @@ addEventListener("pagehide", () => {
 async function load() {
   const told = await tried(() => send("/plan", undefined, { method: "GET" }));
   if (!told) return;
+  replaces = "";
   form = new Form(at("form"), told.forms, plan, propose);
   plan.begin(told);
   at("draft").hidden = !told.draft;

@@ -25,6 +25,17 @@ export class Plan {
     this.tell();
   }
 
+  // Take note that the file says something else now, which is not what is drawn here.
+  follow({ base, plan }) {
+    const listed = Array.isArray(plan.features) ? plan.features : [];
+    const known = new Map(listed.map((each, place) => [JSON.stringify(each), place]));
+    this.base = base;
+    this.saved = { members: {}, features: [] };
+    this.places = new Map(this.state.features
+      .map((each) => [each, known.get(JSON.stringify(each))])
+      .filter(([, place]) => place !== undefined));
+  }
+
   // Take note that the file says what a state says.
   take(base, state) {
     [this.base, this.saved] = [base, state];
