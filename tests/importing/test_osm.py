@@ -85,6 +85,7 @@ def test_what_is_left_out_is_told_with_ids(lantern_building):
     imported = import_osm(lantern_building, "3")
     assert any("highway=steps (1): way/" in line for line in imported.missing)
     assert any("shop=kiosk (1): node/" in line for line in imported.missing)
+    assert any(line.startswith("named nodes in no room") for line in imported.missing)
     assert any(line.startswith("rooms cut where") for line in imported.guessed)
 
 
@@ -127,6 +128,16 @@ def test_an_answer_of_overpass_is_the_same_building(lantern_building, tmp_path):
         import_osm(each, "3").plan["features"] for each in (path, lantern_building)
     ]
     assert features[0] == features[1]
+
+
+def test_a_way_that_is_made_of_itself_is_told(tmp_path):
+    raw = {"type": "way", "id": 1, "tags": {"indoor": "corridor", "level": "0"}}
+    raw["members"] = [{"type": "way", "ref": 1, "role": ""}]
+    node = {"type": "node", "id": 2, "lon": 8, "lat": 47, "tags": {"level": "0"}}
+    path = tmp_path / "round.json"
+    path.write_text(json.dumps({"elements": [raw, node]}), "utf-8")
+    with pytest.raises(ImportFileError, match="expected some floor"):
+        import_osm(path)
 
 
 def test_a_multipolygon_has_its_holes(tmp_path):

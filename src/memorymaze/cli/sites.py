@@ -1,4 +1,4 @@
-"""`memorymaze sites`: list, begin, edit, make, check and draw site plans."""
+"""`memorymaze sites`: list, begin, edit, make, import, export, check and draw plans."""
 
 import argparse
 import sys
@@ -22,9 +22,12 @@ def add_parser(verbs: Verbs) -> None:
     """Add the verb to the command line."""
     parser = verbs.add_parser(
         "sites",
-        help="list, begin, edit, make, check and draw site plans, and get models for them",
-        description="List, begin, edit, make, check and draw site plans (docs/site_plans.md), and "
-        "convert models for what stands in them (docs/assets.md).",
+        help="list, begin, edit, make, import, export, check and draw site plans, and get "
+        "models for them",
+        description="List, begin, edit, make, check and draw site plans "
+        "(docs/site_plans.md), import them from other formats (docs/importing.md) and "
+        "export them (docs/exporting.md), and convert models for what stands in them "
+        "(docs/assets.md).",
         epilog="example: memorymaze sites check my_buildings/annex.geojson",
     )
     parts = parser.add_subparsers(

@@ -3,6 +3,7 @@
 import argparse
 import json
 import sys
+from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, cast
 
@@ -118,26 +119,7 @@ def _import(args: argparse.Namespace) -> int:
 
 
 def _imported(args: argparse.Namespace) -> "ImportedSite":
-    match args.format:
-        case "cabot":
-            from memorymaze.importing.cabot import import_cabot
-
-            return import_cabot(args.file, args.floor)
-        case "imdf":
-            from memorymaze.importing.imdf import import_imdf
-
-            return import_imdf(args.file, args.floor)
-        case "osm":
-            from memorymaze.importing.osm import import_osm
-
-            return import_osm(args.file, args.floor)
-        case "ros_map":
-            from memorymaze.importing.ros_map import import_ros_map
-
-            if args.narrowest is None:
-                return import_ros_map(args.file)
-            return import_ros_map(args.file, narrowest=args.narrowest)
-        case _:
-            from memorymaze.importing.mesh import import_mesh
-
-            return import_mesh(args.file)
+    module = import_module(f"memorymaze.importing.{args.format}")
+    options = {"floor": args.floor, "narrowest": args.narrowest}
+    given = {name: value for name, value in options.items() if value is not None}
+    return getattr(module, f"import_{args.format}")(args.file, **given)

@@ -14,7 +14,7 @@ from pathlib import Path
 from shapely import LineString, Point
 
 from memorymaze.errors import ImportFileError
-from memorymaze.importing.found import Found, FoundDoor, FoundThing
+from memorymaze.importing.found import FoundDoor, FoundThing
 from memorymaze.importing.geojson_features import (
     SourceFeature,
     read_features,
@@ -129,8 +129,8 @@ def import_cabot(path: Path, floor: str | None = None) -> ImportedSite:
         planned = plan_floor(lines, notes)
     except ImportFileError as error:
         raise ImportFileError(f"{path}: floor {floors[level]}: {error}") from None
-    things = tuple(_things(points, notes))
-    placed = place_found(planned, Found(doors=tuple(doors), things=things), notes)
+    things = list(_things(points, notes))
+    placed = place_found(planned, (), doors, things, notes)
     notes.missing.append("walls and rooms: floor is as wide as the links say")
     buildings = Counter(
         filter(None, (each.text("hulop_building") for each in features))

@@ -181,8 +181,8 @@ def _fitting(
         return floor.covers(strip(start, heading, length, left, right))
 
     most = 0.6 * width + 0.2
-    left = furthest(lambda side: free(side, 0.0), 0.0, most)
-    right = furthest(lambda side: free(0.0, side), 0.0, most)
+    left = furthest(lambda side: free(side, 0.0), most)
+    right = furthest(lambda side: free(0.0, side), most)
     if left + right < NARROWEST + 2 * EASE:
         return None
 
@@ -192,8 +192,8 @@ def _fitting(
     def free_behind(more: float) -> bool:
         return floor.covers(strip(start, heading + math.pi, more, right, left))
 
-    back = furthest(free_behind, 0.0, inset + reaches[0])
-    ahead = furthest(free_beyond, 0.0, inset + reaches[1])
+    back = furthest(free_behind, inset + reaches[0])
+    ahead = furthest(free_beyond, inset + reaches[1])
     # Back from the eased walls to the true ones.
     left, right, back, ahead = (side - EASE for side in (left, right, back, ahead))
     whole = back + length + ahead

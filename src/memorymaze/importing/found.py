@@ -44,15 +44,3 @@ class FoundThing:
     place: XY
     category: str
     name: str | None = None
-    text: str | None = None
-    reach: float = 1.0
-    """Metres to look for the wall that it stands or hangs at."""
-
-
-@dataclass(frozen=True, slots=True)
-class Found:
-    """What an importer found beside the floor."""
-
-    rooms: tuple[FoundRoom, ...] = ()
-    doors: tuple[FoundDoor, ...] = ()
-    things: tuple[FoundThing, ...] = ()

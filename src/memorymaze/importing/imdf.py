@@ -49,8 +49,6 @@ OPEN_AIR = ("terrace",)
 BLOCKS = ("brick", "column", "concrete", "drywall", "glass", "structure", "wood")
 HOLLOW = ("opentobelow", "vegetation", "road", "parking", "fieldofplay")
 """Neither floor nor rooms."""
-UPWARDS = ("elevator", "escalator", "stairs", "steps")
-"""Units that lead to other floors."""
 ROOM_USES = {
     "auditorium": "hall", "classroom": "classroom", "conferenceroom": "conference_room",
     "elevator": "stairwell", "foodservice": "shop", "huddleroom": "conference_room",

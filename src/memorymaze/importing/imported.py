@@ -16,7 +16,6 @@ from shapely.geometry.base import BaseGeometry
 from memorymaze.errors import SettingsError, did_you_mean
 from memorymaze.sites.loading_rules import FLOOR_ACROSS
 from memorymaze.sites.plan_writing import Feature
-from memorymaze.sites.records import Anchor
 from memorymaze.wording import single_spaced
 
 Key = TypeVar("Key", bound=str | float)
@@ -100,19 +99,19 @@ class ImportNotes:
 
 @dataclass(frozen=True, slots=True)
 class LocalFrame:
-    """Metres around a place on the globe.
+    """Metres around a place on the globe, x east and y north.
 
-    The ellipsoid's two radii of curvature at the anchor scale degrees to metres; a
-    kilometre away this is off by some centimetres.
+    The ellipsoid's two radii of curvature there scale degrees to metres; a kilometre away
+    this is off by some centimetres.
     """
 
-    anchor: Anchor
+    longitude: float
+    latitude: float
 
     @classmethod
     def around(cls, positions: Sequence[tuple[float, float]]) -> "LocalFrame":
-        """Return the frame in the middle of positions (longitude, latitude), y north."""
-        middle = [median(each) for each in zip(*positions, strict=True)]
-        return cls(Anchor(round(middle[1], 7), round(middle[0], 7), 0.0))
+        """Return the frame in the middle of positions (longitude, latitude)."""
+        return cls(*(round(median(each), 7) for each in zip(*positions, strict=True)))
 
     def reaches(self, positions: Iterable[Sequence[float]]) -> bool:
         """Tell whether places are near enough to be of the same building."""
@@ -124,17 +123,14 @@ class LocalFrame:
     def metres(self, longitude: float, latitude: float) -> XY:
         """Return where a place on the globe lies in this frame."""
         squared = FLATTENING * (2 - FLATTENING)
-        bend = 1 - squared * math.sin(math.radians(self.anchor.latitude)) ** 2
-        across = EQUATOR_RADIUS / math.sqrt(bend)
+        slope = math.radians(self.latitude)
+        bend = 1 - squared * math.sin(slope) ** 2
+        across = EQUATOR_RADIUS / math.sqrt(bend) * math.cos(slope)
         along = EQUATOR_RADIUS * (1 - squared) / bend**1.5
-        east = (
-            math.radians(longitude - self.anchor.longitude)
-            * across
-            * math.cos(math.radians(self.anchor.latitude))
+        return (
+            math.radians(longitude - self.longitude) * across,
+            math.radians(latitude - self.latitude) * along,
         )
-        north = math.radians(latitude - self.anchor.latitude) * along
-        cosine, sine = math.cos(self.anchor.bearing), math.sin(self.anchor.bearing)
-        return (east * cosine - north * sine, east * sine + north * cosine)
 
     def placed(self, geometry: Shape) -> Shape:
         """Return a geometry of degrees in this frame."""
@@ -143,14 +139,6 @@ class LocalFrame:
             return np.array([self.metres(*each) for each in positions]).reshape(-1, 2)
 
         return shapely.transform(shapely.force_2d(geometry), moved)
-
-    def plan_anchor(self) -> dict[str, object]:
-        """Return the member `anchor` of a plan in this frame."""
-        return {
-            "latitude": self.anchor.latitude,
-            "longitude": self.anchor.longitude,
-            "bearing_deg": round(math.degrees(self.anchor.bearing), 4) + 0.0,
-        }
 
 
 def chosen_floor(floors: Mapping[Key, str], asked: str | None, source: str) -> Key:
@@ -191,7 +179,11 @@ def site_plan(
         "title": title or name.replace("_", " ").capitalize(),
         "floor": floor,
         "ceiling_height_m": CEILING,
-        "anchor": frame.plan_anchor(),
+        "anchor": {
+            "latitude": frame.latitude,
+            "longitude": frame.longitude,
+            "bearing_deg": 0.0,
+        },
         "description": f"Imported from {single_spaced(path.name)}.",
         "features": list(features),
     }

@@ -140,7 +140,7 @@ def _places(element: Element, elements: Mapping[str, Element]) -> list[XY]:
     return [
         place
         for member, _ in element.members
-        if member in elements and not member.startswith("relation/")
+        if member in elements
         for place in _places(elements[member], elements)
     ]
 
@@ -164,7 +164,7 @@ class _Building:
         self._elements = elements
         self._notes = notes
         self._drawn = Outlines()
-        self._signs: list[tuple[Point, str]] = []
+        self._signs: list[tuple[str, Point, str]] = []
         self._ways: dict[str, list[Element]] = defaultdict(list)
         for element in elements.values():
             if element.id.startswith("way/"):
@@ -177,18 +177,14 @@ class _Building:
 
     def outlines(self) -> Outlines:
         """Return all that was drawn; nodes with a name name the rooms around them."""
-        rooms = [
-            room
-            if room.name
-            else replace(
-                room,
-                name=next(
-                    (name for spot, name in self._signs if room.polygon.covers(spot)),
-                    None,
-                ),
-            )
-            for room in self._drawn.rooms
-        ]
+        rooms = list(self._drawn.rooms)
+        for node, spot, name in self._signs:
+            for index, room in enumerate(rooms):
+                if not room.name and room.polygon.covers(spot):
+                    rooms[index] = replace(room, name=name)
+                    break
+            else:
+                self._notes.miss("named nodes in no room that lacks a name", node)
         return replace(self._drawn, rooms=rooms)
 
     def draw(self, element: Element) -> None:
@@ -220,8 +216,8 @@ class _Building:
         elif walked or (indoor == "room" and tags.get("room") in WALKED_ROOMS):
             self._drawn.floor += [(part, name) for part in parts]
         elif indoor == "area":
-            outside = tags.get("covered") == "no" or "outdoor" in tags.get("indoor", "")
-            self._drawn.areas += [OpenArea(part, name, outside) for part in parts]
+            open_air = tags.get("covered") == "no"
+            self._drawn.areas += [OpenArea(part, name, open_air) for part in parts]
         elif indoor == "room":
             self._drawn.rooms += [
                 FoundRoom(element.id, part, name, _use(tags)) for part in parts
@@ -243,7 +239,7 @@ class _Building:
         elif category is not None:
             self._drawn.things.append(FoundThing(node.id, place, category, name))
         elif name:
-            self._signs.append((Point(place), name))
+            self._signs.append((node.id, Point(place), name))
         else:
             what = ", ".join(sorted(_tag_texts(tags) - {f"level={tags.get('level')}"}))
             self._notes.miss(f"nodes that are no things: {what}", node.id)

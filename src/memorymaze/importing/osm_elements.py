@@ -115,6 +115,8 @@ class _Reader:
 
 
 KINDS = ("node", "way", "relation")
+MEMBERS = {"node": (), "way": ("node/",), "relation": ("node/", "way/")}
+"""What an element of a kind is made of."""
 
 
 def _from_xml(text: str, path: Path, notes: ImportNotes) -> dict[str, Element]:
@@ -188,7 +190,14 @@ def _members(said: Mapping[str, object]) -> Sequence[tuple[str, str]]:
 
 
 def _keep(element: Element, found: dict[str, Element], notes: ImportNotes) -> None:
-    if element.id.startswith("node/") and element.place is None:
+    kind = element.id.split("/")[0]
+    # What refers to its like could go round in circles.
+    element.members = [
+        (member, role)
+        for member, role in element.members
+        if member.startswith(MEMBERS[kind])
+    ]
+    if kind == "node" and element.place is None:
         notes.miss("nodes without a place", element.id)
     elif element.id in found:
         notes.miss("elements that are in the file twice", element.id)

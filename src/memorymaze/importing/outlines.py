@@ -7,7 +7,7 @@ from shapely import LineString, MultiPolygon, Polygon
 from shapely.geometry.base import BaseGeometry
 
 from memorymaze.importing.centre_lines import centre_lines
-from memorymaze.importing.found import Found, FoundDoor, FoundRoom, FoundThing
+from memorymaze.importing.found import FoundDoor, FoundRoom, FoundThing
 from memorymaze.importing.imported import CentreLine, ImportNotes
 from memorymaze.importing.placing import place_found
 from memorymaze.importing.shapes import polygons
@@ -73,8 +73,8 @@ def plan_outlines(drawn: Outlines, notes: ImportNotes) -> list[Feature]:
     lines = centre_lines(floor) if not floor.is_empty else []
     lines = [replace(line, name=_name_along(line, drawn)) for line in lines]
     planned = plan_floor(lines, notes, floor, areas)
-    found = Found(tuple(drawn.rooms), tuple(doors), tuple(drawn.things))
-    return [*planned.features, *place_found(planned, found, notes)]
+    placed = place_found(planned, drawn.rooms, doors, drawn.things, notes)
+    return [*planned.features, *placed]
 
 
 def _is_passage(line: LineString, floor: BaseGeometry) -> bool:

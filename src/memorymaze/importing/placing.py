@@ -16,7 +16,7 @@ from shapely.geometry.base import BaseGeometry
 
 from memorymaze.construction.vocabulary import ThingKind, furnishings
 from memorymaze.geometry.pose import heading_to
-from memorymaze.importing.found import Found, FoundDoor, FoundRoom, FoundThing
+from memorymaze.importing.found import FoundDoor, FoundRoom, FoundThing
 from memorymaze.importing.imported import XY, ImportNotes
 from memorymaze.importing.shapes import moved, polygons
 from memorymaze.importing.ways import PlannedFloor
@@ -32,7 +32,7 @@ from memorymaze.sites.records import rectangle
 from memorymaze.wording import counted
 
 BESIDE = 1.0
-"""Metres of wall at most between the floor and a room beside it."""
+"""Metres at most between the floor and a room beside it, a thing and its wall."""
 SMALLEST_ROOM = 0.5
 """Square metres."""
 JAMB = 0.05
@@ -76,19 +76,23 @@ class _Wall:
         return min(max(self.along, half), self.line.length - half)
 
 
-def place_found(floor: PlannedFloor, found: Found, notes: ImportNotes) -> list[Feature]:
+def place_found(
+    floor: PlannedFloor,
+    rooms: Sequence[FoundRoom],
+    doors: Sequence[FoundDoor],
+    things: Sequence[FoundThing],
+    notes: ImportNotes,
+) -> list[Feature]:
     """Return rooms, doors and things as features on and beside a floor."""
     placer = _Placer(floor.polygon, notes)
-    rooms = list(placer.rooms(found.rooms))
-    doors = list(placer.doors(found.doors))
-    things = list(placer.things(found.things))
-    counts = (
-        counted(len(placed), what)
-        for placed, what in ((rooms, "room"), (doors, "door"), (things, "thing"))
-    )
-    notes.took.append(", ".join(counts))
+    placed = [
+        (list(placer.rooms(rooms)), "room"),
+        (list(placer.doors(doors)), "door"),
+        (list(placer.things(things)), "thing"),
+    ]
+    notes.took.append(", ".join(counted(len(each), what) for each, what in placed))
     notes.guess_looks()
-    return [*rooms, *doors, *things]
+    return [feature for each, _ in placed for feature in each]
 
 
 class _Placer:
@@ -205,7 +209,7 @@ class _Placer:
                 category=thing.category,
                 color=None,
                 name=thing.name,
-                text=thing.text,
+                text=None,
                 heading_deg=degrees(heading),
                 size_m=list(kind.size),
                 mount=kind.mount,
@@ -244,7 +248,7 @@ class _Placer:
         on_floor = self._floor.covers(Point(thing.place))
         if kind.mount == "ceiling":
             return (thing.place if on_floor else None), 0.0
-        for wall in self._walls_near(thing.place, thing.reach, min(length, 0.5)):
+        for wall in self._walls_near(thing.place, BESIDE, min(length, 0.5)):
             half = min(length, wall.line.length) / 2
             at = moved(wall.start, wall.heading, wall.fitted(half))
             place = moved(at, wall.inward, depth / 2 + 0.01)

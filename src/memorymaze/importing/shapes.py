@@ -52,11 +52,11 @@ def strip(
     ])
 
 
-def furthest(fits: Callable[[float], bool], least: float, most: float) -> float:
-    """Return the greatest number up to `most` that fits; `least` is taken to fit."""
-    if most <= least or fits(most):
-        return max(most, least)
-    low, high = least, most
+def furthest(fits: Callable[[float], bool], most: float) -> float:
+    """Return the greatest number up to `most` that fits; 0 is taken to fit."""
+    if fits(most):
+        return most
+    low, high = 0.0, most
     while high - low > HAIR:
         middle = (low + high) / 2
         low, high = (middle, high) if fits(middle) else (low, middle)
