@@ -1,7 +1,9 @@
 import math
 
 import pytest
-from shapely import box, union_all
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+from shapely import LineString, box, union_all
 
 from memorymaze.construction import make_building
 from memorymaze.errors import ImportFileError
@@ -127,3 +129,34 @@ def test_a_made_floor_comes_back_from_its_outline(kind, planned, tmp_path):
     floor = load_site(original).walkable_floor
     site, _ = planned(centre_lines(floor), floor)
     assert site.walkable_floor.symmetric_difference(floor).area < 0.005 * floor.area
+
+
+places = st.tuples(st.floats(-25, 25), st.floats(-25, 25))
+drawn = st.lists(
+    st.builds(
+        CentreLine,
+        st.lists(places, min_size=2, max_size=4, unique=True).map(tuple),
+        st.floats(0.6, 7),
+    ),
+    min_size=1,
+    max_size=7,
+).filter(lambda lines: max(LineString(each.points).length for each in lines) > 3)
+anything = settings(
+    max_examples=20, suppress_health_check=[HealthCheck.function_scoped_fixture]
+)
+
+
+@anything
+@given(drawn)
+def test_whatever_lines_are_drawn_the_floor_keeps_the_rules(planned, lines):
+    planned(lines)
+
+
+@anything
+@given(drawn, st.sampled_from(["flat", "round", "square"]))
+def test_whatever_floor_is_drawn_keeps_the_rules(planned, lines, caps):
+    wide = [
+        LineString(each.points).buffer(each.width / 2, cap_style=caps) for each in lines
+    ]
+    floor = union_all(wide)
+    planned(centre_lines(floor), floor)

@@ -56,10 +56,14 @@ class Leg:
 
 def legs_of(lines: Sequence[CentreLine]) -> list[Leg]:
     """Return the legs between all places where lines meet, bend or end."""
+    # Whole millimetres: what differs by less is one place.
     sources = [
-        (LineString(line.points), line) for line in lines if len(set(line.points)) > 1
+        (drawn, line)
+        for line in lines
+        if len(line.points) > 1
+        for drawn in [LineString([(round(x, 3), round(y, 3)) for x, y in line.points])]
+        if drawn.length >= SHORTEST
     ]
-    sources = [(line, source) for line, source in sources if line.length >= SHORTEST]
     if not sources:
         return []
     tree = STRtree([line for line, _ in sources])
@@ -95,7 +99,7 @@ def _joined(lines: list[LineString]) -> list[LineString]:
         for end in (Point(line.coords[0]), Point(line.coords[-1])):
             for other in sorted(tree.query(end, predicate="dwithin", distance=SNAP)):
                 gap = shapely.shortest_line(end, lines[int(other)])
-                if other != number and gap.length > 0:
+                if other != number and gap.length > 1e-6:
                     pieces.append(gap)
     return _chains(pieces)
 

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterator
 
+import shapely
 from shapely import LineString, Point, Polygon, union_all
 
 from memorymaze.geometry.pose import turn_between
@@ -61,7 +62,9 @@ def exact_floor(site: Site) -> Polygon:
     floor = union_all([
         each.polygon.buffer(1e-6, join_style="mitre") for each in _floor_parts(site)
     ])
-    return floor if isinstance(floor, Polygon) else site.walkable_floor
+    # A union in one piece can be a collection of one.
+    pieces = shapely.get_parts(floor).tolist()
+    return pieces[0] if len(pieces) == 1 else site.walkable_floor
 
 
 def floor_findings(site: Site, floor: Polygon) -> Iterator[SiteProblem]:
