@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from memorymaze.errors import CommandError
 from memorymaze.geometry.pose import Pose
 from memorymaze.simulation import Scene, SimulatedRobot, build_scene
 from memorymaze.simulation.obstacles import parse_obstacles
@@ -130,3 +131,8 @@ def test_the_same_seed_gives_the_same_walk(scenes: Scenes) -> None:
     for robot in (first, second):
         robot.move_forward(12)
     assert first.pose == second.pose
+
+
+def test_it_cannot_follow_a_line_on_the_plan(scenes: Scenes) -> None:
+    with pytest.raises(CommandError, match="knows_plan=False"):
+        put(scenes["corridor"], 2, 0).follow([(5, 0)])

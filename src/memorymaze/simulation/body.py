@@ -83,7 +83,8 @@ class SimulatedBody:
         """Its LiDAR, which can measure from elsewhere as well."""
         self.wheel_odometry = Odometry(start, odometry, odometry_rng)
         """Where it would believe it is by its wheels."""
-        self._localised = localised
+        self.localised = localised
+        """Whether odometry tells where it is in the building."""
         self._camera_maker = cameras
         self._samples = [TimedPose(0.0, *start)]
         self._sampling_period = settings.sampling_period
@@ -101,7 +102,7 @@ class SimulatedBody:
 
     def odometry(self) -> OdometryReading:
         """See `SensorsAndMotion.odometry`."""
-        pose = self.pose if self._localised else self.wheel_odometry.pose
+        pose = self.pose if self.localised else self.wheel_odometry.pose
         return OdometryReading(self.base.time, pose, self.base.speed)
 
     def drive(self, speed: float, turn_rate: float, seconds: float) -> None:
@@ -109,7 +110,7 @@ class SimulatedBody:
         base = self.base
         base.drive(speed, turn_rate, round(seconds / TIMESTEP))
         self.pose = pose = base.pose
-        if not self._localised:
+        if not self.localised:
             self.wheel_odometry.update(pose)
         if self.surroundings is not None:
             self.surroundings.advance(base.time, pose, base.velocity)

@@ -216,6 +216,11 @@ class SimulatedRobot(GuideRobot):
         Raises:
             CommandError: The line has no meaning.
         """
+        if not self._body.localised:
+            raise CommandError(
+                "follow: expected a robot that knows where it is on the plan, got one made "
+                "with knows_plan=False"
+            )
         with self._call("follow", line=line) as call:
             points = np.asarray(line, dtype=np.float64)
             if (

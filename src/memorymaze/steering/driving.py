@@ -9,7 +9,7 @@ from typing import Literal
 
 from memorymaze.geometry.pose import Pose, turn_between
 from memorymaze.robot.sensors_and_motion import SensorsAndMotion
-from memorymaze.steering.floor import LANE_STEP, Floor, Hindrance
+from memorymaze.steering.floor import LANE_STEP, Floor
 from memorymaze.steering.lanes import LaneFollower
 from memorymaze.steering.settings import TICK, RobotSettings
 
@@ -65,8 +65,8 @@ class Driver:
         """Seconds spent waiting for people."""
         self.held_for = 0.0
         """Seconds the robot has been waiting since it last got on."""
-        self.hindrance: Hindrance | None = None
-        """Who was in the way when the robot last looked."""
+        self.room_ahead: float | None = None
+        """Metres it might drive when it last looked; None with nobody in the way."""
         self._settings = settings
         self._surroundings = floor.surroundings
         self._period = settings.control_period
@@ -144,7 +144,7 @@ class Driver:
                 speed = min(speed, 0.3)
             if self._surroundings is not None:
                 speed = min(speed, self._yielding_speed(_places_ahead(follower)))
-                if self.hindrance is not None and self.held_for >= patience:
+                if self.room_ahead is not None and self.held_for >= patience:
                     return "held"
             ticks = self._ticks
             if self.speed > 0 and left < 1:
@@ -163,7 +163,7 @@ class Driver:
 
     def come_to_rest(self, follower: LaneFollower | None = None) -> None:
         """Brake until the robot stands, steering along a lane if there is one."""
-        self.hindrance = None
+        self.room_ahead = None
         travel = None if follower is None else follower.station.course
         while abs(self.speed) > 1e-6 or abs(self.turn_rate) > 1e-6:
             turn_rate = 0.0
@@ -202,7 +202,7 @@ class Driver:
 
     def spin_to(self, heading: float) -> None:
         """Turn on the spot until the robot faces a heading, radians."""
-        self.hindrance = None
+        self.room_ahead = None
         braking = BRAKING_SHARE * self._settings.max_turn_acceleration
         while True:
             error = turn_between(self.pose.heading, heading)
@@ -262,18 +262,18 @@ class Driver:
     def _yielding_speed(self, places: list[tuple[float, float, float]]) -> float:
         """Return the greatest speed that lets people pass; notes who is in the way."""
         around = self._surroundings
-        self.hindrance = None
+        self.room_ahead = None
         if around is not None:
-            self.hindrance = around.hindrance(places, abs(self.speed))
-        if self.hindrance is None:
+            self.room_ahead = around.room_ahead(places, abs(self.speed))
+        if self.room_ahead is None:
             return math.inf
         braking = BRAKING_SHARE * self._settings.max_acceleration
-        return math.sqrt(2 * braking * self.hindrance.ahead)
+        return math.sqrt(2 * braking * self.room_ahead)
 
     def _count_waiting(self, moved: float, duration: float) -> None:
         if moved > HELD_SPEED * duration:
             self.held_for = 0.0
-        elif self.hindrance is not None:
+        elif self.room_ahead is not None:
             self.held_for += duration
             self.waiting_time += duration
 

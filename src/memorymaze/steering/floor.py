@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Literal, NamedTuple, Protocol
+from typing import Literal, Protocol
 
 from memorymaze.geometry.pose import Pose
 from memorymaze.steering.detours import FreeSpace
@@ -26,13 +26,6 @@ class StraightWay:
     """Metres along the line at which the robot has to halt."""
 
 
-class Hindrance(NamedTuple):
-    """Somebody the robot would come too close to if it drove on."""
-
-    ahead: float
-    """Metres the robot may still drive."""
-
-
 class Surroundings(Protocol):
     """What may stand or walk in the way that was not there when the way was planned."""
 
@@ -41,10 +34,10 @@ class Surroundings(Protocol):
         """Seconds a move waits before it reports an obstacle."""
         ...
 
-    def hindrance(
+    def room_ahead(
         self, places: Sequence[tuple[float, float, float]], speed: float
-    ) -> Hindrance | None:
-        """Return what is in the way; None where nothing is.
+    ) -> float | None:
+        """Return the metres to drive to whoever is in the way; None with nobody in it.
 
         `places` are where the robot will be, `LANE_STEP` apart, from where it is now: x, y
         in metres and heading in radians.

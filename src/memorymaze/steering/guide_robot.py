@@ -79,15 +79,6 @@ class GuideRobot:
         self._sign_reader = sign_reader
         self._refused_turns = 0
 
-    def __repr__(self) -> str:
-        """Say where it is, and when."""
-        x, y, heading = self._driver.pose
-        return (
-            f"{type(self).__name__}(x {x:.2f} m, y {y:.2f} m, heading "
-            f"{math.degrees(heading):.0f} degrees, {self._driver.time:.1f} s, "
-            f"{self._driver.distance:.1f} m driven)"
-        )
-
     # What agents call.
 
     def move_forward(self, distance: float) -> MoveResult:

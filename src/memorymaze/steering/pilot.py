@@ -153,8 +153,7 @@ class Pilot:
     ) -> LaneFollower:
         """Return a lane round those who stand; the old one where there is no way."""
         lane = self._straight_lane(clearance)
-        hindrance = self._driver.hindrance
-        past = GETS_PAST + (0.0 if hindrance is None else hindrance.ahead)
+        past = GETS_PAST + (self._driver.room_ahead or 0.0)
         if lane.length < min(past, follower.remaining):
             return follower
         return self._joined(lane)

@@ -58,7 +58,7 @@ def go_straight(
         moved = driver.tick(speed, turn_rate, start.heading, DECISION)
         if driver.floor.is_blocked_ahead(driver.pose, start.heading):
             break
-        waits = driver.hindrance is not None
+        waits = driver.room_ahead is not None
         slow = moved < 0.1 * driver.speed * DECISION * TICK
         idle = idle + 1 if slow and not waits else 0
     driver.come_to_rest()
@@ -79,7 +79,7 @@ def spin_by(driver: Driver, angle: float, settings: RobotSettings) -> float:
     """
     braking = BRAKING_SHARE * settings.max_turn_acceleration
     turned, idle = 0.0, 0
-    driver.hindrance = None
+    driver.room_ahead = None
     while idle < BLOCKED_DECISIONS:
         left = angle - turned
         if abs(left) <= TURNED_ENOUGH:
@@ -104,7 +104,7 @@ def drive_on(
     The time is a multiple of `TICK`; `period` is from one decision to the
     next, seconds.
     """
-    driver.hindrance = None
+    driver.room_ahead = None
     left, whole = round(seconds / TICK), round(period / TICK)
     driven = 0.0
     while left > 0:

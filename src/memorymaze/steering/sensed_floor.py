@@ -19,7 +19,7 @@ from memorymaze.perception.turning_points import WallDirections, without_drop_ou
 from memorymaze.robot.sensors_and_motion import SensorsAndMotion
 from memorymaze.robot.steps import LidarScan
 from memorymaze.steering.detours import CLEARANCE_RANGE
-from memorymaze.steering.floor import END_GAP, LANE_STEP, Hindrance, StraightWay
+from memorymaze.steering.floor import END_GAP, LANE_STEP, StraightWay
 from memorymaze.steering.lanes import MIN_CLEARANCE
 from memorymaze.steering.settings import ROBOT_RADIUS
 from memorymaze.steering.turning_points import LidarTurningPoints
@@ -82,7 +82,7 @@ class SensedSpace:
         self._tree = KDTree(places) if len(places) else None
 
     def to_walls(self, points: FloatArray) -> FloatArray:
-        """See `FreeSpace.to_walls`; walls and things look alike, ways end before walls."""
+        """See `FreeSpace.to_walls`; ways end before walls, so none is told of here."""
         return np.full(len(points), CLEARANCE_RANGE)
 
     def to_anything(self, points: FloatArray) -> FloatArray:
@@ -166,10 +166,10 @@ class SensedFloor:
         halt = reach if reach >= AHEAD else max(reach - END_GAP, 0.0)
         return StraightWay(((x, y), end), (course,), halt)
 
-    def hindrance(
+    def room_ahead(
         self, places: Sequence[tuple[float, float, float]], speed: float
-    ) -> Hindrance | None:
-        """See `Surroundings.hindrance`; by the last scan alone."""
+    ) -> float | None:
+        """See `Surroundings.room_ahead`; by the last scan alone."""
         tree = self._seen.now
         if tree is None:
             return None
@@ -181,7 +181,7 @@ class SensedFloor:
         blocked = blocked[blocked > 1]
         if not len(blocked):
             return None
-        return Hindrance(max(0.0, float(blocked[0] - 1) * LANE_STEP - STAND_OFF))
+        return max(0.0, float(blocked[0] - 1) * LANE_STEP - STAND_OFF)
 
     def is_blocked_ahead(self, pose: Pose, course: float) -> bool:
         """See `Floor.is_blocked_ahead`."""

@@ -85,8 +85,8 @@ def _follow_among_people(
         if how == "end":
             driver.wait(LOOK_AROUND)
             clearance, needed = clearance or driver.floor.clearance, GETS_PAST
-        elif driver.hindrance is not None:
-            needed = min(needed, driver.hindrance.ahead + GETS_PAST)
+        elif driver.room_ahead is not None:
+            needed = min(needed, driver.room_ahead + GETS_PAST)
         if clearance is not None:
             lane = _rest_of(leg, driver, max_speed, clearance)
             if lane is None:

@@ -16,7 +16,7 @@ from memorymaze.simulation.obstacles.crowd import Crowd, Person, RobotMotion
 from memorymaze.simulation.obstacles.placing import footprint, place_things
 from memorymaze.simulation.obstacles.settings import Movable, ObstacleSettings
 from memorymaze.simulation.scene import Scene
-from memorymaze.steering.floor import LANE_STEP, Hindrance
+from memorymaze.steering.floor import LANE_STEP
 from memorymaze.steering.settings import ROBOT_RADIUS
 
 PEOPLE_MET = 6.0
@@ -141,11 +141,25 @@ class Surroundings:
         if now - self.walked[-1][0] >= NOTED_EVERY:
             self._note_people(now)
 
-    def hindrance(
+    def room_ahead(
         self, places: Sequence[tuple[float, float, float]], speed: float
-    ) -> Hindrance | None:
-        """Return the first person in the way; see `find_hindrance`."""
-        return None if self.crowd is None else find_hindrance(self.crowd, places, speed)
+    ) -> float | None:
+        """Return the metres to drive to the first person in the way; None for nobody.
+
+        Everyone's motion is foretold: people are taken to keep their velocity for a while;
+        those behind the robot are left to keep away themselves.
+        """
+        if self.crowd is None:
+            return None
+        x, y, _ = places[0]
+        first: float | None = None
+        pace = max(speed, LEAST_SPEED)
+        for person in self.crowd.near(x, y, REACH):
+            limit = ROBOT_RADIUS + person.radius + KEPT
+            ahead = _conflict(person, places, pace, limit)
+            if ahead is not None and (first is None or ahead < first):
+                first = ahead
+        return first
 
     def clearance_now(self, place: tuple[float, float]) -> Clearance | None:
         """Return distances to everything that stands, people near a place among it.
@@ -228,26 +242,6 @@ class Closeness:
                 running[name] = NearMiss(time, pose, name, gap)
                 self.near_misses.append(running[name])
         self._running = running
-
-
-def find_hindrance(
-    crowd: Crowd, places: Sequence[tuple[float, float, float]], speed: float
-) -> Hindrance | None:
-    """Return the first person in the way, foretelling everyone's motion.
-
-    People are taken to keep their velocity for a while; those behind the robot are left
-    to keep away themselves. `places` are where the robot will be, `LANE_STEP` apart,
-    from where it is now: x, y in metres and heading in radians.
-    """
-    x, y, _ = places[0]
-    first: Hindrance | None = None
-    pace = max(speed, LEAST_SPEED)
-    for person in crowd.near(x, y, REACH):
-        limit = ROBOT_RADIUS + person.radius + KEPT
-        ahead = _conflict(person, places, pace, limit)
-        if ahead is not None and (first is None or ahead < first.ahead):
-            first = Hindrance(ahead)
-    return first
 
 
 def _conflict(
