@@ -62,7 +62,7 @@ THINGS = {
     "copymachine": "photocopier", "handsanitizerstation": "hand sanitizer",
     "defibrillator": "AED", "desk": "reception desk", "drinkingfountain": "drinking fountain",
     "exhibit": "display case", "fireextinguisher": "fire extinguisher",
-    "information": "information desk", "kiosk": "information kiosk",
+    "information": "information desk", "reception": "reception desk", "kiosk": "information kiosk",
     "mailbox": "mailboxes", "seat": "bench", "seating": "bench",
     "ticketing": "ticket machine", "vegetation": "planter",
     "vendingmachine": "vending machine",
