@@ -98,6 +98,14 @@ def test_a_width_that_no_corridor_has_is_told(quay_house, tmp_path):
     assert any("EDITOR_link_1" in line and "width" in line for line in imported.guessed)
 
 
+def test_a_feature_of_another_kind_is_told(quay_house, tmp_path):
+    def add(features):
+        features.append({**features[0], "_id": "tree_1", "properties": {"tree": "oak"}})
+
+    imported = import_cabot(changed(quay_house, tmp_path, add), "2")
+    assert "features that are no node, link or facility (1): tree_1" in imported.missing
+
+
 def test_a_node_in_another_town_is_told_and_the_rest_is_taken(quay_house, tmp_path):
     def move(features):
         by_id(features, "EDITOR_node_r5")["geometry"]["coordinates"] = [9.0, 47.3]

@@ -76,6 +76,13 @@ def test_what_is_left_out_is_told_with_ids(mill_court):
         assert reason in told
 
 
+def test_files_that_are_not_read_are_told(mill_court):
+    with zipfile.ZipFile(mill_court, "a") as archive:
+        archive.writestr("detail.geojson", "{}")
+    told = import_imdf(mill_court, "1").missing
+    assert "files that are not read (1): detail.geojson" in told
+
+
 def test_levels_are_listed_where_none_is_chosen(mill_court):
     with pytest.raises(SettingsError, match="choose one: --floor G, 1"):
         import_imdf(mill_court)

@@ -47,6 +47,7 @@ DOOR_REACH = 3.0
 """Metres from the place of an entrance to its wall."""
 DOOR, CAB = "_nav_door_", "_nav_elevator_cab_"
 """Points of interest that are doors and elevators."""
+IDENTITIES = ("node_id", "link_id", "facil_id")
 ENTRANCE = re.compile(r"ent\d+_node")
 CAB_DOOR = (1.0, 0.0)
 """Metres ahead and to the left from the middle of an elevator's cab to its door."""
@@ -107,6 +108,9 @@ def import_cabot(path: Path, floor: str | None = None) -> ImportedSite:
         )
     frame = LocalFrame.around(places)
     features = within_reach(features, frame, notes)
+    for feature in features:
+        if not any(feature.text(name) for name in IDENTITIES):
+            notes.miss("features that are no node, link or facility", feature.id)
     nodes = _nodes(features, frame, notes)
     floors = {
         level: _floor_name(level) for level in sorted({n.floor for n in nodes.values()})

@@ -42,6 +42,8 @@ FILES = (
     "anchor",
     "venue",
 )
+WITHOUT_PLACES = ("address", "building", "manifest.json")
+"""Files of an archive that say nothing about a floor."""
 CORRIDORS = ("walkway", "footbridge", "ramp", "movingwalkway")
 """Categories of units that are corridors; what follows a point is a special kind."""
 AREAS = ("lobby", "platform", "terrace", "unenclosedarea")
@@ -136,6 +138,8 @@ def _files(path: Path, notes: ImportNotes) -> dict[str, list[SourceFeature]]:
             for entry in archive.infolist():
                 kind = Path(entry.filename).name.removesuffix(".geojson")
                 if kind not in FILES or not entry.filename.endswith(".geojson"):
+                    if not entry.is_dir() and kind not in WITHOUT_PLACES:
+                        notes.miss("files that are not read", entry.filename)
                     continue
                 with archive.open(entry) as file:
                     content = file.read(LARGEST_FILE + 1)

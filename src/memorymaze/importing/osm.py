@@ -31,6 +31,7 @@ from memorymaze.importing.osm_elements import Element, read_elements
 from memorymaze.importing.outlines import Outlines, plan_outlines
 from memorymaze.importing.shapes import moved, polygons
 from memorymaze.importing.ways import OpenArea
+from memorymaze.wording import counted
 
 FOOTWAY_WIDTH = 2.0
 """Metres of a way that has neither an outline nor a width."""
@@ -94,6 +95,9 @@ def import_osm(path: Path, floor: str | None = None) -> ImportedSite:
             f"{path}: expected Simple Indoor Tagging (indoor=corridor, area, room), got "
             "none"
         )
+    outside = sum(bool(each.tags) for each in elements.values()) - len(indoor)
+    if outside:
+        notes.missing.append(f"{counted(outside, 'element')} with tags, not indoors")
     levels = {level for element in indoor for level in element.levels()}
     if not levels:
         notes.guessed.append("the level: 0, as no element has one")
