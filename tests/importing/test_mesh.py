@@ -8,13 +8,13 @@ import pytest
 import trimesh
 from shapely import LineString, Polygon, box
 
+from memorymaze.cli.main import main
 from memorymaze.errors import ImportFileError
 from memorymaze.exporting import export_site
 from memorymaze.importing.imported import ImportedSite
 from memorymaze.importing.mesh import import_mesh
 from memorymaze.sites import Site, load_site
 from memorymaze.sites import check_site as problems_of
-from memorymaze.sites.plan_writing import line_feature
 from memorymaze.testing import check_site
 
 FLOOR = box(0, 0, 20, 2.4) | box(17.6, 0, 20, 14)
@@ -86,10 +86,9 @@ def written(tmp_path: Path) -> Callable[..., Path]:
 def loaded(tmp_path: Path) -> Callable[..., Site]:
     """Write an imported plan, see that it breaks no rule, and load it."""
 
-    def load(imported: ImportedSite, *more: object) -> Site:
+    def load(imported: ImportedSite) -> Site:
         path = tmp_path / f"{imported.plan['name']}.geojson"
-        features = [*imported.plan["features"], *more]
-        path.write_text(json.dumps({**imported.plan, "features": features}))
+        path.write_text(json.dumps(imported.plan))
         assert [each for each in problems_of(path) if each.severity == "error"] == []
         return load_site(path)
 
@@ -165,18 +164,19 @@ def test_axis_and_unit_of_other_files_are_guessed_and_told(
 
 
 def test_a_route_over_the_floor_of_a_mesh_can_be_driven(
-    written: Callable[..., Path], loaded: Callable[..., Site]
+    written: Callable[..., Path], tmp_path: Path
 ) -> None:
     machine = block(17.7, 10, 18.4, 11, 1.8)
-    route = line_feature(
-        "route_r1_reference", "route", [(1, 1.2), (19.2, 1.2), (19.2, 9)],
-        route="R1", role="reference", start_heading_deg=0, goal="the vending machine",
-        goal_landmark="vending_machine", turns=[], note="",
-    )  # fmt: skip
+    path = written(corridor_mesh(Vending_Machine=machine))
+    plan = tmp_path / "annex.geojson"
 
-    imported = import_mesh(written(corridor_mesh(Vending_Machine=machine)))
+    code = main([
+        "sites", "import", str(path), "--from", "mesh", "--out", str(plan),
+        "--route", "1,1.2", "the vending machine",
+    ])  # fmt: skip
 
-    check_site(loaded(imported, route).source)
+    assert code == 0
+    check_site(plan)
 
 
 def test_degenerate_faces_do_not_matter(

@@ -7,12 +7,12 @@ import pytest
 from benchmarks.noisy_maps import Noise, write_map
 from shapely import box
 
+from memorymaze.cli.main import main
 from memorymaze.errors import ImportFileError, SettingsError
 from memorymaze.importing.imported import ImportedSite
 from memorymaze.importing.ros_map import import_ros_map
 from memorymaze.sites import Site, load_site
 from memorymaze.sites import check_site as problems_of
-from memorymaze.sites.plan_writing import line_feature
 from memorymaze.testing import check_site
 
 FLOOR = box(0, 0, 20, 2.4) | box(17.6, 0, 20, 14) | box(8, 0, 10.4, 9)
@@ -33,10 +33,9 @@ def mapped(tmp_path: Path) -> Callable[..., Path]:
 def loaded(tmp_path: Path) -> Callable[..., Site]:
     """Write an imported plan, see that it breaks no rule, and load it."""
 
-    def load(imported: ImportedSite, *more: object) -> Site:
+    def load(imported: ImportedSite) -> Site:
         path = tmp_path / f"{imported.plan['name']}.geojson"
-        features = [*imported.plan["features"], *more]
-        path.write_text(json.dumps({**imported.plan, "features": features}))
+        path.write_text(json.dumps(imported.plan))
         assert [each for each in problems_of(path) if each.severity == "error"] == []
         return load_site(path)
 
@@ -76,28 +75,20 @@ def test_a_noisy_map_of_a_building_askew_gives_the_same_ways(
 
 
 def test_a_route_over_the_floor_of_a_map_can_be_driven(
-    mapped: Callable[..., Path], loaded: Callable[..., Site], tmp_path: Path
+    mapped: Callable[..., Path], tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     path = mapped(CLEAN, FLOOR - box(18.6, 12.4, 19.0, 12.8))
-    imported = import_ros_map(path)
-    route = line_feature(
-        "route_r1_reference",
-        "route",
-        [(1, 1.2), (18.8, 1.2), (18.8, 11)],
-        route="R1",
-        role="reference",
-        start_heading_deg=0,
-        goal="the box",
-        goal_landmark="box_1",
-        turns=[],
-        note="",
-    )
+    plan = tmp_path / "annex.geojson"
 
-    site = loaded(imported, route)
+    code = main([
+        "sites", "import", str(path), "--from", "ros_map", "--out", str(plan),
+        "--route", "1,1.2", "box_1",
+    ])  # fmt: skip
 
-    assert [each.category for each in site.landmarks] == ["box"]
-    assert "1 obstacle that stand" in " ".join(imported.guessed)
-    check_site(site.source)
+    assert code == 0
+    assert "guessed: 1 obstacle that stands free" in capsys.readouterr().out
+    assert [each.category for each in load_site(plan).landmarks] == ["box"]
+    check_site(plan)
 
 
 def test_rooms_behind_doors_are_kept_or_left_out_as_told(

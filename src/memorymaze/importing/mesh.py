@@ -18,6 +18,8 @@ from memorymaze.wording import counted
 
 CEILING = 2.8
 """Metres where the mesh has no ceiling."""
+BIT = 0.02
+"""Square metres under which what stands free is nothing."""
 DOOR_DEPTH = 0.02
 """Metres to both sides of a door's line that are no floor."""
 
@@ -49,7 +51,12 @@ def import_mesh(path: Path) -> ImportedSite:
     lines = [_named(line, named) for line in centre_lines(floor)]
     planned = plan_floor(lines, notes, floor)
     features = features_on(planned.polygon, found.height, kinds, notes)
-    boxes = list(box_features(standing, planned.polygon))
+    boxes = list(
+        box_features([each for each in standing if each.area >= BIT], planned.polygon)
+    )
+    bits = sum(each.area < BIT for each in standing)
+    if bits:
+        notes.guessed.append(f"{counted(bits, 'obstacle')} under {BIT:g} m²: floor")
     if boxes:
         notes.guessed.append(f"{counted(len(boxes), 'unnamed obstacle')}: boxes")
     if found.ceiling is None:

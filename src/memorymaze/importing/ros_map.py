@@ -71,7 +71,8 @@ def import_ros_map(path: Path, *, narrowest: float = 2 * ROBOT_RADIUS) -> Import
         notes.guessed.append(f"{counted(space.specks, 'speck')} amid free floor: noise")
     if obstacles:
         notes.guessed.append(
-            f"{counted(len(obstacles), 'obstacle')} that stand free: boxes of "
+            f"{counted(len(obstacles), 'obstacle')} that "
+            f"{'stands' if len(obstacles) == 1 else 'stand'} free: boxes of "
             f"{OBSTACLE_HEIGHT:g} m height; say what they are"
         )
     if space.left_out >= 1:
