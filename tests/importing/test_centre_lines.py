@@ -2,6 +2,8 @@ import math
 from itertools import pairwise
 
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 from shapely import LineString, MultiPolygon, Polygon, box, union_all
 from shapely.affinity import rotate, translate
 
@@ -146,3 +148,32 @@ def test_corridors_of_the_benchmarks_floors_are_found(name: str, share: float) -
 def test_a_floor_that_is_none_is_refused() -> None:
     with pytest.raises(ValueError, match="expected a valid floor"):
         centre_lines(Polygon([(0, 0), (2, 2), (2, 0), (0, 2)]))
+
+
+@st.composite
+def any_floors(draw: st.DrawFn) -> Polygon:
+    """Return rectangles on and over each other, some cut out, turned by any angle."""
+    number = st.integers(0, 60)
+    side = st.integers(1, 40)
+    parts = draw(
+        st.lists(st.tuples(number, number, side, side), min_size=1, max_size=8)
+    )
+    blocks = draw(st.lists(st.tuples(number, number, side, side), max_size=4))
+    floor, cut = (
+        union_all([box(x / 2, y / 2, (x + w) / 2, (y + d) / 2) for x, y, w, d in each])
+        for each in (parts, blocks)
+    )
+    return rotate(floor - cut, draw(st.integers(0, 90)), origin=(0, 0))
+
+
+@given(any_floors())
+@settings(max_examples=60, deadline=None)
+def test_lines_on_any_floor_lie_on_it(floor: Polygon) -> None:
+    if floor.is_empty:
+        return
+    around = floor.buffer(0.3)
+
+    for line in centre_lines(floor):
+        assert len(set(line.points)) > 1
+        assert 0 < line.width <= 8.5
+        assert around.covers(LineString(line.points))

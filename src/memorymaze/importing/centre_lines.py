@@ -103,7 +103,7 @@ def centre_lines(floor: Polygon | MultiPolygon) -> list[CentreLine]:
     if floor.buffer(-NARROWEST / 2).is_empty:
         return []
     skeleton = floor_skeleton(floor)
-    runs = _runs(skeleton)
+    runs = _runs(skeleton, floor)
     _meet(runs, skeleton, floor)
     lines = [
         CentreLine(tuple((round(x, 3), round(y, 3)) for x, y in run.corners), run.width)
@@ -113,7 +113,7 @@ def centre_lines(floor: Polygon | MultiPolygon) -> list[CentreLine]:
     return [line for line in lines if _is_way(line, ends)]
 
 
-def _runs(skeleton: "nx.Graph[int]") -> list[_Run]:
+def _runs(skeleton: "nx.Graph[int]", floor: Polygon | MultiPolygon) -> list[_Run]:
     """Return the ways of a skeleton, and take them out of it."""
     found = [
         _run_along(skeleton, nodes)
@@ -149,6 +149,9 @@ def _runs(skeleton: "nx.Graph[int]") -> list[_Run]:
     for run in runs:
         run.zones = [zone_of[run.nodes[0]], zone_of[run.nodes[-1]]]
         run.corners = _straightened(run.points, run.width)
+        if not floor.covers(LineString(run.corners)):
+            bent = LineString(run.points).simplify(SMOOTH * run.width / 2)
+            run.corners = [(x, y) for x, y in bent.coords]
     return runs
 
 
