@@ -168,18 +168,20 @@ def site_plan(
     path: Path,
     title: str | None,
     floor: str,
-    frame: LocalFrame,
+    frame: LocalFrame | None,
     features: Sequence[Feature],
+    ceiling: float = CEILING,
 ) -> dict[str, object]:
-    """Return the plan of a building on the globe, named like its file."""
+    """Return the plan of a building, named like its file; its frame is on the globe."""
     name = re.sub("[^a-z0-9]+", "_", path.stem.lower()).strip("_") or "imported"
     return {
         "type": "FeatureCollection",
         "name": name,
         "title": title or name.replace("_", " ").capitalize(),
         "floor": floor,
-        "ceiling_height_m": CEILING,
-        "anchor": {
+        "ceiling_height_m": ceiling,
+        "anchor": frame
+        and {
             "latitude": frame.latitude,
             "longitude": frame.longitude,
             "bearing_deg": 0.0,

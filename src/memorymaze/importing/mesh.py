@@ -1,6 +1,5 @@
 """A mesh of one floor: level faces to floor, what stands on it to walls, names to things."""
 
-import re
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -11,13 +10,17 @@ from shapely import LineString, MultiPoint
 from memorymaze.errors import ImportFileError
 from memorymaze.extras import require_extra
 from memorymaze.importing.centre_lines import centre_lines
-from memorymaze.importing.imported import CentreLine, ImportedSite, ImportNotes
+from memorymaze.importing.imported import (
+    CEILING,
+    CentreLine,
+    ImportedSite,
+    ImportNotes,
+    site_plan,
+)
 from memorymaze.importing.obstacles import box_features, without_obstacles
 from memorymaze.importing.ways import plan_floor
 from memorymaze.wording import counted
 
-CEILING = 2.8
-"""Metres where the mesh has no ceiling."""
 BIT = 0.02
 """Square metres under which what stands free is nothing."""
 DOOR_DEPTH = 0.02
@@ -70,17 +73,15 @@ def import_mesh(path: Path) -> ImportedSite:
     said = next(
         (piece.extras for piece in pieces if "ceiling_height_m" in piece.extras), {}
     )
-    name = re.sub("[^a-z0-9]+", "_", path.stem.lower()).strip("_") or "mesh"
-    return notes.imported({
-        "type": "FeatureCollection",
-        "name": name,
-        "title": said.get("title", name.replace("_", " ").capitalize()),
-        "floor": said.get("floor", "ground floor"),
-        "ceiling_height_m": round(found.ceiling or CEILING, 2),
-        "anchor": said.get("anchor"),
-        "description": f"Made from the mesh {path.name}.",
-        "features": [*planned.features, *features, *boxes],
-    })
+    plan = site_plan(
+        path,
+        said.get("title"),
+        said.get("floor", "ground floor"),
+        None,
+        [*planned.features, *features, *boxes],
+        round(found.ceiling or CEILING, 2),
+    )
+    return notes.imported({**plan, "anchor": said.get("anchor")})
 
 
 def _named(

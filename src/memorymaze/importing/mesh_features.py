@@ -79,7 +79,6 @@ STANDS = 0.3
 """Metres above the floor at which a thing that stands on it begins at most."""
 DOOR_NEAR_WALL = 0.5
 """Metres from a door to the edge of the floor."""
-MOST_TOLD = 10
 NULLS: Mapping[str, Mapping[str, None]] = {
     "room": {},
     "door": {"room": None, "label": None},
@@ -145,23 +144,18 @@ def features_on(
         ("landmark", "thing", "that do not stand on the floor"),
     ):
         before = len(found)
-        left_out: list[str] = []
         # A node with several materials has several meshes.
         named = {piece.name: piece for piece in pieces.get(kind, ())}
         for piece in named.values():
             made = next(_features_of(kind, piece, floor, height, rooms), None)
             if made is None:
-                left_out.append(piece.name)
+                notes.miss(f"{noun}s {why}", piece.name)
                 continue
             found[str(made["id"])] = made
         if kind == "room":
             rooms |= found.keys()
         if len(found) > before:
             notes.took.append(f"{counted(len(found) - before, noun)} by name")
-        if left_out:
-            names = ", ".join(left_out[:MOST_TOLD])
-            more = ", …" if len(left_out) > MOST_TOLD else ""
-            notes.missing.append(f"{counted(len(left_out), noun)} {why}: {names}{more}")
     return list(found.values())
 
 

@@ -1,7 +1,6 @@
 """A map that a robot made: free space to floor, centre lines, corridors, turning points."""
 
 import math
-import re
 from pathlib import Path
 
 from shapely import LineString
@@ -9,7 +8,12 @@ from shapely import LineString
 from memorymaze.errors import ImportFileError, SettingsError
 from memorymaze.extras import require_extra
 from memorymaze.importing.centre_lines import centre_lines
-from memorymaze.importing.imported import ImportedSite, ImportNotes
+from memorymaze.importing.imported import (
+    CEILING,
+    ImportedSite,
+    ImportNotes,
+    site_plan,
+)
 from memorymaze.importing.obstacles import (
     OBSTACLE_HEIGHT,
     box_features,
@@ -24,8 +28,6 @@ STRAY = 0.12
 """Metres by which a straight wall may stray from the map's."""
 STRAY_CELLS = 2.0
 """The same in cells, where cells are large."""
-CEILING = 2.8
-"""Metres; a map does not tell."""
 PLACES_TOLD = 5
 
 
@@ -83,17 +85,8 @@ def import_ros_map(path: Path, *, narrowest: float = 2 * ROBOT_RADIUS) -> Import
     if space.gaps:
         notes.missing.append(_gaps_told(space.gaps))
     notes.missing.append("rooms, doors, names, things, routes: add them by hand")
-    name = re.sub("[^a-z0-9]+", "_", path.stem.lower()).strip("_") or "ros_map"
-    return notes.imported({
-        "type": "FeatureCollection",
-        "name": name,
-        "title": name.replace("_", " ").capitalize(),
-        "floor": "ground floor",
-        "ceiling_height_m": CEILING,
-        "anchor": None,
-        "description": f"Made from the ROS map {path.name}.",
-        "features": [*planned.features, *obstacles],
-    })
+    features = [*planned.features, *obstacles]
+    return notes.imported(site_plan(path, None, "ground floor", None, features))
 
 
 def _gaps_told(gaps: tuple[LineString, ...]) -> str:
