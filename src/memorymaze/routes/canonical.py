@@ -165,6 +165,8 @@ def _of_mention(mention: Mention) -> Iterator[str]:
 
 
 def _is_plain(length: Length) -> bool:
+    if length.after is not None:
+        return False
     if length.unit == "places":
         count = length.count or 0.0
         return count == int(count) > 0 and length.metres == count * PLACE

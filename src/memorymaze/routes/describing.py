@@ -103,10 +103,12 @@ def _turn_notes(turn: Turn) -> list[str]:
 
 def _way_notes(length: Length | None, passings: Sequence[Passing]) -> list[str]:
     notes: list[str] = []
-    if length is not None and length.unit == "places":
-        notes.append(f"after {length.count or 1:g} places")
-    elif length is not None:
-        notes.append(f"after {length.metres:.0f} m")
+    if length is not None:
+        places = length.unit == "places"
+        far = f"{length.count or 1:g} places" if places else f"{length.metres:.0f} m"
+        notes.append(
+            f"after {far}" + (f" from {length.after} on" if length.after else "")
+        )
     for passing in passings:
         count = "all" if passing.count is None else str(passing.count)
         what = f" {passing.what}" if passing.what else ""

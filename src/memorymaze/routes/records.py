@@ -83,6 +83,8 @@ class Length:
     """It tells how far to trust the number."""
     count: Annotated[float, Field(gt=0, allow_inf_nan=False)] | None = None
     """In the speaker's unit; of `places` always."""
+    after: Words | None = None
+    """The thing that it is counted from: `ten metres after the lift`."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -83,7 +83,7 @@ class _Assembly:
             case "sentence" | "clause" | "then":
                 self._close_clause(event)
             case "length":
-                self._add_length(event)
+                self._add_length(event, at)
             case "thing":
                 self._add_thing(event, at)
             case "side":
@@ -374,11 +374,17 @@ class _Assembly:
 
     # -- what is on a leg and at its end
 
-    def _add_length(self, event: Event) -> None:
+    def _add_length(self, event: Event, at: int) -> None:
         self._settle_likely_way()
-        if event.length is not None:
-            draft = self._done[-1] if event.back and self._done else self._draft
-            draft.lengths.append(event.length)
+        if event.length is None:
+            return
+        length, back = event.length, event.back
+        thing = next(iter(self._events[at + 1 : at + 2]), None)
+        if thing is not None and _is_counted_from(thing, length):
+            length = replace(length, after=thing.phrase)
+            back = back or thing.back
+        draft = self._done[-1] if back and self._done else self._draft
+        draft.lengths.append(length)
 
     def _add_thing(self, event: Event, at: int) -> None:
         if event.relation == "from":
@@ -492,6 +498,13 @@ class _Assembly:
             return False
         follows = self._done and self._draft.is_new
         return bool(follows) and ends_the_sentence_of_a_turn(self._events, at)
+
+
+def _is_counted_from(thing: Event, length: Length) -> bool:
+    """Tell `two junctions after the lift` from `go two segments past the lift`."""
+    if length.unit != "places":
+        return False
+    return thing.relation == "after" or (thing.relation == "past" and length.count == 1)
 
 
 def _flank(side: Side | Way | None) -> Literal["left", "right"] | None:

@@ -27,6 +27,7 @@ from memorymaze.understanding.lengths import (
     read_places,
     read_vague,
 )
+from memorymaze.understanding.spelling import spelt
 from memorymaze.understanding.vocabulary import (
     CLOCK,
     FILLERS,
@@ -109,7 +110,7 @@ class Chunk:
 
 def normalise(text: str) -> str:
     """Return the text in lower case with plain quotes, dashes and list marks."""
-    text = text.lower()
+    text = spelt(text).lower()
     for old, new in _PLAIN_SIGNS.items():
         text = text.replace(old, new)
     text = _ISH.sub(r"\1", text)

@@ -90,6 +90,7 @@ def find_destinations(
         ]
     beyond = {p for each in (*drafts, last) for p in (*each.too_far, *each.wrong_way)}
     passed = {m.phrase for m in last.mentions if m.side == "behind"} | beyond
+    passed |= {length.after for length in last.lengths if length.after is not None}
     passed |= {phrase for phrase, weight in named.items() if weight <= _DENIED}
     for order, (mention, subject) in enumerate(candidates):
         if mention.phrase in passed or mention.ignored or is_floor(mention.phrase):

@@ -161,6 +161,9 @@ def combine_lengths(lengths: list[Length]) -> Length | None:
     """
     if not lengths:
         return None
+    for length in lengths:
+        if length.after is not None:
+            return length  # what else is said leads to the thing
     sums: dict[Unit, float] = {}
     for length in lengths:
         sums[length.unit] = sums.get(length.unit, 0.0) + length.metres

@@ -75,6 +75,7 @@ SIGNS = _list("signs")
 SIGN_BINDERS = _list("sign_binders")
 IDLE_ENDS = _list("idle_ends")
 THINGS_IN_ING = _list("things_in_ing")
+OFTEN = _list("often")
 ORDINALS: Mapping[str, int] = _words["ordinals"]
 SPELLINGS = dict(pair.split("=") for pair in _words["spellings"].split())
 CLOCK: Mapping[str, str] = {

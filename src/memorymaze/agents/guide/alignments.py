@@ -47,6 +47,9 @@ class Segment:
     right: int = 0
     junctions: int = 0
     """Places passed since then where one has to choose."""
+    openings: tuple[tuple[int, bool, bool, bool], ...] = ()
+    """Of each place passed since then: its number in the line, and whether there are
+    openings on the left, on the right, and a choice."""
     line: tuple[Point, ...] = ()
     """Corners of the walk since then."""
     passed: tuple[int, ...] = ()

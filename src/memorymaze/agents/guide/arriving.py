@@ -20,6 +20,7 @@ from memorymaze.agents.guide.likelihoods import (
     then,
     untold_length,
 )
+from memorymaze.agents.guide.said_of_legs import counted
 from memorymaze.agents.guide.things import Things
 from memorymaze.agents.walking.choices import choices_at
 from memorymaze.agents.walking.floor_map import (
@@ -306,7 +307,7 @@ class Arrivals:
             line = (*line, place)
             asked = stretch.asked if segment.asked is None else asked & stretch.asked
         return self._things.weigh(
-            segment.weights * self._fit(segment, further),
+            segment.weights * self._fit(segment, further, place),
             self._legs,
             line,
             asked,
@@ -314,7 +315,9 @@ class Arrivals:
             segment.at if stretch is None else None,
         )
 
-    def _fit(self, segment: Segment, further: float) -> Weights:
+    def _fit(
+        self, segment: Segment, further: float, place: Point | None = None
+    ) -> Weights:
         """Weigh what was said of the last stretch against one that ends here."""
         arrival, model = self._arrival, self._model
         walked = segment.walked + further
@@ -322,8 +325,15 @@ class Arrivals:
         if segment.lost:
             return fit
         if arrival.length is not None and walked > 0:
-            places = segment.places + bool(further)
-            junctions = segment.junctions + bool(further)
+            goes_on = bool(further)
+            places, junctions = segment.places + goes_on, segment.junctions + goes_on
+            if arrival.length.after is not None:
+                line = (*segment.line, place) if place and goes_on else segment.line
+                ending = replace(segment, line=line)
+                since = counted(self._things, ending, arrival.length.after)
+                if since is not None:
+                    walked, places = since.metres, since.places
+                    junctions = since.junctions + goes_on
             fit = fit * length_ratio(model, arrival.length, walked, places, junctions)
         elif arrival.length is None:
             fit = fit * untold_length(model, walked)

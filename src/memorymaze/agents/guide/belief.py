@@ -227,11 +227,13 @@ class Belief:
         model = self.model
         ahead = choices.forward
         junction = len(choices.ways) > 1
+        left, right = bool(choices.on("left")), bool(choices.on("right"))
         passed = replace(
             segment,
-            left=segment.left + bool(choices.on("left")),
-            right=segment.right + bool(choices.on("right")),
+            left=segment.left + left,
+            right=segment.right + right,
             junctions=segment.junctions + junction,
+            openings=(*segment.openings, (segment.places, left, right, junction)),
         )
         for index, angle in choices.ways:
             hint = self._hint(segment.at, index, len(choices.ways))

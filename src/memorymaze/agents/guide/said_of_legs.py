@@ -1,6 +1,9 @@
 """What was said of a leg, weighed against where its turn may be and how far it may go on."""
 
+import math
 from dataclasses import dataclass, replace
+from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
 
@@ -20,6 +23,21 @@ from memorymaze.agents.guide.things import Things
 from memorymaze.agents.walking.choices import Choices
 from memorymaze.agents.walking.outlooks import length_of
 from memorymaze.routes import Leg, Length, RoutePlan
+
+BESIDE_THING = 1.5
+"""Metres within which a place is beside a thing, and not after it."""
+
+
+class Counted(NamedTuple):
+    """What was come to on a stretch, since its beginning or since a thing on it."""
+
+    metres: float
+    places: int
+    """Where one can turn, the present one included."""
+    left: int
+    """Openings passed, the present one left out."""
+    right: int
+    junctions: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,17 +66,21 @@ class SaidOfLegs:
         leg = self.plan.legs[number]
         turn = leg.turn
         junction = len(choices.ways) > 1
-        junctions = segment.junctions + junction
-        on_side = _on_side(segment, leg) + 1
+        whole = _since_the_beginning(segment)
         fine: float | Weights = junction_ratio(model, turn, choices)
-        fine = fine * ordinal_ratio(model, turn, on_side, junctions, choices)
+        since = counted(self.things, segment, turn.counted_after) or whole
+        on_side = _on_side(since, leg) + 1
+        fine = fine * ordinal_ratio(
+            model, turn, on_side, since.junctions + junction, choices
+        )
         fine = fine * passings_ratio(
             model, leg.passings, segment.left, segment.right, segment.junctions
         )
         length = _with_lead(length_of(leg), lead)
         if length is not None and segment.walked:
+            since = counted(self.things, segment, length.after) or whole
             fine = fine * length_ratio(
-                model, length, segment.walked, segment.places, junctions
+                model, length, since.metres, since.places, since.junctions + junction
             )
         elif length is None:
             fine = fine * untold_length(model, segment.walked)
@@ -85,19 +107,18 @@ class SaidOfLegs:
             length = self.plan.arrival.length
             if length is None:
                 return weights * untold_length(self.model, segment.walked)
-            ratio = length_to_come(self.model, length, segment.walked, segment.places)
-            return weights * np.sqrt(ratio)
+            return weights * np.sqrt(self._rest_to_come(segment, length))
         ratio = np.ones(weights.shape[1])
         length = length_of(leg)
         if length is None:
             ratio = ratio * untold_length(self.model, segment.walked)
         if length is not None:
-            ratio = ratio * length_to_come(
-                self.model, length, segment.walked, segment.places
+            ratio = ratio * self._rest_to_come(segment, length)
+        since = counted(self.things, segment, leg.turn.counted_after)
+        if since is not None:
+            ratio = ratio * ordinal_to_come(
+                self.model, leg.turn, _on_side(since, leg), since.junctions
             )
-        ratio = ratio * ordinal_to_come(
-            self.model, leg.turn, _on_side(segment, leg), segment.junctions
-        )
         ratio = ratio * self.things.so_far(segment.leg, segment.line)
         ratio = ratio * min(
             passings_ratio(
@@ -112,12 +133,44 @@ class SaidOfLegs:
         )
         return weights * np.maximum(ratio, self.model.wrong_place)
 
+    def _rest_to_come(self, segment: Segment, length: Length) -> Weights:
+        since = counted(self.things, segment, length.after)
+        if since is None:
+            return np.ones(segment.weights.shape[1])
+        return length_to_come(self.model, length, since.metres, since.places)
 
-def _on_side(segment: Segment, leg: Leg) -> int:
+
+def counted(things: Things, segment: Segment, after: str | None) -> Counted | None:
+    """Count since a thing on a stretch; None where it was not met yet."""
+    if after is None:
+        return _since_the_beginning(segment)
+    passed = things.passed_at(after, segment.line)
+    if passed is None:
+        return None
+    reached = [0.0]
+    for start, end in pairwise(segment.line):
+        reached.append(reached[-1] + math.dist(start, end))
+    beyond = [metres > passed + BESIDE_THING for metres in reached]
+    met = [openings[1:] for openings in segment.openings if beyond[openings[0]]]
+    left, right, junctions = map(sum, zip(*met, strict=True)) if met else (0, 0, 0)
+    return Counted(reached[-1] - passed, sum(beyond[1:]), left, right, junctions)
+
+
+def _since_the_beginning(segment: Segment) -> Counted:
+    return Counted(
+        segment.walked,
+        segment.places,
+        segment.left,
+        segment.right,
+        segment.junctions,
+    )
+
+
+def _on_side(counted: Counted, leg: Leg) -> int:
     way = leg.turn.way
     if way.endswith("left"):
-        return segment.left
-    return segment.right if way.endswith("right") else segment.junctions
+        return counted.left
+    return counted.right if way.endswith("right") else counted.junctions
 
 
 def _with_lead(length: Length | None, lead: float) -> Length | None:

@@ -15,6 +15,7 @@ from memorymaze.agents.walking.floor_map import (
     Point,
     Sighting,
     distance_to_line,
+    metres_along,
     side_of_line,
 )
 from memorymaze.agents.walking.outlooks import (
@@ -166,6 +167,26 @@ class Things:
             if distance_to_line(each.place, line) <= BESIDE
         ]
         return self._best(mention, near, max(_length(line), 4.0), line)
+
+    def passed_at(self, phrase: str, line: tuple[Point, ...]) -> float | None:
+        """Return after how many metres of a line a thing is passed; None if unseen."""
+        near = [
+            each
+            for each in self._floor.seen(phrase)
+            if distance_to_line(each.place, line) <= BESIDE
+        ]
+        if not near:
+            return None
+        place = max(near, key=lambda each: each.score).place
+        begun, passed, least = 0.0, 0.0, math.inf
+        for start, end in pairwise(line):
+            length = math.dist(start, end)
+            aside = distance_to_line(place, (start, end))
+            if aside < least:
+                along = min(max(metres_along(place, start, end), 0.0), length)
+                passed, least = begun + along, aside
+            begun += length
+        return passed
 
     def _best(
         self,
