@@ -407,11 +407,12 @@ class _Assembly:
             draft.subjects.add(len(draft.mentions))
         if event.called:
             draft.called.add(len(draft.mentions))
+        is_passed = any(each.after == event.phrase for each in draft.lengths)
         draft.mentions.append(
             Mention(
                 event.phrase,
                 kind_of(event.phrase),
-                place_of(event, back),
+                "passed" if is_passed else place_of(event, back),
                 side=self._side,
                 nth=event.ordinal,
                 ignored=event.ignored,
@@ -431,6 +432,8 @@ class _Assembly:
     def _add_ahead(self, event: Event, at: int) -> None:
         """Add what lies along a way; the way may be a new one."""
         self._settle_likely_way()
+        if event.phrase in self._draft.ahead and not self._draft.has_ended:
+            return  # "Turn onto the blue path. Take the blue path to the chair."
         if event.turns or (self._draft.has_ended and is_floor(event.phrase)):
             self._face_anew(at, always=True)
         self._draft.ahead.append(event.phrase)

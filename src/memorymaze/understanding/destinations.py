@@ -79,9 +79,12 @@ def find_destinations(
     entered = [each for each in _candidates(drafts[-1:]) if each[0].place == "target"]
     candidates = _candidates([last]) or (entered if last.entered else [])
     counted = any(length.unit == "places" for length in last.lengths)
-    if counted or any(is_floor(m.phrase) and m.place == "turn" for m in last.mentions):
+    at_a_floor = any(is_floor(m.phrase) and m.place == "turn" for m in last.mentions)
+    if counted or at_a_floor:
         # "You see a clock. Go two blocks.": the end is told by the blocks.
         candidates = [c for c in candidates if c[0].place not in {"along", "passed"}]
+    elif last.at_end:
+        candidates = [c for c in candidates if c[0].place != "passed"]
     if not candidates and drafts and last.is_new:
         candidates = [
             each
@@ -110,7 +113,7 @@ def find_destinations(
         if weight >= 3.0 and phrase not in beyond:
             scores[phrase] = max(scores.get(phrase, 0.0), weight)
     if not scores and not counted:
-        is_at_a_place = last.at_end or last.junction is not None
+        is_at_a_place = last.at_end or last.junction is not None or at_a_floor
         before = _named_on_the_way(drafts if is_at_a_place else drafts[:-1])
         before |= beyond | {draft.origin for draft in (*drafts, last)}
         scores = {
@@ -204,6 +207,7 @@ def _named_on_the_way(drafts: list[PartialLeg]) -> set[str]:
         for draft in drafts
         for phrase in (
             *draft.ahead,
+            *draft.behind,
             *(mention.phrase for mention in draft.mentions),
         )
     }
