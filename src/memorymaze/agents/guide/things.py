@@ -96,7 +96,7 @@ class Things:
                 continue
             at_turn = mention.place in AT_THE_TURN
             if at_turn:
-                best = self._seen_at(mention, place, line)
+                best = self._seen_at(mention, place, line, at)
             else:
                 best = self._seen_along(mention, line)
             if best:
@@ -136,10 +136,11 @@ class Things:
         crossing = self._floor.crossings[at]
         ratio = 1.0
         for mention in self._mentions[number]:
-            if is_floor(mention.phrase) or self._seen_along(mention, line):
+            if is_floor(mention.phrase):
                 continue
             ahead = self._floor.seen_ahead(mention.phrase, at, crossing.exits[exit])
-            if ahead:
+            met = [e for e in self._met_along(mention.phrase, line) if e not in ahead]
+            if ahead and not met:
                 nearest = min(ahead, key=lambda e: math.dist(e.place, crossing.place))
                 reach = max(math.dist(nearest.place, crossing.place), 2 * AT_CROSSING)
                 rate = self.rate(mention.phrase)
@@ -148,36 +149,51 @@ class Things:
         return ratio
 
     def _seen_at(
-        self, mention: Mention, place: Point, line: tuple[Point, ...]
+        self, mention: Mention, place: Point, line: tuple[Point, ...], at: int | None
     ) -> float:
-        """Weigh that a thing was seen where a way ends; 0 where it was not."""
+        """Weigh that a thing was seen where a way ends; 0 where it was not.
+
+        One that is seen some way down a way not walked yet tells nothing: there may be
+        a place to turn beside it.
+        """
         near = [
             each
             for each in self._floor.seen(mention.phrase)
             if math.dist(each.place, place) <= AT_CROSSING
             and self._floor.is_at(each.place, place)
         ]
-        return self._best(mention, near, 2 * AT_CROSSING, line)
+        here = [each for each in near if at is None or not self._is_on(each, at)]
+        if near and not here:
+            return 1.0
+        return self._best(mention, here, 2 * AT_CROSSING, line)
+
+    def _is_on(self, sighting: Sighting, at: int) -> bool:
+        """Tell whether a thing is on a way out of a crossing that was not walked yet."""
+        return any(
+            (at, exit) not in self._floor.stretches
+            and sighting in self._floor.seen_ahead(sighting.phrase, at, heading)
+            for exit, heading in enumerate(self._floor.crossings[at].exits)
+            if exit not in self._floor.crossings[at].closed
+        )
 
     def _seen_along(self, mention: Mention, line: tuple[Point, ...]) -> float:
         """Weigh that a thing was seen along a way; 0 where it was not."""
-        near = [
-            each
-            for each in self._floor.seen(mention.phrase)
-            if distance_to_line(each.place, line) <= BESIDE
-        ]
-        return self._best(mention, near, max(_length(line), 4.0), line)
+        met = self._met_along(mention.phrase, line)
+        return self._best(mention, met, max(_length(line), 4.0), line)
 
-    def passed_at(self, phrase: str, line: tuple[Point, ...]) -> float | None:
-        """Return after how many metres of a line a thing is passed; None if unseen."""
-        near = [
+    def _met_along(self, phrase: str, line: tuple[Point, ...]) -> list[Sighting]:
+        return [
             each
             for each in self._floor.seen(phrase)
             if distance_to_line(each.place, line) <= BESIDE
         ]
-        if not near:
+
+    def passed_at(self, phrase: str, line: tuple[Point, ...]) -> float | None:
+        """Return after how many metres of a line a thing is passed; None if unseen."""
+        met = self._met_along(phrase, line)
+        if not met:
             return None
-        place = max(near, key=lambda each: each.score).place
+        place = max(met, key=lambda each: each.score).place
         begun, passed, least = 0.0, 0.0, math.inf
         for start, end in pairwise(line):
             length = math.dist(start, end)
