@@ -150,3 +150,42 @@ def test_the_second_may_do_without_a_noun() -> None:
 def test_the_side_of_a_destination_without_a_name_is_kept() -> None:
     plan = parse_route_description("Turn right. Your destination is on the left.")
     assert plan.arrival.side == "left"
+
+
+@pytest.mark.parametrize(
+    ("text", "count", "thing"),
+    [
+        ("Go straight. One intersection past the chair is the library.", 1, "chair"),
+        ("Turn left two junctions after the lift.", 2, "lift"),
+    ],
+)
+def test_junctions_are_counted_from_a_thing(text: str, count: int, thing: str) -> None:
+    plan = parse_route_description(text)
+    length = plan.legs[0].length if plan.legs else plan.arrival.length
+    assert length is not None
+    assert (length.unit, length.count, length.after) == ("places", count, thing)
+
+
+def test_segments_that_lead_past_a_thing_are_counted_from_the_beginning() -> None:
+    plan = parse_route_description("Go forward three segments past the stool.")
+    assert plan.arrival.length is not None
+    assert plan.arrival.length.after is None
+
+
+def test_a_path_that_one_is_on_already_is_no_turn() -> None:
+    told = "Take a left onto the blue path. Take the blue path to the chair and turn right."
+    plan = parse_route_description(told)
+    assert [leg.turn.way for leg in plan.legs] == ["left", "right"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Turn left. The end of this hall is 5.",
+        "Turn left. Walk past the clock to the end.",
+        "With your back to the clock go on, turn left, walk to the end.",
+        "Turn left. Go to the corner. Turning left you see a clock.",
+    ],
+)
+def test_what_is_passed_or_only_seen_is_no_destination(text: str) -> None:
+    assert parse_route_description(text).arrival.destinations == ()

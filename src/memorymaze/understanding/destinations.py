@@ -82,9 +82,11 @@ def find_destinations(
     at_a_floor = any(is_floor(m.phrase) and m.place == "turn" for m in last.mentions)
     if counted or at_a_floor:
         # "You see a clock. Go two blocks.": the end is told by the blocks.
-        candidates = [c for c in candidates if c[0].place not in {"along", "passed"}]
-    elif last.at_end:
-        candidates = [c for c in candidates if c[0].place != "passed"]
+        on_the_way = {"along", "passed"}
+    else:
+        on_the_way = {"passed"} if last.at_end else set[str]()
+    met = {c[0].phrase for c in candidates if c[0].place in on_the_way}
+    candidates = [c for c in candidates if c[0].place not in on_the_way]
     if not candidates and drafts and last.is_new:
         candidates = [
             each
@@ -115,7 +117,7 @@ def find_destinations(
     if not scores and not counted:
         is_at_a_place = last.at_end or last.junction is not None or at_a_floor
         before = _named_on_the_way(drafts if is_at_a_place else drafts[:-1])
-        before |= beyond | {draft.origin for draft in (*drafts, last)}
+        before |= met | beyond | {draft.origin for draft in (*drafts, last)}
         scores = {
             p: w + text.rfind(p) / len(text)
             for p, w in named.items()

@@ -133,6 +133,37 @@ def test_the_way_told_is_the_likeliest(text: str, way: tuple[int, int, float]) -
     assert _best(_believe(text, grid)) == grid.exit(*way)
 
 
+@pytest.mark.parametrize(
+    ("text", "way"),
+    [
+        ("Take the first left after the clock.", (3, 0, NORTH)),
+        ("Take a left two junctions after the clock.", (4, 0, NORTH)),
+        ("Take the first left.", (1, 0, NORTH)),
+    ],
+)
+def test_openings_are_counted_from_the_thing_that_is_told(
+    text: str, way: tuple[int, int, float]
+) -> None:
+    grid = _hall(5)
+    grid.see("clock", 2.3, 0)
+    assert _best(_believe(text, grid)) == grid.exit(*way)
+
+
+def test_before_the_thing_is_met_no_opening_is_counted() -> None:
+    grid = _hall(2)
+    from_the_clock = _shares(_believe("Take the first left after the clock.", grid))
+    from_the_start = _shares(_believe("Take the first left.", grid))
+    on = grid.exit(2, 0, EAST)
+    assert from_the_clock[on] > from_the_start[on]
+
+
+def test_a_thing_a_little_way_ahead_is_still_to_come() -> None:
+    cells: dict[Cell, Sequence[float]] = {(0, 0): (EAST,), (1, 0): (EAST, NORTH, WEST)}
+    grid = Grid(cells).walk((0, 0), (1, 0))
+    grid.see("clock", 1.35, -0.1, by=(1, 0))
+    assert _best(_believe("Turn left at the clock.", grid)) == grid.exit(1, 0, EAST)
+
+
 def test_turns_are_found_one_after_the_other() -> None:
     cells: dict[Cell, Sequence[float]] = {(0, 0): (EAST,)}
     cells |= {(x, y): ALL_SIDES for x in (1, 2) for y in (0, 1, 2)}

@@ -196,7 +196,10 @@ class Arrivals:
                             sighting.place,
                             segment.weights
                             * self._fit(segment, along)
-                            * self.seen(sighting, (crossing.place, end)),
+                            * self.seen(sighting, (crossing.place, end))
+                            * self._things.floors_ahead(
+                                self._legs, frontier.at, frontier.exit
+                            ),
                             segment,
                             sighting,
                             f"{sighting.phrase} seen ahead",

@@ -285,7 +285,7 @@ class Belief:
             return False
         if leg.length is not None and leg.length.unit != "vague":
             return False
-        if leg.passings or self.things.awaited(segment.leg, segment.line):
+        if leg.passings or self.things.awaited(segment.leg, segment.line, segment.at):
             return False
         return bool(choices.on(turn.way))
 

@@ -66,22 +66,24 @@ class SaidOfLegs:
         leg = self.plan.legs[number]
         turn = leg.turn
         junction = len(choices.ways) > 1
-        whole = _since_the_beginning(segment)
         fine: float | Weights = junction_ratio(model, turn, choices)
-        since = counted(self.things, segment, turn.counted_after) or whole
-        on_side = _on_side(since, leg) + 1
-        fine = fine * ordinal_ratio(
-            model, turn, on_side, since.junctions + junction, choices
-        )
+        since = counted(self.things, segment, turn.counted_after)
+        if since is not None:
+            on_side = _on_side(since, leg) + 1
+            fine = fine * ordinal_ratio(
+                model, turn, on_side, since.junctions + junction, choices
+            )
         fine = fine * passings_ratio(
             model, leg.passings, segment.left, segment.right, segment.junctions
         )
         length = _with_lead(length_of(leg), lead)
         if length is not None and segment.walked:
-            since = counted(self.things, segment, length.after) or whole
-            fine = fine * length_ratio(
-                model, length, since.metres, since.places, since.junctions + junction
-            )
+            since = counted(self.things, segment, length.after)
+            if since is not None:
+                of_all = since.junctions + junction
+                fine = fine * length_ratio(
+                    model, length, since.metres, since.places, of_all
+                )
         elif length is None:
             fine = fine * untold_length(model, segment.walked)
         if not leg.on_the_spot and not segment.walked:

@@ -1,6 +1,7 @@
 """Things and floors said to be on the way, against those seen where they should be."""
 
 import math
+from dataclasses import replace
 from itertools import pairwise
 
 from memorymaze.agents.guide.likelihoods import (
@@ -14,8 +15,8 @@ from memorymaze.agents.walking.floor_map import (
     FloorMap,
     Point,
     Sighting,
+    along_and_aside,
     distance_to_line,
-    metres_along,
     side_of_line,
 )
 from memorymaze.agents.walking.outlooks import (
@@ -35,6 +36,8 @@ BESIDE = 4.5
 """Metres from the line of a stretch within which a thing is on it."""
 AT_CROSSING = 5.0
 """Metres from a crossing within which a thing is at it."""
+NOT_BEYOND = 1.5
+"""Metres beyond the end of a way at which a thing still counts as passed."""
 ON_THE_WAY = 0.5
 """Share of its weight that something unseen has which is told beside the way."""
 THIS_FLOOR, OTHER_FLOOR = 3.3, 0.08
@@ -51,7 +54,7 @@ class Things:
         self._plan = plan
         self._floor = floor
         self._model = model
-        self._mentions = [things_on(plan, n) for n in range(len(plan.legs) + 1)]
+        self._mentions = [_things_of(plan, n) for n in range(len(plan.legs) + 1)]
         self._outlooks = [outlook_of(plan, n) for n in range(len(plan.legs) + 1)]
 
     def mentions(self, number: int) -> tuple[Mention, ...]:
@@ -62,11 +65,11 @@ class Things:
         """Return what to look for on a leg, or on the last stretch."""
         return [each.phrase for each in self._mentions[number]]
 
-    def awaited(self, number: int, line: tuple[Point, ...]) -> bool:
-        """Tell whether a leg is told by a thing that was not come to yet."""
+    def awaited(self, number: int, line: tuple[Point, ...], at: int) -> bool:
+        """Tell whether a leg is told by a thing that was not come to at a crossing."""
         return any(
             each.place in {"turn", "before_turn", "passed"}
-            and not self._seen_along(each, line)
+            and all(self._is_on(e, at) for e in self._met_along(each.phrase, line))
             for each in self._mentions[number]
         )
 
@@ -90,6 +93,8 @@ class Things:
         `at` is the number of the crossing there, if there is one.
         """
         model = self._model
+        if at is None:
+            at = self._floor.crossing_near(place)
         for mention in self._mentions[number]:
             if is_floor(mention.phrase):
                 weights = weights * self._floor_ratio(mention, at)
@@ -122,6 +127,16 @@ class Things:
         ratio = THIS_FLOOR if has_floor else OTHER_FLOOR
         here = mention.place in AT_THE_TURN or mention.place == "target"
         return ratio if here else math.sqrt(ratio)
+
+    def floors_ahead(self, number: int, at: int, exit: int) -> float:
+        """Weigh the floors told of a place down a way against that of the way itself."""
+        view = self._floor.views.get((at, exit))
+        ratio = 1.0
+        for mention in self._mentions[number]:
+            if is_floor(mention.phrase) and view and mention.phrase in view.asked:
+                fits = view.has_floor(mention.phrase)
+                ratio *= math.sqrt(THIS_FLOOR if fits else OTHER_FLOOR)
+        return ratio
 
     def so_far(self, number: int, line: tuple[Point, ...]) -> float:
         """Weigh the things of a leg that goes on which were met on it already."""
@@ -179,6 +194,8 @@ class Things:
     def _seen_along(self, mention: Mention, line: tuple[Point, ...]) -> float:
         """Weigh that a thing was seen along a way; 0 where it was not."""
         met = self._met_along(mention.phrase, line)
+        if mention.place == "passed":
+            met = [each for each in met if _passed_at(each.place, line) is not None]
         return self._best(mention, met, max(_length(line), 4.0), line)
 
     def _met_along(self, phrase: str, line: tuple[Point, ...]) -> list[Sighting]:
@@ -189,20 +206,11 @@ class Things:
         ]
 
     def passed_at(self, phrase: str, line: tuple[Point, ...]) -> float | None:
-        """Return after how many metres of a line a thing is passed; None if unseen."""
+        """Return after how many metres of a line a thing is passed; None if it is not."""
         met = self._met_along(phrase, line)
         if not met:
             return None
-        place = max(met, key=lambda each: each.score).place
-        begun, passed, least = 0.0, 0.0, math.inf
-        for start, end in pairwise(line):
-            length = math.dist(start, end)
-            aside = distance_to_line(place, (start, end))
-            if aside < least:
-                along = min(max(metres_along(place, start, end), 0.0), length)
-                passed, least = begun + along, aside
-            begun += length
-        return passed
+        return _passed_at(max(met, key=lambda each: each.score).place, line)
 
     def _best(
         self,
@@ -243,6 +251,31 @@ class Things:
             outlook, crossing.exits, crossing.closed, crossing.exits[exit]
         )
         return math.exp(-cost)
+
+
+def _things_of(plan: RoutePlan, number: int) -> tuple[Mention, ...]:
+    """Return the things on a leg; what openings are counted from is not at the turn."""
+    things = things_on(plan, number)
+    after = plan.legs[number].turn.counted_after if number < len(plan.legs) else None
+    return tuple(
+        replace(each, place="passed")
+        if each.phrase == after and each.place == "before_turn"
+        else each
+        for each in things
+    )
+
+
+def _passed_at(place: Point, line: tuple[Point, ...]) -> float | None:
+    """Return after how many metres of a line a place is passed; None if it is not."""
+    begun, passed, least = 0.0, 0.0, math.inf
+    for start, end in pairwise(line):
+        aside = distance_to_line(place, (start, end))
+        if aside < least:
+            heading = math.atan2(end[1] - start[1], end[0] - start[0])
+            along, _ = along_and_aside(place, start, heading)
+            passed, least = begun + max(along, 0.0), aside
+        begun += math.dist(start, end)
+    return passed if passed <= begun + NOT_BEYOND else None
 
 
 def _weaker(ratio: float, mention: Mention) -> float:

@@ -208,6 +208,14 @@ class FloorMap:
             for other in self.crossings.values()
         )
 
+    def crossing_near(self, place: Point) -> int | None:
+        """Return the crossing that a place is at; None where it is at none."""
+        nearest = min(
+            self.crossings.values(), key=lambda each: math.dist(each.place, place)
+        )
+        near = math.dist(nearest.place, place) <= AT_CROSSING
+        return nearest.number if near else None
+
     def note(self, sighting: Sighting) -> None:
         """Keep a sighting; of one thing the one from nearest counts."""
         self.farthest = max(self.farthest, sighting.distance)
