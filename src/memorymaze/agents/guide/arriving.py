@@ -101,6 +101,8 @@ class Arrivals:
         self._model = model
         self._things = things
         self._doors: list[int] = []
+        self._is_told_apart = any(is_floor(m.phrase) for m in plan.arrival.mentions)
+        """Whether the floor is told that it stands on: then there may be several."""
         self.refuted: set[int] = set()
         """Tracks of what was found not to be the destination."""
         names = with_door(plan.arrival.destinations)
@@ -260,7 +262,7 @@ class Arrivals:
         """Weigh something seen as the destination, by who walks along a line."""
         model, arrival = self._model, self._arrival
         rate, most = self._things.rate(sighting.phrase), MOST_SEEN
-        if not is_common(sighting.phrase):
+        if not is_common(sighting.phrase) and not self._is_told_apart:
             rate, most = UNIQUE * rate, MOST_SEEN / UNIQUE
         ratio = seen_ratio(model, rate, REACH, sighting.score, most)
         if sighting.phrase not in self._first:
@@ -318,6 +320,11 @@ class Arrivals:
             segment.at if stretch is None else None,
         )
 
+    def _is_junction(self, segment: Segment) -> bool:
+        crossing = self._floor.crossings[segment.at]
+        choices = choices_at(crossing.exits, crossing.closed, segment.heading)
+        return len(choices.ways) > 1
+
     def _fit(
         self, segment: Segment, further: float, place: Point | None = None
     ) -> Weights:
@@ -328,15 +335,17 @@ class Arrivals:
         if segment.lost:
             return fit
         if arrival.length is not None and walked > 0:
-            goes_on = bool(further)
-            places, junctions = segment.places + goes_on, segment.junctions + goes_on
+            beyond = bool(further)
+            places, junctions = segment.places + beyond, segment.junctions + 1
             if arrival.length.after is not None:
-                line = (*segment.line, place) if place and goes_on else segment.line
+                line = (*segment.line, place) if place and beyond else segment.line
                 ending = replace(segment, line=line)
                 since = counted(self._things, ending, arrival.length.after)
                 if since is not None:
                     walked, places = since.metres, since.places
-                    junctions = since.junctions + goes_on
+                    junctions = since.junctions + bool(places)
+            if not (beyond or self._is_junction(segment)):
+                junctions = places  # where who counts junctions alone does not end
             fit = fit * length_ratio(model, arrival.length, walked, places, junctions)
         elif arrival.length is None:
             fit = fit * untold_length(model, walked)

@@ -228,12 +228,14 @@ class Belief:
         ahead = choices.forward
         junction = len(choices.ways) > 1
         left, right = bool(choices.on("left")), bool(choices.on("right"))
+        # Nobody counts the junction where they stand.
+        counts = junction and segment.walked > 0
         passed = replace(
             segment,
             left=segment.left + left,
             right=segment.right + right,
-            junctions=segment.junctions + junction,
-            openings=(*segment.openings, (segment.places, left, right, junction)),
+            junctions=segment.junctions + counts,
+            openings=(*segment.openings, (segment.places, left, right, counts)),
         )
         for index, angle in choices.ways:
             hint = self._hint(segment.at, index, len(choices.ways))

@@ -80,7 +80,9 @@ class SaidOfLegs:
         if length is not None and segment.walked:
             since = counted(self.things, segment, length.after)
             if since is not None:
-                of_all = since.junctions + junction
+                # Who counts junctions alone does not end at a place that is none.
+                counts = junction and since.places > 0
+                of_all = since.junctions + 1 if counts else since.places
                 fine = fine * length_ratio(
                     model, length, since.metres, since.places, of_all
                 )
