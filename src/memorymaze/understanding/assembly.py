@@ -7,24 +7,17 @@ turn before it; an opening named and then taken is a turn.
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import Literal
 
-from memorymaze.routes import (
-    Length,
-    Mention,
-    Passing,
-    Side,
-    Turn,
-    Way,
-)
+from memorymaze.routes import Length, Mention, Passing, Side, Turn, Way
 from memorymaze.understanding.clause import AT_THE_TURN, Event
 from memorymaze.understanding.event_order import (
+    counted_from,
     ends_the_sentence_of_a_turn,
     follows_a_thing,
     told_since_turn,
 )
 from memorymaze.understanding.lengths import PLACE_METRES
-from memorymaze.understanding.partial_legs import PartialLeg, place_of
+from memorymaze.understanding.partial_legs import PartialLeg, flank, place_of
 from memorymaze.understanding.repetitions import Restating
 from memorymaze.understanding.setting_off import SettingOff
 from memorymaze.understanding.things import is_floor, kind_of
@@ -93,7 +86,7 @@ class _Assembly:
             case "pass_ways":
                 self._settle_way()
                 self._draft.passings.append(
-                    Passing(event.count, _flank(event.side), event.phrase or None)
+                    Passing(event.count, flank(event.side), event.phrase or None)
                 )
             case "way" if event.back and self._done:
                 self._done[-1].placed = True
@@ -161,7 +154,7 @@ class _Assembly:
             way = self._draft.passed_side
         if self._restating.repeats(at, way, event.ordinal, self._done, self._draft):
             self._done[-1].lengths.extend(self._draft.lengths)
-            self._draft = PartialLeg(side=_flank(way) if event.aside else None)
+            self._draft = PartialLeg(side=flank(way) if event.aside else None)
             return
         if way is None and self._draft.is_new and self._done and not event.subject:
             return
@@ -233,7 +226,7 @@ class _Assembly:
         named = self._way
         if named is None:
             return event
-        way = event.way or _flank(named.side) or self._draft.passed_side
+        way = event.way or flank(named.side) or self._draft.passed_side
         if named.side is not None and named.side != way:
             self._settle_way()
             return event
@@ -319,7 +312,7 @@ class _Assembly:
 
     def _turn_into(self, way: Event, at: int) -> None:
         self._way = None
-        self._add_turn(replace(way, kind="turn", way=_flank(way.side)), at)
+        self._add_turn(replace(way, kind="turn", way=flank(way.side)), at)
 
     def _go_through_a_door(self, at: int) -> None:
         """`The glass door is on your right, go out.`: one turns to it."""
@@ -337,7 +330,7 @@ class _Assembly:
         way = self._way
         if (
             way
-            and _flank(way.side)
+            and flank(way.side)
             and event.phrase
             and way.phrase.endswith(event.phrase)
         ):
@@ -352,16 +345,16 @@ class _Assembly:
         if way.ordinal is not None and way.side is not None:
             self._left[way.ordinal] = way.side
         self._draft.passings.append(
-            Passing(way.count or 1, _flank(way.side), way.phrase or None)
+            Passing(way.count or 1, flank(way.side), way.phrase or None)
         )
 
     def _settle_way(self) -> None:
         way, self._way = self._way, None
         if way is None:
             return
-        if way.taken or (way.likely and (_flank(way.side) or self._counts_on(way))):
+        if way.taken or (way.likely and (flank(way.side) or self._counts_on(way))):
             self._turn_into(way, 0)
-        elif _flank(way.side):
+        elif flank(way.side):
             self._leave(way)
 
     def _settle_likely_way(self) -> None:
@@ -379,8 +372,8 @@ class _Assembly:
         if event.length is None:
             return
         length, back = event.length, event.back
-        thing = next(iter(self._events[at + 1 : at + 2]), None)
-        if thing is not None and _is_counted_from(thing, length):
+        thing = counted_from(self._events, at)
+        if thing is not None:
             length = replace(length, after=thing.phrase)
             back = back or thing.back
         draft = self._done[-1] if back and self._done else self._draft
@@ -501,15 +494,3 @@ class _Assembly:
             return False
         follows = self._done and self._draft.is_new
         return bool(follows) and ends_the_sentence_of_a_turn(self._events, at)
-
-
-def _is_counted_from(thing: Event, length: Length) -> bool:
-    """Tell `two junctions after the lift` from `go two segments past the lift`."""
-    if length.unit != "places":
-        return False
-    return thing.relation == "after" or (thing.relation == "past" and length.count == 1)
-
-
-def _flank(side: Side | Way | None) -> Literal["left", "right"] | None:
-    """Return a side if one can turn to it."""
-    return side if side == "left" or side == "right" else None

@@ -34,6 +34,21 @@ def follows_a_thing(events: Sequence[Event], at: int) -> bool:
     return arrives
 
 
+def counted_from(events: Sequence[Event], at: int) -> Event | None:
+    """Return the thing that a length counted in places begins at, if it is told.
+
+    As in `two junctions after the lift`, but not in `go two segments past the lift`.
+    """
+    length, following = events[at].length, events[at + 1 : at + 2]
+    if length is None or length.unit != "places":
+        return None
+    for thing in following:
+        past = thing.relation == "past" and length.count == 1
+        if thing.relation == "after" or past:
+            return thing
+    return None
+
+
 def ends_the_sentence_of_a_turn(events: Sequence[Event], at: int) -> bool:
     """`Turn right, opposite the hall.`: a place said last, after a turn."""
     for later in events[at + 1 :]:

@@ -16,6 +16,7 @@ from memorymaze.routes import (
     Side,
     Start,
     Turn,
+    Way,
 )
 from memorymaze.understanding.clause import Event
 from memorymaze.understanding.lengths import combine_lengths
@@ -151,6 +152,11 @@ class PartialLeg:
             or self.lengths
             or any(m.place in {"turn", "beside", "opposite"} for m in self.mentions)
         )
+
+
+def flank(side: Side | Way | None) -> Literal["left", "right"] | None:
+    """Return a side if one can turn to it."""
+    return side if side == "left" or side == "right" else None
 
 
 def place_of(event: Event, back: bool) -> Place:
