@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Install Chromium, which the tests of reports look at their pages with; only Debian,
+# Install Chromium, with which tests look at pages and at exported buildings; only Debian,
 # Ubuntu and their like, as root. Everything but those tests works without it.
 set -euo pipefail
 
@@ -9,11 +9,11 @@ for name in chromium chromium-browser google-chrome; do
     fi
 done
 if ! command -v apt-get >/dev/null; then
-    echo "browser: no apt-get here; tests of reports need Chromium" >&2
+    echo "browser: no apt-get here; tests of pages need Chromium" >&2
     exit 1
 fi
 if [ "$(id -u)" != 0 ]; then
-    echo "browser: tests of reports need Chromium; type: sudo apt-get install chromium" >&2
+    echo "browser: tests of pages need Chromium; type: sudo apt-get install chromium" >&2
     exit 1
 fi
 apt-get install --yes --no-install-recommends chromium >/dev/null 2>&1 || {
