@@ -164,6 +164,21 @@ def test_a_thing_a_little_way_ahead_is_still_to_come() -> None:
     assert _best(_believe("Turn left at the clock.", grid)) == grid.exit(1, 0, EAST)
 
 
+@pytest.mark.parametrize(("side", "cell"), [("left", 1), ("right", 2)])
+def test_a_floor_told_on_a_side_is_looked_for_on_that_side(
+    side: str, cell: int
+) -> None:
+    grid = _hall(3)
+    for x, left, right in ((1, "brick", "grass"), (2, "grass", "brick")):
+        grid.look(x, 0, NORTH, f"{left} floor")
+        grid.look(x, 0, SOUTH, f"{right} floor")
+    plan = parse_route_description(f"Go on. You see brick floor to your {side}.")
+    belief = _believe(plan, grid)
+    arrivals = Arrivals(plan, grid.floor, MODEL, belief.things)
+    best = max(arrivals.endings(belief), key=lambda each: each.mass)
+    assert (best.at, best.exit) == (grid.at(cell, 0), None)
+
+
 def test_turns_are_found_one_after_the_other() -> None:
     cells: dict[Cell, Sequence[float]] = {(0, 0): (EAST,)}
     cells |= {(x, y): ALL_SIDES for x in (1, 2) for y in (0, 1, 2)}

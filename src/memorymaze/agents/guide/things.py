@@ -26,6 +26,7 @@ from memorymaze.agents.walking.outlooks import (
     things_on,
     walls_cost,
 )
+from memorymaze.geometry.pose import wrap_angle
 from memorymaze.routes import Mention, RoutePlan, Side
 from memorymaze.understanding import is_common, is_floor
 
@@ -42,6 +43,9 @@ ON_THE_WAY = 0.5
 """Share of its weight that something unseen has which is told beside the way."""
 THIS_FLOOR, OTHER_FLOOR = 3.3, 0.08
 """Weights of a place that has the floor told of it, and of one that has another."""
+NO_WAY = 0.25
+"""Weight of a place that has no such floor on the side where it was told."""
+_SIDES = {"left": math.pi / 2, "right": -math.pi / 2, "ahead": 0.0}
 BEFORE_ANY = 60.0
 """Metres of way that the usual rates of things are worth, beside those counted."""
 
@@ -97,7 +101,10 @@ class Things:
             at = self._floor.crossing_near(place)
         for mention in self._mentions[number]:
             if is_floor(mention.phrase):
-                weights = weights * self._floor_ratio(mention, at)
+                ratio = self._floor_on_side(mention, at, line)
+                if ratio is None:
+                    ratio = self._floor_ratio(mention, at)
+                weights = weights * ratio
                 continue
             at_turn = mention.place in AT_THE_TURN
             if at_turn:
@@ -127,6 +134,26 @@ class Things:
         ratio = THIS_FLOOR if has_floor else OTHER_FLOOR
         here = mention.place in AT_THE_TURN or mention.place == "target"
         return ratio if here else math.sqrt(ratio)
+
+    def _floor_on_side(
+        self, mention: Mention, at: int | None, line: tuple[Point, ...]
+    ) -> float | None:
+        """Weigh a floor that is told on a side of who comes along a line; None if untold.
+
+        As in `you see grey floor to your right`.
+        """
+        side = _SIDES.get(mention.side or "")
+        if at is None or side is None or mention.place != "along" or len(line) < 2:
+            return None
+        crossing = self._floor.crossings[at]
+        came = math.atan2(line[-1][1] - line[-2][1], line[-1][0] - line[-2][0])
+        exit = crossing.find_exit(wrap_angle(came + side))
+        view = None if exit is None else self._floor.views.get((at, exit))
+        if exit is None:
+            return NO_WAY
+        if view is None or mention.phrase not in view.asked:
+            return None
+        return THIS_FLOOR if view.has_floor(mention.phrase) else NO_WAY
 
     def floors_ahead(self, number: int, at: int, exit: int) -> float:
         """Weigh the floors told of a place down a way against that of the way itself."""
