@@ -13,6 +13,7 @@ import pytest
 from memorymaze.importing.imported import ImportedSite
 from memorymaze.importing.reference_route import reference_route
 from memorymaze.sites import Site, load_site
+from memorymaze.sites import check_site as problems_of
 from memorymaze.testing import check_site
 
 DATA = Path(__file__).parent / "data"
@@ -57,3 +58,16 @@ def walked(tmp_path: Path) -> Walk:
         return load_site(path)
 
     return walk
+
+
+@pytest.fixture
+def loaded(tmp_path: Path) -> Callable[..., Site]:
+    """Write an imported plan, see that it breaks no rule, and load it."""
+
+    def load(imported: ImportedSite) -> Site:
+        path = tmp_path / f"{imported.plan['name']}.geojson"
+        path.write_text(json.dumps(imported.plan))
+        assert [each for each in problems_of(path) if each.severity == "error"] == []
+        return load_site(path)
+
+    return load

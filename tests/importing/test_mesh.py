@@ -1,4 +1,3 @@
-import json
 from collections.abc import Callable, Mapping
 from itertools import pairwise
 from pathlib import Path
@@ -11,10 +10,8 @@ from shapely import LineString, Polygon, box
 from memorymaze.cli.main import main
 from memorymaze.errors import ImportFileError
 from memorymaze.exporting import export_site
-from memorymaze.importing.imported import ImportedSite
 from memorymaze.importing.mesh import import_mesh
-from memorymaze.sites import Site, load_site
-from memorymaze.sites import check_site as problems_of
+from memorymaze.sites import Site
 from memorymaze.testing import check_site
 
 FLOOR = box(0, 0, 20, 2.4) | box(17.6, 0, 20, 14)
@@ -80,19 +77,6 @@ def written(tmp_path: Path) -> Callable[..., Path]:
         return path
 
     return write
-
-
-@pytest.fixture
-def loaded(tmp_path: Path) -> Callable[..., Site]:
-    """Write an imported plan, see that it breaks no rule, and load it."""
-
-    def load(imported: ImportedSite) -> Site:
-        path = tmp_path / f"{imported.plan['name']}.geojson"
-        path.write_text(json.dumps(imported.plan))
-        assert [each for each in problems_of(path) if each.severity == "error"] == []
-        return load_site(path)
-
-    return load
 
 
 def test_level_faces_between_walls_become_the_floor(

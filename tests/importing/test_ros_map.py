@@ -1,4 +1,3 @@
-import json
 from collections.abc import Callable
 from pathlib import Path
 
@@ -9,10 +8,8 @@ from shapely import box
 
 from memorymaze.cli.main import main
 from memorymaze.errors import ImportFileError, SettingsError
-from memorymaze.importing.imported import ImportedSite
 from memorymaze.importing.ros_map import import_ros_map
 from memorymaze.sites import Site, load_site
-from memorymaze.sites import check_site as problems_of
 from memorymaze.testing import check_site
 
 FLOOR = box(0, 0, 20, 2.4) | box(17.6, 0, 20, 14) | box(8, 0, 10.4, 9)
@@ -27,19 +24,6 @@ def mapped(tmp_path: Path) -> Callable[..., Path]:
         return write_map(tmp_path / "office", floor, noise, rng)[0]
 
     return write
-
-
-@pytest.fixture
-def loaded(tmp_path: Path) -> Callable[..., Site]:
-    """Write an imported plan, see that it breaks no rule, and load it."""
-
-    def load(imported: ImportedSite) -> Site:
-        path = tmp_path / f"{imported.plan['name']}.geojson"
-        path.write_text(json.dumps(imported.plan))
-        assert [each for each in problems_of(path) if each.severity == "error"] == []
-        return load_site(path)
-
-    return load
 
 
 def test_a_map_becomes_corridors_and_turning_points(
