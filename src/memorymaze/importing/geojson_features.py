@@ -11,9 +11,7 @@ from shapely import get_coordinates
 from shapely.geometry import shape
 from shapely.geometry.base import BaseGeometry
 
-from memorymaze.errors import ImportFileError
-from memorymaze.importing.imported import FAR, ImportNotes, LocalFrame
-from memorymaze.input_files import parse_json, shown
+from memorymaze.importing.imported import FAR, ImportNotes, LocalFrame, listed_in
 
 SHAPES = ("Point", "LineString", "Polygon", "MultiPolygon")
 
@@ -55,21 +53,8 @@ def read_features(
     content: str | bytes, source: str, notes: ImportNotes
 ) -> list[SourceFeature]:
     """Return the features of a FeatureCollection that have sound geometries or none."""
-    try:
-        document = parse_json(content)
-    except ValueError as error:
-        raise ImportFileError(f"{source}: {error}") from None
-    features = (
-        cast(dict[str, object], document).get("features")
-        if isinstance(document, dict)
-        else None
-    )
-    if not isinstance(features, list):
-        raise ImportFileError(
-            f'{source}: expected a GeoJSON FeatureCollection with "features", got '
-            f"{shown(document)}"
-        )
-    return list(_sound(cast(list[object], features), source, notes))
+    features = listed_in(content, "features", "a GeoJSON FeatureCollection", source)
+    return list(_sound(features, source, notes))
 
 
 def within_reach(

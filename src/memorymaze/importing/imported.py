@@ -6,14 +6,15 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from statistics import median
-from typing import TypeVar
+from typing import TypeVar, cast
 
 import numpy as np
 import shapely
 from numpy.typing import NDArray
 from shapely.geometry.base import BaseGeometry
 
-from memorymaze.errors import SettingsError, did_you_mean
+from memorymaze.errors import ImportFileError, SettingsError, did_you_mean
+from memorymaze.input_files import parse_json, shown
 from memorymaze.sites.loading_rules import FLOOR_ACROSS
 from memorymaze.sites.plan_writing import Feature
 from memorymaze.wording import single_spaced
@@ -139,6 +140,30 @@ class LocalFrame:
             return np.array([self.metres(*each) for each in positions]).reshape(-1, 2)
 
         return shapely.transform(shapely.force_2d(geometry), moved)
+
+
+def listed_in(
+    content: str | bytes, member: str, what: str, source: str
+) -> list[object]:
+    """Return the list that a JSON document has as a member.
+
+    Raises:
+        ImportFileError: It is no JSON, or has no such list; tells `what` was expected.
+    """
+    try:
+        document = parse_json(content)
+    except ValueError as error:
+        raise ImportFileError(f"{source}: {error}") from None
+    listed = (
+        cast(dict[str, object], document).get(member)
+        if isinstance(document, dict)
+        else None
+    )
+    if not isinstance(listed, list):
+        raise ImportFileError(
+            f'{source}: expected {what} with "{member}", got {shown(document)}'
+        )
+    return cast(list[object], listed)
 
 
 def chosen_floor(floors: Mapping[Key, str], asked: str | None, source: str) -> Key:

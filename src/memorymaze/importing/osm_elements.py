@@ -12,8 +12,8 @@ from typing import cast
 from xml.parsers import expat
 
 from memorymaze.errors import ImportFileError
-from memorymaze.importing.imported import ImportNotes
-from memorymaze.input_files import parse_json, read_text, shown
+from memorymaze.importing.imported import ImportNotes, listed_in
+from memorymaze.input_files import read_text
 
 LEVEL = re.compile(r"\s*(-?\d+(?:\.\d+)?)(?:\s*-\s*(-?\d+(?:\.\d+)?))?\s*")
 MOST_LEVELS = 200
@@ -135,21 +135,9 @@ def _from_xml(text: str, path: Path, notes: ImportNotes) -> dict[str, Element]:
 
 
 def _from_json(text: str, path: Path, notes: ImportNotes) -> dict[str, Element]:
-    try:
-        document = parse_json(text)
-    except ValueError as error:
-        raise ImportFileError(f"{path}: {error}") from None
-    elements = (
-        cast(dict[str, object], document).get("elements")
-        if isinstance(document, dict)
-        else None
-    )
-    if not isinstance(elements, list):
-        raise ImportFileError(
-            f'{path}: expected an Overpass answer with "elements", got {shown(document)}'
-        )
+    elements = listed_in(text, "elements", "an Overpass answer", str(path))
     found: dict[str, Element] = {}
-    for index, raw in enumerate(cast(list[object], elements)):
+    for index, raw in enumerate(elements):
         said = cast(dict[str, object], raw) if isinstance(raw, dict) else {}
         kind = said.get("type")
         if kind not in KINDS:
