@@ -116,7 +116,7 @@ class SaidOfLegs:
         length = length_of(leg)
         if length is None:
             ratio = ratio * untold_length(self.model, segment.walked)
-        if length is not None:
+        else:
             ratio = ratio * self._rest_to_come(segment, length)
         since = counted(self.things, segment, leg.turn.counted_after)
         if since is not None:

@@ -148,9 +148,9 @@ class Things:
         crossing = self._floor.crossings[at]
         came = math.atan2(line[-1][1] - line[-2][1], line[-1][0] - line[-2][0])
         exit = crossing.find_exit(wrap_angle(came + side))
-        view = None if exit is None else self._floor.views.get((at, exit))
         if exit is None:
             return NO_WAY
+        view = self._floor.views.get((at, exit))
         if view is None or mention.phrase not in view.asked:
             return None
         return THIS_FLOOR if view.has_floor(mention.phrase) else NO_WAY
@@ -181,8 +181,10 @@ class Things:
             if is_floor(mention.phrase):
                 continue
             ahead = self._floor.seen_ahead(mention.phrase, at, crossing.exits[exit])
-            met = [e for e in self._met_along(mention.phrase, line) if e not in ahead]
-            if ahead and not met:
+            if not ahead:
+                continue
+            met = self._met_along(mention.phrase, line)
+            if all(each in ahead for each in met):
                 nearest = min(ahead, key=lambda e: math.dist(e.place, crossing.place))
                 reach = max(math.dist(nearest.place, crossing.place), 2 * AT_CROSSING)
                 rate = self.rate(mention.phrase)
