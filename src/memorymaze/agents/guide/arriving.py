@@ -416,9 +416,13 @@ def with_door(names: tuple[str, ...]) -> tuple[str, ...]:
 
 
 def variants(phrase: str) -> list[str]:
-    """Return a name, and its head alone: `robot` for `robot of human shape`."""
+    """Return a name, and its head alone: `robot` for `robot of human shape`.
+
+    A sign is told by what it says: without that it may be any.
+    """
     head = re.split(r" (?:of|with|that|for) ", phrase)[0]
-    return [phrase] if head == phrase or is_common(head) else [phrase, head]
+    alone = head != phrase and not is_common(head) and not is_sign(head)
+    return [phrase, head] if alone else [phrase]
 
 
 def _on_line(start: Point, end: Point, metres: float) -> Point:

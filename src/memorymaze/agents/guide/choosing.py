@@ -50,6 +50,8 @@ class Patience:
     """Probability below which it does not go to a place."""
     claims: float = 0.2
     """Probability below which it says that it could not find the place."""
+    claims_unseen: float = 0.4
+    """The same where nothing was seen of a destination told by a name."""
 
 
 class Choice:
@@ -104,14 +106,23 @@ class Choice:
     def _is_enough(self, ending: Ending, frontier: Frontier) -> bool:
         """Tell whether what going on may still show is worth less than stopping."""
         chance = self.chance(ending)
-        unseen = ending.sighting is None and self._tellings.names_at_once
-        enough = self.patience.unseen if unseen else self.patience.stops
+        enough = self.patience.unseen if self._misses_name(ending) else self.patience.stops
         if (
             chance < enough
             and frontier.mass >= self.patience.hope * self._tellings.total
         ):
             return False
         return self.value(ending) >= self.value(frontier)
+
+    def _misses_name(self, ending: Ending) -> bool:
+        """Tell whether a name was told that is met once, and nothing of it was seen."""
+        return ending.sighting is None and bool(self._tellings.names_at_once)
+
+    def claims(self, ending: Ending) -> bool:
+        """Tell whether a place is likely enough to say that it is the one."""
+        unseen = self._misses_name(ending)
+        least = self.patience.claims_unseen if unseen else self.patience.claims
+        return self.chance(ending) >= least
 
     def chance(self, ending: Ending) -> float:
         """Return how likely a place is the one to arrive at."""

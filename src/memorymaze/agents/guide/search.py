@@ -349,7 +349,7 @@ class Search:
         if ending.exit is not None and not walker.face(ending.exit):
             walker.map.crossings[ending.at].closed.add(ending.exit)
             return False
-        if chance < self._choice.patience.claims:
+        if not self._choice.claims(ending):
             self._give_up(f"unlikely: {ending.reason}", chance)
         else:
             self._arrive(ending.reason, chance, ending.segment.story)
