@@ -387,6 +387,9 @@ class _Assembly:
         if event.relation == "away":
             self._draft.behind.append(event.phrase)
             return
+        if event.relation == "between" and not event.back:
+            self._draft.between.append(event.phrase)
+            return
         back = bool(self._done) and (event.back or self._ends_the_turn(event, at))
         draft = self._done[-1] if back else self._draft
         if back and event.relation == "into":

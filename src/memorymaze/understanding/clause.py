@@ -41,6 +41,7 @@ Relation = Literal[
     "at",
     "beside",
     "opposite",
+    "between",
     "before",
     "after",
     "until",
@@ -53,7 +54,8 @@ Relation = Literal[
     "",
 ]
 """How a thing is bound to the clause: `before` and `after` as the words were said,
-`seen` where it is said to be seen, `see` where it is only named."""
+`seen` where it is said to be seen, `see` where it is only named, `between` where there
+are two of it, one on either hand."""
 AT_THE_TURN: frozenset[Relation] = frozenset({
     "at",
     "beside",

@@ -44,6 +44,7 @@ _REACHED = re.compile(r"reach|come|comes|get to|arrive|hit|face|facing|meet")
 _LEAVING = re.compile(r"leav|\b(?:of|from|out|off|exit)\b")
 _TOWARDS = re.compile(r"towards?\b")
 _OPPOSITE = re.compile(r"opposite|across")
+_BETWEEN, _TWO = re.compile(r"(?:in )?between$"), re.compile(r"two|2|both")
 _LOOSE = {"with", "among", "in", "inside", "between"}
 
 
@@ -322,7 +323,7 @@ class ClauseReader:
         counted = clause.kind_before(at) == "O"
         nth = int(clause.chunks[at - 1].number or 1) if counted else None
         taken = self._turned or (self._taken and relation == "into")
-        back = taken and (relation in AT_THE_TURN or relation == "into")
+        back = taken and (relation in AT_THE_TURN or relation in {"into", "between"})
         self._add(
             Event(
                 "thing",
@@ -352,6 +353,8 @@ class ClauseReader:
     def _relation(self, at: int, *, is_look: bool = False) -> Relation:
         """What binds a thing to its clause: the nearest binding word before it."""
         chunks = self._clause.chunks
+        if self._is_between_two(at):
+            return "between"
         junction = False
         first = at - 1 - (self._clause.kind_before(at) == "O")
         for index in range(first, -1, -1):
@@ -374,6 +377,16 @@ class ClauseReader:
         if self._clause.kinds.startswith("JA"):
             return "at"  # "this crossing with the clock": where one is by now
         return "see"
+
+    def _is_between_two(self, at: int) -> bool:
+        """`Between the two plants`, `between two that have plants`."""
+        for index in range(at - 1, -1, -1):
+            if self._clause.kinds[index] not in "nJBA":
+                return False
+            if _BETWEEN.match(self._clause.chunks[index].text):
+                two = self._clause.chunks[index + 1]
+                return two.kind == "n" and _TWO.fullmatch(two.text) is not None
+        return False
 
     def _bond(self, chunk: Chunk) -> Relation | None:
         onward: Relation = "into" if self._turned else "see"

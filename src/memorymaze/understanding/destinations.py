@@ -96,6 +96,7 @@ def find_destinations(
     beyond = {p for each in (*drafts, last) for p in (*each.too_far, *each.wrong_way)}
     passed = {m.phrase for m in last.mentions if m.side == "behind"} | beyond
     passed |= {length.after for length in last.lengths if length.after is not None}
+    passed |= set(last.between)
     passed |= {phrase for phrase, weight in named.items() if weight <= _DENIED}
     for order, (mention, subject) in enumerate(candidates):
         if mention.phrase in passed or mention.ignored or is_floor(mention.phrase):
@@ -117,7 +118,7 @@ def find_destinations(
     if not scores and not counted:
         is_at_a_place = last.at_end or last.junction is not None or at_a_floor
         before = _named_on_the_way(drafts if is_at_a_place else drafts[:-1])
-        before |= met | beyond | {draft.origin for draft in (*drafts, last)}
+        before |= met | passed | {draft.origin for draft in (*drafts, last)}
         scores = {
             p: w + text.rfind(p) / len(text)
             for p, w in named.items()

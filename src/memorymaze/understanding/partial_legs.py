@@ -33,6 +33,7 @@ _PLACES: dict[str, Place] = {
     "until": "turn",
     "beside": "beside",
     "opposite": "opposite",
+    "between": "beside",
     "after": "before_turn",
     "before": "after_turn",
     "into": "target",
@@ -53,6 +54,8 @@ class PartialLeg:
     """What was said to lie along it."""
     behind: list[str] = field(default_factory=list[str])
     """What was said to lie the other way where it begins."""
+    between: list[str] = field(default_factory=list[str])
+    """What there are two of, one before where it ends and one beyond."""
     walls: list[Side] = field(default_factory=list[Side])
     """Sides without a way where it begins."""
     at_end: bool = False
@@ -90,6 +93,7 @@ class PartialLeg:
             self.lengths
             or any(each.place != "target" for each in self.mentions)
             or self.passings
+            or self.between
             or self.at_end
             or self.straight
             or self.entered
@@ -254,7 +258,15 @@ def _mentions_of(draft: PartialLeg, *, first: bool) -> tuple[Mention, ...]:
         for side in draft.walls
         if first and side in {"left", "right"}
     ]
+    between = [
+        each
+        for phrase in draft.between
+        for each in (
+            Mention(phrase, kind_of(phrase), "passed"),
+            Mention(phrase, kind_of(phrase), "along", side="ahead"),
+        )
+    ]
     ends = draft.turn is None and draft.junction is not None
     junction = JUNCTION_NAMES[draft.junction] if ends and draft.junction else ""
     place = [Mention(junction, "place", "turn")] if junction else []
-    return (*walls, *draft.mentions, *place)
+    return (*walls, *draft.mentions, *between, *place)

@@ -106,7 +106,9 @@ class Choice:
     def _is_enough(self, ending: Ending, frontier: Frontier) -> bool:
         """Tell whether what going on may still show is worth less than stopping."""
         chance = self.chance(ending)
-        enough = self.patience.unseen if self._misses_name(ending) else self.patience.stops
+        enough = (
+            self.patience.unseen if self._misses_name(ending) else self.patience.stops
+        )
         if (
             chance < enough
             and frontier.mass >= self.patience.hope * self._tellings.total
