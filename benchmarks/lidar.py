@@ -15,7 +15,7 @@ from shapely import Polygon
 
 from benchmarks.measuring import Row
 from memorymaze.geometry.pose import Pose
-from memorymaze.simulation import build_scene
+from memorymaze.simulation.scene import build_scene
 from memorymaze.simulation.senses.lidar import Lidar, LidarSettings
 from memorymaze.simulation.solids import Solid, door_solid, landmark_solid
 from memorymaze.sites import BUILTIN_SITE_NAMES, Site, load_site

@@ -23,7 +23,9 @@ from memorymaze.evaluation.seeds import obstacle_generator
 from memorymaze.evaluation.settings import AgentSettings, RunSettings, with_choices
 from memorymaze.instructions.records import Episode
 from memorymaze.perception.eyes import Eyes
-from memorymaze.simulation import SimulatedRobot, SimulationSettings, TraceEvent
+from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.settings import SimulationSettings
+from memorymaze.steering.calls import TraceEvent
 
 AGENTS = ("rules", "guide", "examples/right_hand.py:RightHand")
 

@@ -26,7 +26,8 @@ from memorymaze.geometry.pose import Pose
 from memorymaze.perception.eyes import Eyes, SignSource
 from memorymaze.perception.sign_reading import PICTURE_SIZE
 from memorymaze.pictures import robot_cameras
-from memorymaze.simulation import Scene, SimulatedRobot, build_scene
+from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.scene import Scene, build_scene
 from memorymaze.simulation.senses.sight_targets import inscription
 from memorymaze.sites import BUILTIN_SITE_NAMES, Site, load_site
 from memorymaze.sites.records import Door, Landmark

@@ -10,13 +10,10 @@ from collections.abc import Callable
 import numpy as np
 
 from benchmarks.measuring import Row, best_ms
-from memorymaze.simulation import (
-    Scene,
-    SimulatedRobot,
-    SimulationSettings,
-    build_scene,
-)
 from memorymaze.simulation.motion.wheeled_base import WheeledBase
+from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.scene import Scene, build_scene
+from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.sites import (
     BUILTIN_SITE_NAMES,
     Route,

@@ -52,7 +52,7 @@ from memorymaze.perception.matching import (
 )
 from memorymaze.robot.api import DETECTION_RANGE
 from memorymaze.routes import RoutePlan
-from memorymaze.simulation import build_scene
+from memorymaze.simulation.scene import build_scene
 from memorymaze.simulation.senses.visibility import camera_elsewhere
 from memorymaze.sites import Site
 from memorymaze.understanding import ANY_FLOOR

@@ -23,7 +23,8 @@ from benchmarks.measuring import Row
 from memorymaze.geometry.pose import Pose, turn_between
 from memorymaze.perception.turning_points import TurningPointFinder
 from memorymaze.robot.api import Direction
-from memorymaze.simulation import SimulatedRobot, build_scene
+from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.scene import build_scene
 from memorymaze.simulation.senses.lidar import Lidar, LidarSettings
 from memorymaze.simulation.senses.odometry import Odometry, OdometrySettings
 from memorymaze.simulation.senses.turning_points import AnnotatedTurningPoints

@@ -13,7 +13,7 @@ import memorymaze as mm
 from memorymaze.geometry.pose import Pose, wrap_angle
 from memorymaze.robot.sensors_and_motion import OdometryReading
 from memorymaze.robot.steps import CameraPicture, LidarScan
-from memorymaze.steering import GuideRobot
+from memorymaze.steering.guide_robot import GuideRobot
 
 CORRIDOR = ((0, -1), (12, -1), (12, -8), (14, -8), (14, 1), (0, 1))
 """Corners of the floor: 14 m to the east, then right, 7 m to the south."""

@@ -17,7 +17,8 @@ from shapely import Point
 from shapely import box as rectangle
 
 from memorymaze.geometry.pose import Pose
-from memorymaze.pictures.furniture.models import Looks, furniture_for
+from memorymaze.pictures import Looks
+from memorymaze.pictures.furniture.models import furniture_for
 from memorymaze.pictures.looks.assembly import Order
 from memorymaze.pictures.looks.catalogue import archetype_of
 from memorymaze.pictures.rendering.camera import RenderedCamera

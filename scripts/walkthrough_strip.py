@@ -12,7 +12,7 @@ from PIL import Image
 from memorymaze.pictures.films import WalkthroughSettings, tour_of
 from memorymaze.pictures.rendering import RenderedCamera
 from memorymaze.pictures.rendering.robot_eyes import visual_scene_of
-from memorymaze.simulation import build_scene
+from memorymaze.simulation.scene import build_scene
 from memorymaze.sites import load_sites
 
 WIDTH, HEIGHT, FRAMES = 320, 180, 5

@@ -45,7 +45,8 @@ from memorymaze.routes import (
     Unit,
     Way,
 )
-from memorymaze.simulation import Scene, SimulationSettings, build_scene
+from memorymaze.simulation.scene import Scene, build_scene
+from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.sites import Site, load_site, load_sites
 
 if TYPE_CHECKING:

@@ -7,16 +7,14 @@ from typing import Any, NamedTuple
 import numpy as np
 import pytest
 
-from memorymaze.agents import Agent, Journal
+from memorymaze.agents.agent import Agent, Journal
 from memorymaze.errors import EpisodeOver
 from memorymaze.geometry.pose import Pose
 from memorymaze.robot.api import Robot
-from memorymaze.simulation import (
-    Scene,
-    SimulatedRobot,
-    SimulationSettings,
-    TraceEvent,
-)
+from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.scene import Scene
+from memorymaze.simulation.settings import SimulationSettings
+from memorymaze.steering.calls import TraceEvent
 
 STARTS = {
     "corridor": (2.0, 0.0, 0.0),

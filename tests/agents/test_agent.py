@@ -3,7 +3,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from memorymaze.agents import Journal
+from memorymaze.agents.agent import Journal
 from memorymaze.language.model import Completion, Usage
 
 

@@ -8,12 +8,13 @@ from typing import Any, NamedTuple
 import numpy as np
 import pytest
 
-from memorymaze.agents import ExplorerAgent, Journal
-from memorymaze.agents.explorer import ExplorerOptions, destination_names
+from memorymaze.agents.agent import Journal
+from memorymaze.agents.explorer import ExplorerAgent, ExplorerOptions, destination_names
 from memorymaze.errors import EpisodeOver, SettingsError
 from memorymaze.geometry.pose import Pose
 from memorymaze.routes import Arrival
-from memorymaze.simulation import SimulatedRobot, build_scene
+from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.scene import build_scene
 from memorymaze.sites import Site, load_site
 
 NEAR = 3.0

@@ -1,11 +1,11 @@
 import pytest
 
-from memorymaze.agents import StopAgent
 from memorymaze.agents.failures import (
     WorkerLost,
     failure_line,
     failure_traceback,
 )
+from memorymaze.agents.stop import StopAgent
 from memorymaze.errors import LanguageModelError, ProgramError
 
 

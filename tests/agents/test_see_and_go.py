@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from memorymaze.agents import Journal
+from memorymaze.agents.agent import Journal
 from memorymaze.agents.see_and_go import SeeAndGoAgent, SeeAndGoOptions
 from memorymaze.errors import EpisodeOver, LanguageModelError, SettingsError
 from memorymaze.evaluation.agent_catalogue import build_agent
@@ -25,7 +25,9 @@ from memorymaze.evaluation.settings import AgentSettings
 from memorymaze.language.model import CompletionRequest
 from memorymaze.language.model_settings import ModelSettings
 from memorymaze.language.scripted_model import ScriptedLanguageModel
-from memorymaze.simulation import SimulatedRobot, SimulationSettings, build_scene
+from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.scene import build_scene
+from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.sites import Site
 
 AHEAD = '{"reason": "The way is free.", "action": "forward", "amount": 100}'

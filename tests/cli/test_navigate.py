@@ -92,7 +92,7 @@ def test_what_an_agent_prints_is_no_result(
 ) -> None:
     agent = tmp_path / "loud.py"
     agent.write_text(
-        "from memorymaze.agents import StopAgent\n"
+        "from memorymaze.agents.stop import StopAgent\n"
         "print('HELLO')\n"
         "class Loud(StopAgent):\n"
         "    def follow(self, *told):\n"

@@ -21,7 +21,7 @@ from memorymaze.instructions import Instruction, load_instructions
 from memorymaze.instructions.records import Failure
 from memorymaze.pictures.rendering.camera import RenderedCamera
 from memorymaze.pictures.rendering.visual_scene import build_visual_scene
-from memorymaze.simulation import build_scene
+from memorymaze.simulation.scene import build_scene
 from memorymaze.sites import load_site
 
 SIZE = (64, 48)

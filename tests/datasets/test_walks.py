@@ -9,7 +9,7 @@ from shapely import LineString
 from memorymaze.datasets.walks import STEP, TURN, walk_by_steps
 from memorymaze.errors import MemoryMazeError
 from memorymaze.instructions.exchange.vln_ce import FORWARD, LEFT, RIGHT, STOP
-from memorymaze.simulation import build_scene
+from memorymaze.simulation.scene import build_scene
 from memorymaze.sites import load_site
 
 

@@ -171,7 +171,7 @@ def test_a_file_hides_no_library_and_sees_what_lies_beside_it(
     (tmp_path / "beside_it.py").write_text("NAME = 'with friends'\n", encoding="utf-8")
     (tmp_path / "json.py").write_text(
         "import beside_it\n"
-        "from memorymaze.agents import StopAgent\n"
+        "from memorymaze.agents.stop import StopAgent\n"
         "class Mine(StopAgent):\n"
         "    name = beside_it.NAME\n",
         encoding="utf-8",

@@ -17,7 +17,7 @@ from memorymaze.evaluation.budgets import (
     stepping_time_budget,
     time_budget_for,
 )
-from memorymaze.simulation import SimulationSettings
+from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.sites import Site
 
 

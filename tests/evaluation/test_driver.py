@@ -217,7 +217,7 @@ def test_an_agent_that_cannot_be_made_in_a_worker_ends_the_run_with_its_reason(
         "import os\n"
         f"if os.getpid() != {os.getpid()}:\n"
         "    raise RuntimeError('only in the parent')\n"
-        "from memorymaze.agents import StopAgent\n",
+        "from memorymaze.agents.stop import StopAgent\n",
         encoding="utf-8",
     )
     with pytest.raises(MemoryMazeError, match="only in the parent"):
@@ -233,7 +233,7 @@ def test_workers_that_die_before_they_start_end_the_run(
         "import os\n"
         f"if os.getpid() != {os.getpid()}:\n"
         "    os._exit(7)\n"
-        "from memorymaze.agents import StopAgent\n",
+        "from memorymaze.agents.stop import StopAgent\n",
         encoding="utf-8",
     )
     with pytest.raises(MemoryMazeError, match=r"do not start.* ended with exit code 7"):

@@ -18,7 +18,7 @@ from memorymaze.perception.eyes import (
     DetectorSettings,
     parse_detector,
 )
-from memorymaze.simulation import SimulationSettings
+from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.sites import Site
 
 

@@ -11,7 +11,7 @@ import pytest
 from scipy.sparse import csr_array
 from scipy.sparse.csgraph import dijkstra
 
-from memorymaze.agents import Journal
+from memorymaze.agents.agent import Journal
 from memorymaze.agents.navgpt import NavGPTAgent, NavGPTOptions
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.episode import EpisodeRun, run_episode

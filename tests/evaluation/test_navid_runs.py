@@ -27,7 +27,9 @@ from memorymaze.evaluation.settings import AgentSettings
 from memorymaze.geometry.pose import turn_between
 from memorymaze.language.model import Completion, Usage
 from memorymaze.language.model_settings import ModelSettings
-from memorymaze.simulation import SimulatedRobot, SimulationSettings, build_scene
+from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.scene import build_scene
+from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.sites import Site
 from memorymaze.sites.records import Route
 
@@ -262,7 +264,8 @@ import hashlib, sys
 import numpy as np
 from memorymaze.agents.navid.policy import Frame
 from memorymaze.pictures import robot_cameras
-from memorymaze.simulation import SimulatedRobot, build_scene
+from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.scene import build_scene
 from memorymaze.sites import load_site
 site = load_site(sys.argv[1])
 start = site.routes[0].start

@@ -4,7 +4,7 @@ from typing import cast
 import numpy as np
 import pytest
 
-from memorymaze.agents import Journal
+from memorymaze.agents.agent import Journal
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.episode import run_episode
 from memorymaze.evaluation.oracle import OracleAgent

@@ -8,7 +8,7 @@ from memorymaze.evaluation.budgets import default_time_budget
 from memorymaze.evaluation.plan import RunPlan, plan_run
 from memorymaze.evaluation.settings import AgentSettings, RunSettings
 from memorymaze.instructions import load_corpus
-from memorymaze.simulation import SimulationSettings
+from memorymaze.simulation.settings import SimulationSettings
 
 Plan = Callable[..., RunPlan]
 

@@ -289,7 +289,7 @@ def test_an_address_of_ones_own_serves_a_cluster_of_one_node(
 
 AGENT = """
 from names_of_travellers import NAME
-from memorymaze.agents import StopAgent
+from memorymaze.agents.stop import StopAgent
 
 class Traveller(StopAgent):
     name = NAME

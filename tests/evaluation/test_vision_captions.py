@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 from PIL import Image
 
-from memorymaze.agents import Journal
+from memorymaze.agents.agent import Journal
 from memorymaze.errors import LanguageModelError, SettingsError
 from memorymaze.evaluation.vision_captions import (
     CaptionKey,
@@ -21,7 +21,8 @@ from memorymaze.evaluation.vision_captions import (
 from memorymaze.language.model import Completion, Picture, Usage
 from memorymaze.language.scripted_model import ScriptedLanguageModel
 from memorymaze.robot.viewpoints import Panorama
-from memorymaze.simulation import SimulatedRobot, build_scene
+from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.scene import build_scene
 from memorymaze.sites import Site
 from memorymaze.sites.navigation_graph import Viewpoint
 

@@ -13,7 +13,8 @@ import pytest
 import memorymaze as mm
 from memorymaze.evaluation.guarded_robot import GuardedRobot
 from memorymaze.pictures import robot_cameras
-from memorymaze.simulation import SimulatedRobot, build_scene
+from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.scene import build_scene
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "depth_walker.py"
 

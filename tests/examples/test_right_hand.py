@@ -6,7 +6,8 @@ from pathlib import Path
 import numpy as np
 
 from memorymaze.agents.agent import Journal
-from memorymaze.simulation import SimulatedRobot, build_scene
+from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.scene import build_scene
 from memorymaze.sites.records import Site
 
 ROOT = Path(__file__).parents[2]

@@ -10,7 +10,7 @@ from memorymaze.exporting import export_site
 from memorymaze.geometry.pose import Pose
 from memorymaze.pictures.rendering import RenderedCamera, build_visual_scene
 from memorymaze.pictures.rendering.open_gl import open_context
-from memorymaze.simulation import build_scene
+from memorymaze.simulation.scene import build_scene
 from memorymaze.sites import Site
 
 GROUP_OF_SOLIDS = 3

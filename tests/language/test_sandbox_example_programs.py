@@ -9,7 +9,8 @@ import pytest
 from memorymaze.errors import EpisodeOver
 from memorymaze.geometry.grid import FloorGrid
 from memorymaze.language.sandbox import run_program
-from memorymaze.simulation import Scene, SimulatedRobot, build_scene
+from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.scene import Scene, build_scene
 from memorymaze.sites import Site, load_sites
 
 PROGRAMS = Path(__file__).parents[2] / "examples" / "programs"

@@ -9,9 +9,11 @@ import pytest
 from memorymaze.geometry.grid import FloorGrid
 from memorymaze.geometry.pose import Pose
 from memorymaze.passers_by import Encounters, FloorKnowledge, Meet, Memory, load_bank
-from memorymaze.simulation import SimulatedRobot, SimulationSettings, build_scene
 from memorymaze.simulation.obstacles import ObstacleSettings
 from memorymaze.simulation.obstacles.crowd import Person
+from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.scene import build_scene
+from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.sites import Site
 
 

@@ -7,8 +7,8 @@ import pytest
 from memorymaze.errors import CommandError
 from memorymaze.passers_by import Encounters
 from memorymaze.robot.asking import Question, is_this, way_to, where_is
-from memorymaze.simulation import SimulatedRobot
 from memorymaze.simulation.obstacles.crowd import Person
+from memorymaze.simulation.robot import SimulatedRobot
 
 Meet = Callable[..., tuple[SimulatedRobot, Encounters, Person]]
 

@@ -19,8 +19,8 @@ from memorymaze.passers_by import (
 from memorymaze.passers_by.bank_records import REPLY_CASES, Reply, TurnFact, WayFacts
 from memorymaze.passers_by.players import brief, reply_in_words, steps_in_words
 from memorymaze.robot.asking import is_this, way_to, where_is
-from memorymaze.simulation import SimulatedRobot
 from memorymaze.simulation.obstacles.crowd import Person
+from memorymaze.simulation.robot import SimulatedRobot
 from memorymaze.sites import Site
 
 Meet = Callable[..., tuple[SimulatedRobot, Encounters, Person]]

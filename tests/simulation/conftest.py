@@ -10,13 +10,11 @@ from shapely import Point, Polygon, box
 
 from memorymaze.geometry.pose import Pose
 from memorymaze.pictures import robot_cameras
-from memorymaze.simulation import (
-    Scene,
-    SimulatedRobot,
-    SimulationSettings,
-    TraceEvent,
-)
+from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.scene import Scene
+from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.sites.records import Area, Corridor, Exit, Landmark, Site, TurningPoint
+from memorymaze.steering.calls import TraceEvent
 
 
 class Plans:

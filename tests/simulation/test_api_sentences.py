@@ -16,7 +16,8 @@ import memorymaze as mm
 from memorymaze.geometry.pose import Pose, turn_between
 from memorymaze.perception.matching import points_elsewhere
 from memorymaze.robot.api import DIRECTIONS, Robot
-from memorymaze.simulation import Scene, SimulatedRobot, build_scene
+from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.scene import Scene, build_scene
 from memorymaze.sites import Site, load_site
 from memorymaze.sites.records import Route
 from memorymaze.steering.commands import direction_of, exit_meant

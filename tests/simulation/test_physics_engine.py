@@ -11,7 +11,7 @@ def imported_with(opengl: str) -> subprocess.CompletedProcess[str]:
     # What this process draws with is no wish of the new one's.
     others = {k: v for k, v in os.environ.items() if k != "PYOPENGL_PLATFORM"}
     return subprocess.run(
-        [sys.executable, "-c", "import memorymaze.simulation"],
+        [sys.executable, "-c", "import memorymaze.simulation.scene"],
         env={**others, "MUJOCO_GL": opengl},
         capture_output=True,
         text=True,

@@ -12,8 +12,10 @@ from shapely import box
 from memorymaze.errors import EpisodeOver
 from memorymaze.language.prompt_texts import load_prompt
 from memorymaze.language.sandbox import run_program
-from memorymaze.simulation import SimulatedRobot, TraceEvent, build_scene
+from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.scene import build_scene
 from memorymaze.sites import Site
+from memorymaze.steering.calls import TraceEvent
 
 PutRobot = Callable[..., SimulatedRobot]
 

@@ -11,14 +11,11 @@ from hypothesis import strategies as st
 from memorymaze.errors import CommandError, EpisodeOver
 from memorymaze.geometry.pose import Pose
 from memorymaze.robot.api import Detection
-from memorymaze.simulation import (
-    Scene,
-    SimulatedRobot,
-    SimulationSettings,
-    TraceEvent,
-    build_scene,
-)
+from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.scene import Scene, build_scene
+from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.sites import Site
+from memorymaze.steering.calls import TraceEvent
 from memorymaze.testing import check_robot
 
 PutRobot = Callable[..., SimulatedRobot]

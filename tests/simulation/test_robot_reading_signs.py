@@ -9,7 +9,8 @@ from shapely import LineString
 from memorymaze.geometry.pose import Pose
 from memorymaze.perception.eyes import Eyes
 from memorymaze.pictures import robot_cameras
-from memorymaze.simulation import SimulatedRobot, build_scene
+from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.scene import build_scene
 from memorymaze.sites.records import Door
 
 

@@ -8,8 +8,9 @@ import pytest
 
 from memorymaze.errors import CommandError, EpisodeOver
 from memorymaze.geometry.pose import Pose
-from memorymaze.simulation import Scene, SimulatedRobot, build_scene
 from memorymaze.simulation.obstacles import ObstacleSettings
+from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.scene import Scene, build_scene
 
 PutRobot = Callable[..., SimulatedRobot]
 

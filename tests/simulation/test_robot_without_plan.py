@@ -8,8 +8,9 @@ import pytest
 
 from memorymaze.errors import CommandError
 from memorymaze.geometry.pose import Pose
-from memorymaze.simulation import Scene, SimulatedRobot, build_scene
 from memorymaze.simulation.obstacles import parse_obstacles
+from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.scene import Scene, build_scene
 from memorymaze.simulation.senses.lidar import LidarSettings
 from memorymaze.simulation.senses.odometry import OdometrySettings
 from memorymaze.sites import Site

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from shapely import Polygon, box
 
-from memorymaze.simulation import Scene, build_scene
+from memorymaze.simulation.scene import Scene, build_scene
 from memorymaze.sites import Site
 
 
@@ -64,7 +64,8 @@ def test_a_balustrade_stands_round_a_hole_with_something_above(plans: Any) -> No
 
 def test_scenes_need_no_opengl() -> None:
     program = (
-        "import sys; from memorymaze.simulation import build_scene, SimulatedRobot;"
+        "import sys; from memorymaze.simulation.robot import SimulatedRobot;"
+        "from memorymaze.simulation.scene import build_scene;"
         "from memorymaze.sites import load_site; site = load_site('museum_7f');"
         "robot = SimulatedRobot(build_scene(site), site.routes[0].start);"
         "robot.move_forward(1); robot.detect_from_RGB_image('door');"

@@ -3,7 +3,7 @@ from typing import Any
 import pytest
 
 from memorymaze.errors import SettingsError
-from memorymaze.simulation import SimulationSettings
+from memorymaze.simulation.settings import SimulationSettings
 
 
 @pytest.mark.parametrize(

@@ -8,8 +8,10 @@ import pytest
 from memorymaze.errors import EpisodeOver
 from memorymaze.geometry.pose import Pose, turn_between
 from memorymaze.robot.viewpoints import Panorama, SeenThing
-from memorymaze.simulation import SimulatedRobot, SimulationSettings, build_scene
 from memorymaze.simulation.obstacles import parse_obstacles
+from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.scene import build_scene
+from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.simulation.viewpoint_walk import (
     ViewpointWalk,
     look_around,

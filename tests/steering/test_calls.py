@@ -3,7 +3,9 @@ from collections.abc import Callable
 import pytest
 
 from memorymaze.errors import EpisodeOver
-from memorymaze.simulation import Scene, SimulatedRobot, SimulationSettings
+from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.scene import Scene
+from memorymaze.simulation.settings import SimulationSettings
 
 PutRobot = Callable[..., SimulatedRobot]
 Scenes = dict[str, Scene]

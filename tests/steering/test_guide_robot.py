@@ -12,8 +12,9 @@ from memorymaze.geometry.pose import Pose, wrap_angle
 from memorymaze.perception.detector import TruthDetector
 from memorymaze.robot.sensors_and_motion import OdometryReading
 from memorymaze.robot.steps import SteppingRobot
-from memorymaze.steering import GuideRobot, RobotSettings
 from memorymaze.steering.calls import TraceEvent
+from memorymaze.steering.guide_robot import GuideRobot
+from memorymaze.steering.settings import RobotSettings
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "own_robot.py"
 PointBody: Any = runpy.run_path(str(EXAMPLE))["PointBody"]

@@ -7,7 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from memorymaze.geometry.pose import Pose
-from memorymaze.simulation import build_scene
+from memorymaze.simulation.scene import build_scene
 from memorymaze.steering.lanes import (
     MIN_CLEARANCE,
     Lane,

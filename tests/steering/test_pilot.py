@@ -7,7 +7,8 @@ import pytest
 from shapely import LineString, Polygon, box
 from shapely.affinity import rotate
 
-from memorymaze.simulation import Scene, SimulatedRobot, build_scene
+from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.scene import Scene, build_scene
 
 PutRobot = Callable[..., SimulatedRobot]
 Scenes = dict[str, Scene]

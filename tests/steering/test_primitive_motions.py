@@ -14,7 +14,9 @@ from memorymaze.pictures import robot_cameras
 from memorymaze.robot.api import Robot
 from memorymaze.robot.specification import API_NAMES, api_specification
 from memorymaze.robot.steps import SteppingRobot
-from memorymaze.simulation import Scene, SimulatedRobot, TraceEvent, build_scene
+from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.scene import Scene, build_scene
+from memorymaze.steering.calls import TraceEvent
 
 PutRobot = Callable[..., SimulatedRobot]
 

@@ -5,7 +5,9 @@ import pytest
 
 from memorymaze.errors import CommandError
 from memorymaze.language.sandbox import run_program
-from memorymaze.simulation import Scene, SimulatedRobot, TraceEvent
+from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.scene import Scene
+from memorymaze.steering.calls import TraceEvent
 
 PutRobot = Callable[..., SimulatedRobot]
 Scenes = dict[str, Scene]

@@ -12,14 +12,11 @@ from shapely import Polygon, box
 from memorymaze.errors import SettingsError
 from memorymaze.geometry.pose import Pose, heading_to, turn_between
 from memorymaze.robot.api import Direction
-from memorymaze.simulation import (
-    Scene,
-    SimulatedRobot,
-    SimulationSettings,
-    build_scene,
-)
+from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.scene import Scene, build_scene
 from memorymaze.simulation.senses.lidar import Lidar, LidarSettings
 from memorymaze.simulation.senses.odometry import Odometry, OdometrySettings
+from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.steering.commands import direction_of
 from memorymaze.steering.turning_points import SCAN_PERIOD, LidarTurningPoints
 from memorymaze.testing import check_robot

@@ -6,19 +6,16 @@ from typing import Any
 import numpy as np
 import pytest
 
-from memorymaze.agents import (
-    Agent,
-    ExplorerAgent,
-    GuideAgent,
-    Journal,
-    RulesAgent,
-    StopAgent,
-)
+from memorymaze.agents.agent import Agent, Journal
 from memorymaze.agents.code_generation import CodeGenerationAgent
+from memorymaze.agents.explorer import ExplorerAgent
+from memorymaze.agents.guide import GuideAgent
 from memorymaze.agents.navgpt import NavGPTAgent, NavGPTOptions
 from memorymaze.agents.navid import NavidAgent
 from memorymaze.agents.navid.model_policies import ModelPolicy
+from memorymaze.agents.rules import RulesAgent
 from memorymaze.agents.see_and_go import SeeAndGoAgent
+from memorymaze.agents.stop import StopAgent
 from memorymaze.errors import EpisodeOver
 from memorymaze.evaluation.graph_agents import NavGPTOnGraph
 from memorymaze.evaluation.language_agents import NavidOnSite
@@ -29,7 +26,9 @@ from memorymaze.language.scripted_model import ScriptedLanguageModel
 from memorymaze.pictures import robot_cameras
 from memorymaze.robot.api import Robot
 from memorymaze.robot.steps import SteppingRobot
-from memorymaze.simulation import SimulatedRobot, SimulationSettings, build_scene
+from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.scene import build_scene
+from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.sites import Site
 from memorymaze.testing import check_agent
 

@@ -10,8 +10,9 @@ from memorymaze.geometry.pose import Pose
 from memorymaze.pictures import robot_cameras
 from memorymaze.robot.sensors_and_motion import OdometryReading, SensorsAndMotion
 from memorymaze.robot.steps import LidarScan
-from memorymaze.simulation import SimulationSettings, build_scene
 from memorymaze.simulation.body import SimulatedBody
+from memorymaze.simulation.scene import build_scene
+from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.sites import Site
 from memorymaze.testing import check_sensors_and_motion
 

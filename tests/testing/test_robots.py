@@ -10,8 +10,10 @@ from memorymaze.perception.eyes import Eyes, parse_detector
 from memorymaze.pictures import robot_cameras
 from memorymaze.robot.api import Detection, Direction, MoveResult, Robot, TurnResult
 from memorymaze.robot.steps import LidarScan
-from memorymaze.simulation import SimulatedRobot, SimulationSettings, build_scene
 from memorymaze.simulation.obstacles import parse_obstacles
+from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.scene import build_scene
+from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.sites import Site
 from memorymaze.testing import check_robot
 

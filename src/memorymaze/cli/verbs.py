@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 class VerbParser(ArgumentParser):
     """Parser of a verb; it may get its options only when the verb is called.
 
-    Options that are read from settings take a second to import, and the help of the whole
+    Options that are read from settings take a while to import, and the help of the whole
     program shows none of them.
     """
 

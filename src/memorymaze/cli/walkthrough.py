@@ -53,7 +53,7 @@ def _run(options: argparse.Namespace) -> int:
         WalkthroughSettings,
         film_walkthrough,
     )
-    from memorymaze.simulation import build_scene
+    from memorymaze.simulation.scene import build_scene
     from memorymaze.sites import load_site
 
     settings = WalkthroughSettings(

@@ -10,7 +10,7 @@ from memorymaze.datasets.walks import StepWalk, walk_by_steps
 from memorymaze.durable_files import write_whole
 from memorymaze.errors import SitePlanError
 from memorymaze.instructions.records import Instruction
-from memorymaze.simulation import build_scene
+from memorymaze.simulation.scene import build_scene
 from memorymaze.sites import Site, load_site
 from memorymaze.writing import ErrorRates, cells_of, sample_outlines, write_texts
 

@@ -15,7 +15,9 @@ from memorymaze.instructions.exchange.vln_ce import (
     STOP,
     LineFollower,
 )
-from memorymaze.simulation import Scene, SimulatedRobot, SimulationSettings
+from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.scene import Scene
+from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.sites.records import Route
 
 STEP, TURN = 0.25, math.radians(15)

@@ -13,17 +13,13 @@ from memorymaze.instructions.records import Episode
 from memorymaze.language.model import LanguageModel
 from memorymaze.passers_by import FloorKnowledge
 from memorymaze.perception.eyes import Eyes
-from memorymaze.pictures import robot_cameras
-from memorymaze.pictures.furniture.models import Looks
-from memorymaze.simulation import (
-    Scene,
-    SimulatedRobot,
-    SimulationSettings,
-    TraceEvent,
-    build_scene,
-)
+from memorymaze.pictures import Looks, robot_cameras
 from memorymaze.simulation.obstacles import ObstacleSettings
+from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.scene import Scene, build_scene
+from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.sites import Site
+from memorymaze.steering.calls import TraceEvent
 
 
 class Arena:

@@ -39,7 +39,7 @@ from memorymaze.geometry.trajectory import Trajectory
 from memorymaze.instructions.records import Episode
 from memorymaze.passers_by import Encounters, asked_entry
 from memorymaze.robot.steps import SteppingRobot
-from memorymaze.simulation import SimulatedRobot
+from memorymaze.simulation.robot import SimulatedRobot
 
 
 @dataclass(frozen=True, slots=True)

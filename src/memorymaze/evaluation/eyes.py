@@ -3,7 +3,8 @@
 from memorymaze.agents.agent import Need
 from memorymaze.evaluation.settings import AgentSettings, RunSettings
 from memorymaze.perception.eyes import TRUTH, Eyes
-from memorymaze.pictures.furniture.models import Looks, check_looks
+from memorymaze.pictures import Looks
+from memorymaze.pictures.furniture.models import check_looks
 
 
 def checked_eyes(settings: RunSettings) -> Eyes:

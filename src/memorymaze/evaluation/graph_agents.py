@@ -14,7 +14,8 @@ from memorymaze.errors import SettingsError
 from memorymaze.evaluation.guarded_robot import simulated_behind
 from memorymaze.robot.api import Robot
 from memorymaze.robot.viewpoints import Panorama
-from memorymaze.simulation import Scene, SimulatedRobot
+from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.scene import Scene
 from memorymaze.simulation.viewpoint_walk import ViewpointWalk
 from memorymaze.sites import Site
 from memorymaze.sites.navigation_graph import (

@@ -15,7 +15,7 @@ from memorymaze.robot.api import (
 from memorymaze.robot.asking import Question
 from memorymaze.robot.specification import ASKING_CALLS
 from memorymaze.robot.steps import CameraPicture, LidarScan
-from memorymaze.simulation import SimulatedRobot
+from memorymaze.simulation.robot import SimulatedRobot
 
 
 class GuardedRobot:

@@ -18,7 +18,7 @@ from memorymaze.perception.eyes import (
     SignSource,
     parse_detector,
 )
-from memorymaze.pictures.furniture.models import Looks
+from memorymaze.pictures import Looks
 from memorymaze.simulation.obstacles import (
     ObstacleSettings,
     PassersBy,

@@ -6,7 +6,8 @@ from typing import Any
 from memorymaze.evaluation.settings import RunDefinition
 from memorymaze.geometry.trajectory import Trajectory
 from memorymaze.instructions.records import Episode
-from memorymaze.simulation import SimulatedRobot, TraceEvent
+from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.steering.calls import TraceEvent
 
 
 def opening_entry(

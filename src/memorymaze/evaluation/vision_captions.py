@@ -28,7 +28,8 @@ from memorymaze.language.model import (
 )
 from memorymaze.language.prompt_texts import load_prompt
 from memorymaze.robot.viewpoints import EIGHT_DIRECTIONS, Panorama
-from memorymaze.simulation import Scene, SimulatedRobot
+from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.scene import Scene
 from memorymaze.simulation.viewpoint_walk import look_around, sector_headings
 from memorymaze.sites import Site
 from memorymaze.sites.navigation_graph import Viewpoint

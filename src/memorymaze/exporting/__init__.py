@@ -7,11 +7,14 @@ things look is made in `pictures`; what comes in is `importing`.
 from collections.abc import Callable
 from importlib import import_module
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from memorymaze.durable_files import check_new_file, check_new_folder
 from memorymaze.errors import SettingsError, did_you_mean
 from memorymaze.extras import require_extra
-from memorymaze.sites.records import Site
+
+if TYPE_CHECKING:
+    from memorymaze.sites.records import Site
 
 __all__ = ["ENDINGS", "FORMATS", "export_site"]
 
@@ -28,7 +31,7 @@ FORMATS = tuple(ENDINGS)
 
 
 def export_site(
-    site: Site, to: str, out: str | Path, *, resolution: float | None = None
+    site: "Site", to: str, out: str | Path, *, resolution: float | None = None
 ) -> list[Path]:
     """Write a building in the format of another program.
 

@@ -4,7 +4,6 @@ import json
 from collections.abc import Iterator
 from pathlib import Path
 
-import mujoco
 import numpy as np
 
 from memorymaze.durable_files import new_folder
@@ -18,6 +17,7 @@ from memorymaze.exporting.named_meshes import (
 from memorymaze.pictures.rendering.mujoco_model import SpecAssembler
 from memorymaze.pictures.rendering.placed_things import PlacedMeshes
 from memorymaze.pictures.rendering.visual_scene import add_lights
+from memorymaze.simulation.physics_engine import mujoco
 from memorymaze.simulation.scene import about_z, wall_solids
 from memorymaze.simulation.solids import Solid, landmark_solid
 from memorymaze.sites.records import Site

@@ -16,7 +16,8 @@ from memorymaze.errors import SettingsError
 from memorymaze.evaluation.budgets import perfect_time
 from memorymaze.geometry import polyline
 from memorymaze.options import check_number
-from memorymaze.simulation import SimulatedRobot, SimulationSettings
+from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.sites import Route
 
 

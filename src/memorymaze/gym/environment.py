@@ -23,9 +23,9 @@ from memorymaze.instructions.corpus import episodes
 from memorymaze.instructions.files import load_instructions
 from memorymaze.instructions.records import Episode, is_of_split
 from memorymaze.options import check_number
-from memorymaze.pictures.furniture.models import Looks
-from memorymaze.simulation import SimulatedRobot
+from memorymaze.pictures import Looks
 from memorymaze.simulation.obstacles import ObstacleSettings
+from memorymaze.simulation.robot import SimulatedRobot
 from memorymaze.sites import Site, load_site
 
 Observation = dict[str, Any]

@@ -19,7 +19,7 @@ from gymnasium.vector.utils import read_from_shared_memory
 
 from memorymaze.errors import SettingsError
 from memorymaze.options import check_number
-from memorymaze.simulation import SimulatedRobot
+from memorymaze.simulation.robot import SimulatedRobot
 from memorymaze.simulation.senses.lidar import LidarSettings
 
 Sensor = Literal["rgb", "depth", "lidar"]

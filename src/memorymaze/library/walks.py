@@ -12,7 +12,8 @@ from memorymaze.evaluation.agent_catalogue import AgentChoice
 from memorymaze.evaluation.navigation import navigate, write_navigation
 from memorymaze.evaluation.settings import RunSettings, with_choices
 from memorymaze.pictures import robot_cameras
-from memorymaze.simulation import SimulatedRobot, build_scene
+from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.scene import build_scene
 from memorymaze.sites import Route, Site, load_site
 
 if TYPE_CHECKING:

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-from memorymaze.simulation import SimulatedRobot
+from memorymaze.simulation.robot import SimulatedRobot
 
 QUALITY = 78
 SIZE = (640, 480)

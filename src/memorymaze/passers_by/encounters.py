@@ -8,8 +8,8 @@ from memorymaze.errors import CommandError
 from memorymaze.geometry.pose import Pose
 from memorymaze.passers_by.memory import Told, Truth
 from memorymaze.robot.asking import Question, QuestionKind
-from memorymaze.simulation import SimulatedRobot
 from memorymaze.simulation.obstacles.crowd import Person
+from memorymaze.simulation.robot import SimulatedRobot
 
 MOST_CHARACTERS = 200
 """Of what is asked about."""

@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields
 from functools import cached_property
-from typing import Any, Literal, get_args
+from typing import TYPE_CHECKING, Any, Literal, get_args
 
 import numpy as np
 
@@ -13,9 +13,16 @@ from memorymaze.perception.detector import Detector, TruthDetector
 from memorymaze.perception.error_model import ErrorModel, ErrorSource
 from memorymaze.perception.grounding_dino import DEFAULT_CHECKPOINT, ZeroShotFinder
 from memorymaze.perception.picture_detector import PictureDetector
-from memorymaze.perception.remote_detector import RemoteFinder
-from memorymaze.perception.sign_reading import SignReader, TruthSignReader
+from memorymaze.perception.sign_reading import (
+    PictureSignReader,
+    SignReader,
+    TextRecognizer,
+    TruthSignReader,
+)
 from memorymaze.robot.api import DETECTION_RANGE
+
+if TYPE_CHECKING:
+    from memorymaze.perception.remote_detector import RemoteFinder
 
 DetectorName = Literal["truth", "grounding-dino", "remote"]
 SignSource = Literal["truth", "ocr"]
@@ -164,14 +171,15 @@ class Eyes:
         """Make the reader of signs of an episode."""
         if self.signs == "truth":
             return TruthSignReader()
-        from memorymaze.perception.sign_reading import PictureSignReader
-
         return PictureSignReader(self._recognizer)
 
     @cached_property
-    def _finder(self) -> ZeroShotFinder | RemoteFinder:
+    def _finder(self) -> "ZeroShotFinder | RemoteFinder":
         settings = self.detector
         if settings.name == "remote":
+            # Few runs need what checks a server's answers.
+            from memorymaze.perception.remote_detector import RemoteFinder
+
             return RemoteFinder(
                 settings.url or "",
                 box_threshold=settings.box_threshold,
@@ -188,6 +196,4 @@ class Eyes:
 
     @cached_property
     def _recognizer(self) -> Any:
-        from memorymaze.perception.sign_reading import TextRecognizer
-
         return TextRecognizer()

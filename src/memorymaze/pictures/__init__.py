@@ -3,22 +3,23 @@
 Holds nothing that decides where a robot goes. Importing it loads no OpenGL.
 """
 
-from typing import TYPE_CHECKING
-
-import mujoco
-
-from memorymaze.simulation.cameras import RobotCameras
-from memorymaze.simulation.scene import Scene
+from typing import TYPE_CHECKING, Literal
 
 if TYPE_CHECKING:
-    from memorymaze.pictures.furniture.models import Looks
+    from memorymaze.simulation.cameras import RobotCameras
+    from memorymaze.simulation.physics_engine import mujoco
+    from memorymaze.simulation.scene import Scene
 
-__all__ = ["robot_cameras"]
+__all__ = ["Looks", "robot_cameras"]
+
+Looks = Literal["own", "models", "mesh"]
+"""How things look: as made by this project's code alone, by furniture models too, or the
+whole building as the mesh beside its plan."""
 
 
 def robot_cameras(
-    scene: Scene, data: mujoco.MjData, looks: "Looks | None" = None
-) -> RobotCameras:
+    scene: "Scene", data: "mujoco.MjData", looks: Looks | None = None
+) -> "RobotCameras":
     """Put cameras on a robot; the first picture builds the looks, which takes seconds.
 
     Args:

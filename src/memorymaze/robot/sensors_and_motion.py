@@ -1,8 +1,8 @@
 """What a body must provide to get the whole control API: four functions.
 
 A body is a robot of ROS 2, a vehicle of another simulator, or the simulated robot itself.
-`memorymaze.steering.GuideRobot` makes a `SteppingRobot` of any of them; docs/other_robots.md
-tells how, with a body of 40 lines.
+`memorymaze.steering.guide_robot.GuideRobot` makes a `SteppingRobot` of any of them;
+docs/other_robots.md tells how, with a body of 40 lines.
 """
 
 import math

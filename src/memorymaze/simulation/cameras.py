@@ -4,11 +4,11 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Protocol
 
-import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
 from memorymaze.geometry.pose import Pose
+from memorymaze.simulation.physics_engine import mujoco
 from memorymaze.simulation.scene import Scene, SceneObject
 
 NOTHING = -1

@@ -1,4 +1,4 @@
-"""Loads MuJoCo before anything else here does, so that its failure can be explained.
+"""MuJoCo, from here for everybody, so that its failure to load can be explained.
 
 MuJoCo loads the OpenGL that `MUJOCO_GL` names when it is imported, also where nothing is
 ever drawn, and fails on the spot with whatever that library raises.
@@ -9,7 +9,7 @@ import os
 from memorymaze.errors import RenderingError
 
 try:
-    import mujoco
+    import mujoco as mujoco
 except (AttributeError, OSError, RuntimeError) as error:
     wish = os.environ.get("MUJOCO_GL", "")
     raise RenderingError(

@@ -10,7 +10,6 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Literal
 
-import mujoco
 import numpy as np
 from shapely import Polygon
 from shapely.geometry.polygon import orient
@@ -31,6 +30,7 @@ from memorymaze.simulation.obstacles.settings import (
     things,
 )
 from memorymaze.simulation.obstacles.walking import Walks
+from memorymaze.simulation.physics_engine import mujoco
 from memorymaze.simulation.solids import Solid, door_solid, landmark_solid, walls_around
 from memorymaze.sites.records import Door, Landmark, Site
 

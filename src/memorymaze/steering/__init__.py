@@ -5,8 +5,3 @@
 along `lanes`, round things by `detours`; `pilot` makes motions of the calls. No body, no
 building and no simulator is in here.
 """
-
-from memorymaze.steering.guide_robot import GuideRobot
-from memorymaze.steering.settings import RobotSettings
-
-__all__ = ["GuideRobot", "RobotSettings"]

@@ -6,7 +6,7 @@ from hashlib import sha256
 from pathlib import Path
 
 from memorymaze.pictures.films import WalkthroughSettings, film_walkthrough
-from memorymaze.simulation import build_scene
+from memorymaze.simulation.scene import build_scene
 from memorymaze.studies.study_file import RouteShown, Study
 
 

@@ -5,7 +5,7 @@ from typing import Any, cast
 
 import numpy as np
 
-from memorymaze.agents import Agent, Journal
+from memorymaze.agents.agent import Agent, Journal
 from memorymaze.agents.failures import failure_line
 from memorymaze.agents.own_agents import checked_agent, checked_needs
 from memorymaze.errors import (
@@ -18,7 +18,9 @@ from memorymaze.evaluation.guarded_robot import GuardedRobot
 from memorymaze.pictures import robot_cameras
 from memorymaze.robot.specification import API_NAMES
 from memorymaze.robot.steps import SteppingRobot
-from memorymaze.simulation import SimulatedRobot, SimulationSettings, build_scene
+from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.scene import build_scene
+from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.sites import load_site
 from memorymaze.testing.expectation import expect
 

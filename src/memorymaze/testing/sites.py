@@ -5,14 +5,15 @@ from pathlib import Path
 
 import numpy as np
 
-from memorymaze.agents import Journal
+from memorymaze.agents.agent import Journal
 from memorymaze.errors import EpisodeOver
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.budgets import perfect_time
 from memorymaze.evaluation.oracle import OracleAgent
 from memorymaze.evaluation.turns import turns_in_order
 from memorymaze.metrics.score import score_walk
-from memorymaze.simulation import SimulatedRobot, SimulationSettings
+from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.sites import Route, load_site
 from memorymaze.sites import check_site as find_problems
 from memorymaze.testing.expectation import expect

@@ -24,7 +24,7 @@ from memorymaze.pages.live_camera import seen_ahead, seen_all_round
 from memorymaze.results.report.episode_page import simplified
 from memorymaze.results.story.understanding import understood
 from memorymaze.results.watching import Onlooker, Present
-from memorymaze.simulation import SimulatedRobot
+from memorymaze.simulation.robot import SimulatedRobot
 from memorymaze.sites import Site
 from memorymaze.trying.words import (
     FOLLOWERS,

@@ -20,7 +20,8 @@ from memorymaze.language.model import CompletionRequest
 from memorymaze.language.scripted_model import ScriptedLanguageModel
 from memorymaze.robot.api import MoveResult
 from memorymaze.robot.specification import API_NAMES, api_specification
-from memorymaze.simulation import SimulatedRobot, build_scene
+from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.scene import build_scene
 
 TEXT = "Well, go on a bit, and then, hm, you are there."
 STEPS = """Thought: a bit, then the goal.

@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from memorymaze.agents import Journal
+from memorymaze.agents.agent import Journal
 from memorymaze.agents.guide.arriving import Ending
 from memorymaze.agents.guide.choosing import Step
 from memorymaze.agents.guide.search import Search

@@ -6,8 +6,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from memorymaze.agents import GuideAgent
 from memorymaze.agents.agent import TOLD_AGAIN, Journal
+from memorymaze.agents.guide import GuideAgent
 from memorymaze.agents.guide.agent import GuideOptions
 from memorymaze.agents.guide.asking import Inquiry, Situation, destination_names
 from memorymaze.robot.api import Robot

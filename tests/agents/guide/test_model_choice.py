@@ -8,12 +8,14 @@ from typing import Any, NamedTuple
 import numpy as np
 import pytest
 
-from memorymaze.agents import Journal
+from memorymaze.agents.agent import Journal
 from memorymaze.agents.guide import GuideAgent, GuideOptions
 from memorymaze.errors import EpisodeOver, SettingsError
 from memorymaze.geometry.pose import Pose
 from memorymaze.language.scripted_model import ScriptedLanguageModel
-from memorymaze.simulation import Scene, SimulatedRobot, SimulationSettings
+from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.scene import Scene
+from memorymaze.simulation.settings import SimulationSettings
 
 
 def told(way: str) -> str:

@@ -2,7 +2,7 @@
 
 import pytest
 
-from memorymaze.agents import Journal
+from memorymaze.agents.agent import Journal
 from memorymaze.agents.guide.model_questions import ModelQuestions, guide_prompts
 from memorymaze.agents.guide.walk_log import WalkLog
 from memorymaze.agents.walking.floor_map import FloorMap

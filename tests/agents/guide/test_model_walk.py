@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import pytest
 
-from memorymaze.agents import Journal
+from memorymaze.agents.agent import Journal
 from memorymaze.agents.guide import GuideAgent, GuideOptions
 from memorymaze.agents.guide.model_questions import ModelQuestions
 from memorymaze.agents.guide.model_walk import ModelWalk
@@ -26,7 +26,9 @@ from memorymaze.language.answers import AboutInstruction, RecordingModel, Replay
 from memorymaze.language.model_settings import ModelSettings
 from memorymaze.language.scripted_model import ScriptedLanguageModel
 from memorymaze.routes import RoutePlan
-from memorymaze.simulation import Scene, SimulatedRobot, SimulationSettings
+from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.scene import Scene
+from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.sites import BUILTIN_SITE_NAMES, Route, Site
 from memorymaze.writing.route_facts import RouteFacts
 from memorymaze.writing.turning_point_graph import TurningPointGraph

@@ -7,7 +7,7 @@ from typing import Any, cast
 
 import pytest
 
-from memorymaze.agents import GuideAgent
+from memorymaze.agents.guide import GuideAgent
 from memorymaze.agents.guide.agent import GuideOptions
 from memorymaze.robot.api import Robot
 from memorymaze.robot.specification import API_NAMES

@@ -3,7 +3,7 @@ from typing import Any
 
 import pytest
 
-from memorymaze.agents import Journal
+from memorymaze.agents.agent import Journal
 from memorymaze.agents.navgpt import LoopLimits, NavGPTAgent, NavGPTOptions
 from memorymaze.agents.navgpt.agent import loop_limits
 from memorymaze.errors import EpisodeOver, LanguageModelError, SettingsError

@@ -7,8 +7,8 @@ from typing import Any, cast
 
 import pytest
 
-from memorymaze.agents import RulesAgent
 from memorymaze.agents.agent import TOLD_AGAIN
+from memorymaze.agents.rules import RulesAgent
 from memorymaze.robot.api import Robot
 from memorymaze.robot.specification import API_NAMES
 

@@ -8,7 +8,9 @@ import pytest
 from memorymaze.agents.walking.floor_map import Sighting
 from memorymaze.agents.walking.walker import Walker
 from memorymaze.geometry.pose import Pose
-from memorymaze.simulation import Scene, SimulatedRobot, SimulationSettings
+from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.scene import Scene
+from memorymaze.simulation.settings import SimulationSettings
 
 
 def robot_in(scene: Scene, x: float, y: float, degrees: float) -> SimulatedRobot:

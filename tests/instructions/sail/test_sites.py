@@ -13,7 +13,9 @@ from memorymaze.instructions.sail import (
     paragraph_of,
     sail_episodes,
 )
-from memorymaze.simulation import SimulatedRobot, SimulationSettings, build_scene
+from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.scene import build_scene
+from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.sites import Site
 from memorymaze.testing import check_site
 

@@ -11,7 +11,7 @@ from memorymaze.geometry.pose import Pose
 from memorymaze.pictures.films import WalkthroughSettings, film_walkthrough
 from memorymaze.pictures.rendering import PanoramaCamera, RenderedCamera
 from memorymaze.pictures.rendering.robot_eyes import visual_scene_of
-from memorymaze.simulation import Scene
+from memorymaze.simulation.scene import Scene
 
 
 def frames_of(path: Path) -> list[np.ndarray]:

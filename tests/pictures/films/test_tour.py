@@ -6,7 +6,7 @@ import pytest
 from memorymaze.errors import MemoryMazeError
 from memorymaze.geometry.pose import turn_between
 from memorymaze.pictures.films import Tour, tour_of
-from memorymaze.simulation import Scene, build_scene
+from memorymaze.simulation.scene import Scene, build_scene
 from memorymaze.sites.records import Site
 
 

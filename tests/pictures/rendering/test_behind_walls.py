@@ -20,8 +20,8 @@ from memorymaze.pictures.rendering import (
     build_visual_scene,
 )
 from memorymaze.pictures.rendering.floor_plan import Surroundings
-from memorymaze.simulation import Scene, build_scene
 from memorymaze.simulation.motion.wheeled_base import ROBOT_GROUP
+from memorymaze.simulation.scene import Scene, build_scene
 from memorymaze.sites import load_sites
 from memorymaze.sites.records import Door, Site
 

@@ -16,9 +16,9 @@ from memorymaze.pictures.rendering import (
     VisualScene,
     build_visual_scene,
 )
-from memorymaze.simulation import Scene
 from memorymaze.simulation.motion.wheeled_base import CAMERA_HEIGHT, ROBOT_GROUP
 from memorymaze.simulation.obstacles.settings import people
+from memorymaze.simulation.scene import Scene
 from memorymaze.sites import Site
 
 POSES = [

@@ -5,8 +5,9 @@ import pytest
 
 from memorymaze.geometry.pose import Pose
 from memorymaze.pictures import robot_cameras
-from memorymaze.simulation import Scene, SimulatedRobot, build_scene
 from memorymaze.simulation.obstacles.settings import ObstacleSettings
+from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.scene import Scene, build_scene
 from memorymaze.sites import Site
 
 

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from shapely import Polygon, box
 
-from memorymaze.simulation import Scene, build_scene
+from memorymaze.simulation.scene import Scene, build_scene
 
 
 def test_the_way_runs_from_the_nearest_place_on_the_middle_line_to_the_wall(

@@ -1,8 +1,9 @@
 import numpy as np
 
-from memorymaze.simulation import Scene, SimulationSettings, build_scene
 from memorymaze.simulation.motion.wheeled_base import WheeledBase
 from memorymaze.simulation.obstacles import ObstacleSettings
+from memorymaze.simulation.scene import Scene, build_scene
+from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.sites import Site
 
 

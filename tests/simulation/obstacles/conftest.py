@@ -7,9 +7,11 @@ import numpy as np
 import pytest
 
 from memorymaze.geometry.pose import Pose
-from memorymaze.simulation import Scene, SimulatedRobot, SimulationSettings, build_scene
 from memorymaze.simulation.obstacles import ObstacleSettings
 from memorymaze.simulation.obstacles.crowd import Person
+from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.scene import Scene, build_scene
+from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.sites.records import Site
 
 

@@ -5,9 +5,10 @@ import pytest
 import shapely
 
 from memorymaze.geometry.pose import Pose
-from memorymaze.simulation import SimulatedRobot, build_scene
 from memorymaze.simulation.obstacles import ObstacleSettings
 from memorymaze.simulation.obstacles.crowd import RobotMotion
+from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.scene import build_scene
 
 AWAY = RobotMotion(-50.0, 0.0, 0.0, 0.0)
 

@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 
 from memorymaze.geometry.pose import Pose
-from memorymaze.simulation import SimulatedRobot, build_scene
 from memorymaze.simulation.obstacles import ObstacleSettings
 from memorymaze.simulation.obstacles.settings import THING_KINDS
+from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.scene import build_scene
 
 
 def test_a_person_is_seen_where_they_are(wide, crowded, person_of):

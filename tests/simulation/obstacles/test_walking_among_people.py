@@ -7,9 +7,11 @@ import pytest
 from shapely import Point
 
 from memorymaze.geometry.pose import Pose
-from memorymaze.simulation import SimulatedRobot, SimulationSettings, build_scene
 from memorymaze.simulation.obstacles import ObstacleSettings
 from memorymaze.simulation.obstacles.placing import footprint
+from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.scene import build_scene
+from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.steering.settings import ROBOT_RADIUS
 
 

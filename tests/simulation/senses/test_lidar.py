@@ -7,7 +7,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from memorymaze.errors import SettingsError
 from memorymaze.geometry.pose import Pose
-from memorymaze.simulation import Scene, build_scene
+from memorymaze.simulation.scene import Scene, build_scene
 from memorymaze.simulation.senses.lidar import Lidar, LidarSettings
 
 

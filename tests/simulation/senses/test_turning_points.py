@@ -5,9 +5,7 @@ import pytest
 from shapely import box
 
 from memorymaze.geometry.pose import Pose
-from memorymaze.simulation import (
-    build_scene,
-)
+from memorymaze.simulation.scene import build_scene
 from memorymaze.simulation.senses.turning_points import AnnotatedTurningPoints, Visit
 from memorymaze.sites import Site
 

@@ -12,7 +12,8 @@ from shapely import LineString, box
 
 from memorymaze.geometry.pose import Pose
 from memorymaze.perception import TruthDetector, VisibleObject
-from memorymaze.simulation import Scene, SimulatedRobot, build_scene
+from memorymaze.simulation.robot import SimulatedRobot
+from memorymaze.simulation.scene import Scene, build_scene
 from memorymaze.simulation.senses.sight_targets import describe_door
 from memorymaze.sites import Site
 from memorymaze.sites.records import Door
@@ -320,7 +321,8 @@ def overlap(first: Box, second: Box) -> float:
 def test_looking_needs_no_graphics_library() -> None:
     program = (
         "import sys\n"
-        "from memorymaze.simulation import SimulatedRobot, build_scene\n"
+        "from memorymaze.simulation.robot import SimulatedRobot\n"
+        "from memorymaze.simulation.scene import build_scene\n"
         "from memorymaze.sites import load_site\n"
         "site = load_site('museum_7f')\n"
         "robot = SimulatedRobot(build_scene(site), site.routes[0].start)\n"

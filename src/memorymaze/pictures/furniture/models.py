@@ -7,20 +7,18 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
-from typing import Any, Literal, get_args
+from typing import Any, get_args
 
 import numpy as np
 from pydantic import TypeAdapter, ValidationError
 
 from memorymaze.errors import SettingsError
 from memorymaze.extras import command_here
+from memorymaze.pictures import Looks
 from memorymaze.pictures.looks.assembly import MeshPart, ObjectModel, Order
 from memorymaze.pictures.looks.materials import Material, Rgb, colours_of
 from memorymaze.pictures.tables import read_table
 
-Looks = Literal["own", "models", "mesh"]
-"""How things look: as made by this project's code alone, by furniture models too, or the
-whole building as the mesh beside its plan."""
 FORMAT = 1
 """Of the cache; another format has another folder."""
 INDEX, CREDITS = "index.json", "CREDITS.md"

@@ -6,7 +6,6 @@ import sys
 from collections.abc import Sequence
 from typing import Protocol
 
-import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
@@ -22,6 +21,7 @@ from memorymaze.pictures.rendering.visual_scene import (
 )
 from memorymaze.simulation.cameras import CameraFrame
 from memorymaze.simulation.motion.wheeled_base import CAMERA_HEIGHT
+from memorymaze.simulation.physics_engine import mujoco
 
 
 class Camera(Protocol):

@@ -4,13 +4,13 @@ import hashlib
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
 from memorymaze.pictures.looks.assembly import MeshPart
 from memorymaze.pictures.looks.materials import Material
 from memorymaze.pictures.rendering.placed_things import PlacedMeshes
+from memorymaze.simulation.physics_engine import mujoco
 from memorymaze.simulation.scene import about_z
 
 PALETTE_EDGE = 64

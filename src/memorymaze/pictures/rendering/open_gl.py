@@ -7,9 +7,8 @@ import ctypes
 import os
 from typing import Literal, Protocol
 
-import mujoco
-
 from memorymaze.errors import RenderingError
+from memorymaze.simulation.physics_engine import mujoco
 
 Backend = Literal["egl", "osmesa"]
 

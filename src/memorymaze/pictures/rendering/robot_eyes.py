@@ -5,16 +5,16 @@ import os
 import threading
 from functools import lru_cache
 
-import mujoco
-
 from memorymaze.geometry.pose import Pose
-from memorymaze.pictures.furniture.models import Looks, check_looks
+from memorymaze.pictures import Looks
+from memorymaze.pictures.furniture.models import check_looks
 from memorymaze.pictures.rendering.camera import CameraFrame, RenderedCamera
 from memorymaze.pictures.rendering.panorama import PanoramaCamera, PanoramaFrame
 from memorymaze.pictures.rendering.visual_scene import (
     VisualScene,
     build_visual_scene,
 )
+from memorymaze.simulation.physics_engine import mujoco
 from memorymaze.simulation.scene import Scene
 
 

@@ -4,12 +4,12 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
 from memorymaze.geometry.pose import Pose
-from memorymaze.pictures.furniture.models import Looks, check_looks
+from memorymaze.pictures import Looks
+from memorymaze.pictures.furniture.models import check_looks
 from memorymaze.pictures.looks.catalogue import model_of
 from memorymaze.pictures.rendering.mesh_looks import mesh_building
 from memorymaze.pictures.rendering.mujoco_model import SpecAssembler
@@ -25,6 +25,7 @@ from memorymaze.pictures.rendering.sky import FACES, sky_dome, sky_faces
 from memorymaze.pictures.rendering.structure import Structure, structure_of
 from memorymaze.pictures.rendering.visibility import Sightlines
 from memorymaze.simulation.obstacles.settings import Movable
+from memorymaze.simulation.physics_engine import mujoco
 from memorymaze.simulation.scene import SceneObject
 from memorymaze.simulation.solids import landmark_solid
 from memorymaze.sites.records import Site

@@ -21,7 +21,7 @@ from memorymaze.results.replay.plan_view import SMOOTHING, PlanView, legend_of
 from memorymaze.results.replay.senses import Eyes, boxes_at, draw_boxes
 from memorymaze.results.story.moments import Moments
 from memorymaze.results.story.recorded_episode import RecordedEpisode
-from memorymaze.simulation import build_scene
+from memorymaze.simulation.scene import build_scene
 
 
 @dataclass(frozen=True, slots=True)

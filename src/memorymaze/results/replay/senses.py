@@ -2,18 +2,18 @@
 
 import math
 
-import mujoco
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image, ImageDraw
 
 from memorymaze.errors import RunFolderError
 from memorymaze.geometry.pose import turn_between
-from memorymaze.pictures.furniture.models import Looks
+from memorymaze.pictures import Looks
 from memorymaze.pictures.rendering.camera import CameraFrame, RenderedCamera
 from memorymaze.pictures.rendering.robot_eyes import visual_scene_of
 from memorymaze.results.replay.page import font_for
 from memorymaze.results.story.moments import Moment, Moments, Sighting
+from memorymaze.simulation.physics_engine import mujoco
 from memorymaze.simulation.scene import Scene
 from memorymaze.simulation.senses.lidar import Lidar, LidarSettings
 

@@ -15,7 +15,7 @@ from memorymaze.passers_by import Briefing
 from memorymaze.results.story.events import Event, events_of, news
 from memorymaze.results.story.understanding import CurrentStep, step_of, understood
 from memorymaze.results.watching.keyboard import type_answer
-from memorymaze.simulation import SimulatedRobot
+from memorymaze.simulation.robot import SimulatedRobot
 from memorymaze.sites import Route, Site
 from memorymaze.wording import single_spaced
 

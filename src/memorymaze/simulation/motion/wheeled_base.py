@@ -7,10 +7,10 @@ its upright shell, a cylinder of 0.25 m radius, is what bumps into walls and obs
 import math
 from collections.abc import Sequence
 
-import mujoco
 import numpy as np
 
 from memorymaze.geometry.pose import Pose
+from memorymaze.simulation.physics_engine import mujoco
 from memorymaze.simulation.settings import TIMESTEP, SimulationSettings
 from memorymaze.steering.settings import ROBOT_RADIUS
 

@@ -5,7 +5,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-import mujoco
 import numpy as np
 from shapely import LineString, Point, Polygon
 
@@ -15,6 +14,7 @@ from memorymaze.simulation.motion.clearance import Clearance
 from memorymaze.simulation.obstacles.crowd import Crowd, Person, RobotMotion
 from memorymaze.simulation.obstacles.placing import footprint, place_things
 from memorymaze.simulation.obstacles.settings import Movable, ObstacleSettings
+from memorymaze.simulation.physics_engine import mujoco
 from memorymaze.simulation.scene import Scene
 from memorymaze.steering.floor import LANE_STEP
 from memorymaze.steering.settings import ROBOT_RADIUS

@@ -7,7 +7,6 @@ landmarks, and in a 3D scan floor and ceiling. Glass is seen like any wall.
 import math
 from dataclasses import dataclass, fields
 
-import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
@@ -16,6 +15,7 @@ from memorymaze.geometry.pose import Pose
 from memorymaze.options import check_number
 from memorymaze.robot.steps import LidarScan
 from memorymaze.simulation.motion.wheeled_base import ROBOT_GROUP
+from memorymaze.simulation.physics_engine import mujoco
 from memorymaze.simulation.scene import FLOOR_GROUP, Scene
 
 FloatArray = NDArray[np.float64]

@@ -11,13 +11,13 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import NamedTuple
 
-import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
 from memorymaze.perception.appearance import parse_appearance
 from memorymaze.perception.camera_view import ObjectDescription
 from memorymaze.simulation.obstacles.settings import Movable
+from memorymaze.simulation.physics_engine import mujoco
 from memorymaze.simulation.scene import Scene
 from memorymaze.sites.records import Door, Landmark, Site
 

@@ -8,7 +8,6 @@ them. Rooms are not things: one sees their doors and signs.
 import math
 from typing import NamedTuple
 
-import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
@@ -17,6 +16,7 @@ from memorymaze.geometry.pose import Pose
 from memorymaze.perception.camera_view import Draw, VisibleObject, VisibleText
 from memorymaze.robot.steps import CameraPicture
 from memorymaze.simulation.motion.wheeled_base import ROBOT_GROUP
+from memorymaze.simulation.physics_engine import mujoco
 from memorymaze.simulation.scene import Scene
 from memorymaze.simulation.senses.sight_targets import (
     SightTargets,

@@ -20,7 +20,7 @@ from memorymaze.geometry.pose import Pose, turn_between
 from memorymaze.instructions.records import Episode
 from memorymaze.pages.live_camera import seen_ahead
 from memorymaze.robot.api import Robot
-from memorymaze.simulation import SimulatedRobot
+from memorymaze.simulation.robot import SimulatedRobot
 from memorymaze.sites import Site
 
 PEOPLE = "people"
