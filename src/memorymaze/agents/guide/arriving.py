@@ -34,7 +34,7 @@ from memorymaze.agents.walking.floor_map import (
 from memorymaze.agents.walking.outlooks import junction_at_the_end
 from memorymaze.agents.walking.walker import Walker
 from memorymaze.geometry.pose import wrap_angle
-from memorymaze.routes import RoutePlan, Turn
+from memorymaze.routes import Length, RoutePlan, Turn
 from memorymaze.understanding import is_common, is_floor, place_on_sign
 
 BESIDE = 4.0
@@ -335,18 +335,7 @@ class Arrivals:
         if segment.lost:
             return fit
         if arrival.length is not None and walked > 0:
-            beyond = bool(further)
-            places, junctions = segment.places + beyond, segment.junctions + 1
-            if arrival.length.after is not None:
-                line = (*segment.line, place) if place and beyond else segment.line
-                ending = replace(segment, line=line)
-                since = counted(self._things, ending, arrival.length.after)
-                if since is not None:
-                    walked, places = since.metres, since.places
-                    junctions = since.junctions + bool(places)
-            if not (beyond or self._is_junction(segment)):
-                junctions = places  # where who counts junctions alone does not end
-            fit = fit * length_ratio(model, arrival.length, walked, places, junctions)
+            fit = fit * self._length_fit(segment, arrival.length, further, place)
         elif arrival.length is None:
             fit = fit * untold_length(model, walked)
         if arrival.passings:
@@ -354,6 +343,24 @@ class Arrivals:
                 model, arrival.passings, segment.left, segment.right, segment.junctions
             )
         return fit
+
+    def _length_fit(
+        self, segment: Segment, length: Length, further: float, place: Point | None
+    ) -> Weights:
+        """Weigh the length of the last stretch; neutral where counting has not begun."""
+        beyond = bool(further)
+        line = (*segment.line, place) if place and beyond else segment.line
+        since = counted(self._things, replace(segment, line=line), length.after)
+        if since is None:
+            return np.ones(segment.weights.shape[1])
+        metres, places = since.metres, since.places
+        junctions = since.junctions + bool(places)
+        if length.after is None:
+            metres, places = segment.walked + further, segment.places + beyond
+            junctions = segment.junctions + 1
+        if not (beyond or self._is_junction(segment)):
+            junctions = places  # where who counts junctions alone does not end
+        return length_ratio(self._model, length, metres, places, junctions)
 
 
 def walk_up_to(walker: Walker, sighting: Sighting, names: tuple[str, ...] = ()) -> None:
