@@ -157,6 +157,31 @@ def test_before_the_thing_is_met_no_opening_is_counted() -> None:
     assert from_the_clock[on] > from_the_start[on]
 
 
+def _here_to_going_on(text: str, grid: Grid, x: int) -> float:
+    """Weigh arriving at the last crossing of a hall against going on beyond it."""
+    belief = _believe(text, grid)
+    endings = Arrivals(belief.plan, grid.floor, MODEL, belief.things).endings(belief)
+    here = sum(each.mass for each in endings if each.at == grid.at(x, 0))
+    return here / belief.frontiers[grid.exit(x, 0, EAST)].mass
+
+
+def test_one_has_not_arrived_one_junction_after_a_thing_that_was_not_passed() -> None:
+    told = "One intersection past the clock you have arrived."
+    before, after = _hall(1), _hall(3)
+    after.see("clock", 2.2, 0)
+    here = _here_to_going_on(told, after, 3)
+    assert 2 * _here_to_going_on(told, before, 1) < here
+
+
+def test_a_thing_passed_on_the_last_stretch_speaks_as_well_for_going_on() -> None:
+    told = "Go past the clock to the end."
+    without, passed = _hall(2), _hall(2)
+    passed.see("clock", 1.5, 0)
+    assert _here_to_going_on(told, passed, 2) < 1.5 * _here_to_going_on(
+        told, without, 2
+    )
+
+
 def test_a_thing_a_little_way_ahead_is_still_to_come() -> None:
     cells: dict[Cell, Sequence[float]] = {(0, 0): (EAST,), (1, 0): (EAST, NORTH, WEST)}
     grid = Grid(cells).walk((0, 0), (1, 0))

@@ -108,6 +108,7 @@ class SaidOfLegs:
         ahead = self.things.ahead(segment.leg, segment.line, segment.at, exit)
         weights = segment.weights * ahead
         if leg is None:
+            weights = weights * self.things.so_far(segment.leg, segment.line)
             length = self.plan.arrival.length
             if length is None:
                 return weights * untold_length(self.model, segment.walked)
