@@ -4,6 +4,7 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
 
+from memorymaze.perception.lexicon import is_noun
 from memorymaze.routes import Mention, Side
 from memorymaze.understanding.chunks import Chunk
 from memorymaze.understanding.partial_legs import PartialLeg
@@ -22,11 +23,15 @@ _ANNOUNCED = re.compile(
     r"(?:(?:way|route|directions?|looking|trying to (?:get|go)|want(?:s|ed)? to (?:get|go)"
     r"|guide you|take you|bring you|goal|trip)(?: is)? (?:to|for|into) (?:the |a |your )?"
     r"|arriv(?:e|ed|es|ing) (?:at|to|in)? ?(?:the )?"
-    r"|(?:destination|goal)(?: is|:)? (?:the )?|finish(?:es)? (?:at|in) (?:the )?)$"
+    r"|(?:destination|goal|target)(?: is|:)? (?:the )?|finish(?:es)? (?:at|in) (?:the )?)$"
 )
 _DEFINED = re.compile(
     rf"\b(?:destination|goal) (?:is|will be) (?:the |a )?(?:(?:{'|'.join(ORDINALS)}) )?$"
 )
+_IS_THERE = re.compile(
+    r" (?:is|are) (?:also |just |right )?(?:there|near|nearby|close|around|by)(?= *[.,;!]|$)"
+)
+"""What is said of things at a turn: `room 2107 is there`."""
 _ENTERED = re.compile(
     r"(?:that's|that is|this is|it's|there's|here is|here's|there is|then is|you're (?:at|in|on)"
     r"|you are (?:at|in|on|now on)|means|find|reach|see|to|into) (?:the |your |a |now on the )*$"
@@ -55,10 +60,15 @@ _ON = re.compile(
     r" (?:(?:is|stands|standing|up|waits) ){0,2}on (?:a |the )?(?!left|right|your|this|that|both)([a-z]{4,})\b(?! side)"
 )
 _NEAR = re.compile(
-    r"\b(?:near|next to|by|beside|behind|under|opposite|across from|close to|facing|like) (?:a |the |some )?$"
+    r"\b(?:near|next to|by|beside|behind|under|opposite|across from|close to|facing|like|after|past|before) (?:a |the |some )?$"
 )
 _TOO_FAR = re.compile(r" *\? *(?:that's |that is |is |then )*too far\b")
 _NUMBER, _LONG_NUMBER = re.compile(r"\d"), re.compile(r"\d{3}")
+_TOLD_FIRST = 2
+"""Names of which a first sentence can be made: `Professor, 2347.`; more are a list of
+what is met."""
+_UNKNOWN = 1.0
+"""Weight less for what ends with a word that names no kind of thing."""
 _DENIED = -5.0
 """Weight of what was said to be too far."""
 _MAX = 3
@@ -131,9 +141,14 @@ def find_destinations(
             p: score - (1.5 if sides.get(p) else 3.0) * is_common(p)
             for p, score in scores.items()
         }
+    scores = {p: s - _UNKNOWN * (not _is_a_word(p)) for p, s in scores.items()}
     ranked = sorted(scores, key=lambda phrase: -scores[phrase])
     best = scores[ranked[0]]
-    kept = tuple(p for p in ranked if scores[p] >= best - 1.6)[:_MAX]
+    kept = tuple(
+        p
+        for p in ranked
+        if scores[p] >= best - 1.6 and not _is_another_of(p, ranked[0])
+    )[:_MAX]
     nth = next((m.nth for m in last.mentions if m.nth and m.phrase in kept), None)
     nth = nth or next((m.nth for m in last.mentions if m.nth), None)
     side: Side | None = sides.get(kept[0]) or last.side
@@ -154,6 +169,19 @@ def find_destinations(
     ):
         return _shown(numbered or names), side, nth
     return _shown(names), side, nth
+
+
+def _is_a_word(name: str) -> bool:
+    """Tell whether the last word of a name is a noun, a number or a letter."""
+    last = name.split()[-1]
+    return is_noun(last) or len(last) == 1 or _NUMBER.search(last) is not None
+
+
+def _is_another_of(name: str, best: str) -> bool:
+    """`Room 5` beside `room 6`: another of the same kind, and not the same one."""
+    words, others = name.split(), best.split()
+    numbered = _NUMBER.search(words[-1]) and _NUMBER.search(others[-1])
+    return bool(numbered) and words[-1] != others[-1] and words[:-1] == others[:-1]
 
 
 def _side_of_what_it_is_in(name: str, mentions: Sequence[Mention]) -> Side | None:
@@ -247,6 +275,7 @@ def _score(mention: Mention, *, subject: bool) -> float:
 def _weights_in_text(chunks: list[Chunk], text: str) -> dict[str, float]:
     """Weigh every name by the words before it and by how often it is said."""
     weights: dict[str, float] = {}
+    opening = _named_first(chunks)
     for chunk in chunks:
         if chunk.kind != "N":
             continue
@@ -256,7 +285,7 @@ def _weights_in_text(chunks: list[Chunk], text: str) -> dict[str, float]:
         before = text[max(0, chunk.start - 40) : chunk.start]
         weight = min(weights.get(phrase, -0.4) + 0.4, 4.0)
         end = chunk.start + len(chunk.text)
-        if _ASIDE.match(text, end):
+        if _ASIDE.match(text, end) or _IS_THERE.match(text, end):
             weight -= 1.5
         is_on_it = _ON_IT.search(before) and not _ENTERED.search(before)
         if _NEAR.search(before) or is_on_it:
@@ -271,7 +300,9 @@ def _weights_in_text(chunks: list[Chunk], text: str) -> dict[str, float]:
         share = chunk.start / max(len(text), 1)
         if _DEFINED.search(before):
             weight += 4.0
-        elif chunk.start < 25 and _ASKED.match(text, end) and _ALONE.fullmatch(before):
+        elif chunk.start in opening or (
+            chunk.start < 25 and _ASKED.match(text, end) and _ALONE.fullmatch(before)
+        ):
             weight += 3.0
         elif _ANNOUNCED.search(before):
             weight += 3.0 if share < 0.25 or share > 0.8 else 1.0
@@ -279,3 +310,23 @@ def _weights_in_text(chunks: list[Chunk], text: str) -> dict[str, float]:
             weight += 1.0
         weights[phrase] = weight
     return weights
+
+
+def _named_first(chunks: Sequence[Chunk]) -> set[int]:
+    """Return where names stand that a text begins with: `The library, yes. Go …`.
+
+    A sentence of one name or two announces them. Of a longer list, and of a sentence
+    that goes on, the first name counts when it is said again at the end.
+    """
+    kinds = "".join(chunk.kind for chunk in chunks)
+    alone = re.match("[feprh,]*N[Nfephr,]*(?:B[fp]*N[Nfp,]*)?[.]", kinds)
+    names = [each for each in chunks[: alone.end()] if each.kind == "N"] if alone else []
+    if names and len(names) <= _TOLD_FIRST:
+        return {each.start for each in names}
+    first = re.match("[feprh,]*N(?=f*,)", kinds)
+    if first is None:
+        return set()
+    said = chunks[first.end() - 1]
+    later = [each for each in chunks[first.end() :] if each.kind == "N"][-3:]
+    again = any(set(each.text.split()) & set(said.text.split()) for each in later)
+    return {said.start} if again else set()

@@ -14,6 +14,7 @@ from memorymaze.understanding.vocabulary import (
     OFTEN,
     ONES,
     ORDINALS,
+    PATTERNS,
     PLAIN,
     PLURALS,
     SIGNS,
@@ -28,6 +29,8 @@ _LONG = 10
 """Letters from which on twice as many slips of the pen are forgiven."""
 _TOO_MANY = 1.5
 """Slips that make another word."""
+_VERBS = "TGK"
+"""Kinds of pattern whose words are verbs, which are no names and not misspelt."""
 _VOWEL = 0.6
 """Of a slip: what a wrong vowel, or one letter twice, is."""
 _WRITTEN = re.compile(
@@ -59,6 +62,7 @@ def _is_known(word: str) -> bool:
     stem = _ENDINGS.sub("", word)
     return (
         word in _words()
+        or any(each.work in _VERBS and each.regex.fullmatch(word) for each in PATTERNS)
         or is_noun(word)
         or is_adjective(word)
         or is_noun(singular(word))

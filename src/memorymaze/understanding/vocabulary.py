@@ -77,7 +77,9 @@ IDLE_ENDS = _list("idle_ends")
 THINGS_IN_ING = _list("things_in_ing")
 OFTEN = _list("often")
 ORDINALS: Mapping[str, int] = _words["ordinals"]
-SPELLINGS = dict(pair.split("=") for pair in _words["spellings"].split())
+SPELLINGS = dict(
+    pair.replace("_", " ").split("=") for pair in _words["spellings"].split()
+)
 CLOCK: Mapping[str, str] = {
     hour: way for way, hours in _words["clock"].items() for hour in hours.split()
 }
