@@ -66,6 +66,15 @@ _PROPER_WAY = re.compile(
 )
 
 
+_LISTED_SIDES = re.compile(
+    rf"(?<!take )(?<!make )(?P<openings>\b(?P<count>{NUMBER}) (?:(?!turns?\b|bends?\b|curves?\b|corners?\b)\w+ ){{0,2}}?"
+    r"(?:openings?|turnings?|gaps?|corridors?|hallways?|halls?|passages?|ways|roads?|streets?|holes?"
+    r"|branches|exits?|junctions?|side \w+)(?: (?!left\b|right\b)[a-z]+){0,3})"
+    r"(?P<sides>,? ?[,:(] ?(?:(?:one|two|three|four|\d|a|the|on|to|at|from|and|then|first|second|third"
+    r"|side|hand|left|right|,|/)\b[ ,/]*|[,/ ]+)*\b(?:left|right)(?: side| hand)?\)?)(?= *[.,;:!?)]|$)"
+)
+"""Openings that are counted, and then their sides."""
+
 _ISH = re.compile(rf"\b({'|'.join(sorted(LOOKS))})ish\b")
 _HESITATION = re.compile(
     r"(?<!first)(?<!second)(?<!third)(?<!last), *(?:u+h+m*|u+m+|e+r+m?|e+hm*|h+m+)\b *(?:,|\.\.\.)"
@@ -118,6 +127,7 @@ def normalise(text: str) -> str:
     text = _SPELT.sub(lambda match: SPELLINGS.get(match[0], match[0]), text)
     text = re.sub(r"\b(left|right)-(\w+)-(left|right)\b(?! hand)", _unless_and, text)
     text = _drop_inline_counting(text)
+    text = _LISTED_SIDES.sub(_without_sides, text)
     for row in PLAIN_WORDS:
         text = row.regex.sub(row.work, text)
     return _COUNTED.sub("; ", text)
@@ -127,6 +137,15 @@ def _unless_and(match: re.Match[str]) -> str:
     if match[2] in {"and", "then"}:
         return f"{match[1]}-{match[3]}"
     return f"{match[1]}, {match[2]}, {match[3]}"
+
+
+def _without_sides(match: re.Match[str]) -> str:
+    """Take out the sides of openings that were counted: `two gaps, one left, one right`."""
+    told = re.findall(
+        rf"(?:\b({NUMBER}) (?:\w+ ){{0,2}})?\b(?:left|right)\b", match["sides"]
+    )
+    named = sum(read_number(count) if count else 1.0 for count in told)
+    return match["openings"] if named == read_number(match["count"]) else match[0]
 
 
 def _drop_inline_counting(text: str) -> str:

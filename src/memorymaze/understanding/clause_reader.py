@@ -77,8 +77,12 @@ class ClauseReader:
         end = len(clause.kinds)
         if ignores >= 0 and (denies < 0 or ignores < denies):
             self._read_negative(0)
-        elif denies > 0 and re.fullmatch("[OJLS]+X", clause.kinds):
+        elif denies > 0 and re.fullmatch("[nOJLS]+X", clause.kinds):
             self._read_negative(0)  # "the first left no, the second yes"
+        elif clause.kinds == "P":
+            self._add(Event("refuse", taken=True))  # "Side corridor left: past."
+        elif re.fullmatch("[nOJ]+[LSm]*B?P|[OJLS]+BP", clause.kinds):
+            self._read_negative(0)  # "two openings on the left passed"
         elif denies >= 0:
             self._read_positive(0, denies)
             if not re.search("B.*XJ", clause.kinds):
@@ -107,6 +111,8 @@ class ClauseReader:
                 self._add(Event("thing", phrase=phrase, relation="past", ignored=True))
             elif kind == "L" and not re.search("[TGOJ]", clause.kinds[start:]):
                 found = True  # "not left": says only what the turn is not
+            elif kind == "J" and re.search("H.*A$", clause.kinds[start:at]):
+                found = True  # "not straight on at the crossing"
             elif kind in "OJL" or self._is_of_ways(at):
                 event, at = read_left_alone(clause, at)
                 found = True
@@ -372,6 +378,9 @@ class ClauseReader:
                     return "at"  # "left when you come to the desk"
                 return "until"  # "until you see a blue carpet", "when you see the desk"
             relation = self._bond(chunk)
+            aside = self._clause.kinds[at + 1 : at + 2] == "S"
+            if relation == "from" and aside and chunk.text.startswith("leav"):
+                return "past"  # "leave the kitchen on your left"
             if relation is not None:
                 return relation
         if self._clause.kinds.startswith("JA"):

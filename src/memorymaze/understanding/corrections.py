@@ -41,6 +41,8 @@ def apply_corrections(chunks: list[Chunk]) -> list[Chunk]:
         new = _first_value(chunks, end)
         old = None if new is None else _last_value(chunks, at, chunks[new])
         if new is None or old is None:
+            early = _said_too_early(chunks, at, end)
+            del chunks[early : early + 1]
             at = end
             continue
         chunks = _replaced(chunks, old, new)
@@ -145,6 +147,22 @@ def _last_value(chunks: list[Chunk], marker: int, new: Chunk) -> int | None:
         if others > _REACH:
             return None
     return None
+
+
+def _said_too_early(chunks: list[Chunk], marker: int, end: int) -> int:
+    """`Left, no wait, first to the desk, and only then left`: the index of the first.
+
+    The number of chunks, where nothing was said too early.
+    """
+    said = marker - 1
+    while said > 0 and chunks[said].kind in _NEUTRAL:
+        said -= 1
+    later = next((n for n in range(end, len(chunks)) if chunks[n].kind in "LS2"), end)
+    between = "".join(each.kind for each in chunks[end:later])
+    again = later > end and _same_way(chunks[said], chunks[later])
+    if again and ">" in between and between.count(".") < 2:
+        return said
+    return len(chunks)
 
 
 def _replaced(chunks: list[Chunk], old: int, new: int) -> list[Chunk]:

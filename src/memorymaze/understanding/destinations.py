@@ -65,8 +65,7 @@ _NEAR = re.compile(
 _TOO_FAR = re.compile(r" *\? *(?:that's |that is |is |then )*too far\b")
 _NUMBER, _LONG_NUMBER = re.compile(r"\d"), re.compile(r"\d{3}")
 _TOLD_FIRST = 2
-"""Names of which a first sentence can be made: `Professor, 2347.`; more are a list of
-what is met."""
+"""Names at the beginning that may be what is asked for: `Professor, 2347.`"""
 _UNKNOWN = 1.0
 """Weight less for what ends with a word that names no kind of thing."""
 _DENIED = -5.0
@@ -315,18 +314,26 @@ def _weights_in_text(chunks: list[Chunk], text: str) -> dict[str, float]:
 def _named_first(chunks: Sequence[Chunk]) -> set[int]:
     """Return where names stand that a text begins with: `The library, yes. Go …`.
 
-    A sentence of one name or two announces them. Of a longer list, and of a sentence
-    that goes on, the first name counts when it is said again at the end.
+    One name alone is what is asked for. Of several, and in a sentence that goes on, the
+    first counts when it is said again at the end, and so does a number of three digits.
     """
     kinds = "".join(chunk.kind for chunk in chunks)
     alone = re.match("[feprh,]*N[Nfephr,]*(?:B[fp]*N[Nfp,]*)?[.]", kinds)
-    names = [each for each in chunks[: alone.end()] if each.kind == "N"] if alone else []
-    if names and len(names) <= _TOLD_FIRST:
-        return {each.start for each in names}
+    names = (
+        [each for each in chunks[: alone.end()] if each.kind == "N"] if alone else []
+    )
+    if len(names) == 1:
+        return {names[0].start}
     first = re.match("[feprh,]*N(?=f*,)", kinds)
-    if first is None:
-        return set()
-    said = chunks[first.end() - 1]
-    later = [each for each in chunks[first.end() :] if each.kind == "N"][-3:]
-    again = any(set(each.text.split()) & set(said.text.split()) for each in later)
-    return {said.start} if again else set()
+    numbered = len(names) <= _TOLD_FIRST
+    names = names[:_TOLD_FIRST]
+    if first is not None and not names:
+        names = [chunks[first.end() - 1]]
+    later = [each for each in chunks if each.kind == "N" and each not in names][-3:]
+    again = {word for each in later for word in each.text.split()}
+    return {
+        each.start
+        for each in names
+        if again & set(each.text.split())
+        or (numbered and _LONG_NUMBER.search(each.text))
+    }

@@ -28,6 +28,8 @@ _STARTS = re.compile(r"(?:start|begin|open|continue|lead)")
 _EXISTS = re.compile(r"come|there|here")
 _SEEN = re.compile(r".*\b(?:see|find|have|notice|spot)$")
 _DOOR = re.compile(r"^(?:hand )?(?:door|wall|window|room)s?\b")
+_THROUGH = re.compile(r"through$|into$|enter")
+_DOORWAY = re.compile(r"\b(?:door|doorway|arch|archway|gate|portal)s?$")
 _LOOSE = ("with", "among")
 _AWAY = re.compile(r"(?:away|from|out|off)\b")
 _OUT = re.compile(r"exit|(?:go|come|get|walk|step) (?:out|off)")
@@ -60,6 +62,8 @@ def is_turn(clause: Clause, at: int, *, after_turn: bool) -> bool:
         verb = clause.chunks[len(before) - 1].text
         idle = re.match(r"keep|leav|stay", verb) or before.startswith("Z")
         return not (idle or after.startswith("B"))  # "it will be coming on your left"
+    if is_aside(chunk) and not after and _leads_through_a_door(clause, before):
+        return True
     if last == "K" and is_aside(chunk) and "side" in chunk.text:
         return False
     if last == "V" and clause.chunks[len(before) - 1].text == "face":
@@ -74,8 +78,21 @@ def is_turn(clause: Clause, at: int, *, after_turn: bool) -> bool:
     if out and chunk.text.startswith(("to", "by")):
         return True  # "exit the lifts to the right"
     if chunk.kind == "S":
+        if towards_a_side(chunk) and not after:
+            if clause.has("r") and not before:
+                return True  # "so you to the right"
+            if re.fullmatch("[AQ]?M", before):
+                return True  # "after five metres to the left"
         return _is_turn_to_side(clause, chunk, before, after)
     return _is_bare_turn(clause, at, before, after, after_turn=after_turn)
+
+
+def _leads_through_a_door(clause: Clause, before: str) -> bool:
+    """`Go through the doorway on the left`."""
+    if re.search("[GtTP]N$", before) is None:
+        return False
+    verb, door = clause.chunks[len(before) - 2 : len(before)]
+    return bool(_THROUGH.search(verb.text) and _DOORWAY.search(door.text))
 
 
 def _is_bare_turn(
@@ -272,6 +289,9 @@ def read_opening(
             return [Event("side", side=opening.side, likely=True)], at
     if not (before or opening.noun or opening.side) and re.match("[VGKR]", after):
         return [], at  # "first go to the desk"
+    after_it = before.endswith("Q") and clause.chunks[start - 1].text.endswith("after")
+    if after_it and _BEND.search(opening.noun) and not opening.side:
+        return [], at  # "after the second bend"
     way = Event(
         "way",
         side=opening.side,
@@ -281,7 +301,11 @@ def read_opening(
         phrase=opening.name,
         count=opening.count,
     )
-    left_aside = before.endswith("G") and clause.chunks[start - 1].text == "leaving"
+    verb = clause.chunks[start - 1].text if before.endswith("G") else ""
+    left_aside = verb == "leaving" or (
+        verb == "leave"
+        and (opening.ordinal or opening.count or opening.side) is not None
+    )
     if left_aside or ("P" in before and not re.search("P.*T", before)):
         plural = opening.noun.endswith("s")
         count = opening.count or (None if plural else 1)
@@ -395,6 +419,9 @@ def _bare(
     before = clause.kinds[:start]
     placed = turned and re.search("[AQJ]$|AV$", before) is not None
     junction = _junction_of(opening.noun)
+    is_crossed = before.endswith("HA") and not re.search("[LS2]", clause.kinds)
+    if is_crossed and re.search(r"junction|intersection|cross", opening.noun):
+        return [Event("pass_ways", count=1, phrase=opening.name)]  # "straight over at"
     if junction is not None:
         return [Event("junction", junction=junction, back=placed)]
     at_one = re.search("A$|AV$", before) is not None
