@@ -238,7 +238,7 @@ class _Assembly:
     def _counts_on(self, way: Event) -> bool:
         """`The first left no, the second yes`: a number after those that were passed."""
         side = self._draft.passed_side
-        passed = [p.count or 1 for p in self._draft.passings if p.side == side]
+        passed = [p.count or 1 for p in self._draft.passings if p.side in {side, None}]
         return side is not None and way.likely and way.ordinal == sum(passed) + 1
 
     def _change_last_turn(self, **changes: object) -> None:

@@ -314,6 +314,8 @@ def read_opening(
         ], at
     if opening.side is None and opening.ordinal is None:
         return _bare(clause, start, opening, after, turned=turned), at
+    if turned and opening.ordinal is not None and re.search("[LS]A$", before):
+        return [_likely(way, back=True)], at  # "left at the second one on the left"
     if opening.side == "left" or opening.side == "right":
         if opening.stated or _is_taken(clause, opening, start, after):
             turn = Event(
