@@ -17,7 +17,7 @@ from memorymaze.understanding.things import (
     thing_phrase,
     wall_phrase,
 )
-from memorymaze.understanding.vocabulary import ORDINALS, PLAIN
+from memorymaze.understanding.vocabulary import COMMON, FILLERS, ORDINALS, PLAIN
 
 _ANNOUNCED = re.compile(
     r"(?:(?:way|route|directions?|looking|trying to (?:get|go)|want(?:s|ed)? to (?:get|go)"
@@ -66,6 +66,8 @@ _TOO_FAR = re.compile(r" *\? *(?:that's |that is |is |then )*too far\b")
 _NUMBER, _LONG_NUMBER = re.compile(r"\d"), re.compile(r"\d{3}")
 _TOLD_FIRST = 2
 """Names at the beginning that may be what is asked for: `Professor, 2347.`"""
+_NAMED_FIRST, _SAID_AGAIN = 5.0, 4.0
+"""Weights of the name that a text begins with, and of what is called nearly so later."""
 _UNKNOWN = 1.0
 """Weight less for what ends with a word that names no kind of thing."""
 _DENIED = -5.0
@@ -102,6 +104,7 @@ def find_destinations(
             for each in _candidates(drafts[-1:])
             if each[0].place in {"target", "along"}
         ]
+    asked_for = [name for name, weight in named.items() if weight >= _NAMED_FIRST]
     beyond = {p for each in (*drafts, last) for p in (*each.too_far, *each.wrong_way)}
     passed = {m.phrase for m in last.mentions if m.side == "behind"} | beyond
     passed |= {length.after for length in last.lengths if length.after is not None}
@@ -111,6 +114,8 @@ def find_destinations(
         if mention.phrase in passed or mention.ignored or is_floor(mention.phrase):
             continue
         score = _score(mention, subject=subject) + named.get(mention.phrase, 0.0)
+        if any(_is_said_of(mention.phrase, name) for name in asked_for):
+            score += _SAID_AGAIN
         score += 3.0 * (order + 1) / len(candidates)
         if score > scores.get(mention.phrase, -9.0):
             scores[mention.phrase] = score
@@ -168,6 +173,14 @@ def find_destinations(
     ):
         return _shown(numbered or names), side, nth
     return _shown(names), side, nth
+
+
+def _is_said_of(name: str, asked: str) -> bool:
+    """`Chemistry door`, said later of `chemistry`: not the same name, yet the same thing."""
+    shared = set(name.split()) & set(asked.split()) - PLAIN - FILLERS - COMMON
+    if _NUMBER.search(asked) and not _NUMBER.search(name):
+        return False  # "lab 503" is not any lab
+    return bool(shared) and name != asked and not _is_another_of(name, asked)
 
 
 def _is_a_word(name: str) -> bool:
@@ -299,9 +312,9 @@ def _weights_in_text(chunks: list[Chunk], text: str) -> dict[str, float]:
         share = chunk.start / max(len(text), 1)
         if _DEFINED.search(before):
             weight += 4.0
-        elif chunk.start in opening or (
-            chunk.start < 25 and _ASKED.match(text, end) and _ALONE.fullmatch(before)
-        ):
+        elif chunk.start in opening:
+            weight += _NAMED_FIRST
+        elif chunk.start < 25 and _ASKED.match(text, end) and _ALONE.fullmatch(before):
             weight += 3.0
         elif _ANNOUNCED.search(before):
             weight += 3.0 if share < 0.25 or share > 0.8 else 1.0
@@ -318,7 +331,7 @@ def _named_first(chunks: Sequence[Chunk]) -> set[int]:
     first counts when it is said again at the end, and so does a number of three digits.
     """
     kinds = "".join(chunk.kind for chunk in chunks)
-    alone = re.match("[feprh,]*N[Nfephr,]*(?:B[fp]*N[Nfp,]*)?[.]", kinds)
+    alone = re.match("[feprh,]*N[NfephrG,]*(?:B[fp]*N[Nfp,]*)?[.]", kinds)
     names = (
         [each for each in chunks[: alone.end()] if each.kind == "N"] if alone else []
     )
@@ -329,11 +342,9 @@ def _named_first(chunks: Sequence[Chunk]) -> set[int]:
     names = names[:_TOLD_FIRST]
     if first is not None and not names:
         names = [chunks[first.end() - 1]]
-    later = [each for each in chunks if each.kind == "N" and each not in names][-3:]
+    later = [each for each in chunks if each.kind in "Nn" and each not in names][-3:]
+    rooms = {each.start for each in names if _LONG_NUMBER.search(each.text)}
+    if rooms and numbered:
+        return rooms
     again = {word for each in later for word in each.text.split()}
-    return {
-        each.start
-        for each in names
-        if again & set(each.text.split())
-        or (numbered and _LONG_NUMBER.search(each.text))
-    }
+    return {each.start for each in names if again & set(each.text.split())}

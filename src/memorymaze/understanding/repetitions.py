@@ -186,7 +186,7 @@ class Restating:
         if not _is_bare(done[-1]) and self._names_something_new(at, done):
             return False
         if event.forced or event.apposed:
-            return True
+            return not (event.forced and self._goes_on(at))
         return self._follows_directly(
             at, same=ordinal is not None and ordinal == last.ordinal
         )
