@@ -10,6 +10,7 @@ import argparse
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
@@ -19,48 +20,10 @@ from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.episode import run_episode
 from memorymaze.evaluation.plan import RunPlan, plan_run
 from memorymaze.evaluation.results import EpisodeResult
-from memorymaze.evaluation.seeds import obstacle_generator
 from memorymaze.evaluation.settings import AgentSettings, RunSettings, with_choices
-from memorymaze.instructions.records import Episode
-from memorymaze.perception.eyes import Eyes
 from memorymaze.simulation.robot import SimulatedRobot
-from memorymaze.simulation.settings import SimulationSettings
-from memorymaze.steering.calls import TraceEvent
 
 AGENTS = ("rules", "guide", "examples/right_hand.py:RightHand")
-
-
-class SensedArena(Arena):
-    """Puts robots into a building of whose plan they know nothing."""
-
-    noise = False
-
-    def robot(
-        self,
-        episode: Episode,
-        settings: SimulationSettings,
-        rng: np.random.Generator,
-        on_event: Callable[[TraceEvent], None],
-        detector_rng: np.random.Generator | None = None,
-    ) -> SimulatedRobot:
-        """See `Arena.robot`."""
-        return SimulatedRobot(
-            self.scene,
-            episode.start,
-            settings,
-            rng,
-            on_event,
-            detector=Eyes().detector_for(
-                np.random.default_rng(0), settings.detection_range
-            ),
-            obstacles_rng=obstacle_generator(
-                0 if self.obstacles is None else self.obstacles.seed, episode.id
-            ),
-            keep_free=episode.reference_path,
-            lidar=NOISY_LIDAR if self.noise else None,
-            odometry=NOISY_ODOMETRY if self.noise else None,
-            knows_plan=False,
-        )
 
 
 @dataclass(frozen=True)
@@ -69,13 +32,13 @@ class Known:
 
     name: str
     choices: dict[str, str]
-    arena: type[Arena] = Arena
+    plan: bool = True
 
 
 KNOWN = (
     Known("the plan", {}),
     Known("the plan's ways, turning points by LiDAR", {"turning_points": "lidar"}),
-    Known("LiDAR and odometry alone", {}, SensedArena),
+    Known("LiDAR and odometry alone", {}, plan=False),
 )
 COLUMNS = {
     "success": "SR",
@@ -87,10 +50,18 @@ COLUMNS = {
 }
 
 
-def walked(plan: RunPlan, known: Known) -> list[EpisodeResult]:
+def walked(plan: RunPlan, known: Known, noise: bool) -> list[EpisodeResult]:
     agent_for = build_agent(plan.settings.agent)
+    make_robot: Callable[..., SimulatedRobot] = SimulatedRobot
+    if not known.plan:
+        make_robot = partial(
+            SimulatedRobot,
+            knows_plan=False,
+            lidar=NOISY_LIDAR if noise else None,
+            odometry=NOISY_ODOMETRY if noise else None,
+        )
     arenas = {
-        name: known.arena(site, plan.settings.obstacles)
+        name: Arena(site, plan.settings.obstacles, make_robot=make_robot)
         for name, site in plan.sites.items()
     }
     results: list[EpisodeResult] = []
@@ -111,7 +82,6 @@ def main() -> int:
     parser.add_argument("--noise", action="store_true")
     parser.add_argument("--only", type=int, choices=range(3))
     options = parser.parse_args()
-    SensedArena.noise = options.noise
     print("agent | knows | episodes |", " | ".join(COLUMNS.values()))
     for agent in options.agents:
         for number, known in enumerate(KNOWN):
@@ -122,7 +92,7 @@ def main() -> int:
                 choices["obstacles"] = options.obstacles
             settings = with_choices(RunSettings(limit=options.limit), choices)
             plan = plan_run(AgentSettings(agent), None, settings)
-            results = walked(plan, known)
+            results = walked(plan, known, options.noise)
             means = [
                 f"{np.mean([float(getattr(each, name)) for each in results]):.2f}"
                 for name in COLUMNS

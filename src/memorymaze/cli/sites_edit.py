@@ -3,6 +3,11 @@
 import argparse
 from pathlib import Path
 
+from memorymaze.cli.served_page import (
+    add_port,
+    check_can_serve,
+    serve,
+)
 from memorymaze.cli.verbs import Verbs
 
 PICTURES = (".png", ".jpg", ".jpeg", ".webp", ".svg")
@@ -31,9 +36,7 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
         type=Path,
         help="picture of a floor plan to trace over (it stays on this machine)",
     )
-    parser.add_argument(
-        "--port", type=int, default=0, metavar="N", help="port (default: any free one)"
-    )
+    add_port(parser)
     parser.set_defaults(run=_run)
 
 
@@ -42,17 +45,10 @@ def _run(options: argparse.Namespace) -> int:
     from hashlib import sha256
 
     from memorymaze.errors import SettingsError
-    from memorymaze.extras import require_extra
 
-    require_extra(
-        "studies",
-        "starlette",
-        "uvicorn",
-        "python_multipart",
-        purpose="the page to edit plans",
-    )
+    check_can_serve("the page to edit plans")
     from memorymaze.pages.entrance import Entrance
-    from memorymaze.pages.web import Door, make_app, serving, wait_for_interrupt
+    from memorymaze.pages.web import THIS_MACHINE, make_app
     from memorymaze.site_editor.pages import LARGEST_PLAN, ROOM, EditorPages
     from memorymaze.site_editor.plan_file import PlanFile
 
@@ -73,12 +69,7 @@ def _run(options: argparse.Namespace) -> int:
         ROOM,
         max_body=LARGEST_PLAN,
         rate=None,
-        hosts=["127.0.0.1", "localhost"],
+        hosts=THIS_MACHINE,
     )
-    with serving(Door(app, port=options.port)) as [address]:
-        print(
-            f"edit {file.path.name} at {address}/enter/{token} (Ctrl-C to end)",
-            flush=True,
-        )
-        wait_for_interrupt()
+    serve(app, f"edit {file.path.name}", f"/enter/{token}", port=options.port)
     return 0

@@ -3,6 +3,7 @@
 import argparse
 from typing import TYPE_CHECKING
 
+from memorymaze.cli.served_page import check_can_serve
 from memorymaze.cli.verbs import VerbParser, Verbs, shown_progress
 from memorymaze.wording import counted
 
@@ -12,7 +13,6 @@ if TYPE_CHECKING:
     from memorymaze.studies.study_file import Study
 
 KINDS = ("online", "memory", "onsite", "follow")
-THIS_MACHINE = ("127.0.0.1", "::1", "localhost")
 
 
 def add_parser(verbs: Verbs) -> None:
@@ -105,8 +105,8 @@ def _add_serve(actions: Verbs) -> None:
 
 
 def _serve(options: argparse.Namespace) -> int:
-    _check_installed("study serve")
-    from memorymaze.pages.web import wait_for_interrupt
+    check_can_serve("study serve")
+    from memorymaze.pages.web import THIS_MACHINE, wait_for_interrupt
     from memorymaze.studies.films import make_films
     from memorymaze.studies.serving import serving_study
     from memorymaze.studies.store import open_store
@@ -244,7 +244,7 @@ def _add_simulate(actions: Verbs) -> None:
 
 
 def _simulate(options: argparse.Namespace) -> int:
-    _check_installed("study simulate")
+    check_can_serve("study simulate")
     from memorymaze.options import check_whole
     from memorymaze.studies.interviews.simulating import SPEAKER, find_speaker
     from memorymaze.studies.simulating import simulate_study
@@ -307,17 +307,4 @@ def _add_simulated(parser: argparse.ArgumentParser) -> None:
         "--simulated",
         action="store_true",
         help="the made-up answers of `study simulate`, not those of people",
-    )
-
-
-def _check_installed(purpose: str) -> None:
-    from memorymaze.extras import require_extra
-
-    require_extra(
-        "studies",
-        "starlette",
-        "uvicorn",
-        "python_multipart",
-        "cryptography",
-        purpose=purpose,
     )

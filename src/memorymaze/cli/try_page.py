@@ -9,11 +9,15 @@ from memorymaze.cli.agent_options import (
     episode_settings,
 )
 from memorymaze.cli.flags import given_flags
+from memorymaze.cli.served_page import (
+    add_port,
+    check_can_serve,
+    serve,
+)
 from memorymaze.cli.verbs import Verbs
 from memorymaze.language.model_settings import ModelSettings
 
 SHOWN_PEOPLE = ("memory", "wrong", "empty")
-ONLY_HERE = {"127.0.0.1", "localhost"}
 
 
 def add_parser(verbs: Verbs) -> None:
@@ -43,9 +47,7 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
         metavar="ADDRESS",
         help="where to serve (127.0.0.1: for this machine alone)",
     )
-    parser.add_argument(
-        "--port", type=int, default=0, metavar="N", help="port (default: any free one)"
-    )
+    add_port(parser)
     parser.add_argument(
         "--robots",
         type=int,
@@ -68,13 +70,10 @@ def _run(options: argparse.Namespace) -> int:
     from memorymaze.errors import SettingsError
     from memorymaze.evaluation.agent_catalogue import build_agent
     from memorymaze.evaluation.settings import AgentSettings, RunSettings
-    from memorymaze.extras import require_extra
     from memorymaze.sites import load_site, load_sites
 
-    require_extra(
-        "studies", "starlette", "uvicorn", "python_multipart", purpose="the page to try"
-    )
-    from memorymaze.pages.web import Door, make_app, serving, wait_for_interrupt
+    check_can_serve("the page to try")
+    from memorymaze.pages.web import THIS_MACHINE, make_app
     from memorymaze.trying.pages import ROOM, TryPages
     from memorymaze.trying.sessions import Visits
     from memorymaze.trying.walk import GUIDE
@@ -103,10 +102,8 @@ def _run(options: argparse.Namespace) -> int:
     for agent in (GUIDE, *beside):
         # What cannot be made is refused before a visitor waits for it.
         build_agent(agent, isolate=settings.isolate, kept_from=plans)
-    hosts = sorted(ONLY_HERE) if options.host in ONLY_HERE else None
+    hosts = THIS_MACHINE if options.host in THIS_MACHINE else None
     with Visits(settings, beside, most=options.robots) as visits:
         app = make_app(TryPages(visits, sites).routes(), ROOM, hosts=hosts)
-        with serving(Door(app, options.host, options.port)) as [address]:
-            print(f"try the robot at {address} (Ctrl-C to end)", flush=True)
-            wait_for_interrupt()
+        serve(app, "try the robot", host=options.host, port=options.port)
     return 0

@@ -35,18 +35,20 @@ class Arena:
         eyes: Eyes | None = None,
         looks: Looks | None = None,
         people_model: LanguageModel | None = None,
+        make_robot: Callable[..., SimulatedRobot] = SimulatedRobot,
     ) -> None:
         """Stand for a site; nothing is built yet.
 
         Without eyes, detector and reader of signs know the truth; without looks, things look
         like models where they were converted; without a model, people one can ask find
-        their words elsewhere.
+        their words elsewhere. Robots are made by `make_robot`, with what `robot` tells it.
         """
         self.site = site
         self.obstacles = obstacles
         self.eyes = eyes or Eyes()
         self.looks: Looks | None = looks
         self.people_model = people_model
+        self._make_robot = make_robot
 
     @cached_property
     def scene(self) -> Scene:
@@ -78,7 +80,7 @@ class Arena:
         placing = None
         if self.obstacles is not None:
             placing = obstacle_generator(self.obstacles.seed, episode.id)
-        return SimulatedRobot(
+        return self._make_robot(
             self.scene,
             episode.start,
             settings,

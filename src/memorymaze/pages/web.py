@@ -46,6 +46,8 @@ HEADERS = {
     "Cross-Origin-Opener-Policy": "same-origin",
     "Permissions-Policy": "camera=(), geolocation=(), microphone=(self)",
 }
+THIS_MACHINE = ("127.0.0.1", "localhost", "::1")
+"""Names by which it is asked for from itself alone."""
 LAST_PORT = 65535
 FORM_KEY = "form-key"
 """The cookie that a page's forms are bound to."""

@@ -6,11 +6,11 @@ from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from typing import NamedTuple
 
-from memorymaze.pages.web import Certificate, Door, make_app, serving
+from memorymaze.pages.web import THIS_MACHINE, Certificate, Door, make_app, serving
 from memorymaze.studies.experimenter_pages import ExperimenterPages
 from memorymaze.studies.follow.drives import Drives
 from memorymaze.studies.follow.texts import texts_to_follow
-from memorymaze.studies.interviews.pages import LOCAL, InterviewPages
+from memorymaze.studies.interviews.pages import InterviewPages
 from memorymaze.studies.interviews.recognising import Recogniser
 from memorymaze.studies.interviews.transcript_pages import TranscriptPages
 from memorymaze.studies.labels.pages import LabelPages
@@ -69,7 +69,9 @@ def serving_study(
             behind += InterviewPages(
                 experimenter, store, tellings, recogniser, certificate
             ).routes
-            app = make_app(behind, *ROOMS, max_body=MAX_RECORDING, hosts=[*LOCAL, host])
+            app = make_app(
+                behind, *ROOMS, max_body=MAX_RECORDING, hosts=[*THIS_MACHINE, host]
+            )
             with serving(Door(app, host, experimenter_port, certificate)) as [address]:
                 yield Addresses("", f"{address}/enter/{token}")
             return
@@ -79,6 +81,6 @@ def serving_study(
         pages = make_app(ParticipantPages(store, films, drives).routes, *ROOMS)
         with serving(
             Door(pages, host, port, certificate),
-            Door(make_app(behind, *ROOMS, hosts=LOCAL), port=experimenter_port),
+            Door(make_app(behind, *ROOMS, hosts=THIS_MACHINE), port=experimenter_port),
         ) as [participants, experimenter]:
             yield Addresses(participants, f"{experimenter}/enter/{token}")

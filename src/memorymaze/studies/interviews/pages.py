@@ -17,7 +17,7 @@ from starlette.routing import BaseRoute, Route
 
 from memorymaze.errors import StudyError
 from memorymaze.pages.certificates import authority_of, fingerprint
-from memorymaze.pages.web import Certificate, Fields, render
+from memorymaze.pages.web import THIS_MACHINE, Certificate, Fields, render
 from memorymaze.studies.experimenter_pages import ExperimenterPages
 from memorymaze.studies.interviews.recognising import Recogniser
 from memorymaze.studies.interviews.records import (
@@ -35,7 +35,6 @@ from memorymaze.studies.study_file import StudyDesign
 from memorymaze.studies.tellings import TELLINGS, Tellings
 
 WORKER = Path(__file__).parent / "static" / "service-worker.js"
-LOCAL = ("127.0.0.1", "localhost", "::1")
 NEEDS_HTTPS = (
     "Browsers give the microphone to pages over https only, and so that nobody in the "
     "network listens, recordings are not taken over http. Start the server with --tls and "
@@ -271,4 +270,4 @@ def _said(taken: Taken) -> Response:
 
 def _is_safe(request: Request) -> bool:
     """Tell whether nobody listens between the tablet and here."""
-    return request.url.scheme == "https" or request.url.hostname in LOCAL
+    return request.url.scheme == "https" or request.url.hostname in THIS_MACHINE
