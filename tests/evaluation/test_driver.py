@@ -22,7 +22,7 @@ Plan = Callable[..., RunPlan]
 # Walks, but first does what a file beside it named after the text's last word says:
 # ends this process or its parent. The file is used up, unless it says "always".
 TROUBLED_AGENT = """
-import os, pathlib, signal, threading
+import multiprocessing, os, pathlib, signal, threading
 
 HERE = pathlib.Path(__file__).parent
 
@@ -42,7 +42,8 @@ class Troubled:
             if "hang" in what:
                 threading.Event().wait()
             if "parent" in what:
-                os.kill(os.getppid(), getattr(signal, what.split()[1]))
+                parent = multiprocessing.parent_process().pid
+                os.kill(parent, getattr(signal, what.split()[1]))
                 threading.Event().wait()
             os.kill(os.getpid(), signal.SIGKILL)
 """

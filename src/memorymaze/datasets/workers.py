@@ -13,8 +13,10 @@ from memorymaze.processes import available_cores, die_with_parent, main_left_out
 Task = TypeVar("Task")
 Result = TypeVar("Result")
 
-# Children that begin afresh hold no locks or threads of the parent's libraries.
-PROCESSES = multiprocessing.get_context("spawn")
+# Children of a server hold no locks or threads of the parent's libraries, and begin with
+# what the server has imported once for all of them.
+PROCESSES = multiprocessing.get_context("forkserver")
+PROCESSES.set_forkserver_preload(["memorymaze.datasets"])
 
 
 def done_by_processes(

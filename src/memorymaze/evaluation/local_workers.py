@@ -5,7 +5,7 @@ import math
 import multiprocessing
 import os
 import signal
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from multiprocessing.connection import Connection, wait
 from pathlib import Path
@@ -23,8 +23,10 @@ from memorymaze.evaluation.worker_pool import LEAVING_TIME, WorkerDied
 from memorymaze.processes import available_cores, die_with_parent, main_left_out
 from memorymaze.wording import counted
 
-# Children that begin afresh hold no locks or threads of the parent's libraries.
-PROCESSES = multiprocessing.get_context("spawn")
+# Children of a server hold no locks or threads of the parent's libraries, and begin with
+# what the server has imported once for all of them.
+PROCESSES = multiprocessing.get_context("forkserver")
+PROCESSES.set_forkserver_preload(["memorymaze.evaluation.episode_worker"])
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,9 +87,12 @@ class LocalWorker:
         """Start the process."""
         self._prepare = prepare
         self.connection, theirs = PROCESSES.Pipe()
-        self._process = PROCESSES.Process(target=_work, args=(theirs,))
-        # Ctrl-C reaches every process of the terminal; the parent decides what it
-        # means. A blocked signal stays blocked in the child, from its first moment.
+        # Handed over as a connection is: the server has what was there when it began.
+        stderr = Connection(os.dup(2), readable=False)
+        given = (theirs, stderr, {**os.environ})
+        self._process = PROCESSES.Process(target=_work, args=given)
+        # Ctrl-C reaches every process of the terminal; the parent decides what it means.
+        # A blocked signal stays blocked in the server that this starts, and its children.
         before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
         try:
             with main_left_out():
@@ -95,6 +100,7 @@ class LocalWorker:
         finally:
             signal.pthread_sigmask(signal.SIG_SETMASK, before)
         theirs.close()
+        stderr.close()
 
     def send(self, task: EpisodeTask) -> None:
         """Give it a task."""
@@ -149,11 +155,17 @@ def _how_it_ended(code: int | None) -> str:
     return f"ended with exit code {code}"
 
 
-def _work(connection: Connection) -> None:
+def _work(
+    connection: Connection, stderr: Connection, environment: Mapping[str, str]
+) -> None:
     """Do the tasks that come; the life of a worker process."""
+    signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    os.environ.clear()
+    os.environ.update(environment)
     # What is printed while working is no result of the parent's.
-    with contextlib.suppress(OSError):
-        os.dup2(2, 1)
+    for stream in (1, 2):
+        os.dup2(stderr.fileno(), stream)
+    stderr.close()
     die_with_parent()
     try:
         connection.send(("hello", None))
