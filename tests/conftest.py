@@ -52,8 +52,9 @@ from memorymaze.sites import Site, load_site, load_sites
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page
 
-# How long an example takes says more of the machine than of the code.
-property_settings.register_profile("untimed", deadline=None)
+# How long an example takes says more of the machine than of the code; each run of the
+# tests draws other examples.
+property_settings.register_profile("untimed", deadline=None, max_examples=40)
 property_settings.load_profile("untimed")
 
 Plan = dict[str, Any]

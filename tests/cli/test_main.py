@@ -133,9 +133,8 @@ def test_what_the_machine_refuses_is_no_fault_of_the_program(
 
 
 def test_a_reader_that_leaves_early_is_no_fault() -> None:
-    command = f"{sys.executable} -m memorymaze instructions stats | head -n 1"
+    command = f"{sys.executable} -m memorymaze agents | true; exit ${{PIPESTATUS[0]}}"
     done = subprocess.run(
-        ["bash", "-c", command], capture_output=True, text=True, check=True
+        ["bash", "-c", command], capture_output=True, text=True, check=False
     )
-    assert done.stdout == "564 texts written by a LANGUAGE MODEL, not by people.\n"
-    assert done.stderr == ""
+    assert (done.returncode, done.stderr) == (1, "")

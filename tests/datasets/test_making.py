@@ -1,6 +1,7 @@
 import csv
 import json
 import os
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -147,12 +148,6 @@ def test_a_building_with_a_route_that_cannot_be_told_is_made_anew(
     assert made.planned.seed != planned.seed
 
 
-def test_another_seed_makes_other_buildings(made: Path, tmp_path: Path) -> None:
-    make_dataset(DatasetRequest(3, 1, seed=1), tmp_path / "other", workers=1)
-    names = {path.name for path in (made / "sites").iterdir()}
-    assert not names & {path.name for path in (tmp_path / "other/sites").iterdir()}
-
-
 def test_a_folder_with_something_else_is_left_alone(tmp_path: Path) -> None:
     (tmp_path / "mine.txt").write_text("mine", encoding="utf-8")
     with pytest.raises(SettingsError, match="exists already"):
@@ -160,13 +155,17 @@ def test_a_folder_with_something_else_is_left_alone(tmp_path: Path) -> None:
     assert [path.name for path in tmp_path.iterdir()] == ["mine.txt"]
 
 
-def test_a_dataset_is_replaced_only_when_asked_for(tmp_path: Path) -> None:
+def test_a_dataset_is_replaced_only_when_asked_for_and_another_seed_makes_others(
+    made: Path, tmp_path: Path
+) -> None:
     out = tmp_path / "made"
-    make_dataset(DatasetRequest(3, 1), out, workers=1)
+    shutil.copytree(made, out)
     with pytest.raises(SettingsError, match="exists already"):
         make_dataset(DatasetRequest(3, 1, seed=1), out, workers=1)
     make_dataset(DatasetRequest(3, 1, seed=1), out, overwrite=True, workers=1)
     assert json.loads((out / "dataset.json").read_bytes())["seed"] == 1
+    names = {path.name for path in (made / "sites").iterdir()}
+    assert not names & {path.name for path in (out / "sites").iterdir()}
 
 
 def test_a_dataset_that_cannot_be_finished_leaves_nothing(

@@ -61,9 +61,9 @@ def test_the_code_generation_agent_keeps_the_contract(parser: bool) -> None:
 
 @pytest.fixture
 def make_robot(corridor_site: Site) -> Callable[[], SteppingRobot]:
-    """Robots in a corridor, for ten simulated seconds."""
+    """Robots in a corridor, for five simulated seconds."""
     scene = build_scene(corridor_site)
-    settings = SimulationSettings(time_budget=10.0)
+    settings = SimulationSettings(time_budget=5.0)
     return lambda: SimulatedRobot(scene, Pose(2, 0, 0), settings, cameras=robot_cameras)
 
 
@@ -148,7 +148,7 @@ class Remembering(StopAgent):
         pytest.param(Nameless(), "one line of text, got ''", id="nameless"),
         pytest.param(Failing(), r"IndexError: no words \(test_agents.py", id="failing"),
         pytest.param(Peeking(), "follows an instruction has no 'scene'", id="peeking"),
-        pytest.param(Denying(), "episode is over; got '10 more calls'", id="denying"),
+        pytest.param(Denying(), "episode is over; got '14 more calls'", id="denying"),
         pytest.param(Remembering(), "the same calls for the same", id="remembering"),
     ],
 )
