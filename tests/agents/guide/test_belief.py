@@ -170,7 +170,7 @@ def test_one_has_not_arrived_one_junction_after_a_thing_that_was_not_passed() ->
     before, after = _hall(1), _hall(3)
     after.see("clock", 2.2, 0)
     here = _here_to_going_on(told, after, 3)
-    assert 2 * _here_to_going_on(told, before, 1) < here
+    assert 4 * _here_to_going_on(told, before, 1) < here
 
 
 def test_a_thing_passed_on_the_last_stretch_speaks_as_well_for_going_on() -> None:
