@@ -293,7 +293,8 @@ def category_score(head: str, category: NounPhrase) -> float:
         return 0.0
     if len(category.words) - len(names[0][1]) > 1:  # a fixed phrase: "display case"
         return BY_SUBJECT if head in category.singulars[:-1] else 0.0
-    return BY_SUBJECT if category_score(head, NounPhrase(subject)) > 0 else 0.0
+    shown = head == singular(subject[-1])  # "station" for a space station module
+    return BY_SUBJECT if shown or category_score(head, NounPhrase(subject)) else 0.0
 
 
 def is_place(noun: str) -> bool:
