@@ -28,7 +28,7 @@ ODD = (
 
 odd_seeds = st.integers(0, 10_000_000)
 few = settings(
-    max_examples=25,
+    max_examples=10,
     suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow],
 )
 

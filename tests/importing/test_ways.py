@@ -142,7 +142,7 @@ drawn = st.lists(
     max_size=7,
 ).filter(lambda lines: max(LineString(each.points).length for each in lines) > 3)
 anything = settings(
-    max_examples=20, suppress_health_check=[HealthCheck.function_scoped_fixture]
+    max_examples=10, suppress_health_check=[HealthCheck.function_scoped_fixture]
 )
 
 

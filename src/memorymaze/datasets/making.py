@@ -15,7 +15,6 @@ from memorymaze.datasets.buildings import (
     finish_building,
 )
 from memorymaze.datasets.description import page, statistics
-from memorymaze.datasets.lerobot import write_frames
 from memorymaze.datasets.splits import FEWEST, SEEDS_APART, SPLITS, plan_buildings
 from memorymaze.datasets.walks import STEP, TURN
 from memorymaze.datasets.workers import done_by_processes
@@ -126,6 +125,9 @@ def make_dataset(
         sites = {each.site.name: each.site for each in buildings}
         write_vln_ce(unfinished / "vln_ce", texts, sites, step=STEP, turn=TURN)
         if request.frame_size is not None:
+            # Most datasets have no frames, and need neither video nor table libraries.
+            from memorymaze.datasets.lerobot import write_frames
+
             for split in SPLITS:
                 write_frames(
                     unfinished / "frames" / split,
