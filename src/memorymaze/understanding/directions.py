@@ -78,6 +78,9 @@ def is_turn(clause: Clause, at: int, *, after_turn: bool) -> bool:
     if out and chunk.text.startswith(("to", "by")):
         return True  # "exit the lifts to the right"
     if chunk.kind == "S":
+        bare = chunk.text in {"in left", "in right"}
+        if bare and before in {"", "GHE", "GE", "E"} and not re.match("[BVN]", after):
+            return True  # "till the end and in left"
         if towards_a_side(chunk) and not after:
             if clause.has("r") and not before:
                 return True  # "so you to the right"

@@ -47,6 +47,8 @@ _LANES = re.compile(
 )
 
 
+_IDLE_NAME = re.compile(r"(?:lost and found|left luggage|way out)\b")
+"""Names made of words that name nothing by themselves."""
 _BINDING = re.compile(
     r" (?:of|with|that|for|on|in|saying|marked|called|named|opposite) "
 )
@@ -71,6 +73,8 @@ _SIGN = re.compile(
 def thing_phrase(words: str) -> str:
     """Return the words to look for, or "" when they name nothing a camera finds."""
     tokens = _PARTITIVE.sub("", words).split()
+    if _IDLE_NAME.match(words):
+        return _as_asked_for(tokens)
     while tokens and _is_idle(tokens[-1]):
         tokens.pop()
     while tokens and tokens[0] in FILLERS - LOOKS and tokens[:2] != ["first", "aid"]:
