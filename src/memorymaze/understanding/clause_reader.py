@@ -108,7 +108,13 @@ class ClauseReader:
             kind = chunk.kind
             if kind == "N" and (phrase := thing_phrase(chunk.text)):
                 found = True
-                self._add(Event("thing", phrase=phrase, relation="past", ignored=True))
+                bound = clause.chunks[at - 1] if at else chunk
+                until = bound.kind == "U" and bound.text != "to"  # "ignore all until …"
+                self._add(
+                    Event("thing", phrase=phrase, relation="until")
+                    if until
+                    else Event("thing", phrase=phrase, relation="past", ignored=True)
+                )
             elif kind == "L" and not re.search("[TGOJ]", clause.kinds[start:]):
                 found = True  # "not left": says only what the turn is not
             elif kind == "J" and re.search("H.*A$", clause.kinds[start:at]):

@@ -36,7 +36,7 @@ _ENTERED = re.compile(
     r"(?:that's|that is|this is|it's|there's|here is|here's|there is|then is|you're (?:at|in|on)"
     r"|you are (?:at|in|on|now on)|means|find|reach|see|to|into) (?:the |your |a |now on the )*$"
 )
-_ASKED = re.compile(r"\s*[?:!.]")
+_ASKED = re.compile(r"\s*(?:[?!.]|:(?! *(?:left|right|straight|turn|go)\b))")
 _ALONE = re.compile(
     r"(?:(?:oh|ah|hm+|well|okay|ok|um|uh|so|yes|now|to|for)?[ ,.]*)*(?:the |your )?"
 )

@@ -292,6 +292,10 @@ def read_opening(
             return [Event("side", side=opening.side, likely=True)], at
     if not (before or opening.noun or opening.side) and re.match("[VGKR]", after):
         return [], at  # "first go to the desk"
+    if before.endswith("NB") and clause.kinds[start:at] == "OS":
+        return [
+            Event("side", side=opening.side)
+        ], at  # "the library is second on the left"
     after_it = before.endswith("Q") and clause.chunks[start - 1].text.endswith("after")
     if after_it and _BEND.search(opening.noun) and not opening.side:
         return [], at  # "after the second bend"
