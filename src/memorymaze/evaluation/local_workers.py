@@ -7,6 +7,7 @@ import os
 import signal
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from multiprocessing import resource_tracker
 from multiprocessing.connection import Connection, wait
 from pathlib import Path
 from typing import Literal
@@ -92,7 +93,9 @@ class LocalWorker:
         given = (theirs, stderr, {**os.environ})
         self._process = PROCESSES.Process(target=_work, args=given)
         # Ctrl-C reaches every process of the terminal; the parent decides what it means.
-        # A blocked signal stays blocked in the server that this starts, and its children.
+        # A blocked signal stays blocked in the server that this starts, and its children;
+        # what tracks resources would unblock it if it was started only then.
+        resource_tracker.ensure_running()
         before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
         try:
             with main_left_out():
