@@ -10,6 +10,7 @@ from dataclasses import replace
 
 from memorymaze.routes import Length, Mention, Passing, Side, Turn, Way
 from memorymaze.understanding.clause import AT_THE_TURN, Event
+from memorymaze.understanding.endings import ended_on_a_side
 from memorymaze.understanding.event_order import (
     counted_from,
     ends_the_sentence_of_a_turn,
@@ -22,8 +23,6 @@ from memorymaze.understanding.repetitions import Restating
 from memorymaze.understanding.setting_off import SettingOff
 from memorymaze.understanding.things import is_floor, kind_of
 
-_BESIDE_A_DOOR = 8.0
-"""Metres: after so few, a side is that of a door rather than of one more turn."""
 _LONGEST_OPEN = 3
 """Clauses after which an opening that was named counts as left alone."""
 
@@ -64,7 +63,7 @@ class _Assembly:
         self._end_at_an_opening()
         self._end_beside_a_way()
         self._settle_way()
-        self._end_on_a_side()
+        self._draft = ended_on_a_side(self._done, self._draft)
         legs = [*self._done, self._draft]
         legs[0].drop_names()
         return legs
@@ -92,6 +91,8 @@ class _Assembly:
                 self._done[-1].placed = True
                 self._change_last_turn(ordinal=event.ordinal)
             case "way":
+                if self._is_named_again(event):
+                    self._way = None  # "there is a left, hm, there is a left"
                 self._settle_way()
                 self._way, self._way_age = self._newly_counted(event), 0
                 self._setting_off.note_side(event, at)
@@ -113,6 +114,10 @@ class _Assembly:
             case "wall" if event.side is not None:
                 self._face_anew(at, always=False)
                 self._draft.walls.append(event.side)
+            case "along" if self._last and event.length is not None:
+                self._last[-1] = replace(
+                    self._last[-1], after_metres=event.length.metres
+                )
             case "restate":
                 self._restating.announce()
             case "at_once":
@@ -213,6 +218,16 @@ class _Assembly:
         self._draft = self._done.pop()
         self._leave(Event("way", side=side))
 
+    def _is_named_again(self, event: Event) -> bool:
+        named = self._way
+        return (
+            named is not None
+            and self._way_age > 0
+            and not (named.taken or event.taken or named.ordinal or event.ordinal)
+            and (named.side, named.phrase, named.count)
+            == (event.side, event.phrase, event.count)
+        )
+
     def _newly_counted(self, way: Event) -> Event:
         """`At the third junction`, the second being that of the turn before: the next."""
         if way.ordinal is None or way.side or way.phrase.startswith("number"):
@@ -268,45 +283,6 @@ class _Assembly:
             self._draft.mentions[-1] = replace(last, side=way.side)
         else:
             self._draft.side = way.side
-
-    def _end_on_a_side(self) -> None:
-        """`Room 2347, left.`: the last word tells the side of the destination."""
-        if not self._done:
-            return
-        if not self._draft.is_new:
-            self._end_at_a_door()
-            return
-        last = self._done[-1]
-        turn = last.turn
-        if turn is None or turn.at_end or turn.ordinal is not None:
-            return
-        if last.leaves and self._draft.side is not None:
-            return  # "it is to your left, and you find it on the right"
-        aside = last.aside_turn and self._draft.side is None
-        if turn.way not in {"left", "right"} or not (
-            aside or (last.plain_last and last.mentions)
-        ):
-            return
-        self._done.pop()
-        side: Side = "left" if turn.way == "left" else "right"
-        if last.mentions and last.mentions[-1].place in {"turn", "along"}:
-            last.mentions[-1] = replace(last.mentions[-1], side=side, place="along")
-        else:
-            last.side = side
-        last.turn = None
-        self._draft = last
-
-    def _end_at_a_door(self) -> None:
-        """`After 5 m, left: 2347.`: a few steps and a side, and then a door."""
-        last, draft = self._done[-1], self._draft
-        way = last.turn.way if last.turn else "either"
-        metres = sum(each.metres for each in last.lengths)
-        if way not in {"left", "right"} or not last.bare_turn or last.mentions:
-            return
-        if 0 < metres <= _BESIDE_A_DOOR and draft.has_only_a_door and not last.at_end:
-            draft.lengths = last.lengths
-            draft.side = "left" if way == "left" else "right"
-            self._done.pop()
 
     # -- openings that are named before it is said what to do with them
 
@@ -378,6 +354,8 @@ class _Assembly:
             back = back or thing.back
         draft = self._done[-1] if back and self._done else self._draft
         draft.lengths.append(length)
+        if draft is self._draft and self._last is not draft.mentions:
+            self._last = []
 
     def _add_thing(self, event: Event, at: int) -> None:
         if event.relation == "from":
@@ -480,6 +458,7 @@ class _Assembly:
         )
         if not (back and self._done):
             self._draft.at_end = self._draft.at_end or event.kind == "end"
+            self._draft.told_at_end = event.of_goal and bool(self._draft.subjects)
             self._draft.junction = event.junction or self._draft.junction
             self._draft.placed = self._draft.placed or placed
             return

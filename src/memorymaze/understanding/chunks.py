@@ -28,6 +28,7 @@ from memorymaze.understanding.lengths import (
     read_vague,
 )
 from memorymaze.understanding.spelling import spelt
+from memorymaze.understanding.spoken_numbers import with_plain_numbers
 from memorymaze.understanding.vocabulary import (
     CLOCK,
     FILLERS,
@@ -80,6 +81,13 @@ _HESITATION = re.compile(
     r"(?<!first)(?<!second)(?<!third)(?<!last), *(?:u+h+m*|u+m+|e+r+m?|e+hm*|h+m+)\b *(?:,|\.\.\.)"
 )
 """Said with a pause before and after, which are no joints then."""
+_DANGLING = re.compile(
+    r"\b(to|to the|at|at the|of the|on the|the|your|into|into the|past|past the|by the|an?)"
+    r" ?\.{2,}\s+(?=[a-z])"
+)
+"""A pause in the middle of a phrase: `to the... other side`."""
+_DRAWN_OUT = re.compile(r"([a-z])\1{2,}(?=[a-z]*\b)")
+"""Letters drawn out: `sooo long`."""
 _PLAIN_SIGNS = {
     "\u2019": "'", "\u2018": "'", "`": "'", "\u201c": '"', "\u201d": '"',
     "\u2026": "...", "\u2014": ", ", " \u2013 ": ", ", "\u2013": "-",
@@ -124,9 +132,10 @@ def normalise(text: str) -> str:
         text = text.replace(old, new)
     text = _ISH.sub(r"\1", text)
     text = _HESITATION.sub(" ", text)
+    text = _DRAWN_OUT.sub(r"\1", _DANGLING.sub(r"\1 ", text))
     text = _SPELT.sub(lambda match: SPELLINGS.get(match[0], match[0]), text)
     text = re.sub(r"\b(left|right)-(\w+)-(left|right)\b(?! hand)", _unless_and, text)
-    text = _drop_inline_counting(text)
+    text = with_plain_numbers(_drop_inline_counting(text))
     text = _LISTED_SIDES.sub(_without_sides, text)
     for row in PLAIN_WORDS:
         text = row.regex.sub(row.work, text)
@@ -279,7 +288,9 @@ def _way_of(words: str) -> Direction | None:
         return None if way == "behind" else way  # type: ignore[return-value]
     side = "left" if "left" in words else "right"
     slanted = re.search(
-        r"slight|half|soft|gentl|\bbit\b|little|diagonal|keep|stay|bear|veer", words
+        r"slight|half|soft|gentl|\bbit\b|little|diagonal|touch|tad\b|shade|smidge|whisker|ish\b"
+        r"|keep|stay|bear|veer",
+        words,
     )
     if slanted:
         return "slight_left" if side == "left" else "slight_right"

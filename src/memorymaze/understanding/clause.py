@@ -29,13 +29,15 @@ EventKind = Literal[
     "then",
     "recap",
     "restate",
+    "along",
     "ahead",
     "wall",
     "sentence",
     "clause",
 ]
 """`way` is an opening that is named without saying whether to take it; `ahead` is what
-lies along a way (`take the blue path`, `face the easel`), `wall` a side without a way."""
+lies along a way (`take the blue path`, `face the easel`), `wall` a side without a way,
+`along` how far along the stretch the thing named last is."""
 
 Relation = Literal[
     "at",
@@ -176,7 +178,11 @@ class Clause:
     @property
     def is_recap(self) -> bool:
         """Whether it may sum up what was said: `so right and left`."""
-        return self.has("r") or any(_RECAP.search(chunk.text) for chunk in self.said)
+        return (
+            self.has("r")
+            or self.kinds == "Z2"
+            or any(_RECAP.search(chunk.text) for chunk in self.said)
+        )
 
     @property
     def is_of_the_speaker(self) -> bool:

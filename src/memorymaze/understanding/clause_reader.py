@@ -34,11 +34,13 @@ from memorymaze.understanding.things import (
 
 _AT_IT = re.compile(r"(?:at|in|when|where|once|the|far|very|its|by)\b")
 _AHEAD = re.compile(r"(?:straight |dead |right )?(?:ahead|(?:in )?front)\b")
-_ROUND = re.compile(r"round|around|bend|curve|curl|wind|turns?$")
+_ROUND = re.compile(r"round|around|bend|bent|curve|curl|wind|corner|turns?$")
 _WHEN = re.compile(r"when|where|once|as\b")
 _ROUND_IT = re.compile(r"(?:round|around|follow|go|walk|come|keep)")
 _BACK = re.compile(r"(?:(?:turn|go|walk|head) )?back\b(?! up)|turn round|.*the o")
-_SMALL = re.compile(r"small|lean|slight|little|gentle|soft|light|bit of")
+_SMALL = re.compile(
+    r"small|lean|slight|little|gentl|soft|light|bit\b|drift|tilt|touch|tad\b|somewhat|kink|wiggl|jink"
+)
 _SLANTED: dict[Way | None, Way] = {"left": "slight_left", "right": "slight_right"}
 _REACHED = re.compile(r"reach|come|comes|get to|arrive|hit|face|facing|meet")
 _LEAVING = re.compile(r"leav|\b(?:of|from|out|off|exit)\b")
@@ -131,7 +133,10 @@ class ClauseReader:
             elif kind == "M":
                 self._add(Event("length", length=chunk.length))
             at += 1
-        if not found and clause.kinds[start:] != "T":  # "no turns"
+        if clause.kinds[start:] == "H":
+            if _names_an_opening(clause.before):
+                self._add(Event("take"))  # "the first on the right. not straight"
+        elif not found and clause.kinds[start:] != "T":  # "no turns"
             firm = re.search("I|XY", clause.kinds) is not None
             self._add(Event("refuse", taken=firm))
 
@@ -183,6 +188,8 @@ class ClauseReader:
             if clause.kinds[at + 1 :] in {"S", "L"} and is_lane(chunk.text):
                 return self._read_lane(at)
             self._read_thing(at)
+        elif kind == "M" and re.fullmatch("[ZB]*N[BV]?[SL][AQ]M", clause.kinds):
+            self._add(Event("along", length=chunk.length))
         elif kind == "M":
             back = self._turned and clause.kind_before(at) in {"A", "Q"}
             self._add(Event("length", length=chunk.length, back=back))
@@ -280,7 +287,9 @@ class ClauseReader:
             self._add(Event("way", side=side_of(chunk), likely=True, leaving=leaving))
         elif turn:
             bend = " ".join(c.text for c in clause.chunks[:at] if c.kind == "K")
-            way = _SLANTED.get(chunk.turn) if _SMALL.search(bend) else chunk.turn
+            way = chunk.turn
+            if _SMALL.search(bend):
+                way = _SLANTED.get(way) or way
             alone = re.fullmatch("[ZVR]*S", clause.kinds) and not place_is_named(clause)
             self._take(
                 Event(
@@ -435,6 +444,13 @@ class ClauseReader:
                 return onward
             case _:
                 return None
+
+
+def _names_an_opening(told: Sequence[Event]) -> bool:
+    """Tell whether an opening was named last."""
+    joints = {"clause", "sentence", "then"}
+    last = next((each for each in reversed(told) if each.kind not in joints), None)
+    return last is not None and last.kind == "way"
 
 
 def _is_of_the_goal(clause: Clause) -> bool:

@@ -40,6 +40,9 @@ def apply_corrections(chunks: list[Chunk]) -> list[Chunk]:
             end += 1
         new = _first_value(chunks, end)
         old = None if new is None else _last_value(chunks, at, chunks[new])
+        refused = chunks[at].kind == "X" and old is not None and new is not None
+        if refused and _same_way(chunks[old or 0], chunks[new or 0]):
+            new = None  # "there is a left, no. then left"
         if new is None or old is None:
             early = _said_too_early(chunks, at, end)
             del chunks[early : early + 1]

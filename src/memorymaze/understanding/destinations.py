@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
-from itertools import pairwise
+from itertools import pairwise, takewhile
 
 from memorymaze.perception.lexicon import is_noun
 from memorymaze.routes import Mention, Side
@@ -38,9 +38,26 @@ _ENTERED = re.compile(
 )
 _ASKED = re.compile(r"\s*(?:[?!.]|:(?! *(?:left|right|straight|turn|go)\b))")
 _ALONE = re.compile(
-    r"(?:(?:oh|ah|hm+|well|okay|ok|um|uh|so|yes|now|to|for)?[ ,.]*)*(?:the |your )?"
+    r"(?:(?:oh|ah|hm+|well|okay|ok|um|uh|so|yes|now|to|for)?[ ,.]*)*(?:[a-z]+: *"
+    r"|(?:destination|target|goal|objective|routing to|bound for|en route to|off to) )?(?:the |your )?"
 )
 """What may stand around the destination when a text begins with it alone."""
+_PAUSE = re.compile(
+    r"\s*(?:(?:thing|place|bit|please|then|thanks|yeah|yes) *)*[,:.;!?=/(]"
+)
+_WANTED = re.compile(
+    r"\W*(?:(?:right|ok|okay|so|well|now|ah|oh|hi|hello)[,. ]+)*(?:(?:so )?you(?:'re| are)? (?:want(?:ing)?|need|after"
+    r"|looking for|seeking|trying to (?:find|reach|get to)|heading (?:for|to)|bound for|off to)"
+    r"|(?:this is )?(?:how|the way|your way|the route|route|directions|instructions)(?: to get)?(?: to| for)"
+    r"|(?:getting|to get) to|to (?:reach|find)|for) (?:the |your |our |a )?"
+)
+"""What stands before the destination in a first sentence that only names it."""
+_LABEL = re.compile(r"\W*([a-z]+):")
+"""`Drop: the library.`: another word for the destination."""
+_TELLS_THE_WAY = frozenset("LS2TGKMEOJuUPQHmVRs")
+"""Kinds of chunk of a sentence that says more than where one wants to go."""
+_TITLED = 2
+"""Names in a first sentence that may be no more than the destination's."""
 _ASIDE = re.compile(
     r" (?:is|comes|are|was) (?:just )?(?:before|after|opposite|across|first|behind)\b"
 )
@@ -72,6 +89,8 @@ _UNKNOWN = 1.0
 """Weight less for what ends with a word that names no kind of thing."""
 _DENIED = -5.0
 """Weight of what was said to be too far."""
+_SURE = 3.0
+"""Weight from which on a name is that of the destination, wherever it was said."""
 _MAX = 3
 
 
@@ -109,6 +128,8 @@ def find_destinations(
     passed = {m.phrase for m in last.mentions if m.side == "behind"} | beyond
     passed |= {length.after for length in last.lengths if length.after is not None}
     passed |= set(last.between)
+    label = _LABEL.match(text)
+    passed |= {label[1]} if label is not None else set()
     passed |= {phrase for phrase, weight in named.items() if weight <= _DENIED}
     for order, (mention, subject) in enumerate(candidates):
         if mention.phrase in passed or mention.ignored or is_floor(mention.phrase):
@@ -127,7 +148,7 @@ def find_destinations(
             if place:
                 scores[place] = max(scores.get(place, 0.0), score)
     for phrase, weight in named.items():
-        if weight >= 3.0 and phrase not in beyond:
+        if weight >= _SURE and phrase not in passed:
             scores[phrase] = max(scores.get(phrase, 0.0), weight)
     if not scores and not counted:
         is_at_a_place = last.at_end or last.junction is not None or at_a_floor
@@ -284,10 +305,46 @@ def _score(mention: Mention, *, subject: bool) -> float:
     return score
 
 
+def names_in_title(chunks: Sequence[Chunk], text: str) -> list[Chunk]:
+    """Return the names of the destination that a description has for a title.
+
+    `Bakery, easy, I never get lost.`: the first sentence says no more than the goal.
+    """
+    first = list(takewhile(lambda each: each.kind != ".", chunks))
+    kinds = "".join(each.kind for each in first)
+    label = re.match("f*N,", kinds)
+    if label is not None and first[label.end() - 1].text == ":":
+        first = first[label.end() :]  # "drop: the library"
+    wanted = next((n for n, each in enumerate(first) if each.kind == "N"), None)
+    if (
+        wanted is not None
+        and _WANTED.fullmatch(text[: first[wanted].start])
+        and "".join(each.text for each in first[wanted + 1 :][:1]) in {"", ":"}
+    ):
+        return [first[wanted]]  # "you want the kitchen."
+    if re.fullmatch("f*Af*Nf*Uf*N", kinds) and "from" in {c.text for c in first}:
+        return first[-1:]  # "from the lifts to the library"
+    name = next((each for each in first if each.kind not in "fhrep,"), None)
+    named = sum(each.kind == "N" for each in first)
+    if name is None or name.kind != "N" or named > _TITLED:
+        return []
+    if _TELLS_THE_WAY & {each.kind for each in first}:
+        return []
+    end = name.start + len(name.text)
+    if not _PAUSE.match(text, end):
+        return []
+    numbered = (c for c in first if c.kind == "N" and _LONG_NUMBER.search(c.text))
+    return [name, *(each for each in numbered if each is not name)]
+
+
 def _weights_in_text(chunks: list[Chunk], text: str) -> dict[str, float]:
     """Weigh every name by the words before it and by how often it is said."""
     weights: dict[str, float] = {}
     opening = _named_first(chunks)
+    title = names_in_title(chunks, text)
+    after_idle_words = next(
+        (each for each in chunks if each.kind not in "fhrep,."), None
+    )
     for chunk in chunks:
         if chunk.kind != "N":
             continue
@@ -314,7 +371,11 @@ def _weights_in_text(chunks: list[Chunk], text: str) -> dict[str, float]:
             weight += 4.0
         elif chunk.start in opening:
             weight += _NAMED_FIRST
-        elif chunk.start < 25 and _ASKED.match(text, end) and _ALONE.fullmatch(before):
+        elif chunk in title or (
+            chunk.start < 25
+            and _ASKED.match(text, end)
+            and (_ALONE.fullmatch(before) or chunk is after_idle_words)
+        ):
             weight += 3.0
         elif _ANNOUNCED.search(before):
             weight += 3.0 if share < 0.25 or share > 0.8 else 1.0

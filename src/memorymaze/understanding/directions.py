@@ -116,6 +116,8 @@ def _is_bare_turn(
         return bound is not None and not clause.chunks[bound.start()].text.startswith(
             _LOOSE
         )
+    if last == "R":
+        return False  # "the destination is left"
     if last == "B":
         return "N" not in before or "J" in before
     if last in {"A", "w"}:
@@ -129,6 +131,9 @@ def _is_turn_to_side(clause: Clause, chunk: Chunk, before: str, after: str) -> b
     """Decide about `to the left`, `on the left`, `nine o'clock`."""
     if ("G" in before and not is_aside(chunk)) or "K" in before:
         return re.search("[NJ]", before) is None and not after.startswith("BN")
+    last = clause.last_event()
+    if clause.kinds == "S" and last is not None and last.kind == "take":
+        return True  # "a door, and you go in, also on the right"
     if not (is_aside(chunk) or re.search("[BVNZ]", before)) and re.match(
         "[AwQE]", after
     ):
@@ -154,6 +159,8 @@ def _is_turn_to_side(clause: Clause, chunk: Chunk, before: str, after: str) -> b
     last = clause.last_event()
     if last is None:
         return True
+    if last.kind == "thing" and any(c.text in {"too", "also"} for c in clause.said):
+        return False  # "the desk, that is to the left, too"
     if last.kind == "turn" and last.way == chunk.way:
         return False
     place = last.relation == "from" or place_is_named(clause)
@@ -324,6 +331,9 @@ def read_opening(
     if turned and opening.ordinal is not None and re.search("[LS]A$", before):
         return [_likely(way, back=True)], at  # "left at the second one on the left"
     if opening.side == "left" or opening.side == "right":
+        told = clause.chunks[start - 2].way if turned and start > 1 else None
+        if re.search("[LS][tA]$", before) and told == (opening.way or opening.side):
+            return [_likely(way, back=True)], at  # "turn left into the second left"
         if opening.stated or _is_taken(clause, opening, start, after):
             turn = Event(
                 "turn",
@@ -416,6 +426,8 @@ def _is_taken(clause: Clause, opening: _Opening, start: int, after: str) -> bool
         return True
     if before.endswith("Z") and clause.chunks[start - 1].text.endswith(" the"):
         return True  # "it is the only turning on the left"
+    if opening.noun and not (before or after) and place_is_named(clause):
+        return True  # "up to the desk, and the branch to the left"
     if opening.towards and opening.ordinal is not None:
         return "B" not in before and not after.startswith("B")
     return re.search("[AU]$", before) is not None and opening.ordinal is not None

@@ -35,6 +35,11 @@ LENGTH = (
 
 _IN_ALL = r",? (?:in (?:all|total)|all in all|altogether|overall)\b"
 _TURNS_IN_ALL = re.compile(rf"\b(?P<count>{NUMBER}) turn(?:ing)?s?{_IN_ALL}")
+_FIGURES = re.compile(
+    rf"(?:(?<=[.:;] )|^)(?:{LENGTH}(?:,| and) (?P<count>{NUMBER}) (?:turn(?:ing)?s?|corners)"
+    rf"|(?P<turns>{NUMBER}) (?:turn(?:ing)?s?|corners)(?:,| and) {LENGTH.replace('(?P<', '(?P<_')})(?= *[.;:])"
+)
+"""`157 m, 8 turns.`: a sentence of figures alone."""
 _LENGTH_IN_ALL = re.compile(rf"\b{LENGTH}{_IN_ALL}")
 _IN_METRES: dict[str, float] = {
     "m": 1.0,
@@ -123,6 +128,10 @@ def read_totals(text: str) -> tuple[str, Totals]:
     >>> read_totals("it is 80 metres in all. turn left.")
     ('it is . turn left.', Totals(turns=None, metres=80.0))
     """
+    figures = _FIGURES.search(text)
+    if figures is not None:
+        in_all = figures[0].replace(",", " in all ,").replace(" and ", " in all and ")
+        text = f"{text[: figures.start()]}{in_all} in all{text[figures.end() :]}"
     turns = _TURNS_IN_ALL.search(text)
     if turns is not None:
         text = text[: turns.start()] + text[turns.end() :]

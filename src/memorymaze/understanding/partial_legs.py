@@ -81,6 +81,8 @@ class PartialLeg:
     """Indices of mentions that a clause is about: `the chapel is on your left`."""
     bare_turn: bool = False
     """Whether the turn was one word, at the beginning of its clause."""
+    told_at_end: bool = False
+    """Whether its end was said to be where something is: `the office is at the end`."""
     aside_turn: bool = False
     """Whether its turn was said as `to the left` alone."""
     plain_last: bool = False

@@ -10,8 +10,9 @@ from memorymaze.understanding.chunks import Chunk, cut, normalise
 from memorymaze.understanding.clause import Clause, Event
 from memorymaze.understanding.clause_reader import ClauseReader
 from memorymaze.understanding.corrections import apply_corrections
-from memorymaze.understanding.destinations import find_destinations
+from memorymaze.understanding.destinations import find_destinations, names_in_title
 from memorymaze.understanding.lengths import read_totals
+from memorymaze.understanding.listed_openings import with_listed_openings
 from memorymaze.understanding.partial_legs import plan_of
 from memorymaze.understanding.repetitions import without_overviews
 from memorymaze.understanding.things import thing_phrase
@@ -32,13 +33,25 @@ _SPEAKER = frozenset({"i", "i'm", "im", "i've", "ive", "me", "my", "mine"})
 def parse_route_description(text: str) -> RoutePlan:
     """Return the plan that an English route description gives."""
     words, totals = read_totals(normalise(text))
-    chunks = apply_corrections(cut(words))
-    events = without_overviews(_sentences(split_clauses(chunks), words))
+    chunks = with_listed_openings(apply_corrections(cut(words)))
+    sentences = _sentences(split_clauses(chunks), words)
+    if names_in_title(chunks, words):
+        said, first = sentences[0]
+        sentences[0] = (said, _without_title(first))
+    events = without_overviews(sentences)
     drafts = assemble(events)
     if len(drafts) == 1 and drafts[0].is_unsaid and _KNOWS_NOT.search(words):
         return RoutePlan()
     destinations, side, nth = find_destinations(drafts[-1], drafts[:-1], chunks, words)
     return replace(plan_of(drafts, destinations, side, nth), totals=totals)
+
+
+def _without_title(events: Sequence[Event]) -> list[Event]:
+    """`The way to the library: left, …`: what is no more than the destination's name."""
+    ways = [n for n, e in enumerate(events) if e.kind not in {"thing", "clause"}]
+    title = ways[0] if ways else len(events)
+    origin = [each for each in events[:title] if each.relation == "from"]
+    return [*origin, *events[title:]]
 
 
 def _sentences(clauses: list[list[Chunk]], text: str) -> list[tuple[str, list[Event]]]:
@@ -138,7 +151,7 @@ def read_clauses(
     for number, clause in enumerate(clauses):
         joint = clause[-1] if clause[-1].kind in ".,>&" else None
         body = clause[:-1] if joint is not None else clause
-        if body and body[0].kind == "r" and _commands_a_turn(body):
+        if body and body[0].kind == "r" and _tells_a_turn(body, clauses[number:]):
             missing = False  # "if you go right you meet the stairs, so go left"
         missing = missing or _speaks_of_missing(body, clauses[number:], told)
         if _is_a_question(clause):
@@ -173,6 +186,16 @@ def _is_a_question(clause: Sequence[Chunk]) -> bool:
 def _commands_a_turn(body: list[Chunk]) -> bool:
     kinds = "".join(chunk.kind for chunk in body)
     return re.search("[TG].*[LS]|^r[hp]*L", kinds) is not None
+
+
+def _tells_a_turn(body: list[Chunk], rest: Sequence[list[Chunk]]) -> bool:
+    """`So go left`, and `so before the chess, left`."""
+    bare = any(re.match("[fhp]*L[.,>&]?$", _kinds(clause)) for clause in rest)
+    return bare or _commands_a_turn(body)
+
+
+def _kinds(clause: Sequence[Chunk]) -> str:
+    return "".join(chunk.kind for chunk in clause)
 
 
 def _mark(joint: Chunk | None) -> Event:

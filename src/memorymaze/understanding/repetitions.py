@@ -20,6 +20,8 @@ _OVERVIEW = re.compile(
     r"|(?:two|three|four|five|six|seven|eight) (?:turns|decisions)"
     r"|think of it|the idea|zig ?zag|the shape|essentially|shortly)\b"
 )
+_LISTED = 3
+"""Bare turns in a row that are a list."""
 
 
 def without_overviews(sentences: list[tuple[str, list[Event]]]) -> list[Event]:
@@ -28,9 +30,15 @@ def without_overviews(sentences: list[tuple[str, list[Event]]]) -> list[Event]:
     An overview has two turns or more that are told again, in order, by the sentences
     after it, or before it when it comes last.
     """
-    turns = [[e.way for e in events if e.kind == "turn"] for _, events in sentences]
+    turns: list[list[Way | None]] = [
+        [e.way for e in events if e.kind == "turn"] for _, events in sentences
+    ]
     kept: list[Event] = []
     for at, (words, events) in enumerate(sentences):
+        if _lists_all(events, turns[at], [*turns[:at], *turns[at + 1 :]]):
+            last = max(n for n, each in enumerate(events) if each.kind == "turn")
+            kept.extend(events[last + 1 :])
+            continue
         others = [way for ways in turns[at + 1 :] for way in ways] if at <= 2 else []
         if at <= 1 and _OVERVIEW.search(words) and len(others) >= 2:
             said = [e for e in events if e.kind == "turn"]
@@ -55,6 +63,30 @@ def without_overviews(sentences: list[tuple[str, list[Event]]]) -> list[Event]:
                 continue
         kept.extend(events)
     return _without_recaps(_without_announcements(kept))
+
+
+def _lists_all(
+    events: Sequence[Event],
+    listed: Sequence[Way | None],
+    others: Sequence[Sequence[Way | None]],
+) -> bool:
+    """`So left, right, right, left.`: all the turns of the other sentences, and no place.
+
+    The side of the destination may come last, and one or two turns may be left out.
+    """
+    bare = {"turn", "clause", "sentence", "then", "thing", "recap", "side", "arrive"}
+    if len(listed) < _LISTED or any(e.kind not in bare or e.back for e in events):
+        return False
+    if any(e.ordinal is not None or e.length is not None for e in events):
+        return False
+    told = [way for ways in others for way in ways]
+    if len(told) < _LISTED or len(events) > 3 * len(listed) + 3:
+        return False
+    return any(
+        len(short) >= len(long) - 2 and _within(short, long)
+        for ways in (list(listed), list(listed[:-1]))
+        for short, long in ((ways, told), (told, ways))
+    )
 
 
 def _without_announcements(events: list[Event]) -> list[Event]:
