@@ -266,6 +266,8 @@ class _Assembly:
         way = self._way
         if way is None or way.taken or way.side is not None or self._draft.lengths:
             return
+        if way.nearest and not way.phrase and self._draft.mentions:
+            return  # "room 5, and room 6, the next"
         if way.ordinal is not None and way.ordinal > 0:
             self._way = None
             metres = way.ordinal * PLACE_METRES

@@ -34,7 +34,9 @@ from memorymaze.understanding.things import (
 
 _AT_IT = re.compile(r"(?:at|in|when|where|once|the|far|very|its|by)\b")
 _AHEAD = re.compile(r"(?:straight |dead |right )?(?:ahead|(?:in )?front)\b")
-_ROUND = re.compile(r"round|around|bend|bent|curve|curl|wind|corner|turns?$")
+_ROUND = re.compile(
+    r"round|around|bend|bent|curve|curl|wind|corner|kink|jog\b|dog-?leg|turns?$"
+)
 _WHEN = re.compile(r"when|where|once|as\b")
 _ROUND_IT = re.compile(r"(?:round|around|follow|go|walk|come|keep)")
 _BACK = re.compile(r"(?:(?:turn|go|walk|head) )?back\b(?! up)|turn round|.*the o")
@@ -47,6 +49,7 @@ _LEAVING = re.compile(r"leav|\b(?:of|from|out|off|exit)\b")
 _TOWARDS = re.compile(r"towards?\b")
 _OPPOSITE = re.compile(r"opposite|across")
 _BETWEEN, _TWO = re.compile(r"(?:in )?between$"), re.compile(r"two|2|both")
+_SIGN = re.compile(r"\b(?:sign|arrow|signboard)s?\b")
 _LOOSE = {"with", "among", "in", "inside", "between"}
 
 
@@ -343,7 +346,11 @@ class ClauseReader:
             self._add(Event("ahead", phrase=phrase, walks=True))
         counted = clause.kind_before(at) == "O"
         nth = int(clause.chunks[at - 1].number or 1) if counted else None
-        taken = self._turned or (self._taken and relation == "into")
+        followed = self._follows_a_sign(at)
+        last = clause.last_event()
+        if followed and not self._turned and last is not None and last.kind == "turn":
+            relation = "into"
+        taken = self._turned or ((followed or self._taken) and relation == "into")
         back = taken and (relation in AT_THE_TURN or relation in {"into", "between"})
         self._add(
             Event(
@@ -354,9 +361,15 @@ class ClauseReader:
                 called=re.fullmatch("N(?:AN)?", clause.kinds) is not None,
                 back=back,
                 ordinal=nth,
-                walks=not self._turned and "G" in clause.kinds[:at],
+                walks=not (self._turned or followed) and "G" in clause.kinds[:at],
             )
         )
+
+    def _follows_a_sign(self, at: int) -> bool:
+        """`Turn right, follow the sign.`: the sign is seen after the turn."""
+        verbs = [each.text for each in self._clause.chunks[:at] if each.kind == "G"]
+        sign = _SIGN.search(self._clause.chunks[at].text) is not None
+        return sign and bool(verbs) and verbs[-1].startswith("follow")
 
     def _is_way(self, at: int, relation: Relation) -> bool:
         """Tell `follow the blue path` from `until the blue path`."""

@@ -250,7 +250,7 @@ def speaks_of_ways(clause: Clause) -> bool:
 
 def comes_before_its_thing(clause: Clause, at: int) -> bool:
     """`On the left is the bench`: the side is said before its thing."""
-    follows = re.match("[BVZ]?n?O?N", clause.kinds[at + 1 :]) is not None
+    follows = re.match("[BVZ]?n?O?N|OJ", clause.kinds[at + 1 :]) is not None
     return follows and "N" not in clause.kinds[:at]
 
 
@@ -290,8 +290,8 @@ def read_opening(
     """
     opening, at = _words_of(clause, start)
     before, after = clause.kinds[:start], clause.kinds[at:]
-    if opening.side is None and before.endswith("SB"):
-        opening.side = side_of(clause.chunks[start - 2])
+    if opening.side is None and (before.endswith("SB") or before == "S"):
+        opening.side = side_of(clause.chunks[before.index("S")])
     if not opening.noun and after.startswith("N"):
         if opening.side is None:
             return [], at  # the ordinal of a thing: "the second door"

@@ -25,9 +25,9 @@ _UNIT = (
     r"(?:m|met(?:re|er)s?|mtrs?|steps?|strides?|paces?|feet|foot|ft|yards?|yds?"
     r"|(?<!\ba )second|seconds|secs?|minutes?|mins?)"
 )
-_ODD = r"(?:[- ]?odd|[- ]?ish|or so|more(?: like)?|good|small|little|quick|normal|slow)"
+_ODD = r"(?:[- ]?odd|[- ]?ish|[- ]some|or so|more(?: like)?|good|small|little|quick|normal|slow)"
 LENGTH = (
-    rf"(?P<low>{NUMBER})(?:\s*(?:-|to|or|,|, or|, maybe|maybe)\s*(?P<high>{NUMBER}))?"
+    rf"(?P<low>{NUMBER})(?:\s*(?:-|to|or|,|, or|, maybe|maybe)\s*(?P<high>(?!some\b){NUMBER}))?"
     rf"(?:\s*{_ODD})?(?:(?<=\d)\s*-?|\s+|-)(?P<unit>{_UNIT})\b(?: and a (?P<extra>half|bit|quarter)\b)?"
     r"(?:-ish| or so| ish)?(?! (?:ago|late|early|old)\b)"
 )

@@ -1,23 +1,28 @@
 """Openings that are told one after the other: `openings left, right, left, all unused`."""
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from memorymaze.understanding.chunks import Chunk
 
 _OPENINGS = re.compile(
-    r"(?:openings|exits|branches|gaps|passages|corridors|hallways|alleys|aisles|lanes|paths"
-    r"|ways|possibilities|roads|streets)\b|\bopens?(?: up)?$"
+    r"(?:openings|exits|branches|gaps|passages|corridors|hallways|halls|turnings|alleys"
+    r"|aisles|lanes|paths|ways|possibilities|roads|streets)\b|\bopens?(?: up)?$"
 )
 _LIST = re.compile(r"(?P<head>f*,?f*)(?P<sides>[nf]*[LS](?:[f,&]+[nf]*[LS])+)")
+_EXISTING = re.compile(
+    r"B(?P<sides>[fn]*[LS](?:[f,&>aBnl]+[LS])+)[f,&]*(?P<refused>I)(?=f*(?:[.,;&>]|$))"
+)
+_ALL = re.compile(r"none of|\b(?:all|any|both|them|those|these|neither|dem)\b")
 
 
 def with_listed_openings(chunks: Sequence[Chunk]) -> list[Chunk]:
     """Return chunks in which the sides of openings in a list are of openings passed.
 
-    A list has two sides or more after a word for several openings; what one takes is
-    told one at a time.
+    A list has two sides or more after a word for several openings, or after `there is`
+    and before `none of those`; what one takes is told one at a time.
     """
+    chunks = _without_refused(chunks)
     kinds = "".join(chunk.kind for chunk in chunks)
     read: list[Chunk] = []
     at = 0
@@ -28,13 +33,34 @@ def with_listed_openings(chunks: Sequence[Chunk]) -> list[Chunk]:
             read.append(chunk)
             at += 1
             continue
-        for each in chunks[found.start("sides") : found.end("sides")]:
-            if each.kind in "LS":
-                read.append(Chunk("P", "past", each.start))
-            if each.kind in "LSn,":
-                read.append(each)
+        read.extend(_passed(chunks[found.start("sides") : found.end("sides")]))
         at = found.end()
     return read
+
+
+def _without_refused(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """`There is a left, a right, another left, and none of those.`: openings passed."""
+    kinds = "".join(chunk.kind for chunk in chunks)
+    read: list[Chunk] = []
+    at = 0
+    for found in _EXISTING.finditer(kinds):
+        refused = chunks[found.start("refused") :][:2]
+        if _ALL.search(" ".join(each.text for each in refused)):
+            read.extend(chunks[at : found.start()])
+            read.extend(_passed(chunks[found.start("sides") : found.end("sides")]))
+            at = found.end()
+    return [*read, *chunks[at:]]
+
+
+def _passed(listed: Sequence[Chunk]) -> Iterator[Chunk]:
+    """Yield the sides of a list as those of openings passed, with their joints."""
+    for chunk in listed:
+        if chunk.kind in "LS":
+            yield Chunk("P", "past", chunk.start)
+        if chunk.kind in "LSn,":
+            yield chunk
+        elif chunk.kind in "&>":
+            yield Chunk(",", ",", chunk.start)
 
 
 def _is_head(chunk: Chunk) -> bool:
