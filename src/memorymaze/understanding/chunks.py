@@ -77,6 +77,14 @@ _LISTED_SIDES = re.compile(
 """Openings that are counted, and then their sides."""
 
 _ISH = re.compile(rf"\b({'|'.join(sorted(LOOKS))})ish\b")
+_SAME_SIDE = re.compile(
+    r"\b(?P<bound>(?:on|to|at|from) )?(?:(?:the|that|this|your) (?:very )?)?same (?:side|hand)\b(?! (?:as|of|with)\b)"
+    r"|\bon (?:that|this) (?:side|hand)\b(?! of\b)"
+)
+"""The side that was told last: `on that same side`."""
+_SIDE = re.compile(
+    r"(?<!all )\b(?:left|right)\b(?! (?:after|there|ahead|at|before|in|away|now|alone|here|up|by|next|past|behind|be)\b)"
+)
 _HESITATION = re.compile(
     r"(?<!first)(?<!second)(?<!third)(?<!last), *(?:u+h+m*|u+m+|e+r+m?|e+hm*|h+m+)\b *(?:,|\.\.\.)"
 )
@@ -139,7 +147,17 @@ def normalise(text: str) -> str:
     text = _LISTED_SIDES.sub(_without_sides, text)
     for row in PLAIN_WORDS:
         text = row.regex.sub(row.work, text)
-    return _COUNTED.sub("; ", text)
+    return _COUNTED.sub("; ", _with_same_sides(text))
+
+
+def _with_same_sides(text: str) -> str:
+    """Put the side told last for `on that same side`."""
+
+    def side_of(match: re.Match[str]) -> str:
+        told = _SIDE.findall(text, 0, match.start())
+        return f"{match['bound'] or 'on '}the {told[-1]} side" if told else match[0]
+
+    return _SAME_SIDE.sub(side_of, text)
 
 
 def _unless_and(match: re.Match[str]) -> str:

@@ -124,6 +124,8 @@ class ClauseReader:
                 found = True  # "not left": says only what the turn is not
             elif kind == "J" and re.search("H.*A$", clause.kinds[start:at]):
                 found = True  # "not straight on at the crossing"
+            elif kind == "J" and found and _LEAVING.search(clause.chunks[at - 1].text):
+                pass  # "the first left off the hall should be left alone"
             elif kind in "OJL" or self._is_of_ways(at):
                 event, at = read_left_alone(clause, at)
                 found = True

@@ -9,11 +9,13 @@ _OPENINGS = re.compile(
     r"(?:openings|exits|branches|gaps|passages|corridors|hallways|halls|turnings|alleys"
     r"|aisles|lanes|paths|ways|possibilities|roads|streets)\b|\bopens?(?: up)?$"
 )
-_LIST = re.compile(r"(?P<head>f*,?f*)(?P<sides>[nf]*[LS](?:[f,&]+[nf]*[LS])+)")
 _EXISTING = re.compile(
     r"B(?P<sides>[fn]*[LS](?:[f,&>aBnl]+[LS])+)[f,&]*(?P<refused>I)(?=f*(?:[.,;&>]|$))"
 )
 _ALL = re.compile(r"none of|\b(?:all|any|both|them|those|these|neither|dem)\b")
+_LIST = re.compile(r"(?P<head>f*,?f*)(?P<sides>[nfa]*[LS](?:[f,&]+[nfa]*[LS])+)")
+_LEFT_ALONE = re.compile(_LIST.pattern + "f*,?f*I[,.&]")
+"""`With a left, a right and a left that were ignored.`"""
 
 
 def with_listed_openings(chunks: Sequence[Chunk]) -> list[Chunk]:
@@ -28,7 +30,10 @@ def with_listed_openings(chunks: Sequence[Chunk]) -> list[Chunk]:
     at = 0
     while at < len(chunks):
         chunk = chunks[at]
-        found = _LIST.match(kinds, at + 1) if _is_head(chunk) else None
+        listed = (
+            _LIST if _is_head(chunk) else _LEFT_ALONE if chunk.kind == "A" else None
+        )
+        found = listed.match(kinds, at + 1) if listed else None
         if found is None or kinds[max(at - 3, 0) : at].endswith(("m", "T", "Tf")):
             read.append(chunk)
             at += 1
