@@ -214,7 +214,8 @@ class ClauseReader:
                 self._add(Event("take"))  # "another one on the right, that is it"
             self._add(Event("arrive"))
         elif kind == "H" and _AHEAD.match(chunk.text) and re.search("NB?A?H*$", before):
-            self._add(Event("side", side="ahead"))
+            of_the_next = clause.kinds[at + 1 :].startswith("BN")
+            self._add(Event("side", side="ahead", likely=of_the_next))
         elif kind == "H" and _AHEAD.match(chunk.text) and _is_of_the_goal(clause):
             self._add(Event("side", side="ahead", of_goal=True))
         elif kind == "H" and re.fullmatch("A?HB?N[^N]*", clause.kinds):

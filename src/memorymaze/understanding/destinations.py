@@ -1,7 +1,7 @@
 """Which of the things named is the destination."""
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence, Set
 from itertools import pairwise, takewhile
 
 from memorymaze.perception.lexicon import is_noun
@@ -117,6 +117,8 @@ def find_destinations(
         on_the_way = {"passed"} if last.at_end else set[str]()
     met = {c[0].phrase for c in candidates if c[0].place in on_the_way}
     candidates = [c for c in candidates if c[0].place not in on_the_way]
+    sure = {name for name, weight in named.items() if weight >= _SURE}
+    candidates = _without_flanks(candidates, sure, at_end=last.at_end)
     if not candidates and drafts and last.is_new:
         candidates = [
             each
@@ -283,6 +285,22 @@ def _candidates(drafts: Sequence[PartialLeg]) -> list[tuple[Mention, bool]]:
         (mention, number in draft.subjects)
         for draft in drafts
         for number, mention in enumerate(draft.mentions)
+    ]
+
+
+def _without_flanks(
+    candidates: list[tuple[Mention, bool]], sure: Set[str], *, at_end: bool
+) -> list[tuple[Mention, bool]]:
+    """`A suit on the right, the station at the end`: the suit only stands on the way."""
+    final = candidates[-1][0] if candidates else None
+    if final is None or not (final.side == "ahead" or (at_end and final.side is None)):
+        return candidates
+    if is_common(final.phrase) or not _is_a_word(final.phrase):
+        return candidates
+    return [
+        (mention, subject)
+        for mention, subject in candidates
+        if subject or mention.phrase in sure or mention.side not in {"left", "right"}
     ]
 
 

@@ -32,7 +32,7 @@ _THROUGH = re.compile(r"through$|into$|enter")
 _DOORWAY = re.compile(r"\b(?:door|doorway|arch|archway|gate|portal)s?$")
 _LOOSE = ("with", "among")
 _AWAY = re.compile(r"(?:away|from|out|off)\b")
-_OUT = re.compile(r"exit|(?:go|come|get|walk|step) (?:out|off)")
+_OUT = re.compile(r"exit|(?:go|come|get|walk|step) (?:out|off)|follow")
 _FACE = re.compile(r"(?:turn to )?face")
 _BEND = re.compile(r"corner|bend|curve")
 """Nouns for what one cannot pass without turning."""
@@ -75,7 +75,7 @@ def is_turn(clause: Clause, at: int, *, after_turn: bool) -> bool:
     if "T" in before and not re.search("[NJBV]", before[before.rindex("T") :]):
         return True
     out = before == "GN" and _OUT.match(clause.chunks[0].text)
-    if out and chunk.text.startswith(("to", "by")):
+    if out and re.match("to|by|(?:left|right)(?! *U)", f"{chunk.text} {after}"):
         return True  # "exit the lifts to the right"
     if chunk.kind == "S":
         bare = chunk.text in {"in left", "in right"}

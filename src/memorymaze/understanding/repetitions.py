@@ -20,6 +20,10 @@ _OVERVIEW = re.compile(
     r"|(?:two|three|four|five|six|seven|eight) (?:turns|decisions)"
     r"|think of it|the idea|zig ?zag|the shape|essentially|shortly)\b"
 )
+_IN_ORDER = re.compile(
+    r"\bin (?:the )?(?:(?:right|correct|proper|walking|actual) )?order(?: of walking| you walk it)?"
+    r"(?:,? (?:therefore|then|now|so))?,? ?:"
+)
 _LISTED = 3
 """Bare turns in a row that are a list."""
 
@@ -35,6 +39,8 @@ def without_overviews(sentences: list[tuple[str, list[Event]]]) -> list[Event]:
     ]
     kept: list[Event] = []
     for at, (words, events) in enumerate(sentences):
+        if _IN_ORDER.search(words) and sum(map(len, turns[at:])) >= _LISTED:
+            kept.clear()  # what was told before was told from its end
         if _lists_all(events, turns[at], [*turns[:at], *turns[at + 1 :]]):
             last = max(n for n, each in enumerate(events) if each.kind == "turn")
             kept.extend(events[last + 1 :])
