@@ -99,6 +99,15 @@ def test_where_a_number_is_told_only_that_door_will_do() -> None:
     assert names == ("door that says 2347",)
 
 
+def test_a_sign_told_by_what_it_says_is_not_any_sign() -> None:
+    def share(told: str, seen: str) -> float:
+        floor = _floor(frozenset({told, seen}), (seen, (8.0, 1.0)))
+        return _share_in_the_east(floor, Arrival((told,)))
+
+    assert share("robot of human shape", "robot") > 0.6
+    assert share("exit sign that says Gate 4", "exit sign") == pytest.approx(0.5)
+
+
 def test_what_was_found_not_to_be_the_destination_is_no_place_to_arrive_at() -> None:
     floor = _floor(frozenset({"piano"}), ("piano", (8.0, 1.0)))
     plan, model = RoutePlan(arrival=Arrival(("piano",))), Likelihoods()
