@@ -9,7 +9,9 @@ from typing import Any
 import pytest
 
 from memorymaze.agents.code_generation import CodeGenerationRequests
+from memorymaze.agents.plan_readers import ReaderOptions
 from memorymaze.errors import AnswerFileError, SettingsError
+from memorymaze.evaluation.agent_catalogue import agent_names, agent_options
 from memorymaze.evaluation.answers import open_requests, remarks_on
 from memorymaze.evaluation.driver import run_plan
 from memorymaze.evaluation.plan import RunPlan, plan_run
@@ -56,11 +58,12 @@ def plan(tiny_sites_folder: Path) -> Callable[..., RunPlan]:
         answers: Path,
         name: str = "code_generation",
         parser: bool | None = None,
+        options: tuple[tuple[str, str], ...] = (),
         **changes: Any,
     ) -> RunPlan:
         model = ModelSettings(replay=str(answers), **changes)
         return plan_run(
-            AgentSettings(name, parser=parser, language_model=model),
+            AgentSettings(name, parser=parser, options=options, language_model=model),
             load_corpus([TINY_INSTRUCTIONS], sites=tiny_sites_folder),
         )
 
@@ -191,6 +194,34 @@ def test_the_next_request_of_each_episode_is_open(
     stages = [e.question and e.question.stage for e in open_requests(planned)]
     same = [request.messages == asked[0].messages for request in asked]
     assert stages == ["program+parser" if each else "parse+parser" for each in same]
+
+
+READING = (("reader", "model"),)
+ASKING_BEFOREHAND = [
+    *(
+        pytest.param(name, {"options": READING}, "plan", id=name)
+        for name in agent_names()
+        if issubclass(agent_options(name) or object, ReaderOptions)
+    ),
+    pytest.param("code_generation", {"parser": True}, "parse", id="steps first"),
+    pytest.param("code_generation", {"parser": False}, "program", id="programs"),
+]
+
+
+@pytest.mark.parametrize(("name", "settings", "stage"), ASKING_BEFOREHAND)
+def test_every_agent_that_asks_beforehand_has_a_request_open_for_each_instruction(
+    plan: Callable[..., RunPlan],
+    tmp_path: Path,
+    name: str,
+    settings: dict[str, Any],
+    stage: str,
+) -> None:
+    """Of an agent with several stages the first: the next rests on its answer."""
+    path = tmp_path / "answers.sqlite"
+    AnswerStore(path, make=True).expect("m")
+    asked = [each.question for each in open_requests(plan(path, name, **settings))]
+    assert [each and each.instruction for each in asked] == IDS
+    assert {each and each.stage.partition("+")[0] for each in asked} == {stage}
 
 
 def test_an_agent_that_asks_on_the_way_is_followed_to_its_open_request(

@@ -135,6 +135,11 @@ class GuideAgent(ReadsFirst):
     ) -> None:
         """Drive the robot as the instruction says, and stop."""
         options = self.options
+        # Read before the robot is touched, so that what is asked of a model can be
+        # written down where there is no building.
+        plans: list[RoutePlan] = []
+        if options.decide != "model":
+            plans = self.reader.read_tellings(instruction, journal)
         walker = Walker(robot, reads_signs=options.signs)
         anyhow = options.start_heading == "unknown"
         questions = None
@@ -145,7 +150,6 @@ class GuideAgent(ReadsFirst):
             if options.decide == "model":
                 ModelWalk(walker, questions).run()
                 return robot.stop()
-        plans = self.reader.read_tellings(instruction, journal)
         for plan in plans:
             journal.note("plan", steps=describe(plan))
         if not options.things:
