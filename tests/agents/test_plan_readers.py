@@ -43,6 +43,21 @@ def test_a_reply_that_is_no_plan_is_asked_for_once_more_with_what_is_wrong() -> 
     assert journal.model_calls == 2
 
 
+def test_a_reply_is_asked_for_once_more_only_where_what_is_missing_has_no_default() -> (
+    None
+):
+    def told(**thing: str) -> str:
+        return json.dumps({"arrival": {"mentions": [thing]}})
+
+    whole = told(phrase="desk", kind="object", place="along")
+    model = ScriptedLanguageModel([told(phrase="desk", kind="object"), whole])
+    plan = ModelReader(model).read(TEXT, Journal())
+    assert (plan, len(model.requests)) == (read_plan_reply(whole), 1)
+    model = ScriptedLanguageModel([told(kind="object", place="along"), whole])
+    assert ModelReader(model).read(TEXT, Journal()) == plan
+    assert "phrase" in model.requests[1].messages[-1].content
+
+
 @pytest.mark.parametrize("reply", ["I cannot.", "{]}", '{"legs": 3}', "[1, 2]"])
 def test_two_replies_without_a_plan_are_the_models_failure(reply: str) -> None:
     with pytest.raises(

@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 
 from memorymaze.errors import PlanFileError
 from memorymaze.routes import (
+    Mention,
     RoutePlan,
     load_plans,
     parse_plan,
@@ -56,6 +57,15 @@ def test_any_plan_comes_back_from_its_record(
     assert parse_plan(record, "here") == plan
 
 
+def test_a_thing_of_which_only_the_name_is_told_is_an_object_along_the_stretch() -> (
+    None
+):
+    plan = parse_plan({"arrival": {"mentions": [{"phrase": "clock"}]}}, "here")
+    assert plan.arrival.mentions == (Mention("clock", "object", "along"),)
+    [written] = plan_record(plan)["arrival"]["mentions"]
+    assert written == {"phrase": "clock", "kind": "object", "place": "along"}
+
+
 def test_an_empty_plan_has_legs_and_an_arrival() -> None:
     assert plan_record(RoutePlan()) == {"legs": [], "arrival": {}}
 
@@ -74,6 +84,11 @@ def test_an_empty_plan_has_legs_and_an_arrival() -> None:
             id="unknown key",
         ),
         pytest.param({"legs": [{}]}, "'legs.0.turn': expected it", id="missing key"),
+        pytest.param(
+            {"arrival": {"mentions": [{"place": "along"}]}},
+            "'arrival.mentions.0.phrase': expected it, got nothing",
+            id="a thing without a name",
+        ),
         pytest.param({"arrival": {"nth": 0}}, "'arrival.nth': .* got 0", id="number 0"),
         pytest.param(
             {"arrival": {"doubt": 2}}, "'arrival.doubt': .* got 2", id="doubt above 1"

@@ -1,7 +1,8 @@
 """Route plans as JSON: one plan as a record, many as lines of a file.
 
 Every key that is null, false, 0 or empty is left out when written, and may be left out
-of what is read; `legs` and `arrival` are always written.
+of what is read; `legs`, `arrival`, and the `kind` and `place` of a thing are always
+written. A thing read without them is an object somewhere along the stretch.
 """
 
 import json
@@ -17,8 +18,8 @@ from memorymaze.errors import PlanFileError, did_you_mean
 from memorymaze.input_files import PROBLEMS_SHOWN, parse_json, read_text
 from memorymaze.routes.records import Passing, RoutePlan
 
-ALWAYS = frozenset({"legs", "arrival"})
-"""Keys that are written even where they are empty."""
+ALWAYS = frozenset({"legs", "arrival", "kind", "place"})
+"""Keys that are written even where they have their default."""
 KEYS = {"from_": "from"}
 """Keys of fields whose names are words of Python."""
 

@@ -95,8 +95,8 @@ class Mention:
 
     phrase: Words
     """Short, as one would ask a camera for it: `red sofa`, `sign that says Library`."""
-    kind: Kind
-    place: Place
+    kind: Kind = "object"
+    place: Place = "along"
     side: Side | None = None
     nth: Ordinal | None = None
     """2 for `the second door`."""
