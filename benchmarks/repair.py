@@ -39,7 +39,6 @@ from memorymaze.evaluation.sampling import sample
 from memorymaze.instructions import Instruction, load_corpus
 from memorymaze.metrics.success import success_within_way
 from memorymaze.routes import Arrival, Leg, Mention, RoutePlan, Turn
-from memorymaze.routes.canonical import PLACES_AT_THE_TURN
 from memorymaze.sites import BUILTIN_SITE_NAMES, Route, Site
 from memorymaze.tables import Column, Table
 from memorymaze.writing.mistakes import possible_mistakes
@@ -47,6 +46,7 @@ from memorymaze.writing.route_facts import RouteFacts
 from memorymaze.writing.steps import Mistake, Step
 from memorymaze.writing.turning_point_graph import TurningPointGraph, side_of_turn
 
+PLACES_AT_THE_TURN = ("turn", "beside", "before_turn", "after_turn", "opposite")
 RECORDED = Path(__file__).parents[1] / "examples/recorded/plans.jsonl"
 KINDS: Mapping[str, str] = {
     "wrong_direction": "wrong side of a turn",

@@ -6,6 +6,8 @@ from dataclasses import replace
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from tests.writing.canonical_plans import why_not_canonical
+from tests.writing.plain_voice import tell_plainly
 
 from memorymaze.errors import PlanFileError
 from memorymaze.routes import (
@@ -21,10 +23,8 @@ from memorymaze.routes import (
     Start,
     Totals,
     Turn,
-    why_not_canonical,
 )
 from memorymaze.understanding import parse_route_description
-from memorymaze.writing.plain_voice import tell_plainly
 
 THINGS: dict[str, Kind] = {
     "red sofa": "object",

@@ -5,7 +5,6 @@ not hold how they are read from texts (`understanding`), how texts are made of t
 (`writing`) or how one walks with them (`agents`).
 """
 
-from memorymaze.routes.canonical import why_not_canonical
 from memorymaze.routes.describing import describe
 from memorymaze.routes.files import load_plans, parse_plan, plan_lines, plan_record
 from memorymaze.routes.records import (
@@ -47,5 +46,4 @@ __all__ = [
     "parse_plan",
     "plan_lines",
     "plan_record",
-    "why_not_canonical",
 ]

@@ -7,6 +7,8 @@ hedge; `docs/generation.md` lists what is lost in them.
 
 from collections.abc import Iterator
 
+from tests.writing.canonical_plans import ORDINALS, SECOND, STEP, why_not_canonical
+
 from memorymaze.errors import PlanFileError
 from memorymaze.routes import (
     Arrival,
@@ -19,9 +21,7 @@ from memorymaze.routes import (
     RoutePlan,
     Side,
     Way,
-    why_not_canonical,
 )
-from memorymaze.routes.canonical import ORDINALS, SECOND, STEP
 
 _NUMBERS = ("one", "two", "three", "four", "five", "six", "seven", "eight", "nine")
 _SIDES: dict[Side, str] = {
