@@ -8,6 +8,9 @@ from typing import Any
 
 import httpx2
 import pytest
+from tests.studies.made_up_people import let_take_part
+
+from memorymaze.studies.study_file import load_study
 
 Memorymaze = Callable[..., Any]
 TINY_SITES = Path(__file__).parents[1] / "tiny_sites"
@@ -26,18 +29,17 @@ def test_a_new_study_says_what_to_type_next(
     assert "exists already" in again.err
 
 
-def test_a_simulated_study_is_exported_and_read_by_the_other_verbs(
+def test_a_study_is_exported_and_read_by_the_other_verbs(
     memorymaze: Memorymaze, tmp_path: Path
 ) -> None:
     path, out = tmp_path / "mine.toml", tmp_path / "mine.jsonl"
     plan = TINY_SITES / "t_junction.geojson"
     memorymaze("study", "new", path, "--site", plan, "--kind", "memory")
-    said = memorymaze("study", "simulate", path, "--participants", "4")
-    assert said.out.startswith("4 made-up participants: ")
     said = memorymaze("study", "export", path, "--out", out)
     assert "there are no answers yet" in said.err
-    said = memorymaze("study", "export", path, "--out", out, "--simulated")
-    assert "not by people" in said.out
+    let_take_part(load_study(path), 4)
+    said = memorymaze("study", "export", path, "--out", out)
+    assert "written by people" in said.out
     checked = memorymaze("instructions", "check", out, "--sites", TINY_SITES)
     assert (checked.code, "no problems" in checked.err) == (0, True)
     counted = memorymaze("instructions", "stats", out, "--sites", TINY_SITES)
@@ -69,12 +71,12 @@ def test_a_participant_is_withdrawn_by_the_id_of_a_platform(
 ) -> None:
     path = tmp_path / "mine.toml"
     memorymaze("study", "new", path, "--site", TINY_SITES / "t_junction.geojson")
-    memorymaze("study", "simulate", path, "--participants", "1")
-    said = memorymaze("study", "withdraw", path, "simulated-0", "--simulated")
+    let_take_part(load_study(path), 1)
+    said = memorymaze("study", "withdraw", path, "made-up-0")
     assert (said.code, "nothing of them is left" in said.out) == (0, True)
-    again = memorymaze("study", "withdraw", path, "simulated-0", "--simulated")
+    again = memorymaze("study", "withdraw", path, "made-up-0")
     assert again.code == 1
-    assert "there is no participant 'simulated-0'" in again.err
+    assert "there is no participant 'made-up-0'" in again.err
 
 
 def test_a_study_is_served_at_the_printed_addresses_until_ctrl_c(

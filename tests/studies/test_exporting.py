@@ -75,7 +75,6 @@ def test_the_table_has_what_was_measured_and_the_treatment(
         assert "Thank you!" in one.page
         export_study(study, served.store, tmp_path / "mine.jsonl")
     first, again, *_ = rows_of(tmp_path / "mine.csv")
-    assert first["source"] == "people"
     assert (first["video_plays"], first["video_watched_again"]) == ("2", "1")
     assert float(first["seconds"]) >= 0
     assert first["attention_checks_failed"] == "1"

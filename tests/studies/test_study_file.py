@@ -126,7 +126,6 @@ def test_lines_in_longer_texts_are_no_fields() -> None:
 def test_data_lie_beside_the_file_and_made_up_data_apart(make_study: MakeStudy) -> None:
     study = make_study()
     assert study.data_folder().name == "online.data"
-    assert study.data_folder(simulated=True).name == "online.simulated"
 
 
 @pytest.mark.parametrize(

@@ -1,10 +1,10 @@
-"""`memorymaze study`: begin, serve, export and try studies with people."""
+"""`memorymaze study`: begin, serve and export studies with people, and remove participants."""
 
 import argparse
 from typing import TYPE_CHECKING
 
 from memorymaze.cli.served_page import check_can_serve
-from memorymaze.cli.verbs import VerbParser, Verbs, shown_progress
+from memorymaze.cli.verbs import VerbParser, Verbs
 from memorymaze.wording import counted
 
 if TYPE_CHECKING:
@@ -30,7 +30,6 @@ def add_parser(verbs: Verbs) -> None:
     _add_new(actions)
     _add_serve(actions)
     _add_export(actions)
-    _add_simulate(actions)
     _add_withdraw(actions)
 
 
@@ -100,7 +99,6 @@ def _add_serve(actions: Verbs) -> None:
         action="store_true",
         help="serve https, with a certificate made for --host and kept beside the study",
     )
-    _add_simulated(parser)
     parser.set_defaults(run=_serve)
 
 
@@ -120,7 +118,7 @@ def _serve(options: argparse.Namespace) -> int:
         from memorymaze.pages.certificates import local_certificate
 
         certificate = local_certificate(study.path.with_suffix(".tls"), options.host)
-    with open_store(study, simulated=options.simulated) as store:
+    with open_store(study) as store:
         watched = study.design.kind in {"online", "memory"}
         films = make_films(study) if watched else {}
         with serving_study(
@@ -174,7 +172,6 @@ def _add_export(actions: Verbs) -> None:
         help="instruction file to write (*.jsonl); the CSV file has its name. Of the "
         "kind follow, run folder to make",
     )
-    _add_simulated(parser)
     parser.set_defaults(run=_export)
 
 
@@ -187,12 +184,11 @@ def _export(options: argparse.Namespace) -> int:
     study = load_study(options.file)
     if study.design.kind == "follow":
         return _export_walks(study, options)
-    with open_store(study, simulated=options.simulated, alone=False) as store:
+    with open_store(study, alone=False) as store:
         done = export_study(study, store, options.out)
-    source = "synthetic" if options.simulated else "human"
     print(
         f"{options.out}: {counted(done.instructions, 'instruction')} of "
-        f"{counted(done.participants, 'participant')}, written by {WRITTEN_BY[source]}; "
+        f"{counted(done.participants, 'participant')}, written by {WRITTEN_BY['human']}; "
         f"with what was measured: {done.table}"
     )
     if done.settled:
@@ -210,59 +206,15 @@ def _export_walks(study: "Study", options: argparse.Namespace) -> int:
     from memorymaze.studies.follow.runs import export_walks
     from memorymaze.studies.store import open_store
 
-    with open_store(study, simulated=options.simulated, alone=False) as store:
+    with open_store(study, alone=False) as store:
         done = export_walks(study, store, options.out)
-    made_up = "made-up " if options.simulated else ""
     print(
-        f"{counted(done.walks, 'walk')} of {counted(done.participants, f'{made_up}participant')}"
+        f"{counted(done.walks, 'walk')} of {counted(done.participants, 'participant')}"
     )
     if done.never_followed:
         print(f"{counted(done.never_followed, 'text')} nobody has followed yet")
     for folder in done.folders:
         print(f"see them beside a run of agents: memorymaze table {folder} RUN")
-    return 0
-
-
-def _add_simulate(actions: Verbs) -> None:
-    parser = actions.add_parser(
-        "simulate",
-        help="let made-up participants go through the pages, to try a design",
-        description="Let made-up participants go through the real pages, with texts of "
-        "the generator. Their answers lie apart from those of people and say that they "
-        "are made up; `serve` and `export` show them with --simulated.",
-        epilog="example: memorymaze study simulate my_study.toml --participants 40",
-    )
-    _add_file(parser)
-    parser.add_argument(
-        "--participants",
-        type=int,
-        metavar="N",
-        help="how many come (default: as many as fill all quotas)",
-    )
-    parser.add_argument("--seed", type=int, default=0, metavar="N", help="(default: 0)")
-    parser.set_defaults(run=_simulate)
-
-
-def _simulate(options: argparse.Namespace) -> int:
-    check_can_serve("study simulate")
-    from memorymaze.options import check_whole
-    from memorymaze.studies.interviews.simulating import SPEAKER, find_speaker
-    from memorymaze.studies.simulating import simulate_study
-    from memorymaze.studies.study_file import load_study
-
-    check_whole("--seed", options.seed, least=0)
-    if options.participants is not None:
-        check_whole("--participants", options.participants, least=1)
-    study = load_study(options.file)
-    if study.design.kind == "onsite" and find_speaker() is None:
-        print(f"{SPEAKER} is not installed: descriptions are typed, not spoken")
-    with shown_progress("participant") as progress:
-        ends = simulate_study(study, options.participants, options.seed, progress)
-    told = ", ".join(f"{ends[end]} {end}" for end in ("finished", "excluded", "left"))
-    print(
-        f"{counted(ends.total(), 'made-up participant')}: {told}, {ends['full']} in vain"
-    )
-    print(f"see them: memorymaze study serve {options.file} --simulated")
     return 0
 
 
@@ -280,7 +232,6 @@ def _add_withdraw(actions: Verbs) -> None:
         metavar="ID",
         help="the number of the participant, or platform id",
     )
-    _add_simulated(parser)
     parser.set_defaults(run=_withdraw)
 
 
@@ -289,10 +240,10 @@ def _withdraw(options: argparse.Namespace) -> int:
     from memorymaze.studies.study_file import load_study
 
     study = load_study(options.file)
-    with open_store(study, simulated=options.simulated) as store:
+    with open_store(study) as store:
         found = store.find(options.participant)
         done = store.withdraw(options.participant if found is None else found.id)
-    print(f"{study.data_folder(simulated=options.simulated)}: nothing of them is left")
+    print(f"{study.data_folder()}: nothing of them is left")
     for path in done.exports:
         print(f"make this export anew, it still holds the texts: {path}")
     return 0
@@ -300,11 +251,3 @@ def _withdraw(options: argparse.Namespace) -> int:
 
 def _add_file(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("file", metavar="FILE", help="study file (TOML)")
-
-
-def _add_simulated(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument(
-        "--simulated",
-        action="store_true",
-        help="the made-up answers of `study simulate`, not those of people",
-    )

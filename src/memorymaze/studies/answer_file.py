@@ -1,6 +1,5 @@
 """The SQLite file that answers are in: its tables, opening it alone, what it is about."""
 
-import shutil
 import sqlite3
 import time
 from collections.abc import Generator
@@ -74,15 +73,13 @@ FORMAT = 2
 
 
 @contextmanager
-def answer_file(
-    study: Study, *, simulated: bool, alone: bool
-) -> Generator[sqlite3.Connection]:
+def answer_file(study: Study, *, alone: bool) -> Generator[sqlite3.Connection]:
     """Open the file, and make it where one is alone with it."""
-    folder = study.data_folder(simulated=simulated)
+    folder = study.data_folder()
     if not alone and not (folder / FILE).is_file():
         raise StudyError(
             f"{folder}: there are no answers yet; expected those that `memorymaze study "
-            f"{'simulate' if simulated else 'serve'} {study.path}` gathers"
+            f"serve {study.path}` gathers"
         )
     with ExitStack() as stack:
         if alone:
@@ -99,7 +96,7 @@ def answer_file(
             )
         )
         try:
-            _prepare(connection, study, folder, simulated)
+            _prepare(connection, study, folder)
             if alone:
                 empty_log(connection, folder)
         except sqlite3.DatabaseError as error:
@@ -110,17 +107,7 @@ def answer_file(
         yield connection
 
 
-def remove_simulated(study: Study) -> None:
-    """Remove what made-up participants answered before, unless it is being served."""
-    folder = study.data_folder(simulated=True)
-    if folder.exists():
-        with locked(folder / "lock", _is_served):
-            shutil.rmtree(folder)
-
-
-def _prepare(
-    connection: sqlite3.Connection, study: Study, folder: Path, simulated: bool
-) -> None:
+def _prepare(connection: sqlite3.Connection, study: Study, folder: Path) -> None:
     for setting in (
         "journal_mode = WAL",
         "synchronous = FULL",
@@ -136,8 +123,6 @@ def _prepare(
             for statement in SCHEMA.split(";\n"):
                 connection.execute(statement)
             connection.execute(f"PRAGMA user_version = {FORMAT}")
-            source = "synthetic" if simulated else "human"
-            connection.execute("INSERT INTO facts VALUES ('source', ?)", (source,))
         elif version != FORMAT:
             raise StudyError(
                 f"{folder / FILE}: expected answers of format {FORMAT}, got {version}, of "

@@ -114,7 +114,6 @@ class ExperimenterPages:
             template,
             design=self._store.study.design,
             file=self._store.study.path.name,
-            is_simulated=self._store.is_simulated,
             when=_when,
             **view,
         )

@@ -152,7 +152,6 @@ def _row(instruction: Instruction, telling: _Telling) -> dict[str, Any]:
     return {
         "id": instruction.id,
         "participant": instruction.participant,
-        "source": "people" if instruction.source == "human" else "simulated",
         "study": instruction.study,
         "site": instruction.site,
         "route": instruction.route,

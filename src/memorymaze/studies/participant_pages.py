@@ -420,7 +420,6 @@ class ParticipantPages:
             status_code,
             design=self._design,
             language=self._design.language,
-            is_simulated=self._store.is_simulated,
             **{"participant": None, "problem": None, **view},
         )
 

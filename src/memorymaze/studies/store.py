@@ -358,13 +358,6 @@ class Store:
         rows = self.rows("SELECT path, at FROM exports ORDER BY id")
         return [Export(*row) for row in rows]
 
-    @property
-    def is_simulated(self) -> bool:
-        """Whether a program gave the answers."""
-        return self.rows("SELECT value FROM facts WHERE name = 'source'") == [
-            ("synthetic",)
-        ]
-
     # The file --------------------------------------------------------------------------
 
     @contextmanager
@@ -389,7 +382,6 @@ class Store:
 def open_store(
     study: Study,
     *,
-    simulated: bool = False,
     alone: bool = True,
     clock: Callable[[], float] = time.time,
 ) -> Generator[Store]:
@@ -398,9 +390,8 @@ def open_store(
     Alone is who serves pages or removes people: a second one is refused. Without it the
     file must be there, such as for an export while the pages are served.
     """
-    folder = study.data_folder(simulated=simulated)
-    with answer_file(study, simulated=simulated, alone=alone) as connection:
-        yield Store(connection, folder, study, clock)
+    with answer_file(study, alone=alone) as connection:
+        yield Store(connection, study.data_folder(), study, clock)
 
 
 def _hidden(key: str) -> str:

@@ -318,9 +318,9 @@ class Study:
         """Return the reference route of a name such as `R1`."""
         return self.site.reference_route(name)
 
-    def data_folder(self, *, simulated: bool = False) -> Path:
-        """Return where answers are kept: beside the file, made-up ones apart."""
-        return self.path.with_suffix(".simulated" if simulated else ".data")
+    def data_folder(self) -> Path:
+        """Return where answers are kept: beside the file."""
+        return self.path.with_suffix(".data")
 
 
 def load_study(path: str | Path) -> Study:

@@ -127,7 +127,7 @@ class Tellings:
             iteration=iteration,
             participant=told.participant,
             text=told.text,
-            source="synthetic" if self._store.is_simulated else "human",
+            source="human",
             language=study.design.language,
             original_text=told.first_text if is_corrected else None,
         )

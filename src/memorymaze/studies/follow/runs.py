@@ -20,7 +20,7 @@ from memorymaze.evaluation.trace import trace_content
 from memorymaze.instructions.records import Episode
 from memorymaze.studies.follow.drives import Walked, finished_walks
 from memorymaze.studies.follow.texts import TextsToFollow, texts_to_follow
-from memorymaze.studies.follow.walk import MADE_UP, PEOPLE, walk_again
+from memorymaze.studies.follow.walk import PEOPLE, walk_again
 from memorymaze.studies.store import Store
 from memorymaze.studies.study_file import Study
 
@@ -54,7 +54,7 @@ def export_walks(study: Study, store: Store, out: str | Path) -> ExportedWalks:
             f"{store.folder}: expected walks that were ended, got none; the "
             "experimenter's page shows how far participants are"
         )
-    agent = AgentSettings(MADE_UP if store.is_simulated else PEOPLE)
+    agent = AgentSettings(PEOPLE)
     settings = replace(texts.settings, agent=agent)
     arena = Arena(study.site, looks=settings.looks)
     # All are driven before anything is written: one that is refused leaves no half run.

@@ -24,8 +24,6 @@ from memorymaze.simulation.robot import SimulatedRobot
 from memorymaze.sites import Site
 
 PEOPLE = "people"
-MADE_UP = "made-up people"
-"""Of `study simulate`; they shall not pass for people in any table."""
 NEEDS: frozenset[Need] = frozenset({"camera"})
 STEP = 0.5
 """Metres of a command to go on."""

@@ -1,4 +1,4 @@
-"""Made-up participants who go through the real pages, to try a study before people do.
+"""Made-up participants who go through the real pages, as people would.
 
 Their texts are the grammar's, with the published rates of errors; their clock is quick.
 """
@@ -7,19 +7,18 @@ import json
 import re
 import time
 from collections import Counter
-from collections.abc import Callable, Generator
+from collections.abc import Generator
 from contextlib import contextmanager
 
 import httpx2
 import numpy as np
+from tests.studies.made_up_interviews import MadeUpTablet
 
 from memorymaze.errors import StudyError
 from memorymaze.instructions.records import Instruction
 from memorymaze.instructions.statistics import word_count
-from memorymaze.studies.answer_file import remove_simulated
 from memorymaze.studies.follow.drives import LONGEST_WAIT
 from memorymaze.studies.follow.pages import SURE
-from memorymaze.studies.interviews.simulating import SimulatedTablet
 from memorymaze.studies.schedule import cell_name, route_orders
 from memorymaze.studies.serving import serving_study
 from memorymaze.studies.store import open_store
@@ -58,35 +57,26 @@ class _Clock:
         self._ahead += seconds
 
 
-def simulate_study(
-    study: Study,
-    participants: int | None,
-    seed: int,
-    progress: Callable[[int, int], None],
-) -> Counter[str]:
-    """Fill a store of its own through the served pages; what was there is replaced.
+def let_take_part(study: Study, count: int, seed: int = 0) -> Counter[str]:
+    """Fill the store of a study through its served pages.
 
-    Returns how many finished, were excluded, left, or found no place. As many come as
-    fill all quotas where no number is given.
+    Returns how many finished, were excluded, left, or found no place.
     """
-    count = participants or study.design.quota * len(route_orders(study.design))
     told = {} if study.design.kind == "follow" else _told(study, count, seed)
     clock = _Clock()
     ends: Counter[str] = Counter()
-    remove_simulated(study)
     with (
-        open_store(study, simulated=True, clock=clock.now) as store,
+        open_store(study, clock=clock.now) as store,
         serving_study(store, {}, draws=False) as addresses,
     ):
         if study.design.kind == "onsite":
             entrance = addresses.experimenter
-            return _interview_all(study, entrance, clock, told, count, seed, progress)
+            return _interview_all(study, entrance, clock, told, count, seed)
         for number in range(count):
             rng = np.random.default_rng([seed, number])
             with _visiting(study, addresses.participants, clock, rng) as visitor:
                 visitor.texts = {key: some[number].text for key, some in told.items()}
-                ends[visitor.take_part(f"simulated-{number}")] += 1
-            progress(number + 1, count)
+                ends[visitor.take_part(f"made-up-{number}")] += 1
     return ends
 
 
@@ -97,19 +87,17 @@ def _interview_all(
     told: Told,
     count: int,
     seed: int,
-    progress: Callable[[int, int], None],
 ) -> Counter[str]:
     """Let one tablet interview everybody."""
     ends: Counter[str] = Counter()
     orders = [cell_name(order) for order in route_orders(study.design)]
     server = entrance.partition("/enter/")[0]
     with httpx2.Client(base_url=server, timeout=LONGEST_WAIT) as client:
-        tablet = SimulatedTablet(study, client, entrance, clock)
+        tablet = MadeUpTablet(study, client, entrance, clock)
         for number in range(count):
             rng = np.random.default_rng([seed, number])
             one = {key: some[number] for key, some in told.items()}
             ends[tablet.ask(number, orders[number % len(orders)], one, rng)] += 1
-            progress(number + 1, count)
     return ends
 
 
