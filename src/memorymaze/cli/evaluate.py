@@ -16,7 +16,6 @@ from memorymaze.cli.agent_options import (
     agent_settings,
     episode_settings,
 )
-from memorymaze.cli.error_options import add_error_options, generated_instructions
 from memorymaze.cli.flags import add_flags
 from memorymaze.cli.verbs import Verbs, add_corpus_options
 from memorymaze.extras import command_here
@@ -63,16 +62,9 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
     )
     followed = parser.add_argument_group("what is followed")
     add_corpus_options(followed)
-    followed.add_argument(
-        "--sail",
-        metavar="DIR",
-        help="follow the SAIL corpus in this folder instead: mazes and paragraphs of "
-        "people, each from four start headings (docs/sail.md)",
-    )
     add_flags(followed.add_argument, RunSettings, ["split", "shard", "second_telling"])
     add_agent_options(parser)
     add_episode_options(parser)
-    add_error_options(parser)
     elsewhere = parser.add_argument_group("workers")
     elsewhere.add_argument(
         "--ray",
@@ -103,7 +95,6 @@ def _run(options: argparse.Namespace) -> int:
     if options.resume and options.out is None:
         raise SettingsError("--resume: name the run's folder with --out")
     out = Path(options.out or default_folder(options.agent))
-    options.instructions = generated_instructions(options, out)
     agent, corpus, settings = _what_to_follow(options)
     wall_limit = WALL_LIMIT if options.wall_limit is None else options.wall_limit
     with _workforce(options) as workforce:
@@ -173,20 +164,11 @@ def _workforce(options: argparse.Namespace) -> Generator["Workforce"]:
 def _what_to_follow(
     options: argparse.Namespace,
 ) -> "tuple[AgentSettings, Corpus, RunSettings]":
-    from memorymaze.errors import SettingsError
     from memorymaze.evaluation.plan import settings_for
     from memorymaze.instructions import load_corpus
 
-    if options.sail is not None and (options.instructions or options.sites):
-        raise SettingsError(
-            "--sail: has its own instructions and sites; leave out --instructions and "
-            "--sites"
-        )
     agent = agent_settings(options)
-    if options.sail is not None:
-        corpus = load_corpus(options.sail)
-    else:
-        corpus = load_corpus(options.instructions, sites=options.sites)
+    corpus = load_corpus(options.instructions, sites=options.sites)
     base = settings_for(corpus)
     return agent, corpus, episode_settings(options, base)
 

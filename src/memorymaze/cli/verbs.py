@@ -64,10 +64,14 @@ def add_sites_option(parser: "ArgumentParser | _ArgumentGroup") -> None:
 
 
 TEXTS = "JSONL or CSV files (default: the shipped texts, written by a language model)"
+TEXTS_OR_FOLDER = (
+    "JSONL or CSV files, or a folder: of the SAIL corpus (docs/sail.md), or of plans and "
+    "texts of your own (default: the shipped texts, written by a language model)"
+)
 
 
 def add_corpus_options(
-    parser: "ArgumentParser | _ArgumentGroup", texts: str = TEXTS
+    parser: "ArgumentParser | _ArgumentGroup", texts: str = TEXTS_OR_FOLDER
 ) -> None:
     """Add `--instructions` and `--sites`, of verbs that take a corpus."""
     parser.add_argument("--instructions", metavar="FILE", nargs="+", help=texts)

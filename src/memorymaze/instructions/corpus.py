@@ -37,6 +37,12 @@ def load_corpus(
         SitePlanError: A plan cannot be used.
         SettingsError: Sites are given for a folder that has its own.
     """
+    if (
+        isinstance(source, Sequence)
+        and not isinstance(source, str)
+        and len(source) == 1
+    ):
+        [source] = source
     if source is None:
         name, files = "memorymaze", [BUILTIN_CORPUS]
     elif isinstance(source, str | Path) and Path(source).is_dir():

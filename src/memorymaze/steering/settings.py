@@ -44,7 +44,7 @@ class RobotSettings:
     detection_range: float = field(
         default=DETECTION_RANGE, metadata={"metavar": "METRES"}
     )
-    """how far things are detected; 40 with --sail, to the end of every hall"""
+    """how far things are detected; 40 on SAIL, to the end of every hall"""
 
     def __post_init__(self) -> None:
         """Check every value."""

@@ -2,13 +2,10 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from pathlib import Path
 
-from memorymaze.durable_files import write_whole
-from memorymaze.errors import LanguageModelError, RunFolderError, SettingsError
+from memorymaze.errors import LanguageModelError, SettingsError
 from memorymaze.instructions.corpus import episodes
-from memorymaze.instructions.files import lines, load_instructions
-from memorymaze.instructions.record_format import instruction_record
+from memorymaze.instructions.files import load_instructions
 from memorymaze.instructions.records import Instruction
 from memorymaze.language.model import LanguageModel
 from memorymaze.sites import Site, load_sites
@@ -108,38 +105,3 @@ def _from_files(
         chosen, sites, request.rates, request.seed, paired=request.paired
     )
     return Made(tuple(made), ())
-
-
-GENERATED = "generated.jsonl"
-"""In the run folder."""
-
-
-def instructions_for_run(folder: Path, request: GenerationRequest) -> Path:
-    """Make a run's instructions, unless they lie in its folder already.
-
-    Raises:
-        RunFolderError: The folder holds a run, or other instructions.
-        MemoryMazeError: The request cannot be met.
-    """
-    made = make_instructions(request)
-    content = lines(instruction_record(each) for each in made.instructions)
-    path = folder / GENERATED
-    try:
-        if path.exists():
-            if path.read_bytes() != content:
-                raise RunFolderError(
-                    f"{path}: expected the instructions that these options make, got "
-                    "others; use the same options, or choose another folder with --out"
-                )
-        elif (folder / "run.json").exists():
-            raise RunFolderError(
-                f"{folder}: holds a run with other instructions; choose another folder "
-                "with --out"
-            )
-        else:
-            folder.mkdir(parents=True, exist_ok=True)
-            write_whole(path, content)
-    except OSError as error:
-        reason = error.strerror or error
-        raise RunFolderError(f"{path}: cannot be written ({reason})") from None
-    return path

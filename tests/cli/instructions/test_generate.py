@@ -24,6 +24,26 @@ def test_a_new_building_has_a_test_set_at_once(
     assert checked.code == 0, checked.out
 
 
+def test_a_run_on_made_pairs_shows_what_errors_cost(
+    memorymaze: Memorymaze, tiny_sites_folder: Path, tmp_path: Path
+) -> None:
+    out, run = tmp_path / "pairs.jsonl", tmp_path / "run"
+    made = memorymaze(
+        *("instructions", "generate", "--sites", tiny_sites_folder, "--site"),
+        *("crossing", "--per-cell", "1", "--errors", "failure=1", "--paired"),
+        *("--out", out),
+    )
+    assert "8 instructions, 4 with errors" in made.out
+    said = memorymaze(
+        *("evaluate", "--agent", "stop", "--sites", tiny_sites_folder),
+        *("--instructions", out, "--workers", "1", "--out", run),
+    )
+    assert said.code == 0, said.err
+    table = memorymaze("table", run, "--table", "errors")
+    assert table.code == 0
+    assert "SR without it" in table.out
+
+
 def test_the_same_seed_makes_the_same_file(
     memorymaze: Memorymaze, tiny_sites_folder: Path, tmp_path: Path
 ) -> None:

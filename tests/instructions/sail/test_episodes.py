@@ -10,7 +10,7 @@ def test_a_perfect_follower_finds_every_goal_and_people_stand_beside_it(
     small_folder: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     run = str(tmp_path / "run")
-    arguments = ["evaluate", "--sail", str(small_folder), "--workers", "1"]
+    arguments = ["evaluate", "--instructions", str(small_folder), "--workers", "1"]
     assert main([*arguments, "--agent", "oracle", "--out", run]) == 0
     capsys.readouterr()
     assert main(["table", run, "--format", "csv"]) == 0
@@ -28,7 +28,7 @@ def test_rules_finds_its_way_from_any_heading(
     small_folder: Path, tmp_path: Path
 ) -> None:
     run = tmp_path / "run"
-    arguments = ["evaluate", "--sail", str(small_folder), "--workers", "1"]
+    arguments = ["evaluate", "--instructions", str(small_folder), "--workers", "1"]
     assert main([*arguments, "--agent", "rules", "--out", str(run)]) == 0
     lines = (run / "episodes.jsonl").read_text().splitlines()
     results = [json.loads(line) for line in lines]
@@ -40,18 +40,17 @@ def test_rules_finds_its_way_from_any_heading(
     assert settings["simulation"]["detection_range"] == 40.0
 
 
-@pytest.mark.parametrize("option", ["--instructions", "--sites"])
-def test_sail_brings_its_own_instructions_and_sites(
-    small_folder: Path, capsys: pytest.CaptureFixture[str], option: str
+def test_sail_brings_its_own_sites(
+    small_folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    arguments = ["evaluate", "--agent", "stop", "--sail", str(small_folder)]
-    assert main([*arguments, option, "elsewhere"]) == 2
-    assert "leave out --instructions and --sites" in capsys.readouterr().err
+    arguments = ["evaluate", "--agent", "stop", "--instructions", str(small_folder)]
+    assert main([*arguments, "--sites", "elsewhere"]) == 2
+    assert "leave out the sites" in capsys.readouterr().err
 
 
 def test_a_split_that_does_not_exist_is_wrong_usage(
     small_folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    arguments = ["evaluate", "--agent", "stop", "--sail", str(small_folder)]
+    arguments = ["evaluate", "--agent", "stop", "--instructions", str(small_folder)]
     assert main([*arguments, "--split", "train"]) == 2
     assert "split: expected one of" in capsys.readouterr().err
