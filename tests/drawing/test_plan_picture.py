@@ -9,6 +9,7 @@ import pytest
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
+from memorymaze.drawing.axes import lettering
 from memorymaze.drawing.margin import draw_scale_and_north
 from memorymaze.drawing.plan_picture import draw_site, draw_walk
 from memorymaze.drawing.shapes import Met, ThingInTheWay
@@ -156,15 +157,16 @@ def test_the_picture_of_a_walk_shows_its_surroundings_and_what_came_of_it(
     site = builtin_sites["university"]
     route = site.reference_route("R1")
     path = tmp_path / "walk.svg"
-    draw_walk(
+    sheet = draw_walk(
         site,
         route,
         list(route.line.coords),
-        path,
         instruction="Go  on\n to the library.",
         outcome="✔ ARRIVED",
         arrived=True,
     )
+    with lettering(**{"svg.fonttype": "none"}):
+        sheet.savefig(path)
     root = ElementTree.parse(path).getroot()
     texts = ["".join(text.itertext()).strip() for text in root.iter(f"{SVG}text")]
     assert {"“Go on to the library.”", "✔ ARRIVED", "Library"} <= set(texts)

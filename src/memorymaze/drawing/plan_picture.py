@@ -8,6 +8,7 @@ import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from numpy.typing import ArrayLike, NDArray
+from PIL.Image import Image, fromarray
 
 from memorymaze.drawing.axes import (
     axes_in,
@@ -105,30 +106,23 @@ def draw_walk(
     site: Site,
     route: Route,
     walk: Trajectory | ArrayLike,
-    path: str | Path,
     *,
     instruction: str,
     outcome: str,
     arrived: bool,
     met: Met | None = None,
-) -> None:
+) -> Figure:
     """Draw the part of a plan where a walk was, with what was told and came of it.
 
     Args:
         site: Where.
         route: The way that the instruction describes.
         walk: As a trajectory or points in metres, (N, 2).
-        path: File to write; its suffix chooses the format: `.png`, `.svg` or `.pdf`.
         instruction: The text; white space in it becomes single spaces.
         outcome: How the walk ended, in a line.
         arrived: Whether it ended at the goal.
         met: Things left in the way and people who walked about.
-
-    Raises:
-        SettingsError: The suffix is not one of these.
-        OSError: The file cannot be written.
     """
-    path = _checked(path)
     points = _points(walk)
     bounds = [route.line.bounds, (*points.min(axis=0), *points.max(axis=0))]
     shown = bounds_of(bounds, AROUND)
@@ -137,7 +131,20 @@ def draw_walk(
         HeadLine(f"“{single_spaced(instruction)}”", 10.5),
         HeadLine(outcome, 10.5, ARRIVED_COLOR if arrived else FAILED_COLOR),
     ]
-    _write(path, part_of(site, shown), shown, head, [route], [points], met)
+    part = part_of(site, shown)
+    with lettering():
+        return _sheet(part, shown, head, [route], [points], met or Met())
+
+
+def picture_of(sheet: Figure) -> Image:
+    """Return a sheet as pixels."""
+    sheet.set_dpi(DOTS_PER_INCH)
+    canvas = FigureCanvasAgg(sheet)
+    with lettering():
+        canvas.draw()
+    picture = fromarray(np.asarray(canvas.buffer_rgba())[:, :, :3])
+    picture.info["dpi"] = (DOTS_PER_INCH, DOTS_PER_INCH)
+    return picture
 
 
 def _checked(path: str | Path) -> Path:

@@ -5,7 +5,7 @@ import os
 from collections.abc import Sequence
 from dataclasses import asdict
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -33,6 +33,9 @@ from memorymaze.evaluation.trace import trace_lines
 from memorymaze.instructions.corpus import episodes
 from memorymaze.instructions.records import Instruction
 from memorymaze.sites import Route, Site
+
+if TYPE_CHECKING:
+    from PIL.Image import Image
 
 FILES = ("trajectory.json", "trace.jsonl", "picture.png")
 
@@ -111,12 +114,26 @@ def _met_in(trace: Sequence[dict[str, Any]]) -> Met | None:
     return Met(things, tuple(np.array(walk)[:, 1:] for walk in walks), close)
 
 
+def draw_navigation(run: EpisodeRun, site: Site, route: Route) -> "Image":
+    """Draw the walk on the part of the plan where it was."""
+    from memorymaze.drawing.plan_picture import draw_walk, picture_of
+
+    sheet = draw_walk(
+        site,
+        route,
+        run.trajectory,
+        instruction=run.trace[0]["instruction"],
+        outcome=outcome_line(run.result),
+        arrived=run.result.success,
+        met=_met_in(run.trace),
+    )
+    return picture_of(sheet)
+
+
 def write_navigation(
     run: EpisodeRun, site: Site, route: Route, folder: Path
 ) -> list[Path]:
     """Write `trajectory.json`, `trace.jsonl` and `picture.png` into a folder."""
-    from memorymaze.drawing.plan_picture import draw_walk
-
     content: dict[str, Any] = {
         "site": site.name,
         "route": route.id,
@@ -131,16 +148,8 @@ def write_navigation(
         text = json.dumps(content, ensure_ascii=False) + "\n"
         write_whole(files[0], text.encode("utf-8", "backslashreplace"))
         write_whole(files[1], trace_lines(run.trace))
-        draw_walk(
-            site,
-            route,
-            run.trajectory,
-            files[2],
-            instruction=run.trace[0]["instruction"],
-            outcome=outcome_line(run.result),
-            arrived=run.result.success,
-            met=_met_in(run.trace),
-        )
+        picture = draw_navigation(run, site, route)
+        picture.save(files[2], dpi=picture.info["dpi"])
     except OSError as error:
         raise RunFolderError(
             f"{folder}: cannot be written ({error.strerror})"

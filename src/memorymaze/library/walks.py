@@ -1,6 +1,5 @@
 """One robot in a building, and one instruction followed by an agent."""
 
-import tempfile
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -9,7 +8,11 @@ import numpy as np
 
 from memorymaze.errors import SettingsError
 from memorymaze.evaluation.agent_catalogue import AgentChoice
-from memorymaze.evaluation.navigation import navigate, write_navigation
+from memorymaze.evaluation.navigation import (
+    draw_navigation,
+    navigate,
+    write_navigation,
+)
 from memorymaze.evaluation.settings import RunSettings, with_choices
 from memorymaze.pictures import robot_cameras
 from memorymaze.simulation.robot import SimulatedRobot
@@ -68,17 +71,8 @@ class Walk:
         return self.run.trace
 
     def plot(self) -> "Image":
-        """Draw the walk on the plan; notebooks show the picture.
-
-        Raises:
-            RunFolderError: No temporary file can be written.
-        """
-        from PIL import Image
-
-        with tempfile.TemporaryDirectory() as folder:
-            *_, picture = self.save(folder)
-            with Image.open(picture) as image:
-                return image.convert("RGB")
+        """Draw the walk on the plan; notebooks show the picture."""
+        return draw_navigation(self.run, self.site, self.route)
 
     def save(self, folder: str | Path) -> list[Path]:
         """Write trajectory, trace and picture into a folder; return the files.
