@@ -23,10 +23,7 @@ from memorymaze.evaluation.budgets import episode_time_budget
 from memorymaze.evaluation.guarded_robot import AskingGuardedRobot, GuardedRobot
 from memorymaze.evaluation.people_to_ask import PutTo, people_of_episode
 from memorymaze.evaluation.results import EpisodeResult, StoppedBy, measure_walk
-from memorymaze.evaluation.seeds import (
-    detector_generator,
-    episode_generators,
-)
+from memorymaze.evaluation.seeds import seeds_of
 from memorymaze.evaluation.settings import RunDefinition
 from memorymaze.evaluation.trace_entries import (
     call_entry,
@@ -108,7 +105,7 @@ def _attempt(
     watcher: Watcher | None,
     put_to: PutTo | None,
 ) -> EpisodeRun:
-    robot_rng, agent_rng = episode_generators(settings.seed, episode.id)
+    seeds = seeds_of(settings.seed, episode.id)
     way = arena.site.route(episode.instruction.reference_route)
     destination = None if settings.ask is None else way.goal
     trace = [opening_entry(agent.name, episode, settings, destination)]
@@ -121,15 +118,15 @@ def _attempt(
     robot = arena.robot(
         episode,
         replace(settings.simulation, time_budget=episode_time_budget(settings, way)),
-        robot_rng,
+        seeds.robot,
         lambda event: tell(call_entry(event)),
-        detector_generator(settings.seed, episode.id),
+        seeds.detector,
     )
     people = None
     if settings.ask is not None and destination is not None:
         people = Encounters(
             robot,
-            people_of_episode(arena, episode, settings, put_to),
+            people_of_episode(arena, episode, settings, seeds.people, put_to),
             destination,
             settings.ask,
             lambda asked: tell(asked_entry(asked)),
@@ -151,7 +148,7 @@ def _attempt(
         if people is None
         else AskingGuardedRobot(robot, settings.needs, people),
         journal,
-        agent_rng,
+        seeds.agent,
     )
     wall_s = time.perf_counter() - began
     walk = robot.trajectory()

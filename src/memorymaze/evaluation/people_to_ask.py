@@ -9,7 +9,6 @@ from memorymaze.agents.agent import Agent
 from memorymaze.errors import SettingsError
 from memorymaze.evaluation.agent_catalogue import refuse_unused_model
 from memorymaze.evaluation.arena import Arena
-from memorymaze.evaluation.seeds import passers_by_seed
 from memorymaze.evaluation.settings import AgentSettings, RunDefinition, RunSettings
 from memorymaze.instructions.records import Episode, Instruction
 from memorymaze.language.answers import AboutInstruction
@@ -53,11 +52,15 @@ def check_people(
 
 
 def people_of_episode(
-    arena: Arena, episode: Episode, settings: RunDefinition, put_to: PutTo | None
+    arena: Arena,
+    episode: Episode,
+    settings: RunDefinition,
+    seed: tuple[int, ...],
+    put_to: PutTo | None,
 ) -> Meet:
     """Return who answers in an episode for the people that the robot asks."""
     one = Memory(
-        passers_by_seed(settings.seed, episode.id),
+        seed,
         arena.floor,
         load_bank(),
         _share_unreliable(episode.instruction),

@@ -1,33 +1,37 @@
 """Random numbers of an episode: the same whatever ran before, and wherever."""
 
 import hashlib
+from dataclasses import dataclass
 
 import numpy as np
 
 
-def episode_generators(
-    seed: int, episode_id: str
-) -> tuple[np.random.Generator, np.random.Generator]:
-    """Return the generators of an episode: the robot's and the agent's.
+@dataclass(frozen=True, slots=True)
+class EpisodeSeeds:
+    """Where the random numbers of an episode come from, apart for each purpose."""
+
+    robot: np.random.Generator
+    agent: np.random.Generator
+    detector: np.random.Generator
+    """Of the mistakes that the detector makes."""
+    people: tuple[int, ...]
+    """Of what people remember; each adds a number of its own."""
+
+
+def seeds_of(seed: int, episode_id: str) -> EpisodeSeeds:
+    """Return the seeds of an episode.
 
     They depend on the run's seed and the episode's id alone, so neither the number of
     workers nor the order of episodes changes a result.
     """
-    robot, agent = _root(seed, episode_id).spawn(2)
-    return np.random.default_rng(robot), np.random.default_rng(agent)
-
-
-def detector_generator(seed: int, episode_id: str) -> np.random.Generator:
-    """Return the generator of the mistakes that an episode's detector makes."""
-    # The third child: the first two are the robot's and the agent's.
-    return np.random.default_rng(_root(seed, episode_id).spawn(3)[2])
-
-
-def passers_by_seed(seed: int, episode_id: str) -> tuple[int, ...]:
-    """Return the seed of what an episode's people remember, to which each adds a number."""
-    # The fourth child: three others are the robot's, the agent's and the detector's.
-    words = _root(seed, episode_id).spawn(4)[3].generate_state(4)
-    return tuple(int(word) for word in words)
+    robot, agent, detector, people = _root(seed, episode_id).spawn(4)
+    words = people.generate_state(4)
+    return EpisodeSeeds(
+        np.random.default_rng(robot),
+        np.random.default_rng(agent),
+        np.random.default_rng(detector),
+        tuple(int(word) for word in words),
+    )
 
 
 def obstacle_generator(seed: int, episode_id: str) -> np.random.Generator:
