@@ -465,6 +465,7 @@ def result() -> Callable[..., EpisodeResult]:
             ndtw=0.8,
             sdtw=0.8,
             path_length=41.5,
+            way_m=40.0,
             collisions=0,
             turns_in_order=1.0,
             duration_s=60.0,

@@ -45,16 +45,6 @@ def test_a_line_with_a_wrong_field_is_refused_with_its_place(
         result_from_line(json.dumps(content), "episodes.jsonl:7")
 
 
-def test_lines_of_older_versions_tell_neither_confidence_nor_whether_it_gave_up(
-    result: Make,
-) -> None:
-    content = json.loads(result_to_line(result(confidence=0.5, gave_up=False)))
-    del content["confidence"], content["gave_up"]
-    older = result_from_line(json.dumps(content), "here")
-    assert (older.confidence, older.gave_up) == (None, None)
-    assert older.claims_arrival
-
-
 @pytest.mark.parametrize(
     ("stopped_by", "gave_up", "success", "claims", "is_false"),
     [
@@ -74,3 +64,12 @@ def test_only_who_stops_without_giving_up_claims_to_be_there(
 ) -> None:
     ended = result(stopped_by=stopped_by, gave_up=gave_up, success=success)
     assert (ended.claims_arrival, ended.is_false_arrival) == (claims, is_false)
+
+
+def test_a_line_without_a_field_is_of_another_version(result: Make) -> None:
+    content = json.loads(result_to_line(result()))
+    del content["way_m"]
+    with pytest.raises(
+        RunFolderError, match=r"without way_m, made by another version.*run it again"
+    ):
+        result_from_line(json.dumps(content), "here")

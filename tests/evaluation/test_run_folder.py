@@ -169,8 +169,8 @@ def test_where_replies_are_kept_makes_no_other_run(
         pytest.param("{", "cannot be read", id="no json"),
         pytest.param("[" * 99_999, "cannot be read", id="nested"),
         pytest.param("[]", "the whole is wrong", id="list"),
-        pytest.param('{"format": 2}', "expected format 1, got 2", id="later format"),
-        pytest.param('{"format": 1}', "settings is wrong", id="empty"),
+        pytest.param('{"format": 3}', "expected format 2, got 3", id="later format"),
+        pytest.param('{"format": 2}', "settings is wrong", id="empty"),
     ],
 )
 def test_a_damaged_run_json_is_named(

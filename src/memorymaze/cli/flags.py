@@ -25,8 +25,7 @@ def add_flags(
 ) -> None:
     """Add an option for each field of a dataclass; what is given stays a text.
 
-    A field's metadata may say what it was called `once`, and what it is when it is given
-    `alone`, without a value.
+    A field's metadata may say what it is when it is given `alone`, without a value.
 
     `add` is `add_argument` of a parser or of a group of it; `only` names fields, None
     stands for those of `flag_names`.
@@ -41,9 +40,8 @@ def add_flags(
         if "alone" in field.metadata:
             form |= {"nargs": "?", "const": field.metadata["alone"]}
         default = "" if option.default in ("none", "false") else option.default
-        names = [field.name, *filter(None, [field.metadata.get("once")])]
         add(
-            *(f"--{name.replace('_', '-')}" for name in names),
+            f"--{field.name.replace('_', '-')}",
             help=(option.meaning + (default and f" (default: {default})")).replace(
                 "%", "%%"
             ),

@@ -15,12 +15,9 @@ StoppedBy = Literal["agent", "budget", "stuck", "crash", "unsafe", "model_error"
 """Who or what ended an episode; only `agent` can be a success."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class EpisodeResult:
-    """What came of one episode; one line of `episodes.jsonl`.
-
-    Fields with a default are not in the lines of runs by older versions.
-    """
+    """What came of one episode; one line of `episodes.jsonl`."""
 
     episode_id: str
     instruction_id: str
@@ -174,24 +171,23 @@ class EpisodeResult:
     not against the time budget."""
     followers: Followers | None = None
     """How people fared who followed the instruction, where its corpus tells."""
-    error_kinds: tuple[str, ...] | None = None
-    """Kinds of the significant errors in the instruction; None in older runs."""
+    error_kinds: tuple[str, ...] = ()
+    """Kinds of the significant errors in the instruction."""
     errors_of_tellings: tuple[int, ...] = ()
     """How many of these are in the first and in the second telling, where the agent was
     handed both; else empty."""
     pair: str | None = None
     """Shared with the same instruction without, or with, its errors."""
-    way_m: FiniteFloat | None = None
-    """Metres of the way described; None in older runs."""
+    way_m: FiniteFloat
+    """Metres of the way described."""
     confidence: Annotated[
         FiniteFloat | None,
         Measure("Confidence", "the agent's own, that it is there", shown=("episode",)),
     ] = None
     """How probable the agent thought it that it is there, 0 to 1; None where it tells
-    nothing, and in older runs."""
-    gave_up: Annotated[bool | None, Measure("Gave up", digits=0)] = None
-    """Stopped by itself, saying that it is not there; None in older runs."""
-
+    nothing."""
+    gave_up: Annotated[bool, Measure("Gave up", digits=0)] = False
+    """Stopped by itself, saying that it is not there."""
     questions: Annotated[int, Measure("Questions", digits=1, is_amount=True)] = 0
     """Asked of passers-by and answered."""
     asked_in_vain: Annotated[int, Measure(is_amount=True)] = 0
@@ -247,28 +243,16 @@ def result_to_line(result: EpisodeResult) -> str:
 def result_from_line(line: str, place: str) -> EpisodeResult:
     """Read a result from one line of JSON."""
     try:
-        return _RESULT.validate_json(_renamed(line), strict=True)
+        return _RESULT.validate_json(line, strict=True)
     except ValidationError as error:
         first = error.errors()[0]
         field = ".".join(str(part) for part in first["loc"]) or "the line"
+        if first["type"] == "missing":
+            raise RunFolderError(
+                f"{place}: expected an episode's result, got one without {field}, made by "
+                "another version of memorymaze; run it again"
+            ) from None
         raise RunFolderError(
             f"{place}: expected an episode's result, got one where {field} is wrong "
             f"({first['msg']}); delete the line, and --resume runs the episode again"
         ) from None
-
-
-def _renamed(line: str) -> str:
-    """Return a line with the fields of older versions as they are now."""
-    if '"human_trials"' not in line:
-        return line
-    try:
-        content = json.loads(line)
-        told = [content.pop(name) for name in ("usable", "human_trials", "human_found")]
-    except (AttributeError, KeyError, TypeError, ValueError):
-        # What is wrong with it, checking says.
-        return line
-    if told[0] is not None:
-        content["followers"] = dict(
-            zip(("usable", "tried", "arrived"), told, strict=True)
-        )
-    return json.dumps(content)

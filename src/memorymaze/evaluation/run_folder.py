@@ -41,8 +41,8 @@ from memorymaze.sites.loading import sound_site
 from memorymaze.sites.reading import understand_plan
 from memorymaze.sites.records import Site
 
-FORMAT = 1
-"""Of the run folder; older folders are refused, not guessed at."""
+FORMAT = 2
+"""Of the run folder; others are refused, not guessed at."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -137,8 +137,8 @@ def read_plans(path: str | Path) -> dict[str, Site]:
     files = sorted(Path(path, "plans").glob("*.geojson.gz"))
     if not files:
         raise RunFolderError(
-            f"{path}: expected a run that keeps its plans, got none in plans/; it was "
-            "made by an older version of memorymaze, so run it again"
+            f"{path}: expected the plans of the run's sites, got none in plans/; bring "
+            "them back, or run it again"
         )
     sites: dict[str, Site] = {}
     for file in files:
@@ -159,8 +159,8 @@ def read_instructions(path: str | Path) -> list[Instruction]:
     file = Path(path, INSTRUCTIONS)
     if not file.is_file():
         raise RunFolderError(
-            f"{path}: expected a run that keeps its instructions, got no {INSTRUCTIONS};"
-            " it was made by an older version of memorymaze, so run it again"
+            f"{path}: expected the instructions of the run, got no {INSTRUCTIONS}; bring "
+            "it back, or run it again"
         )
     try:
         return [_INSTRUCTION.validate_json(line) for line in _lines(_unpacked(file))]
@@ -249,9 +249,9 @@ def _read_record(path: Path) -> RunRecord:
         if isinstance(content, dict) and content.get("format") != FORMAT:
             raise RunFolderError(
                 f"{place}: expected format {FORMAT}, got {content.get('format')!r}; "
-                "the run was made by another version of memorymaze"
+                "the run was made by another version of memorymaze; run it again"
             )
-        return _RECORD.validate_python(_renamed(content))
+        return _RECORD.validate_python(content)
     except ValidationError as error:
         first = error.errors()[0]
         field = ".".join(str(part) for part in first["loc"]) or "the whole"
@@ -272,17 +272,6 @@ def _repaired_results(path: Path) -> dict[str, EpisodeResult]:
         if whole + end != content:
             write_whole(file, whole + end)
     return results
-
-
-def _renamed(content: Any) -> Any:
-    """Return what `run.json` says with the fields of older versions as they are now."""
-    settings = content.get("settings") if isinstance(content, dict) else None
-    if isinstance(settings, dict):
-        if "answers" not in settings:
-            settings["answers"] = settings.pop("programs", None)
-        # Before there was a choice, the longest route set the time.
-        settings.setdefault("budget_by", "longest")
-    return content
 
 
 def _read_results(path: Path) -> tuple[dict[str, EpisodeResult], bytes]:

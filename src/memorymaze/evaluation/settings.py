@@ -338,10 +338,6 @@ class Difference:
 
 def differences(old: RunDefinition, new: RunDefinition) -> list[Difference]:
     """Return the settings in which two runs differ."""
-    # Runs of older versions do not say these; of an unknown value nothing is said.
-    for name in ("agent_files", "option_values"):
-        if not (getattr(old, name) and getattr(new, name)):
-            old, new = replace(old, **{name: ()}), replace(new, **{name: ()})
     before, after = (
         {(kind, name): value for kind, name, value in _flat(asdict(run))}
         for run in (old, new)

@@ -155,9 +155,7 @@ class ModelSettings:
     """an OpenAI-compatible server; none for OpenAI's, or OPENAI_BASE_URL"""
     record: str | None = field(default=None, metadata={"metavar": "FILE"})
     """keep the model's answers in a store"""
-    replay: str | None = field(
-        default=None, metadata={"metavar": "FILE", "once": "programs"}
-    )
+    replay: str | None = field(default=None, metadata={"metavar": "FILE"})
     """take answers from a store or a JSONL file; ask no model (docs/language_models.md)"""
     inference_time: InferenceTime = field(
         default=InferenceTime(), metadata={"metavar": "TIME"}

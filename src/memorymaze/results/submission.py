@@ -218,8 +218,8 @@ def _trace_problems(
         if measure.of_walk is None or not measure.is_rechecked:
             continue
         again, said = values[measure.field], getattr(result, measure.field)
-        # Runs by versions without a measure do not tell it; NaN is near nothing.
-        if said is not None and not abs(again - said) <= ROUNDING:
+        # NaN is near nothing.
+        if not abs(again - said) <= ROUNDING:
             yield (
                 f"{place}: expected {measure.field} {again:.3f}, as its trajectory "
                 f"gives, got {said:.3f}"

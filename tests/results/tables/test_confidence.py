@@ -7,7 +7,6 @@ from typing import Any
 
 import pytest
 
-from memorymaze.errors import RunFolderError
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.results.tables import load_runs, run_tables
 
@@ -82,13 +81,3 @@ def test_an_agent_that_tells_nothing_claims_what_it_stops_at(
     row = row_of(write("run", silent))
     assert (row["claims"], row["false_arrivals"]) == (0.8, 0.4)
     assert (row["told"], row["brier"], row["ece"], row["aurc"]) == (0, None, None, None)
-
-
-def test_runs_that_do_not_say_who_gave_up_are_refused(
-    write: Write, walks: list[EpisodeResult]
-) -> None:
-    older = [replace(each, gave_up=None) for each in walks]
-    with pytest.raises(
-        RunFolderError, match=r"whether the agent gave up.*run it again"
-    ):
-        row_of(write("run", older))

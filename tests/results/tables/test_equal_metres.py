@@ -87,11 +87,3 @@ def test_texts_without_labelled_errors_are_refused(
         RunFolderError, match="expected texts whose errors are labelled"
     ):
         rows_of(run, run)
-
-
-def test_runs_that_do_not_know_the_errors_are_refused(
-    write: Write, texts: list[EpisodeResult]
-) -> None:
-    run = write("run", [replace(each, error_kinds=None) for each in texts])
-    with pytest.raises(RunFolderError, match="which errors are in their texts"):
-        rows_of(run, run)

@@ -7,7 +7,6 @@ from pathlib import Path
 
 import pytest
 
-from memorymaze.errors import RunFolderError
 from memorymaze.evaluation.results import (
     EpisodeResult,
     result_from_line,
@@ -77,13 +76,6 @@ def test_numbers_of_the_csv_are_not_rounded(run: Path) -> None:
     missing = next(row for row in rows if row["error"] == "missing_turn")
     assert float(missing["difference"]) == -2 / 3
     assert rows[0]["difference"] == ""
-
-
-def test_a_run_that_did_not_keep_the_kinds_shows_no_errors_as_none(
-    write: Write, result: Make
-) -> None:
-    with pytest.raises(RunFolderError, match="older version"):
-        error_table(load_runs([write("run", [result("a-1")])])[0])
 
 
 def test_errors_and_pair_are_kept_in_a_line(result: Make) -> None:

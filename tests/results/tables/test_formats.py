@@ -1,6 +1,5 @@
 import csv
 import io
-import json
 import math
 import re
 from collections.abc import Callable, Sequence
@@ -119,19 +118,6 @@ def test_csv_gives_back_every_row_unrounded(runs: list[MeasuredRun]) -> None:
             "human" if is_published else "human+llm"
         )
         assert line["time_budget_s"] == ("" if is_published else "529.0")
-
-
-def test_programs_of_older_runs_are_still_told(
-    write: Callable[..., Path], result: Make
-) -> None:
-    folder = write("old", [result("a-1")])
-    path = folder / "run.json"
-    content = json.loads(path.read_text(encoding="utf-8"))
-    del content["settings"]["answers"]
-    content["settings"]["programs"] = {"name": "mine.jsonl", "sha256": "12ab"}
-    path.write_text(json.dumps(content), encoding="utf-8")
-    text = shown(load_runs([folder]), "text")
-    assert "answers given before the run, from mine.jsonl (12ab)" in text
 
 
 def test_turning_points_by_lidar_are_stated_above_the_table(

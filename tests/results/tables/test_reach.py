@@ -2,9 +2,6 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-import pytest
-
-from memorymaze.errors import RunFolderError
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.results.tables import load_runs, run_tables
 
@@ -61,12 +58,3 @@ def test_the_mean_is_over_routes_whatever_their_number_of_episodes(
     walks = [result(f"{one}-1", way_m=41.0) for one in "abc"]
     lost = result("d-1", route="R2", success=False, spd=9.0, way_m=41.0)
     assert figures(write("run", [*walks, lost]))["3 m"] == 0.5
-
-
-def test_runs_that_do_not_say_how_long_the_way_is_are_refused(
-    write: Write, result: Make
-) -> None:
-    with pytest.raises(
-        RunFolderError, match=r"how long the way described is.*run it again"
-    ):
-        figures(write("run", [result("a-1")]))

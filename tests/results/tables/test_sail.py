@@ -1,4 +1,3 @@
-import json
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -8,8 +7,6 @@ import pytest
 from memorymaze.errors import SettingsError
 from memorymaze.evaluation.results import (
     EpisodeResult,
-    result_from_line,
-    result_to_line,
 )
 from memorymaze.instructions.records import Followers
 from memorymaze.results.tables import load_runs, run_tables
@@ -52,14 +49,6 @@ def test_every_paragraph_counts_the_same_however_many_headings_were_run(
     usable = next(row for row in table.rows if row["paragraphs"] == "usable")
     assert (usable["texts"], usable["success"]) == (1, pytest.approx(2 / 3))
     assert "0.67 (too few)" in table.text()
-
-
-def test_what_older_runs_told_of_people_is_read(followed: Make) -> None:
-    now = followed("one", 0, followers=Followers(usable=True, tried=4, arrived=3))
-    line = json.loads(result_to_line(now))
-    del line["followers"]
-    line |= {"usable": True, "human_trials": 4, "human_found": 3}
-    assert result_from_line(json.dumps(line), "episodes.jsonl:1") == now
 
 
 def test_maps_have_rows_of_their_own_and_one_together(

@@ -4,7 +4,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from memorymaze.drawing.svg import path_data
-from memorymaze.errors import RunFolderError
 from memorymaze.metrics.calibration import (
     ReliabilityBin,
     expected_calibration_error,
@@ -14,13 +13,8 @@ from memorymaze.metrics.calibration import (
     success_at_coverage,
 )
 from memorymaze.results.report.sources import ReportRun
-from memorymaze.results.tables.confidence import (
-    check_claims,
-    confidence_table,
-    told_confidences,
-)
-from memorymaze.results.tables.runs import MeasuredRun, studies_of
-from memorymaze.tables import Table
+from memorymaze.results.tables.confidence import told_confidences
+from memorymaze.results.tables.runs import studies_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,19 +62,6 @@ def _plots(run: ReportRun, study: str) -> ConfidencePlots | None:
         risk=1 - sum(outcomes) / len(outcomes),
         risk_of_half=1 - success_at_coverage(confidences, outcomes, 0.5),
     )
-
-
-def claims_table(runs: Sequence[ReportRun]) -> tuple[Table | None, list[str]]:
-    """Return the table of confidence, and why runs of older versions are not in it."""
-    measured: list[MeasuredRun] = []
-    told: list[str] = []
-    for run in runs:
-        try:
-            check_claims(run.measured)
-            measured.append(run.measured)
-        except RunFolderError as error:
-            told.append(str(error))
-    return (confidence_table(measured) if measured else None), told
 
 
 def _risk_line(confidences: Sequence[float], outcomes: Sequence[bool]) -> str:

@@ -120,12 +120,8 @@ def spreads(runs: Sequence[ReportRun], measure: Measure) -> list[Spread]:
     cells: dict[tuple[str, int], list[float]] = {}
     for number, run in enumerate(runs):
         for result in run.measured.results:
-            value = getattr(result, measure.field)
-            # Runs by versions without the measure do not tell it.
-            if value is not None:
-                cells.setdefault((result.study, number), []).append(float(value))
-    if not cells:
-        return []
+            value = float(getattr(result, measure.field))
+            cells.setdefault((result.study, number), []).append(value)
     values = [value for cell in cells.values() for value in cell]
     edges = _edges(min(values), max(values))
     counted = {key: np.histogram(cell, edges)[0] for key, cell in cells.items()}

@@ -11,7 +11,7 @@ from memorymaze.durable_files import check_new_folder, new_folder
 from memorymaze.errors import RunFolderError
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.results.report.belief_timeline import belief_timeline
-from memorymaze.results.report.confidence_page import claims_table, plot_confidence
+from memorymaze.results.report.confidence_page import plot_confidence
 from memorymaze.results.report.episode_page import (
     EpisodeRow,
     EpisodeView,
@@ -35,6 +35,7 @@ from memorymaze.results.report.sources import Sources
 from memorymaze.results.story.recorded_episode import read_story
 from memorymaze.results.tables import SPREAD_MEASURES, Place, paper_table, run_notes
 from memorymaze.results.tables.confidence import KEY as CONFIDENCE_KEY
+from memorymaze.results.tables.confidence import confidence_table
 from memorymaze.sites import Route, Site
 from memorymaze.tables import Row, Table
 
@@ -244,12 +245,10 @@ class _Report:
                 (measure, spreads(self._runs, measure)) for measure in SPREAD_MEASURES
             ],
         )
-        table, problems = claims_table(self._runs)
         self._page(
             "confidence.html",
             "Confidence",
-            table=table,
-            problems=problems,
+            table=confidence_table(measured),
             key=CONFIDENCE_KEY,
             plots=plot_confidence(self._runs),
         )

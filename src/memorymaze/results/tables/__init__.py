@@ -88,9 +88,8 @@ def run_tables(
 
     Raises:
         SettingsError: Some runs are on SAIL and some are not.
-        RunFolderError: `errors`, `reach` or `confidence` of a run by an older version,
-            which did not keep what they show; or `second_tellings` where a run with both
-            tellings lacks its counterpart.
+        RunFolderError: `second_tellings` where a run with both tellings lacks its
+            counterpart, or `asking` of runs that cannot be set beside each other.
     """
     if choice == "errors":
         return [error_table(run) for run in runs]

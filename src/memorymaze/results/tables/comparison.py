@@ -17,7 +17,6 @@ from memorymaze.metrics.paired import sign_flip_test
 from memorymaze.results.tables.measures import (
     COMPARED_MEASURES,
     estimate_fields,
-    known_to,
     values_of,
     with_interval_notes,
 )
@@ -75,7 +74,6 @@ def comparison_table(
     """
     pairs = paired_results(first, second)
     before = [one for one, _ in pairs]
-    measures = known_to([each for pair in pairs for each in pair], COMPARED_MEASURES)
     table = Table(
         title,
         _columns(*letters),
@@ -90,16 +88,11 @@ def comparison_table(
                     if one.study == study and place_of(one) in group
                 ],
                 group,
-                measures,
+                COMPARED_MEASURES,
             )
         ),
         (
             *comparison_notes(first, second, len(pairs), letters),
-            *(
-                f"NOT COMPARED, as an older version did not measure it: {each.short}."
-                for each in COMPARED_MEASURES
-                if each not in measures
-            ),
             KEY.format(first=letters[0], second=letters[1]),
         ),
         "comparison",

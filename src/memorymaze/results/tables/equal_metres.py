@@ -12,10 +12,9 @@ from memorymaze.results.tables.comparison import (
 )
 from memorymaze.results.tables.errors import by_error_kind
 from memorymaze.results.tables.measures import with_interval_notes
-from memorymaze.results.tables.reach import WAYS, check_ways, within_ways
+from memorymaze.results.tables.reach import WAYS, within_ways
 from memorymaze.results.tables.runs import (
     MeasuredRun,
-    check_told,
     studies_of,
     study_title,
 )
@@ -41,12 +40,8 @@ def equal_metres_table(first: MeasuredRun, second: MeasuredRun) -> Table:
         second: What is compared with it, B.
 
     Raises:
-        RunFolderError: No text with an error is in both runs, or a run was made before
-            results told errors and ways.
+        RunFolderError: No text with an error is in both runs.
     """
-    for run in (first, second):
-        check_ways(run)
-        check_told(run, "error_kinds", "which errors are in their texts")
     pairs = paired_results(first, second)
     after = {one.episode_id: two for one, two in pairs}
     wrong = [one for one, _ in pairs if one.error_kinds]

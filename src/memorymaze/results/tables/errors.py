@@ -16,7 +16,7 @@ from memorymaze.results.tables.measures import (
     value_fields,
     with_interval_notes,
 )
-from memorymaze.results.tables.runs import MeasuredRun, check_told, run_notes
+from memorymaze.results.tables.runs import MeasuredRun, run_notes
 from memorymaze.tables import Column, Row, Table
 
 NO_ERROR, ANY, SEVERAL = "none", "any", "several"
@@ -47,7 +47,6 @@ COLUMNS = (
 
 def error_table(run: MeasuredRun) -> Table:
     """Return success by study and kind of error: a kind, `none`, `several` or `any`."""
-    check_told(run, "error_kinds", "which errors are in their texts")
     right: dict[str | None, EpisodeResult] = {
         r.pair: r for r in run.results if r.pair and not r.error_kinds
     }
@@ -75,7 +74,7 @@ def by_error_kind(results: Sequence[EpisodeResult]) -> dict[str, list[EpisodeRes
     """Return results on texts with errors by kind, and under `any` all where there are several."""
     groups: dict[str, list[EpisodeResult]] = {}
     for result in results:
-        kinds = set(result.error_kinds or ())
+        kinds = set(result.error_kinds)
         if kinds:
             kind = kinds.pop() if len(kinds) == 1 else SEVERAL
             groups.setdefault(kind, []).append(result)

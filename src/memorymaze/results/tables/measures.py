@@ -84,14 +84,15 @@ def estimate_means(cells: Sequence[Sequence[EpisodeResult]]) -> dict[str, Estima
     if not cells or not all(cells):
         raise ValueError("expected at least one episode in every cell")
     rows = [(result, number) for number, cell in enumerate(cells) for result in cell]
-    told = known_to([result for result, _ in rows], PAPER_MEASURES)
     estimates = participant_bootstrap(
-        [values_of(result, told) for result, _ in rows],
+        [values_of(result, PAPER_MEASURES) for result, _ in rows],
         [result.participant for result, _ in rows],
         np.random.default_rng(0),
         cells=[number for _, number in rows],
     )
-    return {each.name: found for each, found in zip(told, estimates, strict=True)}
+    return {
+        each.name: found for each, found in zip(PAPER_MEASURES, estimates, strict=True)
+    }
 
 
 def value_fields(
@@ -110,17 +111,6 @@ def value_fields(
     for value, found in zip(values, estimates, strict=True):
         fields |= estimate_fields(value.name, found)
     return fields
-
-
-def known_to(
-    results: Sequence[EpisodeResult], measures: Sequence[Measure]
-) -> list[Measure]:
-    """Return the measures that all results have; those of older versions lack some."""
-    return [
-        measure
-        for measure in measures
-        if all(getattr(result, measure.field) is not None for result in results)
-    ]
 
 
 def values_of(result: EpisodeResult, measures: Sequence[Measure]) -> list[float]:
@@ -156,8 +146,8 @@ def estimate_fields(
 
 
 def means_fields(means: Mapping[str, Estimate]) -> dict[str, Any]:
-    """Return the fields of means by the names of their measures; None for the unknown."""
+    """Return the fields of means by the names of their measures."""
     fields: dict[str, Any] = {}
     for measure in PAPER_MEASURES:
-        fields |= estimate_fields(measure.name, means.get(measure.name))
+        fields |= estimate_fields(measure.name, means[measure.name])
     return fields

@@ -17,7 +17,6 @@ from memorymaze.results.tables.measures import (
 from memorymaze.results.tables.runs import (
     STUDY,
     MeasuredRun,
-    check_told,
     place_of,
     run_notes,
     studies_of,
@@ -41,7 +40,6 @@ def reach_table(runs: Sequence[MeasuredRun]) -> Table:
     """Return success at 1.5, 3 and 5 m and within 1, 1.5, 2 and 3 times the way."""
 
     def fields(run: MeasuredRun, results: Sequence[EpisodeResult]) -> dict[str, Any]:
-        check_ways(run)
         values = _values(run.record.settings.success_distance)
         return value_fields(results, values, [place_of(result) for result in results])
 
@@ -90,7 +88,7 @@ def within_ways(near: float) -> list[EpisodeValue]:
             f"{times:g}x",
             lambda each, times=times: success_within_way(
                 each.path_length,
-                each.way_m or 0.0,
+                each.way_m,
                 times,
                 near,
                 is_success=each.success,
@@ -98,11 +96,6 @@ def within_ways(near: float) -> list[EpisodeValue]:
         )
         for times in WAYS
     ]
-
-
-def check_ways(run: MeasuredRun) -> None:
-    """Refuse a run whose results do not say how long the way is."""
-    check_told(run, "way_m", "how long the way described is")
 
 
 def _values(near: float) -> list[EpisodeValue]:

@@ -103,15 +103,6 @@ def load_runs(
     return runs
 
 
-def check_told(run: MeasuredRun, field: str, told: str) -> None:
-    """Refuse a run by an older version, whose results lack a field."""
-    if any(getattr(result, field) is None for result in run.results):
-        raise RunFolderError(
-            f"{run.name}: expected results that say {told}, got those of an older version "
-            "of memorymaze; run it again"
-        )
-
-
 def study_title(study: str) -> str:
     """Return how a study is headed; its name where it is none of the paper's."""
     return STUDY_TITLES.get(study, f"Study {study}")
