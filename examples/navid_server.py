@@ -1,244 +1,128 @@
-"""A reference server of the NaVid protocol, with a scripted policy.
+"""The released NaVid checkpoint behind the protocol that `--agent navid` speaks.
 
-    python examples/navid_server.py --port 8765
+    python navid_server.py CHECKPOINT --port 8000
 
-It is one file that needs nothing but Python 3.8 or newer: copy it to the machine that has
-the weights, write a policy (see `docs/navid.md`), and start it there with
+One file for the machine that has the weights: copy it into the folder of the release
+(github.com/jzhzhang/NaVid-VLN-CE), beside its `navid_agent.py`, and start it in the
+release's environment (Python 3.8 or newer). It answers `POST /v1/chat/completions`, so
+that the checkpoint is asked, recorded and replayed like any other model:
 
-    python navid_server.py --policy my_navid.py:MyPolicy --host 0.0.0.0
+    memorymaze evaluate --agent navid --model navid-7b --base-url http://gpu:8000/v1 \
+        --set history=2000 --set faithful=true --set budget=released --limit 12
+
+For want of the weights, `Checkpoint` was never run here; the rest is tested with a
+stand-in.
 """
 
 from __future__ import annotations
 
 import argparse
 import base64
-import binascii
-import importlib.util
+import io
 import json
-import os
-import sys
+import re
+import tempfile
 import threading
-import time
 import traceback
+import zlib
 from collections.abc import Callable
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from typing import Any
 
-PROTOCOL = "memorymaze-navid"
-PROTOCOL_VERSION = 1
-LONGEST_REQUEST = 8_000_000
-"""Bytes of a message; a picture has about a hundred thousand."""
-MOST_SESSIONS = 64
-"""Episodes kept open; the one that was silent the longest makes room."""
-
-SCRIPT = ("The next action is move forward 75 cm.",)
+LONGEST_REQUEST = 200_000_000
+"""Bytes; a video of two thousand small pictures has about forty million."""
+INSTRUCTION = re.compile(r'^"""\n(.*?)\n"""$', re.DOTALL | re.MULTILINE)
 
 
-class ScriptedPolicy:
-    """Says the sentences of a script in turn, the last one again and again."""
+class Checkpoint:
+    """The released model, asked as the release's own evaluation asks it."""
 
-    name = "scripted policy"
-    version = "1"
-    deterministic = True
+    def __init__(self, path: str) -> None:
+        """Load the weights; about 20 GB of GPU memory."""
+        from navid_agent import NaVid_Agent  # type: ignore[import-not-found]
 
-    def __init__(self, script: tuple[str, ...] = SCRIPT) -> None:
-        """Keep the script."""
-        self.script = script
+        self._agent = NaVid_Agent(path, tempfile.mkdtemp(), require_map=False)
 
-    def begin(self, instruction: str, reset: dict[str, Any]) -> Any:
-        """Begin an episode; return what the other methods get as `episode`.
+    def __call__(self, instruction: str, pictures: list[bytes], seed: int) -> str:
+        """Return the model's words, unchanged."""
+        import numpy as np
+        import torch
+        from PIL import Image
 
-        Args:
-            instruction: Text of the way.
-            reset: The whole message, with camera, action space and seed.
-        """
-        return {"asked": 0}
-
-    def see(self, episode: Any, jpeg: bytes, step: int) -> None:
-        """Add a picture to the video; called once per step, in order.
-
-        Args:
-            episode: From `begin`.
-            jpeg: The file's bytes; 640x480, RGB when decoded with Pillow.
-            step: Motions done before it.
-        """
-
-    def act(self, episode: Any, problem: str | None) -> str | dict[str, Any]:
-        """Say the next motion for the picture seen last.
-
-        Args:
-            episode: From `begin`.
-            problem: Why the answer just before could not be used, or None.
-
-        Returns:
-            The model's words; or a whole reply with `text`, `actions`, `usage`.
-        """
-        number = min(episode["asked"], len(self.script) - 1)
-        episode["asked"] += 1
-        return self.script[number]
-
-    def end(self, episode: Any) -> None:
-        """Forget an episode."""
+        # RGB, as in training; all of one size, since the release stacks them.
+        video = [Image.open(io.BytesIO(each)).convert("RGB") for each in pictures]
+        agent, size = self._agent, video[0].size
+        agent.reset()
+        agent.rgb_list = [np.asarray(each.resize(size)) for each in video]
+        torch.manual_seed(seed)  # the release draws its words at temperature 0.2
+        return agent.predict_inference(agent.promt_template.format(instruction))
 
 
-class Refusal(Exception):
-    """A message that cannot be served; carries the HTTP status."""
+def question_of(request: Any) -> tuple[str, list[bytes], int]:
+    """Return the instruction, the video as picture files, and a seed, of a request.
 
-    def __init__(self, status: int, reason: str) -> None:
-        """Keep both."""
-        super().__init__(reason)
-        self.status = status
-
-
-class _Session:
-    def __init__(self, episode: Any) -> None:
-        self.episode = episode
-        self.shown = -1
-        self.used = time.monotonic()
-
-
-class Sessions:
-    """The open episodes of a policy; one message is served at a time."""
-
-    def __init__(self, policy: Any) -> None:
-        """Serve a policy: anything with the methods of `ScriptedPolicy`."""
-        self.policy = policy
-        self._open: dict[str, _Session] = {}
-        self._lock = threading.Lock()
-
-    def answer(self, path: str, message: dict[str, Any] | None) -> dict[str, Any]:
-        """Answer a message.
-
-        Raises:
-            Refusal: It is not one of the protocol's.
-        """
-        routes = {"/reset": self._reset, "/act": self._act, "/close": self._close}
-        if message is None and path == "/info":
-            return self._info()
-        if message is None or path not in routes:
-            raise Refusal(404, "expected GET /info or POST /reset, /act, /close")
-        # A model is on one device: what comes at the same time waits here.
-        with self._lock:
-            return routes[path](message)
-
-    def _info(self) -> dict[str, Any]:
-        return {
-            "protocol": PROTOCOL,
-            "protocol_version": PROTOCOL_VERSION,
-            "name": self.policy.name,
-            "version": getattr(self.policy, "version", ""),
-            "deterministic": getattr(self.policy, "deterministic", False),
-        }
-
-    def _reset(self, message: dict[str, Any]) -> dict[str, Any]:
-        version = _field(message, "protocol_version", int)
-        if version != PROTOCOL_VERSION:
-            raise Refusal(
-                400, f"expected protocol version {PROTOCOL_VERSION}, got {version}"
-            )
-        name = _field(message, "session", str)
-        instruction = _field(message, "instruction", str)
-        self._drop(name)
-        if len(self._open) >= MOST_SESSIONS:
-            self._drop(min(self._open, key=lambda each: self._open[each].used))
-        self._open[name] = _Session(self.policy.begin(instruction, message))
-        return {"ok": True}
-
-    def _act(self, message: dict[str, Any]) -> dict[str, Any]:
-        name = _field(message, "session", str)
-        session = self._open.get(name)
-        if session is None:
-            raise Refusal(409, f"there is no session {name!r}; send /reset first")
-        session.used = time.monotonic()
-        step = _field(message, "step", int)
-        if step < session.shown:
-            raise Refusal(
-                409, f"expected a step of at least {session.shown}, got {step}"
-            )
-        if step > session.shown:
-            self.policy.see(session.episode, _picture(message), step)
-            session.shown = step
-        if message.get("observe_only"):
-            return {"ok": True}
-        began = time.monotonic()
-        said = self.policy.act(session.episode, message.get("problem"))
-        reply: dict[str, Any] = {"text": said} if isinstance(said, str) else dict(said)
-        reply.setdefault("latency_ms", 1000 * (time.monotonic() - began))
-        return reply
-
-    def _close(self, message: dict[str, Any]) -> dict[str, Any]:
-        self._drop(_field(message, "session", str))
-        return {"ok": True}
-
-    def _drop(self, name: str) -> None:
-        session = self._open.pop(name, None)
-        if session is not None:
-            self.policy.end(session.episode)
-
-
-def _field(message: dict[str, Any], name: str, kind: type) -> Any:
-    value = message.get(name)
-    if type(value) is not kind:
-        raise Refusal(400, f"expected {name!r} to be a {kind.__name__}, got {value!r}")
-    return value
-
-
-def _picture(message: dict[str, Any]) -> bytes:
-    try:
-        data = base64.b64decode(_field(message, "image_jpeg_b64", str), validate=True)
-    except binascii.Error:
-        data = b""
-    if not data.startswith(b"\xff\xd8\xff"):
-        raise Refusal(400, "expected 'image_jpeg_b64' to be a JPEG file in base64")
-    return data
-
-
-def make_server(policy: Any, host: str = "127.0.0.1", port: int = 0) -> Any:
-    """Return an HTTP server for a policy; call its `serve_forever`.
-
-    Args:
-        policy: Anything with the methods of `ScriptedPolicy`.
-        host: Address to listen at; 0.0.0.0 for all of the machine's.
-        port: 0 for any that is free; `server_address[1]` tells.
+    Raises:
+        ValueError: It is none of `--agent navid` with pictures.
     """
-    sessions = Sessions(policy)
+    try:
+        text, *shown = request["messages"][-1]["content"]
+        asked: str = text["text"]
+        urls = [each["image_url"]["url"] for each in shown]
+        pictures = [base64.b64decode(url.partition("base64,")[2]) for url in urls]
+    except (AttributeError, KeyError, IndexError, TypeError, ValueError):
+        asked, pictures = "", []
+    instruction = INSTRUCTION.search(asked)
+    if not pictures or instruction is None:
+        raise ValueError(
+            "expected a last message of a text with the instruction between lines of "
+            'three quotation marks, and pictures as "data:image/jpeg;base64,..."'
+        )
+    # Of the whole text: a question that is put once more may get another answer.
+    return instruction[1], pictures, zlib.crc32(asked.encode())
+
+
+def completion_of(reply: str) -> dict[str, Any]:
+    """Return a chat completion with the model's words."""
+    message = {"role": "assistant", "content": reply}
+    choice = {"index": 0, "finish_reason": "stop", "message": message}
+    told = {"id": "navid", "object": "chat.completion", "created": 0}
+    return {**told, "model": "navid", "choices": [choice]}
+
+
+def make_server(
+    model: Callable[[str, list[bytes], int], str],
+    host: str = "127.0.0.1",
+    port: int = 0,
+) -> Any:
+    """Return an HTTP server for what says the next motion; call its `serve_forever`."""
+    on_the_device = threading.Lock()
 
     class Handler(BaseHTTPRequestHandler):
         protocol_version = "HTTP/1.1"
         timeout = 600
 
-        def do_GET(self) -> None:
-            self._serve(None)
-
         def do_POST(self) -> None:
-            try:
-                length = int(self.headers.get("content-length", ""))
-            except ValueError:
-                length = -1
+            length = int(self.headers.get("content-length") or -1)
             if not 0 <= length <= LONGEST_REQUEST:
                 self.close_connection = True
-                self._send(413, {"error": f"expected 0 to {LONGEST_REQUEST} bytes"})
-                return
+                return self._send(413, f"expected at most {LONGEST_REQUEST} bytes")
+            body = self.rfile.read(length)
+            if self.path != "/v1/chat/completions":
+                return self._send(404, "expected POST /v1/chat/completions")
             try:
-                message = json.loads(self.rfile.read(length))
-            except (ValueError, RecursionError):
-                message = None
-            if not isinstance(message, dict):
-                self._send(400, {"error": "expected a JSON object"})
-                return
-            self._serve(message)
-
-        def _serve(self, message: dict[str, Any] | None) -> None:
+                question = question_of(json.loads(body))
+            except ValueError as error:
+                return self._send(400, str(error))
             try:
-                self._send(200, sessions.answer(self.path, message))
-            except Refusal as refusal:
-                self._send(refusal.status, {"error": str(refusal)})
-            except Exception as failure:
+                with on_the_device:
+                    return self._send(200, completion_of(model(*question)))
+            except Exception as error:
                 traceback.print_exc()
-                self._send(500, {"error": f"{type(failure).__name__}: {failure}"})
+                return self._send(500, f"{type(error).__name__}: {error}")
 
-        def _send(self, status: int, answer: dict[str, Any]) -> None:
-            body = json.dumps(answer).encode()
+        def _send(self, status: int, what: str | dict[str, Any]) -> None:
+            said = {"error": {"message": what}} if isinstance(what, str) else what
+            body = json.dumps(said).encode()
             self.send_response(status)
             self.send_header("content-type", "application/json")
             self.send_header("content-length", str(len(body)))
@@ -246,67 +130,22 @@ def make_server(policy: Any, host: str = "127.0.0.1", port: int = 0) -> Any:
             self.wfile.write(body)
 
         def log_message(self, format: str, *arguments: Any) -> None:
-            """Say nothing: there is a message for every step of every episode."""
+            """Say nothing: there is a request for every motion of every episode."""
 
     server = ThreadingHTTPServer((host, port), Handler)
     server.daemon_threads = True
     return server
 
 
-def _maker(options: argparse.Namespace) -> Callable[[], Any]:
-    """Return what makes the policy."""
-    if options.policy is None:
-        script = SCRIPT
-        if options.script is not None:
-            with open(options.script, encoding="utf-8") as file:
-                script = tuple(line.strip() for line in file if line.strip())
-            if not script:
-                raise ValueError(f"--script: {options.script} has no lines")
-        return lambda: ScriptedPolicy(script)
-    path, _, name = options.policy.rpartition(":")
-    if not (path.endswith(".py") and os.path.isfile(path)):
-        raise ValueError(
-            f"--policy: expected FILE.py:CLASS of a file that is there, got "
-            f"{options.policy!r}"
-        )
-    # What lies beside it can be imported too.
-    sys.path.insert(0, os.path.dirname(os.path.abspath(path)))
-    spec = importlib.util.spec_from_file_location("policy_of_ones_own", path)
-    if spec is None or spec.loader is None:
-        raise ValueError(f"--policy: {path!r} cannot be imported")
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = module
-    spec.loader.exec_module(module)
-    if not hasattr(module, name):
-        raise ValueError(f"--policy: {path} has no class {name!r}")
-    return getattr(module, name)
-
-
 def main() -> None:
     """Serve until interrupted."""
-    parser = argparse.ArgumentParser(
-        description="Serve a policy of the NaVid protocol."
-    )
+    parser = argparse.ArgumentParser(description="Serve the released NaVid checkpoint.")
+    parser.add_argument("checkpoint", help="folder of the weights")
     parser.add_argument("--host", default="127.0.0.1", help="default: 127.0.0.1")
-    parser.add_argument("--port", type=int, default=8765, help="default: 8765")
-    parser.add_argument(
-        "--policy", metavar="FILE.py:CLASS", help="your own (default: a scripted one)"
-    )
-    parser.add_argument(
-        "--script", metavar="FILE", help="what the scripted policy says, line by line"
-    )
+    parser.add_argument("--port", type=int, default=8000, help="default: 8000")
     options = parser.parse_args()
-    try:
-        make = _maker(options)
-    except (OSError, ValueError) as error:
-        parser.error(str(error))
-    policy = make()
-    try:
-        server = make_server(policy, options.host, options.port)
-    except (OSError, OverflowError) as error:
-        parser.error(f"cannot listen at {options.host}:{options.port} ({error})")
-    host, port = server.server_address[:2]
-    print(f"{policy.name} at http://{host}:{port}", file=sys.stderr, flush=True)
+    server = make_server(Checkpoint(options.checkpoint), options.host, options.port)
+    print(f"serving at http://{options.host}:{options.port}/v1", flush=True)
     try:
         server.serve_forever()
     except KeyboardInterrupt:

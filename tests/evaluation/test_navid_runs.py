@@ -1,8 +1,7 @@
-"""The NaVid agent in runs: what each budget is enough for, and how it is made."""
+"""The NaVid agent in runs: what each budget is enough for, and models on servers."""
 
 import json
 import math
-import runpy
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
@@ -17,7 +16,7 @@ import pytest
 
 from memorymaze.agents.agent import Journal
 from memorymaze.agents.navid import NavidAgent, NavidOptions
-from memorymaze.agents.navid.policy import Answer, Command, Frame, Task
+from memorymaze.agents.navid.motions import Motions
 from memorymaze.errors import EpisodeOver, SettingsError
 from memorymaze.evaluation.agent_catalogue import build_agent
 from memorymaze.evaluation.budgets import stepping_time_budget
@@ -25,7 +24,7 @@ from memorymaze.evaluation.language_agents import NavidOnSite
 from memorymaze.evaluation.navigation import navigate
 from memorymaze.evaluation.settings import AgentSettings
 from memorymaze.geometry.pose import turn_between
-from memorymaze.language.model import Completion, Usage
+from memorymaze.language.model import Completion, CompletionRequest, Usage
 from memorymaze.language.model_settings import ModelSettings
 from memorymaze.simulation.robot import SimulatedRobot
 from memorymaze.simulation.scene import build_scene
@@ -33,15 +32,12 @@ from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.sites import Site
 from memorymaze.sites.records import Route
 
-EXAMPLE = Path(__file__).parents[2] / "examples" / "navid_server.py"
-server = SimpleNamespace(**runpy.run_path(str(EXAMPLE)))
-
 AHEAD = 1.2
 """Metres along the route that the stand-in aims at."""
 
 
 class TruePath:
-    """A policy that sees nothing and knows the way: a stand-in for a perfect one."""
+    """A model that sees nothing and knows the way: a stand-in for a perfect one."""
 
     name = "true path"
 
@@ -49,21 +45,13 @@ class TruePath:
         self._robot = robot
         self._line = route.line
         self._along = 0.0
+        self._turn = math.radians(Motions().turn_deg)
 
-    def begin(self, task: Task) -> "TruePath":
-        self._turn = math.radians(task.motions.turn_deg)
-        return self
+    def complete(self, request: CompletionRequest) -> Completion:
+        said = json.dumps(self._next())
+        return Completion(said, self.name, Usage(), 0.0)
 
-    def observe(self, frame: Frame) -> None:
-        pass
-
-    def act(self, frame: Frame, problem: str | None = None) -> Answer:
-        return Answer(Completion("", self.name, Usage(), 0.0), "", (self._next(),))
-
-    def close(self) -> None:
-        pass
-
-    def _next(self) -> Command:
+    def _next(self) -> dict[str, Any]:
         here = self._robot.pose
         stops = np.arange(self._along, min(self._along + 2, self._line.length), 0.05)
         places = [self._line.interpolate(each) for each in stops]
@@ -71,13 +59,13 @@ class TruePath:
             away = [math.hypot(each.x - here.x, each.y - here.y) for each in places]
             self._along = float(stops[int(np.argmin(away))])
         if self._line.length - self._along < 0.5:
-            return Command("stop")
+            return {"action": "stop"}
         aim = self._line.interpolate(self._along + AHEAD)
         bearing = math.atan2(aim.y - here.y, aim.x - here.x)
         off = turn_between(here.heading, bearing)
         if abs(off) > 0.6 * self._turn:
-            return Command("left" if off > 0 else "right")
-        return Command("forward")
+            return {"action": "left" if off > 0 else "right", "amount": 30}
+        return {"action": "forward", "amount": 25}
 
 
 @pytest.fixture
@@ -123,65 +111,6 @@ def test_the_longest_route_can_be_finished_under_the_fair_budget_only(
     assert walked(released, route, budget="released") == "budget"
     assert 90 < released.trajectory().length <= 100
     assert math.dist(goal[:2], released.pose[:2]) > 3.0
-
-
-@pytest.fixture
-def scripted_server() -> Iterator[Callable[..., str]]:
-    """Start the reference server with a script; returns its address."""
-    servers: list[Any] = []
-
-    def start(*script: str) -> str:
-        http = server.make_server(server.ScriptedPolicy(script))
-        servers.append(http)
-        Thread(target=http.serve_forever, args=(0.01,), daemon=True).start()
-        return f"http://127.0.0.1:{http.server_address[1]}"
-
-    yield start
-    for each in servers:
-        each.shutdown()
-        each.server_close()
-
-
-def ahead(metres: float) -> list[str]:
-    """Say as many short motions as this many metres have."""
-    return ["The next action is move forward 75 cm."] * round(metres / 0.75)
-
-
-@pytest.mark.proof
-def test_a_policy_server_drives_the_robot_to_the_goal(
-    l_site: Site, scripted_server: Callable[..., str], tmp_path: Path
-) -> None:
-    # East to the corner at x = 11, then north.
-    script = [*ahead(10), "turn left 90 degrees.", *ahead(6), "stop"]
-    store = str(tmp_path / "replies.sqlite")
-    agent = AgentSettings(
-        "navid",
-        options=(("server", scripted_server(*script)),),
-        language_model=ModelSettings(record=store),
-    )
-    route = l_site.routes[0]
-
-    run = navigate(l_site, route, "To the corner and left.", agent)
-
-    assert run.result.stopped_by == "agent"
-    assert run.result.success
-    assert run.result.agent == "NaVid protocol with scripted policy 1+fair"
-    assert run.result.model_calls == len(script)
-    pictures = [entry for entry in run.trace if entry.get("call") == "camera_picture"]
-    steps = [
-        entry for entry in run.trace if entry.get("call") in {"step_forward", "rotate"}
-    ]
-    assert len(pictures) == len(steps) + 1
-
-    # Nobody is there any more; the trace has every decision, and all pictures' digests.
-    nowhere = AgentSettings(
-        "navid",
-        options=(("server", "http://127.0.0.1:9"),),
-        language_model=ModelSettings(replay=store),
-    )
-    again = navigate(l_site, route, "To the corner and left.", nowhere)
-    assert again.trace == run.trace
-    assert again.trajectory == run.trajectory
 
 
 @pytest.fixture
@@ -262,7 +191,7 @@ def test_pictures_are_the_same_from_process_to_process(tmp_path: Path) -> None:
     script = """
 import hashlib, sys
 import numpy as np
-from memorymaze.agents.navid.policy import Frame
+from memorymaze.agents.navid.motions import Frame
 from memorymaze.pictures import robot_cameras
 from memorymaze.simulation.robot import SimulatedRobot
 from memorymaze.simulation.scene import build_scene
@@ -292,48 +221,10 @@ for step in range(3):
 @pytest.mark.parametrize(
     ("settings", "said"),
     [
-        ({}, "name a vision model with --model, or a policy server"),
+        ({}, "name a vision model with --model, or take recorded replies"),
         ({"language_model": ModelSettings(model="smollm2")}, "see no pictures"),
-        (
-            {"options": (("server", "http://127.0.0.1:9"), ("pictures", "none"))},
-            "always shown pictures",
-        ),
-        ({"options": (("server", "nowhere"),)}, "expected an address"),
-        (
-            {
-                "options": (("server", "http://127.0.0.1:9"),),
-                "language_model": ModelSettings(retries=0),
-            },
-            "cannot be reached",
-        ),
-        (
-            {
-                "options": (("server", "http://127.0.0.1:9"),),
-                "language_model": ModelSettings(max_tokens_total=5),
-            },
-            "--max-tokens-total: is for language models",
-        ),
-        (
-            {
-                "options": (("server", "http://127.0.0.1:9"),),
-                "language_model": ModelSettings(model="x"),
-            },
-            "either a vision model or a policy server",
-        ),
-        (
-            {
-                "options": (("server", "http://127.0.0.1:9"),),
-                "language_model": ModelSettings(record="a", replay="b"),
-            },
-            "not both",
-        ),
-        (
-            {
-                "options": (("server", "http://x"),),
-                "language_model": ModelSettings(replay="none"),
-            },
-            "no recorded",
-        ),
+        ({"language_model": ModelSettings(record="a", replay="b")}, "not both"),
+        ({"language_model": ModelSettings(replay="none")}, "no recorded"),
     ],
 )
 def test_what_cannot_be_made_is_explained(settings: Any, said: str) -> None:

@@ -12,7 +12,6 @@ from memorymaze.agents.explorer import ExplorerAgent
 from memorymaze.agents.guide import GuideAgent
 from memorymaze.agents.navgpt import NavGPTAgent, NavGPTOptions
 from memorymaze.agents.navid import NavidAgent
-from memorymaze.agents.navid.model_policies import ModelPolicy
 from memorymaze.agents.rules import RulesAgent
 from memorymaze.agents.see_and_go import SeeAndGoAgent
 from memorymaze.agents.stop import StopAgent
@@ -74,7 +73,7 @@ def test_an_agent_that_goes_by_single_steps_keeps_the_contract(
     make_robot: Callable[[], SteppingRobot], reply: str
 ) -> None:
     model = ScriptedLanguageModel(lambda _: reply)
-    check_agent(NavidAgent(ModelPolicy(model)), make_robot)
+    check_agent(NavidAgent(model), make_robot)
     check_agent(SeeAndGoAgent(model), make_robot)
 
 
@@ -92,11 +91,11 @@ def test_agents_that_are_given_more_of_the_site_keep_the_contract(
     make_robot: Callable[[], SteppingRobot],
 ) -> None:
     silent = ScriptedLanguageModel(lambda _: "Thought: There.\nFinal Answer: arrived")
-    policy = ModelPolicy(ScriptedLanguageModel(lambda _: "turn left 90 degrees"))
+    turning = ScriptedLanguageModel(lambda _: "turn left 90 degrees")
     for agent in (
         OracleAgent([(2, 0), (9, 0)]),
         NavGPTOnGraph(NavGPTAgent(silent, NavGPTOptions())),
-        NavidOnSite(NavidAgent(policy)),
+        NavidOnSite(NavidAgent(turning)),
     ):
         check_agent(agent, make_robot)
 

@@ -15,7 +15,7 @@ import numpy as np
 
 from memorymaze.agents.agent import Journal, Need
 from memorymaze.agents.asking import ask_until_read
-from memorymaze.agents.navid.policy import Command, Motions, frame_name
+from memorymaze.agents.navid.motions import Command, Motions, frame_name
 from memorymaze.agents.navid.replies import read_reply, reply_grammar
 from memorymaze.errors import EpisodeOver
 from memorymaze.language.model import (

@@ -100,8 +100,8 @@ _KNOWN: dict[str, KnownAgent] = {
     ),
     "navid": KnownAgent(
         navid_for_runs,
-        "the NaVid protocol: a vision model, or a policy server, is shown the video "
-        "so far and says one short motion after another",
+        "the NaVid protocol: a vision model is shown the video so far and says one "
+        "short motion after another",
         needs=NavidAgent.needs,
         options=NavidOptions,
     ),

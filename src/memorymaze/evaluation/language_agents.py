@@ -2,7 +2,6 @@
 
 from collections.abc import Callable
 from dataclasses import replace
-from functools import partial
 from typing import Any, ClassVar, Generic, TypeVar
 
 import numpy as np
@@ -14,22 +13,16 @@ from memorymaze.agents.guide import GuideAgent, GuideOptions
 from memorymaze.agents.navgpt import NavGPTAgent, NavGPTOptions
 from memorymaze.agents.navgpt.agent import loop_limits
 from memorymaze.agents.navid import NavidAgent, NavidOptions
-from memorymaze.agents.navid.model_policies import ModelPolicy
-from memorymaze.agents.navid.policy import Policy
 from memorymaze.agents.plan_readers import ModelReader
 from memorymaze.agents.rules import RulesAgent
 from memorymaze.agents.see_and_go import MOTIONS, SeeAndGoAgent, SeeAndGoOptions
-from memorymaze.errors import LanguageModelError, SettingsError
+from memorymaze.errors import SettingsError
 from memorymaze.evaluation.budgets import fair_steps, fewest_answers, perfect_steps
 from memorymaze.evaluation.graph_agents import NavGPTOnGraph, longest_route_viewpoints
 from memorymaze.evaluation.guarded_robot import simulated_behind
 from memorymaze.evaluation.settings import AgentSettings
 from memorymaze.instructions.records import Episode
-from memorymaze.language.answers import (
-    AboutInstruction,
-    RecordingModel,
-    replaying_model,
-)
+from memorymaze.language.answers import AboutInstruction, replaying_model
 from memorymaze.language.local_models import is_local
 from memorymaze.language.model import LanguageModel
 from memorymaze.language.model_settings import ModelSettings, build_language_model
@@ -174,22 +167,16 @@ class NavidOnSite(_OnSite[NavidAgent]):
 def navid_for_runs(
     settings: AgentSettings, options: NavidOptions
 ) -> Callable[[Episode], Agent]:
-    """Return what makes the agent of an episode, on a policy server or a vision model."""
-    if options.server is not None:
-        policy = _remote_policy(settings.language_model, options, options.server)
-        return lambda _: NavidOnSite(NavidAgent(policy, options))
+    """Return what makes the agent of an episode."""
     model = _checked_model(settings.language_model, options)
-    return _asking(
-        model,
-        lambda asked: NavidOnSite(NavidAgent(ModelPolicy(asked, options), options)),
-    )
+    return _asking(model, lambda asked: NavidOnSite(NavidAgent(asked, options)))
 
 
 def _checked_model(settings: ModelSettings, options: NavidOptions) -> LanguageModel:
     if settings.model is None and settings.replay is None:
         raise SettingsError(
-            "--agent navid: name a vision model with --model, or a policy server with "
-            "--set server=URL, or take recorded replies with --replay"
+            "--agent navid: name a vision model with --model, or take recorded replies "
+            "with --replay"
         )
     if options.pictures == "shown":
         _refuse_blind(settings, ", or leave pictures out with --set pictures=none")
@@ -203,45 +190,6 @@ def _refuse_blind(settings: ModelSettings, way_out: str = "") -> None:
             f"--model {settings.model}: models that run here see no pictures; name a "
             f"vision model on a server (--base-url){way_out}"
         )
-
-
-def _remote_policy(
-    settings: ModelSettings, options: NavidOptions, address: str
-) -> Policy:
-    from memorymaze.agents.navid.remote_policy import (
-        PolicyServer,
-        RemotePolicy,
-        ReplayedPolicy,
-    )
-
-    if options.pictures == "none":
-        raise SettingsError(
-            "--set pictures=none: a policy server is always shown pictures; leave it out"
-        )
-    for option in ("model", "base_url"):
-        if getattr(settings, option) is not None:
-            raise SettingsError(
-                f"--{option.replace('_', '-')} and --set server: either a vision model "
-                "or a policy server decides; leave one out"
-            )
-    for option in ("price", "max_cost", "max_tokens_total", "max_requests", "grammar"):
-        if getattr(settings, option) is not None:
-            raise SettingsError(
-                f"--{option.replace('_', '-')}: is for language models; a policy server "
-                "tells its costs itself and answers as fast as it can; leave it out"
-            )
-    replayed = replaying_model(settings)
-    if replayed is not None:
-        return ReplayedPolicy(replayed)
-    server = PolicyServer(
-        address, timeout=settings.request_timeout, retries=settings.retries
-    )
-    store = settings.record
-    recorder = None if store is None else partial(RecordingModel, path=store)
-    try:
-        return RemotePolicy(server, recorder)
-    except LanguageModelError as error:
-        raise SettingsError(f"--set server: {error}") from error
 
 
 class SeeAndGoOnSite(_OnSite[SeeAndGoAgent]):

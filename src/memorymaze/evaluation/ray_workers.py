@@ -141,7 +141,6 @@ class RayWorkforce:
         for option, url in (
             ("--base-url", model.base_url),
             ("--detector", settings.detector.url),
-            ("--set server", options.get("server")),
         ):
             own = any(part in (url or "") for part in LOOPBACK)
             if own and self.nodes > 1:

@@ -1,63 +1,62 @@
 """The loop: pictures out, answers in, primitives done, budgets kept."""
 
-from collections.abc import Sequence
-from typing import Any
+import io
 
 import numpy as np
 import pytest
+from PIL import Image
 
 from memorymaze.agents.agent import Agent, Journal
 from memorymaze.agents.navid import NavidAgent, NavidOptions
-from memorymaze.agents.navid.policy import Answer, Command, Frame, Task
 from memorymaze.errors import (
     CommandError,
     EpisodeOver,
     LanguageModelError,
     SettingsError,
 )
-from memorymaze.language.model import Completion, Usage
+from memorymaze.language.model import Completion, CompletionRequest, Picture, Usage
 
 TEXT = "Down the hall, then left."
+UNUSED = "Your last answer could not be used"
 AHEAD = "The next action is move forward 75 cm."
 
 
-class TalkingPolicy:
-    """Says its sentences in turn, the last one again and again; keeps what it saw."""
+class TalkingModel:
+    """Says its sentences in turn, the last one again and again; keeps the questions."""
 
     name = "talker"
 
-    def __init__(self, *sentences: str | Sequence[Any]) -> None:
+    def __init__(self, *sentences: str) -> None:
         self.sentences = sentences
-        self.tasks: list[Task] = []
-        self.video: list[tuple[str, Frame]] = []
-        self.problems: list[str | None] = []
-        self.closed = 0
+        self.requests: list[CompletionRequest] = []
 
-    def begin(self, task: Task) -> "TalkingPolicy":
-        self.tasks.append(task)
-        return self
+    def complete(self, request: CompletionRequest) -> Completion:
+        said = self.sentences[min(len(self.requests), len(self.sentences) - 1)]
+        self.requests.append(request)
+        return Completion(said, self.name, Usage(10, 2), 0.5)
 
-    def observe(self, frame: Frame) -> None:
-        self.video.append(("observe", frame))
+    @property
+    def asked(self) -> list[str]:
+        """The texts of the questions."""
+        return [request.messages[1].content for request in self.requests]
 
-    def act(self, frame: Frame, problem: str | None = None) -> Answer:
-        said = self.sentences[min(len(self.problems), len(self.sentences) - 1)]
-        self.video.append(("act", frame))
-        self.problems.append(problem)
-        completion = Completion(str(said), self.name, Usage(10, 2), 0.5)
-        if isinstance(said, str):
-            return Answer(completion, said)
-        return Answer(completion, "", tuple(said))
+    @property
+    def video(self) -> tuple[Picture, ...]:
+        """The pictures of the last question."""
+        return self.requests[-1].messages[1].pictures
 
-    def close(self) -> None:
-        self.closed += 1
+
+def captions(asked: str) -> list[str]:
+    """What a question says of its pictures; the last one is the current one."""
+    lines = (line for line in asked.splitlines() if line.startswith("Picture"))
+    return [line.partition(": ")[2] for line in lines]
 
 
 def follow(
-    policy: TalkingPolicy, robot: object, *, fair_steps: int | None = None, **options
+    model: TalkingModel, robot: object, *, fair_steps: int | None = None, **options
 ) -> tuple[str, Journal]:
-    """Follow, and return what ended it and the journal."""
-    agent = NavidAgent(policy, NavidOptions(**options))
+    """Follow, shown nothing unless options say so; return what ended it, and the journal."""
+    agent = NavidAgent(model, NavidOptions(**{"pictures": "none", **options}))
     journal = Journal()
     with pytest.raises(EpisodeOver) as over:
         agent.follow(TEXT, robot, journal, np.random.default_rng(0), fair_steps)
@@ -65,11 +64,9 @@ def follow(
 
 
 def test_what_is_answered_is_done_by_primitives(robot):
-    policy = TalkingPolicy(
-        AHEAD, "turn left 60 degrees", "turn right 30 degrees", "stop"
-    )
+    model = TalkingModel(AHEAD, "turn left 60 degrees", "turn right 30 degrees", "stop")
 
-    assert follow(policy, robot)[0] == "agent"
+    assert follow(model, robot)[0] == "agent"
 
     assert robot.calls == [
         *[("forward", 0.25)] * 3,
@@ -77,35 +74,40 @@ def test_what_is_answered_is_done_by_primitives(robot):
         ("rotate", -30),
     ]
     assert robot.stopped
-    assert policy.tasks[0].instruction == TEXT
-    assert policy.closed == 1
+    assert TEXT in model.asked[0]
 
 
 def test_every_primitive_gives_one_picture_of_the_video(robot):
-    policy = TalkingPolicy(AHEAD, "turn left 60 degrees", "stop")
+    model = TalkingModel(AHEAD, "turn left 60 degrees", "stop")
 
-    follow(policy, robot)
+    follow(model, robot, pictures="shown", history=100)
 
-    assert [(how, frame.step, frame.after) for how, frame in policy.video] == [
-        ("act", 0, None),
-        ("observe", 1, "forward"),
-        ("observe", 2, "forward"),
-        ("act", 3, "forward"),
-        ("observe", 4, "left"),
-        ("act", 5, "left"),
+    assert [captions(asked)[-1] for asked in model.asked] == [
+        "at the start",
+        "step 3, after 25 cm forward",
+        "step 5, after turning left by 30 degrees",
     ]
-    # The picture after n motions is the one taken then.
-    assert [int(frame.rgb[0, 0, 0]) for _, frame in policy.video] == [0, 1, 2, 3, 4, 5]
+    assert captions(model.asked[-1]) == [
+        "at the start",
+        "step 1, after 25 cm forward",
+        "step 2, after 25 cm forward",
+        "step 3, after 25 cm forward",
+        "step 4, after turning left by 30 degrees",
+        "step 5, after turning left by 30 degrees",
+    ]
+    # The picture after n motions is the one taken then: its grey tells.
+    pictures = [Image.open(io.BytesIO(picture.data)) for picture in model.video]
+    assert [round(float(np.asarray(each).mean())) for each in pictures] == [*range(6)]
 
 
 def test_pictures_have_names_by_what_was_done_in_which_episode(make_robot):
     def names(*sentences: str, seed: int = 0) -> list[str]:
-        policy = TalkingPolicy(*sentences, "stop")
+        model = TalkingModel(*sentences, "stop")
         with pytest.raises(EpisodeOver):
-            NavidAgent(policy).follow(
+            NavidAgent(model).follow(
                 TEXT, make_robot(), Journal(), np.random.default_rng(seed)
             )
-        return [frame.name for _, frame in policy.video]
+        return [str(picture.name).partition("-")[0] for picture in model.video]
 
     ahead = names(AHEAD)
     assert names(AHEAD) == ahead
@@ -116,7 +118,7 @@ def test_pictures_have_names_by_what_was_done_in_which_episode(make_robot):
 
 
 def test_each_answer_is_counted_and_noted(robot):
-    _, journal = follow(TalkingPolicy(AHEAD, "stop"), robot)
+    _, journal = follow(TalkingModel(AHEAD, "stop"), robot)
 
     assert (journal.model_calls, journal.tokens, journal.inference_s) == (2, 24, 1.0)
     assert [note["kind"] for note in journal.notes] == [
@@ -130,47 +132,43 @@ def test_each_answer_is_counted_and_noted(robot):
     assert journal.notes[1]["picture"] != journal.notes[3]["picture"]
 
 
-def test_motions_in_a_policys_own_terms_are_done_in_turn(robot):
-    policy = TalkingPolicy([Command("left"), Command("forward", 2), Command("stop")])
-
-    assert follow(policy, robot)[0] == "agent"
-    assert robot.calls == [("rotate", 30), ("forward", 0.25), ("forward", 0.25)]
-
-
 def test_an_unreadable_answer_is_asked_for_once_more_and_then_nothing_is_done(robot):
-    policy = TalkingPolicy("Hm.", "Er.", "Hm.", AHEAD, "stop")
+    model = TalkingModel("Hm.", "Er.", "Hm.", AHEAD, "stop")
 
-    assert follow(policy, robot)[0] == "agent"
+    assert follow(model, robot, pictures="shown")[0] == "agent"
 
     assert robot.calls == [("forward", 0.25)] * 3
-    first, again = policy.problems[:2]
-    assert first is None
-    assert "no command" in again
-    steps = [frame.step for how, frame in policy.video if how == "act"]
-    assert steps == [0, 0, 1, 1, 4]
-    assert policy.video[2][1].after is None
+    first, again = model.asked[:2]
+    assert UNUSED not in first
+    assert f"{UNUSED}: the reply has no command" in again
+    assert [captions(asked)[-1] for asked in model.asked] == [
+        *["at the start"] * 2,
+        *["step 1, nothing was done, because the answer could not be used"] * 2,
+        "step 4, after 25 cm forward",
+    ]
 
 
 def test_five_unreadable_decisions_in_a_row_are_a_model_error(robot):
-    policy = TalkingPolicy("Hm.", "Hm.", AHEAD, "Hm.")
+    model = TalkingModel("Hm.", "Hm.", AHEAD, "Hm.")
 
     with pytest.raises(LanguageModelError, match="talker: 5 decisions in a row"):
-        NavidAgent(policy).follow(TEXT, robot, Journal(), np.random.default_rng(0))
+        NavidAgent(model).follow(TEXT, robot, Journal(), np.random.default_rng(0))
 
     assert robot.calls == [("forward", 0.25)] * 3
-    assert len(policy.problems) == 2 + 1 + 10
+    assert len(model.requests) == 2 + 1 + 10
     assert not robot.stopped
-    assert policy.closed == 1
 
 
 def test_faithful_draws_a_seeded_motion_for_an_unreadable_answer(make_robot):
     def drawn(seed: int) -> list[object]:
         robot = make_robot()
-        policy = TalkingPolicy(*["turn left 13 degrees."] * 30, "stop.")
-        agent = NavidAgent(policy, NavidOptions(faithful=True, still_steps=30))
+        model = TalkingModel(*["turn left 13 degrees."] * 30, "stop.")
+        options = NavidOptions(faithful=True, still_steps=30, pictures="none")
+        agent = NavidAgent(model, options)
         with pytest.raises(EpisodeOver):
             agent.follow(TEXT, robot, Journal(), np.random.default_rng(seed))
-        assert policy.problems == [None] * 31
+        assert len(model.asked) == 31
+        assert not any(UNUSED in asked for asked in model.asked)
         return robot.calls
 
     assert drawn(0) == drawn(0) != drawn(1)
@@ -178,15 +176,15 @@ def test_faithful_draws_a_seeded_motion_for_an_unreadable_answer(make_robot):
 
 
 def test_faithful_misses_a_stop_without_its_full_stop(robot):
-    policy = TalkingPolicy("stop", "stop.")
+    model = TalkingModel("stop", "stop.")
 
-    follow(policy, robot, faithful=True)
+    follow(model, robot, faithful=True)
 
     assert len(robot.calls) == 1
 
 
 def test_the_released_budget_ends_after_400_steps_and_that_is_no_stop(robot):
-    ended, journal = follow(TalkingPolicy(AHEAD), robot, budget="released")
+    ended, journal = follow(TalkingModel(AHEAD), robot, budget="released")
 
     assert ended == "budget"
     assert len(robot.calls) == 400
@@ -204,19 +202,19 @@ def test_the_released_budget_ends_after_400_steps_and_that_is_no_stop(robot):
     ],
 )
 def test_the_fair_budget_is_what_the_place_allows(robot, options, steps):
-    assert follow(TalkingPolicy(AHEAD), robot, **options)[0] == "budget"
+    assert follow(TalkingModel(AHEAD), robot, **options)[0] == "budget"
     assert len(robot.calls) == steps
 
 
 def test_a_stop_after_the_last_step_still_counts(robot):
-    assert follow(TalkingPolicy(AHEAD, "stop"), robot, max_steps=3)[0] == "agent"
+    assert follow(TalkingModel(AHEAD, "stop"), robot, max_steps=3)[0] == "agent"
 
 
 @pytest.mark.parametrize("sentence", [AHEAD, "turn left 90 degrees"])
 def test_25_steps_without_getting_ahead_are_stuck(sentence, make_robot):
     robot = make_robot(free_metres=0.6)
 
-    ended, journal = follow(TalkingPolicy(sentence), robot)
+    ended, journal = follow(TalkingModel(sentence), robot)
 
     assert ended == "stuck"
     assert len(robot.calls) == (3 + 25 if sentence == AHEAD else 25)
@@ -225,7 +223,7 @@ def test_25_steps_without_getting_ahead_are_stuck(sentence, make_robot):
 
 def test_a_robot_without_primitive_motions_is_refused():
     with pytest.raises(CommandError, match="primitive motions and a camera"):
-        NavidAgent(TalkingPolicy("stop")).follow(
+        NavidAgent(TalkingModel("stop")).follow(
             TEXT,
             object(),  # type: ignore[arg-type]
             Journal(),
@@ -235,7 +233,7 @@ def test_a_robot_without_primitive_motions_is_refused():
 
 def test_the_name_says_protocol_model_and_rules():
     def name(**options) -> str:
-        agent: Agent = NavidAgent(TalkingPolicy("stop"), NavidOptions(**options))
+        agent: Agent = NavidAgent(TalkingModel("stop"), NavidOptions(**options))
         return agent.name
 
     assert name() == "NaVid protocol with talker+fair"

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from memorymaze.agents.navid.policy import Command, Motions
+from memorymaze.agents.navid.motions import Command, Motions
 from memorymaze.agents.navid.replies import read_reply, read_reply_as_released
 
 BY_30, BY_15 = Motions(), Motions(turn_deg=15)

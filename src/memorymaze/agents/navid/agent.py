@@ -3,33 +3,27 @@
 import hashlib
 import math
 from dataclasses import dataclass
-from typing import ClassVar, Literal
+from typing import ClassVar
 
 import numpy as np
 
 from memorymaze.agents.agent import Journal, Need
-from memorymaze.agents.navid.policy import (
+from memorymaze.agents.navid.model_policy import ModelPolicy, PolicySession
+from memorymaze.agents.navid.motions import (
     FIELD_OF_VIEW_DEG,
     HEIGHT,
     WIDTH,
     Command,
     Frame,
     Motion,
-    Motions,
-    Policy,
-    PolicySession,
-    Task,
     frame_name,
 )
+from memorymaze.agents.navid.options import NavidOptions
 from memorymaze.agents.navid.replies import read_reply, read_reply_as_released
 from memorymaze.errors import CommandError, EpisodeOver, LanguageModelError
-from memorymaze.options import check_least, check_number
+from memorymaze.language.model import LanguageModel
 from memorymaze.robot.api import Robot
 from memorymaze.robot.steps import SteppingRobot
-
-RELEASED_STEPS = 400
-"""Steps after which the released evaluation on R2R breaks off; on RxR it is 500."""
-
 
 STILL_METRES = 0.01
 """A step ahead of less is none."""
@@ -37,80 +31,24 @@ STILL_METRES = 0.01
 RANDOM_MOTIONS: tuple[Motion, ...] = ("forward", "left", "right")
 
 
-@dataclass(frozen=True, slots=True)
-class NavidOptions:
-    """What can be set of the NaVid protocol's agent."""
-
-    server: str | None = None
-    """Address of a policy server, such as http://localhost:8765; none asks the vision
-    model named by --model."""
-    budget: Literal["fair", "released"] = "fair"
-    """Steps of an episode: `released` as the released code has them (400, for R2R),
-    `fair` three times those of the longest route of the site."""
-    max_steps: int | None = None
-    """Steps of an episode at most; none for what the budget says. The released code
-    has 500 for RxR."""
-    still_steps: int = 25
-    """Steps in a row without a step ahead after which the episode ends as `stuck`."""
-    turn_deg: Literal[15, 30] = 30
-    """Degrees of one turn; an answer turns by one, two or three of them."""
-    faithful: bool = False
-    """Whether replies are read as the released code reads them, with its faults, and
-    an unreadable one becomes a random motion that is not a stop."""
-    failures: int = 5
-    """Unreadable decisions in a row after which the episode ends as `model_error`;
-    each is asked for once more before. Not with `faithful`."""
-    pictures: Literal["shown", "none"] = "shown"
-    """Whether a model named by --model is shown pictures: `none` is an ablation, told
-    as `blind` in tables, and the only way for models that know text alone."""
-    history: int = 8
-    """Past pictures that a vision model is shown: spread evenly, with the last one."""
-    history_width: int = 320
-    """Pixels of the width of past pictures; the current one has 640."""
-    temperature: float = 0.0
-    """Of a vision model. A server decides for itself (the released code: 0.2)."""
-    max_tokens: int = 300
-    """Longest reply of a vision model."""
-
-    def __post_init__(self) -> None:
-        """Refuse values without meaning."""
-        check_least(
-            self, max_steps=1, still_steps=1, failures=1, history=0, max_tokens=1
-        )
-        check_number("--set history_width", self.history_width, 32, WIDTH, whole=True)
-        check_number("--set temperature", self.temperature, 0)
-
-    @property
-    def motions(self) -> Motions:
-        """The primitive motions."""
-        return Motions(turn_deg=self.turn_deg)
-
-    def step_limit(self, fair_steps: int | None) -> int | None:
-        """Return the steps of an episode at most; None where only the run's budgets count.
-
-        `fair_steps` is what the budget `fair` allows where the robot is.
-        """
-        if self.max_steps is not None:
-            return self.max_steps
-        return RELEASED_STEPS if self.budget == "released" else fair_steps
-
-
 class NavidAgent:
-    """Follows an instruction by asking a policy for one short motion after another.
+    """Follows an instruction by asking a model for one short motion after another.
 
-    The policy sees a picture after every primitive motion. It is asked when what it
+    A picture is taken after every primitive motion. The model is asked when what it
     asked for last is done, and answers with up to three primitives of a kind, or stop.
     """
 
     needs: ClassVar[frozenset[Need]] = frozenset({"language_model", "camera", "steps"})
 
-    def __init__(self, policy: Policy, options: NavidOptions | None = None) -> None:
-        """Prepare the agent."""
-        self._policy = policy
+    def __init__(
+        self, model: LanguageModel, options: NavidOptions | None = None
+    ) -> None:
+        """Prepare to ask a model, with options; the defaults when None."""
         self.options = options or NavidOptions()
         """What was set."""
-        self.prompts: dict[str, str] = getattr(policy, "prompts", {})
-        """Version of the prompt of a language model; answers are compared with it."""
+        self._policy = ModelPolicy(model, self.options)
+        self.prompts = self._policy.prompts
+        """Version of the prompt, which answers in files are compared with."""
 
     @property
     def name(self) -> str:
@@ -130,12 +68,13 @@ class NavidAgent:
         rng: np.random.Generator,
         fair_steps: int | None = None,
     ) -> None:
-        """Drive the robot as the policy says, and stop where it says so.
+        """Drive the robot as the model says, and stop where it says so.
 
         Notes in the journal: `model_reply` for each answer, and `decision` with what
         was read from it.
 
-        The generator seeds the policy, and draws motions where `faithful` asks for it.
+        The generator gives the episode a number, by which its pictures are named, and
+        draws motions where `faithful` asks for it.
         `fair_steps` is what the budget `fair` allows here; None sets no limit of steps.
         """
         if not isinstance(robot, SteppingRobot):
@@ -143,13 +82,10 @@ class NavidAgent:
                 "NaVid protocol: expected a robot with primitive motions and a camera "
                 f"(memorymaze.robot.steps), got {type(robot).__name__}"
             )
-        seed = int(rng.integers(2**31))
-        session = self._policy.begin(Task(instruction, self.options.motions, seed))
-        try:
-            limit = self.options.step_limit(fair_steps)
-            _Walk(session, robot, journal, rng, self.options, limit, str(seed)).run()
-        finally:
-            session.close()
+        episode = str(rng.integers(2**31))
+        session = self._policy.begin(instruction)
+        limit = self.options.step_limit(fair_steps)
+        _Walk(session, robot, journal, rng, self.options, limit, episode).run()
         robot.stop()
 
 
@@ -172,7 +108,7 @@ class _Walk:
     picture_name: str = ""
 
     def run(self) -> None:
-        """Walk until the policy says stop."""
+        """Walk until the model says stop."""
         frame = self._picture(None)
         while True:
             # Where no answer can be read, a step is spent without a motion.
@@ -190,19 +126,18 @@ class _Walk:
         problem: str | None = None
         name = ""
         for _ in range(1 if self.options.faithful else 2):
-            answer = self.session.act(frame, problem)
-            self.journal.count(answer.completion, stage="act")
-            name = answer.completion.model
+            completion = self.session.act(frame, problem)
+            self.journal.count(completion, stage="act")
+            name = completion.model
             try:
-                commands = answer.commands or (self._read(answer.text),)
+                command = self._read(completion.text)
             except ValueError as error:
                 problem = str(error)
                 self._note_decision(frame, problem=problem)
                 continue
-            motions = [[each.motion, each.count] for each in commands]
-            self._note_decision(frame, motions=motions)
+            self._note_decision(frame, motions=[[command.motion, command.count]])
             self.unreadable = 0
-            return [each.motion for each in commands for _ in range(each.count)]
+            return [command.motion] * command.count
         if self.options.faithful:
             drawn = RANDOM_MOTIONS[int(self.rng.integers(len(RANDOM_MOTIONS)))]
             self.journal.note("random_motion", step=frame.step, motion=drawn)

@@ -12,7 +12,7 @@ import re
 from collections.abc import Iterator
 from typing import Any, cast
 
-from memorymaze.agents.navid.policy import Command, Motion, Motions
+from memorymaze.agents.navid.motions import Command, Motion, Motions
 
 LONGEST_REPLY = 20_000
 """Characters beyond which a reply is not read."""

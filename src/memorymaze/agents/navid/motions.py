@@ -1,22 +1,18 @@
-"""The role of a policy: sees every picture, and says the next motion when asked.
-
-It answers with a stop, or with up to three primitive motions of one kind.
-"""
+"""What an agent that looks and moves is made of: primitive motions, and pictures of them."""
 
 import hashlib
 from dataclasses import dataclass
-from typing import Literal, Protocol
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-from memorymaze.language.model import Completion, Picture
+from memorymaze.language.model import Picture
 
 WIDTH, HEIGHT = 640, 480
-"""Pixels of the pictures that are sent."""
+"""Pixels of the pictures that a policy is shown."""
 FIELD_OF_VIEW_DEG = 90.0
-CAMERA_HEIGHT_M = 1.25
 
 
 Motion = Literal["forward", "left", "right", "stop"]
@@ -64,16 +60,6 @@ class Command:
     """Primitives, from 1; 1 for `stop`."""
 
 
-@dataclass(frozen=True, slots=True)
-class Task:
-    """What a policy is told at the beginning of an episode, and no more."""
-
-    instruction: str
-    motions: Motions
-    seed: int
-    """For policies that draw lots; differs from episode to episode."""
-
-
 @dataclass(frozen=True, eq=False)
 class Frame:
     """One picture of the video, taken after a primitive motion."""
@@ -95,51 +81,6 @@ class Frame:
             image = image.resize((width, height), Image.Resampling.LANCZOS)
         name = f"{self.name}-{width}"
         return Picture.of_pixels(np.asarray(image), name)
-
-
-@dataclass(frozen=True, slots=True)
-class Answer:
-    """What a policy says when it is asked for the next motion."""
-
-    completion: Completion
-    """With what it cost."""
-    text: str
-    """What the model said, to be read; may be empty where there are commands."""
-    commands: tuple[Command, ...] = ()
-    """Motions in a policy's own terms, for policies that say no text."""
-
-
-class PolicySession(Protocol):
-    """One episode with a policy; frames come in the order of their steps, each once."""
-
-    def observe(self, frame: Frame) -> None:
-        """Show a picture of the video without asking anything."""
-        ...
-
-    def act(self, frame: Frame, problem: str | None = None) -> Answer:
-        """Show a picture, the current one, and ask for the next motion.
-
-        A frame may be one shown before: `problem` then says what was wrong with the answer to
-        it.
-        """
-        ...
-
-    def close(self) -> None:
-        """End it; raises nothing."""
-        ...
-
-
-class Policy(Protocol):
-    """Anything that can decide from pictures and an instruction."""
-
-    @property
-    def name(self) -> str:
-        """Name of the model, for tables."""
-        ...
-
-    def begin(self, task: Task) -> PolicySession:
-        """Begin an episode."""
-        ...
 
 
 def frame_name(episode: str, before: str, motion: str) -> str:

@@ -6,10 +6,11 @@ Without pictures it is an ablation, and the only way for models that know text a
 from dataclasses import dataclass
 from itertools import groupby
 
-from memorymaze.agents.navid.agent import NavidOptions
-from memorymaze.agents.navid.policy import Answer, Frame, Motion, Motions, Task
+from memorymaze.agents.navid.motions import Frame, Motion, Motions
+from memorymaze.agents.navid.options import NavidOptions
 from memorymaze.agents.navid.replies import reply_grammar
 from memorymaze.language.model import (
+    Completion,
     CompletionRequest,
     LanguageModel,
     Message,
@@ -45,13 +46,11 @@ def rules(prompt: str, motions: Motions) -> str:
 class ModelPolicy:
     """Asks a language model for each next motion."""
 
-    def __init__(
-        self, model: LanguageModel, options: NavidOptions | None = None
-    ) -> None:
-        """Prepare to ask a model as the options say; the defaults when None."""
+    def __init__(self, model: LanguageModel, options: NavidOptions) -> None:
+        """Prepare to ask a model as the options say."""
         self.model = model
-        self.options = options or NavidOptions()
-        self.is_blind = self.options.pictures == "none"
+        self.options = options
+        self.is_blind = options.pictures == "none"
         self.prompt = "navid_protocol" + "_blind" * self.is_blind
         text = load_prompt(self.prompt, forward="", turn="")
         self.prompts = {"act": prompt_version(text)}
@@ -62,9 +61,9 @@ class ModelPolicy:
         """The model's name, and whether it sees nothing."""
         return self.model.name + ", blind" * self.is_blind
 
-    def begin(self, task: Task) -> "_Session":
+    def begin(self, instruction: str) -> "PolicySession":
         """Begin an episode."""
-        return _Session(self, task)
+        return PolicySession(self, instruction)
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,32 +77,39 @@ class _Past:
     """Small; None for a model that is shown none."""
 
 
-class _Session:
+class PolicySession:
     """One episode: remembers the way so far, and asks about the current place."""
 
-    def __init__(self, policy: ModelPolicy, task: Task) -> None:
+    def __init__(self, policy: ModelPolicy, instruction: str) -> None:
+        """Begin with a way of no steps."""
         self._policy = policy
-        self._task = task
+        self._instruction = instruction
+        self._motions = policy.options.motions
         self._past: list[_Past] = []
         self._asked = 0
 
     def observe(self, frame: Frame) -> None:
+        """Remember a picture without asking anything."""
         if self._past and frame.step <= self._past[-1].step:
             return
         small = None
         if not self._policy.is_blind:
             small = frame.jpeg(self._policy.options.history_width)
-        said = _caption(frame, self._task.motions)
+        said = _caption(frame, self._motions)
         self._past.append(_Past(frame.step, frame.after, said, small))
 
-    def act(self, frame: Frame, problem: str | None = None) -> Answer:
+    def act(self, frame: Frame, problem: str | None = None) -> Completion:
+        """Show a picture, the current one, and ask for the next motion.
+
+        `problem` says what was wrong with the last answer to the same picture.
+        """
         self.observe(frame)
         self._asked += 1
-        policy, task = self._policy, self._task
-        told, pictures = self._motions(frame) if policy.is_blind else self._view(frame)
+        policy = self._policy
+        told, pictures = self._blind(frame) if policy.is_blind else self._view(frame)
         lines = [
             "The way as it was described:",
-            f'"""\n{task.instruction.strip()}\n"""',
+            f'"""\n{self._instruction.strip()}\n"""',
             *told,
             "What is the next motion?",
         ]
@@ -112,36 +118,32 @@ class _Session:
                 f"Your last answer could not be used: {problem}. Answer with one JSON "
                 "object as described."
             )
-        completion = policy.model.complete(
+        return policy.model.complete(
             CompletionRequest(
                 (
-                    Message("system", rules(policy.prompt, task.motions)),
+                    Message("system", rules(policy.prompt, self._motions)),
                     Message("user", "\n".join(lines), pictures),
                 ),
                 temperature=policy.options.temperature,
                 max_tokens=policy.options.max_tokens,
-                grammar=reply_grammar(task.motions),
+                grammar=reply_grammar(self._motions),
                 question=Question("act", policy.prompts["act"], self._asked),
             )
         )
-        return Answer(completion, completion.text)
-
-    def close(self) -> None:
-        self._past.clear()
 
     def _view(self, frame: Frame) -> tuple[list[str], tuple[Picture, ...]]:
         """Return captions and pictures of some of the way, and of this place."""
         chosen = chosen_frames(len(self._past) - 1, self._policy.options.history)
         shown = [self._past[each] for each in chosen]
         told = [f"Picture {n}: {each.caption}" for n, each in enumerate(shown, 1)]
-        now = _caption(frame, self._task.motions)
+        now = _caption(frame, self._motions)
         told.append(f"Picture {len(shown) + 1}, the current one: {now}")
         small = (each.picture for each in shown if each.picture is not None)
         return told, (*small, frame.jpeg())
 
-    def _motions(self, frame: Frame) -> tuple[list[str], tuple[Picture, ...]]:
+    def _blind(self, frame: Frame) -> tuple[list[str], tuple[Picture, ...]]:
         """Return the motions so far, those of a kind in a row taken together."""
-        motions = self._task.motions
+        motions = self._motions
         told: list[str] = []
         made: list[Motion] = [each.after for each in self._past if each.after]
         for motion, group in groupby(made):

@@ -11,13 +11,12 @@ from PIL import Image
 
 from memorymaze.agents.agent import Journal
 from memorymaze.agents.navid import NavidAgent, NavidOptions
-from memorymaze.agents.navid.model_policies import (
+from memorymaze.agents.navid.model_policy import (
     SAID_MOTIONS,
-    ModelPolicy,
     chosen_frames,
     rules,
 )
-from memorymaze.agents.navid.policy import Command, Motions
+from memorymaze.agents.navid.motions import Command, Motions
 from memorymaze.agents.navid.replies import read_reply, reply_grammar
 from memorymaze.errors import EpisodeOver, LanguageModelError
 from memorymaze.language.model import CompletionRequest, Picture
@@ -33,7 +32,7 @@ def follow(
     """Follow until the model says stop."""
     journal = Journal()
     chosen = NavidOptions(history=history, **options)
-    agent = NavidAgent(ModelPolicy(model, chosen), chosen)
+    agent = NavidAgent(model, chosen)
     with pytest.raises(EpisodeOver, match="agent"):
         agent.follow("To the desk.", robot, journal, np.random.default_rng(0))
     return journal
@@ -144,7 +143,7 @@ def test_a_model_that_never_makes_sense_moves_nothing(robot):
 def test_an_instruction_cannot_fill_slots_of_the_prompt(robot):
     model = ScriptedLanguageModel([STOP])
     with pytest.raises(EpisodeOver):
-        NavidAgent(ModelPolicy(model)).follow(
+        NavidAgent(model).follow(
             "{FORWARD}", robot, Journal(), np.random.default_rng(0)
         )
     assert '"""\n{FORWARD}\n"""' in question(model.requests[0])
@@ -185,7 +184,7 @@ STOP = '{"reason": "There", "action": "stop"}'
 def questions(robot: object, *replies: str) -> list[str]:
     """Follow until the model says stop; return what it was asked."""
     model = ScriptedLanguageModel(replies, name="reader")
-    agent = NavidAgent(ModelPolicy(model, NavidOptions(pictures="none")))
+    agent = NavidAgent(model, NavidOptions(pictures="none"))
     assert agent.name == "NaVid protocol with reader, blind+fair"
     with pytest.raises(EpisodeOver, match="agent"):
         agent.follow("To the desk.", robot, Journal(), np.random.default_rng(0))
