@@ -2,8 +2,7 @@
 
 Both readings of the 564 shipped texts are compared part by part, and two readings of 60
 texts by the model with each other, which is what agreement can be had at best:
-`python -m benchmarks.reading` (docs/benches.md). With `--bank` instead what passers-by say
-is read (`bank_reading.py`).
+`python -m benchmarks.reading` (docs/benches.md).
 
 The plans come from the kind of model that wrote the texts, so agreement flatters. Those
 of participants whose texts were not read while the grammar was developed (`held_out`) are
@@ -17,7 +16,6 @@ from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Seq
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from benchmarks.bank_reading import bank_table
 from memorymaze.agents.agent import Journal
 from memorymaze.agents.plan_readers import GrammarReader, read_plan_reply
 from memorymaze.instructions import load_corpus
@@ -247,7 +245,5 @@ def reading_table() -> Table:
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--bank", action="store_true", help="read what passers-by say")
-    table = bank_table() if parser.parse_args().bank else reading_table()
-    print(table.text())
+    argparse.ArgumentParser(description=__doc__).parse_args()
+    print(reading_table().text())

@@ -1,8 +1,14 @@
 import math
 
 import pytest
-from benchmarks.ceiling import Readings, readings_otherwise
-from benchmarks.true_maps import TrueMaps, follow, in_frame, phrases_of
+from benchmarks.ceiling import (
+    Readings,
+    TrueMaps,
+    follow,
+    in_frame,
+    phrases_of,
+    readings_otherwise,
+)
 
 from memorymaze.agents.guide.likelihoods import Likelihoods
 from memorymaze.agents.guide.starts import starts_ahead

@@ -93,9 +93,14 @@ def test_every_reply_is_said_in_every_manner(kind: str, case: str) -> None:
             assert "{" not in said
 
 
+def corrects_itself(answer: Answer) -> bool:
+    """Tell whether the wrong side of a turn is said before the one that is meant."""
+    return any(slot.startswith("wrong") for slot in answer.slots)
+
+
 @pytest.mark.parametrize(
     "answer",
-    [a for a in BANK.answers if a.case in WAY_CASES and not a.corrects_itself],
+    [a for a in BANK.answers if a.case in WAY_CASES and not corrects_itself(a)],
     ids=lambda answer: answer.id,
 )
 def test_the_turns_of_an_answer_are_said_in_order(answer: Answer) -> None:

@@ -82,11 +82,6 @@ class Floor:
                     raise UnsuitableFloor(f"{point.id} and {other.id} overlap")
         return tuple(found)
 
-    @cached_property
-    def point_at_node(self) -> dict[int, TurningPoint]:
-        """Turning points by node."""
-        return {point.node: point for point in self.turning_points}
-
     def hall_around(self, place: Place) -> int | None:
         """Return the number of the hall that a place lies in."""
         for number, polygon in enumerate(self.halls):

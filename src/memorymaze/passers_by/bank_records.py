@@ -128,11 +128,6 @@ class Answer(Phrase):
         numbers = (number for _, number in SLOT.findall(self.text))
         return max((int(number) for number in numbers if number), default=0)
 
-    @property
-    def corrects_itself(self) -> bool:
-        """Tell whether the wrong side of a turn is said before the one that is meant."""
-        return any(slot.startswith("wrong") for slot in self.slots)
-
 
 @dataclass(frozen=True, slots=True)
 class CueWords(Phrase):

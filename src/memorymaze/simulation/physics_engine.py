@@ -18,6 +18,3 @@ except (AttributeError, OSError, RuntimeError) as error:
         "egl: apt-get install libegl1 libgl1 libgl1-mesa-dri; osmesa: apt-get install "
         "libosmesa6)"
     ) from error
-
-ENGINE_VERSION: str = mujoco.__version__
-"""Of MuJoCo, on which every walk depends."""

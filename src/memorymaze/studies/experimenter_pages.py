@@ -14,8 +14,6 @@ from memorymaze.pages.web import Fields, posted, render
 from memorymaze.studies.participant_pages import cookie_name
 from memorymaze.studies.store import Participant, Store
 
-Endpoint = Callable[[Request], Awaitable[Response] | Response]
-
 
 class ExperimenterPages:
     """The pages of who runs a study."""

@@ -440,11 +440,6 @@ def _on_line(start: Point, end: Point, metres: float) -> Point:
     )
 
 
-def leads_inside(label: str) -> bool:
-    """Tell whether one goes on through what has this label, or under it."""
-    return OPENS.search(label) is not None or "hanging" in label
-
-
 def is_sign(words: str) -> bool:
     """Tell whether a label is one of a sign."""
     return _SIGN.search(words) is not None
