@@ -21,7 +21,7 @@ def ask(
     return (
         model,
         journal,
-        [questions.ask("decision", int, "Here.") for _ in range(2)],
+        [questions.ask(int, "Here.") for _ in range(2)],
     )
 
 
@@ -33,9 +33,7 @@ def test_each_question_has_the_text_the_log_and_its_number() -> None:
     assert "Place 0 (the start)" in told
     questions = [each.question for each in model.requests]
     assert [each.number for each in questions if each] == [1, 2]
-    assert {each.prompt for each in questions if each} == set(
-        guide_prompts("decision").values()
-    )
+    assert {each.prompt for each in questions if each} == set(guide_prompts().values())
     assert journal.model_calls == 2
 
 

@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 
 from memorymaze.agents.guide.model_questions import load_rules
-from memorymaze.agents.guide.model_replies import read_answer, read_choice
+from memorymaze.agents.guide.model_replies import read_answer
 
 RIGHT: dict[str, Any] = {
     "note": "Next the clock.",
@@ -31,7 +31,7 @@ def test_an_answer_is_read_whatever_stands_around_it() -> None:
 
 
 def test_the_examples_of_the_prompt_are_answers() -> None:
-    rules = load_rules("decision")
+    rules = load_rules()
     _, _, examples = rules.partition("For example:\n")
     answers = [read_answer(line) for line in examples.splitlines()]
     assert [(each.way, each.metres) for each in answers] == [("A", None), ("B", 9)]
@@ -60,11 +60,3 @@ def test_the_examples_of_the_prompt_are_answers() -> None:
 def test_what_is_no_answer_is_refused_with_the_reason(reply: str, problem: str) -> None:
     with pytest.raises(ValueError, match=problem):
         read_answer(reply)
-
-
-def test_a_choice_is_the_number_of_a_step_that_there_is() -> None:
-    fields = {"note": "The clock was on the left.", "doubt": 0.3}
-    assert read_choice(json.dumps({**fields, "step": 2}), 2).step == 2
-    for wrong in (0, 3):
-        with pytest.raises(ValueError, match=f"step: expected .*, got {wrong}"):
-            read_choice(json.dumps({**fields, "step": wrong}), 2)

@@ -7,7 +7,6 @@ import numpy as np
 
 from memorymaze.agents.agent import Journal, Need
 from memorymaze.agents.guide.asking import AskWhen, Inquiry
-from memorymaze.agents.guide.model_choice import NEAR, ModelChoice
 from memorymaze.agents.guide.model_questions import (
     MOST_REQUESTS,
     ModelQuestions,
@@ -21,7 +20,7 @@ from memorymaze.agents.walking.outlooks import expected_metres
 from memorymaze.agents.walking.walker import Walker
 from memorymaze.errors import SettingsError
 from memorymaze.language.model import LanguageModel
-from memorymaze.options import check_least, check_number
+from memorymaze.options import check_least
 from memorymaze.robot.api import Robot
 from memorymaze.robot.asking import can_ask
 from memorymaze.routes import RoutePlan, describe
@@ -33,13 +32,9 @@ class GuideOptions(ReaderOptions):
 
     start_heading: Literal["given", "unknown"] = "given"
     """Whether the robot faces the way the description begins with, or any way."""
-    decide: Literal["belief", "model", "both"] = "belief"
-    """What decides on the way: a belief over the way told, offline; a language model,
-    asked at each turning point, which reads the text itself; or both: the belief, and the
-    model where two explanations are about equally likely."""
-    near: float = NEAR
-    """How likely the second explanation must be, as a share of the first, for the model
-    to be asked (`decide=both`), above 0 to 1."""
+    decide: Literal["belief", "model"] = "belief"
+    """What decides on the way: a belief over the way told, offline; or a language model,
+    asked at each turning point, which reads the text itself."""
     most_requests: int = MOST_REQUESTS
     """Requests to a deciding model in an episode, after which the robot gives up."""
     things: bool = True
@@ -66,18 +61,17 @@ class GuideOptions(ReaderOptions):
     @property
     def asks_on_the_way(self) -> bool:
         """Whether a language model is asked while the robot walks."""
-        return self.decide != "belief"
+        return self.decide == "model"
 
     def __post_init__(self) -> None:
         """Refuse values without meaning."""
         check_least(self, most_requests=1)
-        check_number("--set near", self.near, above=0, most=1)
-        if self.decide == "model" and not (self.things and self.repair):
+        if self.asks_on_the_way and not (self.things and self.repair):
             raise SettingsError(
                 "--set things, repair: they are of the belief; with decide=model leave "
                 "them out"
             )
-        if self.decide == "model" and self.reader != "grammar":
+        if self.asks_on_the_way and self.reader != "grammar":
             raise SettingsError(
                 "--set reader: with decide=model the model that decides reads the text "
                 "itself; leave it out"
@@ -90,7 +84,7 @@ class GuideAgent(ReadsFirst):
     Everything that was said weighs in every explanation of the walk so far; the robot
     goes where success is likeliest for the metres, says what it doubts, goes back to
     the likeliest place of a mistake, and tells how sure it is to have arrived. A language
-    model may decide instead, or where the belief cannot.
+    model may decide instead.
     """
 
     def __init__(
@@ -115,15 +109,16 @@ class GuideAgent(ReadsFirst):
     @property
     def prompts(self) -> dict[str, str]:
         """The versions of its prompts, by stage."""
-        stages = {"belief": (), "model": ("decision",), "both": ("choice",)}
-        return self.reader.prompts | guide_prompts(*stages[self.options.decide])
+        return self.reader.prompts | (
+            guide_prompts() if self.options.asks_on_the_way else {}
+        )
 
     @property
     def name(self) -> str:
         """`guide`, `guide[model]` where a model reads, `guide+model[model]` if it decides."""
         decides = ""
         if self._model is not None:
-            decides = f"+{self.options.decide}[{self._model.name}]"
+            decides = f"+model[{self._model.name}]"
         return f"guide{self.reader.variant}{decides}"
 
     def follow(
@@ -135,21 +130,19 @@ class GuideAgent(ReadsFirst):
     ) -> None:
         """Drive the robot as the instruction says, and stop."""
         options = self.options
+        anyhow = options.start_heading == "unknown"
+        if self._model is not None:
+            walker = Walker(robot, reads_signs=options.signs)
+            log = WalkLog(walker.map, any_heading=anyhow)
+            most = options.most_requests
+            ModelWalk(
+                walker, ModelQuestions(instruction, self._model, journal, log, most)
+            ).run()
+            return robot.stop()
         # Read before the robot is touched, so that what is asked of a model can be
         # written down where there is no building.
-        plans: list[RoutePlan] = []
-        if options.decide != "model":
-            plans = self.reader.read_tellings(instruction, journal)
+        plans = self.reader.read_tellings(instruction, journal)
         walker = Walker(robot, reads_signs=options.signs)
-        anyhow = options.start_heading == "unknown"
-        questions = None
-        if self._model is not None:
-            log = WalkLog(walker.map, any_heading=anyhow and options.decide == "model")
-            most = options.most_requests
-            questions = ModelQuestions(instruction, self._model, journal, log, most)
-            if options.decide == "model":
-                ModelWalk(walker, questions).run()
-                return robot.stop()
         for plan in plans:
             journal.note("plan", steps=describe(plan))
         if not options.things:
@@ -161,14 +154,12 @@ class GuideAgent(ReadsFirst):
                 robot, options.ask, metres, journal, rng, forgets=not options.answers
             )
             plans = [inquiry.named(p if options.told else RoutePlan()) for p in plans]
-        advise = questions and ModelChoice(plans[0], walker, questions, options.near)
         Search(
             plans,
             walker,
             journal,
             any_heading=anyhow,
             goes_back=options.repair,
-            advise=advise,
             inquiry=inquiry,
         ).run()
         robot.stop()

@@ -1,7 +1,7 @@
 """What the guide does next: walk a way that is new, or stop; and what metres are worth."""
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from memorymaze.agents.guide.alignments import Frontier
@@ -24,8 +24,6 @@ SHORT_WALK = 80.0
 
 Step = Frontier | Ending
 """What one may do next: walk a way that is new, or arrive."""
-Advise = Callable[[Sequence[tuple[Step, float]]], Step]
-"""Returns one of some steps, which come with what they are worth in nats, best first."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,14 +62,12 @@ class Choice:
         walker: Walker,
         *,
         goes_back: bool,
-        advise: Advise | None,
     ) -> None:
         """Choose on the way told by these plans, which bounds how far to walk."""
         self.patience = Patience()
         self._tellings = tellings
         self._walker = walker
         self._goes_back = goes_back
-        self._advise = advise
         self._told = max(map(expected_metres, plans))
         self._limit = max(map(_walk_limit, plans))
 
@@ -135,17 +131,11 @@ class Choice:
         frontier, ending = self.best_frontier(), self.best_ending()
         if frontier is None:
             return ending
-        best: Step = frontier
         if self._too_far_for(frontier, ending):
             return ending
         if ending is not None and self._is_enough(ending, frontier):
-            best = ending
-        if self._advise is None:
-            return best
-        tellings = self._tellings
-        steps = [best, *tellings.frontiers.values(), *tellings.endings]
-        ranked = sorted(steps, key=lambda each: (each is best, self.value(each)))
-        return self._advise([(each, self.value(each)) for each in reversed(ranked)])
+            return ending
+        return frontier
 
     def best_frontier(self) -> Frontier | None:
         """Return the way that is worth most; None where there is none."""

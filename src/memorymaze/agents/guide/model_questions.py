@@ -13,21 +13,22 @@ from memorymaze.language.model import (
 )
 from memorymaze.language.prompt_texts import load_prompt, prompt_version
 
+STAGE = "decision"
 MOST_REQUESTS = 40
 MAX_TOKENS = 1000
 """Of a reply."""
 
 
-def load_rules(stage: str) -> str:
-    """Return the prompt of a stage that says what is always the same."""
-    return load_prompt(f"guide_{stage}_rules", knowledge=load_prompt("guide_knowledge"))
+def load_rules() -> str:
+    """Return the prompt that says what is always the same."""
+    return load_prompt("guide_decision_rules")
 
 
-def guide_prompts(*stages: str) -> dict[str, str]:
-    """Return the versions of the prompts of stages: `decision`, `choice`."""
+def guide_prompts() -> dict[str, str]:
+    """Return the version of the prompt, by its stage."""
     empty = dict.fromkeys(("instruction", "places", "steps", "now"), "")
     task = load_prompt("guide_task", **empty)
-    return {stage: prompt_version(load_rules(stage), task) for stage in stages}
+    return {STAGE: prompt_version(load_rules(), task)}
 
 
 class ModelQuestions:
@@ -56,7 +57,7 @@ class ModelQuestions:
             yield number
         raise _NoneLeft
 
-    def ask(self, stage: str, read: Callable[[str], Answer], now: str) -> Answer | None:
+    def ask(self, read: Callable[[str], Answer], now: str) -> Answer | None:
         """Return what is read from the reply; None where no request is left."""
         task = load_prompt(
             "guide_task",
@@ -66,10 +67,10 @@ class ModelQuestions:
             now=now,
         )
         request = CompletionRequest(
-            (Message("system", load_rules(stage)), Message("user", task)),
+            (Message("system", load_rules()), Message("user", task)),
             max_tokens=MAX_TOKENS,
         )
-        question = Question(stage, guide_prompts(stage)[stage])
+        question = Question(STAGE, guide_prompts()[STAGE])
         try:
             return ask_until_read(
                 self._model, self.journal, request, question, self._numbers, read

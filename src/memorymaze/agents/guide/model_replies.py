@@ -1,6 +1,6 @@
 """What a language model may answer on a walk, read strictly."""
 
-from typing import Annotated, Literal, TypeVar
+from typing import Annotated, Literal
 
 from pydantic import BaseModel, Field, StringConstraints, ValidationError
 
@@ -61,43 +61,18 @@ class Answer(BaseModel, frozen=True, extra="forbid", strict=True):
         return None if self.way is None else ord(self.way) - ord("A")
 
 
-class Choice(BaseModel, frozen=True, extra="forbid", strict=True):
-    """Which of several steps is right."""
+def read_answer(reply: str) -> Answer:
+    """Return the answer in a reply: one JSON object, whatever stands around it.
 
-    step: Annotated[int, Field(ge=1)]
-    """From 1."""
-    note: Note
-    """Why."""
-    doubt: Share
-    """That something told is wrong."""
-    thought: str = ""
-
-
-Record = TypeVar("Record", Answer, Choice)
-
-
-def _read(kind: type[Record], reply: str) -> Record:
-    """Return the record in a reply: one JSON object, whatever stands around it."""
+    `ValueError` says what is wrong with it.
+    """
     text = object_in(reply)
     parse_record(text)
     try:
-        return kind.model_validate_json(text)
+        answer = Answer.model_validate_json(text)
     except ValidationError as error:
         told = (f"{where}: {what}" for where, what in mistakes(error))
         raise ValueError("; ".join(told)) from None
-
-
-def read_choice(reply: str, steps: int) -> Choice:
-    """Return which of so many steps a reply chooses; `ValueError` says what is wrong."""
-    choice = _read(Choice, reply)
-    if choice.step > steps:
-        raise ValueError(f"step: expected 1 to {steps}, got {choice.step}")
-    return choice
-
-
-def read_answer(reply: str) -> Answer:
-    """Return the answer in a reply; `ValueError` says what is wrong with it."""
-    answer = _read(Answer, reply)
     needed = _NEEDED.get(answer.action)
     if needed is not None and getattr(answer, needed) is None:
         raise ValueError(f"{needed}: expected it with the action {answer.action!r}")

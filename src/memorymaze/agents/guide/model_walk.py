@@ -68,7 +68,7 @@ class ModelWalk:
             f"The robot is at place {walker.at} after {walker.travelled:.0f} m. It looks "
             f"for: {', '.join(self._phrases())}. Answers left: {self._questions.left}."
         )
-        return self._questions.ask("decision", self._read, now)
+        return self._questions.ask(self._read, now)
 
     def _read(self, reply: str) -> Answer:
         """Return the answer in a reply; `ValueError` where it cannot be carried out."""

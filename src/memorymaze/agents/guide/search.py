@@ -9,7 +9,7 @@ from memorymaze.agents.agent import Journal
 from memorymaze.agents.guide.alignments import Frontier, Segment, Slip, Start
 from memorymaze.agents.guide.arriving import Ending, walk_up_to
 from memorymaze.agents.guide.asking import ANSWER_TRUST, Answer, Inquiry, Situation
-from memorymaze.agents.guide.choosing import Advise, Choice
+from memorymaze.agents.guide.choosing import Choice
 from memorymaze.agents.guide.likelihoods import Likelihoods
 from memorymaze.agents.guide.starts import starts_ahead, starts_any_way
 from memorymaze.agents.guide.tellings import Telling, Tellings
@@ -42,7 +42,6 @@ class Search:
         *,
         any_heading: bool = False,
         goes_back: bool = True,
-        advise: Advise | None = None,
         inquiry: Inquiry | None = None,
     ) -> None:
         """Prepare to follow what was told from where the robot stands.
@@ -53,7 +52,6 @@ class Search:
             journal: Takes the notes.
             any_heading: The robot may have to face any way at the start.
             goes_back: It may go back for another explanation.
-            advise: Has the last word on what to do next.
             inquiry: Asks people, where there are some.
         """
         self._plans = plans
@@ -63,9 +61,7 @@ class Search:
         self._model = Likelihoods()
         self._inquiry = inquiry
         self._tellings = Tellings(walker.map, self._model)
-        self._choice = Choice(
-            plans, self._tellings, walker, goes_back=goes_back, advise=advise
-        )
+        self._choice = Choice(plans, self._tellings, walker, goes_back=goes_back)
         self._looks = each_once(map(looks_of, plans))
         """What tells ways apart: looked for at every crossing."""
         self._doubted: frozenset[tuple[str, int]] = frozenset()
