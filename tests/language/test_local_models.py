@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 
 from memorymaze.errors import SettingsError
+from memorymaze.language.building import build_language_model
 from memorymaze.language.local_models import (
     GgufModel,
     is_local,
@@ -13,7 +14,7 @@ from memorymaze.language.local_models import (
     model_name,
 )
 from memorymaze.language.model import takes_grammar
-from memorymaze.language.model_settings import ModelSettings, build_language_model
+from memorymaze.language.model_settings import ModelSettings
 from memorymaze.language.scripted_model import ScriptedLanguageModel
 
 

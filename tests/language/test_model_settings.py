@@ -5,11 +5,11 @@ from typing import Any
 import pytest
 
 from memorymaze.errors import LanguageModelError, SettingsError
+from memorymaze.language.building import build_language_model
 from memorymaze.language.model import Completion, Usage
 from memorymaze.language.model_settings import (
     InferenceTime,
     ModelSettings,
-    build_language_model,
 )
 from memorymaze.options import list_options, read_flags
 

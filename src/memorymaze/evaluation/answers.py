@@ -1,93 +1,39 @@
-"""Answers that were given before a run: which it takes, what they lack, how they end.
+"""What answers given before a run lack, and how its episodes will end by them.
 
 No model is asked here; the agent asks, and is answered from a store or a file.
 """
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Literal, cast
+from typing import Any, Literal, cast
 
 import numpy as np
 
 from memorymaze.agents.agent import Agent, Journal
 from memorymaze.errors import (
-    AnswerFileError,
     EpisodeOver,
     LanguageModelError,
     ProgramError,
 )
-from memorymaze.evaluation.agent_catalogue import build_agent, has_language_model
+from memorymaze.evaluation.agent_catalogue import build_agent
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.episode import run_episode
 from memorymaze.evaluation.people_to_ask import model_of_people
-from memorymaze.evaluation.settings import AgentSettings, AnswersTaken
-from memorymaze.input_files import stamp_file
+from memorymaze.evaluation.plan import RunPlan
 from memorymaze.instructions.records import Episode
 from memorymaze.language.answer_files import AnswerFile
-from memorymaze.language.answers import UnansweredError, replaying_model
+from memorymaze.language.answers import UnansweredError
+from memorymaze.language.building import replaying_model
 from memorymaze.language.model import CompletionRequest
 from memorymaze.perception.eyes import Eyes
 from memorymaze.robot.specification import ASKING_NAMES
 from memorymaze.robot.steps import SteppingRobot
 
-if TYPE_CHECKING:
-    from memorymaze.evaluation.plan import RunPlan
-
 Kind = Literal["unsafe", "crash", "model_error", "note"]
 """How an episode will end, or `note`: worth knowing."""
 
 
-def answers_taken(
-    settings: AgentSettings,
-    agent_for: Callable[[Episode], Agent],
-    episodes: Sequence[Episode],
-) -> AnswersTaken | None:
-    """Say which answers a run takes; None where it asks a model."""
-    model = replaying_model(settings.language_model)
-    file = settings.language_model.replay
-    if model is None or file is None:
-        return None
-    versions = model.versions()
-    # Whom a robot will ask on the way, and so what a model in role says, nobody knows.
-    asking = episodes if has_language_model(settings) else ()
-    wanted = list(dict.fromkeys(each.instruction.id for each in asking))
-    known = {instruction for instruction, _ in versions}
-    missing = [each for each in wanted if versions and each not in known]
-    if missing and isinstance(model.answers, AnswerFile):
-        raise AnswerFileError(
-            f"{file}: expected an answer for each of {len(wanted)} "
-            f"instructions, got none for {len(missing)}: "
-            f"{', '.join(missing[:10])}{', …' if len(missing) > 10 else ''}; for one "
-            "that the model failed on write a record with `error`"
-        )
-    prompts = _prompts(agent_for(episodes[0]), episodes[0].instruction.text)
-    other = unknown = 0
-    for each in wanted:
-        answered = [
-            (versions.get((each, stage)) or versions.get((each, plain), set()), prompt)
-            for stage, prompt in prompts.items()
-            for plain in [stage.partition("+")[0]]
-        ]
-        differing = [
-            found for found, prompt in answered if found and prompt not in found
-        ]
-        unknown += any(None in found for found in differing)
-        other += bool(differing) and not any(None in found for found in differing)
-    stamp = stamp_file(file)
-    return AnswersTaken(stamp.name, stamp.sha256, len(missing), other, unknown)
-
-
-def _prompts(agent: Agent, text: str) -> dict[str, str]:
-    """Return the versions of an agent's prompts by stage, those to such a text if it can."""
-    expected = getattr(agent, "requests_expected", None)
-    asked: list[CompletionRequest] | None = expected and expected(text)
-    if asked is None:
-        return getattr(agent, "prompts", {})
-    questions = [each.question for each in asked]
-    return {each.stage: each.prompt for each in questions if each is not None}
-
-
-def open_requests(plan: "RunPlan") -> Iterator[CompletionRequest]:
+def open_requests(plan: RunPlan) -> Iterator[CompletionRequest]:
     """Yield the next request of each episode that its answers leave open.
 
     Agents that ask all they ask before the robot moves are not put into a simulation.
@@ -119,7 +65,7 @@ class Remark:
     """With `file:line` where there is one."""
 
 
-def remarks_on(plan: "RunPlan") -> Iterator[Remark]:
+def remarks_on(plan: RunPlan) -> Iterator[Remark]:
     """Say how episodes will end before their robot moves, by the answers they have.
 
     Only agents that ask beforehand tell; programs are checked, not run.

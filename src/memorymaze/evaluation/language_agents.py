@@ -22,10 +22,11 @@ from memorymaze.evaluation.graph_agents import NavGPTOnGraph, longest_route_view
 from memorymaze.evaluation.guarded_robot import simulated_behind
 from memorymaze.evaluation.settings import AgentSettings
 from memorymaze.instructions.records import Episode
-from memorymaze.language.answers import AboutInstruction, replaying_model
+from memorymaze.language.answers import AboutInstruction
+from memorymaze.language.building import build_language_model, replaying_model
 from memorymaze.language.local_models import is_local
 from memorymaze.language.model import LanguageModel
-from memorymaze.language.model_settings import ModelSettings, build_language_model
+from memorymaze.language.model_settings import ModelSettings
 from memorymaze.robot.api import Robot
 from memorymaze.robot.steps import SteppingRobot
 from memorymaze.sites import Route, Site

@@ -12,8 +12,8 @@ from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.settings import AgentSettings, RunDefinition, RunSettings
 from memorymaze.instructions.records import Episode, Instruction
 from memorymaze.language.answers import AboutInstruction
+from memorymaze.language.building import build_language_model
 from memorymaze.language.model import LanguageModel
-from memorymaze.language.model_settings import build_language_model
 from memorymaze.passers_by import (
     Briefing,
     Meet,

@@ -1,20 +1,21 @@
 """What a run consists of: which agent follows which instructions where, and how."""
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, fields, replace
 
 from memorymaze.agents.agent import Agent, Need
 from memorymaze.agents.files import agent_fingerprint
+from memorymaze.errors import AnswerFileError
 from memorymaze.evaluation.agent_catalogue import (
     AgentChoice,
     agent_needs,
     agent_options,
     build_agent,
+    has_language_model,
     has_parser,
     option_values,
     settings_of,
 )
-from memorymaze.evaluation.answers import answers_taken
 from memorymaze.evaluation.budgets import time_budget_for
 from memorymaze.evaluation.eyes import checked_eyes, looks_of_run
 from memorymaze.evaluation.language_agents import parses_first
@@ -35,6 +36,9 @@ from memorymaze.evaluation.shards import episodes_of_shard
 from memorymaze.input_files import FileStamp, stamp_file
 from memorymaze.instructions import Corpus, load_corpus
 from memorymaze.instructions.records import Episode
+from memorymaze.language.answer_files import AnswerFile
+from memorymaze.language.building import replaying_model
+from memorymaze.language.model import CompletionRequest
 from memorymaze.sites import Site
 
 
@@ -87,7 +91,7 @@ def plan_run(
         stamps=tuple(stamp_file(site.source, name) for name, site in sites.items()),
         episodes=len(chosen),
         told_once=told_once,
-        answers=answers_taken(chosen_agent, agent_for, chosen),
+        answers=_answers_taken(chosen_agent, agent_for, chosen),
         agent_files=agent_fingerprint(chosen_agent.name, given),
         option_values=option_values(chosen_agent, given),
     )
@@ -149,3 +153,53 @@ def _told_heading(agent: AgentSettings, corpus: Corpus) -> AgentSettings:
     if "start_heading" not in {each.name for each in fields(kind)}:
         return agent
     return replace(agent, options=(*agent.options, ("start_heading", "unknown")))
+
+
+def _answers_taken(
+    settings: AgentSettings,
+    agent_for: Callable[[Episode], Agent],
+    episodes: Sequence[Episode],
+) -> AnswersTaken | None:
+    """Say which answers a run takes; None where it asks a model."""
+    model = replaying_model(settings.language_model)
+    file = settings.language_model.replay
+    if model is None or file is None:
+        return None
+    versions = model.versions()
+    # Whom a robot will ask on the way, and so what a model in role says, nobody knows.
+    asking = episodes if has_language_model(settings) else ()
+    wanted = list(dict.fromkeys(each.instruction.id for each in asking))
+    known = {instruction for instruction, _ in versions}
+    missing = [each for each in wanted if versions and each not in known]
+    if missing and isinstance(model.answers, AnswerFile):
+        raise AnswerFileError(
+            f"{file}: expected an answer for each of {len(wanted)} "
+            f"instructions, got none for {len(missing)}: "
+            f"{', '.join(missing[:10])}{', …' if len(missing) > 10 else ''}; for one "
+            "that the model failed on write a record with `error`"
+        )
+    prompts = _prompts(agent_for(episodes[0]), episodes[0].instruction.text)
+    other = unknown = 0
+    for each in wanted:
+        answered = [
+            (versions.get((each, stage)) or versions.get((each, plain), set()), prompt)
+            for stage, prompt in prompts.items()
+            for plain in [stage.partition("+")[0]]
+        ]
+        differing = [
+            found for found, prompt in answered if found and prompt not in found
+        ]
+        unknown += any(None in found for found in differing)
+        other += bool(differing) and not any(None in found for found in differing)
+    stamp = stamp_file(file)
+    return AnswersTaken(stamp.name, stamp.sha256, len(missing), other, unknown)
+
+
+def _prompts(agent: Agent, text: str) -> dict[str, str]:
+    """Return the versions of an agent's prompts by stage, those to such a text if it can."""
+    expected = getattr(agent, "requests_expected", None)
+    asked: list[CompletionRequest] | None = expected and expected(text)
+    if asked is None:
+        return getattr(agent, "prompts", {})
+    questions = [each.question for each in asked]
+    return {each.stage: each.prompt for each in questions if each is not None}

@@ -18,7 +18,6 @@ from memorymaze.errors import (
 from memorymaze.input_files import refusal
 from memorymaze.language.answer_files import AnswerFile
 from memorymaze.language.answer_store import AnswerStore, request_key
-from memorymaze.language.local_models import model_name
 from memorymaze.language.model import (
     Completion,
     CompletionRequest,
@@ -26,7 +25,6 @@ from memorymaze.language.model import (
     WrappedModel,
     takes_grammar,
 )
-from memorymaze.language.model_settings import ModelSettings
 
 SQLITE = b"SQLite format 3\0"
 
@@ -45,20 +43,6 @@ def open_answers(path: str | Path) -> AnswerStore | AnswerFile:
     if answers.problems:
         raise refusal(answers.problems, AnswerFileError)
     return answers
-
-
-def replaying_model(settings: ModelSettings) -> "ReplayingModel | None":
-    """Return what gives recorded answers; None where a model is asked."""
-    if settings.replay is None:
-        return None
-    for option in ("record", "base_url"):
-        if getattr(settings, option) is not None:
-            raise SettingsError(
-                f"--replay and --{option.replace('_', '-')}: replies are replayed "
-                "or asked for, not both; leave one out"
-            )
-    named = None if settings.model is None else model_name(settings.model)
-    return ReplayingModel(settings.replay, name=named)
 
 
 class UnansweredError(LanguageModelError):

@@ -1,19 +1,12 @@
-"""Which language model answers, how it is asked, what that may cost, and how it is made."""
+"""Which language model answers, how it is asked, and what that may cost."""
 
 import math
 from dataclasses import dataclass, field
-from pathlib import Path
 from typing import ClassVar, Literal
 
 from memorymaze.errors import LanguageModelError, SettingsError
-from memorymaze.language.model import Completion, LanguageModel
-from memorymaze.language.spending import (
-    Ledger,
-    LimitedModel,
-    PricedModel,
-    QueuedModel,
-    TokenPrice,
-)
+from memorymaze.language.model import Completion
+from memorymaze.language.spending import TokenPrice
 from memorymaze.options import check_number
 
 
@@ -219,64 +212,3 @@ NOT_COMPARED = frozenset({
 })
 """Where answers come from and go to, and how patiently and how long they are asked for,
 which does not change what they say."""
-
-
-def build_language_model(settings: ModelSettings) -> LanguageModel:
-    """Make a language model: a server's, a local one, or recorded answers.
-
-    Raises:
-        SettingsError: No model is named, or the settings contradict each other, or the
-            server's address, its key, or the file of the model or of answers cannot be
-            used.
-        AnswerFileError: Something in a file of answers is wrong.
-    """
-    from memorymaze.language.answers import RecordingModel, replaying_model
-    from memorymaze.language.local_models import is_local, local_model
-
-    replayed = replaying_model(settings)
-    if replayed is not None:
-        return _priced(settings, replayed)
-    if settings.model is None:
-        raise SettingsError(
-            "name a language model with --model, or take recorded replies with --replay"
-        )
-    if is_local(settings.model) and settings.base_url is None:
-        model = local_model(settings.model, threads=settings.threads)
-    else:
-        model = _server(settings, settings.model)
-    model = _limited(settings, _priced(settings, model))
-    return model if settings.record is None else RecordingModel(model, settings.record)
-
-
-def _server(settings: ModelSettings, name: str) -> LanguageModel:
-    from memorymaze.language.openai_model import OpenAIModel
-
-    if name.startswith("gguf:"):
-        raise SettingsError(
-            f"--model {name} and --base-url: a file is run here and not on a server; "
-            "leave --base-url out, or give the server's name for the model"
-        )
-    return OpenAIModel(
-        name,
-        base_url=settings.base_url,
-        timeout=settings.request_timeout,
-        retries=settings.retries,
-        grammar_server=settings.grammar,
-    )
-
-
-def _priced(settings: ModelSettings, model: LanguageModel) -> LanguageModel:
-    return model if settings.price is None else PricedModel(model, settings.price)
-
-
-def _limited(settings: ModelSettings, model: LanguageModel) -> LanguageModel:
-    """Put the limits that the processes of a run keep together on a model."""
-    folder = settings.shared_folder
-    shared = None if folder is None else Path(folder)
-    if settings.max_requests is not None and shared is not None:
-        model = QueuedModel(model, shared / "requests.lock", settings.max_requests)
-    if settings.max_cost is not None or settings.max_tokens_total is not None:
-        ledger = Ledger(None if shared is None else shared / "spending.jsonl")
-        most = settings.max_tokens_total
-        model = LimitedModel(model, ledger, settings.max_cost, most)
-    return model

@@ -3,7 +3,9 @@
 Holds nothing that decides where a robot goes. Importing it loads no OpenGL.
 """
 
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING
+
+from memorymaze.pictures.kinds_of_looks import Looks
 
 if TYPE_CHECKING:
     from memorymaze.simulation.cameras import RobotCameras
@@ -11,10 +13,6 @@ if TYPE_CHECKING:
     from memorymaze.simulation.scene import Scene
 
 __all__ = ["Looks", "robot_cameras"]
-
-Looks = Literal["own", "models", "mesh"]
-"""How things look: as made by this project's code alone, by furniture models too, or the
-whole building as the mesh beside its plan."""
 
 
 def robot_cameras(

@@ -105,7 +105,8 @@ def _run(options: argparse.Namespace) -> int:
 
 def _model(options: argparse.Namespace) -> "LanguageModel | None":
     from memorymaze.errors import SettingsError
-    from memorymaze.language.model_settings import ModelSettings, build_language_model
+    from memorymaze.language.building import build_language_model
+    from memorymaze.language.model_settings import ModelSettings
     from memorymaze.writing import GRAMMAR
 
     if options.engine == GRAMMAR:

@@ -12,13 +12,13 @@ from numpy.typing import NDArray
 from memorymaze.errors import MemoryMazeError, SettingsError
 from memorymaze.geometry.pose import Pose, wrap_angle
 from memorymaze.geometry.trajectory import Trajectory
-from memorymaze.pictures import Looks
 from memorymaze.pictures.films.video_file import (
     check_picture,
     check_ranges,
     check_target,
     write_video,
 )
+from memorymaze.pictures.kinds_of_looks import Looks
 from memorymaze.pictures.rendering.camera import RenderedCamera
 from memorymaze.pictures.rendering.panorama import PanoramaCamera
 from memorymaze.pictures.rendering.robot_eyes import visual_scene_of

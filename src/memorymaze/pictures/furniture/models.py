@@ -14,7 +14,7 @@ from pydantic import TypeAdapter, ValidationError
 
 from memorymaze.errors import SettingsError
 from memorymaze.extras import command_here
-from memorymaze.pictures import Looks
+from memorymaze.pictures.kinds_of_looks import Looks
 from memorymaze.pictures.looks.assembly import MeshPart, ObjectModel, Order
 from memorymaze.pictures.looks.materials import Material, Rgb, colours_of
 from memorymaze.pictures.tables import read_table

@@ -12,8 +12,8 @@ from dataclasses import dataclass
 from functools import cache
 from importlib import import_module
 
-from memorymaze.pictures import Looks
 from memorymaze.pictures.furniture.models import furniture_for
+from memorymaze.pictures.kinds_of_looks import Looks
 from memorymaze.pictures.looks.assembly import Assembly, ObjectModel, Order
 from memorymaze.pictures.looks.bins_and_barriers import placeholder
 from memorymaze.pictures.looks.windows import is_window, window_model

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from shapely import Point, prepare
 
-from memorymaze.pictures import Looks
+from memorymaze.pictures.kinds_of_looks import Looks
 from memorymaze.pictures.looks import surfaces
 from memorymaze.pictures.looks.assembly import MeshPart
 from memorymaze.pictures.looks.catalogue import model_for_landmark

@@ -6,8 +6,8 @@ import threading
 from functools import lru_cache
 
 from memorymaze.geometry.pose import Pose
-from memorymaze.pictures import Looks
 from memorymaze.pictures.furniture.models import check_looks
+from memorymaze.pictures.kinds_of_looks import Looks
 from memorymaze.pictures.rendering.camera import CameraFrame, RenderedCamera
 from memorymaze.pictures.rendering.panorama import PanoramaCamera, PanoramaFrame
 from memorymaze.pictures.rendering.visual_scene import (

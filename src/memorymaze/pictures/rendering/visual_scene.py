@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from memorymaze.geometry.pose import Pose
-from memorymaze.pictures import Looks
 from memorymaze.pictures.furniture.models import check_looks
+from memorymaze.pictures.kinds_of_looks import Looks
 from memorymaze.pictures.looks.catalogue import model_of
 from memorymaze.pictures.rendering.mesh_looks import mesh_building
 from memorymaze.pictures.rendering.mujoco_model import SpecAssembler

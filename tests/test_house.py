@@ -1,0 +1,51 @@
+"""The house as a whole: what holds for all of its files together."""
+
+import ast
+from collections.abc import Iterator
+from graphlib import CycleError, TopologicalSorter
+from pathlib import Path
+
+import memorymaze
+
+SOURCE = Path(memorymaze.__file__).parent
+KNOWN = {"memorymaze.results.watching.onlooker": "memorymaze.results.watching.terminal"}
+"""A file, and what it imports though that imports it."""
+
+
+def test_no_two_files_import_each_other_in_a_circle() -> None:
+    """Imports in functions count too, those for type checkers do not.
+
+    A package's `__init__` is a file: it may import the files beside it, which then must
+    not import from it.
+    """
+    files = {_name(path): path for path in sorted(SOURCE.rglob("*.py"))}
+    imports = {name: set(_imported(path, files)) for name, path in files.items()}
+    for name, imported in KNOWN.items():
+        imports.get(name, set()).discard(imported)
+    try:
+        TopologicalSorter(imports).prepare()
+    except CycleError as circle:
+        raise AssertionError("a circle: " + " <- ".join(circle.args[1])) from None
+
+
+def _name(path: Path) -> str:
+    parts = path.relative_to(SOURCE.parent).with_suffix("").parts
+    return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
+
+
+def _imported(path: Path, files: dict[str, Path]) -> Iterator[str]:
+    for node in _statements(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Import):
+            yield from (each.name for each in node.names if each.name in files)
+        elif isinstance(node, ast.ImportFrom) and node.module in files:
+            inside = [f"{node.module}.{each.name}" for each in node.names]
+            yield from (each if each in files else node.module for each in inside)
+
+
+def _statements(tree: ast.AST) -> Iterator[ast.AST]:
+    """Yield everything in a file but what stands under `if TYPE_CHECKING`."""
+    for node in ast.iter_child_nodes(tree):
+        if isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING":
+            continue
+        yield node
+        yield from _statements(node)
