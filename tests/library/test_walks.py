@@ -1,9 +1,10 @@
+import json
 from pathlib import Path
 
 import pytest
 
 import memorymaze as mm
-from memorymaze.errors import SettingsError
+from memorymaze.errors import SettingsError, SitePlanError
 
 
 class Ahead:
@@ -42,6 +43,21 @@ def test_a_walk_draws_itself_on_the_plan(corridor: Path) -> None:
     picture = mm.follow("Go.", Ahead, site=corridor).plot()
     assert min(picture.size) > 100
     assert len(picture.getcolors(1 << 20) or []) > 10
+
+
+def test_a_picture_that_fails_loses_no_walk(
+    corridor: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    walk = mm.follow("Go.", Ahead, site=corridor)
+
+    def failing(*_: object, **__: object) -> None:
+        raise SitePlanError("no picture")
+
+    monkeypatch.setattr("memorymaze.drawing.plan_picture.draw_walk", failing)
+    with pytest.raises(SitePlanError, match="no picture"):
+        walk.save(tmp_path)
+    assert len(json.loads((tmp_path / "trajectory.json").read_text())["poses"]) > 2
+    assert '"kind":"end"' in (tmp_path / "trace.jsonl").read_text().replace(" ", "")
 
 
 def test_an_agent_handed_over_as_an_object_sees_no_answers(corridor: Path) -> None:

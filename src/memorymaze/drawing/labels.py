@@ -5,12 +5,12 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Literal, NamedTuple
 
-from shapely import LineString, Polygon, box, get_coordinates, segmentize
+from shapely import LineString, Polygon, box, get_coordinates, get_parts, segmentize
 from shapely.geometry.base import BaseGeometry
 
 from memorymaze.drawing.label_placing import Box, LabelSpace, PlacedLabel, wrapped
-from memorymaze.drawing.shapes import is_covering
-from memorymaze.sites.records import Landmark, Route, Site
+from memorymaze.drawing.shapes import OnSheet, is_covering, on_sheet
+from memorymaze.sites.records import Area, Corridor, Landmark, Route, Site
 
 LONGEST_LABEL = 34
 """Characters."""
@@ -56,33 +56,45 @@ def place_labels(
         thing: Font size of what is said of things.
         sheet: What is drawn of the plan.
     """
-    lines = [door.line for door in site.doors] + [route.line for route in routes]
+    shown = on_sheet(site, sheet)
+    lines = [door.line for door in shown.doors] + [route.line for route in routes]
     for line in (*lines, site.walkable_floor.boundary):
-        for spot in _spots(line):
+        for spot in _spots(line, sheet):
             space.take(spot)
-    for each in site.landmarks:
+    for each in shown.landmarks:
         if not is_covering(each):
             space.take(_bounds(each.footprint.bounds))
     return [
-        *_room_names(site, space, names),
-        *_place_names(site, space, names, sheet),
-        *_thing_labels(site, space, thing, sheet),
+        *_room_names(shown, space, names, sheet),
+        *_place_names(shown.areas, site.corridors, space, names, sheet),
+        *_thing_labels(shown, space, thing, sheet),
     ]
 
 
-def _spots(line: BaseGeometry) -> Iterator[Box]:
-    """Return small boxes close together along a line."""
-    for x, y in get_coordinates(segmentize(line, LINE_STEP)):
-        yield x - LINE_HALF, y - LINE_HALF, x + LINE_HALF, y + LINE_HALF
+def _spots(line: BaseGeometry, sheet: Box) -> Iterator[Box]:
+    """Return small boxes close together along what a sheet shows of a line."""
+    west, south, east, north = sheet
+    for x, y in get_coordinates(segmentize(line, LINE_STEP)).tolist():
+        if west <= x <= east and south <= y <= north:
+            yield x - LINE_HALF, y - LINE_HALF, x + LINE_HALF, y + LINE_HALF
 
 
 def _room_names(
-    site: Site, space: LabelSpace, sizes: Sequence[float]
+    shown: OnSheet, space: LabelSpace, sizes: Sequence[float], sheet: Box
 ) -> Iterator[Label]:
-    for room in site.rooms:
-        texts, frame = wrapped(room.name), _inner_frame(room.polygon)
-        label = space.inside(texts, [frame], sizes)
-        yield Label(label or _slanted_name(texts, room.polygon, space, sizes), "name")
+    for room in shown.rooms:
+        texts, polygon = wrapped(room.name), _seen(room.polygon, sheet)
+        label = space.inside(texts, [_inner_frame(polygon)], sizes)
+        yield Label(label or _slanted_name(texts, polygon, space, sizes), "name")
+
+
+def _seen(polygon: Polygon, sheet: Box) -> Polygon:
+    """Return the largest piece that a sheet shows of a polygon."""
+    paper = box(*sheet)
+    if paper.covers(polygon):
+        return polygon
+    pieces = get_parts(polygon.intersection(paper)).tolist()
+    return max(pieces, key=lambda piece: piece.area)
 
 
 def _slanted_name(
@@ -109,13 +121,17 @@ def _slanted_name(
 
 
 def _place_names(
-    site: Site, space: LabelSpace, sizes: Sequence[float], sheet: Box
+    areas: Sequence[Area],
+    corridors: Sequence[Corridor],
+    space: LabelSpace,
+    sizes: Sequence[float],
+    sheet: Box,
 ) -> Iterator[Label]:
-    for area in site.areas:
+    for area in areas:
         if area.name:
-            frames = _frames_across(area.polygon)
+            frames = _frames_across(_seen(area.polygon, sheet))
             yield Label(space.inside(wrapped(area.name), frames, sizes), "way")
-    for corridor in site.corridors:
+    for corridor in corridors:
         way = corridor.centre_line.intersection(box(*sheet))
         if corridor.name and isinstance(way, LineString) and way.length:
             label = _corridor_name(corridor.name, way, corridor.width, space, sizes)
@@ -145,11 +161,14 @@ def _corridor_name(
 
 
 def _thing_labels(
-    site: Site, space: LabelSpace, font_size: float, sheet: Box
+    shown: OnSheet,
+    space: LabelSpace,
+    font_size: float,
+    sheet: Box,
 ) -> Iterator[Label]:
-    commonness = Counter(thing.category for thing in site.landmarks)
+    commonness = Counter(thing.category for thing in shown.landmarks)
     groups = sorted(
-        _equal_neighbours(site.landmarks),
+        _equal_neighbours(shown.landmarks),
         key=lambda group: (commonness[group[0].category], group[0].id),
     )
     for group in groups:
@@ -158,9 +177,9 @@ def _thing_labels(
         words = _thing_words(group)
         on_it = is_covering(thing) and space.inside([words], [bounds], [font_size])
         yield Label(on_it or space.beside(words, bounds, font_size, sheet), "word")
-    rooms = {room.id: room.name for room in site.rooms}
-    for door in site.doors:
-        if door.label and door.label not in rooms.get(door.room or "", ""):
+    names = {room.id: room.name for room in shown.rooms}
+    for door in shown.doors:
+        if door.label and door.label not in names.get(door.room or "", ""):
             line = _bounds(door.line.buffer(LINE_HALF).bounds)
             words = _broken(f"“{door.label}”")
             yield Label(space.beside(words, line, font_size, sheet), "sign")

@@ -17,6 +17,7 @@ from memorymaze.drawing.shapes import (
     VARIETIES,
     WALK_COLOR,
     Met,
+    OnSheet,
     Shape,
 )
 from memorymaze.sites.records import Route, Site
@@ -106,31 +107,31 @@ def draw_scale_and_north(figure: Figure, site: Site, scale: float) -> None:
 
 
 def legend_marks(
-    site: Site, routes: Sequence[Route], walked: bool, met: Met
+    shown: OnSheet, routes: Sequence[Route], walked: bool, met: Met
 ) -> Iterator[Line2D | Patch]:
     """Return what the colours and lines on a sheet mean."""
     floor, wall = INKS["floor"].paper, INKS["wall"].paper
     yield Patch(facecolor=floor, edgecolor=wall, label="floor")
-    if site.rooms:
+    if shown.rooms:
         edge = INKS["room_edge"].paper
         yield Patch(facecolor=INKS["room"].paper, edgecolor=edge, label="room")
-    if any(area.open_air for area in site.areas):
+    if any(area.open_air for area in shown.areas):
         yield Patch(facecolor=INKS["open_air"].paper, label="open air")
-    if site.turning_points:
+    if shown.turning_points:
         yield Patch(
             facecolor=INKS["turning_point"].paper,
             alpha=TURNING_POINT_ALPHA,
             label="turning point with its exits",
         )
-    for style in dict.fromkeys(door.style for door in site.doors):
+    for style in dict.fromkeys(door.style for door in shown.doors):
         name = f"{style.replace('_', ' ')} door"
         color = Shape("door", style).paper
         yield Line2D([], [], color=color, linewidth=3, label=name)
-    if any(door.state == "open" for door in site.doors):
+    if any(door.state == "open" for door in shown.doors):
         yield Line2D(
             [], [], color="#555555", linewidth=3, dashes=(1, 2), label="open door"
         )
-    for mount in dict.fromkeys(thing.mount for thing in site.landmarks):
+    for mount in dict.fromkeys(thing.mount for thing in shown.landmarks):
         where = {"floor": "on the floor", "wall": "on a wall", "ceiling": "overhead"}
         color = VARIETIES["thing"][mount]
         overhead = mount == "ceiling"

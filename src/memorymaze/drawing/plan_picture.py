@@ -36,7 +36,7 @@ from memorymaze.drawing.shapes import (
     Met,
     Points,
     bounds_of,
-    part_of,
+    on_sheet,
     route_color,
 )
 from memorymaze.errors import SettingsError
@@ -131,9 +131,8 @@ def draw_walk(
         HeadLine(f"“{single_spaced(instruction)}”", 10.5),
         HeadLine(outcome, 10.5, ARRIVED_COLOR if arrived else FAILED_COLOR),
     ]
-    part = part_of(site, shown)
     with lettering():
-        return _sheet(part, shown, head, [route], [points], met or Met())
+        return _sheet(site, shown, head, [route], [points], met or Met())
 
 
 def picture_of(sheet: Figure) -> Image:
@@ -232,7 +231,8 @@ def _sheet(
     left_out = write_labels(axes, site, routes, space, magnified)
     write_head(figure, rows)
     draw_scale_and_north(figure, site, scale)
-    write_legend(figure, list(legend_marks(site, routes, bool(walks), met)), left_out)
+    marks = legend_marks(on_sheet(site, bounds), routes, bool(walks), met)
+    write_legend(figure, list(marks), left_out)
     return figure
 
 
@@ -272,7 +272,6 @@ def draw_plan(
     figure = Figure(figsize=(width / dpi, height / dpi), dpi=dpi, facecolor="white")
     canvas = FigureCanvasAgg(figure)
     low, high = middle - half, middle + half
-    site = part_of(site, bounds_of([[*low, *high]], 0.0))
     axes = axes_in(figure, (0, 0, 1, 1), low, high)
     with lettering():
         paint_plan(axes, site, turning_points=False)

@@ -5,14 +5,22 @@ The back ends paint them and nothing else: `axes` on matplotlib's axes, `svg` on
 """
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 from shapely import LineString, Polygon, box, get_coordinates
 
-from memorymaze.sites.records import Landmark, Route, Site
+from memorymaze.sites.records import (
+    Area,
+    Door,
+    Landmark,
+    Room,
+    Route,
+    Site,
+    TurningPoint,
+)
 
 Points = NDArray[np.float64]
 """Places in metres, shape (N, 2)."""
@@ -169,33 +177,25 @@ def bounds_of(parts: Sequence[Sequence[float]], margin: float) -> Bounds:
     return west, south, east, north
 
 
-def part_of(site: Site, bounds: Bounds) -> Site:
-    """Return a site with only what a part of its plan shows, so that it is named there."""
-    sheet = box(*bounds)
+class OnSheet(NamedTuple):
+    """What a sheet shows something of, each whole: to be named on it and explained."""
 
-    def cut(whole: Polygon) -> Polygon:
-        seen = whole.intersection(sheet)
-        return seen if isinstance(seen, Polygon) else whole
+    rooms: Sequence[Room]
+    areas: Sequence[Area]
+    turning_points: Sequence[TurningPoint]
+    doors: Sequence[Door]
+    landmarks: Sequence[Landmark]
 
-    return replace(
-        site,
-        rooms=tuple(
-            replace(room, polygon=cut(room.polygon))
-            for room in site.rooms
-            if room.polygon.intersection(sheet).area
-        ),
-        areas=tuple(
-            replace(area, polygon=cut(area.polygon))
-            for area in site.areas
-            if area.polygon.intersection(sheet).area
-        ),
-        doors=tuple(door for door in site.doors if door.line.intersects(sheet)),
-        landmarks=tuple(
-            thing for thing in site.landmarks if thing.footprint.intersects(sheet)
-        ),
-        turning_points=tuple(
-            place for place in site.turning_points if place.polygon.intersects(sheet)
-        ),
+
+def on_sheet(site: Site, sheet: Bounds) -> OnSheet:
+    """Return what a sheet shows of a site, all of it or a part."""
+    paper = box(*sheet)
+    return OnSheet(
+        [each for each in site.rooms if each.polygon.intersection(paper).area],
+        [each for each in site.areas if each.polygon.intersection(paper).area],
+        [each for each in site.turning_points if each.polygon.intersects(paper)],
+        [each for each in site.doors if each.line.intersects(paper)],
+        [each for each in site.landmarks if each.footprint.intersects(paper)],
     )
 
 

@@ -148,6 +148,7 @@ def write_navigation(
         text = json.dumps(content, ensure_ascii=False) + "\n"
         write_whole(files[0], text.encode("utf-8", "backslashreplace"))
         write_whole(files[1], trace_lines(run.trace))
+        # Last, so that no picture that fails loses a walk.
         picture = draw_navigation(run, site, route)
         picture.save(files[2], dpi=picture.info["dpi"])
     except OSError as error:
