@@ -8,7 +8,7 @@ broken off.
 import argparse
 import json
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 from urllib.parse import quote
@@ -17,7 +17,7 @@ import numpy as np
 
 from memorymaze.cli.agent_options import given_options
 from memorymaze.construction import KINDS, make_building
-from memorymaze.evaluation.agent_catalogue import agent_options
+from memorymaze.evaluation.agent_catalogue import choose_agent
 from memorymaze.evaluation.driver import run_plan
 from memorymaze.evaluation.plan import plan_run
 from memorymaze.evaluation.results import EpisodeResult
@@ -93,15 +93,7 @@ def agents_of(options: argparse.Namespace) -> list[AgentSettings]:
 
 def given_plans(agent: AgentSettings) -> AgentSettings:
     """Tell an agent that has an option `reader` that its texts are plans."""
-    kind = agent_options(agent.name)
-    told = {name for name, _ in agent.options}
-    if (
-        kind is None
-        or "reader" in told
-        or "reader" not in {f.name for f in fields(kind)}
-    ):
-        return agent
-    return replace(agent, options=(*agent.options, ("reader", "plan")))
+    return choose_agent(agent).with_defaults(reader="plan").settings
 
 
 def plan_instruction(

@@ -15,7 +15,6 @@ from functools import partial
 import numpy as np
 
 from benchmarks.turning_points import NOISY_LIDAR, NOISY_ODOMETRY
-from memorymaze.evaluation.agent_catalogue import build_agent
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.episode import run_episode
 from memorymaze.evaluation.plan import RunPlan, plan_run
@@ -51,7 +50,6 @@ COLUMNS = {
 
 
 def walked(plan: RunPlan, known: Known, noise: bool) -> list[EpisodeResult]:
-    agent_for = build_agent(plan.settings.agent)
     make_robot: Callable[..., SimulatedRobot] = SimulatedRobot
     if not known.plan:
         make_robot = partial(
@@ -67,7 +65,7 @@ def walked(plan: RunPlan, known: Known, noise: bool) -> list[EpisodeResult]:
     results: list[EpisodeResult] = []
     for episode in plan.episodes:
         arena = arenas[episode.instruction.site]
-        run = run_episode(agent_for(episode), episode, arena, plan.settings)
+        run = run_episode(plan.ready.in_episode(episode), episode, arena, plan.settings)
         results.append(run.result)
         told = {name: getattr(run.result, name) for name in COLUMNS}
         print(known.name, episode.id, run.result.stopped_by, told, file=sys.stderr)

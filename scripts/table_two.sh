@@ -94,7 +94,7 @@ for round in asked replayed; do
     run guide guide --limit "$limit"
     run guide_plans guide --set reader=model "${ask[@]}"
     run explorer explorer --limit "$limit"
-    run code_generation code_generation --no-parser "${code_generation[@]}" "${ask[@]}"
+    run code_generation code_generation --set parser=false "${code_generation[@]}" "${ask[@]}"
     run code_generation_parser code_generation "${code_generation[@]}" "${ask[@]}"
     run navgpt navgpt "${navgpt[@]}" "${ask[@]}"
     run navid navid "${navid[@]}" "${ask[@]}"

@@ -18,10 +18,10 @@ from PIL import Image
 from memorymaze.agents.agent import Journal
 from memorymaze.agents.see_and_go import SeeAndGoAgent, SeeAndGoOptions
 from memorymaze.errors import EpisodeOver, LanguageModelError, SettingsError
-from memorymaze.evaluation.agent_catalogue import build_agent
-from memorymaze.evaluation.language_agents import SeeAndGoOnSite
+from memorymaze.evaluation.budgets import fair_limits
 from memorymaze.evaluation.navigation import navigate
 from memorymaze.evaluation.settings import AgentSettings
+from memorymaze.language.answers import AboutInstruction
 from memorymaze.language.model import CompletionRequest
 from memorymaze.language.model_settings import ModelSettings
 from memorymaze.language.scripted_model import ScriptedLanguageModel
@@ -54,11 +54,10 @@ def follow(blind_robot: SimulatedRobot) -> Callable[..., str]:
     """Follow with a scripted model, on the site's budget; return what ended it."""
 
     def walk(model: ScriptedLanguageModel, **options: Any) -> str:
-        agent = SeeAndGoOnSite(SeeAndGoAgent(model, SeeAndGoOptions(**options)))
+        agent = SeeAndGoAgent(SeeAndGoOptions(**options), model)
+        journal = Journal(limits=fair_limits(blind_robot.scene.site.routes))
         with pytest.raises(EpisodeOver) as over:
-            agent.follow(
-                "To the door.", blind_robot, Journal(), np.random.default_rng(0)
-            )
+            agent.follow("To the door.", blind_robot, journal, np.random.default_rng(0))
         return over.value.stopped_by
 
     return walk
@@ -155,9 +154,10 @@ def test_options_without_meaning_are_refused(
 
 
 def test_a_model_that_sees_nothing_is_refused_before_the_run() -> None:
-    blind = ModelSettings(model="smollm2")
+    model = ScriptedLanguageModel([])
+    blind = SimpleNamespace(name="m", complete=model.complete, takes_pictures=False)
     with pytest.raises(SettingsError, match=r"see no pictures; .* \(--base-url\)$"):
-        build_agent(AgentSettings("see_and_go", language_model=blind))
+        SeeAndGoAgent(SeeAndGoOptions(), AboutInstruction(blind, "a"))
 
 
 def looks_and_says(request: dict[str, Any]) -> str:

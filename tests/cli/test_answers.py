@@ -8,7 +8,10 @@ from typing import Any
 
 import pytest
 
-from memorymaze.agents.code_generation import CodeGenerationRequests
+from memorymaze.agents.code_generation import (
+    CodeGenerationOptions,
+    CodeGenerationRequests,
+)
 from memorymaze.agents.code_generation.replies import read_steps
 from memorymaze.evaluation.run_folder import read_run
 from memorymaze.instructions.files import load_instructions
@@ -100,7 +103,7 @@ def results(folder: Path) -> list[Any]:
 def record_replies(path: Path, instructions: Path, *, parser: bool) -> None:
     """Keep what the same model says when it is asked while a run goes on."""
     model = RecordingModel(ScriptedLanguageModel(answer, name="scripted"), path)
-    requests = CodeGenerationRequests(parser=parser)
+    requests = CodeGenerationRequests(CodeGenerationOptions(parser=parser))
     for each in load_instructions([instructions]):
         way = each.text
         if parser:
@@ -115,7 +118,7 @@ def record_replies(path: Path, instructions: Path, *, parser: bool) -> None:
 def test_the_way_through_files_gives_the_tables_of_the_way_with_a_model(
     memorymaze: Memorymaze, tiny_files: list[str], tmp_path: Path, parser: bool
 ) -> None:
-    variant = [] if parser else ["--no-parser"]
+    variant = [] if parser else ["--set", "parser=false"]
     agent = ["--agent", "code_generation", *variant]
     run = ["--workers", "1", *tiny_files]
 
@@ -155,7 +158,8 @@ def test_a_request_that_failed_stays_open(
     memorymaze: Memorymaze, tiny_files: list[str], tmp_path: Path
 ) -> None:
     store, asked = tmp_path / "answers.sqlite", tmp_path / "asked.jsonl"
-    ask = ["answers", "requests", "--agent", "code_generation", "--no-parser"]
+    ask = ["answers", "requests", "--agent", "code_generation"]
+    ask += ["--set", "parser=false"]
     ask += ["--model", "m", "--store", str(store), *tiny_files]
     memorymaze(*ask, "--out", asked)
     ids = [json.loads(line)["custom_id"] for line in asked.read_text().splitlines()]
@@ -218,7 +222,8 @@ def test_answers_to_single_tellings_are_not_taken_for_both(
 ) -> None:
     store, out = tmp_path / "kept.sqlite", tmp_path / "open.jsonl"
     record_replies(store, Path(tiny_files[1]), parser=False)
-    ask = ["answers", "requests", "--agent", "code_generation", "--no-parser"]
+    ask = ["answers", "requests", "--agent", "code_generation"]
+    ask += ["--set", "parser=false"]
     ask += ["--model", "scripted", "--store", store, *tiny_files, "--out", out]
     assert "nothing is open" in memorymaze(*ask).out
     said = memorymaze(*ask, "--second-telling")

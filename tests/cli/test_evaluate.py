@@ -68,7 +68,6 @@ def test_a_limit_spreads_over_the_files_and_can_be_resumed_only_as_it_was(
         pytest.param(["--success-distance", "nan"], "success-distance", id="distance"),
         pytest.param(["--resume"], "--resume: name the run's folder", id="resume"),
         pytest.param(["--model", "gpt"], "asks no language model", id="model"),
-        pytest.param(["--no-parser"], "no parser to leave out", id="parser"),
     ],
 )
 def test_an_option_without_meaning_gives_code_2_and_one_message(

@@ -122,7 +122,8 @@ def test_a_paid_run_is_estimated_ends_at_its_limit_and_goes_on(
     memorymaze: Memorymaze, tiny_files: list[str], tmp_path: Path, server: str
 ) -> None:
     out = tmp_path / "paid"
-    command = ["evaluate", "--agent", "code_generation", "--no-parser", *tiny_files]
+    command = ["evaluate", "--agent", "code_generation", *tiny_files]
+    command += ["--set", "parser=false"]
     command += ["--model", "m", "--base-url", server, "--workers", "1", "--out", out]
     command += ["--price", "1000,1000", "--inference-time", "1.5"]
     said = memorymaze(*command, "--max-cost", "1.5")
@@ -145,7 +146,7 @@ def test_navigate_says_what_the_model_took(
 ) -> None:
     said = memorymaze(
         *("navigate", "university", "R1", "Stop at once.", "--out", tmp_path / "one"),
-        *("--agent", "code_generation", "--no-parser", "--model", "m"),
+        *("--agent", "code_generation", "--set", "parser=false", "--model", "m"),
         *("--base-url", server, "--price", "10,20", "--inference-time", "2"),
     )
     assert said.code == 0

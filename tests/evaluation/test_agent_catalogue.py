@@ -1,24 +1,15 @@
 import sys
-from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
+from memorymaze.agents.agent import Agent
 from memorymaze.cli.agents import agent_listing
 from memorymaze.errors import SettingsError
-from memorymaze.evaluation.agent_catalogue import (
-    agent_names,
-    agent_options,
-    build_agent,
-    known_agent,
-    refuse_unused_model,
-    settings_of,
-)
-from memorymaze.evaluation.oracle import OracleAgent
-from memorymaze.evaluation.plan import RunPlan
+from memorymaze.evaluation.agent_catalogue import AGENTS, agent_names, choose_agent
 from memorymaze.evaluation.settings import AgentSettings
 from memorymaze.language.model_settings import ModelSettings
-from memorymaze.options import list_options
+from memorymaze.options import options_of
 
 OWN_AGENT = """
 from dataclasses import dataclass
@@ -86,6 +77,10 @@ def own_agents(tmp_path: Path) -> Path:
     return path
 
 
+def made(name: str, *options: tuple[str, str]) -> Agent:
+    return choose_agent(AgentSettings(name, options=options)).make().agent
+
+
 def test_all_names_are_known_and_the_oracle_is_one_of_them() -> None:
     assert {"guide", "rules", "code_generation", "oracle"} <= set(agent_names())
 
@@ -93,9 +88,9 @@ def test_all_names_are_known_and_the_oracle_is_one_of_them() -> None:
 @pytest.mark.parametrize("name", agent_names())
 def test_every_agent_says_what_it_is_and_what_its_options_mean(name: str) -> None:
     listing = agent_listing([name])
-    options = agent_options(name)
-    assert listing.startswith(f"{name}: {known_agent(name).summary}")
-    assert listing.count("--set ") == (len(list_options(options)) if options else 0)
+    options = choose_agent(name).recipe.options
+    assert listing.startswith(f"{name}: {AGENTS[name].summary}")
+    assert listing.count("--set ") == (len(options_of(options)) if options else 0)
 
 
 def test_a_misspelt_agent_has_no_listing() -> None:
@@ -103,25 +98,12 @@ def test_a_misspelt_agent_has_no_listing() -> None:
         agent_listing(["stopp"])
 
 
-def test_the_oracle_is_made_for_its_episode(tiny_plan: Callable[..., RunPlan]) -> None:
-    episode = tiny_plan("stop").episodes[0]
-    assert isinstance(build_agent(AgentSettings("oracle"))(episode), OracleAgent)
+def test_an_agent_of_ones_own_is_made_from_its_file(own_agents: Path) -> None:
+    assert made(f"{own_agents}:Mine").name == "mine"
 
 
-def test_an_agent_of_ones_own_is_made_from_its_file(
-    own_agents: Path, tiny_plan: Callable[..., RunPlan]
-) -> None:
-    episode = tiny_plan("stop").episodes[0]
-    agent_for = build_agent(AgentSettings(f"{own_agents}:Mine"))
-    assert agent_for(episode).name == "mine"
-    assert agent_for(episode) is agent_for(episode)
-
-
-def test_an_agent_of_ones_own_is_made_from_its_module(
-    tiny_plan: Callable[..., RunPlan],
-) -> None:
-    agent_for = build_agent(AgentSettings("memorymaze.agents.stop:StopAgent"))
-    assert agent_for(tiny_plan("stop").episodes[0]).name == "stop"
+def test_an_agent_of_ones_own_is_made_from_its_module() -> None:
+    assert made("memorymaze.agents.stop:StopAgent").name == "stop"
 
 
 @pytest.mark.parametrize(
@@ -144,7 +126,7 @@ def test_an_agent_that_cannot_be_made_is_explained(
     own_agents: Path, name: str, said: str
 ) -> None:
     with pytest.raises(SettingsError, match=said):
-        build_agent(AgentSettings(name.format(file=own_agents)))
+        made(name.format(file=own_agents))
 
 
 @pytest.mark.parametrize(
@@ -161,11 +143,11 @@ def test_a_file_that_fails_is_explained_by_its_line(
     path = tmp_path / "broken.py"
     path.write_text(content, encoding="utf-8")
     with pytest.raises(SettingsError, match=said):
-        build_agent(AgentSettings(f"{path}:A"))
+        made(f"{path}:A")
 
 
 def test_a_file_hides_no_library_and_sees_what_lies_beside_it(
-    tmp_path: Path, tiny_plan: Callable[..., RunPlan], monkeypatch: pytest.MonkeyPatch
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(sys, "path", [*sys.path])
     (tmp_path / "beside_it.py").write_text("NAME = 'with friends'\n", encoding="utf-8")
@@ -176,31 +158,24 @@ def test_a_file_hides_no_library_and_sees_what_lies_beside_it(
         "    name = beside_it.NAME\n",
         encoding="utf-8",
     )
-    agent_for = build_agent(AgentSettings(f"{tmp_path / 'json.py'}:Mine"))
-    assert agent_for(tiny_plan("stop").episodes[0]).name == "with friends"
+    assert made(f"{tmp_path / 'json.py'}:Mine").name == "with friends"
     assert "JSONDecoder" in dir(sys.modules["json"])
 
 
 def test_a_module_is_found_in_the_current_folder(
-    tmp_path: Path, tiny_plan: Callable[..., RunPlan], monkeypatch: pytest.MonkeyPatch
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(sys, "path", [*sys.path])
     monkeypatch.chdir(tmp_path)
     (tmp_path / "found_here.py").write_text(OWN_AGENT, encoding="utf-8")
-    agent_for = build_agent(AgentSettings("found_here:Mine"))
-    assert agent_for(tiny_plan("stop").episodes[0]).name == "mine"
+    assert made("found_here:Mine").name == "mine"
 
 
 @pytest.mark.parametrize("option", ["model", "base_url", "record", "replay"])
 def test_a_language_model_for_an_agent_without_one_is_refused(option: str) -> None:
     model = ModelSettings(**{option: "x"})
     with pytest.raises(SettingsError, match="asks no language model"):
-        refuse_unused_model(AgentSettings("stop", language_model=model))
-
-
-def test_a_parser_for_an_agent_without_one_is_refused() -> None:
-    with pytest.raises(SettingsError, match="no parser to leave out"):
-        build_agent(AgentSettings("stop", parser=False))
+        choose_agent("stop", model).refuse_unused_model()
 
 
 @pytest.mark.parametrize(
@@ -216,19 +191,14 @@ def test_a_parser_for_an_agent_without_one_is_refused() -> None:
 def test_options_that_an_agent_does_not_have_are_refused(
     own_agents: Path, name: str, options: list[tuple[str, str]], said: str
 ) -> None:
-    settings = AgentSettings(name.format(file=own_agents), options=tuple(options))
     with pytest.raises(SettingsError, match=said):
-        build_agent(settings)
+        made(name.format(file=own_agents), *options)
 
 
-def test_an_agent_of_ones_own_is_made_from_its_options(
-    own_agents: Path, tiny_plan: Callable[..., RunPlan]
-) -> None:
-    episode = tiny_plan("stop").episodes[0]
+def test_an_agent_of_ones_own_is_made_from_its_options(own_agents: Path) -> None:
     name = f"{own_agents}:Optional"
-    assert build_agent(AgentSettings(name))(episode).name == "strides of 0.5"
-    longer = AgentSettings(name, options=(("stride", "2"),))
-    assert build_agent(longer)(episode).name == "strides of 2.0"
+    assert made(name).name == "strides of 0.5"
+    assert made(name, ("stride", "2")).name == "strides of 2.0"
     assert "--set stride=0.5\n        Metres per step." in agent_listing([name])
 
 
@@ -241,7 +211,7 @@ class Picky:
 
 def test_a_class_that_cannot_be_made_is_refused_with_what_to_do() -> None:
     with pytest.raises(
-        SettingsError, match="'Picky': cannot be made without argum"
+        SettingsError, match="Picky': cannot be made without argum"
     ) as e:
-        settings_of(Picky)  # pyright: ignore[reportArgumentType]
+        choose_agent(Picky).make()  # pyright: ignore[reportArgumentType]
     assert str(e.value).endswith("hand over an object instead")

@@ -8,10 +8,14 @@ from typing import Any
 
 import pytest
 
-from memorymaze.agents.code_generation import CodeGenerationRequests
+from memorymaze.agents.agent import prompt_versions
+from memorymaze.agents.code_generation import (
+    CodeGenerationOptions,
+    CodeGenerationRequests,
+)
 from memorymaze.agents.plan_readers import ReaderOptions
 from memorymaze.errors import AnswerFileError, SettingsError
-from memorymaze.evaluation.agent_catalogue import agent_names, agent_options
+from memorymaze.evaluation.agent_catalogue import agent_names, choose_agent
 from memorymaze.evaluation.answers import open_requests, remarks_on
 from memorymaze.evaluation.driver import run_plan
 from memorymaze.evaluation.plan import RunPlan, plan_run
@@ -26,6 +30,8 @@ from memorymaze.language.spending import TokenPrice
 
 TINY_INSTRUCTIONS = Path(__file__).parents[1] / "tiny_instructions.jsonl"
 IDS = [each.id for each in load_instructions([TINY_INSTRUCTIONS])]
+UNPARSED = CodeGenerationOptions(parser=False)
+PARSED = (("parser", "true"),)
 BY_HAND = {"model": "m", "program": "move_forward(3)\nstop()"}
 
 
@@ -57,13 +63,12 @@ def plan(tiny_sites_folder: Path) -> Callable[..., RunPlan]:
     def make(
         answers: Path,
         name: str = "code_generation",
-        parser: bool | None = None,
         options: tuple[tuple[str, str], ...] = (),
         **changes: Any,
     ) -> RunPlan:
         model = ModelSettings(replay=str(answers), **changes)
         return plan_run(
-            AgentSettings(name, parser=parser, options=options, language_model=model),
+            AgentSettings(name, options=options, language_model=model),
             load_corpus([TINY_INSTRUCTIONS], sites=tiny_sites_folder),
         )
 
@@ -74,7 +79,7 @@ def test_programs_by_hand_run_without_a_parser_and_without_an_inference(
     file: Callable[..., Path], plan: Callable[..., RunPlan], tmp_path: Path
 ) -> None:
     planned = plan(file())
-    assert planned.settings.agent.parser is False
+    assert dict(planned.settings.option_values)["parser"] == "false"
     results = run_plan(planned, tmp_path / "run", workers=1)
     assert {(one.agent, one.stopped_by, one.model_calls) for one in results} == {
         ("code_generation[m]", "agent", 0)
@@ -97,7 +102,7 @@ def test_replies_are_counted_at_the_prices_given(
 def test_the_run_says_to_which_prompt_answers_were_given(
     file: Callable[..., Path], plan: Callable[..., RunPlan]
 ) -> None:
-    now = CodeGenerationRequests(parser=False).prompts["program"]
+    now = prompt_versions([CodeGenerationRequests(UNPARSED).program("")])["program"]
     answers = {
         "stage": "program",
         "program": None,
@@ -181,14 +186,14 @@ def test_the_next_request_of_each_episode_is_open(
 ) -> None:
     path = tmp_path / "answers.sqlite"
     AnswerStore(path, make=True).expect("m")
-    asked = list(open_requests(plan(path, parser=True)))
+    asked = list(open_requests(plan(path, options=PARSED)))
     stages = [each.question and each.question.stage for each in asked]
     assert stages == ["parse+parser"] * 12
 
     model = RecordingModel(ScriptedLanguageModel(lambda _: "1. Go.", name="m"), path)
     about = AboutInstruction(model, IDS[0])
     about.complete(asked[0])
-    planned = plan(path, parser=True)
+    planned = plan(path, options=PARSED)
     assert planned.settings.answers is not None
     assert planned.settings.answers.missing == 11
     stages = [e.question and e.question.stage for e in open_requests(planned)]
@@ -201,10 +206,12 @@ ASKING_BEFOREHAND = [
     *(
         pytest.param(name, {"options": READING}, "plan", id=name)
         for name in agent_names()
-        if issubclass(agent_options(name) or object, ReaderOptions)
+        if isinstance(choose_agent(name).recipe.options, ReaderOptions)
     ),
-    pytest.param("code_generation", {"parser": True}, "parse", id="steps first"),
-    pytest.param("code_generation", {"parser": False}, "program", id="programs"),
+    pytest.param("code_generation", {"options": PARSED}, "parse", id="steps first"),
+    pytest.param(
+        "code_generation", {"options": (("parser", "false"),)}, "program", id="programs"
+    ),
 ]
 
 

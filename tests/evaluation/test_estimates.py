@@ -47,7 +47,7 @@ def test_code_generation_is_estimated_by_its_own_requests(
     # 8 replies of 1000 tokens at 10 dollars a million are 0.08; the rest is read.
     assert "about 0.11 USD" in said
     assert "0.35 USD if every reply is as long as it may be" in said
-    alone = str(cost_estimate(plan(replace(ASKING, parser=False))))
+    alone = str(cost_estimate(plan(replace(ASKING, options=(("parser", "false"),)))))
     assert "4 requests" in alone
 
 

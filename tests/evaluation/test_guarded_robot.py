@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 import memorymaze as mm
-from memorymaze.evaluation.agent_catalogue import build_agent
+from memorymaze.evaluation.agent_catalogue import choose_agent
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.episode import EpisodeRun, run_episode
 from memorymaze.evaluation.plan import RunPlan
@@ -31,7 +31,7 @@ def own_agent(tmp_path: Path, tiny_plan: Callable[..., RunPlan]) -> Run:
         path.write_text(AGENT.format(line=line), encoding="utf-8")
         plan = tiny_plan("stop")
         settings = replace(plan.settings, agent=AgentSettings(f"{path}:Mine"))
-        agent = build_agent(settings.agent)(plan.episodes[0])
+        agent = choose_agent(settings.agent).make().agent
         arena = Arena(plan.sites["corridor"])
         return run_episode(agent, plan.episodes[0], arena, settings)
 
@@ -87,7 +87,7 @@ def test_all_that_the_control_api_has_reaches_the_robot(
 @pytest.mark.parametrize(
     ("needs", "line", "said"),
     [
-        ({"language_model"}, "robot.camera_picture(32, 24)", "declare 'camera'"),
+        ({"steps"}, "robot.camera_picture(32, 24)", "declare 'camera'"),
         ({"camera"}, "robot.rotate(0.5)", "needs = {'camera'}; add 'steps'"),
         ({"camera"}, "robot.step_forward(1.0)", "robot.step_forward is for agents"),
         (
@@ -95,7 +95,7 @@ def test_all_that_the_control_api_has_reaches_the_robot(
             "robot.rotate(robot.camera_picture(9, 9).rgb.ndim)",
             None,
         ),
-        ({"language_model"}, "robot.lidar_scan()", None),
+        ({"steps"}, "robot.lidar_scan()", None),
         (set(), "robot.rotate(robot.camera_picture(9, 9).rgb.ndim)", None),
     ],
 )

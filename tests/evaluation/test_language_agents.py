@@ -14,8 +14,7 @@ import pytest
 from memorymaze.errors import SettingsError, SpendingLimitReached
 from memorymaze.evaluation.agent_catalogue import (
     agent_names,
-    agent_needs,
-    build_agent,
+    choose_agent,
 )
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.driver import run_plan
@@ -36,6 +35,7 @@ from memorymaze.language.model_settings import (
 from memorymaze.language.scripted_model import ScriptedLanguageModel
 from memorymaze.language.spending import TokenPrice
 
+UNPARSED = (("parser", "false"),)
 TINY_INSTRUCTIONS = Path(__file__).parents[1] / "tiny_instructions.jsonl"
 
 PROGRAM = """```python
@@ -97,7 +97,7 @@ def test_a_recorded_run_is_replayed_without_a_server(
     replies = str(tmp_path / "replies.sqlite")
     asking = AgentSettings(
         "code_generation",
-        parser=False,
+        options=UNPARSED,
         language_model=ModelSettings(model="fake", base_url=server, record=replies),
     )
     asked = run_plan(plan(asking, 3), tmp_path / "asked", workers=1)
@@ -116,7 +116,7 @@ def test_a_recorded_run_is_replayed_without_a_server(
     assert [replace(one, wall_s=0) for one in replayed] == [
         replace(one, wall_s=0) for one in asked
     ]
-    parsing = replace(replaying, parser=True)
+    parsing = replace(replaying, options=(("parser", "true"),))
     other = run_plan(plan(parsing, 3), tmp_path / "other", workers=1)
     assert {one.stopped_by for one in other} == {"model_error"}
     assert all("no reply of fake is recorded" in str(one.error) for one in other)
@@ -124,14 +124,14 @@ def test_a_recorded_run_is_replayed_without_a_server(
 
 def _asking(server: str | None, **changes: Any) -> AgentSettings:
     model = ModelSettings(model="fake", base_url=server, **changes)
-    return AgentSettings("code_generation", parser=False, language_model=model)
+    return AgentSettings("code_generation", options=UNPARSED, language_model=model)
 
 
 def _first(plan: RunPlan) -> EpisodeResult:
     """Run the first episode of a plan in this process."""
     episode = plan.episodes[0]
     arena = Arena(plan.sites[episode.instruction.site])
-    agent = build_agent(plan.settings.agent)(episode)
+    agent = plan.ready.in_episode(episode)
     return run_episode(agent, episode, arena, plan.settings).result
 
 
@@ -253,9 +253,9 @@ def first_listed(request: CompletionRequest) -> str:
 
 
 def test_navgpt_is_the_only_agent_with_a_graph() -> None:
-    assert [
-        name for name in agent_names() if "graph" in agent_needs(AgentSettings(name))
-    ] == ["navgpt"]
+    assert [name for name in agent_names() if "graph" in choose_agent(name).needs] == [
+        "navgpt"
+    ]
 
 
 def test_a_recorded_run_gives_the_same_results_without_a_model(
@@ -264,18 +264,18 @@ def test_a_recorded_run_gives_the_same_results_without_a_model(
     replies = tmp_path / "replies.sqlite"
     model = RecordingModel(ScriptedLanguageModel(first_listed, name="m"), replies)
     monkeypatch.setattr(
-        "memorymaze.evaluation.language_agents.build_language_model", lambda _: model
+        "memorymaze.evaluation.agent_catalogue.build_language_model", lambda _: model
     )
     plan = tiny_plan("stop", limit=4)
     settings = AgentSettings("navgpt", language_model=ModelSettings(model="m"))
-    asked = replace(plan, settings=replace(plan.settings, agent=settings))
-    agent = build_agent(settings)(plan.episodes[0])
-    assert agent.name == "navgpt[m]+fair"
+    needs = ("graph", "language_model")
+    asked = replace(plan, settings=replace(plan.settings, agent=settings, needs=needs))
+    assert choose_agent(settings).make().agent.name == "navgpt[m]+fair"
     recorded = _results(asked, tmp_path / "recorded")
     monkeypatch.undo()
     again = replace(settings, language_model=ModelSettings(replay=str(replies)))
     replayed = _results(
-        replace(plan, settings=replace(plan.settings, agent=again)),
+        replace(asked, settings=replace(asked.settings, agent=again)),
         tmp_path / "replayed",
     )
     assert recorded == replayed
@@ -323,4 +323,4 @@ def test_settings_that_cannot_be_used_are_refused_before_the_run(
     settings: AgentSettings, message: str
 ) -> None:
     with pytest.raises(SettingsError, match=message):
-        build_agent(settings)
+        choose_agent(settings).make()

@@ -18,9 +18,8 @@ from memorymaze.agents.agent import Journal
 from memorymaze.agents.navid import NavidAgent, NavidOptions
 from memorymaze.agents.navid.motions import Motions
 from memorymaze.errors import EpisodeOver, SettingsError
-from memorymaze.evaluation.agent_catalogue import build_agent
-from memorymaze.evaluation.budgets import stepping_time_budget
-from memorymaze.evaluation.language_agents import NavidOnSite
+from memorymaze.evaluation.agent_catalogue import choose_agent
+from memorymaze.evaluation.budgets import fair_limits, stepping_time_budget
 from memorymaze.evaluation.navigation import navigate
 from memorymaze.evaluation.settings import AgentSettings
 from memorymaze.geometry.pose import turn_between
@@ -89,9 +88,10 @@ def blind_robot() -> Callable[[Site, Route], SimulatedRobot]:
 
 def walked(robot: SimulatedRobot, route: Route, **options: Any) -> str:
     """Walk the true path within a budget; return what ended it."""
-    agent = NavidOnSite(NavidAgent(TruePath(robot, route), NavidOptions(**options)))
+    agent = NavidAgent(NavidOptions(**options), TruePath(robot, route))
+    journal = Journal(limits=fair_limits(robot.scene.site.routes))
     with pytest.raises(EpisodeOver) as over:
-        agent.follow("Go.", robot, Journal(), np.random.default_rng(0))
+        agent.follow("Go.", robot, journal, np.random.default_rng(0))
     return over.value.stopped_by
 
 
@@ -229,4 +229,4 @@ for step in range(3):
 )
 def test_what_cannot_be_made_is_explained(settings: Any, said: str) -> None:
     with pytest.raises(SettingsError, match=said):
-        build_agent(AgentSettings("navid", **settings))
+        choose_agent(AgentSettings("navid", **settings)).make()

@@ -7,7 +7,6 @@ from typing import Any
 
 import pytest
 
-from memorymaze.evaluation.agent_catalogue import build_agent
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.episode import run_episode
 from memorymaze.evaluation.plan import plan_run
@@ -41,7 +40,7 @@ def _run(folder: Path, corpus: Corpus, **settings: Any) -> Path:
         for episode in plan.episodes:
             site = plan.sites[episode.instruction.site]
             arena = Arena(site, plan.settings.obstacles)
-            agent = build_agent(plan.settings.agent)(episode)
+            agent = plan.ready.in_episode(episode)
             done = run_episode(agent, episode, arena, plan.settings)
             keep_trace(folder, episode.id, trace_content(done.trace))
             run.add(done.result)

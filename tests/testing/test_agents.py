@@ -7,17 +7,15 @@ import numpy as np
 import pytest
 
 from memorymaze.agents.agent import Agent, Journal
-from memorymaze.agents.code_generation import CodeGenerationAgent
+from memorymaze.agents.code_generation import CodeGenerationAgent, CodeGenerationOptions
 from memorymaze.agents.explorer import ExplorerAgent
 from memorymaze.agents.guide import GuideAgent
 from memorymaze.agents.navgpt import NavGPTAgent, NavGPTOptions
-from memorymaze.agents.navid import NavidAgent
+from memorymaze.agents.navid import NavidAgent, NavidOptions
 from memorymaze.agents.rules import RulesAgent
-from memorymaze.agents.see_and_go import SeeAndGoAgent
+from memorymaze.agents.see_and_go import SeeAndGoAgent, SeeAndGoOptions
 from memorymaze.agents.stop import StopAgent
 from memorymaze.errors import EpisodeOver
-from memorymaze.evaluation.graph_agents import NavGPTOnGraph
-from memorymaze.evaluation.language_agents import NavidOnSite
 from memorymaze.evaluation.oracle import OracleAgent
 from memorymaze.geometry.pose import Pose
 from memorymaze.language.model import CompletionRequest
@@ -55,7 +53,8 @@ def test_every_agent_keeps_the_contract(make: Callable[[], Agent]) -> None:
 
 @pytest.mark.parametrize("parser", [True, False])
 def test_the_code_generation_agent_keeps_the_contract(parser: bool) -> None:
-    check_agent(CodeGenerationAgent(ScriptedLanguageModel(answer), parser=parser))
+    options = CodeGenerationOptions(parser=parser)
+    check_agent(CodeGenerationAgent(options, ScriptedLanguageModel(answer)))
 
 
 @pytest.fixture
@@ -73,8 +72,8 @@ def test_an_agent_that_goes_by_single_steps_keeps_the_contract(
     make_robot: Callable[[], SteppingRobot], reply: str
 ) -> None:
     model = ScriptedLanguageModel(lambda _: reply)
-    check_agent(NavidAgent(model), make_robot)
-    check_agent(SeeAndGoAgent(model), make_robot)
+    check_agent(NavidAgent(NavidOptions(), model), make_robot)
+    check_agent(SeeAndGoAgent(SeeAndGoOptions(), model), make_robot)
 
 
 @pytest.mark.parametrize(
@@ -93,9 +92,9 @@ def test_agents_that_are_given_more_of_the_site_keep_the_contract(
     silent = ScriptedLanguageModel(lambda _: "Thought: There.\nFinal Answer: arrived")
     turning = ScriptedLanguageModel(lambda _: "turn left 90 degrees")
     for agent in (
-        OracleAgent([(2, 0), (9, 0)]),
-        NavGPTOnGraph(NavGPTAgent(silent, NavGPTOptions())),
-        NavidOnSite(NavidAgent(turning)),
+        OracleAgent(),
+        NavGPTAgent(NavGPTOptions(), silent),
+        NavidAgent(NavidOptions(), turning),
     ):
         check_agent(agent, make_robot)
 

@@ -3,9 +3,9 @@
 import contextlib
 import math
 import operator
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, Literal, Protocol
+from typing import Any, Literal, Protocol, runtime_checkable
 
 import numpy as np
 
@@ -24,6 +24,62 @@ TOLD_AGAIN = "\n\nTold once more:\n\n"
 
 ARRIVAL, GAVE_UP = "arrival", "gave_up"
 """Kinds of notes by which an agent says at the end whether it is there."""
+
+
+@dataclass(frozen=True, slots=True)
+class FairLimits:
+    """What the budget `fair` allows on a site.
+
+    It goes by the longest of all its routes: the same in every episode there, so it tells
+    nothing of the route of one.
+    """
+
+    requests: int
+    """To a model, in an episode: two for each 2.25 m, and at least 10."""
+    steps: Mapping[int, int]
+    """Primitive motions by the degrees of a turn, 15 or 30: three times those of a walk
+    without a mistake, in steps of 25 cm."""
+
+
+@dataclass(frozen=True, slots=True)
+class Asking:
+    """What an agent will ask its language model about a text, as far as it can tell."""
+
+    prompts: Mapping[str, str] = field(default_factory=dict[str, str])
+    """Versions of its prompts by stage, which recorded answers are compared with."""
+    beforehand: bool = False
+    """Whether all is asked before the robot moves, so that a check needs no building."""
+    requests: Sequence[CompletionRequest] | None = None
+    """All of them, for an estimate of what they cost; None where it asks on its way."""
+    stride: tuple[float, float] | None = None
+    """Of one that asks for every motion: metres ahead, and degrees of a turn, that an
+    answer moves the robot by at most."""
+    most: int | None = None
+    """Requests of an episode at most, of one that asks for every motion."""
+
+
+@runtime_checkable
+class AsksModel(Protocol):
+    """An agent that tells what it will ask, so that a run can say it before it begins."""
+
+    def asking(self, instruction: str, limits: FairLimits | None) -> Asking:
+        """Tell what it will ask about a text; `limits` are those of the site, if any."""
+        ...
+
+
+def asking_of(
+    agent: object, instruction: str, limits: FairLimits | None = None
+) -> Asking:
+    """Return what an agent will ask about a text; nothing is known of one that is silent."""
+    if isinstance(agent, AsksModel):
+        return agent.asking(instruction, limits)
+    return Asking()
+
+
+def prompt_versions(requests: Iterable[CompletionRequest]) -> dict[str, str]:
+    """Return the versions of the prompts of requests, by stage."""
+    questions = (each.question for each in requests)
+    return {each.stage: each.prompt for each in questions if each is not None}
 
 
 @dataclass
@@ -45,6 +101,8 @@ class Journal:
     listener: Callable[[dict[str, Any]], None] | None = None
     on_completion: Callable[[Completion], float] | None = None
     """Lets the time of a reply pass for the robot; returns the simulated seconds."""
+    limits: FairLimits | None = None
+    """What the run calls fair where the robot is; None outside of runs."""
 
     def __setattr__(self, name: str, value: Any) -> None:
         """Refuse what could not be added up, in the line that assigns it."""

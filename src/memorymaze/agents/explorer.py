@@ -8,11 +8,12 @@ from itertools import islice
 import numpy as np
 
 from memorymaze.agents.agent import Journal
-from memorymaze.agents.plan_readers import PlanReader, ReaderOptions, ReadsFirst
+from memorymaze.agents.plan_readers import ReaderOptions, ReadsFirst
 from memorymaze.agents.rules.arriving import approach
 from memorymaze.agents.walking.floor_map import Sighting
 from memorymaze.agents.walking.walker import BACK, Walker
 from memorymaze.geometry.pose import wrap_angle
+from memorymaze.language.model import LanguageModel
 from memorymaze.options import check_number
 from memorymaze.robot.api import Robot
 from memorymaze.routes import Arrival
@@ -42,12 +43,14 @@ class ExplorerAgent(ReadsFirst):
     on a sign or as a thing. What it reaches needs no description of the way.
     """
 
+    Options = ExplorerOptions
+
     def __init__(
-        self, options: ExplorerOptions | None = None, reader: PlanReader | None = None
+        self, options: ExplorerOptions | None = None, model: LanguageModel | None = None
     ) -> None:
-        """Make the agent with its options, and what reads; that of the options when None."""
+        """Make the agent with its options, and a model where one reads."""
         self.options = options or ExplorerOptions()
-        super().__init__(self.options, reader)
+        super().__init__(self.options, model)
 
     @property
     def name(self) -> str:

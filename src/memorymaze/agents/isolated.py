@@ -13,19 +13,29 @@ import pickle
 import signal
 import sys
 from collections.abc import Callable, Sequence
-from functools import partial
 from multiprocessing.connection import Connection
 from pathlib import Path
-from typing import Any, cast
+from typing import Any, NamedTuple, cast
 
 import cloudpickle
 import numpy as np
 
 from memorymaze.agents.agent import AMOUNTS, COUNTS, Agent, Journal
 from memorymaze.agents.failures import failure_line, failure_traceback
-from memorymaze.agents.own_agents import make_own_agent
-from memorymaze.errors import EpisodeOver, MemoryMazeError, SettingsError
-from memorymaze.language.model import Completion
+from memorymaze.errors import (
+    EpisodeOver,
+    LanguageModelError,
+    MemoryMazeError,
+    SettingsError,
+)
+from memorymaze.language.model import (
+    Completion,
+    CompletionRequest,
+    LanguageModel,
+    stages_answered,
+    takes_grammar,
+    takes_pictures,
+)
 from memorymaze.processes import die_with_parent, main_left_out
 from memorymaze.robot.api import Robot
 from memorymaze.robot.steps import SteppingRobot
@@ -58,6 +68,24 @@ class IsolatedAgentError(MemoryMazeError):
     """Stands for what an agent raised in its own process; the message is its line."""
 
 
+class _Told(NamedTuple):
+    """What a model says of itself."""
+
+    name: str
+    takes_grammar: bool
+    takes_pictures: bool
+    stages_answered: frozenset[str]
+
+    @classmethod
+    def of(cls, model: LanguageModel) -> "_Told":
+        return cls(
+            model.name,
+            takes_grammar(model),
+            takes_pictures(model),
+            stages_answered(model),
+        )
+
+
 class IsolatedAgent:
     """Stands for an agent in a process of its own, which starts with the first episode.
 
@@ -66,27 +94,26 @@ class IsolatedAgent:
 
     def __init__(
         self,
-        name: str,
-        options: tuple[tuple[str, str], ...],
         agent: Agent,
+        make: Callable[[LanguageModel | None], Agent],
+        model: LanguageModel | None = None,
         kept_from: Sequence[str | Path] = (),
-        *,
-        by_name: bool,
     ) -> None:
         """Stand for an agent that may not read some files and folders.
 
-        With `by_name` it is made there by its name and options; else it is sent as it is.
+        `make` makes it there, with what asks the model, which stays here; `agent` is one
+        that was made here.
         """
         self.name = agent.name
+        self._model = model
         self._kept_from = tuple(str(Path(place).absolute()) for place in kept_from)
         self._process: Any = None
         self._connection: Connection | None = None
-        make = partial(make_own_agent, name, options) if by_name else lambda: agent
         try:
             self._maker = cloudpickle.dumps(make)
         except Exception as error:
             raise SettingsError(
-                f"--isolate: the agent {name!r} cannot be sent to a process of its own "
+                f"--isolate: the agent {agent.name!r} cannot be sent to a process of its own "
                 f"({failure_line(error)})"
             ) from error
 
@@ -112,13 +139,15 @@ class IsolatedAgent:
         """Answer until the episode is over; return how it ended, and what was spent."""
         connection = self._started()
         names = frozenset(name for name in dir(robot) if not name.startswith("_"))
-        connection.send((instruction, names, rng))
+        connection.send((instruction, names, rng, journal.limits))
         while True:
             match connection.recv():
                 case "call", content:
                     connection.send(_answer(robot, names, *content))
                 case "note", content:
                     journal.note(content.pop("kind"), **content)
+                case "ask", request:
+                    connection.send(self._completed(request))
                 case "completion", content:
                     stand = journal.on_completion
                     connection.send(0.0 if stand is None else stand(content))
@@ -128,6 +157,15 @@ class IsolatedAgent:
                     raise IsolatedAgentError(
                         f"expected a call of the robot, got {type(other).__name__}"
                     )
+
+    def _completed(self, request: CompletionRequest) -> tuple[str, Any]:
+        if self._model is None:
+            raise IsolatedAgentError("the agent has no language model to ask")
+        try:
+            return "value", self._model.complete(request)
+        except LanguageModelError as problem:
+            # Its subclasses hold what a message cannot carry.
+            return "error", LanguageModelError(*problem.args)
 
     def _give_up(self) -> None:
         if self._connection is not None:
@@ -144,7 +182,9 @@ class IsolatedAgent:
             with main_left_out():
                 self._process.start()
             theirs.close()
-            self._connection.send((self._maker, self._kept_from))
+            model = self._model
+            told = None if model is None else _Told.of(model)
+            self._connection.send((self._maker, told, self._kept_from))
         return self._connection
 
 
@@ -212,26 +252,43 @@ class _FarRobot:
         return call
 
 
+class _FarModel:
+    """Passes every request on to the model, and waits for the answer."""
+
+    def __init__(self, connection: Connection, told: _Told) -> None:
+        self._connection = connection
+        self.name = told.name
+        self.takes_grammar = told.takes_grammar
+        self.takes_pictures = told.takes_pictures
+        self.stages_answered = told.stages_answered
+
+    def complete(self, request: CompletionRequest) -> Completion:
+        self._connection.send(("ask", request))
+        return _take(*self._connection.recv())
+
+
 def _live(connection: Connection) -> None:
     """Make the agent and let it follow, episode after episode."""
     die_with_parent()
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    maker, kept_from = connection.recv()
+    make, told, kept_from = connection.recv()
+    model = None if told is None else _FarModel(connection, told)
     sys.addaudithook(_keeper(kept_from))
     agent: Agent | None = None
     while True:
         try:
-            instruction, names, rng = connection.recv()
+            instruction, names, rng, limits = connection.recv()
         except (EOFError, OSError):
             return
         journal = Journal(
             listener=lambda entry: connection.send(("note", dict(entry))),
             on_completion=lambda reply: _stood(connection, reply),
+            limits=limits,
         )
         end: tuple[str, Any] = "value", None
         try:
             if agent is None:
-                agent = cast(Agent, pickle.loads(maker)())
+                agent = cast(Agent, pickle.loads(make)(model))
             robot = cast(SteppingRobot, _FarRobot(connection, names))
             agent.follow(instruction, robot, journal, rng)
         except Exception as problem:

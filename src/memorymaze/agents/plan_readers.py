@@ -10,9 +10,16 @@ from dataclasses import dataclass
 from itertools import count
 from typing import Literal
 
-from memorymaze.agents.agent import Journal, Need, tellings_of
+from memorymaze.agents.agent import (
+    Asking,
+    FairLimits,
+    Journal,
+    Need,
+    prompt_versions,
+    tellings_of,
+)
 from memorymaze.agents.asking import ask_until_read, object_in
-from memorymaze.errors import PlanFileError
+from memorymaze.errors import PlanFileError, SettingsError
 from memorymaze.input_files import parse_record
 from memorymaze.language.model import (
     CompletionRequest,
@@ -35,11 +42,6 @@ class PlanReader(ABC):
     def variant(self) -> str:
         """What tells an agent with this reader from one with the grammar: `[model]`."""
         return ""
-
-    @property
-    def prompts(self) -> dict[str, str]:
-        """The versions of its prompts, by stage."""
-        return {}
 
     def requests_expected(self, instruction: str) -> list[CompletionRequest]:
         """Return what it will ask."""
@@ -99,11 +101,6 @@ class ModelReader(PlanReader):
         self._question = Question("plan", prompt_version(self._prompt))
 
     @property
-    def prompts(self) -> dict[str, str]:
-        """The version of its prompt, by stage."""
-        return {"plan": self._question.prompt}
-
-    @property
     def variant(self) -> str:
         """`[model]`."""
         return f"[{self._model.name}]"
@@ -144,25 +141,32 @@ class ReaderOptions:
 
 
 class ReadsFirst:
-    """An agent that reads its instruction before it moves; what runs ask it about that."""
+    """An agent that reads its instruction before it moves, as its options say."""
 
-    def __init__(self, options: ReaderOptions, reader: PlanReader | None) -> None:
-        """Take a reader, or that of the options."""
-        other = WrittenPlanReader() if options.reader == "plan" else GrammarReader()
-        self.reader = reader or other
-        self.asks_beforehand = True
-        """Whether nothing is asked on the way."""
+    def __init__(self, options: ReaderOptions, model: LanguageModel | None) -> None:
+        """Make the reader of the options, with the model where they need one."""
+        if ("language_model" in options.needs) != (model is not None):
+            wanted = "one" if model is None else "none"
+            got = "none" if model is None else model.name
+            raise SettingsError(
+                "expected a language model if the agent's options need one, and only then; "
+                f"these need {wanted}, got {got}"
+            )
+        self.reader = _reader(options, model)
 
-    @property
-    def prompts(self) -> dict[str, str]:
-        """The versions of its reader's prompts, by stage."""
-        return self.reader.prompts
-
-    def requests_expected(self, instruction: str) -> list[CompletionRequest] | None:
-        """Return what its reader will ask; None where that is not all it asks."""
+    def asking(self, instruction: str, limits: FairLimits | None) -> Asking:
+        """Tell what its reader will ask; nothing else is asked on the way."""
         told = tellings_of(instruction)
         asked = [each for one in told for each in self.reader.requests_expected(one)]
-        return asked if self.asks_beforehand else None
+        return Asking(prompt_versions(asked), beforehand=True, requests=asked)
+
+
+def _reader(options: ReaderOptions, model: LanguageModel | None) -> PlanReader:
+    if options.reader == "plan":
+        return WrittenPlanReader()
+    if options.reader == "grammar" or model is None:
+        return GrammarReader()
+    return ModelReader(model)
 
 
 def read_plan_reply(reply: str) -> RoutePlan:

@@ -13,17 +13,18 @@ from typing import ClassVar
 
 import numpy as np
 
-from memorymaze.agents.agent import Journal, Need
+from memorymaze.agents.agent import Asking, FairLimits, Journal, Need
 from memorymaze.agents.asking import ask_until_read
 from memorymaze.agents.navid.motions import Command, Motions, frame_name
 from memorymaze.agents.navid.replies import read_reply, reply_grammar
-from memorymaze.errors import EpisodeOver
+from memorymaze.errors import EpisodeOver, SettingsError
 from memorymaze.language.model import (
     CompletionRequest,
     LanguageModel,
     Message,
     Picture,
     Question,
+    takes_pictures,
 )
 from memorymaze.language.prompt_texts import load_prompt, prompt_version
 from memorymaze.options import check_least, check_number
@@ -40,8 +41,8 @@ class SeeAndGoOptions:
     """What can be set of the agent."""
 
     requests: int | None = None
-    """Requests in an episode at most; none for as many as NavGPT has with the budget
-    `fair`: two for each 2.25 m of the site's longest route."""
+    """Requests in an episode at most; none for as many as the run calls fair: two for
+    each 2.25 m of the site's longest route."""
     failures: int = 10
     """Moves in a row that bring the robot not ahead, after which the episode ends as
     `stuck`."""
@@ -61,13 +62,17 @@ class SeeAndGoOptions:
 class SeeAndGoAgent:
     """Follows an instruction by asking a vision-language model for each next move."""
 
+    Options = SeeAndGoOptions
     needs: ClassVar[frozenset[Need]] = frozenset({"language_model", "camera", "steps"})
 
-    def __init__(
-        self, model: LanguageModel, options: SeeAndGoOptions | None = None
-    ) -> None:
-        """Prepare to ask a model, with options; the defaults when None."""
-        self.options = options or SeeAndGoOptions()
+    def __init__(self, options: SeeAndGoOptions, model: LanguageModel) -> None:
+        """Prepare to ask a model, which must see pictures."""
+        if not takes_pictures(model):
+            raise SettingsError(
+                f"--model {model.name}: models that run here see no pictures; name a "
+                "vision model on a server (--base-url)"
+            )
+        self.options = options
         self._model = model
         forward, turn = (
             ", ".join(map(str, MOTIONS.amounts(motion)))
@@ -75,8 +80,7 @@ class SeeAndGoAgent:
         )
         self._rules = load_prompt("see_and_go_rules", forward=forward, turn=turn)
         step = load_prompt("see_and_go_step", instruction="", steps="")
-        self.prompts = {"move": prompt_version(self._rules, step)}
-        """Version of the prompt, which answers in files are compared with."""
+        self._version = prompt_version(self._rules, step)
 
     @property
     def name(self) -> str:
@@ -86,21 +90,27 @@ class SeeAndGoAgent:
         told += [f"+memory={given.memory}"] if given.memory != 10 else []
         return f"see_and_go[{self._model.name}]{''.join(told)}"
 
+    def asking(self, instruction: str, limits: FairLimits | None) -> Asking:
+        """Tell with which prompt it asks, how often, and how far an answer gets it."""
+        return Asking(
+            {"move": self._version},
+            stride=(MOTIONS.most * MOTIONS.forward_m, MOTIONS.most * MOTIONS.turn_deg),
+            most=self._most(limits),
+        )
+
     def follow(
         self,
         instruction: str,
         robot: SteppingRobot,
         journal: Journal,
         rng: np.random.Generator,
-        requests: int | None = None,
     ) -> None:
         """Look, ask and go until the model says stop, is out of requests, or stuck.
 
-        Notes in the journal: `move` for each, with what the model said. Where the options
-        leave it open, there are `requests` at most; None is no limit. The generator gives
-        the episode a number, by which its pictures are named.
+        Notes in the journal: `move` for each, with what the model said. The generator
+        gives the episode a number, by which its pictures are named.
         """
-        numbers = _numbers(self.options.requests or requests)
+        numbers = _numbers(self._most(journal.limits))
         steps = deque[str](maxlen=self.options.memory)
         episode = str(rng.integers(2**31))
         place, still = frame_name(episode, "", "start"), 0
@@ -121,6 +131,10 @@ class SeeAndGoAgent:
             place = frame_name(episode, place, done)
         raise EpisodeOver("stuck")
 
+    def _most(self, fair: FairLimits | None) -> int | None:
+        """Return the requests of an episode at most; None where nothing limits them."""
+        return self.options.requests or (None if fair is None else fair.requests)
+
     def _ask(
         self, task: str, view: Picture, numbers: Iterator[int], journal: Journal
     ) -> tuple[Command, str]:
@@ -131,7 +145,7 @@ class SeeAndGoAgent:
             max_tokens=self.options.max_tokens,
             grammar=reply_grammar(MOTIONS),
         )
-        question = Question("move", self.prompts["move"])
+        question = Question("move", self._version)
         return ask_until_read(
             self._model, journal, request, question, numbers, _read_move
         )

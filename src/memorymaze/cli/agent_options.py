@@ -37,11 +37,6 @@ def add_agent_options(parser: argparse.ArgumentParser) -> None:
     )
     model = parser.add_argument_group("language model")
     add_flags(model.add_argument, ModelSettings)
-    model.add_argument(
-        "--no-parser",
-        action="store_true",
-        help="write the program from the instruction itself, without parsing it first",
-    )
 
 
 WHICH_EPISODES = ("limit", "split", "shard", "second_telling")
@@ -75,15 +70,10 @@ def episode_settings(options: argparse.Namespace, base: "RunSettings") -> "RunSe
 
 def agent_settings(options: argparse.Namespace) -> "AgentSettings":
     """Return the agent that the options ask for."""
-    from memorymaze.evaluation.agent_catalogue import has_parser
     from memorymaze.evaluation.settings import AgentSettings
 
-    parser: bool | None = None
-    if options.no_parser or (has_parser(options.agent) and options.replay is None):
-        parser = not options.no_parser
     return AgentSettings(
         name=options.agent,
-        parser=parser,
         language_model=read_flags(ModelSettings, given_flags(options, ModelSettings)),
         options=given_options(options.set),
     )

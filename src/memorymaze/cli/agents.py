@@ -54,27 +54,19 @@ def agent_listing(names: Sequence[str]) -> str:
 
 def _paragraph(name: str) -> Iterator[str]:
     from memorymaze.errors import SettingsError
-    from memorymaze.evaluation.agent_catalogue import (
-        agent_needs,
-        agent_options,
-        has_parser,
-        known_agent,
-    )
-    from memorymaze.evaluation.settings import AgentSettings
+    from memorymaze.evaluation.agent_catalogue import choose_agent, shipped_agent
     from memorymaze.options import list_options
 
     own = ":" in name
-    yield f"{name}: {'an agent of your own' if own else known_agent(name).summary}"
-    for need in sorted(agent_needs(AgentSettings(name))):
+    recipe = choose_agent(name).recipe
+    yield f"{name}: {'an agent of your own' if own else shipped_agent(name).summary}"
+    for need in sorted(recipe.needs):
         yield f"  needs {NEEDS[need]}"
-    if has_parser(name):
-        yield "  parses instructions first, unless --no-parser is given"
-    kind = agent_options(name)
-    if kind is None:
+    if recipe.options is None:
         yield "  no options"
         return
     try:
-        listed = list_options(kind)
+        listed = list_options(type(recipe.options))
     except TypeError as error:
         raise SettingsError(f"agent {name!r}: its options: {error}") from None
     for option in listed:

@@ -95,11 +95,6 @@ def _add_what(parser: argparse.ArgumentParser, agent: str | None) -> None:
         help=f"whose requests{default}",
     )
     parser.add_argument(
-        "--no-parser",
-        action="store_true",
-        help="ask for programs from the instructions themselves",
-    )
-    parser.add_argument(
         "--set",
         metavar="NAME=VALUE",
         action="append",
@@ -116,7 +111,7 @@ def _add_what(parser: argparse.ArgumentParser, agent: str | None) -> None:
     )
 
 
-def _plan(options: argparse.Namespace, answers: str, parser: bool | None) -> "RunPlan":
+def _plan(options: argparse.Namespace, answers: str) -> "RunPlan":
     from memorymaze.cli.agent_options import episode_settings
     from memorymaze.evaluation.plan import plan_run, settings_for
     from memorymaze.evaluation.settings import AgentSettings
@@ -127,7 +122,6 @@ def _plan(options: argparse.Namespace, answers: str, parser: bool | None) -> "Ru
     return plan_run(
         AgentSettings(
             name=options.agent,
-            parser=parser,
             language_model=ModelSettings(model=options.model, replay=answers),
             options=given_options(options.set),
         ),
@@ -138,18 +132,16 @@ def _plan(options: argparse.Namespace, answers: str, parser: bool | None) -> "Ru
 
 def _write_requests(options: argparse.Namespace) -> int:
     from memorymaze.durable_files import write_new
-    from memorymaze.evaluation.agent_catalogue import has_parser
     from memorymaze.evaluation.answers import open_requests
     from memorymaze.language.answer_store import AnswerStore
     from memorymaze.language.batch_files import request_line
 
     store = AnswerStore(options.store, make=True)
     store.expect(options.model)
-    parser = not options.no_parser if has_parser(options.agent) else None
     length = "max_completion_tokens" if options.max_completion_tokens else "max_tokens"
     asked = {
         store.ask(options.model, request): request
-        for request in open_requests(_plan(options, options.store, parser))
+        for request in open_requests(_plan(options, options.store))
     }
     lines = [
         request_line(identifier, options.model, request, length_field=length)
@@ -195,7 +187,7 @@ def _check(options: argparse.Namespace) -> int:
     from memorymaze.evaluation.answers import remarks_on
 
     try:
-        plan = _plan(options, options.file, False if options.no_parser else None)
+        plan = _plan(options, options.file)
     except AnswerFileError as error:
         print(f"{error}\nthe file cannot be run so")
         return 1

@@ -68,7 +68,7 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
 
 def _run(options: argparse.Namespace) -> int:
     from memorymaze.errors import SettingsError
-    from memorymaze.evaluation.agent_catalogue import build_agent
+    from memorymaze.evaluation.agent_catalogue import choose_agent
     from memorymaze.evaluation.settings import AgentSettings, RunSettings
     from memorymaze.sites import load_site, load_sites
 
@@ -101,7 +101,7 @@ def _run(options: argparse.Namespace) -> int:
     plans = [site.source for site in sites.values()]
     for agent in (GUIDE, *beside):
         # What cannot be made is refused before a visitor waits for it.
-        build_agent(agent, isolate=settings.isolate, kept_from=plans)
+        choose_agent(agent).make(isolate=settings.isolate, kept_from=plans)
     hosts = THIS_MACHINE if options.host in THIS_MACHINE else None
     with Visits(settings, beside, most=options.robots) as visits:
         app = make_app(TryPages(visits, sites).routes(), ROOM, hosts=hosts)

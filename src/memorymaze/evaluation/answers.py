@@ -9,13 +9,12 @@ from typing import Any, Literal, cast
 
 import numpy as np
 
-from memorymaze.agents.agent import Agent, Journal
+from memorymaze.agents.agent import Agent, Journal, asking_of
 from memorymaze.errors import (
     EpisodeOver,
     LanguageModelError,
     ProgramError,
 )
-from memorymaze.evaluation.agent_catalogue import build_agent
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.episode import run_episode
 from memorymaze.evaluation.people_to_ask import model_of_people
@@ -38,7 +37,6 @@ def open_requests(plan: RunPlan) -> Iterator[CompletionRequest]:
 
     Agents that ask all they ask before the robot moves are not put into a simulation.
     """
-    agent_for = build_agent(plan.settings.agent)
     settings = plan.settings
     eyes = Eyes(settings.detector, settings.signs)
     people = model_of_people(settings, settings.agent)
@@ -47,11 +45,13 @@ def open_requests(plan: RunPlan) -> Iterator[CompletionRequest]:
         for name, site in plan.sites.items()
     }
     for episode in plan.episodes:
-        agent = _Inquirer(agent_for(episode))
+        agent = _Inquirer(plan.ready.in_episode(episode), episode)
         if agent.asks_beforehand:
             _follow_nowhere(agent, episode, Journal())
         else:
-            run_episode(agent, episode, arenas[episode.instruction.site], settings)
+            arena = arenas[episode.instruction.site]
+            captions = plan.ready.captions
+            run_episode(agent, episode, arena, settings, captions=captions)
         if agent.open is not None:
             yield agent.open
 
@@ -70,7 +70,6 @@ def remarks_on(plan: RunPlan) -> Iterator[Remark]:
 
     Only agents that ask beforehand tell; programs are checked, not run.
     """
-    agent_for = build_agent(plan.settings.agent)
     known = {episode.instruction.id for episode in plan.episodes}
     places: dict[str, str] = {}
     model = replaying_model(plan.settings.agent.language_model)
@@ -84,7 +83,7 @@ def remarks_on(plan: RunPlan) -> Iterator[Remark]:
             told = f"{model.answers.path}: fields that are not used: {fields}"
             yield Remark("note", told)
     for episode in plan.episodes:
-        agent = _Inquirer(agent_for(episode))
+        agent = _Inquirer(plan.ready.in_episode(episode), episode)
         if not agent.asks_beforehand:
             return
         journal = Journal()
@@ -106,10 +105,10 @@ def remarks_on(plan: RunPlan) -> Iterator[Remark]:
 class _Inquirer:
     """An agent that remembers the request that nobody had answered."""
 
-    def __init__(self, agent: Agent) -> None:
+    def __init__(self, agent: Agent, episode: Episode) -> None:
         self._agent = agent
         self.name = agent.name
-        self.asks_beforehand = bool(getattr(agent, "asks_beforehand", False))
+        self.asks_beforehand = asking_of(agent, episode.instruction.text).beforehand
         self.open: CompletionRequest | None = None
 
     def follow(

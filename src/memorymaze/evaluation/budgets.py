@@ -11,7 +11,7 @@ from collections.abc import Iterable
 import numpy as np
 from numpy.typing import NDArray
 
-from memorymaze.agents.agent import Need
+from memorymaze.agents.agent import FairLimits, Need
 from memorymaze.errors import SettingsError
 from memorymaze.evaluation.settings import RunDefinition
 from memorymaze.simulation.settings import SimulationSettings
@@ -25,6 +25,13 @@ STEP_M = 0.25
 TURN_DEG = 30
 STEP_SECONDS = 1.5
 """Of a primitive motion from rest to rest: 25 cm take 1.4 s, 30 degrees 1.35 s."""
+
+
+VIEWPOINT_M = 2.25
+"""Between viewpoints, as in R2R."""
+REQUESTS_PER_VIEWPOINT = 2
+FEWEST_REQUESTS = 10
+"""As the released code of NavGPT allows on the routes of R2R."""
 
 
 def _pieces_and_turns(
@@ -98,6 +105,25 @@ def fair_steps(
     return math.ceil(GENEROSITY * max(steps))
 
 
+def fair_requests(routes: Iterable[Route]) -> int:
+    """Return two requests for each viewpoint of the longest route, at least ten.
+
+    All routes of a site count, as for `fair_steps`; a viewpoint stands for 2.25 m.
+    """
+    lengths = [route.length for route in routes]
+    if not lengths:
+        raise SettingsError("the site has no routes to set a budget of requests by")
+    viewpoints = math.ceil(max(lengths) / VIEWPOINT_M) + 1
+    return max(FEWEST_REQUESTS, REQUESTS_PER_VIEWPOINT * viewpoints)
+
+
+def fair_limits(routes: Iterable[Route]) -> FairLimits:
+    """Return what the budget `fair` allows on the site of these routes."""
+    routes = list(routes)
+    steps = {degrees: fair_steps(routes, turn_deg=degrees) for degrees in (15, 30)}
+    return FairLimits(fair_requests(routes), steps)
+
+
 def stepping_time_budget(
     routes: Iterable[Route], settings: SimulationSettings
 ) -> float:
@@ -130,9 +156,10 @@ def episode_time_budget(settings: RunDefinition, route: Route) -> float:
     return time_budget_for(frozenset(settings.needs), [route], settings.simulation)
 
 
-def fewest_answers(route: Route, most: int, turn_deg: float = TURN_DEG) -> int:
-    """Return how often a policy must be asked on a walk without a mistake.
+def fewest_answers(route: Route, stride: tuple[float, float]) -> int:
+    """Return how often a model must be asked on a walk without a mistake.
 
-    Each answer asks for `most` primitives at best; the last one says stop.
+    Each answer moves the robot by a stride at most, so many metres ahead or degrees of a
+    turn; the last one says stop.
     """
-    return perfect_steps(route, STEP_M * most, turn_deg * most) + 1
+    return perfect_steps(route, *stride) + 1

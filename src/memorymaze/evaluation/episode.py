@@ -4,7 +4,7 @@ Whatever the agent does, there is a result; nothing it raises gets out of here.
 """
 
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, NamedTuple, Protocol, cast
 
@@ -19,8 +19,8 @@ from memorymaze.errors import (
     SpendingLimitReached,
 )
 from memorymaze.evaluation.arena import Arena
-from memorymaze.evaluation.budgets import episode_time_budget
-from memorymaze.evaluation.guarded_robot import AskingGuardedRobot, GuardedRobot
+from memorymaze.evaluation.budgets import episode_time_budget, fair_limits
+from memorymaze.evaluation.handing_over import hand_over
 from memorymaze.evaluation.people_to_ask import PutTo, people_of_episode
 from memorymaze.evaluation.results import EpisodeResult, StoppedBy, measure_walk
 from memorymaze.evaluation.seeds import seeds_of
@@ -32,10 +32,10 @@ from memorymaze.evaluation.trace_entries import (
     opening_entry,
     surroundings_entries,
 )
+from memorymaze.evaluation.vision_captions import VisionCaptions
 from memorymaze.geometry.trajectory import Trajectory
 from memorymaze.instructions.records import Episode
 from memorymaze.passers_by import Encounters, asked_entry
-from memorymaze.robot.steps import SteppingRobot
 from memorymaze.simulation.robot import SimulatedRobot
 
 
@@ -70,6 +70,8 @@ def run_episode(
     settings: RunDefinition,
     watcher: Watcher | None = None,
     put_to: PutTo | None = None,
+    *,
+    captions: VisionCaptions | None = None,
 ) -> EpisodeRun:
     """Let an agent follow an instruction, and score its walk.
 
@@ -85,15 +87,16 @@ def run_episode(
         settings: Of the run; seed, budgets and success distance count here.
         watcher: Looks on.
         put_to: Has a person answer for people whom the robot asks.
+        captions: Describe viewpoints to an agent on a graph; None for templates.
 
     Raises:
         UndefinedMetricError: The episode's reference path leaves the floor.
         KeyboardInterrupt: Passed on.
         SpendingLimitReached: Passed on; an episode that is broken off has no result.
     """
-    run = _attempt(agent, episode, arena, settings, watcher, put_to)
+    run = _attempt(agent, episode, arena, settings, watcher, put_to, captions)
     if run.interpreter_lost:
-        run = _attempt(agent, episode, arena, settings, watcher, put_to)
+        run = _attempt(agent, episode, arena, settings, watcher, put_to, captions)
     return run
 
 
@@ -104,6 +107,7 @@ def _attempt(
     settings: RunDefinition,
     watcher: Watcher | None,
     put_to: PutTo | None,
+    captions: VisionCaptions | None,
 ) -> EpisodeRun:
     seeds = seeds_of(settings.seed, episode.id)
     way = arena.site.route(episode.instruction.reference_route)
@@ -136,6 +140,7 @@ def _attempt(
         on_completion=lambda reply: robot.wait(
             settings.agent.language_model.inference_time.seconds(reply)
         ),
+        limits=fair_limits(arena.site.routes),
     )
     if watcher is not None:
         watcher.begin(robot, trace)
@@ -144,9 +149,13 @@ def _attempt(
         agent,
         episode.instruction.text,
         robot,
-        GuardedRobot(robot, settings.needs)
-        if people is None
-        else AskingGuardedRobot(robot, settings.needs, people),
+        lambda: hand_over(
+            robot,
+            frozenset(settings.needs),
+            episode.reference_path,
+            people,
+            None if captions is None else captions.in_episode(robot, journal),
+        ),
         journal,
         seeds.agent,
     )
@@ -220,13 +229,13 @@ def _follow(
     agent: Agent,
     text: str,
     robot: SimulatedRobot,
-    handed: SteppingRobot,
+    handed: Callable[[], Any],
     journal: Journal,
     rng: Any,
 ) -> _Ending:
     """Let the agent follow; return what ended the episode and what went wrong."""
     try:
-        agent.follow(text, handed, journal, rng)
+        agent.follow(text, handed(), journal, rng)
     except (KeyboardInterrupt, SpendingLimitReached):
         raise
     except EpisodeOver as over:

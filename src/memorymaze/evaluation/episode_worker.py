@@ -10,7 +10,7 @@ import numpy as np
 from memorymaze.agents.agent import Journal
 from memorymaze.agents.failures import WorkerLost, failure_line
 from memorymaze.errors import SpendingLimitReached
-from memorymaze.evaluation.agent_catalogue import build_agent
+from memorymaze.evaluation.agent_catalogue import chosen_again
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.episode import run_episode
 from memorymaze.evaluation.eyes import checked_eyes
@@ -71,20 +71,19 @@ class EpisodeWorker:
     settings: RunDefinition
     sites: dict[str, Site]
     agent: bytes | None = None
-    """The agent itself, pickled, where it was handed over as an object."""
+    """The agent itself or its class, pickled, where it was handed over."""
 
     @classmethod
     def of(cls, plan: RunPlan, settings: RunDefinition) -> "EpisodeWorker":
         """Return the worker of a plan, on settings that say more of this machine."""
-        given = None if plan.agent is None else cloudpickle.dumps(plan.agent)
-        return cls(settings, plan.sites, given)
+        handed = plan.agent.handed
+        packed = None if handed is None else cloudpickle.dumps(handed)
+        return cls(settings, plan.sites, packed)
 
     def __call__(self) -> Callable[[EpisodeTask], EpisodeOutcome]:
         """Make the agent; return the function."""
-        given = None if self.agent is None else pickle.loads(self.agent)
-        agent_for = build_agent(
-            self.settings.agent,
-            given,
+        handed = None if self.agent is None else pickle.loads(self.agent)
+        ready = chosen_again(self.settings.agent, handed).make(
             isolate=self.settings.isolate,
             kept_from=[site.source for site in self.sites.values()],
         )
@@ -101,10 +100,12 @@ class EpisodeWorker:
             episode = task.episode
             arena = arenas[episode.instruction.site]
             try:
-                agent = agent_for(episode)
+                agent = ready.in_episode(episode)
                 if task.lost is not None:
                     agent = _LostAgent(agent.name, task.lost)
-                done = run_episode(agent, episode, arena, self.settings)
+                done = run_episode(
+                    agent, episode, arena, self.settings, captions=ready.captions
+                )
             except SpendingLimitReached as limit:
                 return LimitReached(str(limit))
             except BaseException as error:

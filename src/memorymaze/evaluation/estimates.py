@@ -2,7 +2,8 @@
 
 from collections.abc import Iterator
 
-from memorymaze.evaluation.agent_catalogue import build_agent
+from memorymaze.agents.agent import asking_of
+from memorymaze.evaluation.budgets import fair_limits, fewest_answers
 from memorymaze.evaluation.plan import RunPlan
 from memorymaze.evaluation.settings import people_to_ask, told_twice
 from memorymaze.language.model import CompletionRequest
@@ -45,12 +46,10 @@ def cost_estimate(plan: RunPlan) -> str | None:
             "cost: cannot be told beforehand, because nobody knows how many people will "
             f"be asked{end or '; set --max-cost'}"
         )
-    agent_for = build_agent(plan.settings.agent, plan.agent)
     requests: list[CompletionRequest] = []
     for episode in plan.episodes:
         # Agents that ask before the robot moves can tell what.
-        expected = getattr(agent_for(episode), "requests_expected", None)
-        asked = None if expected is None else expected(episode.instruction.text)
+        asked = asking_of(plan.ready.agent, episode.instruction.text).requests
         if asked is None:
             return (
                 f"cost: cannot be told beforehand, because {plan.settings.agent.name} "
@@ -84,16 +83,17 @@ def answers_estimate(plan: RunPlan) -> str | None:
     agent = plan.settings.agent
     if "steps" not in plan.settings.needs or agent.language_model.replay is not None:
         return None
-    agent_for = build_agent(agent, plan.agent)
     fewest = most = 0
     for episode in plan.episodes:
-        expected = getattr(agent_for(episode), "answers_expected", None)
-        if expected is None:
+        told = episode.instruction
+        site = plan.sites[told.site]
+        asking = asking_of(plan.ready.agent, told.text, fair_limits(site.routes))
+        if asking.stride is None or asking.most is None:
             return None
-        site = plan.sites[episode.instruction.site]
-        perfect, limit = expected(site, site.route(episode.instruction.reference_route))
-        fewest += perfect
-        most += limit
+        perfect = fewest_answers(site.route(told.reference_route), asking.stride)
+        # Where the budget does not suffice for the route, it ends the walk.
+        fewest += min(perfect, asking.most)
+        most += asking.most
     hours = [answers * SECONDS_PER_ANSWER / 3600 for answers in (fewest, most)]
     return (
         f"the policy will be asked about {fewest} times if it makes no mistake, and at "

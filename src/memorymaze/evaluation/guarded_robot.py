@@ -1,7 +1,7 @@
 """The robot as agents get it: what it can do, and nothing behind it."""
 
 import math
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 
 from memorymaze.agents.agent import Need
 from memorymaze.passers_by import Encounters
@@ -154,11 +154,26 @@ class AskingGuardedRobot(GuardedRobot):
         return self.__encounters.ask(question)
 
 
-def simulated_behind(robot: object, agent: str) -> SimulatedRobot:
-    """Return the simulated robot behind a guarded one, for agents that are given more."""
-    inner = getattr(robot, "_GuardedRobot__robot", robot)
-    if not isinstance(inner, SimulatedRobot):
-        raise TypeError(
-            f"agent {agent!r}: needs a SimulatedRobot, got {type(robot).__name__}"
-        )
-    return inner
+class RobotThatKnows(GuardedRobot):
+    """The same with the answers: for baselines that show what the body can reach."""
+
+    __slots__ = ("__reference_path", "__robot")
+
+    def __init__(
+        self,
+        robot: SimulatedRobot,
+        needs: Collection[Need],
+        reference_path: Sequence[tuple[float, float]],
+    ) -> None:
+        """Stand before a robot whose episode has this reference path."""
+        super().__init__(robot, needs)
+        self.__robot = robot
+        self.__reference_path = tuple(reference_path)
+
+    def reference_path(self) -> tuple[tuple[float, float], ...]:
+        """Return the way from the start to the goal, in metres on the plan."""
+        return self.__reference_path
+
+    def follow_reference_path(self) -> None:
+        """Drive along it."""
+        self.__robot.follow(self.__reference_path)

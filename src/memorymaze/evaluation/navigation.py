@@ -12,12 +12,7 @@ import numpy as np
 from memorymaze.drawing.shapes import Met, ThingInTheWay
 from memorymaze.durable_files import write_whole
 from memorymaze.errors import RunFolderError, SettingsError
-from memorymaze.evaluation.agent_catalogue import (
-    AgentChoice,
-    agent_needs,
-    build_agent,
-    settings_of,
-)
+from memorymaze.evaluation.agent_catalogue import AgentChoice, choose_agent
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.episode import EpisodeRun, Watcher, run_episode
 from memorymaze.evaluation.eyes import checked_eyes
@@ -70,19 +65,24 @@ def navigate(
         raise SettingsError("text: expected an instruction, got nothing")
     settings = settings or RunSettings()
     eyes = checked_eyes(settings)
-    chosen, given = settings_of(agent)
-    check_people(settings, chosen, given, put_to)
-    follower = build_agent(
-        chosen, given, isolate=settings.isolate, kept_from=[site.source]
-    )
-    needs = agent_needs(chosen, given)
-    definition = define_run(chosen, settings, needs, [site], episodes=1)
+    chosen = choose_agent(agent)
+    check_people(settings, chosen, put_to)
+    ready = chosen.make(isolate=settings.isolate, kept_from=[site.source])
+    definition = define_run(chosen.settings, settings, chosen.needs, [site], episodes=1)
     told = instruction_on(site, route, text)
     [episode] = episodes([told], {site.name: site})
     if arena is None:
-        people = model_of_people(settings, chosen)
+        people = model_of_people(settings, chosen.settings)
         arena = Arena(site, settings.obstacles, eyes, definition.looks, people)
-    return run_episode(follower(episode), episode, arena, definition, watcher, put_to)
+    return run_episode(
+        ready.in_episode(episode),
+        episode,
+        arena,
+        definition,
+        watcher,
+        put_to,
+        captions=ready.captions,
+    )
 
 
 def instruction_on(site: Site, route: Route, text: str) -> Instruction:

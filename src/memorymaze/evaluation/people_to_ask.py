@@ -5,9 +5,8 @@ from dataclasses import replace
 from statistics import fmean
 from typing import Literal
 
-from memorymaze.agents.agent import Agent
 from memorymaze.errors import SettingsError
-from memorymaze.evaluation.agent_catalogue import refuse_unused_model
+from memorymaze.evaluation.agent_catalogue import ChosenAgent
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.settings import AgentSettings, RunDefinition, RunSettings
 from memorymaze.instructions.records import Episode, Instruction
@@ -30,13 +29,12 @@ PutTo = Callable[[Briefing], str]
 
 def check_people(
     settings: RunSettings,
-    agent: AgentSettings,
-    given: Agent | None,
+    agent: ChosenAgent,
     put_to: PutTo | None = None,
 ) -> None:
     """Refuse people who cannot answer, and a language model that nobody asks."""
-    if model_of_people(settings, agent) is None:
-        refuse_unused_model(agent, given)
+    if model_of_people(settings, agent.settings) is None:
+        agent.refuse_unused_model()
     if (settings.passers_by == "keyboard") == (put_to is not None):
         return
     if put_to is None:

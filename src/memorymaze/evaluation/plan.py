@@ -1,24 +1,18 @@
 """What a run consists of: which agent follows which instructions where, and how."""
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, fields, replace
 
-from memorymaze.agents.agent import Agent, Need
-from memorymaze.agents.files import agent_fingerprint
+from memorymaze.agents.agent import Need, asking_of
 from memorymaze.errors import AnswerFileError
 from memorymaze.evaluation.agent_catalogue import (
     AgentChoice,
-    agent_needs,
-    agent_options,
-    build_agent,
-    has_language_model,
-    has_parser,
-    option_values,
-    settings_of,
+    ChosenAgent,
+    ReadyAgent,
+    choose_agent,
 )
 from memorymaze.evaluation.budgets import time_budget_for
 from memorymaze.evaluation.eyes import checked_eyes, looks_of_run
-from memorymaze.evaluation.language_agents import parses_first
 from memorymaze.evaluation.people_to_ask import check_people
 from memorymaze.evaluation.sampling import sample
 from memorymaze.evaluation.second_tellings import (
@@ -38,7 +32,6 @@ from memorymaze.instructions import Corpus, load_corpus
 from memorymaze.instructions.records import Episode
 from memorymaze.language.answer_files import AnswerFile
 from memorymaze.language.building import replaying_model
-from memorymaze.language.model import CompletionRequest
 from memorymaze.sites import Site
 
 
@@ -50,8 +43,9 @@ class RunPlan:
     episodes: tuple[Episode, ...]
     sites: dict[str, Site]
     """Those the episodes are on."""
-    agent: Agent | None = None
-    """The agent itself, where it was handed over; else made from the settings."""
+    agent: ChosenAgent
+    ready: ReadyAgent
+    """The agent as it was made when the run was planned, in no process of its own."""
 
 
 def plan_run(
@@ -68,13 +62,11 @@ def plan_run(
         corpus = load_corpus()
     settings = settings or settings_for(corpus)
     checked_eyes(settings)
-    chosen_agent, given = settings_of(agent)
-    if has_parser(chosen_agent.name):
-        chosen_agent = replace(chosen_agent, parser=parses_first(chosen_agent))
-    if given is None:
-        chosen_agent = _told_heading(chosen_agent, corpus)
-    check_people(settings, chosen_agent, given)
-    agent_for = build_agent(chosen_agent, given, isolate=settings.isolate)
+    chosen_agent = choose_agent(agent)
+    if not corpus.start_heading_is_told:
+        chosen_agent = chosen_agent.with_defaults(start_heading="unknown")
+    check_people(settings, chosen_agent)
+    ready = chosen_agent.make(isolate=settings.isolate)
     followed, told_once = corpus.of_split(settings.split), 0
     if settings.second_telling:
         paired = with_second_tellings(corpus).of_split(settings.split)
@@ -83,20 +75,21 @@ def plan_run(
     names = dict.fromkeys(episode.instruction.site for episode in chosen)
     sites = {name: corpus.sites[name] for name in names}
     definition = define_run(
-        chosen_agent,
+        chosen_agent.settings,
         settings,
-        agent_needs(chosen_agent, given),
+        chosen_agent.needs,
         sites.values(),
         instructions=tuple(stamp_file(path) for path in corpus.files),
         stamps=tuple(stamp_file(site.source, name) for name, site in sites.items()),
         episodes=len(chosen),
         told_once=told_once,
-        answers=_answers_taken(chosen_agent, agent_for, chosen),
-        agent_files=agent_fingerprint(chosen_agent.name, given),
-        option_values=option_values(chosen_agent, given),
+        answers=_answers_taken(chosen_agent, ready, chosen),
+        agent_files=chosen_agent.files(),
+        option_values=chosen_agent.option_values(ready.agent),
     )
-    part = episodes_of_shard(chosen, settings.shard)
-    return RunPlan(replace(definition, episodes=len(part)), tuple(part), sites, given)
+    part = tuple(episodes_of_shard(chosen, settings.shard))
+    definition = replace(definition, episodes=len(part))
+    return RunPlan(definition, part, sites, chosen_agent, ready)
 
 
 def define_run(
@@ -144,30 +137,18 @@ def settings_for(corpus: Corpus) -> RunSettings:
     )
 
 
-def _told_heading(agent: AgentSettings, corpus: Corpus) -> AgentSettings:
-    """Tell an agent that has such an option that the start heading is not told."""
-    told = {name for name, _ in agent.options}
-    kind = agent_options(agent.name)
-    if corpus.start_heading_is_told or kind is None or "start_heading" in told:
-        return agent
-    if "start_heading" not in {each.name for each in fields(kind)}:
-        return agent
-    return replace(agent, options=(*agent.options, ("start_heading", "unknown")))
-
-
 def _answers_taken(
-    settings: AgentSettings,
-    agent_for: Callable[[Episode], Agent],
-    episodes: Sequence[Episode],
+    agent: ChosenAgent, ready: ReadyAgent, episodes: Sequence[Episode]
 ) -> AnswersTaken | None:
     """Say which answers a run takes; None where it asks a model."""
-    model = replaying_model(settings.language_model)
-    file = settings.language_model.replay
+    settings = agent.settings.language_model
+    model = replaying_model(settings)
+    file = settings.replay
     if model is None or file is None:
         return None
     versions = model.versions()
     # Whom a robot will ask on the way, and so what a model in role says, nobody knows.
-    asking = episodes if has_language_model(settings) else ()
+    asking = episodes if agent.takes_model else ()
     wanted = list(dict.fromkeys(each.instruction.id for each in asking))
     known = {instruction for instruction, _ in versions}
     missing = [each for each in wanted if versions and each not in known]
@@ -178,7 +159,7 @@ def _answers_taken(
             f"{', '.join(missing[:10])}{', …' if len(missing) > 10 else ''}; for one "
             "that the model failed on write a record with `error`"
         )
-    prompts = _prompts(agent_for(episodes[0]), episodes[0].instruction.text)
+    prompts = asking_of(ready.agent, episodes[0].instruction.text).prompts
     other = unknown = 0
     for each in wanted:
         answered = [
@@ -193,13 +174,3 @@ def _answers_taken(
         other += bool(differing) and not any(None in found for found in differing)
     stamp = stamp_file(file)
     return AnswersTaken(stamp.name, stamp.sha256, len(missing), other, unknown)
-
-
-def _prompts(agent: Agent, text: str) -> dict[str, str]:
-    """Return the versions of an agent's prompts by stage, those to such a text if it can."""
-    expected = getattr(agent, "requests_expected", None)
-    asked: list[CompletionRequest] | None = expected and expected(text)
-    if asked is None:
-        return getattr(agent, "prompts", {})
-    questions = [each.question for each in asked]
-    return {each.stage: each.prompt for each in questions if each is not None}

@@ -68,8 +68,6 @@ class AgentSettings:
 
     name: str
     """A name from `agent_names`, or `module:Class` or `file.py:Class`."""
-    parser: bool | None = None
-    """Whether instructions are parsed first; None for agents without that choice."""
     options: tuple[tuple[str, str], ...] = ()
     """Names and values of the agent's own options, as they were given."""
     language_model: ModelSettings = field(default_factory=ModelSettings)

@@ -24,6 +24,7 @@ from memorymaze.language.model import (
     LanguageModel,
     WrappedModel,
     takes_grammar,
+    takes_pictures,
 )
 
 SQLITE = b"SQLite format 3\0"
@@ -55,17 +56,18 @@ class UnansweredError(LanguageModelError):
 
 
 class AboutInstruction(WrappedModel):
-    """A model asked about one instruction; says so in the question of each request."""
+    """A model asked about an instruction; says so in the question of each request."""
 
     def __init__(self, model: LanguageModel, instruction: str) -> None:
         """Stand before a model; agents do not know the id of their instruction."""
         super().__init__(model)
-        self._instruction = instruction
+        self.instruction = instruction
+        """Id of the one that it is asked about."""
 
     def complete(self, request: CompletionRequest) -> Completion:
         """Ask the model."""
         if request.question is not None:
-            question = replace(request.question, instruction=self._instruction)
+            question = replace(request.question, instruction=self.instruction)
             request = replace(request, question=question)
         return self._model.complete(request)
 
@@ -82,6 +84,11 @@ class RecordingModel:
     def name(self) -> str:
         """Name of the model asked."""
         return self._model.name
+
+    @property
+    def takes_pictures(self) -> bool:
+        """Whether the model asked may be shown pictures."""
+        return takes_pictures(self._model)
 
     def complete(self, request: CompletionRequest) -> Completion:
         """Return the answer kept for a request, else ask, keep and return it.
@@ -144,6 +151,11 @@ class ReplayingModel:
             "never asked for, or differs from what was asked when recording",
             request,
         )
+
+    @property
+    def stages_answered(self) -> frozenset[str]:
+        """The stages that there are answers to, without their variants."""
+        return frozenset(stage.partition("+")[0] for _, stage in self.versions())
 
     def versions(self) -> dict[tuple[str, str], set[str | None]]:
         """Return the versions of prompts answered, by instruction and stage."""

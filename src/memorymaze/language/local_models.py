@@ -44,6 +44,7 @@ class GgufModel:
     """
 
     takes_grammar = True
+    takes_pictures = False
 
     def __init__(
         self,

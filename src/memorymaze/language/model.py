@@ -138,6 +138,22 @@ def takes_grammar(model: LanguageModel) -> bool:
     return bool(getattr(model, "takes_grammar", False))
 
 
+def takes_pictures(model: LanguageModel) -> bool:
+    """Tell whether a model may be shown pictures.
+
+    Models that see none say so by an attribute `takes_pictures`.
+    """
+    return bool(getattr(model, "takes_pictures", True))
+
+
+def stages_answered(model: LanguageModel) -> frozenset[str]:
+    """Return the stages to which a model that replays has answers, such as `program`.
+
+    Models that are asked have no attribute `stages_answered`.
+    """
+    return getattr(model, "stages_answered", frozenset[str]())
+
+
 class WrappedModel:
     """A model asked through something; it keeps the name of the model that answers."""
 
@@ -154,6 +170,16 @@ class WrappedModel:
     def takes_grammar(self) -> bool:
         """Whether the model asked is held to a request's grammar."""
         return takes_grammar(self._model)
+
+    @property
+    def takes_pictures(self) -> bool:
+        """Whether the model asked may be shown pictures."""
+        return takes_pictures(self._model)
+
+    @property
+    def stages_answered(self) -> frozenset[str]:
+        """The stages that the model asked has answers to, where it replays."""
+        return stages_answered(self._model)
 
 
 def why_unusable(

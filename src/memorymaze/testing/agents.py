@@ -5,16 +5,16 @@ from typing import Any, cast
 
 import numpy as np
 
-from memorymaze.agents.agent import Agent, Journal
+from memorymaze.agents.agent import Agent, FairLimits, Journal
 from memorymaze.agents.failures import failure_line
-from memorymaze.agents.own_agents import checked_agent, checked_needs
+from memorymaze.agents.making import checked_agent, checked_needs
 from memorymaze.errors import (
     EpisodeOver,
     LanguageModelError,
     ProgramError,
     SettingsError,
 )
-from memorymaze.evaluation.guarded_robot import GuardedRobot
+from memorymaze.evaluation.handing_over import hand_over
 from memorymaze.pictures import robot_cameras
 from memorymaze.robot.specification import API_NAMES
 from memorymaze.robot.steps import SteppingRobot
@@ -91,11 +91,14 @@ def _followed(agent: Agent, text: str, robot: SteppingRobot) -> list[str]:
     """Let an agent follow a text; return what it called."""
     heard = _Calls(robot)
     named = f"follow({text[:30]!r}…) to end"
-    guarded = GuardedRobot(
-        cast(SimulatedRobot, robot), checked_needs(agent.name, agent)
-    )
+    needs = checked_needs(agent.name, agent)
+    journal = Journal(limits=FairLimits(requests=10, steps={15: 60, 30: 40}))
     try:
-        agent.follow(text, guarded, Journal(), np.random.default_rng(0))
+        simulated = cast(SimulatedRobot, robot)
+        # One that needs the answers is at its goal already.
+        way = (simulated.pose[:2],) if "answers" in needs else ()
+        handed = hand_over(simulated, needs, way)
+        agent.follow(text, handed, journal, np.random.default_rng(0))
     except (EpisodeOver, ProgramError, LanguageModelError):
         pass
     except (Exception, SystemExit) as error:

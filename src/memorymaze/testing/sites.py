@@ -5,11 +5,9 @@ from pathlib import Path
 
 import numpy as np
 
-from memorymaze.agents.agent import Journal
 from memorymaze.errors import EpisodeOver
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.budgets import perfect_time
-from memorymaze.evaluation.oracle import OracleAgent
 from memorymaze.evaluation.turns import turns_in_order
 from memorymaze.metrics.score import score_walk
 from memorymaze.simulation.robot import SimulatedRobot
@@ -53,7 +51,8 @@ def _check_route(arena: Arena, route: Route) -> None:
     way = [(x, y) for x, y, *_ in route.line.coords]
     name = f"route {route.id}: the oracle"
     try:
-        OracleAgent(way).follow("", robot, Journal(), rng)
+        robot.follow(way)
+        robot.stop()
     except EpisodeOver as over:
         spent = f"{name} to arrive within {PATIENCE:g} times {time:.1f} s"
         expect(over.stopped_by == "agent", spent, f"stopped by {over.stopped_by}")

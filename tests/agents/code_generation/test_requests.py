@@ -5,9 +5,12 @@ from pathlib import Path
 
 import pytest
 
-from memorymaze.agents.agent import TOLD_AGAIN
-from memorymaze.agents.code_generation import CodeGenerationAgent
-from memorymaze.agents.code_generation.requests import CodeGenerationRequests
+from memorymaze.agents.agent import TOLD_AGAIN, prompt_versions
+from memorymaze.agents.code_generation import (
+    CodeGenerationAgent,
+    CodeGenerationOptions,
+    CodeGenerationRequests,
+)
 from memorymaze.language.answers import (
     AboutInstruction,
     RecordingModel,
@@ -21,12 +24,12 @@ OLDER = {"parse+parser": "91495d0fcebb", "program+parser": "9452669bba95"}
 
 
 def requests() -> list[CompletionRequest]:
-    asking = CodeGenerationRequests(parser=True)
+    asking = CodeGenerationRequests()
     return [asking.parse("Go left."), asking.program("1. Turn left.")]
 
 
 def test_the_prompts_have_another_version_than_before() -> None:
-    now = CodeGenerationRequests(parser=True).prompts
+    now = prompt_versions(requests())
     assert now.keys() == OLDER.keys()
     assert not set(now.values()) & set(OLDER.values())
 
@@ -80,16 +83,14 @@ def test_one_telling_is_asked_about_as_ever() -> None:
     request = CodeGenerationRequests().parse("Go left.")
     assert request.messages[1].content == 'Description:\n"""\nGo left.\n"""'
     assert request.question is not None
-    assert request.question.prompt == CodeGenerationRequests().prompts["parse+parser"]
+    assert request.question.prompt == prompt_versions(requests())["parse+parser"]
 
 
 def test_answers_to_one_telling_are_of_another_prompt_than_those_to_two() -> None:
-    agent = CodeGenerationAgent(ScriptedLanguageModel([]))
+    agent = CodeGenerationAgent(CodeGenerationOptions(), ScriptedLanguageModel([]))
     once, twice = (
-        {each.question.stage: each.question.prompt for each in asked if each.question}
-        for asked in map(agent.requests_expected, ("Go.", f"Go.{TOLD_AGAIN}Go."))
+        agent.asking(text, None).prompts for text in ("Go.", f"Go.{TOLD_AGAIN}Go.")
     )
-    assert once == agent.prompts
     assert once["parse+parser"] != twice["parse+parser"]
     # A program is written from the steps, of which there is one list.
     assert once["program+parser"] == twice["program+parser"]

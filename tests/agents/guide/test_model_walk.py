@@ -207,7 +207,7 @@ def test_a_recorded_walk_is_replayed_without_a_model(
     model = RecordingModel(ScriptedLanguageModel(replies, name="m"), store)
     asked = AboutInstruction(model, f"t_junction-{route.id}")
     options = GuideOptions(decide="model")
-    first = navigate(t_site, route, "Left.", GuideAgent(options, model=asked))
+    first = navigate(t_site, route, "Left.", GuideAgent(options, asked))
     again = navigate(
         t_site,
         route,
@@ -225,9 +225,9 @@ def test_a_recorded_walk_is_replayed_without_a_model(
 
 
 def test_a_model_is_given_where_one_decides_and_only_there() -> None:
-    with pytest.raises(SettingsError, match="got decide=model and none"):
+    with pytest.raises(SettingsError, match="need one, got none"):
         GuideAgent(GuideOptions(decide="model"))
-    with pytest.raises(SettingsError, match="got decide=belief and m"):
+    with pytest.raises(SettingsError, match="need none, got m"):
         GuideAgent(model=ScriptedLanguageModel([], name="m"))
     with pytest.raises(SettingsError, match="reader: with decide=model"):
         GuideOptions(decide="model", reader="plan")

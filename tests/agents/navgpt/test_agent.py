@@ -1,9 +1,10 @@
 from collections.abc import Callable
 from typing import Any
 
+import numpy as np
 import pytest
 
-from memorymaze.agents.agent import Journal
+from memorymaze.agents.agent import FairLimits, Journal
 from memorymaze.agents.navgpt import LoopLimits, NavGPTAgent, NavGPTOptions
 from memorymaze.agents.navgpt.agent import loop_limits
 from memorymaze.errors import EpisodeOver, LanguageModelError, SettingsError
@@ -12,18 +13,29 @@ from memorymaze.options import read_options
 
 Make = Callable[..., Any]
 Go = Callable[[str], str]
-LIMITS = LoopLimits(iterations=20, scratchpad=7000, failures=10)
+FAIR = FairLimits(requests=20, steps={})
 ARRIVED = "Thought: There.\nFinal Answer: arrived"
 
 
 def follow(
-    replies: Any, robot: Any, limits: LoopLimits = LIMITS, **options: Any
+    replies: Any, robot: Any, **options: Any
 ) -> tuple[Journal, ScriptedLanguageModel]:
     model = ScriptedLanguageModel(replies)
-    journal = Journal()
-    agent = NavGPTAgent(model, NavGPTOptions(**options))
-    agent.follow("Go to the end.", robot, journal, limits)
+    journal = Journal(limits=FAIR)
+    chosen = NavGPTOptions(**{"scratchpad": 7000, **options})
+    rng = np.random.default_rng(0)
+    NavGPTAgent(chosen, model).follow("Go to the end.", robot, journal, rng)
     return journal, model
+
+
+def ends(
+    model: ScriptedLanguageModel, robot: Any, options: NavGPTOptions
+) -> tuple[EpisodeOver, Journal]:
+    journal = Journal(limits=FAIR)
+    agent = NavGPTAgent(options, model)
+    with pytest.raises(EpisodeOver) as over:
+        agent.follow("", robot, journal, np.random.default_rng(0))
+    return over.value, journal
 
 
 def notes(journal: Journal, kind: str) -> list[dict[str, Any]]:
@@ -107,12 +119,10 @@ def test_nonsense_is_told_back_counted_and_survived(corridor: Make, go: Go) -> N
 
 def test_it_is_stuck_after_too_many_failures_in_a_row(corridor: Make, go: Go) -> None:
     robot = corridor()
-    limits = LoopLimits(iterations=20, scratchpad=7000, failures=3)
     replies = ["?", "?", go(robot.ids[1]), "?", go("f" * 32), "?", ARRIVED]
-    model, journal = ScriptedLanguageModel(replies), Journal()
-    with pytest.raises(EpisodeOver) as over:
-        NavGPTAgent(model).follow("", robot, journal, limits)
-    assert over.value.stopped_by == "stuck"
+    options = NavGPTOptions(failures=3)
+    over, journal = ends(ScriptedLanguageModel(replies), robot, options)
+    assert over.stopped_by == "stuck"
     assert journal.model_calls == 6
     assert notes(journal, "navgpt")[0]["moves"] == 1
 
@@ -120,10 +130,8 @@ def test_it_is_stuck_after_too_many_failures_in_a_row(corridor: Make, go: Go) ->
 def test_the_budget_ends_it(corridor: Make, go: Go) -> None:
     robot = corridor()
     back_and_forth = [go(robot.ids[1 - k % 2]) for k in range(30)]
-    model, journal = ScriptedLanguageModel(back_and_forth), Journal()
-    with pytest.raises(EpisodeOver) as over:
-        NavGPTAgent(model).follow("", robot, journal, loop_limits(RELEASED, 72))
-    assert over.value.stopped_by == "budget"
+    over, journal = ends(ScriptedLanguageModel(back_and_forth), robot, RELEASED)
+    assert over.stopped_by == "budget"
     assert journal.model_calls == 10
     assert notes(journal, "navgpt")[0]["iterations"] == 10
 
@@ -131,8 +139,7 @@ def test_the_budget_ends_it(corridor: Make, go: Go) -> None:
 def test_the_scratchpad_is_cut(corridor: Make, go: Go) -> None:
     robot = corridor()
     replies = [*(go(robot.ids[1 - k % 2]) for k in range(15)), ARRIVED]
-    limits = LoopLimits(iterations=20, scratchpad=2000, failures=None)
-    _, model = follow(replies, robot, limits)
+    _, model = follow(replies, robot, scratchpad=2000)
     steps = shown(model, 15).partition("Your steps so far:\n")[2]
     assert len(steps) < 2100
     assert "View 0." in steps
@@ -141,9 +148,10 @@ def test_the_scratchpad_is_cut(corridor: Make, go: Go) -> None:
 
 def test_counts_are_noted_though_the_model_fails(corridor: Make, go: Go) -> None:
     robot = corridor()
-    model, journal = ScriptedLanguageModel([go(robot.ids[1])]), Journal()
+    model, journal = ScriptedLanguageModel([go(robot.ids[1])]), Journal(limits=FAIR)
+    agent = NavGPTAgent(NavGPTOptions(), model)
     with pytest.raises(LanguageModelError):
-        NavGPTAgent(model).follow("", robot, journal, LIMITS)
+        agent.follow("", robot, journal, np.random.default_rng(0))
     assert notes(journal, "navgpt")[0]["moves"] == 1
 
 
@@ -159,26 +167,29 @@ RELEASED = NavGPTOptions(budget="released")
 
 
 def test_the_released_budget_is_that_of_the_released_code() -> None:
-    assert loop_limits(RELEASED, 72) == LoopLimits(10, 7000, None)
+    assert loop_limits(RELEASED, FairLimits(144, {})) == LoopLimits(10, 7000, None)
+    assert loop_limits(RELEASED, None) == LoopLimits(10, 7000, None)
 
 
-def test_the_fair_budget_grows_with_the_longest_route() -> None:
-    assert loop_limits(NavGPTOptions(), 72) == LoopLimits(144, 100_800, 10)
-    assert loop_limits(NavGPTOptions(), 3) == LoopLimits(10, 7000, 10)
+def test_the_fair_budget_is_that_of_the_run_and_its_scratchpad_grows_with_it() -> None:
+    options = NavGPTOptions()
+    assert loop_limits(options, FairLimits(144, {})) == LoopLimits(144, 100_800, 10)
+    with pytest.raises(SettingsError, match="expected a run's journal"):
+        loop_limits(options, None)
 
 
 def test_what_is_set_counts_before_the_budget() -> None:
     options = NavGPTOptions(iterations=5, scratchpad=900, failures=2)
-    assert loop_limits(options, 72) == LoopLimits(5, 900, 2)
+    assert loop_limits(options, FairLimits(144, {})) == LoopLimits(5, 900, 2)
 
 
 def test_the_name_tells_model_budget_and_what_differs() -> None:
     model = ScriptedLanguageModel([], name="m")
-    assert NavGPTAgent(model).name == "navgpt[m]+fair"
+    assert NavGPTAgent(NavGPTOptions(), model).name == "navgpt[m]+fair"
     other = NavGPTOptions(
         budget="released", faithful=True, captions="vision", iterations=30
     )
-    name = NavGPTAgent(model, other).name
+    name = NavGPTAgent(other, model).name
     assert name == "navgpt[m]+released+faithful+vision+iterations=30"
 
 

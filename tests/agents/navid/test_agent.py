@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from memorymaze.agents.agent import Agent, Journal
+from memorymaze.agents.agent import Agent, FairLimits, Journal
 from memorymaze.agents.navid import NavidAgent, NavidOptions
 from memorymaze.errors import (
     CommandError,
@@ -56,10 +56,11 @@ def follow(
     model: TalkingModel, robot: object, *, fair_steps: int | None = None, **options
 ) -> tuple[str, Journal]:
     """Follow, shown nothing unless options say so; return what ended it, and the journal."""
-    agent = NavidAgent(model, NavidOptions(**{"pictures": "none", **options}))
-    journal = Journal()
+    agent = NavidAgent(NavidOptions(**{"pictures": "none", **options}), model)
+    limits = None if fair_steps is None else FairLimits(0, {30: fair_steps})
+    journal = Journal(limits=limits)
     with pytest.raises(EpisodeOver) as over:
-        agent.follow(TEXT, robot, journal, np.random.default_rng(0), fair_steps)
+        agent.follow(TEXT, robot, journal, np.random.default_rng(0))
     return over.value.stopped_by, journal
 
 
@@ -104,7 +105,7 @@ def test_pictures_have_names_by_what_was_done_in_which_episode(make_robot):
     def names(*sentences: str, seed: int = 0) -> list[str]:
         model = TalkingModel(*sentences, "stop")
         with pytest.raises(EpisodeOver):
-            NavidAgent(model).follow(
+            NavidAgent(NavidOptions(), model).follow(
                 TEXT, make_robot(), Journal(), np.random.default_rng(seed)
             )
         return [str(picture.name).partition("-")[0] for picture in model.video]
@@ -152,7 +153,9 @@ def test_five_unreadable_decisions_in_a_row_are_a_model_error(robot):
     model = TalkingModel("Hm.", "Hm.", AHEAD, "Hm.")
 
     with pytest.raises(LanguageModelError, match="talker: 5 decisions in a row"):
-        NavidAgent(model).follow(TEXT, robot, Journal(), np.random.default_rng(0))
+        NavidAgent(NavidOptions(), model).follow(
+            TEXT, robot, Journal(), np.random.default_rng(0)
+        )
 
     assert robot.calls == [("forward", 0.25)] * 3
     assert len(model.requests) == 2 + 1 + 10
@@ -164,7 +167,7 @@ def test_faithful_draws_a_seeded_motion_for_an_unreadable_answer(make_robot):
         robot = make_robot()
         model = TalkingModel(*["turn left 13 degrees."] * 30, "stop.")
         options = NavidOptions(faithful=True, still_steps=30, pictures="none")
-        agent = NavidAgent(model, options)
+        agent = NavidAgent(options, model)
         with pytest.raises(EpisodeOver):
             agent.follow(TEXT, robot, Journal(), np.random.default_rng(seed))
         assert len(model.asked) == 31
@@ -223,7 +226,7 @@ def test_25_steps_without_getting_ahead_are_stuck(sentence, make_robot):
 
 def test_a_robot_without_primitive_motions_is_refused():
     with pytest.raises(CommandError, match="primitive motions and a camera"):
-        NavidAgent(TalkingModel("stop")).follow(
+        NavidAgent(NavidOptions(), TalkingModel("stop")).follow(
             TEXT,
             object(),  # type: ignore[arg-type]
             Journal(),
@@ -233,7 +236,7 @@ def test_a_robot_without_primitive_motions_is_refused():
 
 def test_the_name_says_protocol_model_and_rules():
     def name(**options) -> str:
-        agent: Agent = NavidAgent(TalkingModel("stop"), NavidOptions(**options))
+        agent: Agent = NavidAgent(NavidOptions(**options), TalkingModel("stop"))
         return agent.name
 
     assert name() == "NaVid protocol with talker+fair"

@@ -32,7 +32,7 @@ def follow(
     """Follow until the model says stop."""
     journal = Journal()
     chosen = NavidOptions(history=history, **options)
-    agent = NavidAgent(model, chosen)
+    agent = NavidAgent(chosen, model)
     with pytest.raises(EpisodeOver, match="agent"):
         agent.follow("To the desk.", robot, journal, np.random.default_rng(0))
     return journal
@@ -143,7 +143,7 @@ def test_a_model_that_never_makes_sense_moves_nothing(robot):
 def test_an_instruction_cannot_fill_slots_of_the_prompt(robot):
     model = ScriptedLanguageModel([STOP])
     with pytest.raises(EpisodeOver):
-        NavidAgent(model).follow(
+        NavidAgent(NavidOptions(), model).follow(
             "{FORWARD}", robot, Journal(), np.random.default_rng(0)
         )
     assert '"""\n{FORWARD}\n"""' in question(model.requests[0])
@@ -184,7 +184,7 @@ STOP = '{"reason": "There", "action": "stop"}'
 def questions(robot: object, *replies: str) -> list[str]:
     """Follow until the model says stop; return what it was asked."""
     model = ScriptedLanguageModel(replies, name="reader")
-    agent = NavidAgent(model, NavidOptions(pictures="none"))
+    agent = NavidAgent(NavidOptions(pictures="none"), model)
     assert agent.name == "NaVid protocol with reader, blind+fair"
     with pytest.raises(EpisodeOver, match="agent"):
         agent.follow("To the desk.", robot, Journal(), np.random.default_rng(0))

@@ -3,21 +3,32 @@
 All requests come before the robot moves, unless a program that fails may be mended.
 """
 
-from collections.abc import Callable
-from dataclasses import fields, is_dataclass
+from collections.abc import Callable, Collection
+from dataclasses import fields, is_dataclass, replace
 from functools import cached_property
 from typing import Any, ClassVar, cast
 
 import numpy as np
 
-from memorymaze.agents.agent import Journal, Need, tellings_of
+from memorymaze.agents.agent import (
+    Asking,
+    FairLimits,
+    Journal,
+    Need,
+    prompt_versions,
+    tellings_of,
+)
 from memorymaze.agents.code_generation.replies import read_program, read_steps
 from memorymaze.agents.code_generation.requests import (
     CodeGenerationOptions,
     CodeGenerationRequests,
 )
 from memorymaze.errors import InterpreterLostError, ProgramError
-from memorymaze.language.model import CompletionRequest, LanguageModel
+from memorymaze.language.model import (
+    CompletionRequest,
+    LanguageModel,
+    stages_answered,
+)
 from memorymaze.language.prompt_texts import numbered
 from memorymaze.language.sandbox import run_program
 from memorymaze.robot.api import Robot
@@ -35,48 +46,37 @@ class CodeGenerationAgent:
     output, a second thought on it, and the refined output, which is what counts.
     """
 
+    Options = CodeGenerationOptions
     needs: ClassVar[frozenset[Need]] = frozenset({"language_model"})
 
-    def __init__(
-        self,
-        model: LanguageModel,
-        *,
-        parser: bool = True,
-        options: CodeGenerationOptions | None = None,
-    ) -> None:
-        """Prepare the agent."""
+    def __init__(self, options: CodeGenerationOptions, model: LanguageModel) -> None:
+        """Prepare the agent; recorded answers may settle whether it parses first."""
+        if options.parser is None:
+            options = replace(options, parser=_parses_first(stages_answered(model)))
+        self.options = options
+        """What was set, and settled."""
         self._model = model
-        self._requests = CodeGenerationRequests(options, parser=parser)
+        self._requests = CodeGenerationRequests(options)
 
     @property
     def name(self) -> str:
         """`code_generation[model]`, with `+parser` when instructions are parsed, …."""
         return f"code_generation[{self._model.name}]{self._requests.variant}"
 
-    @property
-    def asks_beforehand(self) -> bool:
-        """Whether all is asked before the robot moves."""
-        return not self._requests.options.repair
-
-    def requests_expected(self, instruction: str) -> list[CompletionRequest]:
-        """Return what it will ask, with the instruction, told once, in the place of steps."""
+    def asking(self, instruction: str, limits: FairLimits | None) -> Asking:
+        """Tell what it will ask, with the instruction, told once, in the place of steps."""
         requests = self._requests
         asked: list[CompletionRequest] = []
         if requests.parser:
             asked = [requests.parse(instruction)]
             instruction = tellings_of(instruction)[-1]
-        return asked + [requests.program(instruction)] * (1 + requests.options.repair)
-
-    @property
-    def prompts(self) -> dict[str, str]:
-        """Versions of the prompts by stage, which answers in files are compared with."""
-        return self._requests.prompts
+        asked += [requests.program(instruction)] * (1 + self.options.repair)
+        return Asking(prompt_versions(asked), not self.options.repair, asked)
 
     @cached_property
     def _with_people(self) -> CodeGenerationRequests:
         """What it asks in the track with people one can ask."""
-        options, parser = self._requests.options, self._requests.parser
-        return CodeGenerationRequests(options, parser=parser, with_people=True)
+        return CodeGenerationRequests(self.options, with_people=True)
 
     def follow(
         self,
@@ -118,6 +118,11 @@ class CodeGenerationAgent:
         program = read_program(reply)
         journal.note("program", program=program)
         run_program(program, robot, on_event=lambda event: journal.note(**event))
+
+
+def _parses_first(answered: Collection[str]) -> bool:
+    """Tell whether instructions are parsed, by the stages that there are answers to."""
+    return "parse" in answered or "program" not in answered
 
 
 class _Witness:

@@ -24,6 +24,9 @@ _FIRST_STAGE = re.compile(r"^First (\w+):\n.*?^Refined \1:", re.MULTILINE | re.D
 class CodeGenerationOptions:
     """How the language model is asked."""
 
+    parser: bool | None = None
+    """Whether the instruction is parsed into steps first; none for as recorded answers
+    were given, else true."""
     stages: Literal["two", "single"] = "two"
     """Prompting in two stages as in the paper (thought, output, second thought, refined
     output), or in a single one (thought, output)."""
@@ -54,12 +57,11 @@ class CodeGenerationRequests:
         self,
         options: CodeGenerationOptions | None = None,
         *,
-        parser: bool = True,
         with_people: bool = False,
     ) -> None:
         """Prepare the prompts; with people, programs are told how to ask them."""
-        self.parser = parser
         self.options = options or CodeGenerationOptions()
+        self.parser = self.options.parser is not False
         self._parsing = self._prompt("parse_instruction", "steps")
         specification = api_specification(with_people=with_people).strip()
         self._writing = self._prompt(
@@ -71,13 +73,6 @@ class CodeGenerationRequests:
         """What tells this variant from the plain one in tables, such as `+parser`."""
         single = "+single_stage" * (self.options.stages == "single")
         return "+parser" * self.parser + single + "+repair" * self.options.repair
-
-    @property
-    def prompts(self) -> dict[str, str]:
-        """The versions of the prompts, by the stages asked before the robot moves."""
-        first = [self.parse("")] if self.parser else []
-        questions = [each.question for each in (*first, self.program(""))]
-        return {each.stage: each.prompt for each in questions if each is not None}
 
     def parse(self, instruction: str) -> CompletionRequest:
         """Return the request that turns an instruction into steps."""

@@ -5,7 +5,7 @@ from typing import Literal
 
 import numpy as np
 
-from memorymaze.agents.agent import Journal, Need
+from memorymaze.agents.agent import Asking, FairLimits, Journal, Need
 from memorymaze.agents.guide.asking import AskWhen, Inquiry
 from memorymaze.agents.guide.model_questions import (
     MOST_REQUESTS,
@@ -15,7 +15,7 @@ from memorymaze.agents.guide.model_questions import (
 from memorymaze.agents.guide.model_walk import ModelWalk
 from memorymaze.agents.guide.search import Search
 from memorymaze.agents.guide.walk_log import WalkLog
-from memorymaze.agents.plan_readers import PlanReader, ReaderOptions, ReadsFirst
+from memorymaze.agents.plan_readers import ReaderOptions, ReadsFirst
 from memorymaze.agents.walking.outlooks import expected_metres
 from memorymaze.agents.walking.walker import Walker
 from memorymaze.errors import SettingsError
@@ -87,31 +87,22 @@ class GuideAgent(ReadsFirst):
     model may decide instead.
     """
 
-    def __init__(
-        self,
-        options: GuideOptions | None = None,
-        reader: PlanReader | None = None,
-        model: LanguageModel | None = None,
-    ) -> None:
-        """Make the agent with its options, what reads, and a model where one decides."""
-        self.options = options or GuideOptions()
-        super().__init__(self.options, reader)
-        self._model = model
-        if self.options.asks_on_the_way != (model is not None):
-            got = "none" if model is None else model.name
-            raise SettingsError(
-                "guide: expected a language model if one decides, and only then; got "
-                f"decide={self.options.decide} and {got}"
-            )
-        self.asks_beforehand = not self.options.asks_on_the_way
-        """Whether nothing is asked on the way."""
+    Options = GuideOptions
 
-    @property
-    def prompts(self) -> dict[str, str]:
-        """The versions of its prompts, by stage."""
-        return self.reader.prompts | (
-            guide_prompts() if self.options.asks_on_the_way else {}
-        )
+    def __init__(
+        self, options: GuideOptions | None = None, model: LanguageModel | None = None
+    ) -> None:
+        """Make the agent with its options, and a model where one reads or decides."""
+        self.options = options or GuideOptions()
+        super().__init__(self.options, model)
+        self._model = model if self.options.asks_on_the_way else None
+
+    def asking(self, instruction: str, limits: FairLimits | None) -> Asking:
+        """Tell what it will ask, as far as no model decides on the way."""
+        reading = super().asking(instruction, limits)
+        if not self.options.asks_on_the_way:
+            return reading
+        return Asking({**reading.prompts, **guide_prompts()})
 
     @property
     def name(self) -> str:

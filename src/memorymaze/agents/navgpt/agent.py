@@ -5,11 +5,12 @@ Large Language Models" (AAAI). What is as in its released code and what is not:
 `docs/navgpt.md`.
 """
 
-import math
 from dataclasses import asdict, dataclass, field
 from typing import ClassVar, Literal
 
-from memorymaze.agents.agent import Journal, Need
+import numpy as np
+
+from memorymaze.agents.agent import Asking, FairLimits, Journal, Need
 from memorymaze.agents.navgpt.observation import (
     Place,
     Scratchpad,
@@ -41,14 +42,30 @@ from memorymaze.robot.viewpoints import Journey, ViewpointRobot
 
 RELEASED_ITERATIONS = 10
 RELEASED_SCRATCHPAD = 7000
-FAIR_ITERATIONS = 2.0
-"""Requests per viewpoint on the longest route."""
 FAIR_FAILURES = 10
 """As many as the released budget has requests in all."""
 
 
 @dataclass(frozen=True, slots=True)
-class NavGPTOptions:
+class CaptionOptions:
+    """Who describes viewpoints to an agent on a graph; a run goes by these options."""
+
+    captions: Literal["templates", "vision"] = "templates"
+    """Who describes what is seen: templates filled with what the camera truly sees, or a
+    vision model that is shown pictures."""
+    caption_model: str | None = None
+    """Vision model of the captions; none for the agent's own model."""
+    caption_file: str = "navgpt_captions.sqlite"
+    """File in which a vision model's captions are kept and looked up."""
+
+    @property
+    def needs(self) -> frozenset[Need]:
+        """What the agent needs with these options."""
+        return frozenset({"language_model"} if self.captions == "vision" else ())
+
+
+@dataclass(frozen=True, slots=True)
+class NavGPTOptions(CaptionOptions):
     """What can be set of the NavGPT agent."""
 
     budget: Literal["fair", "released"] = "fair"
@@ -65,13 +82,6 @@ class NavGPTOptions:
     faithful: bool = False
     """Whether two faults of the released code are kept: neighbours at headings from
     337.5 degrees on are not shown, and of things of one name in a direction only one."""
-    captions: Literal["templates", "vision"] = "templates"
-    """Who describes what is seen: templates filled with what the camera truly sees, or a
-    vision model that is shown pictures."""
-    caption_model: str | None = None
-    """Vision model of the captions; none for the agent's own model."""
-    caption_file: str = "navgpt_captions.sqlite"
-    """File in which a vision model's captions are kept and looked up."""
     grammar: bool = True
     """Whether local models that can be held to a grammar are held to well-formed replies
     and listed viewpoints; other models answer freely."""
@@ -104,18 +114,20 @@ class LoopLimits:
     """Failures in a row after which the episode ends as `stuck`; None for no limit."""
 
 
-def loop_limits(options: NavGPTOptions, longest_route: int) -> LoopLimits:
+def loop_limits(options: NavGPTOptions, fair: FairLimits | None) -> LoopLimits:
     """Return the limits of an episode.
 
-    Fair: two requests for each viewpoint of the site's longest route, and a scratchpad
-    that grows with them as in the released code, 700 characters for each.
-
-    `longest_route` has the viewpoints of the longest route of the site, whatever the route
-    of the episode, so that the limits tell nothing of it.
+    Fair: as many requests as the run calls fair, and a scratchpad that grows with them as
+    in the released code, 700 characters for each.
     """
     iterations, scratchpad, failures = RELEASED_ITERATIONS, RELEASED_SCRATCHPAD, None
     if options.budget == "fair":
-        iterations = max(iterations, math.ceil(FAIR_ITERATIONS * longest_route))
+        if fair is None:
+            raise SettingsError(
+                "--set budget=fair: expected a run's journal, which has the limits of the "
+                "site, got one without; set budget=released, or journal.limits"
+            )
+        iterations = fair.requests
         scratchpad = iterations * RELEASED_SCRATCHPAD // RELEASED_ITERATIONS
         failures = FAIR_FAILURES
     return LoopLimits(
@@ -128,22 +140,20 @@ def loop_limits(options: NavGPTOptions, longest_route: int) -> LoopLimits:
 class NavGPTAgent:
     """Follows an instruction by asking a language model for each next viewpoint.
 
-    It drives a `ViewpointRobot`; in a run, one is put round the simulated robot for it.
+    It drives a `ViewpointRobot`, which a run hands to agents that need a graph.
     """
 
+    Options = NavGPTOptions
     needs: ClassVar[frozenset[Need]] = frozenset({"language_model", "graph"})
 
-    def __init__(
-        self, model: LanguageModel, options: NavGPTOptions | None = None
-    ) -> None:
+    def __init__(self, options: NavGPTOptions, model: LanguageModel) -> None:
         """Prepare the agent."""
-        self.options = options or NavGPTOptions()
+        self.options = options
         """What was set."""
         self._model = model
         self._rules = load_prompt("navgpt_rules", move_action=MOVE_ACTION)
         step = load_prompt("navgpt_step", instruction="", start="", steps="")
-        self.prompts = {"step": prompt_version(self._rules, step)}
-        """Version of the prompt, which answers in files are compared with."""
+        self._version = prompt_version(self._rules, step)
 
     @property
     def name(self) -> str:
@@ -162,12 +172,16 @@ class NavGPTAgent:
             + "".join(numbers)
         )
 
+    def asking(self, instruction: str, limits: FairLimits | None) -> Asking:
+        """Tell which prompt it asks with; how often, the walk decides."""
+        return Asking({"step": self._version})
+
     def follow(
         self,
         instruction: str,
         robot: ViewpointRobot,
         journal: Journal,
-        limits: LoopLimits,
+        rng: np.random.Generator,
     ) -> None:
         """Go from viewpoint to viewpoint until the model says that it has arrived.
 
@@ -175,6 +189,7 @@ class NavGPTAgent:
         `blocked_move`, `refused_move`, `parse_failure` or `final_answer`; at the end, in
         any case, `navgpt` with all counts.
         """
+        limits = loop_limits(self.options, journal.limits)
         walk = _Walk(robot, journal, limits, faithful=self.options.faithful)
         try:
             start = walk.look(compass_degrees(robot.start_heading))
@@ -209,7 +224,7 @@ class NavGPTAgent:
             max_tokens=self.options.max_tokens,
             seed=self.options.seed,
             grammar=reply_grammar(listed) if self.options.grammar else None,
-            question=Question("step", self.prompts["step"], number),
+            question=Question("step", self._version, number),
         )
         return journal.ask(self._model, request, "step")
 

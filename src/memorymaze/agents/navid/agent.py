@@ -7,7 +7,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from memorymaze.agents.agent import Journal, Need
+from memorymaze.agents.agent import Asking, FairLimits, Journal, Need
 from memorymaze.agents.navid.model_policy import ModelPolicy, PolicySession
 from memorymaze.agents.navid.motions import (
     FIELD_OF_VIEW_DEG,
@@ -20,8 +20,13 @@ from memorymaze.agents.navid.motions import (
 )
 from memorymaze.agents.navid.options import NavidOptions
 from memorymaze.agents.navid.replies import read_reply, read_reply_as_released
-from memorymaze.errors import CommandError, EpisodeOver, LanguageModelError
-from memorymaze.language.model import LanguageModel
+from memorymaze.errors import (
+    CommandError,
+    EpisodeOver,
+    LanguageModelError,
+    SettingsError,
+)
+from memorymaze.language.model import LanguageModel, takes_pictures
 from memorymaze.robot.api import Robot
 from memorymaze.robot.steps import SteppingRobot
 
@@ -38,17 +43,20 @@ class NavidAgent:
     asked for last is done, and answers with up to three primitives of a kind, or stop.
     """
 
+    Options = NavidOptions
     needs: ClassVar[frozenset[Need]] = frozenset({"language_model", "camera", "steps"})
 
-    def __init__(
-        self, model: LanguageModel, options: NavidOptions | None = None
-    ) -> None:
-        """Prepare to ask a model, with options; the defaults when None."""
-        self.options = options or NavidOptions()
+    def __init__(self, options: NavidOptions, model: LanguageModel) -> None:
+        """Prepare to ask a model, which must see pictures where it is shown some."""
+        if options.pictures == "shown" and not takes_pictures(model):
+            raise SettingsError(
+                f"--model {model.name}: models that run here see no pictures; name a "
+                "vision model on a server (--base-url), or leave pictures out with "
+                "--set pictures=none"
+            )
+        self.options = options
         """What was set."""
-        self._policy = ModelPolicy(model, self.options)
-        self.prompts = self._policy.prompts
-        """Version of the prompt, which answers in files are compared with."""
+        self._policy = ModelPolicy(model, options)
 
     @property
     def name(self) -> str:
@@ -60,13 +68,21 @@ class NavidAgent:
             + "+faithful" * options.faithful
         )
 
+    def asking(self, instruction: str, limits: FairLimits | None) -> Asking:
+        """Tell with which prompt it asks, how often, and how far an answer gets it."""
+        motions = self.options.motions
+        return Asking(
+            self._policy.prompts,
+            stride=(motions.most * motions.forward_m, motions.most * motions.turn_deg),
+            most=self.options.step_limit(limits),
+        )
+
     def follow(
         self,
         instruction: str,
         robot: Robot,
         journal: Journal,
         rng: np.random.Generator,
-        fair_steps: int | None = None,
     ) -> None:
         """Drive the robot as the model says, and stop where it says so.
 
@@ -75,7 +91,6 @@ class NavidAgent:
 
         The generator gives the episode a number, by which its pictures are named, and
         draws motions where `faithful` asks for it.
-        `fair_steps` is what the budget `fair` allows here; None sets no limit of steps.
         """
         if not isinstance(robot, SteppingRobot):
             raise CommandError(
@@ -84,7 +99,7 @@ class NavidAgent:
             )
         episode = str(rng.integers(2**31))
         session = self._policy.begin(instruction)
-        limit = self.options.step_limit(fair_steps)
+        limit = self.options.step_limit(journal.limits)
         _Walk(session, robot, journal, rng, self.options, limit, episode).run()
         robot.stop()
 

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 from typing import Literal
 
+from memorymaze.agents.agent import FairLimits
 from memorymaze.agents.navid.motions import WIDTH, Motions
 from memorymaze.options import check_least, check_number
 
@@ -55,11 +56,10 @@ class NavidOptions:
         """The primitive motions."""
         return Motions(turn_deg=self.turn_deg)
 
-    def step_limit(self, fair_steps: int | None) -> int | None:
-        """Return the steps of an episode at most; None where only the run's budgets count.
-
-        `fair_steps` is what the budget `fair` allows where the robot is.
-        """
+    def step_limit(self, fair: FairLimits | None) -> int | None:
+        """Return the steps of an episode at most; None where only the run's budgets count."""
         if self.max_steps is not None:
             return self.max_steps
-        return RELEASED_STEPS if self.budget == "released" else fair_steps
+        if self.budget == "released":
+            return RELEASED_STEPS
+        return None if fair is None else fair.steps[self.turn_deg]

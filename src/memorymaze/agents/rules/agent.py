@@ -8,7 +8,7 @@ from typing import Literal
 import numpy as np
 
 from memorymaze.agents.agent import Journal
-from memorymaze.agents.plan_readers import PlanReader, ReaderOptions, ReadsFirst
+from memorymaze.agents.plan_readers import ReaderOptions, ReadsFirst
 from memorymaze.agents.rules.arriving import Ending, approach
 from memorymaze.agents.rules.evidence import Standing
 from memorymaze.agents.rules.tellings import Tellings
@@ -24,6 +24,7 @@ from memorymaze.agents.walking.outlooks import (
     things_on,
 )
 from memorymaze.agents.walking.walker import Walker
+from memorymaze.language.model import LanguageModel
 from memorymaze.robot.api import Robot
 from memorymaze.routes import RoutePlan, describe
 
@@ -53,12 +54,14 @@ class RulesAgent(ReadsFirst):
     cheapest and goes back to another when it becomes cheaper.
     """
 
+    Options = RulesOptions
+
     def __init__(
-        self, options: RulesOptions | None = None, reader: PlanReader | None = None
+        self, options: RulesOptions | None = None, model: LanguageModel | None = None
     ) -> None:
-        """Make the agent with its options, and what reads; that of the options when None."""
+        """Make the agent with its options, and a model where one reads."""
         self.options = options or RulesOptions()
-        super().__init__(self.options, reader)
+        super().__init__(self.options, model)
 
     @property
     def name(self) -> str:

@@ -145,7 +145,7 @@ def _measured(
     yield {
         **_about(study, group, list(filled), iteration),
         "method": run.label,
-        "parser": run.parser,
+        "parser": _parses_first(run),
         "figures": "measured",
         **means_fields(estimate_means(list(filled.values()))),
         "episodes": len(results),
@@ -153,6 +153,12 @@ def _measured(
         **_run_fields(results, run),
         **_cost_fields(filled, run),
     }
+
+
+def _parses_first(run: MeasuredRun) -> bool | None:
+    """Tell whether instructions were parsed first; None of agents without that option."""
+    told = dict(run.record.settings.option_values).get("parser")
+    return None if told is None else told == "true"
 
 
 def _published(

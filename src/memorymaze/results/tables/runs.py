@@ -51,8 +51,6 @@ class MeasuredRun:
     """Of its folder."""
     label: str
     """Its method in tables, unlike that of the other runs."""
-    parser: bool | None
-    """Whether instructions were parsed first; None where the agent has no parser."""
     record: RunRecord
     results: tuple[EpisodeResult, ...]
     """Those shown, in the order of episode ids."""
@@ -93,7 +91,6 @@ def load_runs(
             MeasuredRun(
                 name=name,
                 label=f"{label} ({name})" if labels[label] > 1 else label,
-                parser=record.settings.agent.parser,
                 record=record,
                 results=tuple(shown),
                 left_out=len(results) - len(shown),

@@ -1,11 +1,22 @@
-"""Agents of users' own, from `module:Class` or `file.py:Class`."""
+"""How agents are made, those of the package like users' own: found, read, checked.
+
+An agent is named by `module:Class` or `file.py:Class`. Its class may have a dataclass
+`Options`, and says in `needs` what it needs besides text and robot; options may add to that
+by an attribute `needs` of their own. It is called
+
+    Class()                         # without Options
+    Class(options)                  # with Options
+    Class(options, model=model)     # where it needs a language model
+    Class(model=model)              # without Options, where it needs one
+"""
 
 import importlib
 import importlib.util
 import inspect
 import sys
-from dataclasses import is_dataclass
-from functools import cache
+from collections.abc import Callable
+from dataclasses import dataclass, is_dataclass
+from functools import cache, partial
 from pathlib import Path
 from types import ModuleType
 from typing import Any, cast, get_args
@@ -13,7 +24,78 @@ from typing import Any, cast, get_args
 from memorymaze.agents.agent import Agent, Need
 from memorymaze.agents.failures import failure_line
 from memorymaze.errors import SettingsError
+from memorymaze.language.model import LanguageModel
 from memorymaze.options import read_options
+
+
+@dataclass(frozen=True, slots=True)
+class AgentRecipe:
+    """What an agent is made by, with its options read and its needs known."""
+
+    name: str
+    """Of the agent, for messages; where it was found, for one that is nobody's here."""
+    maker: Any
+    """Its class, or whatever else can be called for it."""
+    given: tuple[tuple[str, str], ...]
+    """Options by name, as they were given."""
+    options: Any
+    """Of its dataclass `Options`; None where it has none."""
+    needs: frozenset[Need]
+    """With what the options add."""
+    handed_over: bool
+    """Whether it was handed over itself, and not by its name."""
+
+    def make(self, model: LanguageModel | None = None) -> Agent:
+        """Make the agent, with a model where it takes one."""
+        given = () if self.options is None else (self.options,)
+        named = {} if model is None else {"model": model}
+        try:
+            return checked_agent(self.name, self.maker(*given, **named))
+        except SettingsError:
+            raise
+        except (Exception, SystemExit) as error:
+            how = ["from its options"] if given else []
+            how += ["with model=, as it needs a language model"] if named else []
+            told = " and ".join(how) or "without arguments"
+            instead = "; hand over an object instead" if self.handed_over else ""
+            raise SettingsError(
+                f"agent {self.name!r}: cannot be made {told} ({failure_line(error)})"
+                f"{instead}"
+            ) from error
+
+    def maker_elsewhere(self) -> Callable[[LanguageModel | None], Agent]:
+        """Return what makes the agent in another process, which finds it there again."""
+        if self.handed_over:
+            return self.make
+        return partial(_make_again, self.name, self.given)
+
+
+def _make_again(
+    name: str, given: tuple[tuple[str, str], ...], model: LanguageModel | None
+) -> Agent:
+    return agent_recipe(name, find_agent(name), given).make(model)
+
+
+def agent_recipe(
+    name: str,
+    maker: Any,
+    given: tuple[tuple[str, str], ...] = (),
+    *,
+    handed_over: bool = False,
+) -> AgentRecipe:
+    """Read the options of what makes an agent, and what it needs with them."""
+    kind = checked_options(name, maker)
+    if kind is None and given:
+        own = (
+            "; give its class a dataclass `Options`, and it is called with one of these"
+        )
+        raise SettingsError(
+            f"--set {given[0][0]}: the agent {name!r} has no options to set"
+            + (own if ":" in name else "")
+        )
+    options = None if kind is None else read_options(kind, given, agent=name)
+    needs = checked_needs(name, maker) | checked_needs(name, options)
+    return AgentRecipe(name, maker, given, options, needs, handed_over)
 
 
 def checked_options(name: str, agent: object) -> type | None:
@@ -29,7 +111,7 @@ def checked_options(name: str, agent: object) -> type | None:
 
 
 def checked_needs(name: str, agent: object) -> frozenset[Need]:
-    """Return what an agent, or its class, declares in its attribute `needs`."""
+    """Return what an agent, its class or its options declare in an attribute `needs`."""
     declared = getattr(agent, "needs", frozenset())
     known = get_args(Need)
     if isinstance(declared, str) or not all(each in known for each in declared):
@@ -38,36 +120,6 @@ def checked_needs(name: str, agent: object) -> frozenset[Need]:
             f"{declared!r}"
         )
     return cast(frozenset[Need], frozenset(declared))
-
-
-def make_own_agent(
-    agent: str | type[Agent], options: tuple[tuple[str, str], ...] = ()
-) -> Agent:
-    """Make an agent of a user's own.
-
-    It is a class, `package.module:Class` or `path/to/file.py:Class`. What lies beside the
-    file, or for a module in the current folder, can be imported too. A class that has a
-    dataclass `Options` is called with one of these; any other without arguments.
-    """
-    name = agent if isinstance(agent, str) else agent.__qualname__
-    factory: Any = find_agent(agent) if isinstance(agent, str) else agent
-    kind = checked_options(name, factory)
-    if kind is None and options:
-        raise SettingsError(
-            f"--set {options[0][0]}: the agent {name!r} has no options to set; give its "
-            "class a dataclass `Options`, and it is called with one of these"
-        )
-    given = () if kind is None else (read_options(kind, options, agent=name),)
-    try:
-        return checked_agent(name, factory(*given))
-    except SettingsError:
-        raise
-    except (Exception, SystemExit) as error:
-        how = "without arguments" if kind is None else "from its options"
-        instead = "" if isinstance(agent, str) else "; hand over an object instead"
-        raise SettingsError(
-            f"agent {name!r}: cannot be made {how} ({failure_line(error)}){instead}"
-        ) from error
 
 
 def find_agent(name: str) -> Any:

@@ -4,28 +4,23 @@ import math
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import replace
-from typing import Any, cast
+from typing import Any
 
 import numpy as np
 import pytest
 from scipy.sparse import csr_array
 from scipy.sparse.csgraph import dijkstra
 
-from memorymaze.agents.agent import Journal
 from memorymaze.agents.navgpt import NavGPTAgent, NavGPTOptions
 from memorymaze.evaluation.arena import Arena
+from memorymaze.evaluation.budgets import fair_limits
 from memorymaze.evaluation.episode import EpisodeRun, run_episode
-from memorymaze.evaluation.graph_agents import (
-    NavGPTOnGraph,
-    graph_of,
-    longest_route_viewpoints,
-)
+from memorymaze.evaluation.handing_over import graph_of
 from memorymaze.evaluation.plan import RunPlan, plan_run
-from memorymaze.evaluation.settings import AgentSettings
+from memorymaze.evaluation.settings import AgentSettings, RunDefinition
 from memorymaze.instructions.records import Episode
 from memorymaze.language.model import CompletionRequest
 from memorymaze.language.scripted_model import ScriptedLanguageModel
-from memorymaze.robot.api import Robot
 from memorymaze.sites.navigation_graph import NavigationGraph
 
 HERE = re.compile(r"(?:at|still at) viewpoint ([0-9a-f]{32})")
@@ -68,11 +63,15 @@ def model_that_knows(
     return ScriptedLanguageModel(reply, name="oracle")
 
 
+def on_graph(settings: RunDefinition) -> RunDefinition:
+    return replace(settings, needs=("graph", "language_model"))
+
+
 def run(episode: Episode, plan: RunPlan, **options: Any) -> EpisodeRun:
     arena = Arena(plan.sites[episode.instruction.site])
     model = model_that_knows(graph_of(arena.scene), episode.goal)
-    agent = NavGPTOnGraph(NavGPTAgent(model, NavGPTOptions(**options)))
-    return run_episode(agent, episode, arena, plan.settings)
+    agent = NavGPTAgent(NavGPTOptions(**options), model)
+    return run_episode(agent, episode, arena, on_graph(plan.settings))
 
 
 def notes(done: EpisodeRun, about: str) -> list[dict[str, Any]]:
@@ -137,15 +136,9 @@ def test_the_budget_is_the_same_for_every_route_of_a_site(
     builtin_sites: dict[str, Any],
 ) -> None:
     site = builtin_sites["university"]
-    assert longest_route_viewpoints(site) == math.ceil(159.5 / 2.25) + 1
+    limits = fair_limits(site.routes)
+    assert limits.requests == 2 * (math.ceil(159.5 / 2.25) + 1)
     assert len({route.length for route in site.routes}) > 1
-
-
-def test_only_a_simulated_robot_has_a_site_to_make_a_graph_of() -> None:
-    agent = NavGPTOnGraph(NavGPTAgent(ScriptedLanguageModel([])))
-    someone = cast(Robot, object())
-    with pytest.raises(TypeError, match="needs a SimulatedRobot, got object"):
-        agent.follow("", someone, Journal(), np.random.default_rng(0))
 
 
 def test_nothing_that_the_model_is_told_gives_the_answers_away(
@@ -155,8 +148,8 @@ def test_nothing_that_the_model_is_told_gives_the_answers_away(
     episode = plan.episodes[0]
     arena = Arena(plan.sites[episode.instruction.site])
     model = model_that_knows(graph_of(arena.scene), episode.goal)
-    settings = replace(plan.settings, seed=3)
-    run_episode(NavGPTOnGraph(NavGPTAgent(model)), episode, arena, settings)
+    settings = replace(on_graph(plan.settings), seed=3)
+    run_episode(NavGPTAgent(NavGPTOptions(), model), episode, arena, settings)
     told = "\n".join(
         message.content for request in model.requests for message in request.messages
     )
