@@ -17,9 +17,10 @@ import numpy as np
 from benchmarks.turning_points import NOISY_LIDAR, NOISY_ODOMETRY
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.episode import run_episode
+from memorymaze.evaluation.named_settings import with_choices
 from memorymaze.evaluation.plan import RunPlan, plan_run
 from memorymaze.evaluation.results import EpisodeResult
-from memorymaze.evaluation.settings import AgentSettings, RunSettings, with_choices
+from memorymaze.evaluation.settings import AgentSettings, RunSettings
 from memorymaze.simulation.robot import SimulatedRobot
 
 AGENTS = ("rules", "guide", "examples/right_hand.py:RightHand")

@@ -1,4 +1,4 @@
-"""A server for `--detector remote:URL` with any zero-shot detection checkpoint.
+"""A server for `--with detector=remote:URL` with any zero-shot detection checkpoint.
 
     python examples/detector_server.py CHECKPOINT --port 8000
 

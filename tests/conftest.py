@@ -14,6 +14,7 @@ from hypothesis import settings as property_settings
 from hypothesis import strategies as st
 
 from memorymaze.errors import CommandError, EpisodeOver
+from memorymaze.evaluation.named_settings import with_choices
 from memorymaze.evaluation.plan import RunPlan, plan_run
 from memorymaze.evaluation.provenance import CodeStamp
 from memorymaze.evaluation.results import EpisodeResult
@@ -22,7 +23,6 @@ from memorymaze.evaluation.settings import (
     AgentSettings,
     RunDefinition,
     RunSettings,
-    with_choices,
 )
 from memorymaze.input_files import FileStamp
 from memorymaze.instructions import Corpus, load_corpus

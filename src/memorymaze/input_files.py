@@ -6,6 +6,8 @@ One refusal for all rooms; writing is in `durable_files.py`.
 import gzip
 import hashlib
 import json
+import re
+import tomllib
 import zlib
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -105,6 +107,47 @@ def parse_record(line: str | bytes) -> dict[str, Any]:
     if not isinstance(record, dict):
         raise ValueError(f"expected one JSON record {{…}}, got {shown(record)}")
     return cast(dict[str, Any], record)
+
+
+def parse_toml(
+    text: str, path: str | Path, error: type[MemoryMazeError]
+) -> dict[str, Any]:
+    """Return what the TOML of a file says; no TOML raises an error of the kind given."""
+    try:
+        return tomllib.loads(text)
+    except tomllib.TOMLDecodeError as mistake:
+        raise error(f"{path}: expected TOML, got a mistake: {mistake}") from None
+
+
+def field_lines(text: str) -> dict[str, int]:
+    """Return the line of each field of a TOML text, by places such as `routes[1].video`."""
+    lines: dict[str, int] = {}
+    counts: dict[str, int] = {}
+    table, quotes = "", ""
+    for number, line in enumerate(text.splitlines(), start=1):
+        if quotes:
+            quotes = "" if quotes in line else quotes
+            continue
+        if line.lstrip().startswith("#"):
+            continue
+        header = re.match(r"\s*(\[\[?)\s*([\w.-]+)\s*\]", line)
+        field = re.match(r"\s*([\w-]+)\s*=", line)
+        if header:
+            name = re.sub(r"^(\w+)(?=\.)", lambda m: _latest(m[1], counts), header[2])
+            if header[1] == "[[":
+                counts[name] = counts.get(name, -1) + 1
+            table = _latest(name, counts)
+            lines[table] = number
+        elif field:
+            lines[f"{table}.{field[1]}".lstrip(".")] = number
+        for mark in ('"""', "'''"):
+            if line.count(mark) % 2:
+                quotes = mark
+    return lines
+
+
+def _latest(name: str, counts: dict[str, int]) -> str:
+    return f"{name}[{counts[name]}]" if name in counts else name
 
 
 def unknown_fields(record: Mapping[str, Any], known: Iterable[str]) -> list[str]:

@@ -55,7 +55,7 @@ def list_options(cls: type, only: Collection[str] | None = None) -> list[Option]
                 f"{cls.__name__}.{field.name}: expected a default and a string beneath "
                 "it that says what it does"
             )
-        default = _as_given(field.default)
+        default = as_given(field.default)
         meaning = meanings[field.name]
         # What a field reads itself is told by its meaning.
         reads_itself = "reader" in field.metadata
@@ -67,7 +67,7 @@ def list_options(cls: type, only: Collection[str] | None = None) -> list[Option]
 def options_of(options: Any) -> list[Option]:
     """Return options as they are set, each with its value in the place of the default."""
     return [
-        replace(each, default=_as_given(getattr(options, each.name)))
+        replace(each, default=as_given(getattr(options, each.name)))
         for each in list_options(type(options))
     ]
 
@@ -94,33 +94,29 @@ def read_options(
     return cls(**_values(cls, given, "--set"))
 
 
-def read_values(
-    cls: type, given: Mapping[str, str], *, flags: bool = False
-) -> dict[str, Any]:
-    """Turn texts into values of settings, both by their fields' names.
+def read_value(cls: type, name: str, text: str, called: str) -> Any:
+    """Turn a text into the value of a setting: a field of a dataclass, by its name.
 
     Besides what `read_options` understands, a type may have a class method `parse`, and a
     text `form` that says what it takes; or a field has a `reader` in its metadata, which
-    says itself what it does not understand.
-
-    With `flags`, messages name the options of the command line, as `--max-cost`.
+    says itself what it does not understand. Messages name the setting as it is `called`.
     """
-    readers = {each.name: each.metadata.get("reader") for each in fields(cls)}
-    values: dict[str, Any] = {}
-    for name, text in given.items():
-        reader = readers[name]
-        called = f"--{name.replace('_', '-')}" if flags else f"setting {name}"
-        values[name] = (
-            _values(cls, {called: text}, "", {called: name})[name]
-            if reader is None
-            else reader(text)
-        )
-    return values
+    [field] = [each for each in fields(cls) if each.name == name]
+    reader = field.metadata.get("reader")
+    if reader is None:
+        return _values(cls, {called: text}, "", {called: name})[name]
+    return None if text == "none" and field.default is None else reader(text)
 
 
-def read_flags(cls: type[Options], given: Mapping[str, str]) -> Options:
-    """Turn the command line's own options into settings; see `read_values`."""
-    return cls(**read_values(cls, given, flags=True))
+def called_on_command_line(cls: type, name: str) -> str:
+    """Return how a setting is given there: by an option of its own, or with `--with`.
+
+    Those have one that have a `metavar` in their metadata.
+    """
+    [field] = [each for each in fields(cls) if each.name == name]
+    if "metavar" in field.metadata:
+        return f"--{name.replace('_', '-')}"
+    return f"--with {name}"
 
 
 def parse_options(
@@ -168,7 +164,7 @@ def write_options(
     `only` names fields to tell; those that are the same in `changed_from` are left out.
     """
     return ",".join(
-        f"{field.metadata.get('given_as', field.name)}={_as_given(_plain(value), '+')}"
+        f"{field.metadata.get('given_as', field.name)}={as_given(_plain(value), '+')}"
         for field in fields(settings)
         if only is None or field.name in only
         for value in [getattr(settings, field.name)]
@@ -281,10 +277,10 @@ _WORDS: dict[Any, str] = {
 }
 
 
-def _as_given(value: Any, between: str = ",") -> str:
+def as_given(value: Any, between: str = ",") -> str:
     """Write a value as it would be given."""
     if isinstance(value, tuple):
-        return between.join(map(_as_given, value))  # pyright: ignore[reportUnknownArgumentType]
+        return between.join(map(as_given, value))  # pyright: ignore[reportUnknownArgumentType]
     return str(value).lower() if value is None or type(value) is bool else str(value)
 
 

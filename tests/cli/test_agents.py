@@ -23,7 +23,7 @@ def test_one_agent_is_listed_with_its_options(memorymaze: Memorymaze) -> None:
 
 
 def test_help_says_where_the_options_are_listed(memorymaze: Memorymaze) -> None:
-    assert "`memorymaze agents NAME` lists" in " ".join(
+    assert "see `memorymaze agents NAME`" in " ".join(
         memorymaze("evaluate", "--help").out.split()
     )
 

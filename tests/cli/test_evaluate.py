@@ -63,9 +63,11 @@ def test_a_limit_spreads_over_the_files_and_can_be_resumed_only_as_it_was(
         pytest.param(["--workers", "-1"], "--workers: expected 0", id="workers"),
         pytest.param(["--seed", "-1"], "seed: expected a whole number", id="seed"),
         pytest.param(["--limit", "0"], "limit: expected", id="limit"),
-        pytest.param(["--time-budget", "0"], "time_budget", id="time"),
-        pytest.param(["--call-budget", "0"], "call_budget", id="calls"),
-        pytest.param(["--success-distance", "nan"], "success-distance", id="distance"),
+        pytest.param(["--with", "time_budget=0"], "time_budget", id="time"),
+        pytest.param(["--with", "call_budget=0"], "call_budget", id="calls"),
+        pytest.param(
+            ["--with", "success_distance=nan"], "success_distance", id="distance"
+        ),
         pytest.param(["--resume"], "--resume: name the run's folder", id="resume"),
         pytest.param(["--model", "gpt"], "asks no language model", id="model"),
     ],
@@ -117,17 +119,17 @@ def test_the_source_of_turning_points_is_a_setting_of_a_run(
     memorymaze: Memorymaze, tiny_files: list[str], tmp_path: Path
 ) -> None:
     command = ["evaluate", "--agent", "stop", *tiny_files, "--limit", "2"]
-    command += ["--workers", "1", "--out", tmp_path / "run", "--turning-points"]
-    wrong = memorymaze(*command, "radar")
+    command += ["--workers", "1", "--out", tmp_path / "run", "--with"]
+    wrong = memorymaze(*command, "turning_points=radar")
     assert wrong.code == 2
     assert "annotated or lidar" in wrong.err
     assert "'radar'" in wrong.err
-    said = memorymaze(*command, "lidar")
+    said = memorymaze(*command, "turning_points=lidar")
     assert said.code == 0
     assert "turning points by LiDAR" in said.out
     simulation = read_run(tmp_path / "run")[0].settings.simulation
     assert simulation.turning_points == "lidar"
-    refused = memorymaze(*command, "annotated", "--resume")
+    refused = memorymaze(*command, "turning_points=annotated", "--resume")
     assert "simulation.turning_points: 'lidar' there, 'annotated' here" in refused.err
 
 
@@ -156,7 +158,7 @@ def test_the_help_begins_with_what_most_runs_need(memorymaze: Memorymaze) -> Non
     text = memorymaze("evaluate", "--help").out
     flags = [line.split()[0] for line in text.splitlines() if line.startswith("  --")]
     assert flags[:5] == ["--agent", "--limit", "--out", "--resume", "--workers"]
-    for group in ("what is followed:", "the agent:", "how episodes are run:"):
+    for group in ("what is followed:", "language model:", "how episodes are run:"):
         assert f"\n{group}\n" in text
 
 

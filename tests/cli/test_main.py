@@ -25,6 +25,18 @@ def test_the_help_of_a_verb_shows_an_example(memorymaze: Memorymaze, verb: str) 
     assert f"example: memorymaze {verb}" in " ".join(said.out.split())
 
 
+@pytest.mark.parametrize("columns", ["80", "100"])
+@pytest.mark.parametrize("verb", ["evaluate", "navigate", "try"])
+def test_the_help_of_what_everybody_uses_fits_a_screen(
+    memorymaze: Memorymaze, monkeypatch: pytest.MonkeyPatch, verb: str, columns: str
+) -> None:
+    monkeypatch.setenv("COLUMNS", columns)
+    lines = memorymaze(verb, "--help").out.splitlines()
+    assert len(lines) <= 45
+    assert max(map(len, lines)) <= int(columns)
+    assert len([line for line in lines if line.startswith("  --")]) <= 23
+
+
 @pytest.mark.parametrize(
     "arguments",
     [

@@ -152,11 +152,11 @@ def test_without_a_terminal_the_calls_are_told_as_lines(
         pytest.param(["--watch", "--pace", "x"], "--pace", id="no number"),
         pytest.param(["--watch", "window"], "terminal", id="view"),
         pytest.param(
-            ["--ask", "1", "--passers-by", "keyboard"],
+            ["--ask", "1", "--with", "passers_by=keyboard"],
             "expected a terminal",
             id="nobody to type",
         ),
-        pytest.param(["--passers-by", "keyboard"], "add ask", id="nobody asks"),
+        pytest.param(["--with", "passers_by=keyboard"], "add ask", id="nobody asks"),
     ],
 )
 def test_wrong_usage_runs_nothing(
@@ -180,8 +180,8 @@ def test_a_person_in_a_terminal_is_asked_and_their_words_are_the_answer(
         [
             *(sys.executable, "-m", "memorymaze", "navigate"),
             *(tiny_sites_folder / "crossing.geojson", "R1", "Go left."),
-            *("--ask", "1", "--set", "ask=start", "--passers-by", "keyboard"),
-            *("--obstacles", "people=20,things=0", "--time-budget", "20"),
+            *("--ask", "1", "--set", "ask=start", "--with", "passers_by=keyboard"),
+            *("--obstacles", "people=20,things=0", "--with", "time_budget=20"),
             *("--out", tmp_path),
         ],
         stdin=theirs,
@@ -208,7 +208,7 @@ def test_nobody_is_asked_in_a_run_of_many_episodes(
 ) -> None:
     done = memorymaze(
         *("evaluate", "--agent", "stop", *tiny_files, "--out", tmp_path / "run"),
-        *("--ask", "1", "--passers-by", "keyboard"),
+        *("--ask", "1", "--with", "passers_by=keyboard"),
     )
     assert done.code == 2
     assert "use memorymaze navigate" in done.err

@@ -18,10 +18,14 @@ Memorymaze = Callable[..., Any]
             ["--agent", "code_generation"], "name a language model", id="no model"
         ),
         pytest.param(
-            ["--isolate"], "--isolate: is for agents of your own", id="isolate"
+            ["--with", "isolate=true"],
+            "isolate: is for agents of your own",
+            id="isolate",
         ),
         pytest.param(
-            ["--ask", "1", "--passers-by", "keyboard"], "on this page", id="keyboard"
+            ["--ask", "1", "--with", "passers_by=keyboard"],
+            "on this page",
+            id="keyboard",
         ),
         pytest.param(["--host", "192.0.2.1"], "cannot be served", id="not our address"),
     ],

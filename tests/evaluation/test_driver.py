@@ -143,8 +143,8 @@ def test_an_episode_that_hangs_is_given_up_and_the_run_goes_on(
     tmp_path: Path, troubled: str, tiny_plan: Plan
 ) -> None:
     order(tmp_path, "on", "hang always")
-    plan = tiny_plan(troubled, limit=4)
-    results = run_plan(plan, tmp_path / "run", workers=1, wall_limit=1.0)
+    plan = tiny_plan(troubled, limit=4, wall_limit=1.0)
+    results = run_plan(plan, tmp_path / "run", workers=1)
     hung = [one for one in results if one.stopped_by == "crash"]
     assert [one.error for one in hung] == [
         "WorkerLost: the worker process took longer than the 1 s a task may"

@@ -199,7 +199,7 @@ def test_episodes_that_hang_or_kill_every_worker_are_recorded_as_crashes(
     (tmp_path / "orders/block").write_text("always die", encoding="utf-8")
     (tmp_path / "orders/once").write_text("always hang", encoding="utf-8")
     out = tmp_path / "run"
-    run = evaluating(cluster, obedient, tiny_files, out, "--wall-limit", "3")
+    run = evaluating(cluster, obedient, tiny_files, out, "--with", "wall_limit=3")
     assert run.communicate()[0].startswith(f"run {out}\n")
     results = {each.episode_id: each for each in read_run(out)[1]}
     assert len(results) == 12
@@ -247,7 +247,7 @@ def test_more_workers_than_the_cluster_has_cores_are_refused(
         ),
         pytest.param(
             {"language_model": ModelSettings(max_tokens_total=5)},
-            "--max-tokens-total and --ray",
+            "max_tokens_total and --ray",
             id="tokens",
         ),
         pytest.param(

@@ -5,13 +5,13 @@ from typing import Any
 import pytest
 
 from memorymaze.errors import SettingsError
+from memorymaze.evaluation.named_settings import with_choices
 from memorymaze.evaluation.settings import (
     Difference,
     RunDefinition,
     RunSettings,
     Shard,
     differences,
-    with_choices,
 )
 from memorymaze.input_files import FileStamp, stamp_file
 from memorymaze.perception.error_model import ErrorModel

@@ -5,17 +5,18 @@ from typing import Any
 import pytest
 
 from memorymaze.errors import LanguageModelError, SettingsError
+from memorymaze.evaluation.named_settings import model_settings, named_in_python
 from memorymaze.language.building import build_language_model
 from memorymaze.language.model import Completion, Usage
 from memorymaze.language.model_settings import (
     InferenceTime,
     ModelSettings,
 )
-from memorymaze.options import list_options, read_flags
+from memorymaze.options import list_options, read_value
 
 
 def inference_time(text: str) -> InferenceTime:
-    return read_flags(ModelSettings, {"inference_time": text}).inference_time
+    return read_value(ModelSettings, "inference_time", text, "inference_time")
 
 
 REPLY = Completion("go", "m", Usage(1000, 60), latency=3.25)
@@ -56,7 +57,7 @@ def test_a_setting_is_written_as_it_was_given(text: str) -> None:
     ["", "fast", "-1", "nan", "inf", "reply=0", "speed=3", "reply=5,reply=6", "start="],
 )
 def test_what_is_not_understood_is_explained(text: str) -> None:
-    with pytest.raises(SettingsError, match=r"--inference-time: expected measured, no"):
+    with pytest.raises(SettingsError, match=r"inference_time: expected measured, no"):
         inference_time(text)
 
 
@@ -101,11 +102,11 @@ def test_a_key_is_asked_for_only_by_openais_own_server(
 @pytest.mark.parametrize(
     ("options", "said"),
     [
-        ({"max_cost": 1.0}, "--max-cost: what replies cost is not known"),
-        ({"request_timeout": 0.0}, "--request-timeout: expected a number of at least"),
-        ({"retries": -1}, "--retries: expected a whole number of at least 0"),
-        ({"max_requests": 0}, "--max-requests: expected a whole number of"),
-        ({"max_tokens_total": 0}, "--max-tokens-total: expected a whole number of"),
+        ({"max_cost": 1.0}, "max_cost: what replies cost is not known"),
+        ({"request_timeout": 0.0}, "request_timeout: expected a number of at least"),
+        ({"retries": -1}, "retries: expected a whole number of at least 0"),
+        ({"max_requests": 0}, "max_requests: expected a whole number of"),
+        ({"max_tokens_total": 0}, "max_tokens_total: expected a whole number of"),
     ],
 )
 def test_limits_without_meaning_are_explained(
@@ -119,7 +120,7 @@ def test_limits_without_meaning_are_explained(
     ("given", "said"),
     [
         *(
-            ({"price": text}, "--price: expected PROMPT,COMPLETION in US dollars")
+            ({"price": text}, "setting price: expected PROMPT,COMPLETION in US dollars")
             for text in ("", "1", "1,", "1,two", "1,2,3")
         ),
         *(
@@ -129,15 +130,15 @@ def test_limits_without_meaning_are_explained(
             )
             for text in ("-1,2", "nan,1", "1,inf")
         ),
-        ({"max_cost": "much"}, "--max-cost: expected a number or none, got 'much'"),
-        ({"grammar": "x"}, "--grammar: expected llama.cpp or vllm or none, got 'x'"),
+        ({"max_cost": "much"}, "max_cost: expected a number or none, got 'much'"),
+        ({"grammar": "x"}, "grammar: expected llama.cpp or vllm or none, got 'x'"),
     ],
 )
 def test_what_an_option_does_not_take_is_explained(
     given: dict[str, str], said: str
 ) -> None:
     with pytest.raises(SettingsError, match=said):
-        read_flags(ModelSettings, given)
+        model_settings(named_in_python(given))
 
 
 def test_every_option_says_what_it_does() -> None:

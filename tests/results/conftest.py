@@ -9,11 +9,12 @@ import pytest
 
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.episode import run_episode
+from memorymaze.evaluation.named_settings import with_choices
 from memorymaze.evaluation.plan import plan_run
 from memorymaze.evaluation.provenance import CodeStamp
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import RunRecord, open_run_folder, read_run
-from memorymaze.evaluation.settings import AgentSettings, RunSettings, with_choices
+from memorymaze.evaluation.settings import AgentSettings, RunSettings
 from memorymaze.evaluation.trace import keep_trace, trace_content
 from memorymaze.instructions import Corpus
 from memorymaze.results.story import RecordedEpisode, load_episode

@@ -8,8 +8,9 @@ from typing import Any
 import pytest
 
 from memorymaze.evaluation.driver import run_plan
+from memorymaze.evaluation.named_settings import with_choices
 from memorymaze.evaluation.plan import plan_run
-from memorymaze.evaluation.settings import AgentSettings, RunSettings, with_choices
+from memorymaze.evaluation.settings import AgentSettings, RunSettings
 from memorymaze.evaluation.trace import trace_path
 from memorymaze.instructions import load_corpus
 from memorymaze.results.submission import Submission, check_submission, remarks
@@ -205,7 +206,9 @@ def test_an_agent_of_ones_own_must_have_been_run_without_buildings(
     agent = AgentSettings(f"{tmp_path / 'mine.py'}:Stander")
     settings = with_choices(RunSettings(), {"isolate": isolate})
     run_plan(plan_run(agent, CORPUS, settings), tmp_path / "run", workers=1)
-    asked = [each for each in check(tmp_path / "run").problems if "--isolate" in each]
+    asked = [
+        each for each in check(tmp_path / "run").problems if "isolate=true" in each
+    ]
     assert len(asked) == (0 if isolate else 1)
 
 

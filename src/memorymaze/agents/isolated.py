@@ -113,7 +113,7 @@ class IsolatedAgent:
             self._maker = cloudpickle.dumps(make)
         except Exception as error:
             raise SettingsError(
-                f"--isolate: the agent {agent.name!r} cannot be sent to a process of its own "
+                f"isolate: the agent {agent.name!r} cannot be sent to a process of its own "
                 f"({failure_line(error)})"
             ) from error
 

@@ -43,6 +43,7 @@ def add_parser(verbs: Verbs) -> None:
 def _add_options(parser: argparse.ArgumentParser) -> None:
     from memorymaze.evaluation.settings import RunSettings
 
+    parser.usage = "%(prog)s --agent NAME [OPTION …]"
     add_agent_name(parser, default=None)
     add_flags(parser.add_argument, RunSettings, ["limit"])
     parser.add_argument(
@@ -51,7 +52,7 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--resume",
         action="store_true",
-        help="finish the run that is in --out; begins one where there is none",
+        help="finish the run in --out, or begin it where there is none",
     )
     parser.add_argument(
         "--workers",
@@ -60,31 +61,22 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
         default=0,
         help="processes (default: 0, one per core)",
     )
-    followed = parser.add_argument_group("what is followed")
-    add_corpus_options(followed)
-    add_flags(followed.add_argument, RunSettings, ["split", "shard", "second_telling"])
-    add_agent_options(parser)
-    add_episode_options(parser)
-    elsewhere = parser.add_argument_group("workers")
-    elsewhere.add_argument(
+    parser.add_argument(
         "--ray",
         metavar="ADDRESS",
-        help="workers on a Ray cluster: HOST:PORT, ray://HOST:PORT, auto, or local for "
-        "one on this machine (docs/scaling.md)",
+        help="workers on a Ray cluster at this address (docs/scaling.md)",
     )
-    elsewhere.add_argument(
-        "--wall-limit",
-        metavar="SECONDS",
-        type=float,
-        help="real time after which an episode is given up as a crash (default: 3600)",
-    )
+    followed = parser.add_argument_group("what is followed")
+    add_corpus_options(followed)
+    add_flags(followed.add_argument, RunSettings, ["split"])
+    add_agent_options(parser)
+    add_episode_options(parser)
     parser.set_defaults(run=_run)
 
 
 def _run(options: argparse.Namespace) -> int:
     from memorymaze.errors import SettingsError
     from memorymaze.evaluation.crashes import crash_lines
-    from memorymaze.evaluation.driver import WALL_LIMIT
     from memorymaze.evaluation.summary import summarise, summary_lines
     from memorymaze.library.runs import default_folder, evaluate
 
@@ -96,7 +88,6 @@ def _run(options: argparse.Namespace) -> int:
         raise SettingsError("--resume: name the run's folder with --out")
     out = Path(options.out or default_folder(options.agent))
     agent, corpus, settings = _what_to_follow(options)
-    wall_limit = WALL_LIMIT if options.wall_limit is None else options.wall_limit
     with _workforce(options) as workforce:
         try:
             # What a user's agent prints while it is made is no result.
@@ -108,7 +99,6 @@ def _run(options: argparse.Namespace) -> int:
                     settings=settings,
                     workers=workforce,
                     resume=options.resume,
-                    wall_limit=wall_limit,
                     on_plan=functools.partial(_announce, workforce),
                 )
         except KeyboardInterrupt:

@@ -27,6 +27,7 @@ from memorymaze.cli import (
     report,
     runs,
     score,
+    settings,
     sites,
     study,
     submit_check,
@@ -52,7 +53,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="backslashreplace")
-    options = _parser().parse_args(arguments)
+    options = command_line().parse_args(arguments)
     try:
         with warnings.catch_warnings():
             warnings.filterwarnings("always", category=InstructionFileWarning)
@@ -77,7 +78,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return FAILED
 
 
-def _parser() -> argparse.ArgumentParser:
+def command_line() -> argparse.ArgumentParser:
+    """Return what reads the arguments."""
     parser = argparse.ArgumentParser(
         prog="memorymaze",
         description="Test guide robots that follow route instructions given from "
@@ -109,6 +111,7 @@ def _parser() -> argparse.ArgumentParser:
         sites,
         dataset,
         agents,
+        settings,
         answers,
         replay,
         walkthrough,

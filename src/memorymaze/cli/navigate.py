@@ -13,7 +13,7 @@ from memorymaze.cli.agent_options import (
     add_agent_options,
     add_episode_options,
     agent_settings,
-    episode_settings,
+    one_episode_settings,
 )
 from memorymaze.cli.verbs import Verbs, add_site_and_route, file_stem
 from memorymaze.wording import counted
@@ -40,6 +40,7 @@ def add_parser(verbs: Verbs) -> None:
 
 
 def _add_options(parser: argparse.ArgumentParser) -> None:
+    parser.usage = "%(prog)s SITE ROUTE TEXT [OPTION …]"
     add_site_and_route(parser)
     parser.add_argument("text", metavar="TEXT", help="the instruction")
     add_agent_name(parser, default="guide")
@@ -72,7 +73,7 @@ def _run(options: argparse.Namespace) -> int:
     from memorymaze.evaluation.navigation import check_folder
     from memorymaze.evaluation.outcomes import outcome_line
 
-    settings = episode_settings(options, mm.RunSettings())
+    settings = one_episode_settings(options)
     asks_here = settings.passers_by == "keyboard"
     if asks_here:
         from memorymaze.results.watching import check_keyboard

@@ -21,7 +21,7 @@ def add_parser(verbs: Verbs) -> None:
         "merge",
         help="make one run folder of those of all its shards",
         description="Make one run folder of those of all shards of a run (evaluate "
-        "--shard). It equals that of the same run in one piece. Shards of different "
+        "--with shard=1/8). It equals that of the same run in one piece. Shards of different "
         "settings, agents or code are refused.",
         epilog="example: memorymaze runs merge runs/1 runs/2 --out runs/whole",
     )

@@ -164,7 +164,7 @@ def _add_models(verbs: Verbs) -> None:
         description=(
             "Convert the furniture models of Sweet Home 3D (Debian: apt-get install "
             "sweethome3d-furniture) into the user's cache. From then on cameras show "
-            "them instead of plainer ones of our own; --looks own brings these "
+            "them instead of plainer ones of our own; looks=own brings these "
             "back. Their creators and licences are written beside them. Needs the extra "
             "[models]; `memorymaze doctor` says how to get it."
         ),

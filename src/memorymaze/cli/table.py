@@ -27,7 +27,7 @@ def add_parser(verbs: Verbs) -> None:
         help="which table (default: II); errors: success by kind of error in the texts, "
         "beside the same texts without it; reach: at 1.5, 3 and 5 m, and within 1, 1.5, 2 "
         "and 3 times the way; confidence: false arrivals, admitted failures, how sure the agent "
-        "was and whether it was right; second_tellings: of runs with --second-telling and "
+        "was and whether it was right; second_tellings: of runs with second_telling and "
         "without, success on the first, the second and both; asking: of runs with --ask, what "
         "questions are worth beside the first run",
     )

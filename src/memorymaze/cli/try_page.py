@@ -6,16 +6,15 @@ from memorymaze.cli.agent_options import (
     add_agent_options,
     add_episode_options,
     agent_settings,
-    episode_settings,
+    given_settings,
+    one_episode_settings,
 )
-from memorymaze.cli.flags import given_flags
 from memorymaze.cli.served_page import (
     add_port,
     check_can_serve,
     serve,
 )
 from memorymaze.cli.verbs import Verbs
-from memorymaze.language.model_settings import ModelSettings
 
 SHOWN_PEOPLE = ("memory", "wrong", "empty")
 
@@ -34,6 +33,7 @@ def add_parser(verbs: Verbs) -> None:
 
 
 def _add_options(parser: argparse.ArgumentParser) -> None:
+    parser.usage = "%(prog)s [OPTION …]"
     parser.add_argument(
         "--site",
         metavar="SITE",
@@ -69,7 +69,9 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
 def _run(options: argparse.Namespace) -> int:
     from memorymaze.errors import SettingsError
     from memorymaze.evaluation.agent_catalogue import choose_agent
-    from memorymaze.evaluation.settings import AgentSettings, RunSettings
+    from memorymaze.evaluation.named_settings import model_settings
+    from memorymaze.evaluation.settings import AgentSettings
+    from memorymaze.language.model_settings import ModelSettings
     from memorymaze.sites import load_site, load_sites
 
     check_can_serve("the page to try")
@@ -85,16 +87,16 @@ def _run(options: argparse.Namespace) -> int:
         if options.site is None
         else {site.name: site for site in map(load_site, options.site)}
     )
-    settings = episode_settings(options, RunSettings())
+    settings = one_episode_settings(options)
     if settings.passers_by not in SHOWN_PEOPLE:
         raise SettingsError(
-            f"--passers-by: expected one of {', '.join(SHOWN_PEOPLE)} on this page, got "
+            f"passers_by: expected one of {', '.join(SHOWN_PEOPLE)} on this page, got "
             f"{settings.passers_by!r}; see memorymaze navigate"
         )
     beside = [AgentSettings("rules"), AgentSettings("explorer")]
     if options.agent is not None:
         beside.append(agent_settings(options))
-    elif options.set or given_flags(options, ModelSettings):
+    elif options.set or model_settings(given_settings(options)) != ModelSettings():
         raise SettingsError(
             "options of an agent: expected with --agent, got them alone"
         )

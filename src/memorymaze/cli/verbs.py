@@ -65,8 +65,8 @@ def add_sites_option(parser: "ArgumentParser | _ArgumentGroup") -> None:
 
 TEXTS = "JSONL or CSV files (default: the shipped texts, written by a language model)"
 TEXTS_OR_FOLDER = (
-    "JSONL or CSV files, or a folder: of the SAIL corpus (docs/sail.md), or of plans and "
-    "texts of your own (default: the shipped texts, written by a language model)"
+    "JSONL or CSV files, or a folder, also SAIL's (default: the shipped texts, written by "
+    "a language model)"
 )
 
 

@@ -29,7 +29,7 @@ from memorymaze.language.answers import AboutInstruction
 from memorymaze.language.building import build_language_model
 from memorymaze.language.model import LanguageModel
 from memorymaze.language.model_settings import ModelSettings
-from memorymaze.options import options_of
+from memorymaze.options import called_on_command_line, options_of
 
 
 class ShippedAgent(NamedTuple):
@@ -179,12 +179,12 @@ class ChosenAgent:
         for need in ("answers", "graph"):
             if need in self.needs:
                 raise SettingsError(
-                    f"--isolate: the agent {name!r} needs the {need}, which an agent in a "
+                    f"isolate: the agent {name!r} needs the {need}, which an agent in a "
                     "process of its own does not get; leave the option out"
                 )
         if not self.settings.is_own:
             raise SettingsError(
-                f"--isolate: is for agents of your own; {name!r} comes with memorymaze and "
+                f"isolate: is for agents of your own; {name!r} comes with memorymaze and "
                 "sees no answers; leave the option out"
             )
 
@@ -193,7 +193,7 @@ class ChosenAgent:
         if self.takes_model:
             return
         settings = self.settings.language_model
-        for field in (each for each in fields(ModelSettings) if each.metadata):
+        for field in fields(ModelSettings):
             # Users' own agents may ask a model that only they know of.
             is_set = getattr(settings, field.name) != field.default
             if is_set and not (self.settings.is_own and field.name == "inference_time"):
@@ -201,9 +201,7 @@ class ChosenAgent:
 
     def _unused(self, setting: str) -> str:
         name = self.settings.name
-        told = (
-            f"--{setting.replace('_', '-')}: the agent {name!r} asks no language model"
-        )
+        told = f"{called_on_command_line(ModelSettings, setting)}: the agent {name!r} asks no language model"
         if self.handed is not None and not isinstance(self.handed, type):
             return f"{told} of the run, being an object; hand over its class instead"
         if self.settings.is_own:
@@ -215,7 +213,7 @@ class ChosenAgent:
         asks = [each for each in AGENTS if choose_agent(each).takes_model]
         return (
             f"{told}; leave the option out, or choose --agent {' or '.join(asks)}, or "
-            "--ask N --passers-by model"
+            "--ask N --with passers_by=model"
         )
 
 

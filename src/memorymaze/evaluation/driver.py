@@ -6,7 +6,7 @@ from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
 
-from memorymaze.errors import MemoryMazeError, SettingsError, SpendingLimitReached
+from memorymaze.errors import MemoryMazeError, SpendingLimitReached
 from memorymaze.evaluation.episode_worker import EpisodeTask, LimitReached, Lost
 from memorymaze.evaluation.local_workers import LocalWorkforce
 from memorymaze.evaluation.plan import RunPlan
@@ -17,9 +17,6 @@ from memorymaze.evaluation.run_folder import RunFolder, RunRecord, open_run_fold
 from memorymaze.evaluation.summary import summarise
 from memorymaze.evaluation.worker_pool import WorkerPool, Workforce
 
-WALL_LIMIT = 3600.0
-"""Real seconds an episode may take when nobody says otherwise."""
-
 
 def run_plan(
     plan: RunPlan,
@@ -27,7 +24,6 @@ def run_plan(
     *,
     workers: int | Workforce = 0,
     resume: bool = False,
-    wall_limit: float = WALL_LIMIT,
 ) -> list[EpisodeResult]:
     """Run all episodes of a plan that have no result yet.
 
@@ -37,11 +33,9 @@ def run_plan(
 
     Each result is on the disk before the next is counted. Workers are so many processes on
     this machine, 0 for one per core, or others, such as those of a cluster. An episode that
-    takes more real seconds than `wall_limit` is given up as `crash`.
+    takes more real seconds than the run's `wall_limit` is given up as `crash`.
     `SpendingLimitReached` and `KeyboardInterrupt` are passed on when all workers have ended.
     """
-    if not wall_limit > 0:
-        raise SettingsError(f"wall limit: expected more than 0 s, got {wall_limit!r}")
     workforce = LocalWorkforce(workers) if isinstance(workers, int) else workers
     workforce.check(plan.settings)
     path = Path(folder)
@@ -61,7 +55,9 @@ def run_plan(
         limit: str | None = None
         with (
             Progress(len(plan.episodes), len(run.finished)) as progress,
-            WorkerPool(workforce.source(plan, path, len(waiting)), wall_limit) as pool,
+            WorkerPool(
+                workforce.source(plan, path, len(waiting)), plan.settings.wall_limit
+            ) as pool,
         ):
             for task, outcome in pool.run(queue.choose):
                 if isinstance(outcome, Lost):

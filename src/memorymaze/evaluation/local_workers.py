@@ -54,7 +54,7 @@ class LocalWorkforce:
             agent.language_model,
             # Absolute, because an agent may change its process's folder.
             shared_folder=str(folder.absolute()),
-            threads=threads,
+            threads=agent.language_model.threads or threads,
         )
         settings = replace(plan.settings, agent=replace(agent, language_model=model))
         return LocalSource(EpisodeWorker.of(plan, settings), count)

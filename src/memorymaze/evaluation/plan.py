@@ -13,6 +13,7 @@ from memorymaze.evaluation.agent_catalogue import (
 )
 from memorymaze.evaluation.budgets import time_budget_for
 from memorymaze.evaluation.eyes import checked_eyes, looks_of_run
+from memorymaze.evaluation.named_settings import with_choices
 from memorymaze.evaluation.people_to_ask import check_people
 from memorymaze.evaluation.sampling import sample
 from memorymaze.evaluation.second_tellings import (
@@ -24,7 +25,6 @@ from memorymaze.evaluation.settings import (
     AnswersTaken,
     RunDefinition,
     RunSettings,
-    with_choices,
 )
 from memorymaze.evaluation.shards import episodes_of_shard
 from memorymaze.input_files import FileStamp, stamp_file

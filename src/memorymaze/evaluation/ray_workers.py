@@ -131,8 +131,8 @@ class RayWorkforce:
         )
         for option, given, reason in (
             ("--max-cost", model.max_cost is not None, limit),
-            ("--max-tokens-total", model.max_tokens_total is not None, limit),
-            ("--max-requests", model.max_requests is not None, requests),
+            ("max_tokens_total", model.max_tokens_total is not None, limit),
+            ("max_requests", model.max_requests is not None, requests),
             ("--record", model.record is not None, one_file),
             ("--set captions", captions != "templates", one_file),
         ):
@@ -140,7 +140,7 @@ class RayWorkforce:
                 raise SettingsError(f"{option} and --ray: {reason}")
         for option, url in (
             ("--base-url", model.base_url),
-            ("--detector", settings.detector.url),
+            ("detector", settings.detector.url),
         ):
             own = any(part in (url or "") for part in LOOPBACK)
             if own and self.nodes > 1:

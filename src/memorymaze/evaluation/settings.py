@@ -2,16 +2,16 @@
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import asdict, dataclass, field, fields, replace
+from dataclasses import asdict, dataclass, field
 from typing import Any, Literal
 
 from memorymaze.agents.agent import Need
-from memorymaze.errors import SettingsError, did_you_mean
+from memorymaze.errors import SettingsError
 from memorymaze.input_files import FileStamp
 from memorymaze.language.model_settings import NOT_COMPARED as MODEL_NOT_COMPARED
 from memorymaze.language.model_settings import ModelSettings
 from memorymaze.metrics.success import SUCCESS_DISTANCE
-from memorymaze.options import check_whole, check_word, read_values
+from memorymaze.options import check_number, check_whole, check_word
 from memorymaze.perception.eyes import (
     TRUTH,
     DetectorSettings,
@@ -28,6 +28,8 @@ from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.wording import counted
 
 BudgetBy = Literal["way", "longest"]
+WALL_LIMIT = 3600.0
+"""Real seconds an episode may take when nobody says otherwise."""
 Track = Literal["default", "obstacles", "people"]
 """Results of different tracks are not compared: as in the plan; with things and people in
 the way; with people one can ask."""
@@ -123,7 +125,7 @@ class RunSettings:
 
     A new setting is a field here, and what it does where it acts: the command line, the
     run folder and comparisons read it from this class. The command line has an option for
-    each field with a `metavar`, and for each that is true or false.
+    each field with a `metavar`; all others are given with `--with NAME=VALUE`.
 
     Raises:
         SettingsError: A value has no meaning.
@@ -132,59 +134,56 @@ class RunSettings:
     seed: int = field(default=0, metadata={"metavar": "N"})
     """of all randomness"""
     limit: int | None = field(default=None, metadata={"metavar": "N"})
-    """only N episodes, alike many of every route of every study"""
+    """only N episodes; alike many of every route of every study"""
     split: str | None = field(default=None, metadata={"metavar": "NAME"})
-    """only instructions of this split: dev or test (whether prompts may be built from
-    them); or developed or held_out, the halves of the participants whose texts were and
-    were not read while the rules agent was developed"""
-    shard: Shard | None = field(
-        default=None, metadata={"metavar": "I/N", "reader": parse_shard}
-    )
-    """only the I-th of N parts of the run, alike in size; `memorymaze runs merge` makes
-    one run of all (docs/scaling.md)"""
+    """only this split: dev, test, developed or held_out; dev and test say whether prompts
+    may be built from texts, the others are the halves of the participants whose texts were
+    and were not read while the rules agent was developed"""
+    shard: Shard | None = field(default=None, metadata={"reader": parse_shard})
+    """only the I-th of N parts of the run, alike in size, given as I/N; `memorymaze runs
+    merge` makes one run of all (docs/scaling.md)"""
     second_telling: bool = False
     """hand the agent both tellings of a way by the same person as one text; people who
     told it once are left out (docs/asking.md)"""
-    success_distance: float = field(
-        default=SUCCESS_DISTANCE, metadata={"metavar": "METRES"}
-    )
-    """stopping nearer than this to the goal is success"""
-    time_budget: float | None = field(default=None, metadata={"metavar": "SECONDS"})
-    """simulated time of an episode; none for three times what a perfect follower needs
-    for the route that --budget-by says"""
-    budget_by: BudgetBy = field(default="way", metadata={"metavar": "ROUTE"})
+    success_distance: float = SUCCESS_DISTANCE
+    """stopping nearer than this to the goal is success, metres"""
+    time_budget: float | None = None
+    """simulated time of an episode, seconds; none for three times what a perfect follower
+    needs for the route that budget_by says"""
+    budget_by: BudgetBy = "way"
     """which route the time is worked out from when it is not given: way, the one that an
     instruction describes, or longest, of the run's sites, the same for every episode"""
     obstacles: ObstacleSettings | None = field(
         default=None,
-        metadata={"metavar": "SETTINGS", "alone": "medium", "reader": parse_obstacles},
+        metadata={"metavar": "LEVEL", "alone": "medium", "reader": parse_obstacles},
     )
-    """leave things in the way and let people walk about: light, medium or heavy, or
-    settings such as things=4,density=1,seed=1 (alone: medium; default: none). Results are
-    a track of their own"""
+    """things in the way and people about: light, medium (alone) or heavy; or settings such
+    as things=4,density=1,seed=1. Results are a track of their own
+    (docs/obstacles.md)"""
     ask: int | None = field(default=None, metadata={"metavar": "N"})
-    """the track with people one can ask: the agent is told the destination's name and may
-    ask so many questions, 0 for none (with obstacles as in medium, where none are given;
-    docs/asking.md). Results are a track of their own"""
-    passers_by: PassersBy = field(default="memory", metadata={"metavar": "KIND"})
-    """with --ask: how people answer: memory, with the errors of memory; as a control wrong,
+    """the track with people to ask, so many questions; the agent is told the destination's
+    name, with 0 that alone, and obstacles are as in medium where none are given
+    (docs/asking.md)"""
+    passers_by: PassersBy = "memory"
+    """with ask: how people answer: memory, with the errors of memory; as a control wrong,
     all of them, or empty, as nobody knows anything; model, the model of --model says what
     they remember; keyboard, you do, in memorymaze navigate"""
     detector: DetectorSettings = field(
-        default=TRUTH,
-        metadata={"metavar": "NAME[:SETTINGS]", "reader": parse_detector},
+        default=TRUTH, metadata={"reader": parse_detector}
     )
     """what looks for objects: truth, truth:errors or truth:miss=0.2 (with mistakes),
     grounding-dino:CHECKPOINT,box_threshold=0.35 (a model, from the camera's picture),
     remote:URL (a server); see docs/perception.md"""
-    signs: SignSource = field(default="truth", metadata={"metavar": "SOURCE"})
+    signs: SignSource = "truth"
     """how read_signs reads: truth, or ocr (from the camera's picture)"""
     isolate: bool = False
     """run an agent of your own in a process of its own, which has no buildings and cannot
     read plans"""
-    looks: Looks | None = field(default=None, metadata={"metavar": "LOOKS"})
+    looks: Looks | None = None
     """how things look to cameras: own, models (furniture models; see memorymaze sites
     models, and the default where it was called), or mesh (PLAN.glb beside the plan)"""
+    wall_limit: float = WALL_LIMIT
+    """real time after which an episode is given up as a crash, seconds"""
     simulation: SimulationSettings = field(default_factory=SimulationSettings)
     """The robot's abilities and the other limits of an episode."""
 
@@ -193,6 +192,7 @@ class RunSettings:
         check_whole("seed", self.seed, least=0)
         if self.limit is not None:
             check_whole("limit", self.limit, least=1)
+        check_number("wall_limit", self.wall_limit, above=0)
         if not (math.isfinite(self.success_distance) and self.success_distance > 0):
             raise SettingsError(
                 "success distance: expected more than 0 metres, got "
@@ -231,39 +231,6 @@ class RunSettings:
                 "ask: expected obstacles with people, got none to ask; give --obstacles a "
                 "density or a number of people, or leave it out"
             )
-
-
-def with_choices(settings: RunSettings, choices: Mapping[str, Any]) -> RunSettings:
-    """Return settings with some values changed, by their names.
-
-    Names are the fields of `RunSettings` and of `SimulationSettings`; texts are understood
-    as on the command line, such as `obstacles="medium"`.
-
-    Raises:
-        SettingsError: There is no such setting, or a value has no meaning.
-    """
-    kinds = {
-        each.name: cls
-        for cls in (SimulationSettings, RunSettings)
-        for each in fields(cls)
-    }
-    run: dict[str, Any] = {}
-    robot: dict[str, Any] = {}
-    for name, value in choices.items():
-        if name not in kinds:
-            known = [each for each in kinds if each != "simulation"]
-            raise SettingsError(
-                f"setting: expected one of {', '.join(known)}; got {name!r}"
-                f"{did_you_mean(name, known)}"
-            )
-        cls = kinds[name]
-        if isinstance(value, str):
-            value = read_values(cls, {name: value})[name]
-        (run if cls is RunSettings else robot)[name] = value
-    if robot:
-        given = run.get("simulation", settings.simulation)
-        run["simulation"] = replace(given, **robot)
-    return replace(settings, **run)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -311,10 +278,11 @@ class RunDefinition(RunSettings):
 
 NOT_COMPARED = {
     "time_budget",
+    "wall_limit",
     *(f"agent.language_model.{name}" for name in MODEL_NOT_COMPARED),
 }
-"""The time budget as it was asked for, since what came of it is in `simulation`; and how
-answers are come by."""
+"""The time budget as it was asked for, since what came of it is in `simulation`; how long
+one waits for hung episodes; and how answers are come by."""
 
 
 @dataclass(frozen=True, slots=True)

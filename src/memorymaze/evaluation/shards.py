@@ -90,7 +90,7 @@ def _read_part(folder: Path) -> _Part:
     shard = record.settings.shard
     if shard is None:
         raise RunFolderError(
-            f"{folder}: expected a shard of a run (evaluate --shard 1/8), got a whole run"
+            f"{folder}: expected a shard of a run (evaluate --with shard=1/8), got a whole run"
         )
     if len(results) != record.settings.episodes:
         raise RunFolderError(

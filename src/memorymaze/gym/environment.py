@@ -15,7 +15,8 @@ from numpy.typing import NDArray
 
 from memorymaze.errors import EpisodeOver, SettingsError, did_you_mean
 from memorymaze.evaluation.arena import Arena
-from memorymaze.evaluation.settings import RunSettings, with_choices
+from memorymaze.evaluation.named_settings import with_choices
+from memorymaze.evaluation.settings import RunSettings
 from memorymaze.gym.actions import ActionSet, action_set, most_steps
 from memorymaze.gym.observations import Senses, SensorChoice, senses_of
 from memorymaze.gym.rewards import Progress, RewardChoice, reward_settings

@@ -43,18 +43,18 @@ class InferenceTime:
         good = math.isfinite(self.start_s) and self.start_s >= 0
         if not (good and all(math.isfinite(rate) and rate > 0 for rate in rates)):
             raise SettingsError(
-                f"--inference-time: expected {self.form}; got start={self.start_s!r}, "
+                f"inference_time: expected {self.form}; got start={self.start_s!r}, "
                 f"prompt={self.prompt_rate!r}, reply={self.reply_rate!r}"
             )
         if self.measured and (self.start_s or rates):
             raise SettingsError(
-                f"--inference-time: expected {self.form}; got a latency that is both "
+                f"inference_time: expected {self.form}; got a latency that is both "
                 "measured and given"
             )
 
     @classmethod
     def parse(cls, text: str) -> "InferenceTime":
-        """Read what `--inference-time` says.
+        """Read what `inference_time` says.
 
         Raises:
             ValueError: It says nothing that is understood.
@@ -124,7 +124,7 @@ class InferenceTime:
                 continue
             if tokens == 0:
                 raise LanguageModelError(
-                    "--inference-time: the profile counts tokens, and the server of "
+                    "inference_time: the profile counts tokens, and the server of "
                     f"{completion.model} told none; give seconds per reply instead"
                 )
             passed += tokens / rate
@@ -135,65 +135,62 @@ class InferenceTime:
 class ModelSettings:
     """Which language model answers, how it is asked, and what that may cost.
 
-    The command line has an option for each field with a `metavar`.
+    The command line has an option for each field with a `metavar`; all others are given
+    with `--with NAME=VALUE`, but for the folder that a run shares.
 
     Raises:
         SettingsError: A value has no meaning, or a cost is limited that is not known.
     """
 
     model: str | None = field(default=None, metadata={"metavar": "NAME"})
-    """a server's name for a model, such as gpt-4o-mini; or one that runs here: gguf:PATH,
-    or smollm2, which comes with the extra [local-llm]"""
+    """a server's name for it, or gguf:PATH, or smollm2; a name is such as gpt-4o-mini, the
+    others run here, and smollm2 comes with the extra [local-llm]"""
     base_url: str | None = field(default=None, metadata={"metavar": "URL"})
     """an OpenAI-compatible server; none for OpenAI's, or OPENAI_BASE_URL"""
     record: str | None = field(default=None, metadata={"metavar": "FILE"})
     """keep the model's answers in a store"""
     replay: str | None = field(default=None, metadata={"metavar": "FILE"})
     """take answers from a store or a JSONL file; ask no model (docs/language_models.md)"""
-    inference_time: InferenceTime = field(
-        default=InferenceTime(), metadata={"metavar": "TIME"}
-    )
+    inference_time: InferenceTime = InferenceTime()
     """how long the robot stands for each reply, in simulated time: measured, none,
     SECONDS, or a profile in tokens per second such as start=0.5,prompt=2000,reply=60"""
     price: TokenPrice | None = field(
         default=None, metadata={"metavar": "PROMPT,COMPLETION"}
     )
-    """what the server charges, US dollars per million tokens, such as 0.15,0.60"""
+    """what the server charges; US dollars per million tokens, such as 0.15,0.60"""
     max_cost: float | None = field(default=None, metadata={"metavar": "USD"})
-    """end the run when this is spent; what is finished is kept, and --resume goes on"""
-    max_tokens_total: int | None = field(default=None, metadata={"metavar": "N"})
+    """end the run when this is spent; needs the price; what is finished is kept, and --resume
+    goes on"""
+    max_tokens_total: int | None = None
     """end the run when requests and replies have had so many tokens together"""
-    max_requests: int | None = field(default=None, metadata={"metavar": "N"})
+    max_requests: int | None = None
     """requests under way at once, over all workers; none for one per worker"""
-    request_timeout: float = field(default=120.0, metadata={"metavar": "SECONDS"})
-    """longest wait for the end of a reply"""
-    retries: int = field(default=4, metadata={"metavar": "N"})
+    request_timeout: float = 120.0
+    """longest wait for the end of a reply, seconds"""
+    retries: int = 4
     """further attempts where a server is busy, fails or is silent"""
-    grammar: Literal["llama.cpp", "vllm"] | None = field(
-        default=None, metadata={"metavar": "SERVER"}
-    )
+    grammar: Literal["llama.cpp", "vllm"] | None = None
     """have the server hold replies to well-formed steps and programs; says which kind of
     server it is: llama.cpp or vllm"""
     shared_folder: str | None = None
     """Where the processes of a run keep what they share: the run's own folder."""
     threads: int | None = None
-    """Processor cores that a local model uses; none for half of them."""
+    """processor cores that a local model uses; none for those that a run's workers have each,
+    else half of all"""
 
     def __post_init__(self) -> None:
         """Refuse values without meaning."""
-        check_number("--request-timeout", self.request_timeout, least=0.001)
-        check_number("--retries", self.retries, least=0, whole=True)
+        check_number("request_timeout", self.request_timeout, least=0.001)
+        check_number("retries", self.retries, least=0, whole=True)
         if self.max_requests is not None:
-            check_number("--max-requests", self.max_requests, least=1, whole=True)
+            check_number("max_requests", self.max_requests, least=1, whole=True)
         if self.max_tokens_total is not None:
-            check_number(
-                "--max-tokens-total", self.max_tokens_total, least=1, whole=True
-            )
+            check_number("max_tokens_total", self.max_tokens_total, least=1, whole=True)
         if self.max_cost is not None:
-            check_number("--max-cost", self.max_cost, least=0)
+            check_number("max_cost", self.max_cost, least=0)
         if self.max_cost is not None and self.price is None:
             raise SettingsError(
-                "--max-cost: what replies cost is not known; give the server's prices "
+                "max_cost: what replies cost is not known; give the server's prices "
                 "with --price PROMPT,COMPLETION (US dollars per million tokens)"
             )
 

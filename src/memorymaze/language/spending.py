@@ -163,7 +163,7 @@ class LimitedModel(WrappedModel):
         if self.max_tokens is not None and spent.tokens >= self.max_tokens:
             raise SpendingLimitReached(
                 f"{spent.tokens} tokens are used, of {self.max_tokens} allowed with "
-                "--max-tokens-total"
+                "max_tokens_total"
             )
         completion = self._model.complete(request)
         self.ledger.add(completion.usage)
@@ -171,7 +171,7 @@ class LimitedModel(WrappedModel):
             raise SpendingLimitReached(
                 f"the server of {completion.model} does not tell how many tokens a reply "
                 "has, so that no limit can be kept; leave --max-cost and "
-                "--max-tokens-total out"
+                "max_tokens_total out"
             )
         return completion
 

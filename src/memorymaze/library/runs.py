@@ -8,12 +8,13 @@ from typing import TYPE_CHECKING, Any
 
 from memorymaze.errors import SettingsError
 from memorymaze.evaluation.agent_catalogue import AgentChoice
-from memorymaze.evaluation.driver import WALL_LIMIT, run_plan
+from memorymaze.evaluation.driver import run_plan
 from memorymaze.evaluation.frames import results_frame
+from memorymaze.evaluation.named_settings import with_choices
 from memorymaze.evaluation.plan import RunPlan, plan_run, settings_for
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import RunRecord
-from memorymaze.evaluation.settings import RunSettings, with_choices
+from memorymaze.evaluation.settings import RunSettings
 from memorymaze.evaluation.worker_pool import Workforce
 from memorymaze.instructions import Corpus, load_corpus
 from memorymaze.results.tables import (
@@ -139,7 +140,6 @@ def evaluate(
     settings: RunSettings | None = None,
     workers: int | Workforce = 0,
     resume: bool = False,
-    wall_limit: float = WALL_LIMIT,
     on_plan: Callable[[RunPlan, Path], None] | None = None,
     **choices: Any,
 ) -> Run:
@@ -156,7 +156,6 @@ def evaluate(
         settings: How; those that belong to the corpus when None.
         workers: Processes, 0 for one per core; or workers elsewhere.
         resume: Whether to finish a run that is in the folder.
-        wall_limit: Real seconds after which an episode is given up.
         on_plan: Called with the plan and the folder, before anything is run.
         **choices: Settings to change, such as `limit=60`, `seed=1` or
             `obstacles="light"`; see `RunSettings` and `SimulationSettings`.
@@ -171,7 +170,7 @@ def evaluate(
     folder = Path(out) if out is not None else default_folder(plan.settings.agent.name)
     if on_plan is not None:
         on_plan(plan, folder)
-    run_plan(plan, folder, workers=workers, resume=resume, wall_limit=wall_limit)
+    run_plan(plan, folder, workers=workers, resume=resume)
     return load_run(folder)
 
 

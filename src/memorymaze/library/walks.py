@@ -8,12 +8,13 @@ import numpy as np
 
 from memorymaze.errors import SettingsError
 from memorymaze.evaluation.agent_catalogue import AgentChoice
+from memorymaze.evaluation.named_settings import with_choices
 from memorymaze.evaluation.navigation import (
     draw_navigation,
     navigate,
     write_navigation,
 )
-from memorymaze.evaluation.settings import RunSettings, with_choices
+from memorymaze.evaluation.settings import RunSettings
 from memorymaze.pictures import robot_cameras
 from memorymaze.simulation.robot import SimulatedRobot
 from memorymaze.simulation.scene import build_scene

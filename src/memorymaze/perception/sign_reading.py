@@ -158,7 +158,7 @@ class TextRecognizer:
             "rapidocr",
             "onnxruntime",
             purpose="signs read from pictures",
-            otherwise="take --signs truth",
+            otherwise="take --with signs=truth",
         )
         from rapidocr import RapidOCR
 

@@ -129,7 +129,7 @@ def _settings_problems(settings: RunDefinition, corpus: Corpus) -> Iterator[str]
     if settings.agent.is_own and not settings.isolate:
         yield (
             f"agent: expected {settings.agent.name} to be run in a process without "
-            "buildings, got a run without --isolate"
+            "buildings, got a run without isolate (--with isolate=true)"
         )
     if "answers" in settings.needs:
         yield f"agent: {settings.agent.name} is given the answers"

@@ -1,6 +1,6 @@
 """The numbers of a simulation: the robot's abilities and the limits of an episode."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Literal, get_args
 
 from memorymaze.errors import SettingsError
@@ -18,8 +18,6 @@ TurningPoints = Literal["annotated", "lidar"]
 class SimulationSettings(RobotSettings):
     """What the simulated robot can do and when an episode is broken off.
 
-    The command line has an option for each field with a `metavar`.
-
     Raises:
         SettingsError: A value has no meaning; the message names it and the range.
     """
@@ -28,9 +26,7 @@ class SimulationSettings(RobotSettings):
     """Greatest simulated time between two poses of the trajectory, seconds."""
     wheel_noise: float = 0.01
     """Standard deviation of each wheel's relative speed error, drawn per decision."""
-    turning_points: TurningPoints = field(
-        default="annotated", metadata={"metavar": "SOURCE"}
-    )
+    turning_points: TurningPoints = "annotated"
     """where the robot knows turning points from: annotated (the site plan), or lidar (its
     scans and odometry)"""
 

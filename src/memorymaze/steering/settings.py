@@ -1,6 +1,6 @@
 """What a robot can do, and when an episode is broken off."""
 
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, fields
 
 from memorymaze.errors import SettingsError
 from memorymaze.options import check_number
@@ -15,8 +15,6 @@ ROBOT_RADIUS = 0.25
 @dataclass(frozen=True, slots=True)
 class RobotSettings:
     """What the robot can do and when an episode is broken off.
-
-    The command line has an option for each field with a `metavar`.
 
     Raises:
         SettingsError: A value has no meaning; the message names it and the range.
@@ -37,14 +35,12 @@ class RobotSettings:
     """Radians per second squared."""
     time_budget: float = 1200.0
     """Seconds after which the episode ends as `budget`."""
-    call_budget: int = field(default=10_000, metadata={"metavar": "N"})
-    """calls of the control API in an episode"""
+    call_budget: int = 10_000
+    """Calls of the control API in an episode."""
     stuck_limit: int = 40
     """Calls in a row with neither motion nor anything new that end it as `stuck`."""
-    detection_range: float = field(
-        default=DETECTION_RANGE, metadata={"metavar": "METRES"}
-    )
-    """how far things are detected; 40 on SAIL, to the end of every hall"""
+    detection_range: float = DETECTION_RANGE
+    """How far things are detected, metres; 40 on SAIL, to the end of every hall."""
 
     def __post_init__(self) -> None:
         """Check every value."""

@@ -4,8 +4,6 @@ What a wrong file says names line and field.
 """
 
 import os
-import re
-import tomllib
 from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
@@ -23,7 +21,14 @@ from shapely import Point
 
 from memorymaze.durable_files import write_new
 from memorymaze.errors import SettingsError, SitePlanError, StudyError, did_you_mean
-from memorymaze.input_files import mistakes, read_text, refusal, writable
+from memorymaze.input_files import (
+    field_lines,
+    mistakes,
+    parse_toml,
+    read_text,
+    refusal,
+    writable,
+)
 from memorymaze.sites import BUILTIN_SITE_NAMES, Route, Site, load_site
 
 Kind = Literal["online", "memory", "onsite", "follow"]
@@ -327,10 +332,7 @@ def load_study(path: str | Path) -> Study:
     """Read a study file; StudyError lists what is wrong, each with line and field."""
     path = Path(path)
     text = read_text(path, StudyError)
-    try:
-        content = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
-        raise StudyError(f"{path}: expected TOML, got a mistake: {error}") from None
+    content = parse_toml(text, path, StudyError)
     try:
         design = StudyDesign.model_validate(content)
     except ValidationError as error:
@@ -426,34 +428,3 @@ def _problem(path: Path, text: str, where: str, said: str) -> str:
         place = place[: max(place.rfind("."), place.rfind("["), 0)]
     field = f"field {where!r}: " if where else ""
     return f"{path}:{lines.get(place, 1)}: {field}{said}"
-
-
-def field_lines(text: str) -> dict[str, int]:
-    """Return the line of each field of a TOML text, by places such as `routes[1].video`."""
-    lines: dict[str, int] = {}
-    counts: dict[str, int] = {}
-    table, quotes = "", ""
-    for number, line in enumerate(text.splitlines(), start=1):
-        if quotes:
-            quotes = "" if quotes in line else quotes
-            continue
-        if line.lstrip().startswith("#"):
-            continue
-        header = re.match(r"\s*(\[\[?)\s*([\w.-]+)\s*\]", line)
-        field = re.match(r"\s*([\w-]+)\s*=", line)
-        if header:
-            name = re.sub(r"^(\w+)(?=\.)", lambda m: _latest(m[1], counts), header[2])
-            if header[1] == "[[":
-                counts[name] = counts.get(name, -1) + 1
-            table = _latest(name, counts)
-            lines[table] = number
-        elif field:
-            lines[f"{table}.{field[1]}".lstrip(".")] = number
-        for mark in ('"""', "'''"):
-            if line.count(mark) % 2:
-                quotes = mark
-    return lines
-
-
-def _latest(name: str, counts: dict[str, int]) -> str:
-    return f"{name}[{counts[name]}]" if name in counts else name

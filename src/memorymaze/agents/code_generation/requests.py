@@ -41,7 +41,7 @@ class CodeGenerationOptions:
     """Passed to the model; none sends no seed."""
     grammar: bool = True
     """Whether models that can be held to a grammar (local ones, and servers with
-    --grammar) are held to well-formed steps and programs, which leaves no room for
+    `grammar`) are held to well-formed steps and programs, which leaves no room for
     thoughts."""
 
     def __post_init__(self) -> None:

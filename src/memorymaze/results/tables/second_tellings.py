@@ -58,7 +58,7 @@ class Told(NamedTuple):
 def second_tellings_table(runs: Sequence[MeasuredRun]) -> Table:
     """Return success on first, second and both tellings, by agent, study and errors.
 
-    Of each agent there is a run with `--second-telling` and one without, made otherwise
+    Of each agent there is a run with `second_telling` and one without, made otherwise
     alike; `RunFolderError` says which is missing.
     """
     rows: list[Row] = []
@@ -74,7 +74,7 @@ def second_tellings_table(runs: Sequence[MeasuredRun]) -> Table:
             )
     if not rows:
         raise RunFolderError(
-            f"{', '.join(run.name for run in runs)}: expected a run with --second-telling "
+            f"{', '.join(run.name for run in runs)}: expected a run with second_telling=true "
             "and one without it of each agent, got none with it"
         )
     order = list(HALVES)
@@ -131,7 +131,7 @@ def _single_of(both: MeasuredRun, runs: Sequence[MeasuredRun]) -> MeasuredRun:
     if len(alike) != 1:
         unlike = [f"{name}: {'; '.join(why)}" for name, why in found.items() if why]
         raise RunFolderError(
-            f"{both.name}: expected beside it one run without --second-telling that was "
+            f"{both.name}: expected beside it one run without second_telling that was "
             f"made otherwise alike, got {len(alike)}"
             + "".join(f"\n  {u}" for u in unlike)
         )

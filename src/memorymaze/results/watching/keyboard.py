@@ -16,7 +16,7 @@ def check_keyboard() -> None:
     """
     if not (sys.stdin.isatty() and sys.stderr.isatty()):
         raise SettingsError(
-            "--passers-by keyboard: expected a terminal in which you are asked and type "
+            "passers_by=keyboard: expected a terminal in which you are asked and type "
             "your answers, got none; leave the option out, or run it in a terminal"
         )
 

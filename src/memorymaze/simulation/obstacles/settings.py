@@ -6,7 +6,7 @@ from itertools import cycle, islice
 from typing import Literal
 
 from memorymaze.errors import SettingsError, did_you_mean
-from memorymaze.options import check_number, parse_options
+from memorymaze.options import check_number, parse_options, write_options
 
 PERSON = "person"
 """Category of everyone who walks about."""
@@ -142,6 +142,10 @@ class ObstacleSettings:
                 f"obstacle setting kinds: expected some of {', '.join(THING_KINDS)}, "
                 f"got {', '.join(map(repr, unknown)) or 'none'}"
             )
+
+    def __str__(self) -> str:
+        """Return them as `parse_obstacles` reads them."""
+        return write_options(self)
 
     def things_on(self, length: float) -> int:
         """Return how many things stand along so many metres."""
