@@ -16,7 +16,7 @@ from itertools import combinations
 import numpy as np
 from shapely import LineString, Point
 
-from memorymaze.construction import KINDS, make_building
+from memorymaze.construction import BUILDING_KINDS, make_building
 from memorymaze.geometry.pose import turn_between
 from memorymaze.sites import BUILTIN_SITE_NAMES, Site, load_site
 from memorymaze.sites.loading import sound_site
@@ -144,7 +144,7 @@ def main() -> int:
     count = parser.parse_args().count
     titles = ["floors", "ways out 1/2/3/4+, %", *(figure.name for figure in FIGURES)]
     print(f"| {' | '.join(titles)} |\n|{'---|' * len(titles)}")
-    for kind in KINDS:
+    for kind in BUILDING_KINDS:
         print(f"making {count} of {kind} ...", file=sys.stderr)
         sites = [made_site(kind, seed) for seed in range(count)]
         print(row(f"{kind}, made", sites))

@@ -19,9 +19,9 @@ from scipy.optimize import linear_sum_assignment
 from shapely import LineString, Point, Polygon
 from shapely.affinity import rotate
 
-from memorymaze.construction import KINDS, make_building
+from memorymaze.construction import BUILDING_KINDS, make_building
 from memorymaze.importing.ros_map import import_ros_map
-from memorymaze.sites import BUILTIN_SITE_NAMES, Site, check_site, load_site
+from memorymaze.sites import BUILTIN_SITE_NAMES, Site, find_site_problems, load_site
 from memorymaze.tables import Column, Table
 
 WALL = 0.15
@@ -180,7 +180,7 @@ def floors(folder: Path) -> Iterator[Site]:
     """Yield the benchmark's floors, and a made building of each kind."""
     for name in BUILTIN_SITE_NAMES:
         yield load_site(name)
-    for kind in KINDS:
+    for kind in BUILDING_KINDS:
         building = make_building(kind, SEED)
         path = folder / f"{building.name}.geojson"
         path.write_bytes(building.plan)
@@ -193,7 +193,7 @@ def measure(site: Site, noise: Noise, folder: Path) -> Comparison:
     path, _ = write_map(folder / site.name, site.walkable_floor, noise, rng)
     plan = folder / f"{site.name}_map.geojson"
     plan.write_text(json.dumps(import_ros_map(path).plan), encoding="utf-8")
-    errors = sum(each.severity == "error" for each in check_site(plan))
+    errors = sum(each.severity == "error" for each in find_site_problems(plan))
     return compare(site, load_site(plan), noise.turned_deg, errors)
 
 

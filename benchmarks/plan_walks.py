@@ -16,7 +16,7 @@ from urllib.parse import quote
 import numpy as np
 
 from memorymaze.cli.agent_options import given_options
-from memorymaze.construction import KINDS, make_building
+from memorymaze.construction import BUILDING_KINDS, make_building
 from memorymaze.evaluation.agent_catalogue import choose_agent
 from memorymaze.evaluation.driver import run_plan
 from memorymaze.evaluation.plan import plan_run
@@ -180,8 +180,8 @@ def buildings(options: argparse.Namespace) -> dict[str, Site]:
     folder = options.out / "made"
     folder.mkdir(parents=True, exist_ok=True)
     for number in range(options.made):
-        seed, kind = divmod(number, len(KINDS))
-        building = make_building(KINDS[kind], seed)
+        seed, kind = divmod(number, len(BUILDING_KINDS))
+        building = make_building(BUILDING_KINDS[kind], seed)
         path = folder / f"{building.name}.geojson"
         path.write_bytes(building.plan)
         sites[building.name] = load_site(path)

@@ -13,7 +13,7 @@ from pathlib import Path
 from PIL import Image
 from shapely import LineString
 
-from memorymaze.construction import KINDS, make_building
+from memorymaze.construction import BUILDING_KINDS, make_building
 from memorymaze.drawing.plan_picture import draw_site
 from memorymaze.geometry.pose import Pose, heading_to
 from memorymaze.pictures.rendering import RenderedCamera, build_visual_scene
@@ -36,7 +36,9 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--out", type=Path, default=Path("docs/images"), metavar="DIR")
     out: Path = parser.parse_args().out
-    floors = [drawn(made(kind, seed)) for kind in KINDS for seed in range(EACH)]
+    floors = [
+        drawn(made(kind, seed)) for kind in BUILDING_KINDS for seed in range(EACH)
+    ]
     save(sheet(floors, 4), out / "made_buildings.jpg")
     views = [view for kind in VIEWED for view in seen(made(kind, 0))]
     save(sheet(views, 4), out / "made_building_views.jpg")

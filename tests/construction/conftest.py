@@ -3,7 +3,7 @@ from functools import cache
 
 import pytest
 
-from memorymaze.construction import KINDS, make_building
+from memorymaze.construction import BUILDING_KINDS, make_building
 from memorymaze.sites.loading import sound_site
 from memorymaze.sites.reading import understand_plan
 
@@ -14,7 +14,7 @@ def made_site(kind, seed):
     return sound_site(understand_plan(json.loads(building.plan)), building.name)
 
 
-@pytest.fixture(params=KINDS)
+@pytest.fixture(params=BUILDING_KINDS)
 def site(request):
     """Return a made floor of each kind."""
     return made_site(request.param, 2)

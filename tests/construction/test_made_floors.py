@@ -6,7 +6,7 @@ import re
 import pytest
 from shapely import Point
 
-from memorymaze.construction import KINDS, make_building
+from memorymaze.construction import BUILDING_KINDS, make_building
 from memorymaze.geometry.grid import FloorGrid
 from memorymaze.geometry.pose import heading_to, turn_between
 from memorymaze.perception.lexicon import is_noun, singular
@@ -174,7 +174,7 @@ def test_everything_has_a_look_and_is_called_by_a_noun(site):
 
 @pytest.mark.proof
 @pytest.mark.parametrize("seed", range(25))
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("kind", BUILDING_KINDS)
 def test_the_oracle_walks_every_route_of_200_buildings_untouched(kind, seed, tmp_path):
     building = make_building(kind, seed)
     path = tmp_path / f"{building.name}.geojson"

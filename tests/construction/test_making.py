@@ -5,17 +5,17 @@ import sys
 
 import pytest
 
-from memorymaze.construction import KINDS, make_building
+from memorymaze.construction import BUILDING_KINDS, make_building
 from memorymaze.errors import SettingsError
-from memorymaze.sites import check_site
+from memorymaze.sites import find_site_problems
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("kind", BUILDING_KINDS)
 def test_a_made_building_breaks_no_rule(kind, tmp_path):
     building = make_building(kind, 3)
     path = tmp_path / f"{building.name}.geojson"
     path.write_bytes(building.plan)
-    assert check_site(path) == []
+    assert find_site_problems(path) == []
 
 
 def test_the_same_seed_gives_the_same_bytes_in_another_process():

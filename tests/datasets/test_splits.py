@@ -2,31 +2,31 @@ from collections import Counter
 
 import pytest
 
-from memorymaze.construction import KINDS
+from memorymaze.construction import BUILDING_KINDS
 from memorymaze.datasets.splits import plan_buildings
 
 
 def test_ninety_buildings_are_split_as_those_of_r2r() -> None:
-    splits = Counter(each.split for each in plan_buildings(KINDS, 90, 0))
+    splits = Counter(each.split for each in plan_buildings(BUILDING_KINDS, 90, 0))
     assert splits == {"train": 61, "val_unseen": 11, "test": 18}
 
 
 def test_the_fewest_buildings_still_fill_every_split() -> None:
-    splits = Counter(each.split for each in plan_buildings(KINDS, 3, 0))
+    splits = Counter(each.split for each in plan_buildings(BUILDING_KINDS, 3, 0))
     assert splits == {"train": 1, "val_unseen": 1, "test": 1}
 
 
 @pytest.mark.parametrize("seed", range(5))
 def test_every_kind_of_building_is_in_every_split(seed: int) -> None:
-    planned = plan_buildings(KINDS, 100, seed)
+    planned = plan_buildings(BUILDING_KINDS, 100, seed)
     for split, least in (("train", 7), ("val_unseen", 1), ("test", 2)):
         kinds = Counter(each.kind for each in planned if each.split == split)
-        assert set(kinds) == set(KINDS)
+        assert set(kinds) == set(BUILDING_KINDS)
         assert min(kinds.values()) >= least
 
 
 def test_val_seen_has_one_route_of_every_third_building_of_train() -> None:
-    planned = plan_buildings(KINDS, 90, 3)
+    planned = plan_buildings(BUILDING_KINDS, 90, 3)
     held_out = [each for each in planned if each.held_out is not None]
     assert len(held_out) == 21
     for each in held_out:
@@ -37,7 +37,7 @@ def test_val_seen_has_one_route_of_every_third_building_of_train() -> None:
 
 def test_other_seeds_make_other_buildings() -> None:
     one, other = (
-        {(each.kind, each.seed) for each in plan_buildings(KINDS, 50, seed)}
+        {(each.kind, each.seed) for each in plan_buildings(BUILDING_KINDS, 50, seed)}
         for seed in (0, 1)
     )
     assert len(one) == len(other) == 50

@@ -13,7 +13,7 @@ from matplotlib.text import Text
 from numpy.typing import NDArray
 from shapely import LineString, box, get_parts
 
-from memorymaze.construction import KINDS, Kind, make_building
+from memorymaze.construction import BUILDING_KINDS, BuildingKind, make_building
 from memorymaze.drawing.plan_picture import (
     AROUND,
     draw_plan,
@@ -74,14 +74,14 @@ def test_a_picture_names_what_it_shows_and_nothing_else(
     assert "elevator door" not in words
 
 
-@pytest.fixture(scope="module", params=[*SHIPPED, *KINDS])
+@pytest.fixture(scope="module", params=[*SHIPPED, *BUILDING_KINDS])
 def building(
     request: pytest.FixtureRequest,
     builtin_sites: dict[str, Site],
     tmp_path_factory: pytest.TempPathFactory,
 ) -> Site:
     """A shipped building, or one of each kind that was made."""
-    name: Kind | str = request.param
+    name: BuildingKind | str = request.param
     if name in builtin_sites:
         return builtin_sites[name]
     path = tmp_path_factory.mktemp("made") / f"{name}.geojson"

@@ -5,7 +5,7 @@ import pytest
 
 from memorymaze.evaluation.turns import turns_in_order, turns_taken
 from memorymaze.geometry.trajectory import TimedPose, Trajectory
-from memorymaze.metrics.turns import Turn
+from memorymaze.metrics.turns import TurnAtPlace
 from memorymaze.sites import Site
 
 
@@ -41,7 +41,7 @@ def test_walking_a_route_takes_all_its_turns(tiny_sites: dict[str, Site]) -> Non
 def test_the_wrong_turn_counts_nothing(t_site: Site) -> None:
     left, right = t_site.reference_route("R1"), t_site.reference_route("R2")
     assert turns_taken(t_site, along(t_site, right.id)) == [
-        Turn("tp_junction", "right")
+        TurnAtPlace("tp_junction", "right")
     ]
     assert turns_in_order(t_site, left, along(t_site, right.id)) == 0.0
 

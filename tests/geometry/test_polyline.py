@@ -120,7 +120,7 @@ def test_only_one_finite_point_can_be_projected() -> None:
 def test_smoothing_rounds_a_corner_and_keeps_both_ends() -> None:
     corner = np.array([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0)])
 
-    smooth = polyline.smoothed(corner, 3)
+    smooth = polyline.smoothed_rows(corner, 3)
 
     assert smooth[[0, 2]].tolist() == corner[[0, 2]].tolist()
     assert 0.5 < smooth[1, 0] < 1.0
@@ -128,6 +128,6 @@ def test_smoothing_rounds_a_corner_and_keeps_both_ends() -> None:
 
 
 def test_normals_are_unit_vectors_to_the_left() -> None:
-    north = polyline.normals(np.array([(2.0, 0.0), (2.0, 1.0), (2.0, 5.0)]))
+    north = polyline.left_normals(np.array([(2.0, 0.0), (2.0, 1.0), (2.0, 5.0)]))
 
     assert north == pytest.approx(np.array([(-1.0, 0.0)] * 3))

@@ -13,7 +13,7 @@ import pytest
 from memorymaze.importing.imported import ImportedSite
 from memorymaze.importing.reference_route import reference_route
 from memorymaze.sites import Site, load_site
-from memorymaze.sites import check_site as problems_of
+from memorymaze.sites import find_site_problems as problems_of
 from memorymaze.testing import check_site
 
 DATA = Path(__file__).parent / "data"

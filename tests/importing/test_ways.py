@@ -10,7 +10,7 @@ from memorymaze.errors import ImportFileError
 from memorymaze.importing.centre_lines import centre_lines
 from memorymaze.importing.imported import CentreLine, ImportNotes
 from memorymaze.importing.ways import OpenArea, plan_floor
-from memorymaze.sites import check_site, load_site
+from memorymaze.sites import find_site_problems, load_site
 from memorymaze.sites.plan_writing import plan_bytes
 
 
@@ -27,7 +27,7 @@ def planned(tmp_path):
             "anchor": None, "description": "",
         }  # fmt: skip
         path.write_bytes(plan_bytes(header, made.features))
-        wrong = [each for each in check_site(path) if each.severity == "error"]
+        wrong = [each for each in find_site_problems(path) if each.severity == "error"]
         assert wrong == []
         return load_site(path), notes
 

@@ -3,9 +3,9 @@ import math
 import pytest
 
 from memorymaze.errors import UndefinedMetricError
-from memorymaze.metrics.graph import NavigationGraph
+from memorymaze.metrics.graph import WeightedGraph
 
-TRIANGLE = NavigationGraph(
+TRIANGLE = WeightedGraph(
     "abcd", [("a", "b", 1.0), ("b", "c", 1.0), ("a", "c", 9.0), ("c", "b", 4.0)]
 )
 
@@ -17,16 +17,16 @@ def test_distances_are_those_of_the_shortest_way_not_of_the_edge() -> None:
 
 def test_of_several_edges_the_shortest_counts_in_any_order() -> None:
     for lengths in ([1.0, 4.0], [4.0, 1.0]):
-        twice = NavigationGraph("ab", [("a", "b", metres) for metres in lengths])
+        twice = WeightedGraph("ab", [("a", "b", metres) for metres in lengths])
         assert twice.between("a", "b").tolist() == [[1.0]]
 
 
 def test_an_edge_of_no_length_joins_its_nodes() -> None:
-    assert NavigationGraph("ab", [("a", "b", 0.0)]).between("a", "b").tolist() == [[0]]
+    assert WeightedGraph("ab", [("a", "b", 0.0)]).between("a", "b").tolist() == [[0]]
 
 
 def test_an_edge_to_itself_changes_nothing() -> None:
-    assert NavigationGraph("a", [("a", "a", 5.0)]).along("aa").tolist() == [0]
+    assert WeightedGraph("a", [("a", "a", 5.0)]).along("aa").tolist() == [0]
 
 
 def test_nodes_without_a_way_between_are_infinitely_far() -> None:
@@ -34,7 +34,7 @@ def test_nodes_without_a_way_between_are_infinitely_far() -> None:
 
 
 def test_a_graph_without_edges_has_its_nodes() -> None:
-    assert NavigationGraph("a", []).between("a", "a").tolist() == [[0]]
+    assert WeightedGraph("a", []).between("a", "a").tolist() == [[0]]
 
 
 def test_a_single_node_has_no_steps() -> None:
@@ -57,4 +57,4 @@ def test_an_unknown_node_is_named_with_its_place() -> None:
 )
 def test_a_bad_edge_is_named(edge: tuple[str, str, float], message: str) -> None:
     with pytest.raises(UndefinedMetricError, match=message):
-        NavigationGraph("ab", [("a", "b", 1.0), edge])
+        WeightedGraph("ab", [("a", "b", 1.0), edge])

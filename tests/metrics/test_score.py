@@ -9,7 +9,7 @@ import shapely
 
 from memorymaze.errors import UndefinedMetricError
 from memorymaze.geometry.grid import FloorGrid
-from memorymaze.metrics.graph import NavigationGraph
+from memorymaze.metrics.graph import WeightedGraph
 from memorymaze.metrics.score import score_path, score_walk
 
 FILE = Path(__file__).parent / "data" / "cases_synthetic.json"
@@ -17,16 +17,16 @@ CONTENT: dict[str, Any] = json.loads(FILE.read_text(encoding="utf-8"))
 
 
 @pytest.fixture(scope="module")
-def graphs() -> dict[str, NavigationGraph]:
+def graphs() -> dict[str, WeightedGraph]:
     return {
-        name: NavigationGraph(graph["nodes"], graph["edges"])
+        name: WeightedGraph(graph["nodes"], graph["edges"])
         for name, graph in CONTENT["graphs"].items()
     }
 
 
 @pytest.mark.parametrize("case", CONTENT["cases"], ids=lambda case: case["id"])
 def test_values_equal_those_of_the_reference_implementation(
-    case: dict[str, Any], graphs: dict[str, NavigationGraph]
+    case: dict[str, Any], graphs: dict[str, WeightedGraph]
 ) -> None:
     values = score_path(
         graphs[case["graph"]],
@@ -41,7 +41,7 @@ def test_values_equal_those_of_the_reference_implementation(
     "case", CONTENT["undefined_cases"], ids=lambda case: case["id"]
 )
 def test_where_the_reference_implementation_fails_the_metrics_are_undefined(
-    case: dict[str, Any], graphs: dict[str, NavigationGraph]
+    case: dict[str, Any], graphs: dict[str, WeightedGraph]
 ) -> None:
     with pytest.raises(UndefinedMetricError):
         score_path(
@@ -52,7 +52,7 @@ def test_where_the_reference_implementation_fails_the_metrics_are_undefined(
         )
 
 
-LINE = NavigationGraph("abcde", [("a", "b", 2.0), ("b", "c", 2.0), ("c", "d", 2.0)])
+LINE = WeightedGraph("abcde", [("a", "b", 2.0), ("b", "c", 2.0), ("c", "d", 2.0)])
 
 
 @pytest.mark.parametrize(
@@ -86,7 +86,7 @@ def test_a_walk_that_others_ended_is_no_success() -> None:
 def test_a_grid_and_the_graph_of_its_steps_score_alike(pillar_grid: FloorGrid) -> None:
     steps = pillar_grid.graph.tocoo()
     edges = zip(map(str, steps.row), map(str, steps.col), steps.data, strict=True)
-    graph = NavigationGraph(map(str, range(len(pillar_grid))), edges)
+    graph = WeightedGraph(map(str, range(len(pillar_grid))), edges)
     reference = pillar_grid.map_path([(1, 1), (9, 1), (9, 9)]).tolist()
     agent = pillar_grid.map_path([(1, 1), (1, 9), (8, 9)]).tolist()
     on_graph = score_path(graph, [str(n) for n in reference], [str(n) for n in agent])

@@ -4,11 +4,11 @@ import pytest
 import shapely
 
 from memorymaze.geometry.trajectory import TimedPose, Trajectory
-from memorymaze.metrics.turns import Turn, turns_in_order, turns_taken
+from memorymaze.metrics.turns import TurnAtPlace, turns_in_order, turns_taken
 
 CROSSING = [("crossing", shapely.box(-2, -2, 2, 2))]
 
-A, B, C = Turn("a", "left"), Turn("b", "right"), Turn("c", "left")
+A, B, C = TurnAtPlace("a", "left"), TurnAtPlace("b", "right"), TurnAtPlace("c", "left")
 
 
 def through(*degrees: float, x: float = 0.0) -> Trajectory:
@@ -21,10 +21,14 @@ def through(*degrees: float, x: float = 0.0) -> Trajectory:
 @pytest.mark.parametrize(
     ("walk", "turns"),
     [
-        pytest.param(through(0, 90), [Turn("crossing", "left")], id="left"),
-        pytest.param(through(0, -90), [Turn("crossing", "right")], id="right"),
-        pytest.param(through(0, 30), [Turn("crossing", "left")], id="slight left"),
-        pytest.param(through(170, -130), [Turn("crossing", "left")], id="past 180"),
+        pytest.param(through(0, 90), [TurnAtPlace("crossing", "left")], id="left"),
+        pytest.param(through(0, -90), [TurnAtPlace("crossing", "right")], id="right"),
+        pytest.param(
+            through(0, 30), [TurnAtPlace("crossing", "left")], id="slight left"
+        ),
+        pytest.param(
+            through(170, -130), [TurnAtPlace("crossing", "left")], id="past 180"
+        ),
         pytest.param(through(0, 5), [], id="straight on"),
         pytest.param(through(0, 180), [], id="turning back"),
         pytest.param(through(0, 90, 0), [], id="looking left and going on"),
@@ -32,7 +36,7 @@ def through(*degrees: float, x: float = 0.0) -> Trajectory:
     ],
 )
 def test_turns_are_changes_of_heading_within_a_place(
-    walk: Trajectory, turns: list[Turn]
+    walk: Trajectory, turns: list[TurnAtPlace]
 ) -> None:
     assert turns_taken(CROSSING, walk) == turns
 
@@ -55,8 +59,8 @@ def test_turns_come_in_the_order_of_the_walk() -> None:
         *(p._replace(time=100) for p in through(0, -90, x=10).poses),
     ]
     assert turns_taken(places, Trajectory(poses)) == [
-        Turn("crossing", "left"),
-        Turn("late", "right"),
+        TurnAtPlace("crossing", "left"),
+        TurnAtPlace("late", "right"),
     ]
 
 
@@ -67,13 +71,15 @@ def test_turns_come_in_the_order_of_the_walk() -> None:
         pytest.param([A, B, C], [A, C], 2 / 3, id="one left out"),
         pytest.param([A, B, C], [A, A, B, A, C], 1, id="some too many"),
         pytest.param([A, B, C], [C, B, A], 1 / 3, id="backwards"),
-        pytest.param([A, B], [Turn("a", "right"), B], 1 / 2, id="the wrong side"),
+        pytest.param(
+            [A, B], [TurnAtPlace("a", "right"), B], 1 / 2, id="the wrong side"
+        ),
         pytest.param([A, A], [A], 1 / 2, id="twice wanted, once taken"),
         pytest.param([A], [], 0, id="none"),
         pytest.param([], [A], 1, id="none wanted"),
     ],
 )
 def test_the_share_in_order_is_as_counted_by_hand(
-    wanted: list[Turn], taken: list[Turn], share: float
+    wanted: list[TurnAtPlace], taken: list[TurnAtPlace], share: float
 ) -> None:
     assert turns_in_order(wanted, taken) == pytest.approx(share)

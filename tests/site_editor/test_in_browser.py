@@ -12,7 +12,7 @@ from PIL import Image
 from playwright.sync_api import Browser, Page, expect
 
 import memorymaze
-from memorymaze.sites import check_site, plan_file
+from memorymaze.sites import find_site_problems, plan_file
 
 EditPlan = Callable[..., AbstractContextManager[str]]
 Complaints = Callable[[Page], list[str]]
@@ -179,7 +179,9 @@ def test_a_building_is_drawn_from_nothing_and_walked(
         expect(page.locator("#errors-count")).to_have_text("0 errors")
         assert complaints(page) == []
         draughtsman.save()
-    assert [each.line() for each in check_site(path) if each.severity == "error"] == []
+    assert [
+        each.line() for each in find_site_problems(path) if each.severity == "error"
+    ] == []
     thing = feature(path, "thing_1")
     assert thing["geometry"]["coordinates"] == [5, -0.8]
     assert feature(path, "route_r1_reference")["properties"]["turns"] == [
@@ -247,7 +249,7 @@ def test_what_is_wrong_is_shown_where_it_is_and_a_broken_plan_is_mended(
         draughtsman.is_checked()
         expect(page.locator("#errors-count")).to_have_text("0 errors")
         draughtsman.save()
-    assert not [each for each in check_site(annex) if each.severity == "error"]
+    assert not [each for each in find_site_problems(annex) if each.severity == "error"]
 
 
 @pytest.mark.proof

@@ -11,7 +11,7 @@ from memorymaze.site_editor.plan_file import (
     Picture,
     PlanFile,
 )
-from memorymaze.sites import check_site
+from memorymaze.sites import find_site_problems
 
 
 def edited(
@@ -136,7 +136,9 @@ def test_a_file_that_is_not_there_begins_empty_and_is_written_when_saved(
     file.save(edited(file))
     plan = json.loads(path.read_text(encoding="utf-8"))
     assert (plan["name"], plan["features"]) == ("tower", [])
-    assert {each.rule for each in check_site(path) if each.severity == "error"} == {
+    assert {
+        each.rule for each in find_site_problems(path) if each.severity == "error"
+    } == {
         "members",
         "floor-connected",
     }

@@ -1,4 +1,4 @@
-"""What only `check_site` reports: every such rule, broken once in a tiny plan."""
+"""What only `find_site_problems` reports: every such rule, broken once in a tiny plan."""
 
 import re
 from collections.abc import Callable
@@ -9,7 +9,7 @@ import pytest
 
 from memorymaze.sites import (
     BUILTIN_SITE_NAMES,
-    check_site,
+    find_site_problems,
     load_site,
     plan_file,
 )
@@ -101,7 +101,7 @@ def test_a_plan_that_says_something_false_is_an_error_but_loads(
     path = changed(name, feature, changes)
     errors = {
         (each.feature, each.rule)
-        for each in check_site(path)
+        for each in find_site_problems(path)
         if each.severity == "error"
     }
     assert (feature, rule) in errors
@@ -113,14 +113,14 @@ def test_a_plan_that_is_only_unlike_the_benchmark_gets_a_warning(
     rule: str, name: str, feature: str, changes: dict[str, Any], changed: Changed
 ):
     path = changed(name, feature, changes)
-    problems = check_site(path)
+    problems = find_site_problems(path)
     assert (feature, rule) in {(each.feature, each.rule) for each in problems}
     assert {each.severity for each in problems} == {"warning"}
     assert load_site(path).walkable_floor.area > 0
 
 
 def test_an_id_that_is_not_in_snake_case_gets_a_warning(changed: Changed):
-    problems = check_site(changed("loop", "box", {"id": "The Box"}))
+    problems = find_site_problems(changed("loop", "box", {"id": "The Box"}))
     assert ("The Box", "id-snake-case") in {
         (each.feature, each.rule) for each in problems
     }
@@ -128,7 +128,7 @@ def test_an_id_that_is_not_in_snake_case_gets_a_warning(changed: Changed):
 
 def test_a_seam_open_by_a_millimetre_loads_and_is_an_error(changed: Changed):
     path = changed("two_rooms", "passage", {SHAPE: [_rectangle(6.001, 2, 12, 4)]})
-    [problem] = [each for each in check_site(path) if each.severity == "error"]
+    [problem] = [each for each in find_site_problems(path) if each.severity == "error"]
     assert problem.rule == "floor-seams"
     assert load_site(path).walkable_floor.area == pytest.approx(84, abs=0.01)
 
@@ -136,7 +136,7 @@ def test_a_seam_open_by_a_millimetre_loads_and_is_an_error(changed: Changed):
 def test_a_hole_that_no_block_fits_into_is_reported(changed: Changed):
     outline, sliver = _rectangle(0, 0, 6, 6), _rectangle(3, 1, 3.1, 1.1)
     path = changed("two_rooms", "west_hall", {SHAPE: [outline, sliver]})
-    [seam] = [each for each in check_site(path) if each.rule == "floor-seams"]
+    [seam] = [each for each in find_site_problems(path) if each.rule == "floor-seams"]
     assert "0.0100 m² at (3.05, 1.05)" in seam.message
 
 
@@ -144,12 +144,14 @@ def test_floor_behind_obstacles_that_a_robot_cannot_pass_is_reported(changed: Ch
     path = changed(
         "two_rooms", "table", {SHAPE: [9, 3], "properties.size_m": [1.6, 1.6, 1]}
     )
-    assert "floor-passable" in {each.rule for each in check_site(path)}
+    assert "floor-passable" in {each.rule for each in find_site_problems(path)}
 
 
 def test_a_published_floor_keeps_its_published_route_lengths(changed: Changed):
     path = changed("loop", "-", {"name": "university"})
-    [problem] = [each for each in check_site(path) if each.rule == "published-length"]
+    [problem] = [
+        each for each in find_site_problems(path) if each.rule == "published-length"
+    ]
     assert (problem.feature, problem.severity) == (REFERENCE, "error")
     assert "expected 40.27 m" in problem.message
 
@@ -162,13 +164,13 @@ def test_every_rule_is_explained_in_the_document():
 
 @pytest.mark.parametrize("name", BUILTIN_SITE_NAMES)
 def test_the_benchmarks_floors_break_no_rule(name: str):
-    assert check_site(plan_file(name)) == []
+    assert find_site_problems(plan_file(name)) == []
 
 
 def test_tiny_sites_break_rules_of_size_only(tiny_sites_folder: Path):
     sizes = {"floor-extent", "turning-point-count", "thing-count", "route-names"}
     for path in tiny_sites_folder.glob("*.geojson"):
-        problems = check_site(path)
+        problems = find_site_problems(path)
         assert {problem.rule for problem in problems} <= sizes, path
         assert {problem.severity for problem in problems} == {"warning"}, path
 
@@ -183,7 +185,9 @@ def test_all_mistakes_are_found_at_once(
     features["door_3"]["geometry"]["coordinates"] = [[11.5, 1.2], [12.5, 1.2]]
     features["route_r1_reference"]["properties"]["length_m"] = 1.0
     errors = [
-        each for each in check_site(write_plan(content)) if each.severity == "error"
+        each
+        for each in find_site_problems(write_plan(content))
+        if each.severity == "error"
     ]
     assert [(each.feature, each.rule) for each in errors] == [
         ("door_2", "members"),
@@ -195,13 +199,13 @@ def test_all_mistakes_are_found_at_once(
 
 def test_a_feature_that_refers_to_a_broken_one_is_not_blamed(changed: Changed):
     path = changed("corridor", "room_1", {"properties.use": 3})
-    errors = [each for each in check_site(path) if each.severity == "error"]
+    errors = [each for each in find_site_problems(path) if each.severity == "error"]
     assert [(each.feature, each.rule) for each in errors] == [("room_1", "members")]
 
 
 def test_a_problem_is_one_line_with_file_feature_and_rule(changed: Changed):
     path = changed("corridor", "door_1", {"properties.room": "attic"})
-    [problem] = [each for each in check_site(path) if each.severity == "error"]
+    [problem] = [each for each in find_site_problems(path) if each.severity == "error"]
     assert problem.line() == (
         f"{path}:door_1:known-reference: error: room: expected the id of a room in "
         "this plan, got 'attic'"
@@ -209,5 +213,5 @@ def test_a_problem_is_one_line_with_file_feature_and_rule(changed: Changed):
 
 
 def test_a_missing_plan_is_a_problem_and_no_exception(tmp_path: Path):
-    [problem] = check_site(tmp_path / "none.geojson")
+    [problem] = find_site_problems(tmp_path / "none.geojson")
     assert (problem.rule, problem.severity) == ("readable", "error")

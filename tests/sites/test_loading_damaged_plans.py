@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from memorymaze.errors import SitePlanError
-from memorymaze.sites import Site, check_site, load_site
+from memorymaze.sites import Site, find_site_problems, load_site
 
 NUMBERS = st.one_of(
     st.floats(),
@@ -46,7 +46,7 @@ def _places(value: Any, place: tuple[Any, ...] = ()) -> list[tuple[Any, ...]]:
 
 
 def _loads_or_fails_clearly(path: Path) -> None:
-    problems = check_site(path)
+    problems = find_site_problems(path)
     lines = [problem.line() for problem in problems]
     assert not any("\n" in line for line in lines)
     assert "".join(lines).encode()

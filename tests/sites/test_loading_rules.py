@@ -9,7 +9,7 @@ import pytest
 
 from memorymaze.errors import SitePlanError
 from memorymaze.geometry.grid import LARGEST_FLOOR
-from memorymaze.sites import check_site, load_site
+from memorymaze.sites import find_site_problems, load_site
 
 Changed = Callable[[str, str, dict[str, Any]], Path]
 SHAPE = "geometry.coordinates"
@@ -103,7 +103,9 @@ BROKEN = [
 
 def _refused(path: Path, feature: str, rule: str) -> str:
     """Assert that checking and loading both blame a feature, and return the message."""
-    found = [(each.feature, each.rule, each.severity) for each in check_site(path)]
+    found = [
+        (each.feature, each.rule, each.severity) for each in find_site_problems(path)
+    ]
     assert (feature, rule, "error") in found
     with pytest.raises(SitePlanError) as caught:
         load_site(path)

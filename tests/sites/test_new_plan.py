@@ -4,7 +4,7 @@ from pathlib import Path
 import pytest
 
 from memorymaze.errors import SettingsError
-from memorymaze.sites import check_site, load_site
+from memorymaze.sites import find_site_problems, load_site
 from memorymaze.sites.loading import new_plan
 
 PAGE = Path(__file__).parents[2] / "docs" / "site_plans.md"
@@ -15,7 +15,7 @@ def test_a_new_plan_has_no_error_and_is_unlike_the_benchmark_only_in_size(
 ):
     path = tmp_path / "east_wing_2.geojson"
     path.write_bytes(new_plan("east_wing_2"))
-    assert {problem.rule for problem in check_site(path)} == {
+    assert {problem.rule for problem in find_site_problems(path)} == {
         "floor-extent",
         "turning-point-count",
         "thing-count",
@@ -38,7 +38,7 @@ def test_a_length_that_is_left_out_is_that_of_the_line(tmp_path: Path):
     plan = json.loads(new_plan("annex"))
     plan["features"][-1]["properties"]["length_m"] = 17.0
     path.write_text(json.dumps(plan), "utf-8")
-    [wrong] = [each for each in check_site(path) if each.rule == "route-length"]
+    [wrong] = [each for each in find_site_problems(path) if each.rule == "route-length"]
     assert "16.000 m, got 17.000 m" in wrong.message
 
 

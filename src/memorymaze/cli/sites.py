@@ -90,10 +90,13 @@ def _add_generate(verbs: Verbs) -> None:
 
 
 def _add_generate_options(parser: argparse.ArgumentParser) -> None:
-    from memorymaze.construction import KINDS
+    from memorymaze.construction import BUILDING_KINDS
 
     parser.add_argument(
-        "--kind", choices=(*KINDS, "all"), required=True, help="kind of building"
+        "--kind",
+        choices=(*BUILDING_KINDS, "all"),
+        required=True,
+        help="kind of building",
     )
     parser.add_argument(
         "--seed", type=int, default=0, metavar="N", help="the first seed (default: 0)"
@@ -193,14 +196,14 @@ def _new(args: argparse.Namespace) -> int:
 
 
 def _generate(args: argparse.Namespace) -> int:
-    from memorymaze.construction import KINDS, make_building
+    from memorymaze.construction import BUILDING_KINDS, make_building
     from memorymaze.durable_files import write_new
     from memorymaze.errors import SettingsError
 
     if args.count < 1:
         raise SettingsError(f"--count: expected at least 1, got {args.count}")
     args.out.mkdir(parents=True, exist_ok=True)
-    for kind in KINDS if args.kind == "all" else (args.kind,):
+    for kind in BUILDING_KINDS if args.kind == "all" else (args.kind,):
         for seed in range(args.seed, args.seed + args.count):
             building = make_building(kind, seed)
             path = args.out / f"{building.name}.geojson"
@@ -218,13 +221,13 @@ def _list(args: argparse.Namespace) -> int:
 
 
 def _check(args: argparse.Namespace) -> int:
-    from memorymaze.sites import check_site
+    from memorymaze.sites import find_site_problems
 
     paths = [path for plan in args.plans for path in _plans(plan)]
     problems = [
         problem
         for path in paths
-        for found in [check_site(path)]
+        for found in [find_site_problems(path)]
         for problem in (*found, *_without_a_look(path, found))
     ]
     for problem in problems:

@@ -46,10 +46,10 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def _export(args: argparse.Namespace) -> int:
-    from memorymaze.exporting import ENDINGS, export_site
+    from memorymaze.exporting import FILE_ENDINGS, export_site
     from memorymaze.sites import load_site
 
     site = load_site(args.site)
-    out: Path = args.out or Path(f"{Path(site.source).stem}{ENDINGS[args.to]}")
+    out: Path = args.out or Path(f"{Path(site.source).stem}{FILE_ENDINGS[args.to]}")
     print(export_site(site, args.to, out, resolution=args.resolution)[0])
     return 0

@@ -5,6 +5,6 @@ With the pieces that recipes share, and routes through them. Does not hold what 
 """
 
 from memorymaze.construction.making import MadeBuilding, make_building
-from memorymaze.construction.recipes import KINDS, Kind
+from memorymaze.construction.recipes import BUILDING_KINDS, BuildingKind
 
-__all__ = ["KINDS", "Kind", "MadeBuilding", "make_building"]
+__all__ = ["BUILDING_KINDS", "BuildingKind", "MadeBuilding", "make_building"]

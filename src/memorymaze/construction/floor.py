@@ -8,8 +8,14 @@ from typing import cast
 
 from shapely import LineString, MultiPoint, Point, Polygon, set_precision
 
-from memorymaze.construction.layout import Hall, Layout, Place, Street, UnsuitableFloor
-from memorymaze.construction.skeleton import STRAIGHT, Leg, Skeleton
+from memorymaze.construction.layout import (
+    Layout,
+    MadeHall,
+    Street,
+    UnsuitableFloor,
+)
+from memorymaze.construction.skeleton import IN_LINE, Skeleton, SkeletonLeg
+from memorymaze.geometry.points import XY
 from memorymaze.geometry.pose import heading_to, turn_between
 from memorymaze.sites.records import floor_pieces
 
@@ -26,7 +32,7 @@ OVERLAP = 0.3
 
 
 @dataclass(frozen=True)
-class Exit:
+class MadeExit:
     """A way out of a turning point."""
 
     to: str
@@ -36,17 +42,17 @@ class Exit:
 
 
 @dataclass(frozen=True)
-class TurningPoint:
+class MadeTurningPoint:
     """Where a walker can change streets."""
 
     id: str
     node: int
     polygon: Polygon
     shape: str
-    exits: tuple[Exit, ...]
+    exits: tuple[MadeExit, ...]
 
 
-class Floor:
+class MadeFloor:
     """The floor of a layout: corridors, halls and turning points."""
 
     def __init__(self, layout: Layout, skeleton: Skeleton) -> None:
@@ -65,7 +71,7 @@ class Floor:
         self.walkable = parts[0]
 
     @cached_property
-    def turning_points(self) -> tuple[TurningPoint, ...]:
+    def turning_points(self) -> tuple[MadeTurningPoint, ...]:
         """All turning points.
 
         Raises:
@@ -82,14 +88,14 @@ class Floor:
                     raise UnsuitableFloor(f"{point.id} and {other.id} overlap")
         return tuple(found)
 
-    def hall_around(self, place: Place) -> int | None:
+    def hall_around(self, place: XY) -> int | None:
         """Return the number of the hall that a place lies in."""
         for number, polygon in enumerate(self.halls):
             if polygon.contains(Point(place)):
                 return number
         return None
 
-    def hall_called(self, name: str) -> tuple[int, Hall]:
+    def hall_called(self, name: str) -> tuple[int, MadeHall]:
         """Return a hall and its number."""
         return next(
             (number, hall)
@@ -97,12 +103,12 @@ class Floor:
             if hall.name == name
         )
 
-    def _turning_point(self, node: int) -> TurningPoint | None:
+    def _turning_point(self, node: int) -> MadeTurningPoint | None:
         legs = self.skeleton.legs(node)
         polygon = self._outline(node, legs)
         if polygon is None:
             return None
-        exits = [Exit(self._leads_to(leg), leg.heading) for leg in legs]
+        exits = [MadeExit(self._leads_to(leg), leg.heading) for leg in legs]
         hall = self.hall_around(self.skeleton.places[node])
         ways_in_hall = (
             list(self._ways_into(hall, polygon, legs)) if hall is not None else []
@@ -110,18 +116,18 @@ class Floor:
         shape = ("dead_end", "corner", "t_junction", "crossing")[len(legs) - 1]
         if ways_in_hall or any(leg.street is None for leg in legs):
             shape = "opening"
-        return TurningPoint(
+        return MadeTurningPoint(
             f"tp_{node + 1}", node, rounded(polygon), shape, tuple(exits + ways_in_hall)
         )
 
-    def _leads_to(self, leg: Leg) -> str:
+    def _leads_to(self, leg: SkeletonLeg) -> str:
         if leg.street is not None:
             return corridor_id(leg.street, leg.piece)
         return hall_id(self.hall_called(leg.hall or "")[0])
 
     def _ways_into(
-        self, hall: int, polygon: Polygon, legs: Sequence[Leg]
-    ) -> Iterator[Exit]:
+        self, hall: int, polygon: Polygon, legs: Sequence[SkeletonLeg]
+    ) -> Iterator[MadeExit]:
         """Yield the ways into a hall beside those that the legs lead."""
         middle = polygon.centroid
         reach = math.sqrt(polygon.area) / 2 + OPEN_AHEAD
@@ -133,9 +139,9 @@ class Floor:
             end = _moved((middle.x, middle.y), heading, reach)
             if self.halls[hall].contains(LineString([(middle.x, middle.y), end])):
                 taken.append(heading)
-                yield Exit(hall_id(hall), heading)
+                yield MadeExit(hall_id(hall), heading)
 
-    def _outline(self, node: int, legs: Sequence[Leg]) -> Polygon | None:
+    def _outline(self, node: int, legs: Sequence[SkeletonLeg]) -> Polygon | None:
         """Return the shape of a node's turning point, if it is one."""
         place = self.skeleton.places[node]
         in_hall = self.hall_around(place) is not None
@@ -176,7 +182,9 @@ def rounded(polygon: Polygon) -> Polygon:
     return set_precision(polygon, 0.001, mode="pointwise")
 
 
-def _through_pair(legs: Sequence[Leg]) -> tuple[Leg, Leg] | None:
+def _through_pair(
+    legs: Sequence[SkeletonLeg],
+) -> tuple[SkeletonLeg, SkeletonLeg] | None:
     """Return the two legs of a node that are most in line, if any are."""
     pairs = [
         (math.pi - abs(turn_between(leg.heading, other.heading)), leg, other)
@@ -185,19 +193,21 @@ def _through_pair(legs: Sequence[Leg]) -> tuple[Leg, Leg] | None:
     ]
     bend, leg, other = min(
         pairs,
-        key=lambda each: (each[0] > STRAIGHT, -each[1].width - each[2].width, each[0]),
+        key=lambda each: (each[0] > IN_LINE, -each[1].width - each[2].width, each[0]),
     )
-    return (leg, other) if bend < (THROUGH if len(legs) > 2 else STRAIGHT) else None
+    return (leg, other) if bend < (THROUGH if len(legs) > 2 else IN_LINE) else None
 
 
-def _mouth_reach(through: Leg, side: Leg) -> float:
+def _mouth_reach(through: SkeletonLeg, side: SkeletonLeg) -> float:
     """Return how far from a node along its street a side street's mouth reaches."""
     angle = abs(turn_between(through.heading, side.heading))
     slant = abs(through.width / 2 / math.tan(angle))
     return max(slant + side.width / 2 / math.sin(angle) + 0.05, 1.0)
 
 
-def _strip(place: Place, heading: float, start: float, end: float, leg: Leg) -> Polygon:
+def _strip(
+    place: XY, heading: float, start: float, end: float, leg: SkeletonLeg
+) -> Polygon:
     """Return a rectangle across a leg's whole width, metres along it."""
     near, far = _moved(place, heading, start), _moved(place, heading, end)
     side = leg.width / 2
@@ -209,7 +219,7 @@ def _strip(place: Place, heading: float, start: float, end: float, leg: Leg) -> 
     ])
 
 
-def _corner(place: Place, leg: Leg, other: Leg) -> Polygon:
+def _corner(place: XY, leg: SkeletonLeg, other: SkeletonLeg) -> Polygon:
     """Return where a street bends: both walls' corners and the floor between."""
     between = turn_between(leg.heading, other.heading)
     turn = math.pi - abs(between)
@@ -232,20 +242,20 @@ def _corner(place: Place, leg: Leg, other: Leg) -> Polygon:
     return cast(Polygon, MultiPoint(corners).convex_hull)
 
 
-def _depth_to_line(start: Place, heading: float, on: Place, normal: float) -> float:
+def _depth_to_line(start: XY, heading: float, on: XY, normal: float) -> float:
     """Return how far a ray goes to the line through a place with a normal."""
     across = math.cos(normal), math.sin(normal)
     gap = (on[0] - start[0]) * across[0] + (on[1] - start[1]) * across[1]
     return gap / math.cos(heading - normal)
 
 
-def _street_pieces(street: Street) -> Iterator[tuple[Place, Place, Place, Place]]:
+def _street_pieces(street: Street) -> Iterator[tuple[XY, XY, XY, XY]]:
     """Yield the four corners of each straight piece; neighbours share an edge."""
     points = street.points
     pieces = len(points) - 1
     headings = [heading_to(points[i], points[i + 1]) for i in range(pieces)]
 
-    def edge(vertex: int, before: float, after: float) -> tuple[Place, Place]:
+    def edge(vertex: int, before: float, after: float) -> tuple[XY, XY]:
         """Return the right and left ends of the edge across a vertex."""
         bend = turn_between(before, after)
         across = before + bend / 2 + math.pi / 2
@@ -265,7 +275,7 @@ def _street_pieces(street: Street) -> Iterator[tuple[Place, Place, Place, Place]
         yield right, far_right, far_left, left
 
 
-def _moved(place: Place, heading: float, distance: float) -> Place:
+def _moved(place: XY, heading: float, distance: float) -> XY:
     return (
         place[0] + distance * math.cos(heading),
         place[1] + distance * math.sin(heading),

@@ -5,8 +5,8 @@ import math
 import numpy as np
 from shapely import LineString, Point
 
-from memorymaze.construction.layout import Frame, Layout, Street
-from memorymaze.construction.pieces import between, frame_on
+from memorymaze.construction.layout import Layout, Street, WingFrame
+from memorymaze.construction.pieces import drawn_between, frame_on
 from memorymaze.construction.skeleton import Skeleton
 from memorymaze.geometry.pose import heading_to, turn_between
 
@@ -37,7 +37,7 @@ def grow(layout: Layout, rng: np.random.Generator, wanted: int) -> None:
             street, frame = facing[rng.integers(len(facing))]
         else:
             street = layout.streets[rng.integers(len(layout.streets))]
-            along = between(rng, 0.0, LineString(street.points).length - 0.1)
+            along = drawn_between(rng, 0.0, LineString(street.points).length - 0.1)
             side = 90.0 if rng.random() < 0.5 else -90.0
             frame = frame_on(street.points, along).moved(0, 0, side)
         new = _corridor(layout, skeleton, street, frame, rng)
@@ -49,15 +49,17 @@ def grow(layout: Layout, rng: np.random.Generator, wanted: int) -> None:
                 return
 
 
-def _facing(layout: Layout, skeleton: Skeleton) -> list[tuple[Street, Frame]]:
+def _facing(layout: Layout, skeleton: Skeleton) -> list[tuple[Street, WingFrame]]:
     """Return where a corridor could begin opposite one that meets a street."""
-    found: list[tuple[Street, Frame]] = []
+    found: list[tuple[Street, WingFrame]] = []
     for node in skeleton.graph:
         legs = skeleton.legs(node)
         for leg in legs if len(legs) == 3 else ():
             through = [each.heading for each in legs if each is not leg]
             if abs(turn_between(*through)) > IN_LINE and leg.street is not None:
-                frame = Frame(skeleton.places[node], math.degrees(leg.heading) + 180)
+                frame = WingFrame(
+                    skeleton.places[node], math.degrees(leg.heading) + 180
+                )
                 found.append((layout.streets[leg.street], frame))
     return found
 
@@ -66,7 +68,7 @@ def _corridor(
     layout: Layout,
     skeleton: Skeleton,
     street: Street,
-    frame: Frame,
+    frame: WingFrame,
     rng: np.random.Generator,
 ) -> Street | None:
     """Return a link up to the street ahead or a blind corridor, or that neither fits."""
@@ -75,7 +77,7 @@ def _corridor(
     hits = [line.intersection(ahead) for line in lines]
     met = [Point(frame.origin).distance(hit) for hit in hits if not hit.is_empty]
     meets = bool(met)
-    reach = min(met) if met else between(rng, SHORTEST, LONGEST_BLIND)
+    reach = min(met) if met else drawn_between(rng, SHORTEST, LONGEST_BLIND)
     if reach < SHORTEST:
         return None
     end = frame.at(reach)
@@ -96,7 +98,7 @@ def _corridor(
     )
     if crowded or near or (meets and not _is_steep(frame, lines, end)):
         return None
-    width = between(rng, 1.9, min(2.6, street.width))
+    width = drawn_between(rng, 1.9, min(2.6, street.width))
     return Street(
         (frame.origin, end),
         width,
@@ -107,7 +109,9 @@ def _corridor(
     )
 
 
-def _is_steep(frame: Frame, lines: list[LineString], end: tuple[float, float]) -> bool:
+def _is_steep(
+    frame: WingFrame, lines: list[LineString], end: tuple[float, float]
+) -> bool:
     """Return whether a link meets the street at its end at a wide angle."""
     met = min(lines, key=lambda line: line.distance(Point(end)))
     along = met.project(Point(end))

@@ -11,8 +11,8 @@ from typing import Literal
 from shapely import Polygon
 from shapely.affinity import affine_transform
 
-Place = tuple[float, float]
-"""Metres."""
+from memorymaze.geometry.points import XY
+
 Sides = Literal["both", "left", "right", "none"]
 MIRRORED: dict[Sides, Sides] = {"left": "right", "right": "left"}
 
@@ -25,7 +25,7 @@ class UnsuitableFloor(Exception):
 class Street:
     """A corridor, straight or bent, with what lies along it."""
 
-    points: tuple[Place, ...]
+    points: tuple[XY, ...]
     """Its middle line; a loop ends where it starts."""
     width: float
     program: str
@@ -45,7 +45,7 @@ class Street:
 
 
 @dataclass(frozen=True)
-class Hall:
+class MadeHall:
     """Open floor over or beside streets; its holes are blocks one walks around."""
 
     polygon: Polygon
@@ -59,7 +59,7 @@ class Hall:
 class Across:
     """A way across a hall where no corridor leads."""
 
-    points: tuple[Place, ...]
+    points: tuple[XY, ...]
     hall: str
     """Name of the hall."""
 
@@ -69,14 +69,14 @@ class Layout:
     """A floor as a recipe draws it."""
 
     streets: list[Street] = field(default_factory=list[Street])
-    halls: list[Hall] = field(default_factory=list[Hall])
+    halls: list[MadeHall] = field(default_factory=list[MadeHall])
     ways_across: list[Across] = field(default_factory=list[Across])
-    entrances: list[tuple[Place, str]] = field(default_factory=list[tuple[Place, str]])
+    entrances: list[tuple[XY, str]] = field(default_factory=list[tuple[XY, str]])
     """Ends of streets that lead outside, with what they are called."""
 
     def street(
         self,
-        points: Sequence[Place],
+        points: Sequence[XY],
         width: float,
         program: str,
         zone: int,
@@ -96,12 +96,12 @@ class Layout:
         name: str,
         program: str,
         zone: int,
-        across: Sequence[Sequence[Place]] = (),
+        across: Sequence[Sequence[XY]] = (),
         *,
         open_air: bool = False,
     ) -> None:
         """Add a hall and the ways across it."""
-        self.halls.append(Hall(polygon, name, program, zone, open_air))
+        self.halls.append(MadeHall(polygon, name, program, zone, open_air))
         self.ways_across += [Across(tuple(points), name) for points in across]
 
     def turned(self, quarters: int, *, mirrored: bool) -> "Layout":
@@ -110,7 +110,7 @@ class Layout:
         flip = -1 if mirrored else 1
         matrix = (cosine, -sine * flip, sine, cosine * flip, 0, 0)
 
-        def moved(place: Place) -> Place:
+        def moved(place: XY) -> XY:
             return (
                 matrix[0] * place[0] + matrix[1] * place[1] + 0.0,
                 matrix[2] * place[0] + matrix[3] * place[1] + 0.0,
@@ -137,13 +137,13 @@ class Layout:
 
 
 @dataclass(frozen=True)
-class Frame:
+class WingFrame:
     """A place and a heading that a wing is drawn in."""
 
-    origin: Place = (0.0, 0.0)
+    origin: XY = (0.0, 0.0)
     heading_deg: float = 0.0
 
-    def at(self, ahead: float, left: float = 0.0) -> Place:
+    def at(self, ahead: float, left: float = 0.0) -> XY:
         """Return the place so many metres ahead and to the left."""
         cosine = math.cos(math.radians(self.heading_deg))
         sine = math.sin(math.radians(self.heading_deg))
@@ -152,7 +152,7 @@ class Frame:
             round(self.origin[1] + ahead * sine + left * cosine, 3),
         )
 
-    def line(self, *places: Place) -> tuple[Place, ...]:
+    def line(self, *places: XY) -> tuple[XY, ...]:
         """Return places of this frame as places of the floor."""
         return tuple(self.at(*place) for place in places)
 
@@ -179,6 +179,6 @@ class Frame:
             )
         )
 
-    def moved(self, ahead: float, left: float, turn_deg: float = 0.0) -> "Frame":
+    def moved(self, ahead: float, left: float, turn_deg: float = 0.0) -> "WingFrame":
         """Return the frame so many metres ahead and to the left, turned."""
-        return Frame(self.at(ahead, left), self.heading_deg + turn_deg)
+        return WingFrame(self.at(ahead, left), self.heading_deg + turn_deg)

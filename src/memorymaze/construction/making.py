@@ -6,12 +6,12 @@ from pathlib import Path
 
 import numpy as np
 
-from memorymaze.construction.floor import Floor
+from memorymaze.construction.floor import MadeFloor
 from memorymaze.construction.growth import grow
 from memorymaze.construction.layout import UnsuitableFloor
 from memorymaze.construction.plan import features_of
-from memorymaze.construction.recipes import KINDS, RECIPES, Kind
-from memorymaze.construction.rooms import Door, RoomPlanner
+from memorymaze.construction.recipes import BUILDING_KINDS, RECIPES, BuildingKind
+from memorymaze.construction.rooms import MadeDoor, RoomPlanner
 from memorymaze.construction.skeleton import Skeleton
 from memorymaze.construction.things import Furnisher
 from memorymaze.construction.vocabulary import (
@@ -20,7 +20,7 @@ from memorymaze.construction.vocabulary import (
     furnishings,
     vocabulary,
 )
-from memorymaze.construction.walls import Wall, end_wall, walls_of
+from memorymaze.construction.walls import MadeWall, end_wall, walls_of
 from memorymaze.construction.ways import Ways
 from memorymaze.errors import SettingsError, did_you_mean
 from memorymaze.sites.checking import plan_problems
@@ -46,17 +46,17 @@ class MadeBuilding:
 
     name: str
     """Kind and seed, such as `hospital_0007`; the stem of its plan's file."""
-    kind: Kind
+    kind: BuildingKind
     seed: int
     plan: bytes
     """In the format of `docs/site_plans.md`; the same seed gives the same bytes."""
 
 
-def make_building(kind: Kind, seed: int) -> MadeBuilding:
+def make_building(kind: BuildingKind, seed: int) -> MadeBuilding:
     """Make a building's floor.
 
     Args:
-        kind: One of `KINDS`.
+        kind: One of `BUILDING_KINDS`.
         seed: From 0; which building of its kind.
 
     Returns:
@@ -66,14 +66,14 @@ def make_building(kind: Kind, seed: int) -> MadeBuilding:
         SettingsError: There is no such kind, the seed is negative, or no floor drawn
             from this seed kept all rules.
     """
-    if kind not in KINDS:
+    if kind not in BUILDING_KINDS:
         raise SettingsError(
-            f"kind: expected one of {', '.join(KINDS)}, got {kind!r}"
-            f"{did_you_mean(kind, KINDS)}"
+            f"kind: expected one of {', '.join(BUILDING_KINDS)}, got {kind!r}"
+            f"{did_you_mean(kind, BUILDING_KINDS)}"
         )
     if seed < 0:
         raise SettingsError(f"seed: expected a number from 0, got {seed}")
-    rng = np.random.default_rng([KINDS.index(kind), seed])
+    rng = np.random.default_rng([BUILDING_KINDS.index(kind), seed])
     name = f"{kind}_{seed:04d}"
     reasons: list[str] = []
     for _ in range(MOST_TRIES):
@@ -88,13 +88,13 @@ def make_building(kind: Kind, seed: int) -> MadeBuilding:
     )
 
 
-def _drawn(name: str, kind: Kind, rng: np.random.Generator) -> bytes:
+def _drawn(name: str, kind: BuildingKind, rng: np.random.Generator) -> bytes:
     """Return the plan of one drawn floor, or raise why it is unsuitable."""
     words = vocabulary(kind)
     drawn = RECIPES[kind](rng)
     layout = drawn.turned(int(rng.integers(4)), mirrored=bool(rng.integers(2)))
     grow(layout, rng, int(rng.integers(MOST_GROWN + 1)))
-    floor = Floor(layout, Skeleton(layout))
+    floor = MadeFloor(layout, Skeleton(layout))
     _check_size(floor)
     walls = walls_of(floor)
     digit = int(rng.integers(len(words.floors)))
@@ -137,7 +137,7 @@ def _drawn(name: str, kind: Kind, rng: np.random.Generator) -> bytes:
     return plan
 
 
-def _check_size(floor: Floor) -> None:
+def _check_size(floor: MadeFloor) -> None:
     west, south, east, north = floor.walkable.bounds
     across = max(east - west, north - south)
     if not ACROSS[0] <= across <= ACROSS[1]:
@@ -148,12 +148,12 @@ def _check_size(floor: Floor) -> None:
 
 
 def _close_ends(
-    floor: Floor,
-    walls: list[Wall],
+    floor: MadeFloor,
+    walls: list[MadeWall],
     words: Vocabulary,
     planner: RoomPlanner,
     rng: np.random.Generator,
-) -> tuple[list[Door], list[Wall]]:
+) -> tuple[list[MadeDoor], list[MadeWall]]:
     """Put entrances, stairs, exits or windows at the ends of streets.
 
     Returns doors that lead to no room, and walls with a way out in them.
@@ -162,8 +162,8 @@ def _close_ends(
     entrances = {
         skeleton.node_at(place): name for place, name in floor.layout.entrances
     }
-    doors: list[Door] = []
-    exits: list[Wall] = []
+    doors: list[MadeDoor] = []
+    exits: list[MadeWall] = []
     for node in skeleton.graph:
         place = skeleton.places[node]
         if skeleton.graph.degree[node] > 1 or floor.hall_around(place) is not None:
@@ -185,10 +185,12 @@ def _close_ends(
     return doors, exits
 
 
-def _door_in(wall: Wall, kind: str, label: str, rng: np.random.Generator) -> Door:
+def _door_in(
+    wall: MadeWall, kind: str, label: str, rng: np.random.Generator
+) -> MadeDoor:
     door = furnishings().doors[kind]
     half = min(door.width, wall.length - 0.3) / 2
     middle = wall.length / 2
     wall.take(middle - half - 0.1, middle + half + 0.1)
     color = door.colors[rng.integers(len(door.colors))]
-    return Door(wall, middle - half, middle + half, door.style, color, label)
+    return MadeDoor(wall, middle - half, middle + half, door.style, color, label)

@@ -6,11 +6,15 @@ from itertools import pairwise
 
 import numpy as np
 
-from memorymaze.construction.layout import Frame, Layout, Place
+from memorymaze.construction.layout import (
+    Layout,
+    WingFrame,
+)
+from memorymaze.geometry.points import XY
 from memorymaze.geometry.pose import heading_to
 
 
-def between(rng: np.random.Generator, low: float, high: float) -> float:
+def drawn_between(rng: np.random.Generator, low: float, high: float) -> float:
     """Return a length, in decimetres, or an angle drawn between two."""
     return round(float(rng.uniform(low, high)), 1)
 
@@ -20,19 +24,19 @@ def either(rng: np.random.Generator) -> int:
     return 1 if rng.random() < 0.5 else -1
 
 
-def frame_on(line: Sequence[Place], distance: float) -> Frame:
+def frame_on(line: Sequence[XY], distance: float) -> WingFrame:
     """Return the frame so many metres along a line, facing ahead."""
     left = distance
     for start, end in pairwise(line):
         step = math.dist(start, end)
         heading = math.degrees(heading_to(start, end))
         if left <= step:
-            return Frame(Frame(start, heading).at(left), heading)
+            return WingFrame(WingFrame(start, heading).at(left), heading)
         left -= step
     raise ValueError(f"expected a distance on the line, got {left:.1f} m too many")
 
 
-def bent(frame: Frame, *legs: tuple[float, float]) -> tuple[Place, ...]:
+def bent(frame: WingFrame, *legs: tuple[float, float]) -> tuple[XY, ...]:
     """Return the line that goes ahead from a frame and turns before each next leg.
 
     Legs are metres and the turn in degrees before them.
@@ -41,13 +45,13 @@ def bent(frame: Frame, *legs: tuple[float, float]) -> tuple[Place, ...]:
     for length, turn in legs:
         frame = frame.moved(0.0, 0.0, turn)
         places.append(frame.at(length))
-        frame = Frame(places[-1], frame.heading_deg)
+        frame = WingFrame(places[-1], frame.heading_deg)
     return tuple(places)
 
 
 def stub(
     layout: Layout,
-    frame: Frame,
+    frame: WingFrame,
     length: float,
     width: float,
     program: str,
@@ -60,9 +64,9 @@ def stub(
     )
 
 
-def ring(
+def ring_of_streets(
     layout: Layout,
-    frame: Frame,
+    frame: WingFrame,
     stem: float,
     depth: float,
     half: float,
@@ -95,7 +99,7 @@ def ring(
 
 def side_hall(
     layout: Layout,
-    frame: Frame,
+    frame: WingFrame,
     width: float,
     depth: float,
     half: float,

@@ -4,11 +4,11 @@ from collections.abc import Iterator, Sequence
 
 from shapely import LineString
 
-from memorymaze.construction.floor import Floor, corridor_id, hall_id
-from memorymaze.construction.rooms import Door, Room
-from memorymaze.construction.things import Thing
+from memorymaze.construction.floor import MadeFloor, corridor_id, hall_id
+from memorymaze.construction.rooms import MadeDoor, MadeRoom
+from memorymaze.construction.things import MadeThing
 from memorymaze.construction.vocabulary import Vocabulary
-from memorymaze.construction.ways import Route, Way
+from memorymaze.construction.ways import MadeRoute, MadeWay
 from memorymaze.geometry.pose import heading_to
 from memorymaze.sites.plan_writing import (
     Feature,
@@ -21,12 +21,12 @@ from memorymaze.sites.plan_writing import (
 
 
 def features_of(
-    floor: Floor,
+    floor: MadeFloor,
     words: Vocabulary,
-    rooms: Sequence[Room],
-    doors: Sequence[Door],
-    things: Sequence[Thing],
-    routes: Sequence[Route],
+    rooms: Sequence[MadeRoom],
+    doors: Sequence[MadeDoor],
+    things: Sequence[MadeThing],
+    routes: Sequence[MadeRoute],
 ) -> list[Feature]:
     """Return all features; `doors` are those that lead to no room."""
     features = list(_floor_features(floor, words))
@@ -61,7 +61,7 @@ def features_of(
     return features
 
 
-def _floor_features(floor: Floor, words: Vocabulary) -> Iterator[Feature]:
+def _floor_features(floor: MadeFloor, words: Vocabulary) -> Iterator[Feature]:
     layout = floor.layout
     for (number, piece), polygon in floor.corridors.items():
         street = layout.streets[number]
@@ -106,7 +106,7 @@ def _floor_features(floor: Floor, words: Vocabulary) -> Iterator[Feature]:
         )
 
 
-def _door(identity: str, door: Door, room: str | None) -> Feature:
+def _door(identity: str, door: MadeDoor, room: str | None) -> Feature:
     ends = (door.wall.at(door.start), door.wall.at(door.end))
     return line_feature(
         identity,
@@ -120,7 +120,7 @@ def _door(identity: str, door: Door, room: str | None) -> Feature:
     )
 
 
-def _landmark(identity: str, thing: Thing) -> Feature:
+def _landmark(identity: str, thing: MadeThing) -> Feature:
     return point_feature(
         identity,
         "landmark",
@@ -136,7 +136,9 @@ def _landmark(identity: str, thing: Thing) -> Feature:
     )
 
 
-def _route(index: int, number: int, way: Way, route: Route, goal: str) -> Feature:
+def _route(
+    index: int, number: int, way: MadeWay, route: MadeRoute, goal: str
+) -> Feature:
     role = f"alternative_{number}" if number else "reference"
     line = [position(place) for place in way.line]
     return line_feature(

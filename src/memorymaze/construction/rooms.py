@@ -8,8 +8,11 @@ from typing import cast
 import numpy as np
 from shapely import LineString, Point, Polygon, get_parts
 
-from memorymaze.construction.floor import Floor, rounded
-from memorymaze.construction.layout import Place, Street, UnsuitableFloor
+from memorymaze.construction.floor import MadeFloor, rounded
+from memorymaze.construction.layout import (
+    Street,
+    UnsuitableFloor,
+)
 from memorymaze.construction.vocabulary import (
     DoorKind,
     RoomKind,
@@ -17,7 +20,8 @@ from memorymaze.construction.vocabulary import (
     Vocabulary,
     furnishings,
 )
-from memorymaze.construction.walls import Wall
+from memorymaze.construction.walls import MadeWall
+from memorymaze.geometry.points import XY
 
 WALL_DEPTH = 0.12
 """Metres between the floor and a room, and between two rooms."""
@@ -34,11 +38,11 @@ DOOR_MARGIN = 0.25
 
 
 @dataclass
-class Room:
+class MadeRoom:
     """A room, named once all rooms are placed."""
 
     polygon: Polygon
-    wall: Wall
+    wall: MadeWall
     start: float
     """Metres along the wall."""
     end: float
@@ -50,7 +54,7 @@ class Room:
     destination: bool = False
     sign: str | None = None
     number: str | None = None
-    doors: list["Door"] = field(default_factory=list["Door"])
+    doors: list["MadeDoor"] = field(default_factory=list["MadeDoor"])
 
     @property
     def middle(self) -> float:
@@ -59,10 +63,10 @@ class Room:
 
 
 @dataclass
-class Door:
+class MadeDoor:
     """A door in a wall."""
 
-    wall: Wall
+    wall: MadeWall
     start: float
     """Metres along the wall."""
     end: float
@@ -76,7 +80,7 @@ class Door:
         return (self.start + self.end) / 2
 
     @property
-    def place(self) -> Place:
+    def place(self) -> XY:
         """Its middle."""
         return self.wall.at(self.middle)
 
@@ -85,7 +89,7 @@ class Door:
 class _Slot:
     """A stretch of wall for a room."""
 
-    wall: Wall
+    wall: MadeWall
     start: float
     end: float
     kind: RoomKind
@@ -95,16 +99,16 @@ class RoomPlanner:
     """Puts rooms along walls."""
 
     def __init__(
-        self, floor: Floor, words: Vocabulary, rng: np.random.Generator
+        self, floor: MadeFloor, words: Vocabulary, rng: np.random.Generator
     ) -> None:
         """Begin with no rooms."""
-        self.rooms: list[Room] = []
+        self.rooms: list[MadeRoom] = []
         self._floor = floor
         self._words = words
         self._rng = rng
         self._kept_free = floor.walkable.buffer(WALL_DEPTH, join_style="mitre")
 
-    def place(self, walls: Sequence[Wall], digit: int) -> list[Room]:
+    def place(self, walls: Sequence[MadeWall], digit: int) -> list[MadeRoom]:
         """Place special rooms first, then those there are many of, and number them."""
         slots = [slot for wall in walls for slot in self._slots(wall)]
         for special in self._words.specials:
@@ -116,13 +120,13 @@ class RoomPlanner:
         self._name(digit)
         return self.rooms
 
-    def add_behind(self, wall: Wall, kind: Special, door_width: float) -> bool:
+    def add_behind(self, wall: MadeWall, kind: Special, door_width: float) -> bool:
         """Place a room behind the middle of a wall; tell whether there was room."""
         half = max(kind.width, door_width + 0.6) / 2
         middle = wall.length / 2
         return self._add(wall, middle - half, middle + half, kind.depth, kind)
 
-    def _slots(self, wall: Wall) -> Iterator[_Slot]:
+    def _slots(self, wall: MadeWall) -> Iterator[_Slot]:
         kinds = self._words.programs[wall.program].rooms
         if not kinds or wall.street is None or wall.taken:
             return
@@ -150,7 +154,7 @@ class RoomPlanner:
             start += width * stretch
 
     def _place_special(
-        self, special: Special, walls: Sequence[Wall], slots: list[_Slot]
+        self, special: Special, walls: Sequence[MadeWall], slots: list[_Slot]
     ) -> None:
         width = special.width * (2 if special.beside else 1)
         runs = [
@@ -183,7 +187,7 @@ class RoomPlanner:
             raise UnsuitableFloor(f"no room for {special.name}")
 
     def _add_special(
-        self, special: Special, wall: Wall, start: float, end: float
+        self, special: Special, wall: MadeWall, start: float, end: float
     ) -> bool:
         if not special.beside:
             return self._add(wall, start, end, special.depth, special)
@@ -203,7 +207,7 @@ class RoomPlanner:
 
     def _add(
         self,
-        wall: Wall,
+        wall: MadeWall,
         start: float,
         end: float,
         depth: float,
@@ -233,7 +237,7 @@ class RoomPlanner:
             return False
         special = isinstance(kind, Special)
         self.rooms.append(
-            Room(
+            MadeRoom(
                 polygon,
                 wall,
                 low,
@@ -251,7 +255,7 @@ class RoomPlanner:
         return True
 
     def _polygon(
-        self, wall: Wall, start: float, end: float, depth: float
+        self, wall: MadeWall, start: float, end: float, depth: float
     ) -> Polygon | None:
         """Return what is left of a room beside the floor and other rooms."""
         shape = wall.strip(
@@ -278,7 +282,9 @@ class RoomPlanner:
             return None
         return best
 
-    def _doors(self, wall: Wall, low: float, high: float, kind: DoorKind) -> list[Door]:
+    def _doors(
+        self, wall: MadeWall, low: float, high: float, kind: DoorKind
+    ) -> list[MadeDoor]:
         room = high - low
         color = kind.colors[self._rng.integers(len(kind.colors))]
         width = min(kind.width, room - 2 * DOOR_MARGIN)
@@ -294,7 +300,7 @@ class RoomPlanner:
             at = float(self._rng.choice([0.0, 0.12, 0.5, 0.88, 1.0]))
             middles = [low + margin + at * (room - 2 * margin)]
         return [
-            Door(wall, middle - width / 2, middle + width / 2, kind.style, color)
+            MadeDoor(wall, middle - width / 2, middle + width / 2, kind.style, color)
             for middle in middles
         ]
 
@@ -316,7 +322,7 @@ class RoomPlanner:
             for count, door in enumerate(room.doors, start=1):
                 door.label = room.number or _label(room, count)
 
-    def _numbers(self, digit: int) -> Iterator[tuple[Room, str]]:
+    def _numbers(self, digit: int) -> Iterator[tuple[MadeRoom, str]]:
         """Number rooms along their streets: odd on the left, even on the right."""
         counts: dict[int, int] = {}
         for number, street in enumerate(self._floor.layout.streets):
@@ -366,13 +372,13 @@ def _runs(slots: Sequence[_Slot], width: float) -> Iterator[list[_Slot]]:
                 break
 
 
-def _label(room: Room, count: int) -> str:
+def _label(room: MadeRoom, count: int) -> str:
     if room.door == "elevator":
         return f"Lift {count}"
     return room.sign or room.name
 
 
-def wall_along(wall: Wall, place: Sequence[float]) -> float:
+def wall_along(wall: MadeWall, place: Sequence[float]) -> float:
     """Return how far along a wall a place lies, metres."""
     ahead = wall.at(1.0)
     return sum(
@@ -381,7 +387,7 @@ def wall_along(wall: Wall, place: Sequence[float]) -> float:
     )
 
 
-def _has_rooms(street: Street, wall: Wall) -> bool:
+def _has_rooms(street: Street, wall: MadeWall) -> bool:
     if street.rooms == "both":
         return True
     if street.rooms == "none":
@@ -389,7 +395,7 @@ def _has_rooms(street: Street, wall: Wall) -> bool:
     return _is_left(street, wall) == (street.rooms == "left")
 
 
-def _is_left(street: Street, wall: Wall) -> bool:
+def _is_left(street: Street, wall: MadeWall) -> bool:
     """Return whether a wall is on the left of its street, seen along the street."""
     line = LineString(street.points)
     middle = Point(wall.at(wall.length / 2))

@@ -8,21 +8,25 @@ from itertools import pairwise
 import networkx as nx
 from shapely import LineString, Point
 
-from memorymaze.construction.layout import Layout, Place, UnsuitableFloor
+from memorymaze.construction.layout import (
+    Layout,
+    UnsuitableFloor,
+)
+from memorymaze.geometry.points import XY
 from memorymaze.geometry.pose import heading_to, turn_between
 
 SAME_NODE = 0.3
 """Places nearer to each other than this many metres are one node."""
 SHORTEST_LEG = 2.2
 """Metres between two nodes."""
-STRAIGHT = math.radians(15)
+IN_LINE = math.radians(15)
 """Legs that bend less than this are in line."""
 NARROWEST = math.radians(38)
 """The least angle between two legs of a node."""
 
 
 @dataclass(frozen=True)
-class Leg:
+class SkeletonLeg:
     """A straight piece between two nodes, as seen from one of them."""
 
     to: int
@@ -40,8 +44,8 @@ class Leg:
 
 @dataclass(frozen=True)
 class _Piece:
-    start: Place
-    end: Place
+    start: XY
+    end: XY
     width: float
     street: int | None
     piece: int
@@ -58,7 +62,7 @@ class Skeleton:
             UnsuitableFloor: Nodes or legs lie too close, or more than four legs meet.
         """
         self.graph: nx.Graph[int] = nx.Graph()
-        self.places: list[Place] = []
+        self.places: list[XY] = []
         pieces = list(_pieces(layout))
         lines = [LineString([each.start, each.end]) for each in pieces]
         for index, piece in enumerate(pieces):
@@ -69,10 +73,10 @@ class Skeleton:
             self._add(piece, stops)
         self._check()
 
-    def legs(self, node: int) -> list[Leg]:
+    def legs(self, node: int) -> list[SkeletonLeg]:
         """Return the legs of a node by heading."""
         found = [
-            Leg(
+            SkeletonLeg(
                 other,
                 heading_to(self.places[node], self.places[other]),
                 **self.graph.edges[node, other]["leg"],
@@ -82,11 +86,11 @@ class Skeleton:
         ]
         return sorted(found, key=lambda each: each.heading)
 
-    def leg(self, node: int, other: int) -> Leg:
+    def leg(self, node: int, other: int) -> SkeletonLeg:
         """Return the leg from one node to its neighbour."""
         return next(each for each in self.legs(node) if each.to == other)
 
-    def node_at(self, place: Place) -> int | None:
+    def node_at(self, place: XY) -> int | None:
         """Return the node at a place."""
         for node, known in enumerate(self.places):
             if math.dist(place, known) < SAME_NODE:
@@ -97,7 +101,7 @@ class Skeleton:
         """Return the straight line between two nodes."""
         return LineString([self.places[node], self.places[other]])
 
-    def _add(self, piece: _Piece, stops: list[Place]) -> None:
+    def _add(self, piece: _Piece, stops: list[XY]) -> None:
         stops.sort(key=lambda place: math.dist(piece.start, place))
         nodes: list[int] = []
         for stop in stops:
@@ -144,7 +148,7 @@ def _pieces(layout: Layout) -> Iterator[_Piece]:
             yield _Piece(start, end, 3.0, None, 0, across.hall)
 
 
-def _meeting_places(line: LineString, other: LineString) -> list[Place]:
+def _meeting_places(line: LineString, other: LineString) -> list[XY]:
     """Return where another line crosses or touches this one."""
     found = [
         (end[0], end[1])

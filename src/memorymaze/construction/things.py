@@ -7,16 +7,16 @@ from dataclasses import dataclass
 import numpy as np
 from shapely import MultiLineString, Polygon, STRtree
 
-from memorymaze.construction.floor import Floor
-from memorymaze.construction.layout import Place
-from memorymaze.construction.rooms import Room
+from memorymaze.construction.floor import MadeFloor
+from memorymaze.construction.rooms import MadeRoom
 from memorymaze.construction.vocabulary import (
+    LandmarkKind,
     Program,
-    ThingKind,
     Vocabulary,
     furnishings,
 )
-from memorymaze.construction.walls import Wall
+from memorymaze.construction.walls import MadeWall
+from memorymaze.geometry.points import XY
 from memorymaze.sites.records import Mount, rectangle
 
 FROM_MIDDLE_LINES = 0.65
@@ -34,11 +34,11 @@ PRINTED = 0.7
 
 
 @dataclass(frozen=True)
-class Thing:
+class MadeThing:
     """A landmark."""
 
     category: str
-    place: Place
+    place: XY
     heading: float
     """Radians; the way its front faces."""
     size: tuple[float, float, float]
@@ -58,13 +58,13 @@ class Furnisher:
 
     def __init__(
         self,
-        floor: Floor,
+        floor: MadeFloor,
         words: Vocabulary,
-        rooms: Sequence[Room],
+        rooms: Sequence[MadeRoom],
         rng: np.random.Generator,
     ) -> None:
         """Begin with no things."""
-        self.things: list[Thing] = []
+        self.things: list[MadeThing] = []
         self._floor = floor
         self._words = words
         self._rng = rng
@@ -74,9 +74,9 @@ class Furnisher:
         ])
         self._points = STRtree([point.polygon for point in floor.turning_points])
         self._behind = STRtree([room.polygon for room in rooms])
-        self._standing: list[tuple[Polygon, Wall | None]] = []
+        self._standing: list[tuple[Polygon, MadeWall | None]] = []
 
-    def furnish_wall(self, wall: Wall) -> None:
+    def furnish_wall(self, wall: MadeWall) -> None:
         """Put things along a wall, as many as its program says."""
         program = self._words.programs[wall.program]
         for _ in range(self._rng.poisson(program.density * wall.length / 10)):
@@ -89,8 +89,8 @@ class Furnisher:
     def put_at_wall(
         self,
         category: str,
-        kind: ThingKind,
-        wall: Wall,
+        kind: LandmarkKind,
+        wall: MadeWall,
         along: float,
         text: str | None = None,
     ) -> bool:
@@ -139,12 +139,12 @@ class Furnisher:
                     self._keep(thing, None)
                     break
 
-    def label_doors(self, rooms: Iterable[Room]) -> None:
+    def label_doors(self, rooms: Iterable[MadeRoom]) -> None:
         """Put numbers and names beside doors."""
-        number = ThingKind(
+        number = LandmarkKind(
             size=(0.2, 0.02, 0.15), mount="wall", colors=("white", "silver")
         )
-        restroom = ThingKind(
+        restroom = LandmarkKind(
             size=(0.4, 0.05, 0.4), mount="wall", colors=("blue", "red")
         )
         for room in rooms:
@@ -169,8 +169,8 @@ class Furnisher:
             if room.destination:
                 self._name_beside(room)
 
-    def _name_beside(self, room: Room) -> None:
-        kind = ThingKind(
+    def _name_beside(self, room: MadeRoom) -> None:
+        kind = LandmarkKind(
             size=(1.2, 0.06, 0.4),
             mount="wall",
             colors=("blue", "white", "green", "dark blue"),
@@ -186,7 +186,7 @@ class Furnisher:
     def hang(
         self,
         category: str,
-        place: Place,
+        place: XY,
         heading: float,
         size: tuple[float, float, float],
         color: str,
@@ -194,7 +194,7 @@ class Furnisher:
     ) -> None:
         """Hang a sign from the ceiling."""
         self.things.append(
-            Thing(category, place, heading, size, "ceiling", False, color, text)
+            MadeThing(category, place, heading, size, "ceiling", False, color, text)
         )
 
     def _draw(self, program: Program) -> str:
@@ -206,16 +206,16 @@ class Furnisher:
     def _made(
         self,
         category: str,
-        kind: ThingKind,
-        place: Place,
+        kind: LandmarkKind,
+        place: XY,
         heading: float,
         text: str | None,
-    ) -> Thing:
+    ) -> MadeThing:
         texts = self._words.texts.get(category, kind.texts)
         color = kind.colors[self._rng.integers(len(kind.colors))]
         if text is None and texts and self._rng.random() < PRINTED:
             text = texts[self._rng.integers(len(texts))]
-        return Thing(
+        return MadeThing(
             category,
             place,
             heading,
@@ -226,7 +226,7 @@ class Furnisher:
             text,
         )
 
-    def _is_free(self, footprint: Polygon, wall: Wall | None) -> bool:
+    def _is_free(self, footprint: Polygon, wall: MadeWall | None) -> bool:
         if footprint.distance(self._ways) < FROM_MIDDLE_LINES:
             return False
         if len(self._points.query(footprint, "intersects")):
@@ -236,7 +236,7 @@ class Furnisher:
             for other, at in self._standing
         )
 
-    def _keep(self, thing: Thing, wall: Wall | None) -> None:
+    def _keep(self, thing: MadeThing, wall: MadeWall | None) -> None:
         self.things.append(thing)
         if thing.obstacle:
             self._standing.append((thing.footprint, wall))

@@ -23,7 +23,7 @@ class DoorKind(_Model):
     """Metres."""
 
 
-class ThingKind(_Model):
+class LandmarkKind(_Model):
     """A kind of landmark."""
 
     size: tuple[float, float, float]
@@ -109,7 +109,7 @@ class Furnishings(_Model):
     """Doors and things that any kind of building may have."""
 
     doors: dict[str, DoorKind]
-    things: dict[str, ThingKind]
+    things: dict[str, LandmarkKind]
 
 
 @cache

@@ -8,8 +8,8 @@ from itertools import pairwise
 from shapely import LineString, Point, Polygon
 from shapely.geometry.polygon import orient
 
-from memorymaze.construction.floor import Floor
-from memorymaze.construction.layout import Place
+from memorymaze.construction.floor import MadeFloor
+from memorymaze.geometry.points import XY
 from memorymaze.geometry.pose import heading_to
 
 SHORTEST_WALL = 0.8
@@ -17,11 +17,11 @@ SHORTEST_WALL = 0.8
 
 
 @dataclass
-class Wall:
+class MadeWall:
     """A straight piece of wall with floor on its left, from start to end."""
 
-    start: Place
-    end: Place
+    start: XY
+    end: XY
     street: int | None
     """Number of the street it bounds; None for a hall's wall."""
     hall: int | None
@@ -46,7 +46,7 @@ class Wall:
         """Radians, from the wall to the floor."""
         return self.heading + math.pi / 2
 
-    def at(self, along: float, before: float = 0.0) -> Place:
+    def at(self, along: float, before: float = 0.0) -> XY:
         """Return the place so many metres along it and before it, on the floor."""
         cosine, sine = math.cos(self.heading), math.sin(self.heading)
         return (
@@ -76,7 +76,7 @@ class Wall:
         self.taken.append((start, end))
 
 
-def walls_of(floor: Floor) -> list[Wall]:
+def walls_of(floor: MadeFloor) -> list[MadeWall]:
     """Return all walls, round the outside first."""
     outline = orient(floor.walkable)
     rings = [outline.exterior, *outline.interiors]
@@ -87,7 +87,7 @@ def walls_of(floor: Floor) -> list[Wall]:
     ]
 
 
-def _walls_of_ring(floor: Floor, ring: list[Place]) -> Iterator[Wall]:
+def _walls_of_ring(floor: MadeFloor, ring: list[XY]) -> Iterator[MadeWall]:
     for start, end in pairwise(ring):
         if math.dist(start, end) < SHORTEST_WALL:
             continue
@@ -96,27 +96,27 @@ def _walls_of_ring(floor: Floor, ring: list[Place]) -> Iterator[Wall]:
         street = None if hall is not None else _street_at(floor, middle)
         if hall is not None:
             bounded = floor.layout.halls[hall]
-            yield Wall(start, end, None, hall, bounded.program, bounded.zone)
+            yield MadeWall(start, end, None, hall, bounded.program, bounded.zone)
         elif street is not None:
             along = floor.layout.streets[street]
-            yield Wall(start, end, street, None, along.program, along.zone)
+            yield MadeWall(start, end, street, None, along.program, along.zone)
 
 
-def _hall_at(floor: Floor, place: Point) -> int | None:
+def _hall_at(floor: MadeFloor, place: Point) -> int | None:
     for number, polygon in enumerate(floor.halls):
         if polygon.boundary.distance(place) < 0.02:
             return number
     return None
 
 
-def _street_at(floor: Floor, place: Point) -> int | None:
+def _street_at(floor: MadeFloor, place: Point) -> int | None:
     for (street, _), polygon in floor.corridors.items():
         if polygon.boundary.distance(place) < 0.02:
             return street
     return None
 
 
-def end_wall(walls: list[Wall], place: Place) -> Wall | None:
+def end_wall(walls: list[MadeWall], place: XY) -> MadeWall | None:
     """Return the wall that closes a street at its end."""
     for wall in walls:
         line = LineString([wall.start, wall.end])

@@ -9,11 +9,14 @@ import networkx as nx
 import numpy as np
 from shapely import LineString, Point
 
-from memorymaze.construction.floor import Floor
-from memorymaze.construction.layout import Place, UnsuitableFloor
-from memorymaze.construction.rooms import Door, Room
-from memorymaze.construction.skeleton import STRAIGHT, Leg
+from memorymaze.construction.floor import MadeFloor
+from memorymaze.construction.layout import (
+    UnsuitableFloor,
+)
+from memorymaze.construction.rooms import MadeDoor, MadeRoom
+from memorymaze.construction.skeleton import IN_LINE, SkeletonLeg
 from memorymaze.construction.things import Furnisher
+from memorymaze.geometry.points import XY
 from memorymaze.geometry.pose import heading_to, turn_between
 
 AHEAD = math.radians(40)
@@ -53,18 +56,18 @@ class Destination:
     """Nodes of the leg."""
     along: float
     """Metres from the first node."""
-    place: Place
+    place: XY
     """On the middle line."""
     away: float
     """Metres from the middle line to the thing itself."""
-    room: Room | None
+    room: MadeRoom | None
     """The room that it is; None of a hall."""
-    door: Door | None
+    door: MadeDoor | None
     """The door of the room that is there."""
 
 
 @dataclass(frozen=True)
-class RouteTurn:
+class MadeTurn:
     """A change of direction."""
 
     node: int
@@ -72,36 +75,36 @@ class RouteTurn:
 
 
 @dataclass(frozen=True)
-class Way:
+class MadeWay:
     """A way from an entrance to a destination."""
 
-    line: tuple[Place, ...]
-    turns: tuple[RouteTurn, ...]
+    line: tuple[XY, ...]
+    turns: tuple[MadeTurn, ...]
 
     @property
     def length(self) -> float:
         """Metres."""
         return sum(math.dist(*step) for step in pairwise(self.line))
 
-    def shared_with(self, other: "Way") -> float:
+    def shared_with(self, other: "MadeWay") -> float:
         """Return the share of its length that it has in common with another."""
         near = LineString(other.line).buffer(0.1)
         return LineString(self.line).intersection(near).length / self.length
 
 
 @dataclass(frozen=True)
-class Route:
+class MadeRoute:
     """A reference way with its alternatives."""
 
     destination: Destination
-    ways: tuple[Way, ...]
+    ways: tuple[MadeWay, ...]
     """The reference first."""
 
 
 class Ways:
     """Shortest ways on a floor's skeleton."""
 
-    def __init__(self, floor: Floor, rooms: Sequence[Room]) -> None:
+    def __init__(self, floor: MadeFloor, rooms: Sequence[MadeRoom]) -> None:
         """Find what can be walked to."""
         self._floor = floor
         self._skeleton = floor.skeleton
@@ -129,9 +132,9 @@ class Ways:
     def _destination(
         self,
         name: str,
-        place: Place,
-        room: Room | None = None,
-        door: Door | None = None,
+        place: XY,
+        room: MadeRoom | None = None,
+        door: MadeDoor | None = None,
     ) -> Destination | None:
         """Return a destination on the leg that is nearest in sight."""
         thing = Point(place)
@@ -153,11 +156,13 @@ class Ways:
                 )
         return None
 
-    def distances_by_leg(self, node: int, goal: Destination) -> list[tuple[float, Leg]]:
+    def distances_by_leg(
+        self, node: int, goal: Destination
+    ) -> list[tuple[float, SkeletonLeg]]:
         """Return how far it is to a destination by each leg of a node, nearest first."""
         near, far = goal.leg
         length = self._skeleton.graph.edges[goal.leg]["length"]
-        found: list[tuple[float, Leg]] = []
+        found: list[tuple[float, SkeletonLeg]] = []
         for leg in self._skeleton.legs(node):
             if {node, leg.to} == {near, far}:
                 direct = goal.along if node == near else length - goal.along
@@ -201,7 +206,7 @@ class Ways:
                     text,
                 )
 
-    def _pointing(self, node: int, came_by: Leg) -> str | None:
+    def _pointing(self, node: int, came_by: SkeletonLeg) -> str | None:
         """Return what a sign says to who comes by a leg."""
         course = came_by.heading + math.pi
         shown: dict[str, list[str]] = {"←": [], "↑": [], "→": []}
@@ -234,7 +239,7 @@ class Ways:
         ]
         return "   ".join(parts) or None
 
-    def routes(self, rng: np.random.Generator) -> list[Route]:
+    def routes(self, rng: np.random.Generator) -> list[MadeRoute]:
         """Choose a shorter and a longer route, each with its alternatives.
 
         Raises:
@@ -253,7 +258,7 @@ class Ways:
             dtype=bool,
         )
         order = np.argsort(luck + np.where(named, 0.0, NUMBERED_LATER))
-        chosen: list[Route] = []
+        chosen: list[MadeRoute] = []
         for wanted in ((TURNS[0], 5), (4, TURNS[1])):
             for index in order:
                 start, goal = drawn[index]
@@ -267,7 +272,7 @@ class Ways:
                 raise UnsuitableFloor(f"no route of {wanted} turns")
         return chosen
 
-    def _route(self, start: Place, goal: Destination) -> Route | None:
+    def _route(self, start: XY, goal: Destination) -> MadeRoute | None:
         entrance = self._skeleton.node_at(start)
         if entrance is None:
             raise ValueError(f"no street ends at the entrance {start}")
@@ -286,9 +291,9 @@ class Ways:
                 and all(way.shared_with(other) <= SHARED for other in ways)
             ):
                 ways.append(way)
-        return Route(goal, tuple(ways))
+        return MadeRoute(goal, tuple(ways))
 
-    def _ways_to(self, entrance: int, goal: Destination) -> Iterator[Way]:
+    def _ways_to(self, entrance: int, goal: Destination) -> Iterator[MadeWay]:
         """Yield ways to a destination, the shortest first."""
         graph = self._skeleton.graph.copy()
         near, far = goal.leg
@@ -299,7 +304,7 @@ class Ways:
         for nodes in nx.shortest_simple_paths(graph, entrance, -1, weight="length"):
             yield self._way(nodes, goal)
 
-    def _way(self, nodes: Sequence[int], goal: Destination) -> Way:
+    def _way(self, nodes: Sequence[int], goal: Destination) -> MadeWay:
         places = [self._skeleton.places[node] for node in nodes[:-1]] + [goal.place]
         first = heading_to(places[0], places[1])
         places[0] = (
@@ -307,16 +312,16 @@ class Ways:
             places[0][1] + START_INSIDE * math.sin(first),
         )
         kept = [places[0]]
-        turns: list[RouteTurn] = []
+        turns: list[MadeTurn] = []
         for index in range(1, len(places) - 1):
             bend = turn_between(
                 heading_to(places[index - 1], places[index]),
                 heading_to(places[index], places[index + 1]),
             )
-            if abs(bend) > STRAIGHT:
+            if abs(bend) > IN_LINE:
                 side = "left" if bend > 0 else "right"
                 slight = "slight_" if abs(bend) <= SLIGHT else ""
-                turns.append(RouteTurn(nodes[index], f"{slight}{side}"))
+                turns.append(MadeTurn(nodes[index], f"{slight}{side}"))
             if abs(bend) > 1e-3:
                 kept.append(places[index])
-        return Way((*kept, places[-1]), tuple(turns))
+        return MadeWay((*kept, places[-1]), tuple(turns))

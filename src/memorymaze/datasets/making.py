@@ -8,7 +8,7 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
-from memorymaze.construction import KINDS
+from memorymaze.construction import BUILDING_KINDS
 from memorymaze.datasets.buildings import (
     BuildingTask,
     FinishedBuilding,
@@ -158,7 +158,7 @@ def _buildings(
             request.seed,
             walked=request.frame_size is not None,
         )
-        for planned in plan_buildings(KINDS, request.buildings, request.seed)
+        for planned in plan_buildings(BUILDING_KINDS, request.buildings, request.seed)
     ]
     finished: list[FinishedBuilding] = []
     for each in done_by_processes(finish_building, tasks, workers):

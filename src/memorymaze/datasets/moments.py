@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-FloatArray = NDArray[np.float64]
+from memorymaze.geometry.points import FloatArray
 
 
 @dataclass(frozen=True, slots=True, eq=False)

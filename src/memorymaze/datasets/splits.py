@@ -10,7 +10,7 @@ from typing import Literal
 
 import numpy as np
 
-from memorymaze.construction import Kind
+from memorymaze.construction import BuildingKind
 
 Split = Literal["train", "val_seen", "val_unseen", "test"]
 SPLITS: tuple[Split, ...] = ("train", "val_seen", "val_unseen", "test")
@@ -27,7 +27,7 @@ SEEDS_APART = 10_000
 class PlannedBuilding:
     """A building before it is made."""
 
-    kind: Kind
+    kind: BuildingKind
     seed: int
     split: Split
     """Of the whole building, or of all its routes but one."""
@@ -44,7 +44,7 @@ class PlannedBuilding:
 
 
 def plan_buildings(
-    kinds: Sequence[Kind], count: int, seed: int
+    kinds: Sequence[BuildingKind], count: int, seed: int
 ) -> list[PlannedBuilding]:
     """Plan the buildings of a dataset; kinds take turns, and are spread over the splits.
 

@@ -2,11 +2,11 @@
 
 from memorymaze.geometry.trajectory import Trajectory
 from memorymaze.metrics import turns
-from memorymaze.metrics.turns import Turn
+from memorymaze.metrics.turns import TurnAtPlace
 from memorymaze.sites import Route, Site
 
 
-def turns_taken(site: Site, walk: Trajectory) -> list[Turn]:
+def turns_taken(site: Site, walk: Trajectory) -> list[TurnAtPlace]:
     """Return the turns of a walk in the site's turning points, in their order.
 
     See `metrics.turns` for what a turn is.
@@ -21,7 +21,7 @@ def turns_in_order(site: Site, route: Route, walk: Trajectory) -> float:
     Slight and sharp turns count as left or right. 1 for a route without turns.
     """
     wanted = [
-        Turn(turn.at, "left" if turn.direction.endswith("left") else "right")
+        TurnAtPlace(turn.at, "left" if turn.direction.endswith("left") else "right")
         for turn in route.turns
     ]
     return turns.turns_in_order(wanted, turns_taken(site, walk))

@@ -16,9 +16,9 @@ from memorymaze.extras import require_extra
 if TYPE_CHECKING:
     from memorymaze.sites.records import Site
 
-__all__ = ["ENDINGS", "FORMATS", "export_site"]
+__all__ = ["FILE_ENDINGS", "FORMATS", "export_site"]
 
-ENDINGS = {
+FILE_ENDINGS = {
     "gltf": ".glb",
     "usd": "_usd",
     "mjcf": "_mjcf",
@@ -26,7 +26,7 @@ ENDINGS = {
     "habitat": "_habitat",
 }
 """What follows the site's name in that of the file or folder of each format."""
-FORMATS = tuple(ENDINGS)
+FORMATS = tuple(FILE_ENDINGS)
 """What a site can be exported to; each is a file of this room."""
 
 

@@ -16,9 +16,9 @@ from memorymaze.exporting.gltf import Glb
 from memorymaze.exporting.named_materials import linear
 from memorymaze.exporting.named_meshes import (
     NamedMesh,
-    file_stem,
     named_meshes,
     plan_members,
+    site_file_stem,
 )
 from memorymaze.sites.records import Area, Corridor, Site, TurningPoint
 
@@ -61,7 +61,7 @@ def write_habitat(site: Site, out: Path) -> list[Path]:
     for each in instances:
         shades = linear(tuple(part / 255 for part in each.colour))
         semantic.add(each.mesh, (shades[0], shades[1], shades[2]))
-    name = file_stem(site)
+    name = site_file_stem(site)
     semantics = {
         "semantic_asset": f"{name}.semantic.glb",
         "semantic_descriptor_filename": f"{name}.semantic.txt",

@@ -10,9 +10,9 @@ from memorymaze.durable_files import new_folder
 from memorymaze.exporting.named_materials import png_of
 from memorymaze.exporting.named_meshes import (
     NamedMesh,
-    file_stem,
     named_meshes,
     plan_members,
+    site_file_stem,
 )
 from memorymaze.pictures.rendering.mujoco_model import SpecAssembler
 from memorymaze.pictures.rendering.placed_things import PlacedMeshes
@@ -54,7 +54,7 @@ def write_mjcf(site: Site, out: Path) -> list[Path]:
     assembler.finish()
     with new_folder(out) as folder:
         (folder / TEXTURES).mkdir()
-        names = [f"{file_stem(site)}.xml"]
+        names = [f"{site_file_stem(site)}.xml"]
         for texture in spec.textures:
             pixels = np.frombuffer(bytes(texture.data), dtype=np.uint8)
             shape = (texture.height, texture.width, texture.nchannel)

@@ -31,7 +31,7 @@ WORDS: Mapping[Kind, str] = {
     "decal": "shade",
 }
 """Kinds of what is round a piece of floor."""
-FLOORS = ("corridor", "area", "turning_point")
+FLOOR_FEATURES = ("corridor", "area", "turning_point")
 """Kinds of features that are floor."""
 
 
@@ -56,7 +56,7 @@ class NamedMesh:
     @property
     def label(self) -> str:
         """What it is called where pixels get classes: `floor`, `door`, `bench`, …."""
-        if self.kind in FLOORS:
+        if self.kind in FLOOR_FEATURES:
             return "floor"
         return str(self.attributes.get("category", self.kind)).lower()
 
@@ -87,7 +87,7 @@ def feature_attributes(site: Site) -> Mapping[str, Attributes]:
     return {str(each["id"]): _attributes(each) for each in features}
 
 
-def file_stem(site: Site) -> str:
+def site_file_stem(site: Site) -> str:
     """Return the name of a site as every file system takes it."""
     return re.sub(r"[^\w-]+", "_", site.name)
 

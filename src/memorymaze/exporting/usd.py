@@ -28,18 +28,18 @@ from memorymaze.exporting.named_materials import (
     png_of,
 )
 from memorymaze.exporting.named_meshes import (
-    FLOORS,
+    FLOOR_FEATURES,
     Attributes,
     NamedMesh,
-    file_stem,
     named_meshes,
     plan_members,
+    site_file_stem,
 )
 from memorymaze.pictures.looks.assembly import MeshPart
 from memorymaze.sites.records import Site
 
 TEXTURES = "textures"
-SOLID_KINDS = (*FLOORS, "wall")
+SOLID_KINDS = (*FLOOR_FEATURES, "wall")
 """What a robot stands on or drives against, beside obstacles."""
 
 
@@ -51,7 +51,7 @@ def write_usd(site: Site, out: Path) -> list[Path]:
     stage.add_materials()
     with new_folder(out) as folder:
         (folder / TEXTURES).mkdir()
-        names = [f"{file_stem(site)}.usdc"]
+        names = [f"{site_file_stem(site)}.usdc"]
         stage.stage.GetRootLayer().Export(str(folder / names[0]))
         for name, pixels in stage.materials.pictures:
             names.append(f"{TEXTURES}/{name}.png")

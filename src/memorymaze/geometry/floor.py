@@ -7,13 +7,11 @@ from functools import cached_property
 
 import numpy as np
 import shapely
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 from shapely import MultiPolygon, Polygon
 
 from memorymaze.errors import UndefinedMetricError
-
-FloatArray = NDArray[np.float64]
-BoolArray = NDArray[np.bool_]
+from memorymaze.geometry.points import BoolArray, FloatArray
 
 HAIRLINE = 1e-6
 """Metres; rounding slits up to twice this wide between joined pieces are no walls."""

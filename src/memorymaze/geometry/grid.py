@@ -22,11 +22,10 @@ from memorymaze.errors import UndefinedMetricError
 from memorymaze.geometry import polyline
 from memorymaze.geometry.distance_rows import DistanceRows
 from memorymaze.geometry.floor import Floor
+from memorymaze.geometry.points import BoolArray, FloatArray
 from memorymaze.geometry.shortest_walk import ShortestWalks
 
-FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.intp]
-BoolArray = NDArray[np.bool_]
 
 CELL = 0.5
 """Side of a cell, metres."""

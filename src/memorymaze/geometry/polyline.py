@@ -7,9 +7,9 @@ runs from 0 at the first vertex. Nothing here knows of floors, time or robots.
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-FloatArray = NDArray[np.float64]
+from memorymaze.geometry.points import FloatArray
 
 
 class Projection(NamedTuple):
@@ -105,7 +105,7 @@ def project(points: ArrayLike, p: ArrayLike) -> Projection:
     return Projection(float(s), float(distances[best]))
 
 
-def smoothed(values: FloatArray, passes: int = 1) -> FloatArray:
+def smoothed_rows(values: FloatArray, passes: int = 1) -> FloatArray:
     """Return rows of numbers, each drawn to its neighbours; the first and last stay."""
     smooth = values.copy()
     for _ in range(passes):
@@ -113,7 +113,7 @@ def smoothed(values: FloatArray, passes: int = 1) -> FloatArray:
     return smooth
 
 
-def normals(points: FloatArray) -> FloatArray:
+def left_normals(points: FloatArray) -> FloatArray:
     """Return unit vectors to the left of a line at its points, (N, 2) with N >= 2."""
     tangents = np.gradient(points, axis=0)
     lengths = np.hypot(tangents[:, 0], tangents[:, 1])

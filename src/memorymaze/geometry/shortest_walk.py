@@ -7,14 +7,13 @@ that see each other form a graph that holds every one of them (Lozano-Perez and 
 
 import numpy as np
 import shapely
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 from scipy.sparse.csgraph import dijkstra
 from shapely import MultiPolygon, Polygon
 
 from memorymaze.errors import UndefinedMetricError
 from memorymaze.geometry.floor import Floor
-
-FloatArray = NDArray[np.float64]
+from memorymaze.geometry.points import FloatArray
 
 
 class ShortestWalks:

@@ -14,6 +14,7 @@ from pathlib import Path
 from shapely import LineString, Point
 
 from memorymaze.errors import ImportFileError
+from memorymaze.geometry.points import XY
 from memorymaze.importing.found import FoundDoor, FoundThing
 from memorymaze.importing.geojson_features import (
     SourceFeature,
@@ -21,7 +22,6 @@ from memorymaze.importing.geojson_features import (
     within_reach,
 )
 from memorymaze.importing.imported import (
-    XY,
     CentreLine,
     ImportedSite,
     ImportNotes,

@@ -7,7 +7,6 @@ from itertools import pairwise
 
 import networkx as nx
 import numpy as np
-from numpy.typing import NDArray
 from shapely import (
     LineString,
     MultiPolygon,
@@ -17,7 +16,10 @@ from shapely import (
     is_valid_reason,
 )
 
-from memorymaze.importing.imported import XY, CentreLine
+from memorymaze.geometry.points import XY, FloatArray
+from memorymaze.importing.imported import (
+    CentreLine,
+)
 from memorymaze.importing.skeleton import branches, floor_skeleton
 from memorymaze.sites.floor_rules import CORRIDOR_WIDTHS
 
@@ -50,15 +52,13 @@ SMOOTH = 0.15
 SAME_WIDTH = 1.3
 """Ratio of two widths that still are one way's."""
 
-Points = NDArray[np.float64]
-
 
 @dataclass
 class _Run:
     """A stretch of the skeleton between parallel walls."""
 
     nodes: list[int]
-    points: Points
+    points: FloatArray
     width: float
     corners: list[XY]
     """Its line, straightened, from the first to the last node."""
@@ -264,7 +264,7 @@ def _at_wall(run: _Run, end: int, floor: Polygon | MultiPolygon) -> XY:
     return (float(reached[0]), float(reached[1]))
 
 
-def _straightened(points: Points, width: float) -> list[XY]:
+def _straightened(points: FloatArray, width: float) -> list[XY]:
     """Return the corners of straight lines along a stretch of skeleton."""
     rough = get_coordinates(LineString(points).simplify(STRAIGHT * width / 2))
     marks = [0]
@@ -288,7 +288,7 @@ def _straightened(points: Points, width: float) -> list[XY]:
     return [*corners, _onto(fits[-1], points[-1])]
 
 
-def _fitted(points: Points, width: float) -> tuple[Points, Points]:
+def _fitted(points: FloatArray, width: float) -> tuple[FloatArray, FloatArray]:
     """Return a place on the line along points and its direction.
 
     Near its ends, where ways meet or bend, the skeleton leaves the middle.
@@ -305,16 +305,16 @@ def _fitted(points: Points, width: float) -> tuple[Points, Points]:
     return middle, direction
 
 
-def _onto(line: tuple[Points, Points], place: Points) -> XY:
+def _onto(line: tuple[FloatArray, FloatArray], place: FloatArray) -> XY:
     middle, direction = line
     x, y = middle + direction * float((place - middle) @ direction)
     return (float(x), float(y))
 
 
 def _crossing(
-    line: tuple[Points, Points],
-    other: tuple[Points, Points],
-    near: Points,
+    line: tuple[FloatArray, FloatArray],
+    other: tuple[FloatArray, FloatArray],
+    near: FloatArray,
     width: float,
 ) -> XY:
     """Return where two lines cross, or the place itself where they do so far from it."""

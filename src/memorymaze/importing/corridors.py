@@ -9,12 +9,12 @@ import networkx as nx
 import shapely
 from shapely import LineString, MultiPolygon, Point, Polygon, STRtree
 
+from memorymaze.geometry.points import XY
 from memorymaze.geometry.pose import heading_to, turn_between
-from memorymaze.importing.imported import XY
-from memorymaze.importing.line_graph import BEND, Leg
+from memorymaze.importing.line_graph import BEND, LineLeg
 from memorymaze.importing.shapes import furthest, moved, strip
 
-Floor = Polygon | MultiPolygon
+_Floor = Polygon | MultiPolygon
 
 EASE = 0.01
 """Metres a corridor may reach into a wall, so that a rough wall does not narrow it."""
@@ -43,7 +43,7 @@ class PlannedCorridor:
 
 
 def corridors_along(
-    legs: Sequence[Leg], floor: Floor, nodes: Mapping[XY, Sequence[Leg]]
+    legs: Sequence[LineLeg], floor: _Floor, nodes: Mapping[XY, Sequence[LineLeg]]
 ) -> Iterator[PlannedCorridor]:
     """Yield a rectangle along each step of the legs, where one fits on the floor."""
     eased = floor.buffer(EASE, join_style="mitre")
@@ -54,7 +54,7 @@ def corridors_along(
         for wall in pairwise(ring.coords)
     ])
 
-    def widest(step: tuple[XY, XY], leg: Leg) -> Polygon | None:
+    def widest(step: tuple[XY, XY], leg: LineLeg) -> Polygon | None:
         reaches = [_reach_beyond(end, leg, nodes) for end in step]
         fits = [
             fit
@@ -84,20 +84,20 @@ def corridors_along(
 class _Street:
     """Legs in line, one after the other through junctions."""
 
-    legs: tuple[Leg, ...]
+    legs: tuple[LineLeg, ...]
     ends: tuple[XY, XY]
 
     @property
-    def leg(self) -> Leg:
+    def leg(self) -> LineLeg:
         """All of them as one."""
-        return Leg(self.ends, self.legs[0].width, self.legs[0].name)
+        return LineLeg(self.ends, self.legs[0].width, self.legs[0].name)
 
 
 def _streets(
-    legs: Sequence[Leg], nodes: Mapping[XY, Sequence[Leg]]
+    legs: Sequence[LineLeg], nodes: Mapping[XY, Sequence[LineLeg]]
 ) -> Iterator[_Street]:
     """Yield the legs, those together that go straight on with one width and name."""
-    graph: nx.Graph[Leg] = nx.Graph()
+    graph: nx.Graph[LineLeg] = nx.Graph()
     graph.add_nodes_from(legs)
     for node, leaving in nodes.items():
         graph.add_edges_from(
@@ -116,7 +116,7 @@ def _streets(
             yield from (_Street((leg,), leg.ends) for leg in street)
 
 
-def _goes_on(node: XY, leg: Leg, other: Leg) -> bool:
+def _goes_on(node: XY, leg: LineLeg, other: LineLeg) -> bool:
     """Tell whether one leg is the other, gone on straight from a node."""
     headings = [heading_to(node, each.points_from(node)[1]) for each in (leg, other)]
     return (
@@ -149,7 +149,9 @@ def _along_walls(step: tuple[XY, XY], width: float, walls: STRtree) -> tuple[XY,
     return moved(middle, heading, -length / 2), moved(middle, heading, length / 2)
 
 
-def _reach_beyond(end: XY, leg: Leg, nodes: Mapping[XY, Sequence[Leg]]) -> float:
+def _reach_beyond(
+    end: XY, leg: LineLeg, nodes: Mapping[XY, Sequence[LineLeg]]
+) -> float:
     """Return how far a corridor may go on beyond the end of a step."""
     if end not in leg.ends:
         return leg.width * math.tan(BEND / 2)
@@ -158,7 +160,7 @@ def _reach_beyond(end: XY, leg: Leg, nodes: Mapping[XY, Sequence[Leg]]) -> float
 
 
 def _fitting(
-    floor: Floor,
+    floor: _Floor,
     step: tuple[XY, XY],
     width: float,
     inset: float,

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 from shapely import Polygon
 
-from memorymaze.importing.imported import XY
+from memorymaze.geometry.points import XY
 
 
 @dataclass(frozen=True, slots=True)

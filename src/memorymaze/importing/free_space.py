@@ -17,7 +17,7 @@ from shapely.affinity import translate
 
 from memorymaze.errors import ImportFileError
 from memorymaze.importing.occupancy import Cells, OccupancyGrid
-from memorymaze.sites.floor_rules import ROBOT_RADIUS
+from memorymaze.sites.floor_rules import PASSABLE_RADIUS
 
 LARGEST_SPECK = 0.02
 """Square metres of what is not free amid free floor that is taken for noise."""
@@ -35,7 +35,7 @@ _Contours = tuple[list[NDArray[np.float64]], list[NDArray[np.uint32]]]
 
 
 @dataclass(frozen=True)
-class FreeSpace:
+class DrawnFloor:
     """The largest connected floor, as it is drawn by the cells."""
 
     floor: Polygon
@@ -48,7 +48,7 @@ class FreeSpace:
     """Stretches of the floor's edge beyond which nothing is known."""
 
 
-def free_space(grid: OccupancyGrid, radius: float = ROBOT_RADIUS) -> FreeSpace:
+def free_space(grid: OccupancyGrid, radius: float = PASSABLE_RADIUS) -> DrawnFloor:
     """Return the largest floor that a robot of a radius drives over."""
     rows, columns = np.nonzero(grid.free)
     if not len(rows):
@@ -72,7 +72,7 @@ def free_space(grid: OccupancyGrid, radius: float = ROBOT_RADIUS) -> FreeSpace:
     reached = free & (_depth(~largest) < BACK_TO_WALL * reach)
     outline = _outline(reached, largest_speck)
     gaps = _gaps(outline, np.pad(grid.occupied[window], 1), grid.resolution)
-    return FreeSpace(
+    return DrawnFloor(
         grid.in_map(translate(outline, west - 1, south - 1)),
         float((free & ~reached).sum()) * grid.resolution**2,
         specks,

@@ -14,15 +14,14 @@ from numpy.typing import NDArray
 from shapely.geometry.base import BaseGeometry
 
 from memorymaze.errors import ImportFileError, SettingsError, did_you_mean
+from memorymaze.geometry.points import XY
 from memorymaze.input_files import parse_json, shown
 from memorymaze.sites.loading_rules import FLOOR_ACROSS
 from memorymaze.sites.plan_writing import Feature
 from memorymaze.wording import single_spaced
 
-Key = TypeVar("Key", bound=str | float)
-Shape = TypeVar("Shape", bound=BaseGeometry)
-XY = tuple[float, float]
-"""Metres, x east and y north."""
+_Key = TypeVar("_Key", bound=str | float)
+_Shape = TypeVar("_Shape", bound=BaseGeometry)
 EQUATOR_RADIUS = 6_378_137.0
 """Metres (WGS 84)."""
 FAR = f"more than {FLOOR_ACROSS / 2:.0f} m from the middle of the rest"
@@ -133,7 +132,7 @@ class LocalFrame:
             math.radians(latitude - self.latitude) * along,
         )
 
-    def placed(self, geometry: Shape) -> Shape:
+    def placed(self, geometry: _Shape) -> _Shape:
         """Return a geometry of degrees in this frame."""
 
         def moved(positions: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -166,7 +165,7 @@ def listed_in(
     return cast(list[object], listed)
 
 
-def chosen_floor(floors: Mapping[Key, str], asked: str | None, source: str) -> Key:
+def chosen_floor(floors: Mapping[_Key, str], asked: str | None, source: str) -> _Key:
     """Return the key of the floor that is asked for by key or name, or of the only one."""
     if asked is None and len(floors) == 1:
         return next(iter(floors))

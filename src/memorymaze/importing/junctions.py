@@ -11,11 +11,14 @@ from shapely import LineString, MultiPolygon, Point, Polygon
 from shapely.geometry.base import BaseGeometry
 from shapely.ops import nearest_points
 
+from memorymaze.geometry.points import XY
 from memorymaze.geometry.pose import heading_to, turn_between
-from memorymaze.importing.imported import XY, ImportNotes
-from memorymaze.importing.line_graph import BEND, Leg, nodes_of
+from memorymaze.importing.imported import (
+    ImportNotes,
+)
+from memorymaze.importing.line_graph import BEND, LineLeg, nodes_of
 from memorymaze.importing.shapes import convex_region, moved, strip
-from memorymaze.sites.floor_rules import SAME_WAY, TOUCH
+from memorymaze.sites.floor_rules import SAME_EXIT, TOUCH
 
 SMALLEST_POINT = 0.5
 """Square metres of the smallest turning point."""
@@ -32,18 +35,18 @@ ASIDE_DEG = (0, 5, -5, 10, -10, 15, -15, 20, -20, 30, -30, 40, -40)
 
 
 @dataclass(frozen=True)
-class Junction:
+class LineJunction:
     """A convex piece of floor where one can change direction."""
 
     polygon: Polygon
-    leaving: tuple[tuple[XY, Leg], ...]
+    leaving: tuple[tuple[XY, LineLeg], ...]
     """The legs that leave it, each with the node it begins at."""
     is_open: bool
     """Whether it lies at an open area."""
 
 
 @dataclass(frozen=True)
-class WayOut:
+class _WayOut:
     """A direction in which one can leave a turning point."""
 
     to: str
@@ -52,8 +55,11 @@ class WayOut:
 
 
 def junctions_of(
-    legs: Sequence[Leg], floor: Polygon, across: Collection[Leg], notes: ImportNotes
-) -> list[Junction]:
+    legs: Sequence[LineLeg],
+    floor: Polygon,
+    across: Collection[LineLeg],
+    notes: ImportNotes,
+) -> list[LineJunction]:
     """Return a convex piece of floor wherever legs meet, bend or come into the open.
 
     `across` are the legs that cross open areas.
@@ -72,7 +78,7 @@ def junctions_of(
         if _changes_direction([(node, leg) for leg in leaving], across)
     }
     groups = _grouped(sorted(kept), legs)
-    found: list[Junction] = []
+    found: list[LineJunction] = []
     for group in groups:
         leaving = tuple(
             (node, leg)
@@ -97,13 +103,13 @@ def junctions_of(
             )
             continue
         is_open = is_end or any(leg in across for _, leg in leaving)
-        found.append(Junction(polygon, leaving, is_open))
+        found.append(LineJunction(polygon, leaving, is_open))
     return found
 
 
 def ways_out(
-    junction: Junction, floor: Polygon | MultiPolygon, parts: Mapping[str, Polygon]
-) -> list[WayOut]:
+    junction: LineJunction, floor: Polygon | MultiPolygon, parts: Mapping[str, Polygon]
+) -> list[_WayOut]:
     """Return the directions in which one can leave, each to a part that touches.
 
     Two that cannot be told apart are one, and one that a wall ends at once is none.
@@ -113,7 +119,7 @@ def ways_out(
         for name, part in parts.items()
         if part is not junction.polygon and part.distance(junction.polygon) <= TOUCH
     }
-    found: list[WayOut] = []
+    found: list[_WayOut] = []
     for node, leg in junction.leaving:
         line = LineString(leg.points_from(node)).difference(junction.polygon)
         if line.is_empty:
@@ -127,21 +133,21 @@ def ways_out(
             continue
         heading = _free_heading(junction.polygon, _course(node, leg), floor)
         if heading is None or any(
-            abs(turn_between(heading, each.heading)) < SAME_WAY for each in found
+            abs(turn_between(heading, each.heading)) < SAME_EXIT for each in found
         ):
             continue
-        found.append(WayOut(to, heading))
+        found.append(_WayOut(to, heading))
     if junction.is_open:
         found += _ways_into_the_open(junction, floor, neighbours, found)
     return sorted(found, key=lambda each: each.heading % (2 * math.pi))
 
 
 def _ways_into_the_open(
-    junction: Junction,
+    junction: LineJunction,
     floor: Polygon | MultiPolygon,
     neighbours: Mapping[str, Polygon],
-    found: Sequence[WayOut],
-) -> Iterator[WayOut]:
+    found: Sequence[_WayOut],
+) -> Iterator[_WayOut]:
     """Yield the ways into an area ahead and to the sides, beside those that legs lead."""
     middle = junction.polygon.centroid
     start = (middle.x, middle.y)
@@ -154,10 +160,10 @@ def _ways_into_the_open(
         line = LineString([start, moved(start, heading, reach)])
         to = _led_to(line.difference(junction.polygon), neighbours)
         if to is not None and to.startswith("area") and floor.contains(line):
-            yield WayOut(to, heading)
+            yield _WayOut(to, heading)
 
 
-def shape_of(junction: Junction, ways: Sequence[WayOut]) -> str:
+def shape_of(junction: LineJunction, ways: Sequence[_WayOut]) -> str:
     """Return the word of the format for a turning point with so many ways out."""
     if junction.is_open:
         return "opening"
@@ -191,7 +197,7 @@ def _free_heading(
     return None
 
 
-def _course(node: XY, leg: Leg) -> float:
+def _course(node: XY, leg: LineLeg) -> float:
     """Return the heading in which a leg leaves a node."""
     line = LineString(leg.points_from(node))
     there = line.interpolate(min(COURSE, line.length))
@@ -201,7 +207,7 @@ def _course(node: XY, leg: Leg) -> float:
 
 
 def _changes_direction(
-    leaving: Sequence[tuple[XY, Leg]], across: Collection[Leg]
+    leaving: Sequence[tuple[XY, LineLeg]], across: Collection[LineLeg]
 ) -> bool:
     """Tell whether one can do other than go straight on in the same surroundings."""
     if len(leaving) != 2:
@@ -212,7 +218,7 @@ def _changes_direction(
     return math.pi - abs(bend) > BEND
 
 
-def _ends_in_the_open(node: XY, leg: Leg, floor: Polygon) -> bool:
+def _ends_in_the_open(node: XY, leg: LineLeg, floor: Polygon) -> bool:
     """Tell whether there is floor ahead and to both sides where a way ends."""
     heading = heading_to(leg.points_from(node)[1], node)
     ahead = leg.width / 2 + OPEN_AHEAD
@@ -220,11 +226,11 @@ def _ends_in_the_open(node: XY, leg: Leg, floor: Polygon) -> bool:
     return floor.covers(strip(node, heading, ahead, aside, aside))
 
 
-def _one_place(leg: Leg) -> float:
+def _one_place(leg: LineLeg) -> float:
     return max(ONE_PLACE_LEAST, ONE_PLACE * leg.width)
 
 
-def _grouped(nodes: Sequence[XY], legs: Sequence[Leg]) -> list[list[XY]]:
+def _grouped(nodes: Sequence[XY], legs: Sequence[LineLeg]) -> list[list[XY]]:
     """Return the nodes in groups that short legs join."""
     graph: nx.Graph[XY] = nx.Graph()
     graph.add_nodes_from(nodes)

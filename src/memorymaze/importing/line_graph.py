@@ -13,8 +13,11 @@ import shapely
 from shapely import LineString, MultiLineString, Point, STRtree
 from shapely.ops import linemerge
 
+from memorymaze.geometry.points import XY
 from memorymaze.geometry.pose import heading_to, turn_between
-from memorymaze.importing.imported import XY, CentreLine
+from memorymaze.importing.imported import (
+    CentreLine,
+)
 
 _SourceOf = Callable[[XY, XY], CentreLine]
 """Which line a step is part of."""
@@ -32,7 +35,7 @@ SHORTEST = 0.3
 
 
 @dataclass(frozen=True)
-class Leg:
+class LineLeg:
     """A way between two nodes, without a bend worth the name."""
 
     points: tuple[XY, ...]
@@ -54,7 +57,7 @@ class Leg:
         return self.points if self.points[0] == node else self.points[::-1]
 
 
-def legs_of(lines: Sequence[CentreLine]) -> list[Leg]:
+def legs_of(lines: Sequence[CentreLine]) -> list[LineLeg]:
     """Return the legs between all places where lines meet, bend or end."""
     # Whole millimetres: what differs by less is one place.
     sources = [
@@ -82,9 +85,9 @@ def legs_of(lines: Sequence[CentreLine]) -> list[Leg]:
     ]
 
 
-def nodes_of(legs: Iterable[Leg]) -> dict[XY, list[Leg]]:
+def nodes_of(legs: Iterable[LineLeg]) -> dict[XY, list[LineLeg]]:
     """Return the legs at every node, in the order of the nodes' places."""
-    found: dict[XY, list[Leg]] = defaultdict(list)
+    found: dict[XY, list[LineLeg]] = defaultdict(list)
     for leg in legs:
         for end in leg.ends:
             found[end].append(leg)
@@ -179,14 +182,14 @@ def _simplified(chain: LineString) -> list[XY]:
     return _points(LineString(coords).simplify(WOBBLE))
 
 
-def _parts_by_source(points: tuple[XY, ...], source_of: _SourceOf) -> list[Leg]:
+def _parts_by_source(points: tuple[XY, ...], source_of: _SourceOf) -> list[LineLeg]:
     """Cut a straight part where its width or its name changes."""
-    legs: list[Leg] = []
+    legs: list[LineLeg] = []
     for step in pairwise(points):
         source = source_of(*step)
         last = legs[-1] if legs else None
         if last and (last.width, last.name) == (source.width, source.name):
-            legs[-1] = Leg((*last.points, step[1]), last.width, last.name)
+            legs[-1] = LineLeg((*last.points, step[1]), last.width, last.name)
         else:
-            legs.append(Leg(step, source.width, source.name))
+            legs.append(LineLeg(step, source.width, source.name))
     return legs

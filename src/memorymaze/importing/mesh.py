@@ -34,14 +34,14 @@ def import_mesh(path: Path) -> ImportedSite:
     """
     require_extra("models", "trimesh", purpose="reading meshes")
     from memorymaze.importing.mesh_features import by_kind, door_line, features_on
-    from memorymaze.importing.mesh_floor import floor_of
+    from memorymaze.importing.mesh_floor import mesh_floor_of
     from memorymaze.pictures.building_mesh import read_mesh
 
     pieces, guessed = read_mesh(path)
     kinds = by_kind(pieces)
     doors = [door_line(piece).buffer(DOOR_DEPTH) for piece in kinds["door"]]
     try:
-        found = floor_of(kinds["building"], doors)
+        found = mesh_floor_of(kinds["building"], doors)
     except ImportFileError as error:
         raise ImportFileError(f"{path}: {error}") from None
     notes = ImportNotes(guessed=guessed)

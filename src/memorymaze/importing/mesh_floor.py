@@ -10,9 +10,15 @@ from trimesh import Trimesh
 from trimesh.intersections import mesh_plane
 
 from memorymaze.errors import ImportFileError
+from memorymaze.geometry.points import FloatArray
 from memorymaze.importing.shapes import polygons
-from memorymaze.pictures.building_mesh import FLAT, Piece, Points, levels, normals
-from memorymaze.sites.floor_rules import ROBOT_RADIUS
+from memorymaze.pictures.building_mesh import (
+    FLAT,
+    Piece,
+    levels,
+    normals,
+)
+from memorymaze.sites.floor_rules import PASSABLE_RADIUS
 
 STEP = 0.1
 """Metres that a floor may rise or fall and still be walked over."""
@@ -37,7 +43,7 @@ class MeshFloor:
     """Square metres of other floor that a robot could drive on, behind walls or doors."""
 
 
-def floor_of(pieces: Sequence[Piece], doors: Sequence[Polygon] = ()) -> MeshFloor:
+def mesh_floor_of(pieces: Sequence[Piece], doors: Sequence[Polygon] = ()) -> MeshFloor:
     """Return the largest floor that a robot drives over; doors are closed."""
     height, ceiling = levels(pieces)
     ground = shapely.union_all(
@@ -58,7 +64,7 @@ def floor_of(pieces: Sequence[Piece], doors: Sequence[Polygon] = ()) -> MeshFloo
     )
     if not reached:
         raise ImportFileError(
-            f"expected floor for a robot of {ROBOT_RADIUS:g} m radius, got none at the "
+            f"expected floor for a robot of {PASSABLE_RADIUS:g} m radius, got none at the "
             f"height {height:.2f}, where the mesh has most level faces"
         )
     beside = standing.buffer(3 * CRACK, quad_segs=1)
@@ -87,7 +93,7 @@ def _level_shapes(
 
 def _walls(pieces: Sequence[Piece], floor: float) -> list[LineString]:
     """Return the lines in which level planes cut the mesh."""
-    cuts: list[Points] = []
+    cuts: list[FloatArray] = []
     for piece in pieces:
         mesh = Trimesh(piece.vertices, piece.faces, process=False)
         for height in SLICES:
@@ -101,10 +107,10 @@ def _walls(pieces: Sequence[Piece], floor: float) -> list[LineString]:
 
 def _driven(part: Polygon) -> Polygon | None:
     """Return what a robot drives over of a piece of floor."""
-    core = polygons(part.buffer(-ROBOT_RADIUS))
+    core = polygons(part.buffer(-PASSABLE_RADIUS))
     if not core:
         return None
-    near = core[0].buffer(BACK_TO_WALL * ROBOT_RADIUS).intersection(part)
+    near = core[0].buffer(BACK_TO_WALL * PASSABLE_RADIUS).intersection(part)
     around = [
         polygon
         for each in polygons(near)

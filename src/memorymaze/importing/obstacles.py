@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 import shapely
 from shapely import MultiPoint, Polygon
 
-from memorymaze.importing.imported import XY
+from memorymaze.geometry.points import XY
 from memorymaze.sites.plan_writing import Feature, degrees, point_feature
 
 OBSTACLE_ACROSS = 1.5

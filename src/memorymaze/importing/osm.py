@@ -15,11 +15,11 @@ from shapely import LineString, MultiPoint, Point, Polygon
 from shapely.ops import polygonize
 
 from memorymaze.errors import ImportFileError
+from memorymaze.geometry.points import XY
 from memorymaze.geometry.pose import heading_to
 from memorymaze.importing.found import FoundDoor, FoundRoom, FoundThing
 from memorymaze.importing.imported import (
     FAR,
-    XY,
     CentreLine,
     ImportedSite,
     ImportNotes,

@@ -14,10 +14,13 @@ import shapely
 from shapely import LineString, Point, Polygon, STRtree
 from shapely.geometry.base import BaseGeometry
 
-from memorymaze.construction.vocabulary import ThingKind, furnishings
+from memorymaze.construction.vocabulary import LandmarkKind, furnishings
+from memorymaze.geometry.points import XY
 from memorymaze.geometry.pose import heading_to
 from memorymaze.importing.found import FoundDoor, FoundRoom, FoundThing
-from memorymaze.importing.imported import XY, ImportNotes
+from memorymaze.importing.imported import (
+    ImportNotes,
+)
 from memorymaze.importing.shapes import moved, polygons
 from memorymaze.importing.ways import PlannedFloor
 from memorymaze.sites.floor_rules import DOOR_WIDTHS, ROOM_OFF_DOOR, ROOM_ON_FLOOR
@@ -43,7 +46,7 @@ PASSAGE = 0.5
 """Metres on both sides of the middle of a way that obstacles leave free."""
 AROUND = 6.0
 """Metres around an obstacle within which it can block a way."""
-PLAIN_THING = ThingKind(size=(0.6, 0.5, 1.2), mount="floor", colors=("grey",))
+PLAIN_THING = LandmarkKind(size=(0.6, 0.5, 1.2), mount="floor", colors=("grey",))
 
 
 @dataclass(frozen=True)
@@ -242,7 +245,7 @@ class _Placer:
         _, identity, name = min(rooms, default=(0.0, None, None))
         return identity, name
 
-    def _stand(self, thing: FoundThing, kind: ThingKind) -> tuple[XY | None, float]:
+    def _stand(self, thing: FoundThing, kind: LandmarkKind) -> tuple[XY | None, float]:
         """Return where a thing stands or hangs and which way it faces."""
         length, depth, _ = kind.size
         on_floor = self._floor.covers(Point(thing.place))

@@ -14,11 +14,11 @@ from shapely.ops import nearest_points
 
 from memorymaze.errors import SettingsError, did_you_mean
 from memorymaze.geometry.floor import Floor
+from memorymaze.geometry.points import XY
 from memorymaze.geometry.pose import heading_to, turn_between
-from memorymaze.importing.imported import XY
 from memorymaze.sites.plan_writing import Feature, degrees, line_feature
 from memorymaze.sites.records import Door, Landmark, Room, Site
-from memorymaze.sites.route_rules import CLEARANCE, GOAL_NEAR, STRAIGHT
+from memorymaze.sites.route_rules import CLEARANCE, GOAL_NEAR, STRAIGHT_ON
 
 MIDDLE_NEAR = 4.0
 """Metres from a place to the middle line of the way that it lies at."""
@@ -256,10 +256,10 @@ def turns_along(line: Sequence[XY], site: Site) -> Iterator[Mapping[str, str]]:
             key=lambda each: each.polygon.centroid.distance(spot),
             default=None,
         )
-        if abs(angle) > STRAIGHT and at is not None:
+        if abs(angle) > STRAIGHT_ON and at is not None:
             bends[at.id] = bends.get(at.id, 0.0) + angle
     for at, angle in bends.items():
-        if abs(angle) > STRAIGHT:
+        if abs(angle) > STRAIGHT_ON:
             side = "left" if angle > 0 else "right"
             yield {
                 "at": at,

@@ -21,7 +21,7 @@ from memorymaze.importing.obstacles import (
 )
 from memorymaze.importing.straight_walls import straight_walls
 from memorymaze.importing.ways import plan_floor
-from memorymaze.sites.floor_rules import ROBOT_RADIUS
+from memorymaze.sites.floor_rules import PASSABLE_RADIUS
 from memorymaze.wording import counted
 
 STRAY = 0.12
@@ -31,7 +31,9 @@ STRAY_CELLS = 2.0
 PLACES_TOLD = 5
 
 
-def import_ros_map(path: Path, *, narrowest: float = 2 * ROBOT_RADIUS) -> ImportedSite:
+def import_ros_map(
+    path: Path, *, narrowest: float = 2 * PASSABLE_RADIUS
+) -> ImportedSite:
     """Return the floor of a ROS map as a plan, in metres of the map's frame.
 
     What lies behind ways narrower than `narrowest` metres is left out.

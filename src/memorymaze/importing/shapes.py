@@ -9,7 +9,7 @@ from shapely import MultiPoint, Point, Polygon
 from shapely.geometry.base import BaseGeometry
 from shapely.ops import nearest_points
 
-from memorymaze.importing.imported import XY
+from memorymaze.geometry.points import XY
 
 HAIR = 1e-3
 """Metres below which nothing is told apart; plans have whole millimetres."""

@@ -7,8 +7,9 @@ from itertools import pairwise
 
 import numpy as np
 import shapely
-from numpy.typing import NDArray
 from shapely import LinearRing, Polygon
+
+from memorymaze.geometry.points import FloatArray
 
 SAME_DIRECTION = math.radians(5)
 """Walls that stray less from one of the building's directions run along it."""
@@ -19,8 +20,6 @@ LEAST_SHARE = 0.08
 SHARP = math.radians(15)
 """Least angle at which two walls meet in a corner."""
 QUARTER = math.pi / 2
-
-Points = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -68,7 +67,7 @@ def _walls(ring: LinearRing, tolerance: float) -> list[_Wall]:
     return [_fitted(points[a : b + 1], tolerance) for a, b in pairwise(marks)]
 
 
-def _fitted(points: Points, tolerance: float) -> _Wall:
+def _fitted(points: FloatArray, tolerance: float) -> _Wall:
     """Return the line along points, least affected by the corners at their ends."""
     first, last = points[0], points[-1]
     length = math.dist(first, last)

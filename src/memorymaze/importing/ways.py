@@ -16,8 +16,13 @@ from memorymaze.errors import ImportFileError
 from memorymaze.geometry.pose import heading_to
 from memorymaze.importing.corridors import PlannedCorridor, corridors_along
 from memorymaze.importing.imported import CentreLine, ImportNotes
-from memorymaze.importing.junctions import Junction, junctions_of, shape_of, ways_out
-from memorymaze.importing.line_graph import Leg, legs_of, nodes_of
+from memorymaze.importing.junctions import (
+    LineJunction,
+    junctions_of,
+    shape_of,
+    ways_out,
+)
+from memorymaze.importing.line_graph import LineLeg, legs_of, nodes_of
 from memorymaze.importing.shapes import moved, polygons, strip
 from memorymaze.sites.plan_writing import Feature, degrees, polygon_feature
 from memorymaze.sites.records import floor_pieces
@@ -135,7 +140,7 @@ def widened(lines: Sequence[CentreLine]) -> Iterator[Polygon]:
             yield from polygons(stub.intersection(other))
 
 
-def _cut_at_areas(leg: Leg, areas: Sequence[OpenArea]) -> Iterator[Leg]:
+def _cut_at_areas(leg: LineLeg, areas: Sequence[OpenArea]) -> Iterator[LineLeg]:
     """Yield a leg's parts outside and inside open areas."""
     parts = [LineString(leg.points)]
     for area in areas:
@@ -150,10 +155,12 @@ def _cut_at_areas(leg: Leg, areas: Sequence[OpenArea]) -> Iterator[Leg]:
         rounded = [(round(x, 3), round(y, 3)) for x, y in part.coords]
         steps = [rounded[0], *(b for a, b in pairwise(rounded) if a != b)]
         if len(steps) > 1 and part.length >= SHORTEST_PART:
-            yield Leg(tuple(steps), leg.width, leg.name)
+            yield LineLeg(tuple(steps), leg.width, leg.name)
 
 
-def _into_areas(legs: Sequence[Leg], areas: Sequence[OpenArea]) -> Iterator[Leg]:
+def _into_areas(
+    legs: Sequence[LineLeg], areas: Sequence[OpenArea]
+) -> Iterator[LineLeg]:
     """Yield short legs that lead on into open areas where others end at them."""
     for node, leaving in nodes_of(legs).items():
         heading = heading_to(leaving[0].points_from(node)[1], node)
@@ -163,10 +170,10 @@ def _into_areas(legs: Sequence[Leg], areas: Sequence[OpenArea]) -> Iterator[Leg]
             and area.polygon.buffer(-SHORTEST_PART).distance(Point(node)) > 0
             for area in areas
         ):
-            yield Leg((node, inside), leaving[0].width, None)
+            yield LineLeg((node, inside), leaving[0].width, None)
 
 
-def _crosses(leg: Leg, areas: Sequence[OpenArea]) -> bool:
+def _crosses(leg: LineLeg, areas: Sequence[OpenArea]) -> bool:
     """Tell whether a leg lies in an open area."""
     middle = LineString(leg.points).interpolate(0.5, normalized=True)
     return any(area.polygon.covers(middle) for area in areas)
@@ -204,7 +211,7 @@ def _patches(parts: Sequence[Polygon]) -> list[Polygon]:
 def _planned(
     corridors: Sequence[PlannedCorridor],
     areas: Sequence[OpenArea],
-    junctions: Sequence[Junction],
+    junctions: Sequence[LineJunction],
     notes: ImportNotes,
 ) -> PlannedFloor:
     """Return the parts as features, with the seams between them closed."""

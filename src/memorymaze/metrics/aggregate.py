@@ -7,8 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from memorymaze.errors import UndefinedMetricError
-
-FloatArray = NDArray[np.float64]
+from memorymaze.geometry.points import FloatArray
 
 
 @dataclass(frozen=True, slots=True)

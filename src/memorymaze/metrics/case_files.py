@@ -12,10 +12,10 @@ from pydantic import BaseModel, Field, StrictStr, ValidationError
 
 from memorymaze.errors import CaseFileError, UndefinedMetricError, did_you_mean
 from memorymaze.input_files import mistakes, parse_json, read_text
-from memorymaze.metrics.graph import NavigationGraph
+from memorymaze.metrics.graph import WeightedGraph
 from memorymaze.metrics.score import score_path
 
-Metres = Annotated[float, Field(strict=True, allow_inf_nan=False)]
+_Metres = Annotated[float, Field(strict=True, allow_inf_nan=False)]
 
 CASE_LISTS = ("cases", "undefined_cases")
 _KINDS: dict[type, str] = {
@@ -34,14 +34,14 @@ class _Case(BaseModel):
     """Node ids; the last is the goal."""
     agent_path: list[StrictStr]
     """Node ids."""
-    threshold: Metres
+    threshold: _Metres
     """Success distance."""
 
 
 class _Graph(BaseModel):
     nodes: dict[str, Any]
     """Coordinates by node id; they are not used, distances are those of edges."""
-    edges: list[tuple[StrictStr, StrictStr, Metres]]
+    edges: list[tuple[StrictStr, StrictStr, _Metres]]
     """Two node ids and a length in metres."""
 
 
@@ -107,9 +107,9 @@ class _Graphs:
 
     def __init__(self, records: dict[str, Any]) -> None:
         self._records = records
-        self._built: dict[str, NavigationGraph | CaseFileError] = {}
+        self._built: dict[str, WeightedGraph | CaseFileError] = {}
 
-    def graph(self, name: str) -> NavigationGraph:
+    def graph(self, name: str) -> WeightedGraph:
         """Return a graph."""
         if name not in self._built:
             self._built[name] = self._build(name)
@@ -118,13 +118,13 @@ class _Graphs:
             raise built
         return built
 
-    def _build(self, name: str) -> NavigationGraph | CaseFileError:
+    def _build(self, name: str) -> WeightedGraph | CaseFileError:
         if name not in self._records:
             hint = did_you_mean(name, self._records)
             return CaseFileError(f"unknown graph {name!r}{hint}")
         try:
             record = _Graph.model_validate(self._records[name])
-            return NavigationGraph(record.nodes, record.edges)
+            return WeightedGraph(record.nodes, record.edges)
         except ValidationError as error:
             return CaseFileError(_first_problem(f"graphs[{name!r}]", error))
         except UndefinedMetricError as error:

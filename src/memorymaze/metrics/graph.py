@@ -11,7 +11,7 @@ from memorymaze.errors import UndefinedMetricError
 from memorymaze.geometry.distance_rows import DistanceRows
 
 
-class NavigationGraph:
+class WeightedGraph:
     """An undirected graph; distances are sums of edge lengths, never straight lines.
 
     >>> ring = NavigationGraph("abc", [("a", "b", 1.0), ("b", "c", 1.0)])

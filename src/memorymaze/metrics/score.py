@@ -13,20 +13,20 @@ from memorymaze.geometry.grid import FloorGrid
 from memorymaze.metrics import efficiency, fidelity, success
 from memorymaze.metrics.success import SUCCESS_DISTANCE
 
-Node = TypeVar("Node", contravariant=True)
+_Node = TypeVar("_Node", contravariant=True)
 """What a graph calls its places: names, or numbers."""
 
 
-class DistanceSource(Protocol[Node]):
-    """A graph that knows shortest distances: `NavigationGraph` or `FloorGrid`."""
+class DistanceSource(Protocol[_Node]):
+    """A graph that knows shortest distances: `WeightedGraph` or `FloorGrid`."""
 
     def between(
-        self, starts: Sequence[Node], ends: Sequence[Node], /
+        self, starts: Sequence[_Node], ends: Sequence[_Node], /
     ) -> NDArray[np.float64]:
         """Return distances from starts to ends, shape (k, m), metres, maybe infinite."""
         ...
 
-    def along(self, nodes: Sequence[Node], /) -> NDArray[np.float64]:
+    def along(self, nodes: Sequence[_Node], /) -> NDArray[np.float64]:
         """Return distances between consecutive nodes, shape (k - 1,), metres."""
         ...
 
@@ -65,9 +65,9 @@ class MetricValues:
 
 
 def score_path(
-    source: DistanceSource[Node],
-    reference_nodes: Sequence[Node],
-    agent_nodes: Sequence[Node],
+    source: DistanceSource[_Node],
+    reference_nodes: Sequence[_Node],
+    agent_nodes: Sequence[_Node],
     success_distance: float = SUCCESS_DISTANCE,
 ) -> MetricValues:
     """Score a path of nodes against a reference path of nodes on the same graph.

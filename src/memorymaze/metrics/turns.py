@@ -21,7 +21,7 @@ GREATEST_TURN = np.deg2rad(155)
 """Beyond this, one went back the way one came."""
 
 
-class Turn(NamedTuple):
+class TurnAtPlace(NamedTuple):
     """A change of direction at a place."""
 
     at: str
@@ -29,7 +29,9 @@ class Turn(NamedTuple):
     side: Literal["left", "right"]
 
 
-def turns_taken(places: Iterable[tuple[str, Polygon]], walk: Trajectory) -> list[Turn]:
+def turns_taken(
+    places: Iterable[tuple[str, Polygon]], walk: Trajectory
+) -> list[TurnAtPlace]:
     """Return the turns of a walk: changes of heading from entering to leaving a place.
 
     Each stay in a place gives at most one. Turning back gives none.
@@ -45,18 +47,23 @@ def turns_taken(places: Iterable[tuple[str, Polygon]], walk: Trajectory) -> list
         walk: Poses close enough together that none passes a place unseen.
     """
     points, poses = walk.points, walk.poses
-    turns: list[tuple[int, Turn]] = []
+    turns: list[tuple[int, TurnAtPlace]] = []
     for name, area in places:
         inside = shapely.contains_xy(area, points[:, 0], points[:, 1])
         edges = np.flatnonzero(np.diff(inside.astype(int), prepend=0, append=0))
         for first, after in edges.reshape(-1, 2):
             angle = turn_between(poses[first].heading, poses[after - 1].heading)
             if LEAST_TURN <= abs(angle) <= GREATEST_TURN:
-                turns.append((int(after), Turn(name, "left" if angle > 0 else "right")))
+                turns.append((
+                    int(after),
+                    TurnAtPlace(name, "left" if angle > 0 else "right"),
+                ))
     return [turn for _, turn in sorted(turns)]
 
 
-def turns_in_order(wanted: Sequence[Turn], taken: Sequence[Turn]) -> float:
+def turns_in_order(
+    wanted: Sequence[TurnAtPlace], taken: Sequence[TurnAtPlace]
+) -> float:
     """Return the share of turns taken in order: |LCS(wanted, taken)| / |wanted|.
 
     LCS is the longest common subsequence: a turn left out, or one too many, does not

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from memorymaze.errors import ImportFileError
+from memorymaze.geometry.points import FloatArray
 from memorymaze.input_files import read_file
 
 FORMATS = (".glb", ".obj")
@@ -27,7 +28,6 @@ LEAST_HEADROOM = 1.8
 FLAT = 0.98
 """Least share of a face's normal that points up or down where it is level."""
 
-Points = NDArray[np.float64]
 Faces = NDArray[np.int64]
 
 
@@ -38,13 +38,13 @@ class Piece:
     name: str
     extras: Mapping[str, Any]
     """What the file says beside its shape, such as the plan's members in our export."""
-    vertices: Points
+    vertices: FloatArray
     faces: Faces
     visual: Any = None
     """How it looks, as trimesh has it."""
 
     @property
-    def triangles(self) -> Points:
+    def triangles(self) -> FloatArray:
         """Corners, (n, 3, 3)."""
         return self.vertices[self.faces]
 
@@ -130,7 +130,7 @@ def _pieces(scene: Any) -> Iterator[Piece]:
         yield Piece(name, extras, vertices, numbers, getattr(mesh, "visual", None))
 
 
-def _changed(piece: Piece, vertices: Points) -> Piece:
+def _changed(piece: Piece, vertices: FloatArray) -> Piece:
     return replace(piece, vertices=vertices)
 
 
@@ -149,7 +149,7 @@ def _level_area(pieces: list[Piece], axis: int) -> float:
     )
 
 
-def normals(piece: Piece) -> Points:
+def normals(piece: Piece) -> FloatArray:
     """Return the normals of a piece's faces, twice their area long."""
     a, b, c = piece.triangles.transpose(1, 0, 2)
     return np.cross(b - a, c - a)
@@ -176,7 +176,7 @@ def levels(pieces: Sequence[Piece]) -> tuple[float, float | None]:
     return floor, ceilings[0] - floor if ceilings else None
 
 
-def _large_levels(heights: Points, areas: Points) -> list[float]:
+def _large_levels(heights: FloatArray, areas: FloatArray) -> list[float]:
     """Return the heights at which there is much area, the lowest first."""
     if not len(heights) or areas.sum() <= 0:
         return []

@@ -11,9 +11,8 @@ from typing import Protocol, runtime_checkable
 import numpy as np
 from numpy.typing import NDArray
 
+from memorymaze.geometry.points import FloatArray
 from memorymaze.robot.api import Robot
-
-FloatArray = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)

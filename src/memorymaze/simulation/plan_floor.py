@@ -3,13 +3,12 @@
 import math
 from typing import Literal
 
+from memorymaze.geometry.points import XY
 from memorymaze.geometry.pose import Pose
 from memorymaze.simulation.body import SimulatedBody
 from memorymaze.simulation.motion.clearance import Clearance
 from memorymaze.steering.floor import StraightWay, Surroundings
 from memorymaze.steering.turning_points import TurningPointSource
-
-XY = tuple[float, float]
 
 THINGS = ("landmark", "thing", "person")
 """Kinds of collisions with what is no wall."""

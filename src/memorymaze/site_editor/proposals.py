@@ -14,7 +14,7 @@ from shapely.affinity import scale
 
 from memorymaze.geometry.pose import heading_to, turn_between
 from memorymaze.importing.reference_route import goals_of, turns_along
-from memorymaze.sites.floor_rules import ROOM_OFF_DOOR, SAME_WAY, TOUCH, exit_reach
+from memorymaze.sites.floor_rules import ROOM_OFF_DOOR, SAME_EXIT, TOUCH, exit_reach
 from memorymaze.sites.plan_writing import degrees, polygon_feature
 from memorymaze.sites.records import Area, Corridor, Site, TurningPoint
 from memorymaze.sites.route_rules import GOAL_NEAR
@@ -116,7 +116,7 @@ def _ways_out(own_id: str, place: Polygon, site: Site) -> Feature:
             for each in touching
             if each.polygon.distance(Point(end)) <= TOUCH and _is_way_in(each, heading)
         ]
-        is_new = all(abs(turn_between(heading, e)) >= SAME_WAY for e, _ in exits)
+        is_new = all(abs(turn_between(heading, e)) >= SAME_EXIT for e, _ in exits)
         probe = LineString([(middle.x, middle.y), end])
         if is_new and leading and floor.covers(probe):
             exits.append((heading, min(leading)[-1]))
@@ -140,7 +140,7 @@ def _is_way_in(floor: Floor, heading: float) -> bool:
     """Tell whether one walks into floor in a direction: corridors only along them."""
     courses = _courses(floor)
     return not courses or any(
-        abs(turn_between(heading, each)) < SAME_WAY for each in courses
+        abs(turn_between(heading, each)) < SAME_EXIT for each in courses
     )
 
 

@@ -4,7 +4,7 @@ Also navigation graphs made from them. No time passes here, nothing moves, and n
 drawn: see `simulation` and `drawing`. The format is in `docs/site_plans.md`.
 """
 
-from memorymaze.sites.checking import check_site
+from memorymaze.sites.checking import find_site_problems
 from memorymaze.sites.loading import (
     BUILTIN_SITE_NAMES,
     load_site,
@@ -41,7 +41,7 @@ __all__ = [
     "Site",
     "SiteProblem",
     "TurningPoint",
-    "check_site",
+    "find_site_problems",
     "load_site",
     "load_sites",
     "plan_file",

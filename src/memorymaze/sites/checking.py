@@ -58,7 +58,7 @@ ROOM_USES = (
 DOOR_STYLES = ("wood", "glass", "steel", "automatic_glass", "elevator", "fire")
 
 
-def check_site(path: str | Path) -> list[SiteProblem]:
+def find_site_problems(path: str | Path) -> list[SiteProblem]:
     """Find everything in a plan that breaks a rule of the format.
 
     What `load_site` refuses comes first. Where floor is broken or in pieces, the rules

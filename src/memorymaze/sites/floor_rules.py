@@ -29,9 +29,9 @@ SLIVER_AREA = 0.05
 """A hole smaller than this many square metres is a seam that does not close."""
 SMALLEST_SLIVER = 1e-4
 """Holes smaller than this many square metres come from rounding."""
-SAME_WAY = math.radians(20)
+SAME_EXIT = math.radians(20)
 """Exits closer than this cannot be told apart."""
-ROBOT_RADIUS = 0.25
+PASSABLE_RADIUS = 0.25
 """Metres."""
 SMALLEST_POCKET = 0.5
 """Square metres for the robot's middle that must be cut off to be worth a word."""
@@ -117,7 +117,7 @@ def _extent(floor: Polygon) -> Iterator[SiteProblem]:
 
 
 def _narrow_places(site: Site) -> Iterator[SiteProblem]:
-    passable = site.free_floor.buffer(-ROBOT_RADIUS)
+    passable = site.free_floor.buffer(-PASSABLE_RADIUS)
     pieces = [
         piece
         for piece in getattr(passable, "geoms", [passable])
@@ -185,7 +185,7 @@ def _turning_point(
                 f"{reach:.1f} m of the middle at heading {degrees:.0f} degrees",
             )
         for other in point.exits[:index]:
-            if abs(turn_between(way.heading, other.heading)) < SAME_WAY:
+            if abs(turn_between(way.heading, other.heading)) < SAME_EXIT:
                 yield SiteProblem(
                     point.id,
                     "exit-apart",

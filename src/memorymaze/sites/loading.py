@@ -19,7 +19,7 @@ from memorymaze.sites.loading_rules import loading_findings
 from memorymaze.sites.problems import Rule, SiteProblem
 from memorymaze.sites.reading import PlanContent, read_plan
 
-Record = TypeVar("Record")
+_Record = TypeVar("_Record")
 
 SNAKE_CASE = re.compile(r"[a-z0-9]+(_[a-z0-9]+)*")
 
@@ -174,7 +174,7 @@ def site_from_content(
     if header is None:
         return None, broken, findings
 
-    def all_of(kind: type[Record]) -> tuple[Record, ...]:
+    def all_of(kind: type[_Record]) -> tuple[_Record, ...]:
         return tuple(each for each in made if isinstance(each, kind))
 
     anchor = header.anchor

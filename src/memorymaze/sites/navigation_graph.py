@@ -23,9 +23,8 @@ from shapely.ops import nearest_points
 
 from memorymaze.errors import SitePlanError
 from memorymaze.geometry.floor import Floor
+from memorymaze.geometry.points import FloatArray
 from memorymaze.sites.records import Area, Site
-
-FloatArray = NDArray[np.float64]
 
 CAMERA_HEIGHT = 1.25
 """Metres above the floor."""

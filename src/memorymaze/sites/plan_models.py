@@ -14,13 +14,13 @@ FARTHEST = 100_000.0
 """No coordinate of a building is farther than this many metres from the origin."""
 
 Coordinate = Annotated[float, Field(ge=-FARTHEST, le=FARTHEST)]
-Position = Annotated[list[Coordinate], Field(min_length=2)]
-AnyText = Annotated[str, AfterValidator(writable)]
-Text = Annotated[AnyText, Field(min_length=1)]
+_Position = Annotated[list[Coordinate], Field(min_length=2)]
+_AnyText = Annotated[str, AfterValidator(writable)]
+_Text = Annotated[_AnyText, Field(min_length=1)]
 Identity = Annotated[str, Field(pattern=r"^[^\p{C}]+$")]
 """Any text without control characters, so that a message about it is one line."""
 Degrees = Annotated[float, Field(ge=-360_000, le=360_000)]
-Size = Annotated[float, Field(gt=0, le=1000)]
+_Size = Annotated[float, Field(gt=0, le=1000)]
 
 
 class _Model(BaseModel):
@@ -42,31 +42,31 @@ class PlanHeader(_Model):
 
     type: Literal["FeatureCollection"]
     name: Identity
-    title: Text
-    floor: Text
+    title: _Text
+    floor: _Text
     ceiling_height_m: Annotated[float, Field(ge=1.0, le=100.0)]
     anchor: AnchorModel | None
-    description: AnyText
+    description: _AnyText
 
 
 class _PolygonGeometry(_Model):
     type: Literal["Polygon"]
-    coordinates: Annotated[list[list[Position]], Field(min_length=1)]
+    coordinates: Annotated[list[list[_Position]], Field(min_length=1)]
 
 
 class _LineGeometry(_Model):
     type: Literal["LineString"]
-    coordinates: Annotated[list[Position], Field(min_length=2)]
+    coordinates: Annotated[list[_Position], Field(min_length=2)]
 
 
 class _SegmentGeometry(_Model):
     type: Literal["LineString"]
-    coordinates: Annotated[list[Position], Field(min_length=2, max_length=2)]
+    coordinates: Annotated[list[_Position], Field(min_length=2, max_length=2)]
 
 
 class _PointGeometry(_Model):
     type: Literal["Point"]
-    coordinates: Position
+    coordinates: _Position
 
 
 class FeatureModel(_Model):
@@ -77,9 +77,9 @@ class FeatureModel(_Model):
 
 
 class _FloorProperties(_Model):
-    name: AnyText | None
-    floor_material: Text
-    wall_material: Text
+    name: _AnyText | None
+    floor_material: _Text
+    wall_material: _Text
 
 
 class CorridorFeature(FeatureModel):
@@ -106,7 +106,7 @@ class _ExitModel(_Model):
 
 
 class _TurningPointProperties(_Model):
-    name: AnyText | None
+    name: _AnyText | None
     shape: Literal["corner", "t_junction", "crossing", "opening", "dead_end"]
     exits: Annotated[list[_ExitModel], Field(min_length=1)]
 
@@ -119,8 +119,8 @@ class TurningPointFeature(FeatureModel):
 
 
 class _RoomProperties(_Model):
-    name: AnyText
-    use: Text
+    name: _AnyText
+    use: _Text
 
 
 class RoomFeature(FeatureModel):
@@ -131,10 +131,10 @@ class RoomFeature(FeatureModel):
 
 
 class _DoorProperties(_Model):
-    room: AnyText | None
-    style: Text
-    color: Text
-    label: AnyText | None
+    room: _AnyText | None
+    style: _Text
+    color: _Text
+    label: _AnyText | None
     state: Literal["closed", "open"]
 
 
@@ -146,12 +146,12 @@ class DoorFeature(FeatureModel):
 
 
 class _LandmarkProperties(_Model):
-    category: Text
-    color: AnyText | None
-    name: AnyText | None
-    text: AnyText | None
+    category: _Text
+    color: _AnyText | None
+    name: _AnyText | None
+    text: _AnyText | None
     heading_deg: Degrees
-    size_m: Annotated[list[Size], Field(min_length=3, max_length=3)]
+    size_m: Annotated[list[_Size], Field(min_length=3, max_length=3)]
     mount: Literal["floor", "wall", "ceiling"]
     obstacle: bool
 
@@ -172,12 +172,12 @@ class _RouteProperties(_Model):
     route: Identity
     role: Literal["reference", "alternative"]
     start_heading_deg: Degrees
-    goal: Text
+    goal: _Text
     goal_landmark: Identity
     length_m: Annotated[float, Field(gt=0, le=FARTHEST)] | None = None
     """None: as long as its line."""
     turns: list[_TurnModel]
-    note: AnyText
+    note: _AnyText
 
 
 class RouteFeature(FeatureModel):

@@ -21,7 +21,7 @@ GOAL_NEAR = 4.0
 """Metres from the end of a route to what it leads to."""
 START_TURN = math.radians(30)
 """How far the start heading may differ from the first leg."""
-STRAIGHT = math.radians(15)
+STRAIGHT_ON = math.radians(15)
 """A route that bends less than this at a turning point makes no turn there."""
 
 
@@ -152,7 +152,7 @@ def _bends(route: Route) -> list[_Bend]:
     for before, after in pairwise(_legs(route)):
         at += math.dist(*before)
         angle = turn_between(heading_to(*before), heading_to(*after))
-        if abs(angle) > STRAIGHT:
+        if abs(angle) > STRAIGHT_ON:
             bends.append(_Bend(at, Point(after[0]), angle))
     return bends
 

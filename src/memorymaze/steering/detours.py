@@ -10,11 +10,9 @@ from collections.abc import Sequence
 from typing import Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
 from memorymaze.geometry import polyline
-
-FloatArray = NDArray[np.float64]
+from memorymaze.geometry.points import FloatArray
 
 CLEARANCE_RANGE = 1.0
 """Metres; distances are measured up to here."""
@@ -173,7 +171,7 @@ def _smoothed(
     room = clearance.to_anything(base + result[:, None] * normals)
     kept = np.minimum(room, needed)
     for _ in range(6):
-        smooth = polyline.smoothed(result)
+        smooth = polyline.smoothed_rows(result)
         room = clearance.to_anything(base + smooth[:, None] * normals)
         result = np.where(room >= kept - 1e-9, smooth, result)
     return result

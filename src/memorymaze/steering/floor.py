@@ -4,11 +4,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal, Protocol
 
+from memorymaze.geometry.points import XY
 from memorymaze.geometry.pose import Pose
 from memorymaze.steering.detours import FreeSpace
 from memorymaze.steering.turning_points import TurningPointSource
-
-XY = tuple[float, float]
 
 END_GAP = 0.7
 """Metres from the robot's centre to the wall at which it halts."""

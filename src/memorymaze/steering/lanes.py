@@ -12,15 +12,13 @@ from itertools import pairwise
 from typing import Literal, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from memorymaze.geometry import polyline
+from memorymaze.geometry.points import FloatArray
 from memorymaze.geometry.pose import Pose, turn_between
 from memorymaze.steering.detours import SPACING, FreeSpace, make_detours
 from memorymaze.steering.floor import StraightWay
 from memorymaze.steering.settings import ROBOT_RADIUS
-
-FloatArray = NDArray[np.float64]
 
 LaneEnd = Literal["wall", "obstacle", "done"]
 """What is behind the last station of a lane."""
@@ -114,7 +112,7 @@ def plan_lane(
 
 def lane_along(points: FloatArray, max_speed: float) -> Lane:
     """Return the lane along a given line (N, 2), its corners rounded a little."""
-    base = polyline.smoothed(polyline.resample(points, SPACING), 2)
+    base = polyline.smoothed_rows(polyline.resample(points, SPACING), 2)
     speeds = np.full(len(base), max_speed)
     return _lane(base, base, _headings(base), speeds, "done")
 
@@ -130,7 +128,7 @@ def lane_round_things(
     The place is beside the line's beginning. It ends as `obstacle` where the rest of
     the line (N, 2) cannot be reached.
     """
-    base = polyline.smoothed(polyline.resample(points, SPACING), 2)
+    base = polyline.smoothed_rows(polyline.resample(points, SPACING), 2)
     # Lines may lead along walls more closely than lanes do; there they are kept to.
     least = np.minimum(LEAST_CLEARANCE, clearance.to_walls(base) - 1e-3)
     driven, speeds, reached = _round_things(base, place, least, clearance, max_speed)
@@ -150,7 +148,7 @@ def _round_things(
     Returns where to drive (N, 2) and how fast (N,), with a gap before what cannot be
     passed; and how many stations of the line can be reached.
     """
-    normals = polyline.normals(base)
+    normals = polyline.left_normals(base)
     aside = float((np.array(place) - base[0]) @ normals[0])
     offsets = _joining_profile(len(base), aside)
     usable = reached = len(base)
@@ -176,7 +174,7 @@ def _stations_of(way: StraightWay) -> tuple[FloatArray, FloatArray]:
     base = np.column_stack([np.interp(at, along, points[:, k]) for k in (0, 1)])
     piece = np.clip(np.searchsorted(along, at, side="right") - 1, 0, len(points) - 2)
     if len(way.courses) > 1:
-        base = polyline.smoothed(base, 8)
+        base = polyline.smoothed_rows(base, 8)
     return base, np.asarray(way.courses)[piece]
 
 

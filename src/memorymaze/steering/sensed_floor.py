@@ -11,9 +11,9 @@ from functools import cached_property
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial import KDTree
 
+from memorymaze.geometry.points import XY, FloatArray
 from memorymaze.geometry.pose import Pose, turn_between
 from memorymaze.perception.turning_points import WallDirections, without_drop_outs
 from memorymaze.robot.sensors_and_motion import SensorsAndMotion
@@ -23,9 +23,6 @@ from memorymaze.steering.floor import END_GAP, LANE_STEP, StraightWay
 from memorymaze.steering.lanes import MIN_CLEARANCE
 from memorymaze.steering.settings import ROBOT_RADIUS
 from memorymaze.steering.turning_points import LidarTurningPoints
-
-XY = tuple[float, float]
-FloatArray = NDArray[np.float64]
 
 PATIENCE = 15.0
 """Seconds a move waits for what came in the way before it reports an obstacle."""

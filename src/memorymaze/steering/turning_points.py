@@ -11,11 +11,10 @@ from dataclasses import dataclass
 from typing import NamedTuple, Protocol
 
 from memorymaze.errors import SettingsError
+from memorymaze.geometry.points import XY
 from memorymaze.geometry.pose import Pose, turn_between, wrap_angle
 from memorymaze.perception.turning_points import SensedWay, TurningPointFinder
 from memorymaze.robot.steps import LidarScan
-
-XY = tuple[float, float]
 
 SAME_LINE = math.radians(20)
 """Ways that meet at less than this angle count as one line."""

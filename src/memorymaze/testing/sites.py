@@ -13,7 +13,7 @@ from memorymaze.metrics.score import score_walk
 from memorymaze.simulation.robot import SimulatedRobot
 from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.sites import Route, load_site
-from memorymaze.sites import check_site as find_problems
+from memorymaze.sites import find_site_problems as find_problems
 from memorymaze.testing.expectation import expect
 
 COVERAGE = 0.9

@@ -15,7 +15,7 @@ from memorymaze.construction.recipes.school import school
 from memorymaze.construction.recipes.station import station
 from memorymaze.construction.recipes.university import university
 
-Kind = Literal[
+BuildingKind = Literal[
     "university",
     "museum",
     "hospital",
@@ -25,8 +25,8 @@ Kind = Literal[
     "school",
     "airport",
 ]
-KINDS: tuple[Kind, ...] = get_args(Kind)
-RECIPES: dict[Kind, Callable[[np.random.Generator], Layout]] = {
+BUILDING_KINDS: tuple[BuildingKind, ...] = get_args(BuildingKind)
+RECIPES: dict[BuildingKind, Callable[[np.random.Generator], Layout]] = {
     "university": university,
     "museum": museum,
     "hospital": hospital,

@@ -2,36 +2,43 @@
 
 import numpy as np
 
-from memorymaze.construction.layout import Frame, Layout
-from memorymaze.construction.pieces import bent, between, either, side_hall, stub
+from memorymaze.construction.layout import Layout, WingFrame
+from memorymaze.construction.pieces import bent, drawn_between, either, side_hall, stub
 
 
 def university(rng: np.random.Generator) -> Layout:
     """Draw a floor of three connected buildings."""
     layout = Layout()
     side = either(rng)
-    wide, high = between(rng, 20, 24), between(rng, 24, 30)
-    first = Frame()
+    wide, high = drawn_between(rng, 20, 24), drawn_between(rng, 24, 30)
+    first = WingFrame()
     loop = first.line((0, 0), (wide, 0), (wide, high), (0, high), (0, 0))
     layout.street(loop, 2.4, "offices", 0, "Newton Hallway")
-    middle = high * between(rng, 0.4, 0.6)
+    middle = high * drawn_between(rng, 0.4, 0.6)
     layout.street(
         first.line((0, middle), (wide, middle)), 2.8, "main", 0, "Lift Hallway"
     )
-    entry = Frame(first.at(wide * between(rng, 0.4, 0.6)), -90)
+    entry = WingFrame(first.at(wide * drawn_between(rng, 0.4, 0.6)), -90)
     layout.street(entry.line((0, 0), (9.5, 0)), 2.4, "main", 0, "Founders' Lobby")
     layout.hall(entry.box(1.0, -4.5, 8.0, 5.0), "Founders' Lobby", "lounge", 0)
     layout.entrances.append((entry.at(9.5), "South Entrance"))
-    stub(layout, Frame(first.at(0, high), 180), between(rng, 7, 9), 2.2, "offices", 0)
+    stub(
+        layout,
+        WingFrame(first.at(0, high), 180),
+        drawn_between(rng, 7, 9),
+        2.2,
+        "offices",
+        0,
+    )
 
-    link = between(rng, 11, 14)
-    second = Frame(first.at(wide + link, middle))
+    link = drawn_between(rng, 11, 14)
+    second = WingFrame(first.at(wide + link, middle))
     layout.street((first.at(wide, middle), second.origin), 2.8, "link", 0, "Glass Link")
-    up, down = between(rng, 17, 21), between(rng, 13, 17)
+    up, down = drawn_between(rng, 17, 21), drawn_between(rng, 13, 17)
     layout.street(
         second.line((0, -down), (0, up)), 2.4, "classes", 1, "Curie West Hallway"
     )
-    across = between(rng, 20, 24)
+    across = drawn_between(rng, 20, 24)
     layout.street(second.line((0, 0), (across, 0)), 2.6, "classes", 1, "Curie Hallway")
     layout.street(
         bent(second.moved(across, -down, 90), (up + down - 4.0, 0)),
@@ -53,16 +60,16 @@ def university(rng: np.random.Generator) -> Layout:
         1,
     )
 
-    slant = side * between(rng, 18, 30)
-    start = second.at(across, between(rng, 6.5, 8))
-    bridge = bent(Frame(start, slant), (between(rng, 13, 16), 0))
+    slant = side * drawn_between(rng, 18, 30)
+    start = second.at(across, drawn_between(rng, 6.5, 8))
+    bridge = bent(WingFrame(start, slant), (drawn_between(rng, 13, 16), 0))
     layout.street(bridge, 2.6, "link", 1, "Garden Bridge")
-    third = Frame(bridge[-1], slant)
-    half = between(rng, 9, 12)
+    third = WingFrame(bridge[-1], slant)
+    half = drawn_between(rng, 9, 12)
     layout.street(
         third.line((0, -half - 6), (0, half + 6)), 2.2, "offices", 2, "Darwin Hallway"
     )
-    depth = between(rng, 11, 15)
+    depth = drawn_between(rng, 11, 15)
     layout.street(
         third.line((0, half), (depth, half), (depth, -half), (0, -half)),
         2.2,
@@ -75,16 +82,16 @@ def university(rng: np.random.Generator) -> Layout:
     )
     if rng.random() < 0.6:
         wing = bent(
-            Frame(first.at(0, middle), 180),
-            (between(rng, 13, 17), 0),
-            (between(rng, 10, 14), side * between(rng, 25, 45)),
+            WingFrame(first.at(0, middle), 180),
+            (drawn_between(rng, 13, 17), 0),
+            (drawn_between(rng, 10, 14), side * drawn_between(rng, 25, 45)),
         )
         layout.street(wing, 2.2, "offices", 0, "West Wing")
     if rng.random() < 0.6:
         tail = bent(
             second.moved(0, up, 90),
             (5.0, 0),
-            (between(rng, 11, 15), -between(rng, 40, 60)),
+            (drawn_between(rng, 11, 15), -drawn_between(rng, 40, 60)),
         )
         layout.street(tail, 2.4, "labs", 1, "Observatory Passage")
     return layout

@@ -11,8 +11,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from memorymaze.geometry.points import FloatArray
 from memorymaze.geometry.pose import Pose, turn_between, wrap_angle
 from memorymaze.perception.turning_points.junctions import (
     REACH,
@@ -27,8 +27,6 @@ from memorymaze.perception.turning_points.junctions import (
     is_worth_telling,
 )
 from memorymaze.perception.turning_points.local_map import LocalMap, WallDirections
-
-FloatArray = NDArray[np.float64]
 
 WAY_BACK = math.radians(75)
 """Greatest angle between a way and where the robot was for it to be the way it came."""

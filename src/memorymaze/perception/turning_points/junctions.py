@@ -9,11 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import ndimage
 
+from memorymaze.geometry.points import BoolArray, FloatArray
 from memorymaze.geometry.pose import turn_between, wrap_angle
 from memorymaze.perception.turning_points.local_map import CELL
-
-BoolArray = NDArray[np.bool_]
-FloatArray = NDArray[np.float64]
 
 HALF_BODY = 0.35
 """Metres a robot's middle keeps from everything; ways are twice as wide at least."""

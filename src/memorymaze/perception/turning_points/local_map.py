@@ -4,13 +4,10 @@ import math
 from collections import deque
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy import ndimage
 
+from memorymaze.geometry.points import BoolArray, FloatArray
 from memorymaze.geometry.pose import Pose
-
-BoolArray = NDArray[np.bool_]
-FloatArray = NDArray[np.float64]
 
 CELL = 0.15
 """Side of a cell, metres."""

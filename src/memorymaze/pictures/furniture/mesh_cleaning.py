@@ -13,6 +13,8 @@ from numpy.typing import NDArray
 from scipy.sparse import coo_array, csr_array
 from scipy.sparse.csgraph import breadth_first_order, connected_components
 
+from memorymaze.geometry.points import FloatArray
+
 FLAT = 0.9999
 """Cosine between faces up to which they make a flat quad."""
 HARDNESS = (2, 4, 6)
@@ -25,7 +27,6 @@ LARGEST_LEAF = 40
 """Mean faces of a leaf up to which leaves need not be simplified themselves."""
 GROWTH = 1.7
 """Foliage that is left grows at most so much in length, for what was taken away."""
-Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 CREASE = math.cos(math.radians(42))
 """Neighbouring faces that meet at less than this angle share their shading."""
@@ -35,11 +36,11 @@ CREASE = math.cos(math.radians(42))
 class Surface:
     """Triangles of one material."""
 
-    vertices: Floats
+    vertices: FloatArray
     """(N, 3)."""
     faces: Ints
     """(M, 3)."""
-    uv: Floats | None = None
+    uv: FloatArray | None = None
     """(N, 2)."""
 
 
@@ -65,7 +66,7 @@ def cleaned(surface: Surface) -> Surface:
     return Surface(surface.vertices[first], faces, uv)
 
 
-def _split_the_other_way(spots: Floats, corners: Ints) -> NDArray[np.bool_]:
+def _split_the_other_way(spots: FloatArray, corners: Ints) -> NDArray[np.bool_]:
     """Find quads that lie twice, cut along both diagonals, and tell the second cuts.
 
     The faces' corners (M, 3) are numbers of spots (N, 3), ascending.
@@ -123,7 +124,9 @@ def thinned(surface: Surface, target: int, rng: np.random.Generator) -> Surface:
     return _fewer_leaves(surface, pieces, target, rng)
 
 
-def finished(surface: Surface) -> tuple[Floats, Ints, Floats, Floats | None]:
+def finished(
+    surface: Surface,
+) -> tuple[FloatArray, Ints, FloatArray, FloatArray | None]:
     """Turn faces outward, show open surfaces from both sides, and shade smoothly.
 
     Returns vertices (N, 3), faces (M, 3), unit normals (N, 3) and pictures' (N, 2).
@@ -188,14 +191,14 @@ def _collapsed_so_hard(surface: Surface, target: int, hardness: int) -> Surface:
     return cleaned(Surface(np.asarray(made, float), np.asarray(faces, np.int64), uv))
 
 
-def _areas(surface: Surface) -> Floats:
+def _areas(surface: Surface) -> FloatArray:
     """Return the area of each face."""
     corners = surface.vertices[surface.faces]
     across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     return np.linalg.norm(across, axis=1) / 2
 
 
-def _nearest_uv(surface: Surface, made: Floats, went_to: Ints) -> Floats:
+def _nearest_uv(surface: Surface, made: FloatArray, went_to: Ints) -> FloatArray:
     """Give each vertex the picture's place of the nearest one that became it."""
     assert surface.uv is not None
     distance = np.linalg.norm(surface.vertices - made[went_to], axis=1)
@@ -249,7 +252,7 @@ def _pieces(surface: Surface) -> Ints:
 
 
 def turned_outward(
-    vertices: Floats, faces: Ints, places: Ints
+    vertices: FloatArray, faces: Ints, places: Ints
 ) -> tuple[Ints, NDArray[np.bool_]]:
     """Return the faces, closed pieces turned outward, and which belong to these."""
     count = len(faces)
@@ -290,7 +293,7 @@ def turned_outward(
     return faces, closed
 
 
-def smooth_normals(corners: Floats, groups: Ints) -> Floats:
+def smooth_normals(corners: FloatArray, groups: Ints) -> FloatArray:
     """Return a normal per corner: the mean over like-minded faces at its vertex."""
     across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     sizes = np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-12)
@@ -308,7 +311,7 @@ def smooth_normals(corners: Floats, groups: Ints) -> Floats:
     return np.where(lengths > 1e-12, sums / np.maximum(lengths, 1e-12), flat[owner])
 
 
-def directions(vectors: Floats) -> Floats:
+def directions(vectors: FloatArray) -> FloatArray:
     """Return vectors of length 1, (N, 3)."""
     return vectors / np.maximum(np.linalg.norm(vectors, axis=1, keepdims=True), 1e-12)
 
@@ -325,12 +328,12 @@ def pairs_in_groups(groups: Ints) -> tuple[Ints, Ints]:
     return order[first], order[second]
 
 
-def same_places(vertices: Floats) -> Ints:
+def same_places(vertices: FloatArray) -> Ints:
     """Return equal numbers for vertices that are at one place, to rounding."""
     span = float(np.ptp(vertices, axis=0).max()) or 1.0
     return numbered(np.round(vertices / (span * 1e-5)))
 
 
-def numbered(rows: Floats | Ints) -> Ints:
+def numbered(rows: FloatArray | Ints) -> Ints:
     """Return equal numbers for equal rows, from 0 on."""
     return np.unique(rows, axis=0, return_inverse=True)[1].reshape(-1)

@@ -7,6 +7,7 @@ from typing import Concatenate, ParamSpec
 import numpy as np
 from numpy.typing import NDArray
 
+from memorymaze.geometry.points import FloatArray
 from memorymaze.pictures.looks.boards import sign_board
 from memorymaze.pictures.looks.materials import (
     ANTHRACITE,
@@ -23,7 +24,6 @@ from memorymaze.pictures.looks.materials import (
 from memorymaze.pictures.looks.shapes import (
     Axis,
     Extent,
-    Floats,
     Shape,
     Span,
     around,
@@ -309,7 +309,7 @@ def _with_uv(shape: Shape, material: Material) -> Shape:
     return Shape(shape.vertices, shape.faces, shape.normals, _from_the_sides(shape))
 
 
-def _from_the_sides(shape: Shape) -> Floats:
+def _from_the_sides(shape: Shape) -> FloatArray:
     """Lay the picture on from the side that each corner faces, along its long side."""
     low, high = shape.vertices.min(axis=0), shape.vertices.max(axis=0)
     share = (shape.vertices - low) / max(PICTURE_SPAN, *(high - low))

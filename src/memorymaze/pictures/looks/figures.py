@@ -3,6 +3,7 @@
 import math
 from dataclasses import dataclass
 
+from memorymaze.geometry.points import FloatArray
 from memorymaze.pictures.looks.assembly import Assembly, Order, built, plinth
 from memorymaze.pictures.looks.materials import (
     STONE,
@@ -13,7 +14,12 @@ from memorymaze.pictures.looks.materials import (
     paint,
     shade,
 )
-from memorymaze.pictures.looks.shapes import Floats, around, ball, box, ellipsoid
+from memorymaze.pictures.looks.shapes import (
+    around,
+    ball,
+    box,
+    ellipsoid,
+)
 from memorymaze.pictures.looks.tubes import Point3, limb, lofted, ring
 
 SKINS: tuple[Rgb, ...] = (
@@ -411,5 +417,5 @@ def sculpture(made: Assembly, order: Order) -> None:
         made.add(material, sheet.turned("z", 37.0 * fold))
 
 
-def _rectangle(half_x: float, half_y: float, z: float) -> Floats:
+def _rectangle(half_x: float, half_y: float, z: float) -> FloatArray:
     return ring((0, 0, z), half_x, half_y, 8)

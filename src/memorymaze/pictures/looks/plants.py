@@ -4,9 +4,13 @@ import math
 
 import numpy as np
 
+from memorymaze.geometry.points import FloatArray
 from memorymaze.pictures.looks.assembly import Assembly, Order
 from memorymaze.pictures.looks.materials import Rgb, paint, shade
-from memorymaze.pictures.looks.shapes import Floats, Shape, lathed
+from memorymaze.pictures.looks.shapes import (
+    Shape,
+    lathed,
+)
 from memorymaze.pictures.looks.tubes import leaves, tube
 
 SOIL: Rgb = (0.2, 0.13, 0.08)
@@ -135,7 +139,7 @@ def _bush(
     outward = np.sqrt(np.clip(1 - (2 * up - 1.05) ** 2, 0.05, 1))
     heading = np.column_stack([np.cos(angles), np.sin(angles)])
     height = low + up * (high - low) * 0.93
-    start: Floats = np.column_stack([
+    start: FloatArray = np.column_stack([
         heading * (outward * reach * 0.2)[:, None],
         height - 0.1 * (high - low),
     ])

@@ -11,8 +11,9 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from memorymaze.geometry.points import FloatArray
+
 Axis = Literal["x", "y", "z"]
-Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 Span = tuple[float, float]
 """From and to along an axis, metres."""
@@ -49,13 +50,13 @@ SOFT_BEND_DEG = 40.0
 class Shape:
     """Triangles counter-clockwise from outside; metres. Moves return a new shape."""
 
-    vertices: Floats
+    vertices: FloatArray
     """(N, 3)."""
     faces: Ints
     """(M, 3)."""
-    normals: Floats
+    normals: FloatArray
     """(N, 3), unit."""
-    uv: Floats | None = None
+    uv: FloatArray | None = None
     """(N, 2) in [0, 1] from the top left; None: laid on from the sides."""
 
     def moved(self, x: float = 0.0, y: float = 0.0, z: float = 0.0) -> "Shape":
@@ -100,13 +101,13 @@ def joined(*shapes: Shape) -> Shape:
     )
 
 
-def crossed(first: Floats, second: Floats) -> Floats:
+def crossed(first: FloatArray, second: FloatArray) -> FloatArray:
     """Return the cross products of rows; `numpy.cross` is slow on few of them."""
     (a, b, c), (d, e, f) = first.T, second.T
     return np.column_stack([b * f - c * e, c * d - a * f, a * e - b * d])
 
 
-def smoothed(vertices: Floats, faces: Ints) -> Shape:
+def smoothed(vertices: FloatArray, faces: Ints) -> Shape:
     """Return a shape whose normals are the area-weighted means of the faces' normals.
 
     Triangles without area are dropped.
@@ -243,7 +244,7 @@ def _lathed(profile: tuple[tuple[float, float], ...], sides: int) -> Shape:
     lengths = [math.dist(a, b) for a, b in pairwise(points)]
     up = np.cumsum([0.0, *lengths]) / sum(lengths)
     turn = np.linspace(0, 1, sides + 1)
-    rings: list[tuple[Floats, Floats, Floats]] = []
+    rings: list[tuple[FloatArray, FloatArray, FloatArray]] = []
     faces: list[Ints] = []
     for run in _runs(points):
         outward = _outward(points, run)
@@ -363,7 +364,7 @@ def extruded(outline: Sequence[tuple[float, float]], span: Span, along: Axis) ->
     return Shape(points[:, order], faces, normals[:, order])
 
 
-def triangles_of(outline: Floats) -> Ints:
+def triangles_of(outline: FloatArray) -> Ints:
     """Cut a simple polygon (N, 2) into triangles (M, 3), counter-clockwise."""
     polygon = shapely.Polygon(outline) if len(outline) > 2 else shapely.Polygon()
     if polygon.is_empty or not polygon.is_valid:
@@ -379,7 +380,7 @@ def triangles_of(outline: Floats) -> Ints:
     return np.array([[numbers[x, y] for x, y in ring] for ring in rings])
 
 
-def _corners(x: Span, y: Span, z: Span) -> tuple[Floats, Floats]:
+def _corners(x: Span, y: Span, z: Span) -> tuple[FloatArray, FloatArray]:
     """Return the lowest and the highest corner; spans may be given either way round."""
     ends = np.array([x, y, z], dtype=float)
     low, high = ends.min(axis=1), ends.max(axis=1)
@@ -428,7 +429,7 @@ def _band(start: int, sides: int, below: float, above: float) -> Ints:
 
 
 @cache
-def _box_template() -> tuple[Floats, Floats, Ints]:
+def _box_template() -> tuple[FloatArray, FloatArray, Ints]:
     signs: list[tuple[float, ...]] = []
     normals: list[tuple[float, ...]] = []
     faces: list[tuple[int, int, int]] = []
@@ -446,7 +447,7 @@ def _box_template() -> tuple[Floats, Floats, Ints]:
 
 
 @cache
-def _bevelled_template() -> tuple[Floats, Floats, Ints]:
+def _bevelled_template() -> tuple[FloatArray, FloatArray, Ints]:
     """Join the six faces, drawn apart, by twelve edges and eight corners."""
     signs, normals, flat = _box_template()
     rows = {

@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter, zoom
 
 from memorymaze.errors import SettingsError
+from memorymaze.geometry.points import FloatArray
 from memorymaze.pictures.looks.materials import Material
 
-Floats = NDArray[np.float64]
 PIXELS = 512
 """Edge of every picture."""
 DADO = 1.05
@@ -191,23 +191,23 @@ def dim_view() -> Material:
     return Material((1, 1, 1, 1), _bytes(gaussian_filter(picture, (1.2, 1.2, 0))), 0, 0)
 
 
-def _bytes(picture: Floats) -> NDArray[np.uint8]:
+def _bytes(picture: FloatArray) -> NDArray[np.uint8]:
     pixels = np.round(np.clip(picture, 0, 1) * 255).astype(np.uint8)
     pixels.setflags(write=False)
     return pixels
 
 
-def _lamp_glow(strength: float) -> Floats:
+def _lamp_glow(strength: float) -> FloatArray:
     """Brightness along a bay with its lamp in the middle."""
     along = (np.arange(PIXELS) + 0.5) / PIXELS
     return 1 + strength * np.cos(2 * np.pi * (along - 0.5))
 
 
-def _colour(red: float, green: float, blue: float) -> Floats:
+def _colour(red: float, green: float, blue: float) -> FloatArray:
     return np.full((PIXELS, PIXELS, 3), (red, green, blue))
 
 
-def _grain(rng: np.random.Generator, size: float) -> Floats:
+def _grain(rng: np.random.Generator, size: float) -> FloatArray:
     """Noise in about [-1, 1] that repeats, its spots about `size` pixels large."""
     noise = gaussian_filter(
         rng.standard_normal((PIXELS, PIXELS)), size, mode="wrap", truncate=3
@@ -215,14 +215,14 @@ def _grain(rng: np.random.Generator, size: float) -> Floats:
     return noise / (3 * noise.std())
 
 
-def _streaks(rng: np.random.Generator, tall: float, wide: float) -> Floats:
+def _streaks(rng: np.random.Generator, tall: float, wide: float) -> FloatArray:
     """Noise in about [-1, 1] that repeats, drawn out along rows or columns."""
     noise = rng.standard_normal((PIXELS, PIXELS))
     streaks = np.asarray(gaussian_filter(noise, (tall, wide), mode="wrap"))
     return streaks / (3 * streaks.std())
 
 
-def _clouds(rng: np.random.Generator, cells: int) -> Floats:
+def _clouds(rng: np.random.Generator, cells: int) -> FloatArray:
     """Large soft spots in about [-1, 1] that repeat."""
     coarse = rng.standard_normal((cells, cells))
     noise = np.asarray(
@@ -231,7 +231,7 @@ def _clouds(rng: np.random.Generator, cells: int) -> Floats:
     return noise / (3 * noise.std())
 
 
-def _carpet(rng: np.random.Generator) -> Floats:
+def _carpet(rng: np.random.Generator) -> FloatArray:
     # Carpet tiles of 0.6 m, laid crosswise, in a mottled grey-blue.
     picture = _colour(0.36, 0.40, 0.46)
     fibre = 0.6 * _grain(rng, 0.7) + 0.5 * _grain(rng, 2)
@@ -253,7 +253,7 @@ def _carpet(rng: np.random.Generator) -> Floats:
     return picture
 
 
-def _linoleum(rng: np.random.Generator) -> Floats:
+def _linoleum(rng: np.random.Generator) -> FloatArray:
     picture = _colour(0.70, 0.70, 0.64)
     picture += 0.05 * _clouds(rng, 16)[:, :, None] + 0.03 * _clouds(rng, 64)[:, :, None]
     chips = _grain(rng, 1.0)
@@ -262,7 +262,7 @@ def _linoleum(rng: np.random.Generator) -> Floats:
     return gaussian_filter(picture, (0.6, 0.6, 0), mode="wrap")
 
 
-def _parquet(rng: np.random.Generator) -> Floats:
+def _parquet(rng: np.random.Generator) -> FloatArray:
     # Boards of 0.12 m by 1.2 m along the bay, each row shifted.
     picture = _colour(0.64, 0.46, 0.29)
     rows = 20
@@ -281,7 +281,7 @@ def _parquet(rng: np.random.Generator) -> Floats:
     return picture * (1 + 0.2 * streaks[:, :, None])
 
 
-def _screed(rng: np.random.Generator) -> Floats:
+def _screed(rng: np.random.Generator) -> FloatArray:
     picture = _colour(0.60, 0.60, 0.59)
     picture += 0.06 * _clouds(rng, 8)[:, :, None] + 0.04 * _clouds(rng, 32)[:, :, None]
     picture += 0.04 * _grain(rng, 0.8)[:, :, None]
@@ -290,7 +290,7 @@ def _screed(rng: np.random.Generator) -> Floats:
     return picture
 
 
-def _tiles(rng: np.random.Generator) -> Floats:
+def _tiles(rng: np.random.Generator) -> FloatArray:
     # Stone tiles of 0.6 m with narrow joints.
     picture = _colour(0.80, 0.77, 0.71)
     edge = PIXELS // 4
@@ -311,13 +311,13 @@ def _tiles(rng: np.random.Generator) -> Floats:
     return picture
 
 
-def _plaster(rng: np.random.Generator) -> Floats:
+def _plaster(rng: np.random.Generator) -> FloatArray:
     picture = _colour(0.90, 0.88, 0.83)
     picture += 0.012 * _clouds(rng, 16)[:, :, None]
     return picture + 0.014 * _grain(rng, 1.0)[:, :, None]
 
 
-def _wood_panels(rng: np.random.Generator) -> Floats:
+def _wood_panels(rng: np.random.Generator) -> FloatArray:
     # Panels of 0.8 m with dark joints and upright grain.
     picture = _colour(0.60, 0.41, 0.25)
     streaks, waves = _streaks(rng, 36, 1.0), _streaks(rng, 50, 7)
@@ -332,7 +332,7 @@ def _wood_panels(rng: np.random.Generator) -> Floats:
     return picture
 
 
-def _bricks(rng: np.random.Generator) -> Floats:
+def _bricks(rng: np.random.Generator) -> FloatArray:
     # Stretchers of 0.24 m; the number of courses suits a room about 3 m high.
     courses, across = 40, 10
     picture = _colour(0.72, 0.68, 0.62)
@@ -351,7 +351,7 @@ def _bricks(rng: np.random.Generator) -> Floats:
     return picture * (1 + 0.12 * _grain(rng, 1.0)[:, :, None])
 
 
-def _cast_concrete(rng: np.random.Generator) -> Floats:
+def _cast_concrete(rng: np.random.Generator) -> FloatArray:
     # Shuttering panels of 1.2 m with tie holes.
     picture = _colour(0.66, 0.66, 0.65)
     picture += 0.05 * _clouds(rng, 8)[:, :, None] + 0.03 * _clouds(rng, 32)[:, :, None]
@@ -368,7 +368,7 @@ def _cast_concrete(rng: np.random.Generator) -> Floats:
     return picture
 
 
-def _ceiling_panels(rng: np.random.Generator) -> Floats:
+def _ceiling_panels(rng: np.random.Generator) -> FloatArray:
     picture = _colour(0.88, 0.88, 0.86)
     pores = _grain(rng, 0.8)
     picture[pores > 0.8] *= 0.86
@@ -381,7 +381,7 @@ def _ceiling_panels(rng: np.random.Generator) -> Floats:
     return picture
 
 
-def _slats(rng: np.random.Generator) -> Floats:
+def _slats(rng: np.random.Generator) -> FloatArray:
     # Light slats of 0.1 m before a darker void, for halls with high ceilings.
     picture = _colour(0.34, 0.34, 0.36)
     pitch = PIXELS // 16

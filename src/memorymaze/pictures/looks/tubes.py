@@ -5,7 +5,13 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from memorymaze.pictures.looks.shapes import Floats, Shape, crossed, joined, smoothed
+from memorymaze.geometry.points import FloatArray
+from memorymaze.pictures.looks.shapes import (
+    Shape,
+    crossed,
+    joined,
+    smoothed,
+)
 
 Point3 = tuple[float, float, float]
 RIB = 0.12
@@ -33,7 +39,7 @@ def limb(
     return _round_path(path, radius, sides, closed=False, round_ends=True)
 
 
-def ring(centre: Point3, half_x: float, half_y: float, sides: int = 12) -> Floats:
+def ring(centre: Point3, half_x: float, half_y: float, sides: int = 12) -> FloatArray:
     """Return a level ellipse as a cross-section for `lofted`, (sides, 3) metres."""
     angles = np.arange(sides) * (2 * math.pi / sides)
     flat = np.column_stack([
@@ -45,7 +51,7 @@ def ring(centre: Point3, half_x: float, half_y: float, sides: int = 12) -> Float
 
 
 def lofted(
-    rings: Sequence[Floats], *, round_ends: bool = False, closed: bool = False
+    rings: Sequence[FloatArray], *, round_ends: bool = False, closed: bool = False
 ) -> Shape:
     """Return a smooth skin over cross-sections.
 
@@ -88,7 +94,7 @@ def lofted(
     )
 
 
-def leaves(bases: Floats, tips: Floats, widths: Floats) -> Shape:
+def leaves(bases: FloatArray, tips: FloatArray, widths: FloatArray) -> Shape:
     """Return thin closed leaves, four flat triangles each.
 
     They grow from bases (N, 3) to tips not straight above or below; widths (N,) are
@@ -158,8 +164,8 @@ def _round_path(
 
 
 def _with_round_ends(
-    points: Floats, radii: Floats, tangents: Floats, stretch: Floats
-) -> tuple[Floats, Floats, Floats, Floats]:
+    points: FloatArray, radii: FloatArray, tangents: FloatArray, stretch: FloatArray
+) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
     head = points[0] - tangents[0] * radii[0] * 0.75
     tail = points[-1] + tangents[-1] * radii[-1] * 0.75
     return (
@@ -170,5 +176,5 @@ def _with_round_ends(
     )
 
 
-def _least_along(direction: Floats) -> Floats:
+def _least_along(direction: FloatArray) -> FloatArray:
     return np.eye(3)[int(np.argmin(np.abs(direction)))]

@@ -6,10 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter
 
+from memorymaze.geometry.points import FloatArray
 from memorymaze.pictures.looks.assembly import MeshPart
 from memorymaze.pictures.looks.materials import Material
-
-Floats = NDArray[np.float64]
 
 PIXELS = 512
 """Edge of each face."""
@@ -71,8 +70,8 @@ def sky_dome() -> list[MeshPart]:
 
 
 def _directions(
-    across: Floats, down: Floats
-) -> dict[str, tuple[Floats, Floats, Floats]]:
+    across: FloatArray, down: FloatArray
+) -> dict[str, tuple[FloatArray, FloatArray, FloatArray]]:
     """Return where each face's pictures lie, by columns and rows in [-1, 1].
 
     Columns run to the right and rows down as one looks at the face from inside, with
@@ -90,7 +89,12 @@ def _directions(
 
 
 def _face(
-    x: Floats, y: Floats, z: Floats, *, outline: Floats, clouds: Floats
+    x: FloatArray,
+    y: FloatArray,
+    z: FloatArray,
+    *,
+    outline: FloatArray,
+    clouds: FloatArray,
 ) -> NDArray[np.uint8]:
     flat = np.hypot(x, z)
     azimuth = (np.arctan2(z, x) / (2 * np.pi)) % 1.0
@@ -129,7 +133,7 @@ def _face(
     return np.round(np.clip(picture, 0, 1) * 255).astype(np.uint8)
 
 
-def _skyline(rng: np.random.Generator) -> Floats:
+def _skyline(rng: np.random.Generator) -> FloatArray:
     """Return how high far houses, nearer houses and trees rise, by azimuth, radians."""
     columns = 2048
     outline = np.zeros((columns, 3))
@@ -147,7 +151,7 @@ def _skyline(rng: np.random.Generator) -> Floats:
     return outline
 
 
-def _clouds(rng: np.random.Generator) -> Floats:
+def _clouds(rng: np.random.Generator) -> FloatArray:
     noise = np.zeros((256, 256))
     for size in (3.0, 8.0, 20.0):
         spots = gaussian_filter(rng.standard_normal(noise.shape), size, mode="wrap")

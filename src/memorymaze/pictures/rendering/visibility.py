@@ -10,13 +10,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from memorymaze.geometry.points import FloatArray
 from memorymaze.pictures.rendering.floor_plan import (
     Surroundings,
     WallFace,
     clear_of,
 )
 
-FloatArray = NDArray[np.float64]
 RAYS_PER_RADIAN = 120
 MARGIN = 0.05
 """Metres that a thing may lie behind a wall and still counts as seen."""

@@ -4,12 +4,10 @@ from collections.abc import Sequence
 
 import numpy as np
 import shapely
-from numpy.typing import NDArray
 from shapely import LineString, Polygon, STRtree
 
+from memorymaze.geometry.points import FloatArray
 from memorymaze.steering.detours import CLEARANCE_RANGE
-
-FloatArray = NDArray[np.float64]
 
 
 class Clearance:

@@ -5,9 +5,9 @@ from itertools import pairwise
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from memorymaze.geometry import polyline
+from memorymaze.geometry.points import FloatArray
 from memorymaze.geometry.pose import turn_between
 from memorymaze.steering.detours import FreeSpace
 from memorymaze.steering.driving import Driver
@@ -18,8 +18,6 @@ from memorymaze.steering.lanes import (
     lane_along,
     lane_round_things,
 )
-
-FloatArray = NDArray[np.float64]
 
 SHARP_VERTEX = math.radians(25)
 """Bend from which on the robot stops at a vertex and turns on the spot."""

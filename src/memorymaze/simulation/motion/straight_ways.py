@@ -14,13 +14,12 @@ from itertools import pairwise
 import shapely
 from shapely import LineString, Point, Polygon
 
+from memorymaze.geometry.points import XY
 from memorymaze.geometry.pose import turn_between
 from memorymaze.simulation.motion.clearance import Clearance
 from memorymaze.sites.records import Corridor, Exit, Site, TurningPoint
 from memorymaze.steering.floor import END_GAP, StraightWay
 from memorymaze.steering.turning_points import WayOut
-
-XY = tuple[float, float]
 
 ENTRY_TOLERANCE = math.radians(30)
 """Greatest angle between the robot's course and the corridor it begins to follow."""

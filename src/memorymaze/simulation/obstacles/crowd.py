@@ -277,7 +277,7 @@ class Crowd:
         aside = -float(rng.normal(KEEP_RIGHT, ASIDE_SPREAD))
         if count < 3:
             return middle
-        normals = polyline.normals(middle)
+        normals = polyline.left_normals(middle)
         ramp = np.minimum(np.minimum(np.arange(count), np.arange(count)[::-1]) / 5, 1)
         offsets = aside * ramp
         # Where there is not that much room one walks nearer to the middle.
@@ -288,7 +288,7 @@ class Crowd:
         offsets, reachable = make_detours(
             middle,
             normals,
-            polyline.smoothed(offsets, 4),
+            polyline.smoothed_rows(offsets, 4),
             LEAST_ROOM + 0.02,
             np.full(count, LEAST_ROOM - 0.06),
             self._clearance,

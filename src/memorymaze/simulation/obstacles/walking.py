@@ -18,6 +18,7 @@ from shapely import LineString, Polygon, STRtree, box
 
 from memorymaze.geometry import polyline
 from memorymaze.geometry.floor import Floor
+from memorymaze.geometry.points import XY, FloatArray
 from memorymaze.sites.navigation_graph import navigation_graph
 from memorymaze.sites.records import Site
 
@@ -25,8 +26,6 @@ if TYPE_CHECKING:
     from navground.core import LineSegment
     from navground.core.behaviors import ORCABehavior
 
-FloatArray = NDArray[np.float64]
-XY = tuple[float, float]
 
 WAY_SPACING = 0.4
 """Metres between the points of a way; at most."""
@@ -128,7 +127,7 @@ class Walks:
 
 def _eased(line: FloatArray) -> FloatArray:
     """Return a line at even steps, its corners rounded."""
-    return polyline.smoothed(polyline.resample(line, WAY_SPACING), ROUNDING)
+    return polyline.smoothed_rows(polyline.resample(line, WAY_SPACING), ROUNDING)
 
 
 class Disc(NamedTuple):

@@ -8,17 +8,15 @@ import math
 from dataclasses import dataclass, fields
 
 import numpy as np
-from numpy.typing import NDArray
 
 from memorymaze.errors import SettingsError
+from memorymaze.geometry.points import FloatArray
 from memorymaze.geometry.pose import Pose
 from memorymaze.options import check_number
 from memorymaze.robot.steps import LidarScan
 from memorymaze.simulation.motion.wheeled_base import ROBOT_GROUP
 from memorymaze.simulation.physics_engine import mujoco
 from memorymaze.simulation.scene import FLOOR_GROUP, Scene
-
-FloatArray = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,14 +14,13 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from memorymaze.geometry.points import FloatArray
 from memorymaze.perception.appearance import parse_appearance
 from memorymaze.perception.camera_view import ObjectDescription
 from memorymaze.simulation.obstacles.settings import Movable
 from memorymaze.simulation.physics_engine import mujoco
 from memorymaze.simulation.scene import Scene
 from memorymaze.sites.records import Door, Landmark, Site
-
-FloatArray = NDArray[np.float64]
 
 SPACING = 0.18
 """Metres between the points that cover a surface, at most."""

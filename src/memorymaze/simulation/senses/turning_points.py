@@ -7,13 +7,12 @@ from dataclasses import dataclass
 import shapely
 from shapely import Point
 
+from memorymaze.geometry.points import XY
 from memorymaze.geometry.pose import Pose, turn_between
 from memorymaze.simulation.motion.straight_ways import counter_clockwise
 from memorymaze.simulation.scene import Scene
 from memorymaze.sites.records import Exit, TurningPoint
 from memorymaze.steering.turning_points import Stay, WayOut, where_lines_meet
-
-XY = tuple[float, float]
 
 WAY_BACK_TOLERANCE = math.radians(75)
 """Greatest angle between an exit and straight back for it to be the way it came."""

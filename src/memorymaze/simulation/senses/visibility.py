@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from memorymaze.errors import RenderingError
+from memorymaze.geometry.points import FloatArray
 from memorymaze.geometry.pose import Pose
 from memorymaze.perception.camera_view import Draw, VisibleObject, VisibleText
 from memorymaze.robot.steps import CameraPicture
@@ -24,8 +25,6 @@ from memorymaze.simulation.senses.sight_targets import (
     movable_targets,
     sight_targets,
 )
-
-FloatArray = NDArray[np.float64]
 
 WIDTH, HEIGHT = 640, 480
 FOCAL_LENGTH = WIDTH / 2 / math.tan(math.pi / 4)
