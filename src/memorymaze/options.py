@@ -64,12 +64,11 @@ def list_options(cls: type, only: Collection[str] | None = None) -> list[Option]
     return found
 
 
-def options_of(options: Any) -> list[Option]:
-    """Return options as they are set, each with its value in the place of the default."""
-    return [
-        replace(each, default=as_given(getattr(options, each.name)))
-        for each in list_options(type(options))
-    ]
+def options_of(options: Any) -> tuple[tuple[str, str], ...]:
+    """Return the names of options as they are set, with their values as one gives them."""
+    return tuple(
+        (each.name, as_given(getattr(options, each.name))) for each in fields(options)
+    )
 
 
 def read_options(

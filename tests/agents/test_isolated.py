@@ -1,9 +1,11 @@
+import json
 from pathlib import Path
 
 import pytest
 
 import memorymaze as mm
 from memorymaze.errors import SettingsError
+from memorymaze.language.spending import TokenPrice
 
 AGENT = """
 from pathlib import Path
@@ -125,3 +127,49 @@ def test_an_agent_of_a_script_can_be_isolated_too(corridor: Path) -> None:
 def test_what_needs_the_answers_cannot_be_isolated(corridor: Path) -> None:
     with pytest.raises(SettingsError, match="needs the answers"):
         mm.follow("Go.", "oracle", site=corridor, isolate=True)
+
+
+ASKER = """
+from memorymaze.language.model import CompletionRequest, Message, Question
+
+class Asker:
+    name = "asker"
+    needs = {"language_model"}
+
+    def __init__(self, model):
+        self.model = model
+
+    def follow(self, instruction, robot, journal, rng):
+        said = CompletionRequest((Message("user", instruction),), question=QUESTION)
+        robot.move_forward(float(journal.ask(self.model, said, "metres")))
+
+QUESTION = Question("metres", "1")
+"""
+
+
+def test_an_isolated_agent_asks_the_model_of_the_run(
+    tmp_path: Path, corridor: Path
+) -> None:
+    path, answers = tmp_path / "asker.py", tmp_path / "answers.jsonl"
+    path.write_text(ASKER, encoding="utf-8")
+    told = {"stage": "metres", "reply": "6", "model": "m", "prompt_tokens": 100}
+
+    def walk(name: str, *, isolate: bool) -> mm.Walk:
+        answers.write_text(json.dumps({"instruction_id": name, **told}))
+        model = mm.ModelSettings(replay=str(answers), price=TokenPrice(1000, 0))
+        return mm.follow(
+            "Six metres.",
+            f"{path}:Asker",
+            site=corridor,
+            isolate=isolate,
+            language_model=model,
+        )
+
+    way = mm.load_site(corridor).routes[0].id
+    here, apart = (walk(f"corridor-{way}", isolate=each) for each in (False, True))
+    assert apart.trace == here.trace
+    assert apart.result.path_length == pytest.approx(6.0, abs=0.1)
+    assert (apart.result.model_calls, apart.result.cost_usd) == (1, 0.1)
+    lost = walk("another", isolate=True)
+    assert lost.stopped_by == "model_error"
+    assert f"is recorded for metres of 'corridor-{way}'" in str(lost.result.error)

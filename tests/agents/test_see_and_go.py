@@ -4,6 +4,7 @@ import base64
 import io
 import json
 import math
+import shutil
 from collections.abc import Callable, Iterator
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
@@ -15,10 +16,12 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from memorymaze.agents import see_and_go
 from memorymaze.agents.agent import Journal
 from memorymaze.agents.see_and_go import SeeAndGoAgent, SeeAndGoOptions
 from memorymaze.errors import EpisodeOver, LanguageModelError, SettingsError
 from memorymaze.evaluation.budgets import fair_limits
+from memorymaze.evaluation.episode import EpisodeRun
 from memorymaze.evaluation.navigation import navigate
 from memorymaze.evaluation.settings import AgentSettings
 from memorymaze.language.answers import AboutInstruction
@@ -245,6 +248,30 @@ def test_a_model_on_a_server_sees_its_way_and_a_replay_needs_no_server(
     )
     assert (again.trace, again.trajectory) == (run.trace, run.trajectory)
     assert len(requests) == asked
+
+
+def test_its_file_alone_copied_out_of_the_package_is_an_agent_of_ones_own(
+    l_site: Site, vision_server: tuple[str, list[dict[str, Any]]], tmp_path: Path
+) -> None:
+    address, requests = vision_server
+    copy = shutil.copy(see_and_go.__file__, tmp_path / "my_agent.py")
+    text, store = "To the red vending machine.", str(tmp_path / "replies.sqlite")
+    asking = ModelSettings(model="sees-red", base_url=address, record=store)
+    ours, mine = "see_and_go", f"{copy}:SeeAndGoAgent"
+    options = (("memory", "5"),)
+
+    def walk(name: str, model: ModelSettings) -> EpisodeRun:
+        agent = AgentSettings(name, options=options, language_model=model)
+        return navigate(l_site, l_site.routes[0], text, agent)
+
+    recorded = walk(mine, asking)
+    asked = len(requests)
+    replaying = ModelSettings(model="sees-red", replay=store)
+    replayed, shipped = walk(mine, replaying), walk(ours, replaying)
+    assert recorded.result.success
+    assert recorded.result.agent == "see_and_go[sees-red]+memory=5"
+    assert recorded.result.model_calls == asked == len(requests)
+    assert replayed.trace == shipped.trace == recorded.trace
 
 
 def test_answers_in_a_file_are_found_by_their_numbers(

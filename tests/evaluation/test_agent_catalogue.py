@@ -4,6 +4,7 @@ from pathlib import Path
 import pytest
 
 from memorymaze.agents.agent import Agent
+from memorymaze.agents.stop import StopAgent
 from memorymaze.cli.agents import agent_listing
 from memorymaze.errors import SettingsError
 from memorymaze.evaluation.agent_catalogue import AGENTS, agent_names, choose_agent
@@ -62,6 +63,30 @@ class Optional(Plain):
 
 class Wrong(Plain):
     Options = 3
+
+class Asker(Plain):
+    needs = {"language_model"}
+
+    def __init__(self, model):
+        self.name = f"asks {model.name}"
+
+class Modelless(Plain):
+    needs = {"language_model"}
+
+@dataclass
+class Ways:
+    ask: bool = False
+    "Whether it asks."
+
+    @property
+    def needs(self):
+        return {"language_model"} if self.ask else set()
+
+class Sometimes(Plain):
+    Options = Ways
+
+    def __init__(self, options, model=None):
+        self.name = "asks" if model else "asks nobody"
 
 class Leaving:
     def __init__(self):
@@ -215,3 +240,42 @@ def test_a_class_that_cannot_be_made_is_refused_with_what_to_do() -> None:
     ) as e:
         choose_agent(Picky).make()  # pyright: ignore[reportArgumentType]
     assert str(e.value).endswith("hand over an object instead")
+
+
+MODEL = ModelSettings(model="m", base_url="http://127.0.0.1:9/v1")
+
+
+def test_an_agent_of_ones_own_that_needs_a_language_model_is_made_with_it(
+    own_agents: Path,
+) -> None:
+    asker = choose_agent(f"{own_agents}:Asker", MODEL)
+    asker.refuse_unused_model()
+    assert asker.make().agent.name == "asks m"
+    with pytest.raises(SettingsError, match="name a language model with --model"):
+        choose_agent(f"{own_agents}:Asker").make()
+    with pytest.raises(SettingsError, match="model=, as it needs a language model"):
+        choose_agent(f"{own_agents}:Modelless", MODEL).make()
+
+
+def test_options_of_ones_own_can_add_to_what_an_agent_needs(own_agents: Path) -> None:
+    settings = AgentSettings(f"{own_agents}:Sometimes", options=(("ask", "true"),))
+    assert choose_agent(settings, MODEL).make().agent.name == "asks"
+    never = choose_agent(f"{own_agents}:Sometimes", MODEL)
+    assert never.make().agent.name == "asks nobody"
+    with pytest.raises(SettingsError, match="asks no language model of the run"):
+        never.refuse_unused_model()
+
+
+def test_an_agent_that_is_an_object_has_its_model_and_no_other() -> None:
+    class Asking(StopAgent):
+        needs = frozenset({"language_model"})
+
+    assert choose_agent(Asking()).make().model is None
+    with pytest.raises(SettingsError, match="an object; hand over its class"):
+        choose_agent(Asking(), MODEL).refuse_unused_model()
+
+
+def test_a_language_model_is_named_once() -> None:
+    settings = AgentSettings("code_generation", language_model=MODEL)
+    with pytest.raises(SettingsError, match="name one too; leave one out"):
+        choose_agent(settings, MODEL)

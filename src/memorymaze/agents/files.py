@@ -50,11 +50,11 @@ def agent_files(name: str) -> dict[str, Path]:
 def agent_fingerprint(name: str, given: object = None) -> tuple[FileStamp, ...]:
     """Return the fingerprints of an agent's files.
 
-    Of an agent that was handed over as an object, the source of its class counts where that
+    Of an agent that was handed over, as an object or its class, the source of its class counts where that
     is in no file, as in a notebook.
     """
     if given is not None:
-        kind = type(given)
+        kind = given if isinstance(given, type) else type(given)
         file = getattr(sys.modules.get(kind.__module__), "__file__", None)
         if file is None:
             return _source_stamp(kind)

@@ -20,7 +20,15 @@ from typing import Any, NamedTuple, cast
 import cloudpickle
 import numpy as np
 
-from memorymaze.agents.agent import AMOUNTS, COUNTS, Agent, Journal
+from memorymaze.agents.agent import (
+    AMOUNTS,
+    COUNTS,
+    Agent,
+    Asking,
+    FairLimits,
+    Journal,
+    asking_of,
+)
 from memorymaze.agents.failures import failure_line, failure_traceback
 from memorymaze.errors import (
     EpisodeOver,
@@ -105,6 +113,7 @@ class IsolatedAgent:
         that was made here.
         """
         self.name = agent.name
+        self._here = agent
         self._model = model
         self._kept_from = tuple(str(Path(place).absolute()) for place in kept_from)
         self._process: Any = None
@@ -116,6 +125,10 @@ class IsolatedAgent:
                 f"isolate: the agent {agent.name!r} cannot be sent to a process of its own "
                 f"({failure_line(error)})"
             ) from error
+
+    def asking(self, instruction: str, limits: FairLimits | None) -> Asking:
+        """Tell what the agent will ask, as the one made here does."""
+        return asking_of(self._here, instruction, limits)
 
     def follow(
         self, instruction: str, robot: Robot, journal: Journal, rng: np.random.Generator

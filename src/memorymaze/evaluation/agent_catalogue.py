@@ -80,8 +80,8 @@ AGENTS = {
     ),
 }
 
-AgentChoice: TypeAlias = "str | AgentSettings | Agent | type[Agent] | ChosenAgent"
-"""An agent by its name, with settings, as an object or as a class; or chosen already."""
+AgentChoice: TypeAlias = str | AgentSettings | Agent | type[Agent]
+"""An agent by its name, with settings, as an object or as a class."""
 
 Handed: TypeAlias = Agent | type[Agent] | None
 """An agent that is no matter of names: an object, or a class to be made."""
@@ -234,8 +234,6 @@ def choose_agent(
     Raises:
         SettingsError: There is no such agent, or it has no such options.
     """
-    if isinstance(agent, ChosenAgent):
-        return agent
     if isinstance(agent, str):
         agent = AgentSettings(agent)
     if isinstance(agent, AgentSettings):
@@ -243,6 +241,11 @@ def choose_agent(
     else:
         settings, handed = _settings_of(agent), agent
     if language_model is not None:
+        if settings.language_model != ModelSettings():
+            raise SettingsError(
+                f"language_model: the settings of the agent {settings.name!r} name one "
+                "too; leave one out"
+            )
         settings = replace(settings, language_model=language_model)
     return chosen_again(settings, handed)
 
@@ -283,7 +286,7 @@ def _settings_of(handed: Agent | type[Agent]) -> AgentSettings:
 def _values(options: Any) -> tuple[tuple[str, str], ...]:
     if not is_dataclass(options) or isinstance(options, type):
         return ()
-    return tuple((each.name, each.default) for each in options_of(options))
+    return options_of(options)
 
 
 def _captions(

@@ -27,6 +27,7 @@ from memorymaze.evaluation.settings import RunSettings
 from memorymaze.evaluation.trace import trace_lines
 from memorymaze.instructions.corpus import episodes
 from memorymaze.instructions.records import Instruction
+from memorymaze.language.model_settings import ModelSettings
 from memorymaze.sites import Route, Site
 
 if TYPE_CHECKING:
@@ -56,6 +57,7 @@ def navigate(
     watcher: Watcher | None = None,
     put_to: PutTo | None = None,
     arena: Arena | None = None,
+    language_model: ModelSettings | None = None,
 ) -> EpisodeRun:
     """Let an agent follow one instruction from the start of a route.
 
@@ -65,7 +67,7 @@ def navigate(
         raise SettingsError("text: expected an instruction, got nothing")
     settings = settings or RunSettings()
     eyes = checked_eyes(settings)
-    chosen = choose_agent(agent)
+    chosen = choose_agent(agent, language_model)
     check_people(settings, chosen, put_to)
     ready = chosen.make(isolate=settings.isolate, kept_from=[site.source])
     definition = define_run(chosen.settings, settings, chosen.needs, [site], episodes=1)

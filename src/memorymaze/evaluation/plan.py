@@ -32,6 +32,7 @@ from memorymaze.instructions import Corpus, load_corpus
 from memorymaze.instructions.records import Episode
 from memorymaze.language.answer_files import AnswerFile
 from memorymaze.language.building import replaying_model
+from memorymaze.language.model_settings import ModelSettings
 from memorymaze.sites import Site
 
 
@@ -45,24 +46,25 @@ class RunPlan:
     """Those the episodes are on."""
     agent: ChosenAgent
     ready: ReadyAgent
-    """The agent as it was made when the run was planned, in no process of its own."""
+    """The agent as it was made when the run was planned."""
 
 
 def plan_run(
     agent: AgentChoice,
     corpus: Corpus | None = None,
     settings: RunSettings | None = None,
+    language_model: ModelSettings | None = None,
 ) -> RunPlan:
     """Check everything a run needs, before anything is written.
 
     Without a corpus, the shipped texts are followed; without settings, those that belong to
-    the corpus hold.
+    the corpus hold. The language model may be among the agent's settings as well.
     """
     if corpus is None:
         corpus = load_corpus()
     settings = settings or settings_for(corpus)
     checked_eyes(settings)
-    chosen_agent = choose_agent(agent)
+    chosen_agent = choose_agent(agent, language_model)
     if not corpus.start_heading_is_told:
         chosen_agent = chosen_agent.with_defaults(start_heading="unknown")
     check_people(settings, chosen_agent)

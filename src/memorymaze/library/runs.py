@@ -17,6 +17,7 @@ from memorymaze.evaluation.run_folder import RunRecord
 from memorymaze.evaluation.settings import RunSettings
 from memorymaze.evaluation.worker_pool import Workforce
 from memorymaze.instructions import Corpus, load_corpus
+from memorymaze.language.model_settings import ModelSettings
 from memorymaze.results.tables import (
     MeasuredRun,
     TableChoice,
@@ -138,6 +139,7 @@ def evaluate(
     *,
     out: str | Path | None = None,
     settings: RunSettings | None = None,
+    language_model: ModelSettings | None = None,
     workers: int | Workforce = 0,
     resume: bool = False,
     on_plan: Callable[[RunPlan, Path], None] | None = None,
@@ -149,11 +151,12 @@ def evaluate(
 
     Args:
         agent: A name, your own as `module:Class` or `file.py:Class`, a class, an object,
-            or `AgentSettings` where it is given a model or options.
+            or `AgentSettings` where it is given options.
         corpus: What is followed, and where: loaded, or what `load_corpus` takes; None
             for the shipped texts.
         out: Run folder; None for `runs/AGENT-TIME`.
         settings: How; those that belong to the corpus when None.
+        language_model: Which one the agent asks, and how, where it needs one.
         workers: Processes, 0 for one per core; or workers elsewhere.
         resume: Whether to finish a run that is in the folder.
         on_plan: Called with the plan and the folder, before anything is run.
@@ -166,7 +169,7 @@ def evaluate(
     """
     followed = corpus if isinstance(corpus, Corpus) else load_corpus(corpus)
     base = settings_for(followed) if settings is None else settings
-    plan = plan_run(agent, followed, with_choices(base, choices))
+    plan = plan_run(agent, followed, with_choices(base, choices), language_model)
     folder = Path(out) if out is not None else default_folder(plan.settings.agent.name)
     if on_plan is not None:
         on_plan(plan, folder)

@@ -15,6 +15,7 @@ from memorymaze.evaluation.navigation import (
     write_navigation,
 )
 from memorymaze.evaluation.settings import RunSettings
+from memorymaze.language.model_settings import ModelSettings
 from memorymaze.pictures import robot_cameras
 from memorymaze.simulation.robot import SimulatedRobot
 from memorymaze.simulation.scene import build_scene
@@ -100,6 +101,7 @@ def follow(
     site: Site | str | Path,
     route: str = "R1",
     settings: RunSettings | None = None,
+    language_model: ModelSettings | None = None,
     watcher: "Watcher | None" = None,
     put_to: "PutTo | None" = None,
     **choices: Any,
@@ -109,10 +111,11 @@ def follow(
     Args:
         text: The instruction.
         agent: A name, your own as `module:Class` or `file.py:Class`, a class, an object,
-            or `AgentSettings` where it is given a model or options.
+            or `AgentSettings` where it is given options.
         site: The building: loaded, or by name or file.
         route: Gives start and goal: `R1`, or the id of a way.
         settings: How the episode is run; the defaults when None.
+        language_model: Which one the agent asks, and how, where it needs one.
         watcher: Looks on while the agent follows.
         put_to: With `passers_by="keyboard"`: called with each question to a passer-by and
             what is true of it, returns what they say; nothing for "I don't know".
@@ -133,6 +136,7 @@ def follow(
         with_choices(settings or RunSettings(), choices),
         watcher=watcher,
         put_to=put_to,
+        language_model=language_model,
     )
     return Walk(text, building, way, run)
 
