@@ -381,7 +381,8 @@ class _Cells:
             return False
         best = min if self.column.better == "lower" else max
         name = self.column.name
-        return rows[number][name] == best(rows[n][name] for n in choice)
+        values = [rows[n][name] for n in choice if rows[n][name] is not None]
+        return bool(values) and rows[number][name] == best(values)
 
     def html_heading(self) -> str:
         plot = '<td class="plot"></td>' if self.column.plot else ""

@@ -6,6 +6,8 @@ from typing import Any
 
 import pytest
 
+from memorymaze.results.tables import TABLES
+
 Memorymaze = Callable[..., Any]
 
 
@@ -53,3 +55,9 @@ def test_parquet_goes_to_a_file(
     out = tmp_path / "table.parquet"
     assert memorymaze("table", run, "--format", "parquet", "--out", out).code == 0
     assert out.read_bytes().startswith(b"PAR1")
+
+
+def test_the_help_tells_every_table_that_can_be_chosen(memorymaze: Memorymaze) -> None:
+    said = " ".join(memorymaze("table", "--help").out.split())
+    for name, question in TABLES.items():
+        assert f"{name}: {question.shows}" in said

@@ -11,7 +11,7 @@ import pytest
 
 from memorymaze.instructions import load_corpus
 from memorymaze.language.answer_files import AnswerFile
-from memorymaze.results.tables import comparison_overview, load_runs
+from memorymaze.results.tables import OVERVIEW, load_runs, paired_table
 
 PROJECT = Path(__file__).parents[2]
 RECORDED = PROJECT / "examples" / "recorded"
@@ -61,7 +61,7 @@ def test_table_two_is_made_again_without_a_key(tmp_path: Path) -> None:
     runs = tmp_path / "recorded"
     names = ["rules", "code_generation", "code_generation_parser", "navgpt", "oracle"]
     first, *others = load_runs([runs / name for name in names])
-    rows = csv.DictReader(io.StringIO(comparison_overview(first, others).csv()))
+    rows = csv.DictReader(io.StringIO(paired_table([first, *others], OVERVIEW).csv()))
     found = {(row["study"], row["run"]): round(float(row["b"]), 2) for row in rows}
     # What the model's answers reached when they were given, in docs and README.
     assert found["online", "code_generation"] == 0.75

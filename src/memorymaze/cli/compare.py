@@ -37,20 +37,19 @@ def add_parser(verbs: Verbs) -> None:
 
 def _run(options: argparse.Namespace) -> int:
     from memorymaze.results.tables import (
-        comparison_overview,
-        comparison_table,
-        equal_metres_table,
+        COMPARISON,
+        EQUAL_METRES,
+        OVERVIEW,
         load_runs,
+        paired_table,
     )
     from memorymaze.tables import write_tables
 
     folders = [options.first, *options.others]
-    first, *others = load_runs(folders, exclude_dev=options.exclude_dev)
+    runs = load_runs(folders, exclude_dev=options.exclude_dev)
     if options.equal_metres:
-        tables = [equal_metres_table(first, other) for other in others]
-    elif len(others) == 1:
-        tables = [comparison_table(first, others[0])]
+        tables = [paired_table([runs[0], other], EQUAL_METRES) for other in runs[1:]]
     else:
-        tables = [comparison_overview(first, others)]
+        tables = [paired_table(runs, COMPARISON if len(runs) == 2 else OVERVIEW)]
     print(write_tables(tables, options.format).decode(), end="")
     return 0

@@ -8,28 +8,27 @@ from memorymaze.cli.verbs import Verbs, add_exclude_dev
 
 def add_parser(verbs: Verbs) -> None:
     """Add the verb to the command line."""
-    parser = verbs.add_parser(
+    verbs.add_parser(
         "table",
         help="show runs as the paper's tables II and III",
         description="Show runs as the paper's Table II (methods) and Table III "
         "(iterations), beside the published figures; runs on SAIL by map, beside people who "
         "followed the same texts.",
         epilog="example: memorymaze table runs/rules runs/oracle --table both",
+        options=_add_options,
     )
+
+
+def _add_options(parser: argparse.ArgumentParser) -> None:
+    from memorymaze.results.tables import TABLES
+
+    shown = [f"{name}: {question.shows}" for name, question in TABLES.items()]
     parser.add_argument("runs", metavar="RUN", nargs="+", help="run folders")
     parser.add_argument(
         "--table",
-        choices=[
-            *("II", "III", "both", "errors", "reach", "confidence"),
-            *("second_tellings", "asking"),
-        ],
+        choices=[*TABLES, "both"],
         default="II",
-        help="which table (default: II); errors: success by kind of error in the texts, "
-        "beside the same texts without it; reach: at 1.5, 3 and 5 m, and within 1, 1.5, 2 "
-        "and 3 times the way; confidence: false arrivals, admitted failures, how sure the agent "
-        "was and whether it was right; second_tellings: of runs with second_telling and "
-        "without, success on the first, the second and both; asking: of runs with --ask, what "
-        "questions are worth beside the first run",
+        help=f"which table (default: II): {'; '.join(shown)}; both: II and III",
     )
     parser.add_argument(
         "--format",

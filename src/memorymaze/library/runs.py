@@ -19,11 +19,11 @@ from memorymaze.evaluation.worker_pool import Workforce
 from memorymaze.instructions import Corpus, load_corpus
 from memorymaze.language.model_settings import ModelSettings
 from memorymaze.results.tables import (
+    COMPARISON,
+    EQUAL_METRES,
     MeasuredRun,
-    TableChoice,
-    comparison_table,
-    equal_metres_table,
     load_runs,
+    paired_table,
     run_tables,
 )
 from memorymaze.results.tables.figures import success_figure
@@ -52,13 +52,16 @@ class Run:
         """What `run.json` says: settings, code, beginning."""
         return self.measured.record
 
-    def table(self, choice: TableChoice = "II") -> Table:
+    def table(self, choice: str = "II") -> Table:
         """Return the run as one of the paper's tables, beside the published figures.
 
         Args:
             choice: `II` (methods), `III` (iterations), `errors` (kinds of errors), `reach`
                 (by distance and by metres walked) or `confidence`. What a second telling
                 is worth takes two runs: `Comparison.paper_table("second_tellings")`.
+
+        Raises:
+            SettingsError: There is no such table.
         """
         return run_tables([self.measured], choice)[0]
 
@@ -96,7 +99,7 @@ class Comparison:
         Raises:
             SettingsError: There are more than two runs, which one table cannot pair.
         """
-        return comparison_table(*self._pair())
+        return paired_table(self._pair(), COMPARISON)
 
     def equal_metres(self) -> Table:
         """Return the success on texts with errors within so many times the way, by kind.
@@ -105,9 +108,9 @@ class Comparison:
             SettingsError: There are more than two runs.
             RunFolderError: No text with an error is in both.
         """
-        return equal_metres_table(*self._pair())
+        return paired_table(self._pair(), EQUAL_METRES)
 
-    def paper_table(self, choice: TableChoice = "II") -> Table:
+    def paper_table(self, choice: str = "II") -> Table:
         """Return all runs in one table; see `run_tables`."""
         return run_tables([run.measured for run in self.runs], choice)[0]
 

@@ -10,9 +10,10 @@ import pytest
 from memorymaze.errors import RunFolderError
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.results.tables import (
-    comparison_overview,
-    comparison_table,
+    COMPARISON,
+    OVERVIEW,
     load_runs,
+    paired_table,
 )
 from memorymaze.tables import Table
 
@@ -57,7 +58,7 @@ def two_runs(write: Write, result: Make) -> list[Path]:
 def test_differences_are_those_of_the_second_run_to_the_first(
     two_runs: list[Path],
 ) -> None:
-    table = comparison_table(*load_runs(two_runs))
+    table = paired_table(load_runs(two_runs), COMPARISON)
     rows = rows_of(table, "sr")
     assert list(rows) == ["University R1", "University R2", "Mean over 2 routes"]
     assert [row["arrived"] for row in rows.values()] == [
@@ -74,7 +75,7 @@ def test_differences_are_those_of_the_second_run_to_the_first(
 
 def test_a_run_compared_with_itself_shows_no_difference(two_runs: list[Path]) -> None:
     [run] = load_runs(two_runs[:1])
-    table = comparison_table(run, run)
+    table = paired_table([run, run], COMPARISON)
     assert warnings_of(table) == []
     assert {(row["p"], row["difference"]) for row in table.rows} == {(1.0, 0.0)}
 
@@ -86,26 +87,26 @@ def test_only_episodes_of_both_runs_count_and_the_rest_is_told(
         write("a", [result("x-1"), result("y-1"), result("z-1")]),
         write("b", [result("x-1"), result("w-1")]),
     ]
-    text = comparison_table(*load_runs(folders)).text()
+    text = paired_table(load_runs(folders), COMPARISON).text()
     assert "LEFT OUT, as only one run has them: 2 only in A, 1 only in B." in text
     with pytest.raises(RunFolderError, match="no episode that both have"):
-        comparison_table(*load_runs([folders[0], write("c", [result("v-1")])]))
+        paired_table(load_runs([folders[0], write("c", [result("v-1")])]), COMPARISON)
 
 
 def test_what_belongs_to_the_agent_raises_no_alarm(write: Write, result: Make) -> None:
     folders = [write("a", [result("x-1")]), write("b", [result("x-1")])]
     change_settings(folders[1], looks="own", needs=["camera"], isolate=True)
-    assert warnings_of(comparison_table(*load_runs(folders))) == []
+    assert warnings_of(paired_table(load_runs(folders), COMPARISON)) == []
     stamp = {"name": "answers.jsonl", "sha256": "12"}
     change_settings(folders[0], answers=stamp)
-    assert warnings_of(comparison_table(*load_runs(folders))) == []
+    assert warnings_of(paired_table(load_runs(folders), COMPARISON)) == []
 
 
 def test_two_versions_of_one_agent_are_told_apart(write: Write, result: Make) -> None:
     folders = [write("a", [result("x-1")]), write("b", [result("x-1")])]
     for folder, sha in zip(folders, ("12", "34"), strict=True):
         change_settings(folder, agent_files=[{"name": "guide.py", "sha256": sha}])
-    text = comparison_table(*load_runs(folders)).text()
+    text = paired_table(load_runs(folders), COMPARISON).text()
     assert "agent.file guide.py: '12' there, '34' here." in text
     assert "\n  agent files guide.py 12\n" in text
     assert "\n  agent files guide.py 34\n" in text
@@ -117,7 +118,7 @@ def test_pictures_of_other_looks_are_an_unfair_comparison(
     folders = [write("a", [result("x-1")]), write("b", [result("x-1")])]
     change_settings(folders[0], looks="models")
     change_settings(folders[1], looks="own")
-    [warning] = warnings_of(comparison_table(*load_runs(folders)))
+    [warning] = warnings_of(paired_table(load_runs(folders), COMPARISON))
     assert "looks: 'models' there, 'own' here." in warning
 
 
@@ -130,10 +131,10 @@ def test_runs_over_other_sites_with_time_by_the_way_raise_no_alarm(
         content = json.loads((run / "run.json").read_text(encoding="utf-8"))
         simulation = content["settings"]["simulation"] | {"time_budget": seconds}
         change_settings(run, sites=stamps, simulation=simulation, budget_by="way")
-    assert warnings_of(comparison_table(*load_runs(runs))) == []
+    assert warnings_of(paired_table(load_runs(runs), COMPARISON)) == []
     change_settings(runs[0], budget_by="longest")
     change_settings(runs[1], sites=[{"name": "b", "sha256": 64 * "c"}])
-    [alarm] = warnings_of(comparison_table(*load_runs(runs)))
+    [alarm] = warnings_of(paired_table(load_runs(runs), COMPARISON))
     assert "budget_by: 'longest' there, 'way' here" in alarm
     assert "simulation.time_budget: 119.0 there, 529.0 here" in alarm
     assert "site b: 'bbbbbbbbbbbb' there, 'cccccccccccc' here" in alarm
@@ -144,7 +145,7 @@ def test_where_no_interval_can_be_told_no_test_is_made(
 ) -> None:
     told = [result("a-1", route="R1"), result("b-1", route="R2")]
     runs = [write(name, told) for name in ("old", "new")]
-    table = comparison_table(*load_runs(runs))
+    table = paired_table(load_runs(runs), COMPARISON)
     assert {row["low"] for row in table.rows} == {None}
     assert {row["p"] for row in table.rows} == {None}
 
@@ -153,7 +154,7 @@ def test_one_person_allows_no_test_and_equal_values_no_interval(
     write: Write, result: Make
 ) -> None:
     one = [write("a", [result("x-1")]), write("b", [result("x-1", spd=9.0)])]
-    table = comparison_table(*load_runs(one))
+    table = paired_table(load_runs(one), COMPARISON)
     spd = next(row for row in table.rows if row["measure"] == "spd")
     assert (spd["difference"], spd["low"], spd["p"]) == (8.0, None, None)
     text = table.text()
@@ -165,7 +166,7 @@ def test_one_person_allows_no_test_and_equal_values_no_interval(
         write("c", [result(name) for name in names]),
         write("d", [result(name, spd=9.0) for name in names]),
     ]
-    text = comparison_table(*load_runs(several)).text()
+    text = paired_table(load_runs(several), COMPARISON).text()
     assert "+8.00 (all equal)" in text
     assert "too few" not in text
 
@@ -175,7 +176,7 @@ def test_studies_that_the_paper_lacks_are_compared_too(
 ) -> None:
     results = [result("x-1", study="field"), result("y-1", study="field")]
     folders = [write("a", results), write("b", results)]
-    text = comparison_table(*load_runs(folders)).text()
+    text = paired_table(load_runs(folders), COMPARISON).text()
     assert "Study field\n" in text
     assert "University R1  (n 2, arrived: 2 / 0 / 0 / 0)" in text
 
@@ -185,12 +186,12 @@ def test_of_very_many_routes_the_mean_alone_is_shown(
 ) -> None:
     results = [result(f"x-{n}", study="field", route=f"R{n}") for n in range(25)]
     folders = [write("a", results), write("b", results)]
-    table = comparison_table(*load_runs(folders))
+    table = paired_table(load_runs(folders), COMPARISON)
     assert list(rows_of(table, "sr")) == ["Mean over 25 routes"]
 
 
 def test_every_format_says_the_same(two_runs: list[Path]) -> None:
-    table = comparison_table(*load_runs(two_runs))
+    table = paired_table(load_runs(two_runs), COMPARISON)
     text = table.text()
     assert "University R1  (n 10, arrived: 0 / 0 / 10 / 0)\n  SR " in text
     assert max(map(len, text.splitlines())) <= 118
@@ -206,7 +207,7 @@ def test_several_runs_stand_each_beside_the_first_on_what_they_share(
 ) -> None:
     few = write("few", [result("p0-R1", route="R1", agent="third")])
     first, *others = load_runs([*two_runs, few])
-    table = comparison_overview(first, others)
+    table = paired_table([first, *others], OVERVIEW)
     assert [(row["run"], row["episodes"]) for row in table.rows] == [
         ("new", 20),
         ("few", 1),

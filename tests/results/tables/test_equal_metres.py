@@ -7,7 +7,7 @@ import pytest
 
 from memorymaze.errors import RunFolderError
 from memorymaze.evaluation.results import EpisodeResult
-from memorymaze.results.tables import equal_metres_table, load_runs
+from memorymaze.results.tables import EQUAL_METRES, load_runs, paired_table
 
 Make = Callable[..., EpisodeResult]
 Write = Callable[..., Path]
@@ -33,7 +33,7 @@ def texts(result: Make) -> list[EpisodeResult]:
 
 
 def rows_of(first: Path, second: Path) -> dict[tuple[str, str, float], dict[str, Any]]:
-    table = equal_metres_table(*load_runs([first, second]))
+    table = paired_table(load_runs([first, second]), EQUAL_METRES)
     return {(row["study"], row["error"], row["ways"]): row for row in table.records()}
 
 

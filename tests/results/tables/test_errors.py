@@ -12,8 +12,8 @@ from memorymaze.evaluation.results import (
     result_from_line,
     result_to_line,
 )
-from memorymaze.results.tables import load_runs
-from memorymaze.results.tables.errors import error_table
+from memorymaze.results.tables import load_runs, run_tables
+from memorymaze.tables import Table
 
 Make = Callable[..., EpisodeResult]
 Write = Callable[..., Path]
@@ -43,8 +43,13 @@ def run(write: Write, result: Make) -> Path:
     return write("run", [*results, result("e-1", success=True, error_kinds=())])
 
 
+def table_of(folder: Path) -> Table:
+    [table] = run_tables(load_runs([folder]), "errors")
+    return table
+
+
 def test_rows_equal_those_worked_by_hand(run: Path) -> None:
-    rows = {row["error"]: row for row in error_table(load_runs([run])[0]).records()}
+    rows = {row["error"]: row for row in table_of(run).records()}
     assert list(rows) == ["none", "extra_turn", "missing_turn", "any"]
     missing = rows["missing_turn"]
     assert (missing["texts"], missing["pairs"]) == (3, 3)
@@ -60,19 +65,19 @@ def test_several_kinds_in_one_text_are_a_row_of_their_own(
     write: Write, result: Make
 ) -> None:
     both = result("a-1", error_kinds=("extra_turn", "missing_turn"), success=False)
-    (row,) = error_table(load_runs([write("run", [both])])[0]).rows
+    (row,) = table_of(write("run", [both])).rows
     assert (row["error"], row["pairs"], row["p"]) == ("several", 0, None)
 
 
 def test_the_table_says_who_wrote_the_texts(write: Write, result: Make) -> None:
     folder = write("run", [result("a-1", error_kinds=("x",), source="synthetic")])
-    table = error_table(load_runs([folder])[0])
+    table = table_of(folder)
     for shown in (table.text(), table.markdown(), table.latex()):
         assert "written by a program (synthetic), not by people" in shown
 
 
 def test_numbers_of_the_csv_are_not_rounded(run: Path) -> None:
-    rows = list(csv.DictReader(io.StringIO(error_table(load_runs([run])[0]).csv())))
+    rows = list(csv.DictReader(io.StringIO(table_of(run).csv())))
     missing = next(row for row in rows if row["error"] == "missing_turn")
     assert float(missing["difference"]) == -2 / 3
     assert rows[0]["difference"] == ""

@@ -17,7 +17,6 @@ from memorymaze.language.model_settings import InferenceTime, ModelSettings
 from memorymaze.language.spending import TokenPrice
 from memorymaze.results.tables import (
     MeasuredRun,
-    TableChoice,
     load_runs,
     paper_table,
     run_tables,
@@ -27,9 +26,7 @@ from memorymaze.tables import TableFormat, write_tables
 Make = Callable[..., EpisodeResult]
 
 
-def shown(
-    runs: Sequence[MeasuredRun], style: TableFormat, choice: TableChoice = "II"
-) -> str:
+def shown(runs: Sequence[MeasuredRun], style: TableFormat, choice: str = "II") -> str:
     return write_tables(run_tables(runs, choice), style).decode()
 
 

@@ -8,7 +8,6 @@ from typing import Any, get_args
 
 from memorymaze.durable_files import new_folder
 from memorymaze.errors import MemoryMazeError, SettingsError
-from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.settings import Track
 from memorymaze.instructions import Corpus, load_corpus
 from memorymaze.instructions.records import WRITTEN_BY
@@ -21,13 +20,15 @@ from memorymaze.results.submission import (
 from memorymaze.results.tables import (
     PAPER_MEASURES,
     MeasuredRun,
-    Place,
-    estimate_means,
     load_runs,
     paper_table,
     run_notes,
 )
-from memorymaze.results.tables.measures import mean_column, means_fields
+from memorymaze.results.tables.measures import (
+    PAPER_QUANTITIES,
+    mean_column,
+    mean_fields,
+)
 from memorymaze.results.tables.runs import place_of, study_title
 from memorymaze.tables import Column, Table
 
@@ -198,19 +199,17 @@ def _table(chosen: Sequence[Standing], track: Track, study: str) -> Table:
 
 
 def _standing(standing: Standing, study: str) -> Iterator[dict[str, Any]]:
-    cells: dict[Place, list[EpisodeResult]] = {}
-    for result in standing.submission.results:
-        if result.study == study:
-            cells.setdefault(place_of(result), []).append(result)
-    if cells:
-        means = estimate_means(list(cells.values()))
+    results = [each for each in standing.submission.results if each.study == study]
+    if results:
+        people = [each.participant for each in results]
+        places = [place_of(each) for each in results]
         yield {
             "method": standing.measured.label,
             "run": standing.name,
             "page": standing.page,
             "begun": standing.submission.record.started[:10],
-            "episodes": sum(map(len, cells.values())),
-            **means_fields(means),
+            "episodes": len(results),
+            **mean_fields(PAPER_QUANTITIES, results, people, places),
             "remarks": " ".join(standing.submission.remarks),
         }
 

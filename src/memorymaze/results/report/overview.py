@@ -19,9 +19,10 @@ from memorymaze.metrics.aggregate import Estimate
 from memorymaze.results.report.pages import error_title
 from memorymaze.results.report.sources import ReportRun, Sources
 from memorymaze.results.tables import (
+    COMPARISON,
     PAPER_MEASURES,
-    comparison_table,
     estimate_means,
+    paired_table,
 )
 from memorymaze.results.tables.measures import ends, estimate_fields, mean_column
 from memorymaze.tables import Column, Table
@@ -56,12 +57,12 @@ class Ending:
 def compare_pair(first: ReportRun, second: ReportRun) -> Pair:
     """Compare two runs on the episodes that both have."""
     try:
-        table = comparison_table(
-            first.measured,
-            second.measured,
+        question = replace(
+            COMPARISON,
             title=f"{first.title} and {second.title}",
             letters=(first.letter, second.letter),
         )
+        table = paired_table([first.measured, second.measured], question)
     except RunFolderError:
         table = None
     return Pair(first, second, table)

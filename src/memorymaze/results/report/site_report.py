@@ -34,8 +34,9 @@ from memorymaze.results.report.route_page import picture_frame, run_on_route
 from memorymaze.results.report.sources import Sources
 from memorymaze.results.story.recorded_episode import read_story
 from memorymaze.results.tables import SPREAD_MEASURES, Place, paper_table, run_notes
+from memorymaze.results.tables.confidence import CONFIDENCE
 from memorymaze.results.tables.confidence import KEY as CONFIDENCE_KEY
-from memorymaze.results.tables.confidence import confidence_table
+from memorymaze.results.tables.questions import means_table
 from memorymaze.sites import Route, Site
 from memorymaze.tables import Row, Table
 
@@ -248,7 +249,7 @@ class _Report:
         self._page(
             "confidence.html",
             "Confidence",
-            table=confidence_table(measured),
+            table=means_table(measured, CONFIDENCE),
             key=CONFIDENCE_KEY,
             plots=plot_confidence(self._runs),
         )

@@ -1,6 +1,6 @@
 """How sure agents were, and what came of it: claims, calibration, risk against coverage."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 from memorymaze.evaluation.results import EpisodeResult
@@ -13,39 +13,50 @@ from memorymaze.metrics.calibration import (
     success_at_coverage,
 )
 from memorymaze.metrics.success import SUCCESS_DISTANCE
-from memorymaze.results.tables.measures import SUCCESS, EpisodeValue, value_fields
-from memorymaze.results.tables.reach import study_table, within_ways
-from memorymaze.results.tables.runs import MeasuredRun, place_of
-from memorymaze.tables import Column, Table
+from memorymaze.results.tables.measures import (
+    SUCCESS,
+    Quantity,
+    mean_fields,
+    participant_of,
+)
+from memorymaze.results.tables.questions import RowGroup, TableQuestion
+from memorymaze.results.tables.reach import within_ways
+from memorymaze.results.tables.runs import (
+    BY_STUDY_AND_RUN,
+    MeasuredRun,
+    by_study_and_run,
+    place_of,
+)
+from memorymaze.tables import Column
 
 COVERAGES = (0.25, 0.5, 0.75, 1.0)
 """Parts of the episodes, the most confident first."""
-CLAIMS = (
+CLAIMS: tuple[Quantity[EpisodeResult], ...] = (
     SUCCESS,
-    EpisodeValue("claims", "claimed", lambda each: float(each.claims_arrival), None),
-    EpisodeValue(
+    Quantity("claims", "claimed", lambda each: float(each.claims_arrival), None),
+    Quantity(
         "false_arrivals", "false", lambda each: float(each.is_false_arrival), "lower"
     ),
-    EpisodeValue(
+    Quantity(
         "admitted_failures",
         "admitted",
         lambda each: float(each.gave_up and not each.success),
         None,
     ),
-    EpisodeValue(
+    Quantity(
         "gave_up_there",
         "gave up there",
         lambda each: float(each.gave_up and each.success),
         "lower",
     ),
 )
-WALKED = EpisodeValue(
+WALKED: Quantity[EpisodeResult] = Quantity(
     "ways_walked",
     "walked",
     lambda each: each.path_length / each.way_m if each.way_m else 0.0,
     "lower",
 )
-BRIER = EpisodeValue(
+BRIER: Quantity[EpisodeResult] = Quantity(
     "brier",
     "Brier",
     lambda each: brier_score([each.confidence or 0.0], [each.success]),
@@ -66,24 +77,6 @@ KEY = (
 )
 
 
-def confidence_table(runs: Sequence[MeasuredRun]) -> Table:
-    """Return claims, calibration and risk by study and run."""
-    columns = (
-        *(each.column for each in (*CLAIMS, *within_ways(SUCCESS_DISTANCE), WALKED)),
-        Column("told", "told"),
-        BRIER.column,
-        Column("brier_reference", "of the mean", digits=2),
-        Column("ece", "ECE", digits=2, better="lower"),
-        *(
-            Column(_at(part), f"{100 * part:g} %", digits=2, better="higher")
-            for part in COVERAGES
-        ),
-        Column("aurc", "AURC", digits=2, better="lower"),
-    )
-    title = "Confidence: what agents claimed, and what came of it"
-    return study_table(runs, title, columns, _fields, KEY, "confidence")
-
-
 def told_confidences(
     results: Sequence[EpisodeResult],
 ) -> tuple[list[float], list[bool]]:
@@ -96,10 +89,14 @@ def _at(coverage: float) -> str:
     return f"sr_at_coverage_{coverage:g}"
 
 
-def _fields(run: MeasuredRun, results: Sequence[EpisodeResult]) -> dict[str, Any]:
-    values = [*CLAIMS, *within_ways(run.record.settings.success_distance), WALKED]
-    places = [place_of(result) for result in results]
-    return value_fields(results, values, places) | _calibration(results)
+def _groups(runs: Sequence[MeasuredRun]) -> Iterator[RowGroup[EpisodeResult]]:
+    for about, run, results in by_study_and_run(runs):
+        near = run.record.settings.success_distance
+        yield RowGroup(
+            {**about, **_calibration(results)},
+            [*CLAIMS, *within_ways(near), WALKED],
+            results,
+        )
 
 
 def _calibration(results: Sequence[EpisodeResult]) -> dict[str, Any]:
@@ -115,8 +112,33 @@ def _calibration(results: Sequence[EpisodeResult]) -> dict[str, Any]:
     }
     return covered | {
         "told": len(told),
-        **value_fields(told, [BRIER]),
+        **mean_fields([BRIER], told, [each.participant for each in told]),
         "brier_reference": brier_reference(outcomes),
         "ece": expected_calibration_error(confidences, outcomes),
         "aurc": risk_coverage_area(confidences, outcomes),
     }
+
+
+CONFIDENCE = TableQuestion(
+    shows="false arrivals, admitted failures, how sure the agent was and whether it was "
+    "right",
+    title="Confidence: what agents claimed, and what came of it",
+    name="confidence",
+    columns=(
+        *BY_STUDY_AND_RUN,
+        *(each.column for each in (*CLAIMS, *within_ways(SUCCESS_DISTANCE), WALKED)),
+        Column("told", "told"),
+        BRIER.column,
+        Column("brier_reference", "of the mean", digits=2),
+        Column("ece", "ECE", digits=2, better="lower"),
+        *(
+            Column(_at(part), f"{100 * part:g} %", digits=2, better="higher")
+            for part in COVERAGES
+        ),
+        Column("aurc", "AURC", digits=2, better="lower"),
+    ),
+    groups=_groups,
+    unit=participant_of,
+    cell=place_of,
+    key=(KEY,),
+)

@@ -1,23 +1,25 @@
 """What each kind of error costs: success by kind, beside the same texts without it."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from typing import Any
-
-import numpy as np
 
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.instructions.error_kinds import ERROR_KINDS
-from memorymaze.metrics.paired import sign_flip_test
-from memorymaze.results.tables.comparison import p_cell
 from memorymaze.results.tables.measures import (
     SUCCESS,
-    EpisodeValue,
-    ends,
-    value_fields,
-    with_interval_notes,
+    Quantity,
+    mean_fields,
+    participant_of,
 )
-from memorymaze.results.tables.runs import MeasuredRun, run_notes
-from memorymaze.tables import Column, Row, Table
+from memorymaze.results.tables.questions import (
+    RowGroup,
+    TableQuestion,
+    p_cell,
+    paired_fields,
+)
+from memorymaze.results.tables.runs import MeasuredRun
+from memorymaze.tables import Column
 
 NO_ERROR, ANY, SEVERAL = "none", "any", "several"
 KEY = (
@@ -26,48 +28,21 @@ KEY = (
     "bootstrap over participants; p: two-sided sign-flip test over participants. none: "
     "texts without errors that have no counterpart."
 )
-COLUMNS = (
-    Column("method"),
-    Column("study", "study", "label"),
-    Column("error", "error", "label", show=lambda row: row["error"].replace("_", " ")),
-    Column("texts", "texts"),
-    Column("sr", "SR [95 %]", digits=2, interval=ends("sr")),
-    Column("pairs", "pairs", show=lambda row: str(row["pairs"] or "-")),
-    Column("sr_right", "SR without it [95 %]", digits=2, interval=ends("sr_right")),
-    Column(
-        "difference",
-        "difference [95 %]",
-        digits=2,
-        signed=True,
-        interval=ends("difference"),
-    ),
-    Column("p", "p", show=lambda row: p_cell(row["p"]) if row["pairs"] else "-"),
+ERROR = Column(
+    "error", "error", "label", show=lambda row: row["error"].replace("_", " ")
 )
-
-
-def error_table(run: MeasuredRun) -> Table:
-    """Return success by study and kind of error: a kind, `none`, `several` or `any`."""
-    right: dict[str | None, EpisodeResult] = {
-        r.pair: r for r in run.results if r.pair and not r.error_kinds
-    }
-    rows: list[Row] = []
-    for study in dict.fromkeys(result.study for result in run.results):
-        own = [result for result in run.results if result.study == study]
-        groups = {NO_ERROR: [r for r in own if not r.error_kinds and r.pair is None]}
-        about = {"method": run.label, "study": study}
-        rows += [
-            about | {"error": kind} | _figures(group, right)
-            for kind, group in (groups | by_error_kind(own)).items()
-            if group
-        ]
-    table = Table(
-        f"Success by kind of error: {run.label}",
-        COLUMNS,
-        tuple(rows),
-        ("\n".join(run_notes(run)), KEY),
-        "errors",
-    )
-    return with_interval_notes(table)
+Pair = tuple[EpisodeResult, EpisodeResult]
+"""What came of a text without the error, and of the same text with it."""
+WITHOUT: Quantity[Pair] = Quantity(
+    "sr_right", "SR without it [95 %]", lambda each: SUCCESS.of(each[0]), None
+)
+APART: Quantity[Pair] = Quantity(
+    "difference",
+    "difference [95 %]",
+    lambda each: SUCCESS.of(each[1]) - SUCCESS.of(each[0]),
+    None,
+    signed=True,
+)
 
 
 def by_error_kind(results: Sequence[EpisodeResult]) -> dict[str, list[EpisodeResult]]:
@@ -87,20 +62,53 @@ def by_error_kind(results: Sequence[EpisodeResult]) -> dict[str, list[EpisodeRes
     return found
 
 
-def _figures(
+def _groups(runs: Sequence[MeasuredRun]) -> Iterator[RowGroup[EpisodeResult]]:
+    [run] = runs
+    right: dict[str | None, EpisodeResult] = {
+        r.pair: r for r in run.results if r.pair and not r.error_kinds
+    }
+    for study in dict.fromkeys(result.study for result in run.results):
+        own = [result for result in run.results if result.study == study]
+        groups = {NO_ERROR: [r for r in own if not r.error_kinds and r.pair is None]}
+        for kind, group in (groups | by_error_kind(own)).items():
+            if group:
+                about = {"method": run.label, "study": study, "error": kind}
+                yield RowGroup(about | _beside(group, right), (SUCCESS,), group)
+
+
+def _beside(
     results: Sequence[EpisodeResult], right: Mapping[str | None, EpisodeResult]
 ) -> dict[str, Any]:
-    """Return what a row says of some results, and of their texts without errors."""
-    own = [result for result in results if result.pair in right]
-    about = {"texts": len(results), "pairs": len(own)}
-    about |= value_fields(results, [SUCCESS])
-    if not own:
+    """Return how many texts there are, and what those with a counterpart lose."""
+    pairs = [(right[each.pair], each) for each in results if each.pair in right]
+    about = {"texts": len(results), "pairs": len(pairs)}
+    if not pairs:
         return about | dict.fromkeys(("sr_right", "difference", "p"))
-    without = EpisodeValue("sr_right", "", lambda each: right[each.pair].success)
-    apart = EpisodeValue("difference", "", lambda each: each.success - without.of(each))
-    people = [each.participant for each in own]
-    p = None
-    if len(set(people)) > 1:
-        differences = [[apart.of(each)] for each in own]
-        (p,) = sign_flip_test(differences, people, np.random.default_rng(0))
-    return about | value_fields(own, [without, apart]) | {"p": p}
+    people = [each.participant for _, each in pairs]
+    right_and_wrong = [
+        [[SUCCESS.of(each)] for each in side] for side in zip(*pairs, strict=True)
+    ]
+    [tested] = paired_fields(right_and_wrong[0], right_and_wrong[1], people)
+    return about | mean_fields((WITHOUT, APART), pairs, people) | {"p": tested["p"]}
+
+
+ERRORS = TableQuestion(
+    shows="success by kind of error in the texts, beside the same texts without it",
+    title="Success by kind of error: {label}",
+    name="errors",
+    columns=(
+        Column("method"),
+        Column("study", "study", "label"),
+        ERROR,
+        Column("texts", "texts"),
+        replace(SUCCESS.column, heading="SR [95 %]", better=None),
+        Column("pairs", "pairs", show=lambda row: str(row["pairs"] or "-")),
+        WITHOUT.column,
+        APART.column,
+        Column("p", "p", show=lambda row: p_cell(row["p"]) if row["pairs"] else "-"),
+    ),
+    groups=_groups,
+    unit=participant_of,
+    key=(KEY,),
+    is_of_one_run=True,
+)

@@ -1,15 +1,19 @@
-"""How tables show the measures of results, and their means with intervals."""
+"""What tables show of episodes: quantities, and their means with intervals."""
 
-from collections.abc import Callable, Hashable, Mapping, Sequence
-from dataclasses import dataclass, replace
-from typing import Any, Literal
+from collections.abc import Callable, Hashable, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any, Generic, Literal, TypeVar
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from memorymaze.evaluation.measures import Measure
 from memorymaze.evaluation.results import MEASURES, EpisodeResult
 from memorymaze.metrics.aggregate import Estimate, participant_bootstrap
-from memorymaze.tables import Column, Table
+from memorymaze.tables import Column, Row
+
+Seen = TypeVar("Seen")
+"""What is seen once: an episode, or several that belong together, such as a pair."""
 
 PAPER_MEASURES = tuple(each for each in MEASURES if "paper" in each.shown)
 COMPARED_MEASURES = tuple(each for each in MEASURES if "compared" in each.shown)
@@ -17,30 +21,20 @@ SPREAD_MEASURES = tuple(each for each in MEASURES if "spread" in each.shown)
 EPISODE_MEASURES = tuple(each for each in MEASURES if "episode" in each.shown)
 COST_MEASURES = tuple(each for each in MEASURES if "costs" in each.shown)
 
-KEY = (
-    ", ".join(f"{each.short} {each.meaning}" for each in PAPER_MEASURES)
-    + "; [95 % interval], bootstrap over participants. The mean over routes is "
-    'unweighted. Rows that begin with "paper" are published figures on human '
-    "instructions."
-)
-
-NO_INTERVAL = {
-    "(too few)": "too few: fewer than two participants on the same routes (SAIL: fewer "
-    "than two paragraphs), so no interval can be told and no test made.",
-    "(all equal)": "all equal: every value is the same, so the bootstrap finds no "
-    "spread; that does not make it certain.",
-}
-"""What stands in cells instead of an interval, and what it means."""
-
 
 @dataclass(frozen=True, slots=True)
-class EpisodeValue:
-    """What a column shows the mean of, where that is no measure of results."""
+class Quantity(Generic[Seen]):
+    """What the mean is taken of."""
 
     name: str
     heading: str
-    of: Callable[[EpisodeResult], float]
+    of: Callable[[Seen], float]
     better: Literal["higher", "lower"] | None = "higher"
+    digits: int = 2
+    signed: bool = False
+    """Whether it is shown with its sign, as differences are."""
+    about: Row = field(default_factory=dict[str, Any])
+    """What else rows say of it, where each quantity has a row."""
 
     @property
     def column(self) -> Column:
@@ -48,32 +42,70 @@ class EpisodeValue:
         return Column(
             self.name,
             self.heading,
-            digits=2,
+            digits=self.digits,
+            signed=self.signed,
             interval=ends(self.name),
             better=self.better,
         )
 
 
-SUCCESS = EpisodeValue("sr", "SR", lambda each: float(each.success))
+def quantity_of(measure: Measure) -> Quantity[EpisodeResult]:
+    """Return a measure of results as what means are taken of."""
+    return Quantity(
+        measure.name,
+        measure.heading,
+        lambda each: float(getattr(each, measure.field)),
+        measure.better,
+        measure.digits,
+    )
 
 
-def with_interval_notes(table: Table) -> Table:
-    """Return a table that explains what stands in its cells instead of intervals."""
-    cells = [column.cell(row) for column in table.columns for row in table.rows]
-    found = [
-        note
-        for words, note in NO_INTERVAL.items()
-        if any(cell.endswith(words) for cell in cells)
-    ]
-    return replace(table, notes=(*table.notes, *found))
+PAPER_QUANTITIES = tuple(map(quantity_of, PAPER_MEASURES))
+SUCCESS: Quantity[EpisodeResult] = Quantity(
+    "sr", "SR", lambda each: float(each.success)
+)
+
+
+def participant_of(result: EpisodeResult) -> str:
+    """Return who gave the instruction: the unit that intervals draw."""
+    return result.participant
+
+
+def mean_estimates(
+    values: ArrayLike,
+    people: Sequence[str],
+    cells: Sequence[Hashable] | None = None,
+    rng: np.random.Generator | None = None,
+) -> list[Estimate]:
+    """Return means with intervals, a column each; all that tables show are drawn here.
+
+    They hold 95 % of 10,000 draws, from the same seed for every table.
+    """
+    rng = rng or np.random.default_rng(0)
+    return participant_bootstrap(values, people, rng, cells=cells)
+
+
+def mean_fields(
+    quantities: Sequence[Quantity[Seen]],
+    seen: Sequence[Seen],
+    people: Sequence[str],
+    cells: Sequence[Hashable] | None = None,
+) -> dict[str, Any]:
+    """Return the fields of means over cells, such as routes; else over all that was seen."""
+    values = [[quantity.of(each) for quantity in quantities] for each in seen]
+    found = zip(quantities, mean_estimates(values, people, cells), strict=True)
+    fields: dict[str, Any] = {}
+    for quantity, estimate in found:
+        fields |= estimate_fields(quantity.name, estimate)
+    return fields
 
 
 def estimate_means(cells: Sequence[Sequence[EpisodeResult]]) -> dict[str, Estimate]:
     """Return the means of the paper's measures over cells, with participant-bootstrap intervals.
 
     The mean is the unweighted mean of the cells' means, as the paper averages over
-    routes; for one cell it is the cell's mean. The intervals hold 95 % of 10,000 draws;
-    see `metrics.aggregate.participant_bootstrap`.
+    routes; for one cell it is the cell's mean. See
+    `metrics.aggregate.participant_bootstrap`.
 
     Args:
         cells: Results that belong together, such as those of one route; none empty.
@@ -84,50 +116,19 @@ def estimate_means(cells: Sequence[Sequence[EpisodeResult]]) -> dict[str, Estima
     if not cells or not all(cells):
         raise ValueError("expected at least one episode in every cell")
     rows = [(result, number) for number, cell in enumerate(cells) for result in cell]
-    estimates = participant_bootstrap(
-        [values_of(result, PAPER_MEASURES) for result, _ in rows],
+    estimates = mean_estimates(
+        [[each.of(result) for each in PAPER_QUANTITIES] for result, _ in rows],
         [result.participant for result, _ in rows],
-        np.random.default_rng(0),
-        cells=[number for _, number in rows],
+        [number for _, number in rows],
     )
     return {
         each.name: found for each, found in zip(PAPER_MEASURES, estimates, strict=True)
     }
 
 
-def value_fields(
-    results: Sequence[EpisodeResult],
-    values: Sequence[EpisodeValue],
-    cells: Sequence[Hashable] | None = None,
-) -> dict[str, Any]:
-    """Return the fields of means over cells, such as routes; without them over episodes."""
-    estimates = participant_bootstrap(
-        [[value.of(result) for value in values] for result in results],
-        [result.participant for result in results],
-        np.random.default_rng(0),
-        cells=cells,
-    )
-    fields: dict[str, Any] = {}
-    for value, found in zip(values, estimates, strict=True):
-        fields |= estimate_fields(value.name, found)
-    return fields
-
-
-def values_of(result: EpisodeResult, measures: Sequence[Measure]) -> list[float]:
-    """Return what measures are worth for an episode."""
-    return [float(getattr(result, each.field)) for each in measures]
-
-
 def mean_column(measure: Measure, *, plot: bool = False) -> Column:
     """Return a column of means with intervals, which pages may plot from 0 to 1."""
-    return Column(
-        measure.name,
-        measure.heading,
-        digits=measure.digits,
-        interval=ends(measure.name),
-        better=measure.better,
-        plot=plot,
-    )
+    return replace(quantity_of(measure).column, plot=plot)
 
 
 def ends(name: str) -> tuple[str, str]:
@@ -143,11 +144,3 @@ def estimate_fields(
     if estimate is None:
         return {name: None}
     return {name: estimate.mean, low: estimate.low, high: estimate.high}
-
-
-def means_fields(means: Mapping[str, Estimate]) -> dict[str, Any]:
-    """Return the fields of means by the names of their measures."""
-    fields: dict[str, Any] = {}
-    for measure in PAPER_MEASURES:
-        fields |= estimate_fields(measure.name, means[measure.name])
-    return fields

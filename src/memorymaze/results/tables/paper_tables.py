@@ -1,8 +1,10 @@
 """The paper's Tables II and III, measured and published figures side by side."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from functools import partial
 from statistics import fmean
-from typing import Any, Literal
+from typing import Any
 
 from memorymaze.evaluation.collision_rates import PER_DISTANCE, collision_rates
 from memorymaze.evaluation.results import EpisodeResult
@@ -13,13 +15,12 @@ from memorymaze.instructions.published import (
 )
 from memorymaze.results.tables.measures import (
     COST_MEASURES,
-    KEY,
     PAPER_MEASURES,
-    estimate_means,
+    PAPER_QUANTITIES,
     mean_column,
-    means_fields,
-    with_interval_notes,
+    participant_of,
 )
+from memorymaze.results.tables.questions import RowGroup, TableQuestion, means_table
 from memorymaze.results.tables.runs import (
     STUDY,
     MeasuredRun,
@@ -29,36 +30,46 @@ from memorymaze.results.tables.runs import (
     place_of,
     place_title,
     places_of,
-    run_notes,
     studies_of,
 )
 from memorymaze.tables import Column, Row, Table
 from memorymaze.wording import counted
 
-TableName = Literal["II", "III"]
-
-TITLES: dict[TableName, str] = {
-    "II": "Table II: methods on every route, both iterations together",
-    "III": "Table III: first and second iteration on every route",
-}
-PAPER_METHODS = {
-    "proposed": "paper: proposed",
-    "navgpt": "paper: NavGPT",
-    "navid": "paper: NaVid",
-}
-
+KEY = (
+    ", ".join(f"{each.short} {each.meaning}" for each in PAPER_MEASURES)
+    + "; [95 % interval], bootstrap over participants. The mean over routes is "
+    'unweighted. Rows that begin with "paper" are published figures on human '
+    "instructions."
+)
 COST_KEY = (
     "Means per episode: calls of the language model, tokens of requests and replies, US$ "
     "at the prices given (- where none were), seconds of inference, and simulated "
     "seconds that the user stands waiting for the model (they do not count against the "
     "time budget)."
 )
+PAPER_METHODS = {
+    "proposed": "paper: proposed",
+    "navgpt": "paper: NavGPT",
+    "navid": "paper: NaVid",
+}
+UNKNOWN = dict.fromkeys(each.name for each in PAPER_MEASURES)
+"""Of a row that has no means of its own."""
+SETTINGS = (
+    *("instructions_written_by", "episodes_missing", "seed"),
+    *("success_distance_m", "time_budget_s", "call_budget"),
+    *("turning_points", "detector", "signs", "track"),
+    *("things_per_100m", "people_per_100m2", "people", "obstacle_seed"),
+    *(f"{name}_per_100m" for name in PER_DISTANCE),
+)
+"""What only CSV and frames have; see `docs/results.md`."""
+COST_COLUMNS = tuple(
+    Column(f"{each.name}_per_episode", each.short, digits=each.digits)
+    for each in COST_MEASURES
+)
 
 
 def paper_table(
-    runs: Sequence[MeasuredRun],
-    name: TableName,
-    absent: Mapping[str, str] | None = None,
+    runs: Sequence[MeasuredRun], name: str, absent: Mapping[str, str] | None = None
 ) -> Table:
     """Return Table II or III of runs, with the published figures beside them.
 
@@ -67,29 +78,27 @@ def paper_table(
         name: Which table.
         absent: Methods without a run, which get a row that says so, and how to get one.
     """
-    absent = absent or {}
-    costs = any(run.asked_a_model for run in runs)
-    notes = ["\n".join(run_notes(run)) for run in runs]
-    return with_interval_notes(
-        Table(
-            TITLES[name],
-            _columns(costs=costs),
-            tuple({"table": name, **row} for row in _rows(runs, name, absent)),
-            (
-                *notes,
-                *(f"{each}: NOT RECORDED. {how}" for each, how in absent.items()),
-                KEY,
-                *([COST_KEY] if costs else []),
-            ),
-            f"table-{name.lower()}",
-            lambda row: row["figures"] == "published",
+    question = PAPER_TABLES[name]
+    if absent:
+        question = replace(
+            question,
+            groups=partial(_groups, name, absent=absent),
+            remarks=partial(_how_to_get, absent),
         )
-    )
+    if any(run.asked_a_model for run in runs):
+        columns = (*question.columns, *COST_COLUMNS)
+        question = replace(question, columns=columns, key=(KEY, COST_KEY))
+    return means_table(runs, question)
 
 
-def _rows(
-    runs: Sequence[MeasuredRun], table: TableName, absent: Iterable[str]
-) -> Iterator[Row]:
+def _how_to_get(absent: Mapping[str, str], _: Sequence[MeasuredRun]) -> Iterator[str]:
+    for method, how in absent.items():
+        yield f"{method}: NOT RECORDED. {how}"
+
+
+def _groups(
+    table: str, runs: Sequence[MeasuredRun], absent: Iterable[str] = ()
+) -> Iterator[RowGroup[EpisodeResult]]:
     """Yield the rows of a table: by study, route, iteration, then measured and paper.
 
     After the routes of a study (in Table III: of an iteration) comes the mean over
@@ -100,21 +109,26 @@ def _rows(
         for group in groups_of_places(places_of(results, study)):
             for iteration in (None,) if table == "II" else (1, 2):
                 for run in runs:
-                    yield from _measured(run, study, group, iteration)
+                    yield from _measured(table, run, study, group, iteration)
                 for method in absent if len(group) > 1 else ():
-                    yield {
-                        **_about(study, group, group, iteration),
+                    yield RowGroup({
+                        **_about(table, study, group, group, iteration),
                         "method": f"{method} (not recorded)",
                         "parser": None,
                         "figures": "not recorded",
                         "episodes": None,
-                        **{each.name: None for each in PAPER_MEASURES},
-                    }
-                yield from _published(table, study, group, iteration)
+                        **UNKNOWN,
+                    })
+                for row in _published(table, study, group, iteration):
+                    yield RowGroup(row)
 
 
 def _about(
-    study: str, group: Sequence[Place], places: Sequence[Place], iteration: int | None
+    table: str,
+    study: str,
+    group: Sequence[Place],
+    places: Sequence[Place],
+    iteration: int | None,
 ) -> dict[str, Any]:
     """Return what a row is about: a route, or the mean over those a method has."""
     is_mean = len(group) > 1
@@ -122,6 +136,7 @@ def _about(
     if is_mean:
         title = f"Mean over {counted(len(places), 'route')}"
     return {
+        "table": table,
         "study": study,
         "place": title if iteration is None else f"{title}, iteration {iteration}",
         **place_fields(places, is_mean=is_mean),
@@ -130,8 +145,12 @@ def _about(
 
 
 def _measured(
-    run: MeasuredRun, study: str, group: Sequence[Place], iteration: int | None
-) -> Iterator[Row]:
+    table: str,
+    run: MeasuredRun,
+    study: str,
+    group: Sequence[Place],
+    iteration: int | None,
+) -> Iterator[RowGroup[EpisodeResult]]:
     cells: dict[Place, list[EpisodeResult]] = {place: [] for place in group}
     for result in run.results:
         place = place_of(result)
@@ -142,17 +161,17 @@ def _measured(
     if not filled:
         return
     results = [result for cell in filled.values() for result in cell]
-    yield {
-        **_about(study, group, list(filled), iteration),
+    about = {
+        **_about(table, study, group, list(filled), iteration),
         "method": run.label,
         "parser": _parses_first(run),
         "figures": "measured",
-        **means_fields(estimate_means(list(filled.values()))),
         "episodes": len(results),
         "participants": len({result.participant for result in results}),
         **_run_fields(results, run),
         **_cost_fields(filled, run),
     }
+    yield RowGroup(about, PAPER_QUANTITIES, results)
 
 
 def _parses_first(run: MeasuredRun) -> bool | None:
@@ -162,7 +181,7 @@ def _parses_first(run: MeasuredRun) -> bool | None:
 
 
 def _published(
-    table: TableName, study: str, group: Sequence[Place], iteration: int | None
+    table: str, study: str, group: Sequence[Place], iteration: int | None
 ) -> Iterator[Row]:
     tables = published_tables()
     methods: dict[tuple[str, bool], list[PublishedResult]] = {}
@@ -172,50 +191,17 @@ def _published(
     for (method, parser), rows in methods.items():
         if len(rows) == len(group):
             yield {
-                **_about(study, group, [place_of(row) for row in rows], iteration),
+                **_about(table, study, group, [place_of(r) for r in rows], iteration),
                 "method": PAPER_METHODS[method],
                 "parser": parser if method == "proposed" else None,
                 "figures": "published",
                 "instructions_written_by": "human",
-                **{each.name: None for each in PAPER_MEASURES},
+                **UNKNOWN,
                 **{
                     name: fmean(getattr(row, name) for row in rows)
                     for name in PUBLISHED_MEASURES
                 },
             }
-
-
-def _columns(*, costs: bool) -> tuple[Column, ...]:
-    """Return what a table tells of its rows; see `docs/results.md`."""
-    settings = ["instructions_written_by", "episodes_missing", "seed"]
-    settings += ["success_distance_m", "time_budget_s", "call_budget"]
-    settings += ["turning_points", "detector", "signs", "track"]
-    settings += ["things_per_100m", "people_per_100m2", "people", "obstacle_seed"]
-    settings += [f"{name}_per_100m" for name in PER_DISTANCE]
-    return (
-        Column("table"),
-        STUDY,
-        Column("place", "Route", "group", is_data=False),
-        Column("site"),
-        Column("route"),
-        Column("iteration"),
-        Column("method", "Method", "label"),
-        Column("parser", "Parser", "label"),
-        Column("figures"),
-        Column("run"),
-        Column("episodes", "n"),
-        Column("participants"),
-        *(mean_column(each, plot=each.name == "sr") for each in PAPER_MEASURES),
-        *(Column(name) for name in settings),
-        Column("waiting_s_per_episode"),
-        Column("ask"),
-        Column("passers_by"),
-        *(
-            Column(f"{each.name}_per_episode", each.short, digits=each.digits)
-            for each in COST_MEASURES
-            if costs
-        ),
-    )
 
 
 def _run_fields(results: Sequence[EpisodeResult], run: MeasuredRun) -> dict[str, Any]:
@@ -264,3 +250,49 @@ def _cost_fields(
     if not (is_free or has_price or was_charged):
         means["cost_usd_per_episode"] = None
     return means
+
+
+def _question(name: str, shows: str, title: str) -> TableQuestion[EpisodeResult]:
+    return TableQuestion(
+        shows=shows,
+        title=f"Table {name}: {title}",
+        name=f"table-{name.lower()}",
+        columns=(
+            Column("table"),
+            STUDY,
+            Column("place", "Route", "group", is_data=False),
+            Column("site"),
+            Column("route"),
+            Column("iteration"),
+            Column("method", "Method", "label"),
+            Column("parser", "Parser", "label"),
+            Column("figures"),
+            Column("run"),
+            Column("episodes", "n"),
+            Column("participants"),
+            *(mean_column(each, plot=each.name == "sr") for each in PAPER_MEASURES),
+            *(Column(each) for each in SETTINGS),
+            Column("waiting_s_per_episode"),
+            Column("ask"),
+            Column("passers_by"),
+        ),
+        groups=partial(_groups, name),
+        unit=participant_of,
+        cell=place_of,
+        key=(KEY,),
+        aside=lambda row: row["figures"] == "published",
+    )
+
+
+PAPER_TABLES = {
+    "II": _question(
+        "II",
+        "methods, beside the published figures",
+        "methods on every route, both iterations together",
+    ),
+    "III": _question(
+        "III",
+        "first and second iteration, beside the published figures",
+        "first and second iteration on every route",
+    ),
+}

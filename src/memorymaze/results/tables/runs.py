@@ -1,7 +1,7 @@
 """Runs as tables need them: their results, their names, and what must be said of them."""
 
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import NamedTuple
@@ -16,7 +16,7 @@ from memorymaze.instructions.published import PublishedResult, published_tables
 from memorymaze.instructions.records import WRITTEN_BY
 from memorymaze.perception.eyes import TRUTH
 from memorymaze.simulation.obstacles import ObstacleSettings
-from memorymaze.tables import Column
+from memorymaze.tables import Column, Row
 from memorymaze.wording import counted
 
 STUDY_TITLES = {
@@ -105,8 +105,40 @@ def study_title(study: str) -> str:
     return STUDY_TITLES.get(study, f"Study {study}")
 
 
+ALL = "all"
+"""Studies together."""
 STUDY = Column("study", "Study", "group", show=lambda row: study_title(row["study"]))
 """Above the rows of a study."""
+STUDY_OR_ALL = Column(
+    "study",
+    "Study",
+    "group",
+    show=lambda row: (
+        "All studies" if row["study"] == ALL else study_title(row["study"])
+    ),
+)
+"""Above those of a study, or of all together."""
+
+
+BY_STUDY_AND_RUN = (
+    STUDY,
+    Column("method", "Method", "label"),
+    Column("run"),
+    Column("episodes", "n"),
+)
+"""What rows for each run in each study are about."""
+
+
+def by_study_and_run(
+    runs: Sequence[MeasuredRun],
+) -> Iterator[tuple[Row, MeasuredRun, list[EpisodeResult]]]:
+    """Yield, study by study, what the row of a run is about, the run and its results."""
+    for study in studies_of(result for run in runs for result in run.results):
+        for run in runs:
+            own = [result for result in run.results if result.study == study]
+            if own:
+                about = {"study": study, "method": run.label, "run": run.name}
+                yield {**about, "episodes": len(own)}, run, own
 
 
 def studies_of(results: Iterable[EpisodeResult]) -> list[str]:

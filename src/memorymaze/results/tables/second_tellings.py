@@ -1,9 +1,7 @@
 """What a second telling is worth: agents on the first, the second, and both together."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
-
-import numpy as np
 
 from memorymaze.errors import RunFolderError
 from memorymaze.evaluation.results import EpisodeResult
@@ -11,22 +9,16 @@ from memorymaze.evaluation.settings import differences
 from memorymaze.input_files import stamp_file
 from memorymaze.instructions.files import BUILTIN_CORPUS
 from memorymaze.instructions.records import was_developed_on
-from memorymaze.metrics.aggregate import participant_bootstrap
-from memorymaze.results.tables.measures import (
-    ends,
-    estimate_fields,
-    with_interval_notes,
-)
+from memorymaze.results.tables.measures import Quantity
+from memorymaze.results.tables.questions import RowGroup, TableQuestion
 from memorymaze.results.tables.runs import (
+    ALL,
+    STUDY_OR_ALL,
     MeasuredRun,
-    run_notes,
     studies_of,
-    study_title,
 )
-from memorymaze.tables import Column, Row, Table
+from memorymaze.tables import Column
 
-ALL = "all"
-"""Studies together, halves together, or pairs whatever their errors."""
 HALVES = {
     "held_out": "Half of the people not read while developing",
     ALL: "All people",
@@ -43,8 +35,6 @@ KEY = (
     "significant error. Differences over the same pairs; [95 % interval], paired bootstrap "
     "over participants."
 )
-SUCCESSES = ("first", "second", "both")
-DIFFERENCES = ("both_first", "both_second")
 
 
 class Told(NamedTuple):
@@ -55,63 +45,52 @@ class Told(NamedTuple):
     both: EpisodeResult
 
 
-def second_tellings_table(runs: Sequence[MeasuredRun]) -> Table:
-    """Return success on first, second and both tellings, by agent, study and errors.
+QUANTITIES: tuple[Quantity[Told], ...] = (
+    Quantity("first", "first", lambda told: float(told.first.success)),
+    Quantity("second", "second", lambda told: float(told.second.success)),
+    Quantity("both", "both", lambda told: float(told.both.success)),
+    Quantity(
+        "both_first",
+        "both - first",
+        lambda told: told.both.success - float(told.first.success),
+        None,
+        signed=True,
+    ),
+    Quantity(
+        "both_second",
+        "both - second",
+        lambda told: told.both.success - float(told.second.success),
+        None,
+        signed=True,
+    ),
+)
 
-    Of each agent there is a run with `second_telling` and one without, made otherwise
-    alike; `RunFolderError` says which is missing.
-    """
-    rows: list[Row] = []
-    notes: list[str] = []
-    for both in (run for run in runs if run.record.settings.second_telling):
-        single = _single_of(both, runs)
-        told, left_out = _told(single, both)
-        rows += _rows(both, told)
-        notes.append("\n".join([*run_notes(single), *run_notes(both)]))
-        if left_out:
-            notes.append(
-                f"LEFT OUT, as {single.name} lacks one of their tellings: {left_out}."
-            )
-    if not rows:
+
+def _groups(runs: Sequence[MeasuredRun]) -> list[RowGroup[Told]]:
+    found = [
+        group
+        for single, both in _pairs_of_runs(runs)
+        for group in _groups_of_pair(both, _told(single, both))
+    ]
+    order = list(HALVES)
+    return sorted(
+        found,
+        key=lambda each: (order.index(each.about["half"]), each.about["study"] == ALL),
+    )
+
+
+def _pairs_of_runs(
+    runs: Sequence[MeasuredRun],
+) -> Iterator[tuple[MeasuredRun, MeasuredRun]]:
+    """Yield each run on both tellings behind its counterpart on single texts."""
+    both_tellings = [run for run in runs if run.record.settings.second_telling]
+    if not both_tellings:
         raise RunFolderError(
             f"{', '.join(run.name for run in runs)}: expected a run with second_telling=true "
             "and one without it of each agent, got none with it"
         )
-    order = list(HALVES)
-    rows.sort(key=lambda row: (order.index(row["half"]), row["study"] == ALL))
-    table = Table(
-        "Second tellings: first, second, and both together",
-        (
-            Column("half", "People", "group", show=lambda row: HALVES[row["half"]]),
-            Column("study", "Study", "group", show=lambda row: _title(row["study"])),
-            Column("method", "Method", "label"),
-            Column("errors", "errors", "label", show=lambda row: ERRORS[row["errors"]]),
-            Column("pairs", "pairs"),
-            Column("participants"),
-            *(
-                Column(name, name, digits=2, interval=ends(name), better="higher")
-                for name in SUCCESSES
-            ),
-            *(
-                Column(
-                    name,
-                    name.replace("_", " - "),
-                    digits=2,
-                    signed=True,
-                    interval=ends(name),
-                )
-                for name in DIFFERENCES
-            ),
-        ),
-        tuple(rows),
-        (*notes, KEY),
-        "second-tellings",
-    )
-    return with_interval_notes(table)
-
-
-def _title(study: str) -> str:
-    return "All studies" if study == ALL else study_title(study)
+    for both in both_tellings:
+        yield _single_of(both, runs), both
 
 
 def _single_of(both: MeasuredRun, runs: Sequence[MeasuredRun]) -> MeasuredRun:
@@ -138,8 +117,8 @@ def _single_of(both: MeasuredRun, runs: Sequence[MeasuredRun]) -> MeasuredRun:
     return alike[0]
 
 
-def _told(single: MeasuredRun, both: MeasuredRun) -> tuple[list[Told], int]:
-    """Return what came of the pairs that both runs have, and how many one lacks."""
+def _told(single: MeasuredRun, both: MeasuredRun) -> list[Told]:
+    """Return what came of the pairs that both runs have."""
     by_episode = {each.episode_id: each for each in single.results}
     by_text = {each.instruction_id: each for each in single.results}
     told: list[Told] = []
@@ -155,10 +134,12 @@ def _told(single: MeasuredRun, both: MeasuredRun) -> tuple[list[Told], int]:
             f"{single.name} and {both.name}: expected runs over the same people, got no "
             "pair of tellings that both have"
         )
-    return told, len(both.results) - len(told)
+    return told
 
 
-def _rows(both: MeasuredRun, told: Sequence[Told]) -> Iterator[Row]:
+def _groups_of_pair(
+    both: MeasuredRun, told: Sequence[Told]
+) -> Iterator[RowGroup[Told]]:
     """Yield a row for every half, study and number of tellings with errors."""
     was_half_read = stamp_file(BUILTIN_CORPUS) in both.record.settings.instructions
     studies = studies_of(each.both for each in told)
@@ -174,31 +155,43 @@ def _rows(both: MeasuredRun, told: Sequence[Told]) -> Iterator[Row]:
                 chosen = [
                     each
                     for each in group
-                    if errors in (ALL, _tellings_with_errors(each))
+                    if errors in (ALL, sum(map(bool, each.both.errors_of_tellings)))
                 ]
                 if chosen:
-                    about = {"half": half, "study": study, "method": _method(both)}
-                    yield {**about, "errors": errors, **_figures(chosen)}
+                    about = {
+                        "half": half,
+                        "study": study,
+                        "method": both.label.removesuffix(", told twice"),
+                        "errors": errors,
+                        "pairs": len(chosen),
+                        "participants": len({e.both.participant for e in chosen}),
+                    }
+                    yield RowGroup(about, QUANTITIES, chosen)
 
 
-def _method(run: MeasuredRun) -> str:
-    return run.label.removesuffix(", told twice")
+def _left_out(runs: Sequence[MeasuredRun]) -> Iterable[str]:
+    for single, both in _pairs_of_runs(runs):
+        number = len(both.results) - len(_told(single, both))
+        if number:
+            yield f"LEFT OUT, as {single.name} lacks one of their tellings: {number}."
 
 
-def _tellings_with_errors(told: Told) -> int:
-    return sum(map(bool, told.both.errors_of_tellings))
-
-
-def _figures(told: Sequence[Told]) -> Row:
-    people = [each.both.participant for each in told]
-    values = [
-        (first, second, both, both - first, both - second)
-        for first, second, both in (
-            [float(result.success) for result in each] for each in told
-        )
-    ]
-    estimates = participant_bootstrap(values, people, np.random.default_rng(0))
-    row: dict[str, object] = {"pairs": len(told), "participants": len(set(people))}
-    for name, found in zip((*SUCCESSES, *DIFFERENCES), estimates, strict=True):
-        row |= estimate_fields(name, found)
-    return row
+SECOND_TELLINGS = TableQuestion(
+    shows="of runs with second_telling and without, success on the first, the second "
+    "and both",
+    title="Second tellings: first, second, and both together",
+    name="second-tellings",
+    columns=(
+        Column("half", "People", "group", show=lambda row: HALVES[row["half"]]),
+        STUDY_OR_ALL,
+        Column("method", "Method", "label"),
+        Column("errors", "errors", "label", show=lambda row: ERRORS[row["errors"]]),
+        Column("pairs", "pairs"),
+        Column("participants"),
+        *(each.column for each in QUANTITIES),
+    ),
+    groups=_groups,
+    unit=lambda told: told.both.participant,
+    key=(KEY,),
+    remarks=_left_out,
+)
