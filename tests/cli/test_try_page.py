@@ -23,9 +23,7 @@ Memorymaze = Callable[..., Any]
             id="isolate",
         ),
         pytest.param(
-            ["--ask", "1", "--with", "passers_by=keyboard"],
-            "on this page",
-            id="keyboard",
+            ["--ask", "1", "--with", "passers_by=model"], "on this page", id="people"
         ),
         pytest.param(["--host", "192.0.2.1"], "cannot be served", id="not our address"),
     ],

@@ -159,30 +159,6 @@ def test_wrong_people_answer_wrongly_and_the_table_knows(
     assert empty.result.wrong_answers == 0
 
 
-def test_a_person_at_the_keyboard_answers_and_the_result_says_so(
-    asked: Callable[..., mm.Walk],
-) -> None:
-    line = "journal.note('heard', words=answer)"
-    walk = asked(line, passers_by="keyboard", put_to=lambda _: "Left, then ahead.")
-    assert walk.result.questions == walk.result.typed_answers == 1
-    assert walk.result.wrong_answers == 0
-    entries = {each["kind"]: each for each in walk.trace}
-    assert entries["passer_by"]["truth"] == "said"
-    assert any(each.get("words") == "Left, then ahead." for each in walk.trace)
-    assert result_from_line(json.dumps(asdict(walk.result)), "a line") == walk.result
-
-
-def test_a_person_is_asked_in_one_walk_only_and_by_nobody_else(
-    asked: Callable[..., mm.Walk], tiny_plan: Plan
-) -> None:
-    with pytest.raises(SettingsError, match="keyboard' is for one walk"):
-        tiny_plan("stop", limit=1, ask=1, obstacles=CROWD, passers_by="keyboard")
-    with pytest.raises(SettingsError, match="keyboard' is for one walk"):
-        asked(passers_by="keyboard")
-    with pytest.raises(SettingsError, match="put_to: expected with"):
-        asked(put_to=lambda _: "Left.")
-
-
 @pytest.fixture
 def played(tmp_path: Path, tiny_sites_folder: Path) -> Callable[..., mm.Walk]:
     """Let an agent ask somebody whom a model plays, with recorded replies."""

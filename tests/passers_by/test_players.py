@@ -7,18 +7,16 @@ from memorymaze.geometry.pose import Pose
 from memorymaze.language.answers import RecordingModel, ReplayingModel
 from memorymaze.language.scripted_model import ScriptedLanguageModel
 from memorymaze.passers_by import (
-    Briefing,
     Encounters,
     FloorKnowledge,
     Memory,
     ModelInRole,
-    PersonAnswering,
     asked_entry,
     load_bank,
 )
 from memorymaze.passers_by.bank_records import REPLY_CASES, Reply, TurnFact, WayFacts
-from memorymaze.passers_by.players import brief, reply_in_words, steps_in_words
-from memorymaze.robot.asking import is_this, way_to, where_is
+from memorymaze.passers_by.players import reply_in_words, steps_in_words
+from memorymaze.robot.asking import way_to
 from memorymaze.simulation.obstacles.crowd import Person
 from memorymaze.simulation.robot import SimulatedRobot
 from memorymaze.sites import Site
@@ -46,65 +44,6 @@ def remembering(floor: FloorKnowledge, kind: str = "memory", seed: int = 0) -> M
         for each in people
         if each.answer(way_to("the library"), STEM).truth == wanted
     )
-
-
-def test_who_answers_by_hand_is_shown_the_bearing_and_the_way(
-    floor: FloorKnowledge,
-) -> None:
-    shown = brief(floor, way_to("the library"), STEM)
-    assert shown.question == "Excuse me, how do I get to the library?"
-    bearing, *steps = shown.facts
-    assert bearing.startswith("the library lies ")
-    assert "to the left of the way the robot faces" in bearing
-    assert steps[0] == "1. go the way the robot faces"
-    assert steps[1].startswith("2. after 6 m turn left")
-    assert steps[2].startswith("3. after ")
-    assert math.dist(shown.way[0], STEM[:2]) < 3
-    assert shown.way[-1][0] < -5
-
-
-@pytest.mark.parametrize("question", [is_this("the library"), where_is("the library")])
-def test_no_way_is_shown_where_none_is_asked_for(
-    floor: FloorKnowledge, question: object
-) -> None:
-    shown = brief(floor, question, STEM)  # type: ignore[arg-type]
-    assert len(shown.facts) == 1
-    assert "as one walks" in shown.facts[0]
-    assert shown.way == ()
-
-
-def test_who_answers_by_hand_is_told_that_there_is_no_such_place(
-    floor: FloorKnowledge,
-) -> None:
-    shown = brief(floor, way_to("the aquarium"), STEM)
-    assert shown.facts == ("The floor has nothing that is called 'the aquarium'.",)
-
-
-def test_what_a_person_says_is_the_answer_and_nobody_calls_it_right(
-    floor: FloorKnowledge, met: Meet
-) -> None:
-    asked: list[Briefing] = []
-
-    def say(briefing: Briefing) -> str:
-        asked.append(briefing)
-        return "  Left at the\tend,  love.\n"
-
-    robot, people, _ = met(meet=lambda *_: PersonAnswering(floor, say))
-    assert people.ask(way_to("the library")) == "Left at the end, love."
-    [answered] = people.asked
-    assert (answered.truth, answered.reliable, answered.error) == ("said", None, "")
-    # Nine and five words at 2.5 words a second, however long the person thinks.
-    assert robot.time == pytest.approx(14 / 2.5, abs=0.1)
-    assert [each.question for each in asked] == [str(way_to("the library"))]
-
-
-@pytest.mark.parametrize("typed", ["", "\n", " \t\n"])
-def test_who_types_nothing_does_not_know(
-    floor: FloorKnowledge, met: Meet, typed: str
-) -> None:
-    _, people, _ = met(meet=lambda *_: PersonAnswering(floor, lambda _: typed))
-    assert people.ask(way_to("the library")) == "I don't know."
-    assert people.asked[0].truth == "unknown"
 
 
 @pytest.mark.parametrize("kind", ["memory", "wrong"])

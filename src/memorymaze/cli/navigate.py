@@ -3,7 +3,6 @@
 import argparse
 import contextlib
 import sys
-from contextlib import ExitStack
 from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -19,11 +18,7 @@ from memorymaze.cli.verbs import Verbs, add_site_and_route, file_stem
 from memorymaze.wording import counted
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from memorymaze.passers_by import Briefing
-    from memorymaze.results.watching import Onlooker
-    from memorymaze.sites import Route, Site
+    from memorymaze.results.story.onlooker import Onlooker
 
 
 def add_parser(verbs: Verbs) -> None:
@@ -51,18 +46,16 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
     add_episode_options(parser)
     parser.add_argument(
         "--watch",
-        nargs="?",
-        const="terminal",
-        choices=("terminal",),
-        help="show the robot on the plan while it drives, in the terminal; plain lines "
-        "where there is none. For a page see memorymaze try",
+        action="store_true",
+        help="tell what the robot does while it drives, line by line on stderr. For a "
+        "page with the plan see memorymaze try",
     )
     parser.add_argument(
         "--pace",
         type=float,
         metavar="X",
-        help="with --watch: simulated seconds per second (default: 10; 1 is how fast the "
-        "robot really is)",
+        help="with --watch: simulated seconds per second (1 is how fast the robot really "
+        "is; default: as fast as it goes)",
     )
     parser.set_defaults(run=_run)
 
@@ -71,33 +64,25 @@ def _run(options: argparse.Namespace) -> int:
     import memorymaze as mm
     from memorymaze.agents.failures import kept_traceback
     from memorymaze.evaluation.navigation import check_folder
-    from memorymaze.evaluation.outcomes import outcome_line
 
     settings = one_episode_settings(options)
-    asks_here = settings.passers_by == "keyboard"
-    if asks_here:
-        from memorymaze.results.watching import check_keyboard
-
-        check_keyboard()
     site = mm.load_site(options.site)
     route = site.find_route(options.route)
     folder = Path(options.out or _default_folder(site.name, route.id))
     check_folder(folder)
-    with ExitStack() as stack:
-        onlooker = _onlooker(stack, options, site, route)
-        # What a user's agent prints is no result.
-        with contextlib.redirect_stdout(sys.stderr):
-            walk = mm.follow(
-                options.text,
-                agent_settings(options),
-                site=site,
-                route=route.id,
-                settings=settings,
-                watcher=onlooker,
-                put_to=_answering(onlooker) if asks_here else None,
-            )
-        if onlooker is not None:
-            onlooker.end(outcome_line(walk.result))
+    onlooker = _onlooker(options)
+    # What a user's agent prints is no result.
+    with contextlib.redirect_stdout(sys.stderr):
+        walk = mm.follow(
+            options.text,
+            agent_settings(options),
+            site=site,
+            route=route.id,
+            settings=settings,
+            watcher=onlooker,
+        )
+    if onlooker is not None:
+        onlooker.end()
     if onlooker is not None and onlooker.trouble is not None:
         print(
             f"memorymaze: note: could not show it all ({onlooker.trouble})",
@@ -122,11 +107,9 @@ def _run(options: argparse.Namespace) -> int:
             "(calls of turn with turned false)"
         )
     if settings.ask is not None:
-        told = f"{result.wrong_answers} of them wrongly"
-        if asks_here:
-            told = f"{result.typed_answers} of them by a person at the keyboard"
         print(
-            f"passers-by: {counted(result.questions, 'question')} answered, {told}, "
+            f"passers-by: {counted(result.questions, 'question')} answered, "
+            f"{result.wrong_answers} of them wrongly, "
             f"{result.asked_in_vain} put to nobody; they stand {result.strangers_s:.1f} s"
         )
     if result.strangers_tokens:
@@ -146,27 +129,16 @@ def _run(options: argparse.Namespace) -> int:
     return 0
 
 
-def _onlooker(
-    stack: ExitStack, options: argparse.Namespace, site: "Site", route: "Route"
-) -> "Onlooker | None":
-    """Open what shows the episode; it closes with the stack."""
+def _onlooker(options: argparse.Namespace) -> "Onlooker | None":
+    """Return what tells of the episode while it goes on, where that is wanted."""
     from memorymaze.errors import SettingsError
+    from memorymaze.results.story.onlooker import Onlooker, PlainView
 
-    if options.watch is None:
-        if options.pace is not None:
-            raise SettingsError("--pace: expected with --watch, got it alone")
-        return None
-    from memorymaze.results.watching import watching
-
-    title = f"{options.agent} on {site.title}, {route.id} (simulated)"
-    return stack.enter_context(watching(site, route, options.text, title, options.pace))
-
-
-def _answering(onlooker: "Onlooker | None") -> "Callable[[Briefing], str]":
-    """Return what has somebody at the keyboard answer."""
-    from memorymaze.results.watching import type_answer
-
-    return type_answer if onlooker is None else onlooker.answer
+    if options.watch:
+        return Onlooker(PlainView(sys.stderr), options.pace)
+    if options.pace is not None:
+        raise SettingsError("--pace: expected with --watch, got it alone")
+    return None
 
 
 def _default_folder(site: str, route: str) -> Path:

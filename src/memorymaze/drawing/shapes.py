@@ -1,7 +1,6 @@
 """What a plan consists of: shapes in the order they are painted, and their colours.
 
-The back ends paint them and nothing else: `axes` on matplotlib's axes, `svg` on pages,
-`cells` in a terminal.
+The back ends paint them and nothing else: `axes` on matplotlib's axes, `svg` on pages.
 """
 
 from collections.abc import Iterator, Sequence

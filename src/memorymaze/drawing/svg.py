@@ -10,10 +10,11 @@ from itertools import groupby
 from typing import NamedTuple
 
 from markupsafe import Markup
+from shapely import LineString, get_coordinates
 
 from memorymaze.drawing.label_placing import LabelSpace, PlacedLabel
 from memorymaze.drawing.labels import Label, place_labels
-from memorymaze.drawing.shapes import INKS, Shape, plan_bounds, plan_shapes
+from memorymaze.drawing.shapes import INKS, Points, Shape, plan_bounds, plan_shapes
 from memorymaze.sites import Site
 
 MARGIN = 1.5
@@ -22,6 +23,8 @@ NAME_SIZES = (1.3, 1.0, 0.8, 0.65, 0.5)
 """Heights of letters, metres."""
 THING_SIZE = 0.45
 """Height of letters, metres; read when one looks closer."""
+SIMPLER = 0.12
+"""Metres by which a drawn walk may differ from the real one."""
 STROKE = 0.1
 """Metres that a line of one point is wide."""
 TEXT_STYLE = """\
@@ -81,6 +84,13 @@ def svg_plan(site: Site) -> str:
     words = (_text(label) for label in labels)
     parts = (head, *filter(None, paths), *filter(None, words), Markup("</svg>\n"))
     return "\n".join(parts)
+
+
+def simplified(points: Points) -> Points:
+    """Return the places of a walk that are needed to draw it."""
+    if len(points) < 2:
+        return points
+    return get_coordinates(LineString(points).simplify(SIMPLER))
 
 
 def path_data(line: Sequence[Sequence[float]], *, closed: bool = False) -> str:

@@ -21,7 +21,7 @@ from memorymaze.errors import (
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.budgets import episode_time_budget, fair_limits
 from memorymaze.evaluation.handing_over import hand_over
-from memorymaze.evaluation.people_to_ask import PutTo, people_of_episode
+from memorymaze.evaluation.people_to_ask import people_of_episode
 from memorymaze.evaluation.results import EpisodeResult, StoppedBy, measure_walk
 from memorymaze.evaluation.seeds import seeds_of
 from memorymaze.evaluation.settings import RunDefinition
@@ -69,7 +69,6 @@ def run_episode(
     arena: Arena,
     settings: RunDefinition,
     watcher: Watcher | None = None,
-    put_to: PutTo | None = None,
     *,
     captions: VisionCaptions | None = None,
 ) -> EpisodeRun:
@@ -86,7 +85,6 @@ def run_episode(
         arena: The site of the episode.
         settings: Of the run; seed, budgets and success distance count here.
         watcher: Looks on.
-        put_to: Has a person answer for people whom the robot asks.
         captions: Describe viewpoints to an agent on a graph; None for templates.
 
     Raises:
@@ -94,9 +92,9 @@ def run_episode(
         KeyboardInterrupt: Passed on.
         SpendingLimitReached: Passed on; an episode that is broken off has no result.
     """
-    run = _attempt(agent, episode, arena, settings, watcher, put_to, captions)
+    run = _attempt(agent, episode, arena, settings, watcher, captions)
     if run.interpreter_lost:
-        run = _attempt(agent, episode, arena, settings, watcher, put_to, captions)
+        run = _attempt(agent, episode, arena, settings, watcher, captions)
     return run
 
 
@@ -106,7 +104,6 @@ def _attempt(
     arena: Arena,
     settings: RunDefinition,
     watcher: Watcher | None,
-    put_to: PutTo | None,
     captions: VisionCaptions | None,
 ) -> EpisodeRun:
     seeds = seeds_of(settings.seed, episode.id)
@@ -130,7 +127,7 @@ def _attempt(
     if settings.ask is not None and destination is not None:
         people = Encounters(
             robot,
-            people_of_episode(arena, episode, settings, seeds.people, put_to),
+            people_of_episode(arena, episode, settings, seeds.people),
             destination,
             settings.ask,
             lambda asked: tell(asked_entry(asked)),
@@ -205,7 +202,6 @@ def _attempt(
         questions=len(asked),
         asked_in_vain=0 if people is None else people.in_vain,
         wrong_answers=sum(each.truth == "wrong" for each in asked),
-        typed_answers=sum(each.truth == "said" for each in asked),
         strangers_s=strangers_s,
         strangers_tokens=sum(each.tokens for each in asked),
         strangers_cost_usd=sum(each.cost_usd for each in asked),

@@ -17,11 +17,7 @@ from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.episode import EpisodeRun, Watcher, run_episode
 from memorymaze.evaluation.eyes import checked_eyes
 from memorymaze.evaluation.outcomes import outcome_line
-from memorymaze.evaluation.people_to_ask import (
-    PutTo,
-    check_people,
-    model_of_people,
-)
+from memorymaze.evaluation.people_to_ask import check_people, model_of_people
 from memorymaze.evaluation.plan import define_run
 from memorymaze.evaluation.settings import RunSettings
 from memorymaze.evaluation.trace import trace_lines
@@ -55,7 +51,6 @@ def navigate(
     settings: RunSettings | None = None,
     *,
     watcher: Watcher | None = None,
-    put_to: PutTo | None = None,
     arena: Arena | None = None,
     language_model: ModelSettings | None = None,
 ) -> EpisodeRun:
@@ -68,7 +63,7 @@ def navigate(
     settings = settings or RunSettings()
     eyes = checked_eyes(settings)
     chosen = choose_agent(agent, language_model)
-    check_people(settings, chosen, put_to)
+    check_people(settings, chosen)
     ready = chosen.make(isolate=settings.isolate, kept_from=[site.source])
     definition = define_run(chosen.settings, settings, chosen.needs, [site], episodes=1)
     told = instruction_on(site, route, text)
@@ -82,7 +77,6 @@ def navigate(
         arena,
         definition,
         watcher,
-        put_to,
         captions=ready.captions,
     )
 

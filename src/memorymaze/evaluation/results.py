@@ -194,8 +194,6 @@ class EpisodeResult:
     """Questions with nobody near, which cost none."""
     wrong_answers: Annotated[int, Measure(is_amount=True)] = 0
     """Answers that say something wrong; not those who do not know."""
-    typed_answers: Annotated[int, Measure(is_amount=True)] = 0
-    """Answers that a person put into words, of which nobody knows whether they are right."""
     strangers_s: Annotated[
         FiniteFloat, Measure("strangers' s", digits=1, is_amount=True)
     ] = 0.0

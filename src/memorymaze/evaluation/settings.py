@@ -167,7 +167,7 @@ class RunSettings:
     passers_by: PassersBy = "memory"
     """with ask: how people answer: memory, with the errors of memory; as a control wrong,
     all of them, or empty, as nobody knows anything; model, the model of --model says what
-    they remember; keyboard, you do, in memorymaze navigate"""
+    they remember"""
     detector: DetectorSettings = field(
         default=TRUTH, metadata={"reader": parse_detector}
     )
@@ -328,7 +328,6 @@ def people_to_ask(settings: RunDefinition) -> str | None:
         "memory": "who answer from memory",
         "wrong": "ALL OF WHOM ANSWER WRONGLY",
         "empty": "NONE OF WHOM KNOWS ANYTHING",
-        "keyboard": "for all of whom A PERSON AT THE KEYBOARD answers",
         "model": "whose words A LANGUAGE MODEL MAKES from what they remember: "
         f"{settings.agent.language_model.model or 'one whose replies were recorded'}",
     }

@@ -25,7 +25,6 @@ if TYPE_CHECKING:
     from PIL.Image import Image
 
     from memorymaze.evaluation.episode import EpisodeRun, Watcher
-    from memorymaze.evaluation.people_to_ask import PutTo
     from memorymaze.evaluation.results import EpisodeResult
     from memorymaze.geometry.trajectory import Trajectory
 
@@ -103,7 +102,6 @@ def follow(
     settings: RunSettings | None = None,
     language_model: ModelSettings | None = None,
     watcher: "Watcher | None" = None,
-    put_to: "PutTo | None" = None,
     **choices: Any,
 ) -> Walk:
     """Let an agent follow one instruction from the start of a route.
@@ -117,8 +115,6 @@ def follow(
         settings: How the episode is run; the defaults when None.
         language_model: Which one the agent asks, and how, where it needs one.
         watcher: Looks on while the agent follows.
-        put_to: With `passers_by="keyboard"`: called with each question to a passer-by and
-            what is true of it, returns what they say; nothing for "I don't know".
         **choices: Settings to change, such as `seed=1` or `obstacles="light"`; see
             `RunSettings` and `SimulationSettings`.
 
@@ -135,7 +131,6 @@ def follow(
         agent,
         with_choices(settings or RunSettings(), choices),
         watcher=watcher,
-        put_to=put_to,
         language_model=language_model,
     )
     return Walk(text, building, way, run)

@@ -28,7 +28,7 @@ from starlette.staticfiles import StaticFiles
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from memorymaze.errors import SettingsError
-from memorymaze.results.report.pages import templates_of
+from memorymaze.templates import templates_of
 from memorymaze.wording import printable
 
 ROOM = "memorymaze.pages"

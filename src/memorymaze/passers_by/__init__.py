@@ -2,7 +2,7 @@
 
 What is true from a place comes from the site plan (`knowledge`), what somebody makes of it
 from their memory (`memory`), and the words from a bank that a language model wrote in role
-(`bank`), never from a grammar; or from a person or a language model (`players`). Who is near
+(`bank`), never from a grammar; or from a language model in role (`players`). Who is near
 enough to be asked is decided in `simulation`; agents get the words alone and cannot import
 this room.
 """
@@ -11,17 +11,15 @@ from memorymaze.passers_by.bank import load_bank
 from memorymaze.passers_by.encounters import Asked, Encounters, Meet, asked_entry
 from memorymaze.passers_by.knowledge import FloorKnowledge
 from memorymaze.passers_by.memory import Memory
-from memorymaze.passers_by.players import Briefing, ModelInRole, PersonAnswering
+from memorymaze.passers_by.players import ModelInRole
 
 __all__ = [
     "Asked",
-    "Briefing",
     "Encounters",
     "FloorKnowledge",
     "Meet",
     "Memory",
     "ModelInRole",
-    "PersonAnswering",
     "asked_entry",
     "load_bank",
 ]

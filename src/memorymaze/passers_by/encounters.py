@@ -42,8 +42,8 @@ class Asked:
     """Where robot and person stood, metres."""
     person: str
     """Id of the person."""
-    reliable: bool | None
-    """Whether the person answers without errors; None where nobody can tell."""
+    reliable: bool
+    """Whether the person answers without errors."""
     truth: Truth
     error: str
     """What is wrong with the answer; empty where nothing is."""

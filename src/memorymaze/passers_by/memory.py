@@ -28,8 +28,8 @@ from memorymaze.writing.route_facts import RouteFacts
 from memorymaze.writing.steps import Step, StepPlan
 from memorymaze.writing.things import thing_called, with_article
 
-Truth = Literal["right", "wrong", "unknown", "said"]
-"""What is known of an answer; `said` where a person put it, whose words nobody checks."""
+Truth = Literal["right", "wrong", "unknown"]
+"""What is known of an answer."""
 
 NOT_KNOWN = 0.1
 """Share of questions to which a person says that they do not know."""

@@ -1,15 +1,12 @@
-"""Who answers for a passer-by with words of their own: a person, or a language model in role.
+"""Who answers for a passer-by with words of their own: a language model in role.
 
-Others find theirs in the bank (`memory`). A person is shown what is true; a model is told
-what the passer-by remembers.
+It is told what the passer-by remembers. Others find their words in the bank (`memory`).
 """
 
-import math
-from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 
-from memorymaze.geometry.pose import Pose, heading_to, turn_between
+from memorymaze.geometry.pose import Pose
 from memorymaze.language.model import (
     CompletionRequest,
     LanguageModel,
@@ -18,14 +15,11 @@ from memorymaze.language.model import (
 from memorymaze.language.model import Question as ModelQuestion
 from memorymaze.language.prompt_texts import load_prompt, prompt_version
 from memorymaze.passers_by.bank_records import Reply, TurnFact, WayFacts
-from memorymaze.passers_by.knowledge import FloorKnowledge, NamedPlace
-from memorymaze.passers_by.memory import Memory, Told, way_facts
+from memorymaze.passers_by.memory import Memory, Told
 from memorymaze.passers_by.spoken_numbers import ordinal_word
 from memorymaze.robot.asking import Question
 from memorymaze.wording import single_spaced
 
-DO_NOT_KNOW = "I don't know."
-"""What somebody says who types nothing."""
 STAGE = "passer_by"
 """Of requests to the model, by which recorded replies are found."""
 MOST_TOKENS = 200
@@ -47,67 +41,6 @@ _ENDS = {
     "right": "on the right",
     "end": "where the way ends",
 }
-
-
-@dataclass(frozen=True, slots=True)
-class Briefing:
-    """What a person is shown who answers for a passer-by."""
-
-    question: str
-    """As the robot says it."""
-    facts: tuple[str, ...]
-    """What is true of it, a line each."""
-    way: tuple[tuple[float, float], ...]
-    """The way that is asked for, metres; empty where none is."""
-
-
-@dataclass(frozen=True, slots=True)
-class PersonAnswering:
-    """A person who is shown each question and what is true, and says what they like."""
-
-    floor: FloorKnowledge
-    put_to: Callable[[Briefing], str]
-    """Returns what the person says; nothing for who does not know."""
-
-    is_reliable = None
-
-    def answer(self, question: Question, here: Pose) -> Told:
-        """Have the person answer."""
-        words = single_spaced(self.put_to(brief(self.floor, question, here)))
-        return Told(words, "said") if words else Told(DO_NOT_KNOW, "unknown")
-
-
-def brief(floor: FloorKnowledge, question: Question, here: Pose) -> Briefing:
-    """Return a question with what is true of it, seen from the robot."""
-    place = floor.nearest_called(question.about, here)
-    if place is None:
-        fact = f"The floor has nothing that is called {question.about!r}."
-        return Briefing(str(question), (fact,), ())
-    facts = [_as_seen(floor, question.about, place, here)]
-    way = floor.way_to(question.about, here) if question.kind == "way_to" else None
-    if way is None:
-        return Briefing(str(question), tuple(facts), ())
-    steps = steps_in_words(way_facts(way, way.facts.plan, way.facts.plan))
-    facts += [f"{number}. {step}" for number, step in enumerate(steps, 1)]
-    line = tuple((x, y) for x, y, *_ in way.facts.route.line.coords)
-    return Briefing(str(question), tuple(facts), line)
-
-
-def _as_seen(floor: FloorKnowledge, name: str, place: NamedPlace, here: Pose) -> str:
-    """Say in which direction a place lies, how far it is, and what it is close to."""
-    eye = (here.x, here.y)
-    degrees = round(
-        math.degrees(turn_between(here.heading, heading_to(eye, place.position)))
-    )
-    side = "left" if degrees > 0 else "right"
-    bearing = f"{abs(degrees)}° to the {side} of" if degrees else "straight along"
-    found = floor.whereabouts(place, here)
-    near = "" if found.near is None else f", near {found.near}"
-    sight = "in sight" if found.bearing else "out of sight"
-    return (
-        f"{name} lies {math.dist(eye, place.position):.0f} m away, {bearing} the way the "
-        f"robot faces, {sight}{near}; {found.metres:.0f} m as one walks."
-    )
 
 
 def steps_in_words(way: WayFacts) -> tuple[str, ...]:

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from memorymaze.drawing.svg import path_data
+from memorymaze.drawing.svg import path_data, simplified
 from memorymaze.errors import MemoryMazeError, RenderingError
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.eyes import checked_eyes
@@ -21,9 +21,8 @@ from memorymaze.evaluation.settings import AgentSettings, RunSettings
 from memorymaze.geometry.pose import Pose, wrap_angle
 from memorymaze.instructions.corpus import episodes
 from memorymaze.pages.live_camera import seen_ahead, seen_all_round
-from memorymaze.results.report.episode_page import simplified
+from memorymaze.results.story.onlooker import Onlooker, Present
 from memorymaze.results.story.understanding import understood
-from memorymaze.results.watching import Onlooker, Present
 from memorymaze.simulation.robot import SimulatedRobot
 from memorymaze.sites import Site
 from memorymaze.trying.words import (
@@ -186,7 +185,7 @@ class LiveWalk:
 
     def end(self) -> None:
         """Tell how things stand at the end."""
-        self._onlooker.end("")
+        self._onlooker.end()
 
     def show(self, present: Present) -> None:
         """Tell what is new."""
@@ -213,9 +212,6 @@ class LiveWalk:
             jpeg = seen_ahead(self._robot)
             self._connection.send(Picture("camera", jpeg))
         self._heed()
-
-    def finish(self, words: str) -> None:
-        """Leave it to who judges the walk."""
 
     def _thoughts(self) -> dict[str, Any]:
         """Return steps, belief and thoughts of the entries that are new."""

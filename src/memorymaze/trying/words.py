@@ -5,11 +5,11 @@ from typing import Any, NamedTuple
 
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.geometry.trajectory import Trajectory
-from memorymaze.results.report.following import (
+from memorymaze.results.story.following import (
     Following,
     count_decisions,
     decisions_of,
-    follow,
+    followed_along,
 )
 from memorymaze.sites import Route, Site
 
@@ -131,7 +131,7 @@ def verdict_of(
     if result.confidence is not None:
         what = "gave up" if result.gave_up else "said that it was there"
         sentences.append(f"It {what}, {result.confidence:.0%} sure to be there.")
-    following = follow(list(route.line.coords), walk.points, near)
+    following = followed_along(list(route.line.coords), walk.points, near)
     sentences.append(_followed(following, site, route, arrived=result.success))
     if not result.success and result.oracle_success:
         sentences.append("On its way it had been at the goal without noticing.")

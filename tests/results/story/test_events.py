@@ -32,11 +32,11 @@ def test_who_put_an_answer_into_words_is_told() -> None:
         "error": "",
     }
     entries = [
-        {**answered, "truth": "said"},
+        {**answered, "truth": "unknown"},
         {**answered, "truth": "right", "model": "canned"},
     ]
     assert [each.text for each in events_of(entries)] == [
-        "the answer of person-3 was typed by a person",
+        "the answer of person-3 tells nothing",
         "the answer of person-3 is right (in the words of a language model, canned; "
         "not checked)",
     ]

@@ -7,7 +7,7 @@ from markupsafe import Markup
 from memorymaze.results.instruction_study.plots import study_plots, word_clouds
 from memorymaze.results.instruction_study.study import InstructionStudy
 from memorymaze.results.instruction_study.tables import study_tables
-from memorymaze.results.report.pages import templates_of
+from memorymaze.templates import templates_of
 
 ROOM = "memorymaze.results.instruction_study"
 POLICY = (

@@ -11,22 +11,20 @@ from itertools import chain
 import numpy as np
 from shapely import LineString, get_coordinates
 
-from memorymaze.drawing.svg import path_data
+from memorymaze.drawing.svg import path_data, simplified
 from memorymaze.evaluation.outcomes import Outcome, ending_words, outcome_of
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.geometry.trajectory import TimedPose, Trajectory
 from memorymaze.instructions.records import WRITTEN_BY, Instruction
 from memorymaze.results.report.belief_timeline import BeliefTimeline
-from memorymaze.results.report.following import Following, follow
 from memorymaze.results.report.pages import safe_name
 from memorymaze.results.report.sources import ReportRun
 from memorymaze.results.story.events import KINDS
+from memorymaze.results.story.following import Following, followed_along
 from memorymaze.results.story.story import Story
 from memorymaze.sites import Route
 from memorymaze.wording import counted
 
-SIMPLER = 0.12
-"""Metres by which a drawn walk may differ from the real one."""
 OFF_LINE = 0.06
 """Metres by which a pose may be off the straight way between those that are kept."""
 OFF_HEADING = 0.15
@@ -132,15 +130,8 @@ class EpisodeRow:
 def walk_of(result: EpisodeResult, story: Story, way: Route, near: float) -> WalkOfRun:
     """Return the walk of a story, which follows a way within some metres."""
     points = story.walk.points
-    following = follow(list(way.line.coords), points, near)
+    following = followed_along(list(way.line.coords), points, near)
     return WalkOfRun(result, simplified(points), following)
-
-
-def simplified(points: np.ndarray) -> np.ndarray:
-    """Return the places of a walk that are needed to draw it, shape (N, 2)."""
-    if len(points) < 2:
-        return points
-    return get_coordinates(LineString(points).simplify(SIMPLER))
 
 
 def story_record(story: Story) -> str:

@@ -7,8 +7,6 @@ from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
-from jinja2 import ChoiceLoader, Environment, PackageLoader, StrictUndefined
-
 from memorymaze.drawing.svg import svg_number
 from memorymaze.evaluation.outcomes import OUTCOMES, ending_words, outcome_of
 from memorymaze.results.tables import (
@@ -17,6 +15,7 @@ from memorymaze.results.tables import (
     place_title,
 )
 from memorymaze.results.tables.measures import EPISODE_MEASURES
+from memorymaze.templates import templates_of
 from memorymaze.wording import counted, printable, single_spaced
 
 ROOM = "memorymaze.results.report"
@@ -36,17 +35,6 @@ RESERVED = frozenset(
 """Names that Windows keeps for devices, whatever their suffix."""
 ERROR_TITLES = {"none": "no error", "any": "any error"}
 """Of instructions, where they are not those of the corpus."""
-
-
-def templates_of(*rooms: str) -> Environment:
-    """Return the templates of some rooms."""
-    return Environment(
-        loader=ChoiceLoader([PackageLoader(room) for room in rooms]),
-        autoescape=True,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-    )
 
 
 class Pages:

@@ -9,14 +9,14 @@ from shapely import get_coordinates
 
 from memorymaze.drawing.svg import Frame, plan_frame
 from memorymaze.results.report.episode_page import WalkOfRun
-from memorymaze.results.report.following import (
+from memorymaze.results.report.sources import ReportRun
+from memorymaze.results.story.following import (
     DecisionCount,
     FollowedTo,
     count_decisions,
     decisions_of,
     first_wrong,
 )
-from memorymaze.results.report.sources import ReportRun
 from memorymaze.sites import Route, Site
 
 CELL = 2.0

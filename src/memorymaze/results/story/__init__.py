@@ -1,6 +1,6 @@
 """The story of an episode: what happened, what the agent worked on, and how it ended.
 
-Reports, replays and live views read it; none of them is in here.
+Reports and replays read it; `onlooker` tells it while the episode goes on.
 """
 
 from memorymaze.results.story.recorded_episode import RecordedEpisode, load_episode

@@ -169,7 +169,6 @@ def _answered_event(entry: Mapping[str, Any], number: int) -> Event:
         "right": "is right",
         "wrong": "is WRONG",
         "unknown": "tells nothing",
-        "said": "was typed by a person",
     }
     error = f": {entry['error']}" if entry["error"] else ""
     text = f"the answer of {entry['person']} {told[entry['truth']]}{error}"

@@ -18,9 +18,9 @@ CLOTHES = ("dark blue", "grey", "red", "black", "green", "beige", "white", "brow
 MOST_PEOPLE = 1000
 """On a floor. With far more, an episode does not begin within a minute."""
 
-PassersBy = Literal["memory", "wrong", "empty", "keyboard", "model"]
+PassersBy = Literal["memory", "wrong", "empty", "model"]
 """Who answers for people whom a robot asks: their memory; as controls, all wrongly, or all
-that they do not know; somebody at the keyboard; or a language model from their memory."""
+that they do not know; or a language model from their memory."""
 
 
 @dataclass(frozen=True, slots=True)

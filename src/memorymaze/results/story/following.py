@@ -52,7 +52,7 @@ class Following:
     """Metres along the way that were followed at most."""
 
 
-def follow(
+def followed_along(
     way: Sequence[tuple[float, float]] | ArrayLike, walk: ArrayLike, tolerance: float
 ) -> Following:
     """Follow a walk along a way until it leaves it.

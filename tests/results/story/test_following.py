@@ -5,12 +5,12 @@ from hypothesis import strategies as st
 from shapely import Point
 
 from memorymaze.geometry import polyline
-from memorymaze.results.report.following import (
+from memorymaze.results.story.following import (
     Following,
     count_decisions,
     decisions_of,
     first_wrong,
-    follow,
+    followed_along,
 )
 from memorymaze.sites import Route, Site
 
@@ -41,13 +41,13 @@ def walk(*corners: tuple[float, float]) -> np.ndarray:
 def test_a_walk_is_followed_until_it_leaves_the_way(
     corners: list[tuple[float, float]], how: str, along: float
 ) -> None:
-    found = follow(WAY, walk(*corners), tolerance=3.0)
+    found = followed_along(WAY, walk(*corners), tolerance=3.0)
     assert found.how == how
     assert found.along == pytest.approx(along, abs=0.6)
 
 
 def test_the_place_of_leaving_lies_on_the_way() -> None:
-    found = follow(WAY, walk((0, 0), (16, 0)), tolerance=3.0)
+    found = followed_along(WAY, walk((0, 0), (16, 0)), tolerance=3.0)
     assert found.place == pytest.approx((10, 0), abs=0.3)
     assert found.away is not None
     assert found.away == pytest.approx((13, 0), abs=0.6)
@@ -55,14 +55,14 @@ def test_the_place_of_leaving_lies_on_the_way() -> None:
 
 def test_coming_back_later_does_not_undo_leaving() -> None:
     there_and_back = walk((0, 0), (16, 0), (10, 0), (10, 10))
-    found = follow(WAY, there_and_back, tolerance=3.0)
+    found = followed_along(WAY, there_and_back, tolerance=3.0)
     assert (found.how, round(found.along)) == ("left", 10)
 
 
 def test_a_way_that_crosses_itself_is_followed_in_its_order() -> None:
     loop = [(0, 0), (20, 0), (20, 10), (10, 10), (10, -10)]
-    assert follow(loop, walk(*loop), tolerance=3.0).how == "end"
-    short_cut = follow(loop, walk((0, 0), (10, 0), (10, -10)), tolerance=3.0)
+    assert followed_along(loop, walk(*loop), tolerance=3.0).how == "end"
+    short_cut = followed_along(loop, walk((0, 0), (10, 0), (10, -10)), tolerance=3.0)
     assert (short_cut.how, round(short_cut.along)) == ("left", 10)
 
 
@@ -70,12 +70,12 @@ def test_a_way_that_crosses_itself_is_followed_in_its_order() -> None:
 def test_whoever_keeps_beside_the_way_never_leaves_it(end: float, aside: float) -> None:
     places = polyline.resample(WAY, 0.1)
     beside = places[: max(1, int(end / 0.1))] + aside / 2
-    assert follow(WAY, beside, tolerance=3.0).how in {"end", "stopped"}
+    assert followed_along(WAY, beside, tolerance=3.0).how in {"end", "stopped"}
 
 
 def followed(route: Route, *corners: tuple[float, float]) -> Following:
     walk = polyline.resample(corners, 0.2)
-    return follow(list(route.line.coords), walk, tolerance=3.0)
+    return followed_along(list(route.line.coords), walk, tolerance=3.0)
 
 
 def test_a_crossing_is_a_decision_with_the_turn_of_the_route(

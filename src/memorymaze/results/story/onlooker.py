@@ -1,36 +1,23 @@
 """Follows an episode while it goes on, at a pace one can look at, and shows it."""
 
 import math
-import sys
 import time
-from collections import deque
-from collections.abc import Callable, Generator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Any, Protocol, TextIO
 
 from memorymaze.errors import SettingsError
 from memorymaze.geometry.pose import Pose
-from memorymaze.passers_by import Briefing
 from memorymaze.results.story.events import Event, events_of, news
 from memorymaze.results.story.understanding import CurrentStep, step_of, understood
-from memorymaze.results.watching.keyboard import type_answer
 from memorymaze.simulation.robot import SimulatedRobot
-from memorymaze.sites import Route, Site
-from memorymaze.wording import single_spaced
 
-DEFAULT_PACE = 10.0
-"""Simulated seconds per second: a walk of minutes is over before one looks away."""
 PACES = (0.1, 1000.0)
 LAGGING = 0.25
 """Seconds behind its pace after which a walk does not catch up, as after a model's
 long thought."""
 SPACING = 0.25
 """Metres between the places kept of the path."""
-
-
-KEPT = 60
-"""Events that are kept to be shown."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -46,10 +33,8 @@ class Present:
     """Metres driven."""
     step: CurrentStep
     """What the agent works on."""
-    events: Sequence[Event]
-    """What happened last, the latest one last."""
     fresh: Sequence[Event]
-    """Those of them, or more, that happened since it was shown last."""
+    """What happened since it was shown last."""
     people: Mapping[str, Pose]
     things: Mapping[str, Pose]
 
@@ -64,10 +49,6 @@ class View(Protocol):
 
     def show(self, present: Present) -> None:
         """Show how things stand."""
-        ...
-
-    def finish(self, words: str) -> None:
-        """Show how the episode ended."""
         ...
 
 
@@ -91,16 +72,11 @@ class Onlooker:
     def __init__(
         self,
         view: View,
-        pace: float | None = DEFAULT_PACE,
+        pace: float | None = None,
         clock: Callable[[], float] = time.monotonic,
         sleep: Callable[[float], None] = time.sleep,
-        answer: Callable[[Briefing], str] = type_answer,
     ) -> None:
-        """Look on; a pace of None is as fast as it goes.
-
-        By `answer` somebody at the keyboard answers for passers-by.
-        """
-        self._answer = answer
+        """Look on; a pace of None is as fast as it goes."""
         self._view = view
         self.pace = None if pace is None else check_pace(pace)
         """Simulated seconds per second; may be changed while the episode goes on."""
@@ -111,7 +87,8 @@ class Onlooker:
         self._distance = 0.0
         self._seen = 0
         self._told: dict[str, str] = {}
-        self._latest: deque[Event] = deque(maxlen=KEPT)
+        self._thoughts: Sequence[Event] = ()
+        """The latest one, if there was one."""
         self._last: tuple[float, Pose] | None = None
         self._due = self._shown = -math.inf
         self.trouble: Exception | None = None
@@ -124,7 +101,7 @@ class Onlooker:
         self._last = (robot.time, robot.pose)
         self._seen = 0
         self._told.clear()
-        self._latest.clear()
+        self._thoughts = ()
         self._due = self._clock()
         robot.watch(self._moved)
         self._show(robot.time, robot.pose)
@@ -138,19 +115,10 @@ class Onlooker:
         if thought or self._clock() - self._shown >= self._view.period:
             self._show(self._robot.time, self._robot.pose)
 
-    def answer(self, briefing: Briefing) -> str:
-        """Show how things stand, and have somebody answer for a passer-by."""
+    def end(self) -> None:
+        """Show how things stand at the end."""
         if self._robot is not None:
             self._show(self._robot.time, self._robot.pose)
-        return self._answer(briefing)
-
-    def end(self, words: str) -> None:
-        """Show how things stand at the end, and how the episode ended."""
-        if self._robot is None:
-            return
-        self._show(self._robot.time, self._robot.pose)
-        if self.trouble is None:
-            self._view.finish(words)
 
     def _moved(self, now: float, pose: Pose) -> None:
         before, last = self._last or (now, pose)
@@ -180,14 +148,14 @@ class Onlooker:
         try:
             self._view.show(self._present(now, pose))
         except Exception as problem:
-            # A closed terminal must not become a failure of the agent.
+            # A closed pipe must not become a failure of the agent.
             self.trouble = problem
 
     def _present(self, now: float, pose: Pose) -> Present:
         fresh = news(events_of(self._trace[self._seen :]), self._told)
         self._seen = len(self._trace)
-        self._latest.extend(fresh)
-        latest = tuple(self._latest)
+        thoughts = [each for each in fresh if each.kind in {"note", "model"}]
+        self._thoughts = thoughts[-1:] or self._thoughts
         around = None if self._robot is None else self._robot.surroundings
         crowd = None if around is None else around.crowd
         people = () if crowd is None else crowd.people
@@ -196,8 +164,7 @@ class Onlooker:
             pose=pose,
             path=self._path,
             distance=self._distance,
-            step=step_of(understood(self._trace), self._seen - 1, latest),
-            events=latest,
+            step=step_of(understood(self._trace), self._seen - 1, self._thoughts),
             fresh=fresh,
             people={
                 each.record.id: Pose(each.x, each.y, each.heading) for each in people
@@ -208,35 +175,24 @@ class Onlooker:
         )
 
 
-@contextmanager
-def watching(
-    site: Site, route: Route, text: str, title: str, pace: float | None
-) -> Generator[Onlooker]:
-    """Open a view for the length of an episode; call the onlooker's `end` in it.
+class PlainView:
+    """Prints every event once, and every new step."""
 
-    In the terminal only where stdout and stderr are one; plain lines on stderr
-    otherwise, which are held to a pace only when one is asked for.
+    period = 0.2
 
-    Args:
-        site: Where the episode takes place.
-        route: The way that the text describes.
-        text: The instruction.
-        title: Of the view.
-        pace: Simulated seconds per second; None for the view's own.
+    def __init__(self, stream: TextIO) -> None:
+        """Print to a stream."""
+        self._stream = stream
+        self._step: CurrentStep | None = None
 
-    Raises:
-        SettingsError: The pace is out of range.
-    """
-    if pace is not None:
-        check_pace(pace)
-    text = single_spaced(text)
-    if sys.stdout.isatty() and sys.stderr.isatty():
-        from memorymaze.results.watching.terminal import TerminalView
+    def show(self, present: Present) -> None:
+        """Print what is new."""
+        for event in present.fresh:
+            self._say(f"{event.time:7.1f} s  {event.text}")
+        if present.step != self._step and present.step.heading:
+            self._step = step = present.step
+            line = step.lines[step.current or 0] if step.lines else ""
+            self._say(f"{present.time:7.1f} s  {step.heading}: {line}")
 
-        with TerminalView(site, route, text, title) as view:
-            shown_pace = DEFAULT_PACE if pace is None else pace
-            yield Onlooker(view, shown_pace, answer=view.answer)
-    else:
-        from memorymaze.results.watching.terminal import PlainView
-
-        yield Onlooker(PlainView(sys.stderr), pace)
+    def _say(self, text: str) -> None:
+        print(" ".join(text.splitlines()), file=self._stream, flush=True)

@@ -3,15 +3,28 @@ from dataclasses import asdict
 from io import StringIO
 
 import pytest
-from rich.console import Console
 
 from memorymaze.errors import SettingsError
-from memorymaze.evaluation.episode import EpisodeRun
-from memorymaze.results.watching import Onlooker, Present
-from memorymaze.results.watching.terminal import PlainView, TerminalView
+from memorymaze.evaluation.episode import EpisodeRun, Watcher
+from memorymaze.evaluation.navigation import navigate
+from memorymaze.evaluation.settings import AgentSettings
+from memorymaze.results.story.onlooker import Onlooker, PlainView, Present
 from memorymaze.sites import Site
 
 Walk = Callable[..., EpisodeRun]
+
+TEXT = "Go to the T and turn left."
+
+
+@pytest.fixture
+def walk(t_site: Site) -> Callable[..., EpisodeRun]:
+    """Let `rules` follow a text on the T, with someone watching or not."""
+
+    def run(watcher: Watcher | None = None) -> EpisodeRun:
+        route = t_site.reference_route("R1")
+        return navigate(t_site, route, TEXT, AgentSettings("rules"), watcher=watcher)
+
+    return run
 
 
 class Seen:
@@ -21,17 +34,13 @@ class Seen:
 
     def __init__(self) -> None:
         self.shown: list[Present] = []
-        self.words = ""
 
     def show(self, present: Present) -> None:
         self.shown.append(present)
 
-    def finish(self, words: str) -> None:
-        self.words = words
-
 
 class Broken(Seen):
-    """A view whose terminal is closed after a while."""
+    """A view whose pipe is closed after a while."""
 
     def show(self, present: Present) -> None:
         super().show(present)
@@ -57,20 +66,17 @@ def told(run: EpisodeRun) -> dict[str, object]:
     return {**asdict(run.result), "wall_s": None}
 
 
-def test_watching_changes_neither_result_nor_trace(walk: Walk, t_site: Site) -> None:
-    console = Console(file=StringIO(), force_terminal=True, width=100, height=30)
-    view = TerminalView(t_site, t_site.reference_route("R1"), "Go.", "A walk", console)
-    with view:
-        watched = walk(Onlooker(view, pace=None))
+def test_watching_changes_neither_result_nor_trace(walk: Walk) -> None:
+    watched = walk(Onlooker(PlainView(StringIO())))
     alone = walk()
     assert told(watched) == told(alone)
     assert watched.trace == alone.trace
 
 
 def test_a_view_that_breaks_does_not_break_the_walk(walk: Walk) -> None:
-    onlooker = Onlooker(Broken(), pace=None)
+    onlooker = Onlooker(Broken())
     watched = walk(onlooker)
-    onlooker.end("over")
+    onlooker.end()
     assert isinstance(onlooker.trouble, BrokenPipeError)
     assert told(watched) == told(walk())
 
@@ -84,23 +90,22 @@ def test_a_walk_takes_its_simulated_time_over_the_pace(walk: Walk, pace: float) 
 
 def test_every_event_is_told_once_and_the_end_last(walk: Walk) -> None:
     seen = Seen()
-    onlooker = Onlooker(seen, pace=None)
+    onlooker = Onlooker(seen)
     run = walk(onlooker)
-    onlooker.end("arrived")
+    onlooker.end()
     events = [event for present in seen.shown for event in present.fresh]
     moves = [entry for entry in run.trace if entry.get("call") == "move_forward"]
     assert len([each for each in events if each.kind == "move"]) == len(moves)
     assert [each.time for each in events] == sorted(each.time for each in events)
     assert events[-1].kind == "stop"
-    assert seen.words == "arrived"
     assert seen.shown[-1].distance == pytest.approx(run.result.path_length, abs=0.05)
 
 
 def test_plain_lines_tell_calls_and_steps(walk: Walk) -> None:
     stream = StringIO()
-    onlooker = Onlooker(PlainView(stream), pace=None)
+    onlooker = Onlooker(PlainView(stream))
     walk(onlooker)
-    onlooker.end("")
+    onlooker.end()
     lines = stream.getvalue().splitlines()
     assert any("turn(left)" in line for line in lines)
     assert any("Step 1 of" in line for line in lines)
