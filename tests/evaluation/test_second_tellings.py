@@ -12,8 +12,8 @@ from memorymaze.evaluation.driver import run_plan
 from memorymaze.evaluation.estimates import said_beforehand
 from memorymaze.evaluation.plan import RunPlan, plan_run
 from memorymaze.evaluation.run_folder import read_instructions, read_run
-from memorymaze.evaluation.settings import RunSettings, differences
-from memorymaze.evaluation.shards import merge_shards
+from memorymaze.evaluation.settings import RunSettings, Shard, differences
+from memorymaze.evaluation.shards import part_folder
 from memorymaze.instructions import Corpus, load_corpus
 from memorymaze.instructions.corpus import episodes
 from memorymaze.instructions.records import Failure, Instruction, Span
@@ -139,12 +139,12 @@ def test_the_setting_is_kept_and_compared(tiny_plan: Plan, tmp_path: Path) -> No
 
 def test_shards_and_limits_take_whole_pairs(tiny_plan: Plan, tmp_path: Path) -> None:
     assert len(tiny_plan("stop", second_telling=True, limit=4).episodes) == 4
-    folders = [tmp_path / "1", tmp_path / "2"]
-    for number, folder in enumerate(folders, start=1):
-        part = tiny_plan("stop", second_telling=True, shard=f"{number}/2")
-        run_plan(part, folder, workers=1)
-    merged = merge_shards(folders, tmp_path / "whole")
-    assert [each.episode_id for each in merged] == [f"p{n}-2" for n in range(1, 7)]
+    for shard in (Shard(1, 2), Shard(2, 2)):
+        part = tiny_plan("stop", second_telling=True, shard=shard)
+        run_plan(part, part_folder(tmp_path, shard), workers=1)
+    assert [each.episode_id for each in read_run(tmp_path)[1]] == [
+        f"p{n}-2" for n in range(1, 7)
+    ]
 
 
 def test_most_shipped_texts_are_told_twice() -> None:

@@ -1,6 +1,5 @@
-import json
 from collections import Counter
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -9,6 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+import memorymaze as mm
 from memorymaze.errors import RunFolderError, SettingsError
 from memorymaze.evaluation.driver import run_plan
 from memorymaze.evaluation.plan import RunPlan
@@ -21,10 +21,12 @@ from memorymaze.evaluation.run_folder import (
     read_run,
 )
 from memorymaze.evaluation.settings import Shard, parse_shard
-from memorymaze.evaluation.shards import episodes_of_shard, merge_shards
+from memorymaze.evaluation.shards import episodes_of_shard, part_folder
 from memorymaze.evaluation.trace import trace_content, trace_path
-from memorymaze.instructions import load_corpus
+from memorymaze.instructions import Corpus, load_corpus
 from memorymaze.instructions.records import Episode
+from memorymaze.results.story.recorded_episode import load_episode
+from memorymaze.results.tables import load_runs, run_tables
 from memorymaze.sites import Site
 
 Plan = Callable[..., RunPlan]
@@ -73,51 +75,40 @@ def test_what_is_no_shard_is_refused(text: str) -> None:
         parse_shard(text)
 
 
-def test_merged_shards_equal_the_run_in_one_piece(
+def test_a_run_in_parts_is_read_as_the_run_in_one_piece(
     tmp_path: Path, tiny_plan: Plan
 ) -> None:
     (tmp_path / "walker.py").write_text(WALKER, encoding="utf-8")
     agent = f"{tmp_path}/walker.py:Walker"
     whole = run_plan(tiny_plan(agent, seed=3), tmp_path / "whole", workers=1)
-    for shard in ("1/2", "2/2"):
+    big = tmp_path / "big"
+    for shard in (Shard(2, 2), Shard(1, 2)):
         plan = tiny_plan(agent, seed=3, shard=shard)
-        assert len(run_plan(plan, tmp_path / shard.replace("/", "-"), workers=1)) == 6
-    merged = merge_shards([tmp_path / "2-2", tmp_path / "1-2"], tmp_path / "merged")
-    assert timeless(merged) == timeless(whole)
-    assert timeless(read_run(tmp_path / "merged")[1]) == timeless(whole)
-    there, here = (said_of(tmp_path / name) for name in ("whole", "merged"))
-    assert here == there
-    for folder in ("plans", "traces"):
-        assert contents(tmp_path / "merged" / folder) == contents(
-            tmp_path / "whole" / folder
+        assert len(run_plan(plan, part_folder(big, shard), workers=1)) == 6
+    assert sorted(each.name for each in big.iterdir()) == ["part-1-of-2", "part-2-of-2"]
+    record, results = read_run(big)
+    there, _ = read_run(tmp_path / "whole")
+    assert timeless(results) == timeless(whole)
+    assert (record.settings, record.code) == (there.settings, there.code)
+    assert read_plans(big).keys() == read_plans(tmp_path / "whole").keys()
+    assert read_instructions(big) == read_instructions(tmp_path / "whole")
+    for result in whole:
+        one, other = (
+            trace_path(folder, result.episode_id).read_bytes()
+            for folder in (tmp_path / "whole", big)
         )
-    assert (
-        read_plans(tmp_path / "merged").keys() == read_plans(tmp_path / "whole").keys()
-    )
-    assert read_instructions(tmp_path / "merged") == read_instructions(
-        tmp_path / "whole"
-    )
+        assert one == other
+    texts = [
+        str(run_tables(load_runs([tmp_path / each]))[0]).replace(each, "run")
+        for each in ("whole", "big")
+    ]
+    assert texts[0].split() == texts[1].split()
+    episode = load_episode(big, whole[0].episode_id)
+    assert episode.result == results[0]
 
 
 def timeless(results: list[EpisodeResult]) -> list[EpisodeResult]:
     return [replace(result, wall_s=0.0) for result in results]
-
-
-def contents(folder: Path) -> dict[str, bytes]:
-    return {path.name: path.read_bytes() for path in folder.iterdir()}
-
-
-def said_of(folder: Path) -> list[Any]:
-    record = json.loads((folder / "run.json").read_text(encoding="utf-8"))
-    summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
-    del record["started"]
-    return [record, without_clock(summary)]
-
-
-def without_clock(value: Any) -> Any:
-    if not isinstance(value, Mapping):
-        return [without_clock(e) for e in value] if isinstance(value, list) else value
-    return {k: without_clock(v) for k, v in value.items() if k != "wall_s"}
 
 
 @pytest.fixture
@@ -128,13 +119,13 @@ def shard_folder(
     loop_site: Site,
     everything: tuple[Episode, ...],
 ) -> Callable[..., Path]:
-    """Write the folder of a shard with one finished episode."""
+    """Write the folder of a part of `run` with one finished episode."""
 
     def write(number: int, of: int = 2, episodes: int = 1, **changes: Any) -> Path:
         settings = replace(
             record.settings, shard=Shard(number, of), episodes=episodes, **changes
         )
-        folder = tmp_path / f"shard-{len(list(tmp_path.iterdir()))}"
+        folder = part_folder(tmp_path / "run", Shard(number, of))
         with open_run_folder(
             folder,
             replace(record, settings=settings),
@@ -148,61 +139,99 @@ def shard_folder(
     return write
 
 
-def test_shards_of_other_settings_are_refused_by_name(
+def test_parts_of_other_settings_are_refused_by_name(
     tmp_path: Path, shard_folder: Callable[..., Path]
 ) -> None:
-    one, other = shard_folder(1), shard_folder(2, seed=7)
+    shard_folder(1)
+    other = shard_folder(2, seed=7)
     with pytest.raises(RunFolderError, match="seed: 0 there, 7 here") as caught:
-        merge_shards([one, other], tmp_path / "out")
+        read_run(tmp_path / "run")
     assert str(other) in str(caught.value)
-    assert not (tmp_path / "out").exists()
 
 
-def test_shards_of_other_code_are_refused(
+def test_parts_of_other_code_are_refused(
     tmp_path: Path, shard_folder: Callable[..., Path]
 ) -> None:
-    one, other = shard_folder(1), shard_folder(2)
-    file = other / "run.json"
+    shard_folder(1)
+    file = shard_folder(2) / "run.json"
     text = file.read_text(encoding="utf-8").replace('"56ef"', '"99ff"')
     file.write_text(text, encoding="utf-8")
     with pytest.raises(RunFolderError, match="memorymaze's code"):
-        merge_shards([one, other], tmp_path / "out")
+        read_run(tmp_path / "run")
 
 
-def test_missing_and_repeated_shards_are_named(
+def test_missing_and_repeated_parts_are_named(
     tmp_path: Path, shard_folder: Callable[..., Path]
 ) -> None:
-    one, third = shard_folder(1, of=3), shard_folder(3, of=3)
-    with pytest.raises(RunFolderError, match="missing: 2/3"):
-        merge_shards([one, third], tmp_path / "out")
-    with pytest.raises(RunFolderError, match=r"is shard 1/3, as .* is"):
-        merge_shards([one, one, third], tmp_path / "out")
+    first = shard_folder(1, of=3)
+    shard_folder(3, of=3)
+    with pytest.raises(RunFolderError, match=r"part-3-of-3; missing: 2/3"):
+        read_run(tmp_path / "run")
+    first.rename(tmp_path / "run" / "part-2-of-3")
+    shard_folder(1, of=3)
+    with pytest.raises(RunFolderError, match=r"is part 1/3, as .* is"):
+        read_run(tmp_path / "run")
 
 
-def test_an_unfinished_shard_is_to_be_finished_first(
+def test_parts_of_another_number_do_not_belong_together(
     tmp_path: Path, shard_folder: Callable[..., Path]
 ) -> None:
-    one, other = shard_folder(1, episodes=4), shard_folder(2)
-    with pytest.raises(
-        RunFolderError, match=r"all 4 episodes of shard 1/2, got 1; .*--resume"
-    ):
-        merge_shards([one, other], tmp_path / "out")
+    shard_folder(1, of=2)
+    shard_folder(2, of=2)
+    shard_folder(3, of=3)
+    with pytest.raises(RunFolderError, match="expected all 3 parts of the run"):
+        read_run(tmp_path / "run")
 
 
-def test_a_trace_that_is_gone_is_named_and_no_run_is_begun(
+def test_a_part_that_is_not_finished_lacks_episodes_of_the_run(
     tmp_path: Path, shard_folder: Callable[..., Path]
 ) -> None:
-    one, other = shard_folder(1), shard_folder(2)
-    trace_path(other, "p2-1").unlink()
-    with pytest.raises(RunFolderError, match="trace of episode 'p2-1'"):
-        merge_shards([one, other], tmp_path / "out")
-    assert not (tmp_path / "out").exists()
+    shard_folder(1, episodes=4)
+    shard_folder(2)
+    record, results = read_run(tmp_path / "run")
+    assert (record.settings.episodes, len(results)) == (5, 2)
 
 
-def test_a_whole_run_is_no_shard(
-    tmp_path: Path, record: RunRecord, result: Make
+def test_a_whole_run_is_no_part(
+    tmp_path: Path,
+    record: RunRecord,
+    result: Make,
+    shard_folder: Callable[..., Path],
 ) -> None:
-    with open_run_folder(tmp_path / "run", record, resume=False) as run:
+    part = shard_folder(1)
+    with open_run_folder(part.with_name("part-2-of-2"), record, resume=False) as run:
         run.add(result("a-1"))
     with pytest.raises(RunFolderError, match="got a whole run"):
-        merge_shards([tmp_path / "run"], tmp_path / "out")
+        read_run(tmp_path / "run")
+
+
+def test_a_folder_holds_a_whole_run_or_parts(
+    tmp_path: Path, record: RunRecord, shard_folder: Callable[..., Path]
+) -> None:
+    shard_folder(1)
+    with (
+        pytest.raises(RunFolderError, match="holds parts of a run"),
+        open_run_folder(tmp_path / "run", record, resume=False),
+    ):
+        pass
+    other = replace(record, settings=replace(record.settings, shard=Shard(1, 2)))
+    with open_run_folder(tmp_path / "whole", record, resume=False):
+        pass
+    with (
+        pytest.raises(RunFolderError, match="holds a whole run"),
+        open_run_folder(tmp_path / "whole" / "part-1-of-2", other, resume=False),
+    ):
+        pass
+
+
+def test_shards_are_evaluated_into_the_folder_of_the_run(
+    tiny_corpus: Corpus, tmp_path: Path
+) -> None:
+    with pytest.raises(SettingsError, match=r"shard 1/2: name the folder"):
+        mm.evaluate("stop", tiny_corpus, shard="1/2", workers=1)
+    for shard in ("1/2", "2/2"):
+        mm.evaluate(
+            "stop", tiny_corpus, shard=shard, limit=4, workers=1, out=tmp_path / "big"
+        )
+    run = mm.load_run(tmp_path / "big")
+    assert (len(run), run.record.settings.shard) == (4, None)

@@ -108,11 +108,13 @@ def _run(options: argparse.Namespace) -> int:
                 file=sys.stderr,
             )
             return 1
-    print(f"run {out}")
+    print(f"run {run.folder}")
     print("\n".join(summary_lines(summarise(run.results, run.record.settings))))
-    for line in crash_lines(out, run.results, whole=options.debug):
+    for line in crash_lines(run.folder, run.results, whole=options.debug):
         print(line, file=sys.stderr)
-    print(f"tables: {command_here()} table {shlex.quote(str(out))}")
+    shard = run.record.settings.shard
+    when = "" if shard is None else f", when all {shard.of} parts are there"
+    print(f"tables{when}: {command_here()} table {shlex.quote(str(out))}")
     return 0
 
 

@@ -118,8 +118,8 @@ def with_choices(settings: RunSettings, choices: Mapping[str, Any]) -> RunSettin
     for name in choices:
         if SETTINGS.get(name) is ModelSettings:
             raise SettingsError(
-                f"setting {name}: is of a language model; hand over AgentSettings(…, "
-                f"language_model=ModelSettings({name}=…))"
+                f"setting {name}: is of a language model; hand over "
+                f"language_model=ModelSettings({name}=…)"
             )
     base = replace(settings, simulation=simulation)
     return run_settings(base, named_in_python(choices))

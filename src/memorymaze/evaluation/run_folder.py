@@ -6,6 +6,8 @@ run.json                 settings, code and number of episodes, when these are t
 episodes.jsonl           one result per line, appended as each episode ends
 traces/                  one file per episode, written before its line
 summary.json             the numbers of the whole run, at the end
+
+A run in parts is a folder of such folders, `part-1-of-8` and so on.
 """
 
 import gzip
@@ -13,7 +15,7 @@ import json
 import zlib
 from collections.abc import Generator, Iterable, Mapping
 from contextlib import ExitStack, contextmanager
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any, cast
 from urllib.parse import quote
@@ -34,6 +36,7 @@ from memorymaze.evaluation.results import (
     result_to_line,
 )
 from memorymaze.evaluation.settings import RunDefinition, differences
+from memorymaze.evaluation.shards import PartOfRun, parts_in, whole_settings
 from memorymaze.evaluation.trace import keep_trace
 from memorymaze.input_files import LARGEST_FILE, parse_json
 from memorymaze.instructions.records import Instruction
@@ -117,8 +120,11 @@ def open_run_folder(
 
 
 def read_run(path: str | Path) -> tuple[RunRecord, list[EpisodeResult]]:
-    """Read a run, also one that is still being written."""
+    """Read a run, also one that is still being written; one in parts is read as a whole."""
     path = Path(path)
+    parts = [] if (path / "run.json").is_file() else parts_in(path)
+    if parts:
+        return _read_parts(parts)
     if not (path / "run.json").is_file():
         there = "a file" if path.exists() else "no such folder"
         if path.is_dir():
@@ -132,8 +138,25 @@ def read_run(path: str | Path) -> tuple[RunRecord, list[EpisodeResult]]:
     return record, [results[key] for key in sorted(results)]
 
 
+def _read_parts(parts: list[Path]) -> tuple[RunRecord, list[EpisodeResult]]:
+    read = [read_run(part) for part in parts]
+    settings = whole_settings([
+        PartOfRun(part, record.settings, record.code)
+        for part, (record, _) in zip(parts, read, strict=True)
+    ])
+    first = min((record for record, _ in read), key=lambda record: record.started)
+    results = [result for _, part in read for result in part]
+    return (
+        replace(first, settings=settings),
+        sorted(results, key=lambda result: result.episode_id),
+    )
+
+
 def read_plans(path: str | Path) -> dict[str, Site]:
     """Read the sites of a run from the plans that it keeps, by name."""
+    parts = [] if Path(path, "plans").is_dir() else parts_in(Path(path))
+    if parts:
+        return {name: site for part in parts for name, site in read_plans(part).items()}
     files = sorted(Path(path, "plans").glob("*.geojson.gz"))
     if not files:
         raise RunFolderError(
@@ -157,6 +180,10 @@ def read_plans(path: str | Path) -> dict[str, Site]:
 def read_instructions(path: str | Path) -> list[Instruction]:
     """Read what a run follows, each instruction once, in the order of their ids."""
     file = Path(path, INSTRUCTIONS)
+    parts = [] if file.is_file() else parts_in(Path(path))
+    if parts:
+        told = {each.id: each for part in parts for each in read_instructions(part)}
+        return sorted(told.values(), key=lambda each: each.id)
     if not file.is_file():
         raise RunFolderError(
             f"{path}: expected the instructions of the run, got no {INSTRUCTIONS}; bring "
@@ -217,6 +244,14 @@ def _lines(content: bytes) -> list[bytes]:
 
 def _check_same_run(path: Path, record: RunRecord, *, resume: bool) -> bool:
     """Refuse a folder with another run; tell whether this one was begun there."""
+    if parts_in(path):
+        raise RunFolderError(
+            f"{path}: holds parts of a run; choose another folder with --out"
+        )
+    if record.settings.shard is not None and (path.parent / "run.json").exists():
+        raise RunFolderError(
+            f"{path.parent}: holds a whole run; choose another folder for parts with --out"
+        )
     if not (path / "run.json").exists():
         if (path / "episodes.jsonl").exists():
             raise RunFolderError(

@@ -140,8 +140,8 @@ class RunSettings:
     may be built from texts, the others are the halves of the participants whose texts were
     and were not read while the rules agent was developed"""
     shard: Shard | None = field(default=None, metadata={"reader": parse_shard})
-    """only the I-th of N parts of the run, alike in size, given as I/N; `memorymaze runs
-    merge` makes one run of all (docs/scaling.md)"""
+    """only the I-th of N parts of the run, alike in size, given as I/N; it lies in the run's
+    folder, which is read as one run when all are there (docs/scaling.md)"""
     second_telling: bool = False
     """hand the agent both tellings of a way by the same person as one text; people who
     told it once are left out (docs/asking.md)"""

@@ -15,6 +15,7 @@ import numpy as np
 
 from memorymaze.durable_files import write_whole
 from memorymaze.errors import RunFolderError
+from memorymaze.evaluation.shards import parts_in
 
 NAME_LIMIT = 150
 """Longest file stem made of an episode id; longer ones are cut and numbered."""
@@ -27,7 +28,7 @@ DEEPEST = 50
 
 
 def trace_path(folder: Path, episode_id: str) -> Path:
-    """Return the file of an episode's trace in a run folder.
+    """Return the file of an episode's trace in a run folder, or in that of its part.
 
     Characters that do not belong into file names are written as `%2F`.
     """
@@ -35,7 +36,12 @@ def trace_path(folder: Path, episode_id: str) -> Path:
     if len(stem) > NAME_LIMIT:
         digest = hashlib.sha256(episode_id.encode()).hexdigest()[:12]
         stem = f"{stem[:NAME_LIMIT]}-{digest}"
-    return folder / "traces" / f"{stem}.jsonl.gz"
+    place = Path("traces") / f"{stem}.jsonl.gz"
+    if not (folder / "traces").is_dir():
+        for part in parts_in(folder):
+            if (part / place).exists():
+                return part / place
+    return folder / place
 
 
 def trace_content(entries: Iterable[Mapping[str, object]]) -> bytes:

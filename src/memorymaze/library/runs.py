@@ -15,6 +15,7 @@ from memorymaze.evaluation.plan import RunPlan, plan_run, settings_for
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import RunRecord
 from memorymaze.evaluation.settings import RunSettings
+from memorymaze.evaluation.shards import part_folder
 from memorymaze.evaluation.worker_pool import Workforce
 from memorymaze.instructions import Corpus, load_corpus
 from memorymaze.language.model_settings import ModelSettings
@@ -157,7 +158,8 @@ def evaluate(
             or `AgentSettings` where it is given options.
         corpus: What is followed, and where: loaded, or what `load_corpus` takes; None
             for the shipped texts.
-        out: Run folder; None for `runs/AGENT-TIME`.
+        out: Run folder; None for `runs/AGENT-TIME`. A shard writes its part inside, and
+            the folder is read as one run when all parts are there.
         settings: How; those that belong to the corpus when None.
         language_model: Which one the agent asks, and how, where it needs one.
         workers: Processes, 0 for one per core; or workers elsewhere.
@@ -173,7 +175,13 @@ def evaluate(
     followed = corpus if isinstance(corpus, Corpus) else load_corpus(corpus)
     base = settings_for(followed) if settings is None else settings
     plan = plan_run(agent, followed, with_choices(base, choices), language_model)
-    folder = Path(out) if out is not None else default_folder(plan.settings.agent.name)
+    shard = plan.settings.shard
+    if shard is not None and out is None:
+        raise SettingsError(
+            f"shard {shard}: name the folder of the whole run (out), which all parts share"
+        )
+    whole = Path(out) if out is not None else default_folder(plan.settings.agent.name)
+    folder = part_folder(whole, shard)
     if on_plan is not None:
         on_plan(plan, folder)
     run_plan(plan, folder, workers=workers, resume=resume)

@@ -9,6 +9,7 @@ from typing import Any, get_args
 from memorymaze.durable_files import new_folder
 from memorymaze.errors import MemoryMazeError, SettingsError
 from memorymaze.evaluation.settings import Track
+from memorymaze.evaluation.shards import parts_in
 from memorymaze.instructions import Corpus, load_corpus
 from memorymaze.instructions.records import WRITTEN_BY
 from memorymaze.results.report.overview import settings_table
@@ -156,7 +157,7 @@ def _write(board: Leaderboard, pages: Pages) -> None:
 
 
 def _runs_in(folder: Path) -> list[Path]:
-    if (folder / "run.json").exists():
+    if (folder / "run.json").exists() or parts_in(folder):
         raise SettingsError(
             f"{folder}: expected a folder of run folders, got a run folder; name the "
             "folder that it lies in"

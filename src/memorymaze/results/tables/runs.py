@@ -245,7 +245,7 @@ def run_notes(run: MeasuredRun) -> list[str]:
         notes.append(f"A SAMPLE of {counted(settings.episodes, 'episode')} (--limit).")
     if settings.shard is not None:
         notes.append(
-            f"ONLY SHARD {settings.shard} of a run; `memorymaze runs merge` makes the whole."
+            f"ONLY SHARD {settings.shard} of a run; the folder that it lies in is the whole."
         )
     if run.missing:
         notes.append(
