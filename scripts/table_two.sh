@@ -50,7 +50,7 @@ if [ -z "$model" ]; then
     run navgpt navgpt --instructions "$few" --replay $recorded/navgpt.jsonl
     run oracle oracle --instructions "$all"
     run stop stop --instructions "$all"
-    how='--model NAME --record replies.sqlite asks a model, --replay replies.sqlite plays it again'
+    how='--model NAME --record replies.jsonl asks a model, --replay replies.jsonl plays it again'
     absent=(
         --absent "navid=memorymaze evaluate --agent navid $how (a vision model)"
         --absent "see_and_go=memorymaze evaluate --agent see_and_go $how (a vision model)"
@@ -61,7 +61,7 @@ if [ -z "$model" ]; then
     exit
 fi
 
-replies=$folder/replies.sqlite
+replies=$folder/replies.jsonl
 case $model in
 smollm2 | gguf:*)
     "$bin/python" -c 'import llama_cpp' 2>/dev/null || "$bin/python" -m pip install --quiet \

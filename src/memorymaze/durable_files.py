@@ -3,16 +3,13 @@
 import fcntl
 import os
 import shutil
-import sqlite3
 from collections.abc import Callable, Generator
-from contextlib import closing, contextmanager
+from contextlib import contextmanager
 from pathlib import Path
 
 from memorymaze.errors import RunFolderError, SettingsError
 
 UNFINISHED = ".unfinished"
-BUSY_TIMEOUT = 60.0
-"""Seconds to wait for a database while another process writes."""
 
 
 def write_whole(path: Path, content: bytes) -> None:
@@ -163,17 +160,3 @@ def _sync_folder(folder: Path) -> None:
         os.fsync(handle)
     finally:
         os.close(handle)
-
-
-@contextmanager
-def open_database(path: Path, *, make: bool = False) -> Generator[sqlite3.Connection]:
-    """Open an SQLite file for one transaction.
-
-    A connection lives no longer: none may be carried into another process. Reading too
-    opens for writing where that is allowed, to undo what a killed process left half
-    written.
-    """
-    address = f"{path.absolute().as_uri()}?mode={'rwc' if make else 'rw'}"
-    connection = sqlite3.connect(address, timeout=BUSY_TIMEOUT, uri=True)
-    with closing(connection), connection:
-        yield connection

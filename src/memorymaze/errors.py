@@ -90,8 +90,8 @@ class LanguageModelError(MemoryMazeError):
     """A language model did not answer, or its answer cannot be used."""
 
 
-class RecordedPicturesWarning(UserWarning):
-    """Replies are replayed for pictures that differ from those recorded."""
+class RecordedAnswersWarning(UserWarning):
+    """An answer is not quite what was recorded: to other pictures, or broken off."""
 
 
 class SpendingLimitReached(MemoryMazeError):

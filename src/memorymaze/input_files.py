@@ -62,8 +62,13 @@ def read_file(path: str | Path, error: type[MemoryMazeError]) -> bytes:
 
 def read_text(path: str | Path, error: type[MemoryMazeError]) -> str:
     """Return the text of a file in UTF-8, with or without a byte order mark."""
+    return decoded(read_file(path, error), path, error)
+
+
+def decoded(content: bytes, path: str | Path, error: type[MemoryMazeError]) -> str:
+    """Return the text that a file's content is, as `read_text` does."""
     try:
-        return read_file(path, error).decode("utf-8-sig")
+        return content.decode("utf-8-sig")
     except UnicodeDecodeError as problem:
         raise error(
             f"{path}: expected UTF-8, got byte {problem.object[problem.start]:#04x} at "

@@ -219,7 +219,7 @@ def test_a_model_on_a_server_sees_its_way_and_a_replay_needs_no_server(
     l_site: Site, vision_server: tuple[str, list[dict[str, Any]]], tmp_path: Path
 ) -> None:
     address, requests = vision_server
-    text, store = "To the red vending machine.", str(tmp_path / "replies.sqlite")
+    text, store = "To the red vending machine.", str(tmp_path / "replies.jsonl")
     asking = ModelSettings(model="sees-red", base_url=address, record=store)
 
     run = navigate(
@@ -255,7 +255,7 @@ def test_its_file_alone_copied_out_of_the_package_is_an_agent_of_ones_own(
 ) -> None:
     address, requests = vision_server
     copy = shutil.copy(see_and_go.__file__, tmp_path / "my_agent.py")
-    text, store = "To the red vending machine.", str(tmp_path / "replies.sqlite")
+    text, store = "To the red vending machine.", str(tmp_path / "replies.jsonl")
     asking = ModelSettings(model="sees-red", base_url=address, record=store)
     ours, mine = "see_and_go", f"{copy}:SeeAndGoAgent"
     options = (("memory", "5"),)

@@ -15,7 +15,7 @@ from memorymaze.agents.code_generation import (
 from memorymaze.agents.code_generation.replies import read_steps
 from memorymaze.evaluation.run_folder import read_run
 from memorymaze.instructions.files import load_instructions
-from memorymaze.language.answer_store import AnswerStore
+from memorymaze.language.answer_files import AnswerFile
 from memorymaze.language.answers import RecordingModel
 from memorymaze.language.model import CompletionRequest, Message
 from memorymaze.language.prompt_texts import numbered
@@ -122,13 +122,13 @@ def test_the_way_through_files_gives_the_tables_of_the_way_with_a_model(
     agent = ["--agent", "code_generation", *variant]
     run = ["--workers", "1", *tiny_files]
 
-    record_replies(tmp_path / "kept.sqlite", Path(tiny_files[1]), parser=parser)
+    record_replies(tmp_path / "kept.jsonl", Path(tiny_files[1]), parser=parser)
     online = tmp_path / "online" / "run"
-    replay = ["--replay", tmp_path / "kept.sqlite"]
+    replay = ["--replay", tmp_path / "kept.jsonl"]
     said = memorymaze("evaluate", *agent, *replay, *run, "--out", online)
     assert said.code == 0, said.err
 
-    store = tmp_path / "answers.sqlite"
+    store = tmp_path / "answers.jsonl"
     ask = ["answers", "requests", *agent, "--model", "scripted", "--store", store]
     for stage in ("parse", "program") if parser else ("program",):
         asked, got = tmp_path / f"{stage}.jsonl", tmp_path / f"{stage}_replies.jsonl"
@@ -141,7 +141,7 @@ def test_the_way_through_files_gives_the_tables_of_the_way_with_a_model(
     assert "nothing is open" in said.out
     said = memorymaze("answers", "check", store, *variant, *tiny_files)
     assert said.code == 0, said.err
-    assert "12 episodes; answers given before the run, from answers.sqlite" in said.out
+    assert "12 episodes; answers given before the run, from answers.jsonl" in said.out
 
     offline = tmp_path / "offline" / "run"
     said = memorymaze("evaluate", *agent, "--replay", store, *run, "--out", offline)
@@ -151,13 +151,13 @@ def test_the_way_through_files_gives_the_tables_of_the_way_with_a_model(
     assert endings == {"agent", "crash", "unsafe", "model_error"}
     assert any(each.success for each in results(online))
     said = memorymaze("table", offline, "--format", "text")
-    assert "answers given before the run, from answers.sqlite" in said.out
+    assert "answers given before the run, from answers.jsonl" in said.out
 
 
 def test_a_request_that_failed_stays_open(
     memorymaze: Memorymaze, tiny_files: list[str], tmp_path: Path
 ) -> None:
-    store, asked = tmp_path / "answers.sqlite", tmp_path / "asked.jsonl"
+    store, asked = tmp_path / "answers.jsonl", tmp_path / "asked.jsonl"
     ask = ["answers", "requests", "--agent", "code_generation"]
     ask += ["--set", "parser=false"]
     ask += ["--model", "m", "--store", str(store), *tiny_files]
@@ -180,8 +180,8 @@ def test_a_request_that_failed_stays_open(
 def test_replies_to_what_was_not_asked_are_refused(
     memorymaze: Memorymaze, tmp_path: Path
 ) -> None:
-    store, replies = tmp_path / "answers.sqlite", tmp_path / "replies.jsonl"
-    AnswerStore(store, make=True)
+    store, replies = tmp_path / "answers.jsonl", tmp_path / "replies.jsonl"
+    AnswerFile(store, make=True)
     replies.write_text('{"custom_id": "program/x", "text": "stop()"}', encoding="utf-8")
     said = memorymaze("answers", "import", replies, "--store", store)
     assert said.code != 0
@@ -194,7 +194,7 @@ def test_a_file_that_is_there_is_not_written_over(
     there = tmp_path / "requests.jsonl"
     there.write_text("mine", encoding="utf-8")
     ask = ["answers", "requests", "--agent", "code_generation", "--model", "m"]
-    ask += ["--store", str(tmp_path / "answers.sqlite"), *tiny_files, "--out"]
+    ask += ["--store", str(tmp_path / "answers.jsonl"), *tiny_files, "--out"]
     said = memorymaze(*ask, there)
     assert said.code == 2
     assert "exists already" in said.err
@@ -205,7 +205,7 @@ def test_a_file_with_problems_is_told_line_by_line(
     memorymaze: Memorymaze, tiny_files: list[str], tmp_path: Path
 ) -> None:
     programs = tmp_path / "programs.jsonl"
-    record = {"instruction_id": "p1-1", "model": "m", "program": "turn('left'"}
+    record = {"instruction_id": "p1-1", "stage": "program", "reply": "turn('left'"}
     programs.write_text(json.dumps(record) + "\n{\n", encoding="utf-8")
     said = memorymaze("answers", "check", programs, *tiny_files)
     assert (said.code, said.err) == (1, "")
@@ -220,7 +220,7 @@ def test_a_file_with_problems_is_told_line_by_line(
 def test_answers_to_single_tellings_are_not_taken_for_both(
     memorymaze: Memorymaze, tiny_files: list[str], tmp_path: Path
 ) -> None:
-    store, out = tmp_path / "kept.sqlite", tmp_path / "open.jsonl"
+    store, out = tmp_path / "kept.jsonl", tmp_path / "open.jsonl"
     record_replies(store, Path(tiny_files[1]), parser=False)
     ask = ["answers", "requests", "--agent", "code_generation"]
     ask += ["--set", "parser=false"]

@@ -22,7 +22,7 @@ from memorymaze.evaluation.plan import RunPlan, plan_run
 from memorymaze.evaluation.settings import AgentSettings, differences
 from memorymaze.instructions import load_corpus
 from memorymaze.instructions.files import load_instructions
-from memorymaze.language.answer_store import AnswerStore
+from memorymaze.language.answer_files import AnswerFile
 from memorymaze.language.answers import AboutInstruction, RecordingModel
 from memorymaze.language.model_settings import ModelSettings
 from memorymaze.language.scripted_model import ScriptedLanguageModel
@@ -32,7 +32,7 @@ TINY_INSTRUCTIONS = Path(__file__).parents[1] / "tiny_instructions.jsonl"
 IDS = [each.id for each in load_instructions([TINY_INSTRUCTIONS])]
 UNPARSED = CodeGenerationOptions(parser=False)
 PARSED = (("parser", "true"),)
-BY_HAND = {"model": "m", "program": "move_forward(3)\nstop()"}
+BY_HAND = {"stage": "program", "reply": "move_forward(3)\nstop()"}
 
 
 @pytest.fixture
@@ -64,11 +64,12 @@ def plan(tiny_sites_folder: Path) -> Callable[..., RunPlan]:
         answers: Path,
         name: str = "code_generation",
         options: tuple[tuple[str, str], ...] = (),
+        model: str | None = None,
         **changes: Any,
     ) -> RunPlan:
-        model = ModelSettings(replay=str(answers), **changes)
+        asked = ModelSettings(model=model, replay=str(answers), **changes)
         return plan_run(
-            AgentSettings(name, options=options, language_model=model),
+            AgentSettings(name, options=options, language_model=asked),
             load_corpus([TINY_INSTRUCTIONS], sites=tiny_sites_folder),
         )
 
@@ -82,7 +83,7 @@ def test_programs_by_hand_run_without_a_parser_and_without_an_inference(
     assert dict(planned.settings.option_values)["parser"] == "false"
     results = run_plan(planned, tmp_path / "run", workers=1)
     assert {(one.agent, one.stopped_by, one.model_calls) for one in results} == {
-        ("code_generation[m]", "agent", 0)
+        ("code_generation[answers]", "agent", 0)
     }
     assert all(2 < one.path_length < 4 for one in results)
 
@@ -90,9 +91,8 @@ def test_programs_by_hand_run_without_a_parser_and_without_an_inference(
 def test_replies_are_counted_at_the_prices_given(
     file: Callable[..., Path], plan: Callable[..., RunPlan], tmp_path: Path
 ) -> None:
-    text = f"```\n{BY_HAND['program']}\n```"
-    reply = {"stage": "program", "text": text, "prompt_tokens": 100, "latency_s": 2.0}
-    planned = plan(file(replies=[reply]), price=TokenPrice(1.0, 2.0))
+    said = {"model": "m", "prompt_tokens": 100, "latency_s": 2.0}
+    planned = plan(file(**said), price=TokenPrice(1.0, 2.0))
     [one, *_] = run_plan(planned, tmp_path / "run", workers=1)
     assert (one.model_calls, one.tokens, one.inference_s) == (1, 100, 2.0)
     assert one.cost_usd == pytest.approx(100 / 1e6)
@@ -103,12 +103,7 @@ def test_the_run_says_to_which_prompt_answers_were_given(
     file: Callable[..., Path], plan: Callable[..., RunPlan]
 ) -> None:
     now = prompt_versions([CodeGenerationRequests(UNPARSED).program("")])["program"]
-    answers = {
-        "stage": "program",
-        "program": None,
-        "reply": "```\nstop()\n```",
-        "prompt": now,
-    }
+    answers = {"reply": "```\nstop()\n```", "prompt": now}
     older = {IDS[0]: {"prompt": "0123456789ab"}, IDS[1]: {"prompt": None}}
     taken = plan(file(**answers)).settings.answers
     assert taken is not None
@@ -133,7 +128,7 @@ def test_changed_answers_are_another_run(
     file: Callable[..., Path], plan: Callable[..., RunPlan]
 ) -> None:
     before = plan(file()).settings
-    after = plan(file(program="stop()")).settings
+    after = plan(file(reply="stop()")).settings
     assert [each.name for each in differences(before, after)] == ["answers.sha256"]
 
 
@@ -159,9 +154,9 @@ def test_what_is_known_of_programs_before_they_run_is_told(
     file: Callable[..., Path], plan: Callable[..., RunPlan]
 ) -> None:
     path = file({
-        IDS[1]: {"program": "turns = 1\nwalk()"},
-        IDS[2]: {"program": "import os\nimport numpy"},
-        IDS[3]: {"program": None, "error": "It refused."},
+        IDS[1]: {"reply": "turns = turn('left')\nwalk()"},
+        IDS[2]: {"reply": "stop()\nimport numpy"},
+        IDS[3]: {"reply": None, "error": "It refused."},
     })
     with path.open("a", encoding="utf-8") as lines:
         lines.write("\n" + json.dumps({"instruction_id": "x", **BY_HAND, "hue": "red"}))
@@ -184,16 +179,16 @@ def test_what_is_known_of_programs_before_they_run_is_told(
 def test_the_next_request_of_each_episode_is_open(
     plan: Callable[..., RunPlan], tmp_path: Path
 ) -> None:
-    path = tmp_path / "answers.sqlite"
-    AnswerStore(path, make=True).expect("m")
-    asked = list(open_requests(plan(path, options=PARSED)))
+    path = tmp_path / "answers.jsonl"
+    AnswerFile(path, make=True)
+    asked = list(open_requests(plan(path, options=PARSED, model="m")))
     stages = [each.question and each.question.stage for each in asked]
     assert stages == ["parse+parser"] * 12
 
     model = RecordingModel(ScriptedLanguageModel(lambda _: "1. Go.", name="m"), path)
     about = AboutInstruction(model, IDS[0])
     about.complete(asked[0])
-    planned = plan(path, options=PARSED)
+    planned = plan(path, options=PARSED, model="m")
     assert planned.settings.answers is not None
     assert planned.settings.answers.missing == 11
     stages = [e.question and e.question.stage for e in open_requests(planned)]
@@ -224,9 +219,11 @@ def test_every_agent_that_asks_beforehand_has_a_request_open_for_each_instructio
     stage: str,
 ) -> None:
     """Of an agent with several stages the first: the next rests on its answer."""
-    path = tmp_path / "answers.sqlite"
-    AnswerStore(path, make=True).expect("m")
-    asked = [each.question for each in open_requests(plan(path, name, **settings))]
+    path = tmp_path / "answers.jsonl"
+    AnswerFile(path, make=True)
+    asked = [
+        each.question for each in open_requests(plan(path, name, model="m", **settings))
+    ]
     assert [each and each.instruction for each in asked] == IDS
     assert {each and each.stage.partition("+")[0] for each in asked} == {stage}
 
@@ -234,9 +231,9 @@ def test_every_agent_that_asks_beforehand_has_a_request_open_for_each_instructio
 def test_an_agent_that_asks_on_the_way_is_followed_to_its_open_request(
     plan: Callable[..., RunPlan], tmp_path: Path
 ) -> None:
-    path = tmp_path / "answers.sqlite"
-    AnswerStore(path, make=True).expect("m")
-    planned = plan(path, "navgpt")
+    path = tmp_path / "answers.jsonl"
+    AnswerFile(path, make=True)
+    planned = plan(path, "navgpt", model="m")
     planned = replace(planned, episodes=planned.episodes[:1])
     [first] = open_requests(planned)
     viewpoint = next(
@@ -248,6 +245,7 @@ def test_an_agent_that_asks_on_the_way_is_followed_to_its_open_request(
     model = RecordingModel(ScriptedLanguageModel([reply], name="m"), path)
     AboutInstruction(model, planned.episodes[0].instruction.id).complete(first)
 
+    planned = replace(plan(path, "navgpt"), episodes=planned.episodes)
     [second] = open_requests(planned)
     assert second.question is not None
     assert (second.question.stage, second.question.number) == ("step", 2)

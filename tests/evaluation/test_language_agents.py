@@ -1,7 +1,6 @@
 """Agents that ask a language model: on a server of our own, and on what it said."""
 
 import json
-import sqlite3
 import threading
 from collections.abc import Callable, Generator
 from dataclasses import replace
@@ -94,7 +93,7 @@ def plan(tiny_sites_folder: Path) -> Callable[..., RunPlan]:
 def test_a_recorded_run_is_replayed_without_a_server(
     server: str, plan: Callable[..., RunPlan], tmp_path: Path
 ) -> None:
-    replies = str(tmp_path / "replies.sqlite")
+    replies = str(tmp_path / "replies.jsonl")
     asking = AgentSettings(
         "code_generation",
         options=UNPARSED,
@@ -138,16 +137,14 @@ def _first(plan: RunPlan) -> EpisodeResult:
 def test_the_user_stands_as_long_as_the_recorded_model_thought(
     server: str, plan: Callable[..., RunPlan], tmp_path: Path
 ) -> None:
-    replies = tmp_path / "replies.sqlite"
+    replies = tmp_path / "replies.jsonl"
     asked = run_plan(
         plan(_asking(server, record=str(replies))), tmp_path / "asked", workers=1
     )
     assert all(one.inference_s > 0 for one in asked)
-    with sqlite3.connect(replies) as database:
-        database.execute(
-            "UPDATE replies SET completion = json_set(completion, '$.latency', 3.21)"
-        )
-    database.close()
+    lines = replies.read_text(encoding="utf-8").splitlines()
+    kept = [json.loads(line) | {"latency_s": 3.21} for line in lines]
+    replies.write_text("\n".join(map(json.dumps, kept)), encoding="utf-8")
     replaying = _asking(None, replay=str(replies))
     replays = [
         run_plan(plan(replaying), tmp_path / name, workers=1) for name in ("1", "2")
@@ -235,7 +232,7 @@ def test_tokens_are_limited_without_a_price(
 def test_a_replay_is_paid_for_at_another_price(
     server: str, plan: Callable[..., RunPlan], tmp_path: Path
 ) -> None:
-    replies = str(tmp_path / "replies.sqlite")
+    replies = str(tmp_path / "replies.jsonl")
     assert _first(plan(_asking(server, record=replies))).cost_usd == 0
     agent = _asking(None, replay=replies, price=TokenPrice(10_000, 0))
     assert _first(plan(agent)).cost_usd == 1.0
@@ -261,7 +258,7 @@ def test_navgpt_is_the_only_agent_with_a_graph() -> None:
 def test_a_recorded_run_gives_the_same_results_without_a_model(
     tiny_plan: Callable[..., RunPlan], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    replies = tmp_path / "replies.sqlite"
+    replies = tmp_path / "replies.jsonl"
     model = RecordingModel(ScriptedLanguageModel(first_listed, name="m"), replies)
     monkeypatch.setattr(
         "memorymaze.evaluation.agent_catalogue.build_language_model", lambda _: model
@@ -310,12 +307,11 @@ def _fields(result: Any) -> dict[str, Any]:
         (
             AgentSettings(
                 "navgpt",
-                options=(("captions", "vision"), ("caption_file", "/no/such/f")),
                 language_model=ModelSettings(
-                    model="m", base_url="http://127.0.0.1:9/v1"
+                    model="m", base_url="http://127.0.0.1:9/v1", record="/no/such/f"
                 ),
             ),
-            "/no/such/f: expected a place for a file of captions",
+            "/no/such/f: expected a place for a file of answers",
         ),
     ],
 )

@@ -76,7 +76,7 @@ def _answers(address: str) -> bool:
 def test_from_a_server_over_programs_and_walks_to_a_table_and_a_replay(
     server: str, tiny_sites_folder: Path, tmp_path: Path
 ) -> None:
-    replies = str(tmp_path / "replies.sqlite")
+    replies = str(tmp_path / "replies.jsonl")
     asking = AgentSettings(
         "code_generation",
         options=(("stages", "single"),),

@@ -159,7 +159,7 @@ def test_a_vision_model_on_a_server_drives_the_robot_and_replays(
     tmp_path: Path,
 ) -> None:
     address, requests = vision_server
-    store = str(tmp_path / "replies.sqlite")
+    store = str(tmp_path / "replies.jsonl")
     asking = AgentSettings(
         "navid",
         language_model=ModelSettings(model="small-vlm", base_url=address, record=store),

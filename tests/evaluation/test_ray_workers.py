@@ -256,14 +256,6 @@ def test_more_workers_than_the_cluster_has_cores_are_refused(
             id="requests",
         ),
         pytest.param(
-            {"language_model": ModelSettings(record="replies.sqlite")},
-            "--record and --ray: one file",
-            id="record",
-        ),
-        pytest.param(
-            {"options": (("captions", "vision"),)}, "captions and --ray", id="captions"
-        ),
-        pytest.param(
             {"language_model": ModelSettings(base_url="http://localhost:8000/v1")},
             "on a cluster of 2 nodes this is every node itself",
             id="own address",
@@ -309,19 +301,20 @@ def test_an_agents_files_are_needed_no_more_once_they_are_packed(
     file.unlink()
     beside.unlink()
     monkeypatch.delitem(sys.modules, "names_of_travellers")
-    done = prepare()(EpisodeTask(plan.episodes[0]))
+    done, recorded = prepare()(EpisodeTask(plan.episodes[0]))
+    assert recorded == b""
     assert isinstance(done, EpisodeDone)
     assert done.result.agent == "traveller"
 
 
 def test_a_file_of_answers_travels(tmp_path: Path, settings: RunSettings) -> None:
-    (tmp_path / "answers.sqlite").write_bytes(b"answers")
+    (tmp_path / "answers.jsonl").write_bytes(b"answers")
     agent = AgentSettings(
         "code_generation",
-        language_model=ModelSettings(replay=str(tmp_path / "answers.sqlite")),
+        language_model=ModelSettings(replay=str(tmp_path / "answers.jsonl")),
     )
     assert pack_files(replace(settings, agent=agent)) == {
-        "replay/answers.sqlite": b"answers",
+        "replay/answers.jsonl": b"answers",
     }
 
 

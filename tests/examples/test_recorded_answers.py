@@ -31,10 +31,10 @@ def test_every_answer_is_to_a_shipped_text(
 ) -> None:
     file = AnswerFile(RECORDED / f"{name}.jsonl")
     shipped = {each.instruction.id for each in load_corpus().episodes}
-    answered = {each.instruction for each in file.answers}
+    answered = {each.instruction_id for each in file.answers}
     assert not file.problems
     assert not file.unused
-    assert file.model == "recorded-llm"
+    assert file.models == ["recorded-llm"]
     assert answered <= shipped
     assert len(answered) == texts
     assert {each.stage for each in file.answers} == stages
@@ -46,7 +46,7 @@ def test_the_texts_of_the_table_are_those_that_are_answered(tmp_path: Path) -> N
     file = RECORDED / "navgpt.jsonl"
     subprocess.run([sys.executable, script, file, out], check=True)
     written = [json.loads(line) for line in out.read_text("utf-8").splitlines()]
-    asked = {each.instruction for each in AnswerFile(file).answers}
+    asked = {each.instruction_id for each in AnswerFile(file).answers}
     assert {each["id"] for each in written} == asked
     assert len({(e["study"], e["site"], e["route"]) for e in written}) == 12
 

@@ -1,6 +1,6 @@
 """What a model once said can be had again without the model."""
 
-import sqlite3
+import json
 import subprocess
 import sys
 from dataclasses import replace
@@ -11,15 +11,16 @@ import pytest
 from memorymaze.errors import (
     AnswerFileError,
     LanguageModelError,
-    RecordedPicturesWarning,
+    RecordedAnswersWarning,
     SettingsError,
 )
-from memorymaze.language.answer_store import AnswerStore, request_key
+from memorymaze.language.answer_files import AnswerFile
 from memorymaze.language.answers import (
     AboutInstruction,
     RecordingModel,
     ReplayingModel,
 )
+from memorymaze.language.kept_answers import request_key
 from memorymaze.language.model import (
     Completion,
     CompletionRequest,
@@ -37,7 +38,7 @@ REQUEST = CompletionRequest((Message("system", "Be brief."), Message("user", "Go
 
 @pytest.fixture
 def store(tmp_path: Path) -> Path:
-    return tmp_path / "replies #1.sqlite"
+    return tmp_path / "replies #1.jsonl"
 
 
 def test_a_recorded_run_replays_without_a_model(store: Path):
@@ -77,12 +78,11 @@ def test_a_request_that_was_not_recorded_is_a_model_error(store: Path):
         replace(REQUEST, temperature=0.1),
         replace(REQUEST, max_tokens=1),
         replace(REQUEST, seed=0),
-        replace(REQUEST, grammar="root ::= [a-z]+"),
         replace(
             REQUEST, messages=(REQUEST.messages[0], Message("user", "Go.", (PNG,)))
         ),
     ],
-    ids=["order", "one more", "temperature", "length", "seed", "grammar", "picture"],
+    ids=["order", "one more", "temperature", "length", "seed", "picture"],
 )
 def test_all_of_a_request_is_in_its_key(other: CompletionRequest):
     assert request_key("m", other) != request_key("m", REQUEST)
@@ -101,12 +101,12 @@ def test_replies_held_to_a_grammar_and_free_ones_are_both_replayed(
     store: Path, held: bool
 ):
     model = ScriptedLanguageModel(["left"])
-    model.takes_grammar = held  # type: ignore[attr-defined]
     request = replace(REQUEST, grammar="root ::= [a-z]+")
-    said = RecordingModel(model, store).complete(request)
+    asked, again = (request, REQUEST) if held else (REQUEST, request)
+    said = RecordingModel(model, store).complete(asked)
 
-    assert model.requests[0].grammar == (request.grammar if held else None)
-    assert ReplayingModel(store).complete(request) == said
+    assert model.requests[0].grammar == asked.grammar
+    assert ReplayingModel(store).complete(again) == said
 
 
 def test_pictures_are_told_apart_and_replies_to_them_replayed(store: Path):
@@ -128,7 +128,7 @@ def test_failures_are_not_recorded(store: Path):
     with pytest.raises(LanguageModelError, match="was asked 1 times"):
         recording.complete(REQUEST)
     with pytest.raises(SettingsError, match="got replies of none"):
-        ReplayingModel(store, name="scripted")
+        ReplayingModel(store)
 
 
 def test_replaying_names_the_models_there_are(store: Path):
@@ -161,7 +161,7 @@ def test_another_file_is_said_and_left_alone(store: Path):
 
     with pytest.raises(AnswerFileError, match="expected JSON"):
         ReplayingModel(store, name="scripted")
-    with pytest.raises(SettingsError, match="file of recorded replies"):
+    with pytest.raises(AnswerFileError, match="expected JSON"):
         RecordingModel(ScriptedLanguageModel(["x"]), store)
 
     assert store.read_text(encoding="utf-8").startswith("a diary")
@@ -169,17 +169,16 @@ def test_another_file_is_said_and_left_alone(store: Path):
 
 def test_a_folder_that_is_not_there_is_said(tmp_path: Path):
     with pytest.raises(SettingsError, match="expected a place for a file"):
-        RecordingModel(ScriptedLanguageModel(["x"]), tmp_path / "no" / "r.sqlite")
+        RecordingModel(ScriptedLanguageModel(["x"]), tmp_path / "no" / "r.jsonl")
 
 
-def test_a_damaged_record_is_a_model_error(store: Path):
+def test_a_damaged_line_is_told_with_its_place(store: Path):
     RecordingModel(ScriptedLanguageModel(["x"]), store).complete(REQUEST)
-    with sqlite3.connect(store) as database:
-        database.execute("UPDATE replies SET completion = '{\"text\": 1}'")
-    database.close()
+    with store.open("a", encoding="utf-8") as file:
+        file.write('{"key": "a", "reply": 1}\n')
 
-    with pytest.raises(LanguageModelError, match="cannot be read"):
-        ReplayingModel(store, name="scripted").complete(REQUEST)
+    with pytest.raises(AnswerFileError, match=":2: field 'reply': expected"):
+        ReplayingModel(store, name="scripted")
 
 
 def test_a_file_that_may_only_be_read_replays(store: Path):
@@ -231,7 +230,7 @@ def test_pictures_drawn_otherwise_are_found_by_their_names_and_that_is_said(
     recording.complete(shown(b"there", "step 2"))
     replaying = ReplayingModel(store)
 
-    with pytest.warns(RecordedPicturesWarning, match="differ from those"):
+    with pytest.warns(RecordedAnswersWarning, match="differ from those"):
         assert replaying.complete(shown(b"h3re", "step 1")).text == "left"
     assert replaying.complete(shown(b"th3re", "step 2")).text == "right"  # said once
 
@@ -246,17 +245,6 @@ def test_other_pictures_of_one_name_are_recorded_anew_and_not_guessed_at(store: 
     for name in ("step 1", "step 2", None):
         with pytest.raises(LanguageModelError, match="no reply"):
             replaying.complete(shown(b"dark hall", name))
-
-
-def test_a_file_from_before_pictures_had_names_replays(store: Path):
-    RecordingModel(ScriptedLanguageModel(["x"]), store).complete(shown(b"a", "1"))
-    with sqlite3.connect(store) as database:
-        database.execute("DROP TABLE replies_by_names")
-    database.close()
-
-    assert ReplayingModel(store).complete(shown(b"a", "1")).text == "x"
-    with pytest.raises(LanguageModelError, match="no reply"):
-        ReplayingModel(store).complete(shown(b"b", "1"))
 
 
 def asked(text: str, prompt: str, number: int = 1) -> CompletionRequest:
@@ -302,8 +290,7 @@ def test_of_several_answers_to_an_older_prompt_none_is_guessed_at(store: Path):
 
 
 def test_requests_kept_for_somebody_else_are_answered_once(store: Path):
-    answers = AnswerStore(store, make=True)
-    answers.expect("m")
+    answers = AnswerFile(store, make=True)
     request = asked("You are here.", "v1")
     identifier = answers.ask("m", request)
     said = Completion("left", "m-2026", Usage(10, 1), 0.0)
@@ -320,17 +307,68 @@ def test_requests_kept_for_somebody_else_are_answered_once(store: Path):
         answers.answer("step/p1-1/abc", said)
 
 
-def test_a_store_from_before_requests_were_questions_replays(store: Path):
-    request = asked("You are here.", "v1")
-    recording = RecordingModel(ScriptedLanguageModel(["left"]), store)
-    AboutInstruction(recording, "p1-1").complete(request)
-    with sqlite3.connect(store) as database:
-        for table in ("questions", "requests", "models"):
-            database.execute(f"DROP TABLE {table}")
-    database.close()
+def test_another_file_is_left_alone_where_it_is_one_line(store: Path):
+    store.write_text("my diary", encoding="utf-8")
+
+    with pytest.raises(AnswerFileError, match=":1: expected JSON"):
+        RecordingModel(ScriptedLanguageModel(["x"]), store)
+    assert store.read_text(encoding="utf-8") == "my diary"
+
+
+def test_of_a_crash_in_the_middle_of_a_line_the_other_answers_stay(store: Path):
+    model = ScriptedLanguageModel(["one", "two", "two again"])
+    other = replace(REQUEST, seed=3)
+    recording = RecordingModel(model, store)
+    recording.complete(REQUEST)
+    whole = store.stat().st_size
+    recording.complete(other)
+    content = store.read_bytes()
+
+    for end in range(whole + 1, len(content) - 1):
+        store.write_bytes(content[:end])
+        with pytest.warns(RecordedAnswersWarning, match=":2: .* broken off"):
+            replaying = ReplayingModel(store)
+        assert replaying.complete(REQUEST).text == "one"
+        with pytest.raises(LanguageModelError, match="no reply"):
+            replaying.complete(other)
+    with pytest.warns(RecordedAnswersWarning, match="broken off"):
+        again = RecordingModel(model, store)
+    assert again.complete(other).text == "two again"
+    lines = store.read_text(encoding="utf-8").splitlines()
+    assert [json.loads(line)["reply"] for line in lines] == ["one", "two again"]
+
+
+def test_answers_are_added_to_a_file_by_hand_without_a_last_line_end(store: Path):
+    by_hand = {"instruction_id": "p1-1", "stage": "step", "reply": "left"}
+    store.write_text(json.dumps(by_hand), encoding="utf-8")
+
+    RecordingModel(ScriptedLanguageModel(["go"]), store).complete(REQUEST)
 
     replaying = ReplayingModel(store)
-    assert AboutInstruction(replaying, "p1-1").complete(request).text == "left"
-    assert replaying.versions() == {}
-    with pytest.raises(LanguageModelError, match="no reply"):
-        AboutInstruction(replaying, "p1-1").complete(asked("x", "v2"))
+    assert replaying.complete(REQUEST).text == "go"
+    question = AboutInstruction(replaying, "p1-1").complete(asked("x", "v1"))
+    assert (question.text, question.inferred) == ("left", False)
+
+
+def test_files_of_several_machines_are_one_after_another_one(
+    store: Path, tmp_path: Path
+):
+    for machine in ("one", "other"):
+        model = ScriptedLanguageModel(lambda _, machine=machine: machine, name="m")
+        recording = RecordingModel(model, tmp_path / machine)
+        recording.complete(REQUEST)
+        recording.complete(asked(machine, "v1"))
+    parts = [(tmp_path / machine).read_bytes() for machine in ("one", "other")]
+    store.write_bytes(b"".join(parts))
+
+    replaying = ReplayingModel(store)
+    assert replaying.complete(REQUEST).text == "one"
+    assert replaying.complete(asked("other", "v1")).text == "other"
+
+
+def test_what_another_process_has_kept_meanwhile_is_not_asked_again(store: Path):
+    model = ScriptedLanguageModel(["once"])
+    one, other = RecordingModel(model, store), RecordingModel(model, store)
+
+    assert one.complete(REQUEST) == other.complete(REQUEST)
+    assert len(model.requests) == 1

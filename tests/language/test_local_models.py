@@ -13,9 +13,7 @@ from memorymaze.language.local_models import (
     local_model,
     model_name,
 )
-from memorymaze.language.model import takes_grammar
 from memorymaze.language.model_settings import ModelSettings
-from memorymaze.language.scripted_model import ScriptedLanguageModel
 
 
 @pytest.fixture
@@ -56,8 +54,6 @@ def test_a_file_is_named_without_its_folder_and_loaded_only_when_asked(
     installed.add("llama_cpp")
     model = build_language_model(ModelSettings(model=f"gguf:{gguf}"))
     assert model.name == "gguf:some-model.gguf"
-    assert takes_grammar(model)
-    assert not takes_grammar(ScriptedLanguageModel([]))
 
 
 def test_what_to_install_is_said(gguf: Path, installed: set[str]) -> None:

@@ -80,7 +80,7 @@ def test_who_does_not_know_is_played_as_one_who_does_not(floor: FloorKnowledge) 
 def test_a_models_words_are_replayed_from_a_store(
     floor: FloorKnowledge, tmp_path: pytest.TempPathFactory
 ) -> None:
-    store = f"{tmp_path}/replies.sqlite"
+    store = f"{tmp_path}/replies.jsonl"
     memory = remembering(floor)
     asked = way_to("the library")
     recording = RecordingModel(ScriptedLanguageModel(["Just there."]), store)

@@ -41,7 +41,6 @@ from memorymaze.language.model import (
     CompletionRequest,
     LanguageModel,
     stages_answered,
-    takes_grammar,
     takes_pictures,
 )
 from memorymaze.processes import die_with_parent, main_left_out
@@ -80,7 +79,6 @@ class _Told(NamedTuple):
     """What a model says of itself."""
 
     name: str
-    takes_grammar: bool
     takes_pictures: bool
     stages_answered: frozenset[str]
 
@@ -88,7 +86,6 @@ class _Told(NamedTuple):
     def of(cls, model: LanguageModel) -> "_Told":
         return cls(
             model.name,
-            takes_grammar(model),
             takes_pictures(model),
             stages_answered(model),
         )
@@ -271,7 +268,6 @@ class _FarModel:
     def __init__(self, connection: Connection, told: _Told) -> None:
         self._connection = connection
         self.name = told.name
-        self.takes_grammar = told.takes_grammar
         self.takes_pictures = told.takes_pictures
         self.stages_answered = told.stages_answered
 

@@ -23,7 +23,7 @@ def add_parser(verbs: Verbs) -> None:
         "service or vLLM's run-batch, read the replies into a store, and again, until "
         "nothing is open; `memorymaze evaluate --replay STORE` runs them.",
         epilog="example: memorymaze answers requests --agent code_generation --model "
-        "gpt-4o --store answers.sqlite --out requests.jsonl (docs/code_generation.md "
+        "gpt-4o --store answers.jsonl --out requests.jsonl (docs/code_generation.md "
         "has the whole way)",
     )
     actions = parser.add_subparsers(title="actions", metavar="ACTION", required=True)
@@ -39,7 +39,7 @@ def _add_requests(actions: Verbs) -> None:
         description="Write the next request of each episode to which the store has no "
         "answer. Agents that ask while they walk are followed to that point.",
         epilog="example: memorymaze answers requests --agent code_generation --model "
-        "gpt-4o --store answers.sqlite --out requests.jsonl",
+        "gpt-4o --store answers.jsonl --out requests.jsonl",
     )
     parser.add_argument(
         "--model", metavar="NAME", required=True, help="as the server calls it"
@@ -63,7 +63,7 @@ def _add_import(actions: Verbs) -> None:
         help="read replies into a store",
         description="Read the replies to `memorymaze answers requests` into the store "
         "that it kept the requests in. Requests that failed stay open.",
-        epilog="example: memorymaze answers import replies.jsonl --store answers.sqlite",
+        epilog="example: memorymaze answers import replies.jsonl --store answers.jsonl",
     )
     parser.add_argument("replies", metavar="REPLIES", nargs="+", help="JSONL")
     parser.add_argument("--store", metavar="FILE", required=True)
@@ -77,10 +77,10 @@ def _add_check(actions: Verbs) -> None:
         description="Say which instructions lack answers, which answers were given to "
         "another version of the prompt, and how episodes will end before the robot "
         "moves: each program is checked as the sandbox does, and not run.",
-        epilog="example: memorymaze answers check answers.sqlite",
+        epilog="example: memorymaze answers check answers.jsonl",
     )
-    parser.add_argument("file", metavar="FILE", help="a store, or a JSONL file")
-    parser.add_argument("--model", metavar="NAME", help="of a store with several")
+    parser.add_argument("file", metavar="FILE", help="recorded, or written by hand")
+    parser.add_argument("--model", metavar="NAME", help="of a file with several")
     _add_what(parser, agent="code_generation")
     parser.set_defaults(run=_check)
 
@@ -133,11 +133,10 @@ def _plan(options: argparse.Namespace, answers: str) -> "RunPlan":
 def _write_requests(options: argparse.Namespace) -> int:
     from memorymaze.durable_files import write_new
     from memorymaze.evaluation.answers import open_requests
-    from memorymaze.language.answer_store import AnswerStore
+    from memorymaze.language.answer_files import AnswerFile
     from memorymaze.language.batch_files import request_line
 
-    store = AnswerStore(options.store, make=True)
-    store.expect(options.model)
+    store = AnswerFile.sound(options.store, make=True)
     length = "max_completion_tokens" if options.max_completion_tokens else "max_tokens"
     asked = {
         store.ask(options.model, request): request
@@ -158,10 +157,10 @@ def _write_requests(options: argparse.Namespace) -> int:
 def _import_replies(options: argparse.Namespace) -> int:
     from memorymaze.errors import AnswerFileError
     from memorymaze.input_files import refusal
-    from memorymaze.language.answer_store import AnswerStore
+    from memorymaze.language.answer_files import AnswerFile
     from memorymaze.language.batch_files import read_replies
 
-    store = AnswerStore(options.store)
+    store = AnswerFile.sound(options.store)
     replies = read_replies(options.replies).values()
     problems: list[str] = []
     failed = 0

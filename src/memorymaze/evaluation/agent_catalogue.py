@@ -22,7 +22,7 @@ from memorymaze.agents.making import (
 from memorymaze.agents.navgpt import CaptionOptions
 from memorymaze.errors import SettingsError, did_you_mean
 from memorymaze.evaluation.settings import AgentSettings
-from memorymaze.evaluation.vision_captions import CaptionStore, VisionCaptions
+from memorymaze.evaluation.vision_captions import VisionCaptions
 from memorymaze.input_files import FileStamp
 from memorymaze.instructions.records import Episode
 from memorymaze.language.answers import AboutInstruction
@@ -297,4 +297,4 @@ def _captions(
         return None
     if options.caption_model is not None:
         model = build_language_model(replace(settings, model=options.caption_model))
-    return VisionCaptions(model, CaptionStore(options.caption_file))
+    return VisionCaptions(model)

@@ -1,6 +1,6 @@
 """What answers given before a run lack, and how its episodes will end by them.
 
-No model is asked here; the agent asks, and is answered from a store or a file.
+No model is asked here; the agent asks, and is answered from a file.
 """
 
 from collections.abc import Iterator
@@ -20,7 +20,6 @@ from memorymaze.evaluation.episode import run_episode
 from memorymaze.evaluation.people_to_ask import model_of_people
 from memorymaze.evaluation.plan import RunPlan
 from memorymaze.instructions.records import Episode
-from memorymaze.language.answer_files import AnswerFile
 from memorymaze.language.answers import UnansweredError
 from memorymaze.language.building import replaying_model
 from memorymaze.language.model import CompletionRequest
@@ -73,14 +72,14 @@ def remarks_on(plan: RunPlan) -> Iterator[Remark]:
     known = {episode.instruction.id for episode in plan.episodes}
     places: dict[str, str] = {}
     model = replaying_model(plan.settings.agent.language_model)
-    if model is not None and isinstance(model.answers, AnswerFile):
-        places = {each.instruction: each.place for each in model.answers.answers}
+    if model is not None:
+        places = model.file.places
         for name in places.keys() - known:
             told = f"{places[name]}: {name!r} is the id of no instruction; not used"
             yield Remark("note", told)
-        if model.answers.unused:
-            fields = ", ".join(map(repr, model.answers.unused))
-            told = f"{model.answers.path}: fields that are not used: {fields}"
+        if model.file.unused:
+            fields = ", ".join(map(repr, model.file.unused))
+            told = f"{model.file.path}: fields that are not used: {fields}"
             yield Remark("note", told)
     for episode in plan.episodes:
         agent = _Inquirer(plan.ready.in_episode(episode), episode)

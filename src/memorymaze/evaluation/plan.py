@@ -30,7 +30,6 @@ from memorymaze.evaluation.shards import episodes_of_shard
 from memorymaze.input_files import FileStamp, stamp_file
 from memorymaze.instructions import Corpus, load_corpus
 from memorymaze.instructions.records import Episode
-from memorymaze.language.answer_files import AnswerFile
 from memorymaze.language.building import replaying_model
 from memorymaze.language.model_settings import ModelSettings
 from memorymaze.sites import Site
@@ -154,7 +153,7 @@ def _answers_taken(
     wanted = list(dict.fromkeys(each.instruction.id for each in asking))
     known = {instruction for instruction, _ in versions}
     missing = [each for each in wanted if versions and each not in known]
-    if missing and isinstance(model.answers, AnswerFile):
+    if missing and model.file.is_by_hand:
         raise AnswerFileError(
             f"{file}: expected an answer for each of {len(wanted)} "
             f"instructions, got none for {len(missing)}: "

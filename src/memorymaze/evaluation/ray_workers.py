@@ -29,6 +29,7 @@ from memorymaze.evaluation.plan import RunPlan
 from memorymaze.evaluation.provenance import code_stamp
 from memorymaze.evaluation.settings import RunDefinition
 from memorymaze.evaluation.worker_pool import LEAVING_TIME, WorkerDied
+from memorymaze.language.answer_files import append_answers
 from memorymaze.processes import available_cores
 from memorymaze.wording import counted
 
@@ -120,12 +121,9 @@ class RayWorkforce:
 
     def check(self, settings: RunDefinition) -> None:
         """Refuse settings that only processes of one machine can keep together."""
-        agent, model = settings.agent, settings.agent.language_model
-        options = {name.replace("-", "_"): value for name, value in agent.options}
-        captions = options.get("captions", "templates")
+        model = settings.agent.language_model
         here = "leave --ray out: workers on this machine (--workers N) keep it together"
         limit = f"workers on several machines do not know what all have spent; {here}"
-        one_file = f"one file cannot be written from several machines; {here}"
         requests = (
             f"every worker has one under way; give --workers {model.max_requests}"
         )
@@ -133,8 +131,6 @@ class RayWorkforce:
             ("--max-cost", model.max_cost is not None, limit),
             ("max_tokens_total", model.max_tokens_total is not None, limit),
             ("max_requests", model.max_requests is not None, requests),
-            ("--record", model.record is not None, one_file),
-            ("--set captions", captions != "templates", one_file),
         ):
             if given:
                 raise SettingsError(f"{option} and --ray: {reason}")
@@ -154,7 +150,8 @@ class RayWorkforce:
         prepare = TravellingWorker(
             EpisodeWorker.of(plan, plan.settings), pack_files(plan.settings)
         )
-        return RaySource(prepare, min(self.workers, episodes))
+        record = plan.settings.agent.language_model.record
+        return RaySource(prepare, min(self.workers, episodes), record)
 
 
 class RaySource:
@@ -163,9 +160,12 @@ class RaySource:
     starting_limit = 300.0
     advice = "see with `ray status` whether cores are free; logs on the nodes: /tmp/ray"
 
-    def __init__(self, prepare: "TravellingWorker", count: int) -> None:
+    def __init__(
+        self, prepare: "TravellingWorker", count: int, record: str | None
+    ) -> None:
         """Lay down once, for the whole cluster, what each node fetches."""
         self.count = count
+        self._record = None if record is None else Path(record)
         self._host = ray.remote(_host_class()).options(num_cpus=1, max_restarts=0)
         self._packed = ray.put(pickle.dumps(prepare))
 
@@ -173,7 +173,7 @@ class RaySource:
         """Start an actor, which Ray puts where a core is free."""
         actor = self._host.remote()
         reply = actor.prepare.remote(asdict(code_stamp()), self._packed)
-        return RayWorker(actor, reply)
+        return RayWorker(actor, reply, self._record)
 
     def wait(self, workers: Sequence["RayWorker"], seconds: float) -> list["RayWorker"]:
         """Return those whose reply is there."""
@@ -187,6 +187,8 @@ class RayWorker:
 
     actor: Any
     reply: Any
+    record: Path | None = None
+    """Where answers go that were recorded for the episode."""
 
     def send(self, task: EpisodeTask) -> None:
         """Ask for the outcome of a task."""
@@ -202,7 +204,12 @@ class RayWorker:
             raise WorkerDied(reason) from None
         if said == "refused":
             raise SettingsError(content)
-        return content
+        if said == "ready":
+            return "ready"
+        outcome, recorded = content
+        if recorded and self.record is not None:
+            append_answers(self.record, recorded)
+        return outcome
 
     def end(self, *, at_once: bool) -> None:
         """End the actor, wherever it is."""
@@ -261,10 +268,13 @@ class TravellingWorker:
 
     worker: EpisodeWorker
     files: dict[str, bytes]
-    """Contents by place: `agent/…`, `replay/…`."""
+    """Contents by place: `agent/…`, `replay/…`, `record/…`."""
 
-    def __call__(self) -> Callable[[EpisodeTask], EpisodeOutcome]:
-        """Write the files, see that this machine has what the run needs, and prepare."""
+    def __call__(self) -> Callable[[EpisodeTask], tuple[EpisodeOutcome, bytes]]:
+        """Write the files, see that this machine has what the run needs, and prepare.
+
+        The function gives, with each outcome, the lines of answers recorded for it.
+        """
         folder = Path(tempfile.mkdtemp(prefix="memorymaze-"))
         # Not earlier: recorded replies are read as long as there are episodes.
         atexit.register(shutil.rmtree, folder, ignore_errors=True)
@@ -278,19 +288,33 @@ class TravellingWorker:
         model = replace(agent.language_model, threads=1)
         if model.replay is not None:
             model = replace(model, replay=f"{folder}/replay/{Path(model.replay).name}")
+        recorded: Path | None = None
+        if model.record is not None:
+            recorded = folder / "record" / Path(model.record).name
+            model = replace(model, record=str(recorded))
         agent = replace(agent, language_model=model)
         if ".py:" in agent.name:
             agent = replace(agent, name=f"{folder}/agent/{Path(agent.name).name}")
-        return replace(self.worker, settings=replace(settings, agent=agent))()
+        follow = replace(self.worker, settings=replace(settings, agent=agent))()
+
+        def run(task: EpisodeTask) -> tuple[EpisodeOutcome, bytes]:
+            known = 0 if recorded is None else recorded.stat().st_size
+            outcome = follow(task)
+            return outcome, b"" if recorded is None else recorded.read_bytes()[known:]
+
+        return run
 
 
 def pack_files(settings: RunDefinition) -> dict[str, bytes]:
     """Read the files that the settings of a run name, and those beside its agent's."""
-    agent, replay = settings.agent, settings.agent.language_model.replay
+    agent, model = settings.agent, settings.agent.language_model
     files: dict[str, bytes] = {}
     if ".py:" in agent.name:
         for name, path in agent_files(agent.name).items():
             files[f"agent/{name}"] = path.read_bytes()
-    if replay is not None:
-        files[f"replay/{Path(replay).name}"] = Path(replay).read_bytes()
+    if model.replay is not None:
+        files[f"replay/{Path(model.replay).name}"] = Path(model.replay).read_bytes()
+    if model.record is not None:
+        kept = Path(model.record)
+        files[f"record/{kept.name}"] = kept.read_bytes() if kept.exists() else b""
     return files

@@ -1,229 +1,279 @@
-"""Answers in a file: JSONL, one record per line, from any model or by hand.
+"""Answers in a file: JSONL, one answer a line, recorded, read from batches or by hand.
 
-A record is an answer to one question (`instruction_id`, `stage`, `reply` or `error`), or
-all that one instruction took on the way to a program (`instruction_id`, `program` or
-`error`, and `replies`). What else there can be is in `docs/language_models.md`.
+A recorded answer has a `key`: a digest of what was asked, by which it is found. One written
+by hand has none, and is found by its question. Files are only ever appended to, by any
+number of processes; several of them one after another are one. What a line may hold is in
+`docs/language_models.md`.
 """
 
-from collections.abc import Iterator
-from dataclasses import dataclass, fields
+import fcntl
+import json
+import os
+import warnings
 from pathlib import Path
-from typing import Annotated
 
-from pydantic import Field, StringConstraints, TypeAdapter, ValidationError
+from memorymaze.errors import (
+    AnswerFileError,
+    LanguageModelError,
+    RecordedAnswersWarning,
+    SettingsError,
+)
+from memorymaze.input_files import decoded, read_file, refusal
+from memorymaze.language.kept_answers import KeptAnswer, pictures_shown, request_key
+from memorymaze.language.model import Completion, CompletionRequest, Question
 
-from memorymaze.errors import AnswerFileError
-from memorymaze.input_files import mistakes, parse_record, read_lines, unknown_fields
-from memorymaze.language.model import MOST_TOKENS, Completion, Question, Usage
-from memorymaze.language.prompt_texts import numbered
-
-Text = Annotated[str, StringConstraints(min_length=1, pattern=r"\S")]
-Count = Annotated[int, Field(ge=0, le=MOST_TOKENS)]
-Amount = Annotated[float, Field(ge=0, le=1e9)]
-
-
-@dataclass(frozen=True, slots=True)
-class Answer:
-    """An answer, or why there is none, and the question it was given to."""
-
-    instruction: str
-    stage: str
-    """One without a variant answers all its variants."""
-    number: int
-    prompt: str | None
-    """Version of the prompt; None where nobody says."""
-    completion: Completion | None
-    error: str | None
-    """Why there is no completion."""
-    place: str
-    """`file:line`, or the file."""
-
-    def answers(self, stage: str) -> bool:
-        """Tell whether it answers a stage, such as `program` that of `program+parser`."""
-        return stage == self.stage or stage.startswith(f"{self.stage}+")
-
-
-@dataclass(frozen=True, slots=True)
-class _Reply:
-    """One reply on the way to a program."""
-
-    stage: Text
-    text: str
-    prompt_tokens: Count = 0
-    completion_tokens: Count = 0
-    cost_usd: Amount | None = None
-    latency_s: Amount = 0.0
-
-
-@dataclass(frozen=True, slots=True)
-class _Record:
-    """One line, of either kind; `method` is read and not used."""
-
-    instruction_id: Text
-    model: Text | None = None
-    stage: Text | None = None
-    number: Annotated[int, Field(ge=1)] = 1
-    step: Annotated[int, Field(ge=1)] | None = None
-    prompt: Text | None = None
-    reply: str | None = None
-    error: str | None = None
-    prompt_tokens: Count = 0
-    completion_tokens: Count = 0
-    cost_usd: Amount | None = None
-    latency_s: Amount = 0.0
-    program: str | None = None
-    method: Text | None = None
-    parser: bool | None = None
-    steps: tuple[str, ...] | None = None
-    replies: tuple[_Reply, ...] = ()
-
-
-_RECORD = TypeAdapter(_Record)
-_FIELDS = [field.name for field in fields(_Record)]
-_COMMON = ("model", "parser")
-"""Fields that all records of a file have in common: a file is one method."""
+RECORDED = b'{"key": "'
+"""What each line begins with that a run wrote; only such a line can have been broken off."""
 
 
 class AnswerFile:
-    """The answers in one file, sound or not.
+    """The answers in one file, sound or not, which others may add to.
 
     `problems` says what is wrong, one line each with its place; `unused` names fields that
     the format does not know.
     """
 
-    def __init__(self, path: str | Path) -> None:
-        """Read the file, and find all that is wrong with it."""
+    def __init__(self, path: str | Path, *, make: bool = False) -> None:
+        """Read the file, and find all that is wrong with it; make it if so wished."""
         self.path = Path(path)
-        self.answers: list[Answer] = []
+        self.answers: list[KeptAnswer] = []
         self.problems: list[str] = []
-        unused: dict[str, None] = {}
-        first: _Record | None = None
-        places: dict[tuple[str, str, int, str | None], str] = {}
-        for place, line in read_lines(path, AnswerFileError):
+        self.unused: dict[str, None] = {}
+        self.places: dict[str, str] = {}
+        """Where the last answer by hand to an instruction stands, `file:line`."""
+        self._lines = self._end = 0
+        self._by_key: dict[str, list[KeptAnswer]] = {}
+        self._by_question: dict[tuple[str, int], list[KeptAnswer]] = {}
+        self._by_hand: dict[tuple[object, ...], str] = {}
+        if make:
             try:
-                record, extra = _read(line)
-                first = first or record
-                _check_common(record, first)
-                found = list(_answers(record, place))
-                for each in found:
-                    key = (each.instruction, each.stage, each.number, each.prompt)
-                    known = places.setdefault(key, place)
-                    if known != place:
-                        raise ValueError(
-                            f"expected one answer to a question, got a second one to "
-                            f"{each.stage} of {each.instruction!r}, which {known} has"
-                        )
-            except ValueError as error:
-                self.problems.append(f"{place}: {error}")
-                continue
-            unused.update(dict.fromkeys(extra))
-            self.answers += found
-        self.unused = tuple(unused)
-        named = None if first is None else first.model
-        self.model = named or self.path.stem
-        self._by_question: dict[tuple[str, int], list[Answer]] = {}
-        for each in self.answers:
-            key = (each.instruction, each.number)
-            self._by_question.setdefault(key, []).append(each)
+                self.path.open("ab").close()
+            except OSError as error:
+                raise SettingsError(
+                    f"{path}: expected a place for a file of answers ({error})"
+                ) from None
+        elif not self.path.exists():
+            raise SettingsError(f"{path}: there are no recorded replies here")
+        if self._read(read_file(path, AnswerFileError)):
+            warnings.warn(
+                f"{path}:{self._lines + 1}: the last answer was broken off while it was "
+                "written; it is left out",
+                RecordedAnswersWarning,
+                stacklevel=2,
+            )
 
-    def find_by_question(self, question: Question) -> Answer | None:
-        """Return the answer to a question, under this version of the prompt or another."""
+    @classmethod
+    def sound(cls, path: str | Path, *, make: bool = False) -> "AnswerFile":
+        """Read a file; `AnswerFileError` names all that is wrong with it."""
+        found = cls(path, make=make)
+        if found.problems:
+            raise refusal(found.problems, AnswerFileError)
+        return found
+
+    @property
+    def models(self) -> list[str]:
+        """Names of the models asked."""
+        return sorted({each.model for each in self.answers if each.model})
+
+    @property
+    def is_by_hand(self) -> bool:
+        """Whether somebody wrote all of it; else a run may have left some out."""
+        return all(each.key is None for each in self.answers)
+
+    def find(self, model: str, request: CompletionRequest) -> KeptAnswer | None:
+        """Return the first answer to exactly this request, whoever gave it."""
+        shown = pictures_shown(request)
+        return next(
+            (e for e in self._kept(model, request) if e.pictures == shown), None
+        )
+
+    def find_by_names(
+        self, model: str, request: CompletionRequest
+    ) -> KeptAnswer | None:
+        """Return the one answer to this request with other pictures of the same names.
+
+        OpenGL draws slightly other pixels on other machines.
+        """
+        found = self._kept(model, request)
+        same = len({each.pictures for each in found}) == 1
+        return found[0] if same else None
+
+    def find_by_question(self, model: str, question: Question) -> KeptAnswer | None:
+        """Return the answer to a question.
+
+        One by hand under this version of the prompt or another; else the one that was
+        recorded under the last other version. Under the same version that was given to
+        another request: to another text, or in another place. None too where there are
+        several.
+        """
         asked = self._by_question.get((question.instruction, question.number), [])
-        matching = [each for each in asked if each.answers(question.stage)]
-        same = [each for each in matching if each.prompt == question.prompt]
-        return (same or matching or [None])[-1]
+        matching = [
+            each
+            for each in asked
+            if each.answers(question.stage) and each.model in {None, model}
+        ]
+        by_hand = [each for each in matching if each.key is None]
+        if by_hand:
+            same = [each for each in by_hand if each.prompt == question.prompt]
+            return (same or by_hand)[-1]
+        prompts = [each.prompt for each in matching]
+        if not matching or question.prompt in prompts:
+            return None
+        last = {each.key: each for each in matching if each.prompt == prompts[-1]}
+        return next(iter(last.values())) if len(last) == 1 else None
 
-    def stages(self) -> dict[tuple[str, str], set[str | None]]:
+    def stages(
+        self, model: str | None = None
+    ) -> dict[tuple[str, str], set[str | None]]:
         """Return the versions of prompts answered, by instruction and stage."""
         found: dict[tuple[str, str], set[str | None]] = {}
         for each in self.answers:
-            found.setdefault((each.instruction, each.stage), set()).add(each.prompt)
+            ours = model is None or each.model in {None, model}
+            if ours and each.instruction_id and each.stage and not each.is_open:
+                asked = found.setdefault((each.instruction_id, each.stage), set())
+                asked.add(each.prompt)
         return found
 
+    def keep(
+        self, model: str, request: CompletionRequest, completion: Completion
+    ) -> KeptAnswer:
+        """Add an answer; return the one that counts, which another process may have."""
+        ours = KeptAnswer.asked(model, request).said(completion)
+        self._add(ours)
+        return self.find(model, request) or ours
 
-def _read(line: str) -> tuple[_Record, list[str]]:
-    """Read one line; return the record and the names of fields that nobody knows."""
-    content = parse_record(line)
-    unknown = unknown_fields(content, _FIELDS)
+    def ask(self, model: str, request: CompletionRequest) -> str:
+        """Keep a request that somebody else is to answer; return its id.
+
+        Questions that are asked in the same words are one request.
+        """
+        ours = KeptAnswer.asked(model, request)
+        known = [each for each in self.answers if each.key == ours.key]
+        if ours not in known:
+            self._add(ours)
+        return (known or [ours])[0].id
+
+    def answer(self, identifier: str, completion: Completion) -> None:
+        """Keep the answer to a request that was kept before."""
+        asked = [each for each in self.answers if each.is_open]
+        keys = {each.key for each in asked if each.id == identifier}
+        if not keys:
+            raise ValueError(
+                f"{self.path} has not asked {identifier!r}; give the store that "
+                "`memorymaze answers requests` wrote the request to"
+            )
+        for each in [each for each in asked if each.key in keys]:
+            ours = each.said(completion)
+            known = self._by_key.get(each.key or "", [])
+            if any(other.reply != ours.reply for other in known):
+                raise ValueError(
+                    f"{self.path} has another answer to {identifier!r} already; choose "
+                    "another store to compare them"
+                )
+            if ours not in known:
+                self._add(ours)
+
+    def _kept(self, model: str, request: CompletionRequest) -> list[KeptAnswer]:
+        return self._by_key.get(request_key(model, request), [])
+
+    def refresh(self) -> None:
+        """Read what was added since, by whomever."""
+        try:
+            with self.path.open("rb") as file:
+                file.seek(self._end)
+                self._read(file.read())
+        except OSError as error:
+            raise LanguageModelError(
+                f"{self.path}: the recorded replies cannot be read ({error})"
+            ) from error
+
+    def _add(self, answer: KeptAnswer) -> None:
+        try:
+            append_answers(self.path, answer.line().encode() + b"\n")
+        except OSError as error:
+            raise LanguageModelError(
+                f"{self.path}: the reply could not be kept ({error})"
+            ) from error
+        self.refresh()
+
+    def _read(self, content: bytes) -> bool:
+        """Read what comes next in the file; tell whether a last line was broken off."""
+        *lines, last = content.split(b"\n")
+        broken = _is_broken_off(last)
+        if last and not broken:
+            lines.append(last)
+        self._end += len(content) - (len(last) if broken else 0)
+        text = decoded(b"\n".join(lines), self.path, AnswerFileError)
+        for line in text.split("\n") if lines else ():
+            self._lines += 1
+            if not line.strip():
+                continue
+            place = f"{self.path}:{self._lines}"
+            try:
+                found, unknown = KeptAnswer.of_line(line)
+                self._index(found, place)
+            except ValueError as error:
+                self.problems.append(f"{place}: {error}")
+                continue
+            self.unused.update(dict.fromkeys(unknown))
+        return broken
+
+    def _index(self, found: KeptAnswer, place: str) -> None:
+        if found.key is None:
+            question = (found.instruction_id, found.stage, found.number, found.prompt)
+            known = self._by_hand.setdefault((*question, found.model), place)
+            if known != place:
+                raise ValueError(
+                    f"expected one answer to a question, got a second one to "
+                    f"{found.stage} of {found.instruction_id!r}, which {known} has"
+                )
+            self.places[found.instruction_id or ""] = place
+        self.answers.append(found)
+        if found.is_open:
+            return
+        if found.key is not None:
+            self._by_key.setdefault(found.key, []).append(found)
+        if found.instruction_id is not None:
+            question = (found.instruction_id, found.number)
+            self._by_question.setdefault(question, []).append(found)
+
+
+def append_answers(path: Path, lines: bytes) -> None:
+    """Add lines to a file that other processes add to; they are on the disk then.
+
+    A last line that a killed process left is cut away first.
+    """
+    handle = os.open(path, os.O_RDWR | os.O_CREAT | os.O_APPEND, 0o644)
     try:
-        record = _RECORD.validate_python(content)
-    except ValidationError as error:
-        where, what = next(mistakes(error))
-        raise ValueError(f"field {where!r}: {what}") from None
-    kinds = [name for name in ("program", "reply", "error") if name in content]
-    if len([name for name in kinds if content[name] is not None]) != 1:
-        raise ValueError(
-            "expected either `program` or `reply`, or `error` that says why there is "
-            f"none, got {' and '.join(kinds) or 'neither'}"
-        )
-    if record.reply is not None and not (record.stage or record.step):
-        raise ValueError("field 'stage' is missing: what the reply answers")
-    if record.parser and not (record.replies or record.steps or record.error):
-        raise ValueError(
-            "expected `steps` or `replies` where `parser` is true: what the "
-            "instruction was parsed into"
-        )
-    if record.program is not None and record.replies:
-        written = "".join(record.replies[-1].text.split())
-        if "".join(record.program.split()) not in written:
-            raise ValueError(
-                "expected the `program` that is in the last of `replies`, got another "
-                "one; leave `replies` out where it was changed by hand"
-            )
-    return record, unknown
+        fcntl.flock(handle, fcntl.LOCK_EX)
+        last = _last_line(handle)
+        if _is_broken_off(last):
+            os.ftruncate(handle, os.fstat(handle).st_size - len(last))
+        elif last:
+            lines = b"\n" + lines
+        while lines:
+            lines = lines[os.write(handle, lines) :]
+        os.fsync(handle)
+    finally:
+        os.close(handle)
 
 
-def _check_common(record: _Record, first: _Record) -> None:
-    for name in _COMMON:
-        expected, got = getattr(first, name), getattr(record, name)
-        if got != expected:
-            raise ValueError(
-                f"expected {name} {expected!r} as in the first record, got {got!r}; a "
-                "file is one method: split it"
-            )
+def _last_line(handle: int) -> bytes:
+    """Return what follows the last line end of a file."""
+    found, begin = b"", os.fstat(handle).st_size
+    while begin and b"\n" not in found:
+        step = min(begin, 2**16)
+        begin -= step
+        found = os.pread(handle, step, begin) + found
+    return found.rpartition(b"\n")[2]
 
 
-def _answers(record: _Record, place: str) -> Iterator[Answer]:
-    """Yield what a record answers; of the way to a program, each reply."""
-    if record.program is None and (record.stage or record.step):
-        said = None if record.reply is None else _said(record, record.reply)
-        yield _answer(record, record.stage or "step", said, place)
-        return
-    answered: set[str] = set()
-    for each in record.replies:
-        answered.add(each.stage)
-        usage = Usage(each.prompt_tokens, each.completion_tokens, each.cost_usd)
-        said = Completion(each.text, record.model or "", usage, each.latency_s)
-        yield _answer(record, each.stage, said, place)
-    # As a model would have said it; it is no inference.
-    written = {
-        "parse": None if record.steps is None else numbered(record.steps),
-        "program": None if record.program is None else _fenced(record.program),
-    }
-    for stage in ("parse", "program") if record.parser else ("program",):
-        if stage not in answered:
-            text = written[stage]
-            said = None if text is None else _said(record, text, inferred=False)
-            yield _answer(record, stage, said, place)
-
-
-def _fenced(program: str) -> str:
-    fence = "~~~" if "```" in program else "```"
-    return f"{fence}python\n{program}\n{fence}"
-
-
-def _said(record: _Record, text: str, *, inferred: bool = True) -> Completion:
-    usage = Usage(record.prompt_tokens, record.completion_tokens, record.cost_usd)
-    return Completion(text, record.model or "", usage, record.latency_s, inferred)
-
-
-def _answer(record: _Record, stage: str, said: Completion | None, place: str) -> Answer:
-    return Answer(
-        instruction=record.instruction_id,
-        stage=stage,
-        number=record.step or record.number,
-        prompt=record.prompt,
-        completion=said,
-        error=None if said is not None else record.error,
-        place=place,
-    )
+def _is_broken_off(last: bytes) -> bool:
+    """Tell whether a line without an end is the beginning of one that a run wrote."""
+    if not last or not RECORDED.startswith(last[: len(RECORDED)]):
+        return False
+    try:
+        json.loads(last)
+    except ValueError:
+        return True
+    return False

@@ -43,7 +43,6 @@ class GgufModel:
     again, and reading them takes most of the time.
     """
 
-    takes_grammar = True
     takes_pictures = False
 
     def __init__(

@@ -130,14 +130,6 @@ class LanguageModel(Protocol):
         ...
 
 
-def takes_grammar(model: LanguageModel) -> bool:
-    """Tell whether a model holds its replies to the grammars of requests.
-
-    Models say so by an attribute `takes_grammar`; those without it give free replies.
-    """
-    return bool(getattr(model, "takes_grammar", False))
-
-
 def takes_pictures(model: LanguageModel) -> bool:
     """Tell whether a model may be shown pictures.
 
@@ -165,11 +157,6 @@ class WrappedModel:
     def name(self) -> str:
         """Name of the model asked."""
         return self._model.name
-
-    @property
-    def takes_grammar(self) -> bool:
-        """Whether the model asked is held to a request's grammar."""
-        return takes_grammar(self._model)
 
     @property
     def takes_pictures(self) -> bool:

@@ -148,9 +148,9 @@ class ModelSettings:
     base_url: str | None = field(default=None, metadata={"metavar": "URL"})
     """an OpenAI-compatible server; none for OpenAI's, or OPENAI_BASE_URL"""
     record: str | None = field(default=None, metadata={"metavar": "FILE"})
-    """keep the model's answers in a store"""
+    """keep the model's answers in a JSONL file, and ask for none that is there"""
     replay: str | None = field(default=None, metadata={"metavar": "FILE"})
-    """take answers from a store or a JSONL file; ask no model (docs/language_models.md)"""
+    """take answers from a JSONL file; ask no model (docs/language_models.md)"""
     inference_time: InferenceTime = InferenceTime()
     """how long the robot stands for each reply, in simulated time: measured, none,
     SECONDS, or a profile in tokens per second such as start=0.5,prompt=2000,reply=60"""

@@ -96,11 +96,6 @@ class OpenAIModel:
     def _who(self) -> str:
         return f"language model {self._model} at {self._server}"
 
-    @property
-    def takes_grammar(self) -> bool:
-        """Whether replies are held to the grammars of requests."""
-        return self._grammar_server is not None
-
     def complete(self, request: CompletionRequest) -> Completion:
         """Ask the server."""
         attempt = 0

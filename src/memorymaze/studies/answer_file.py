@@ -6,12 +6,14 @@ from collections.abc import Generator
 from contextlib import ExitStack, closing, contextmanager
 from pathlib import Path
 
-from memorymaze.durable_files import BUSY_TIMEOUT, locked
+from memorymaze.durable_files import locked
 from memorymaze.errors import StudyError
 from memorymaze.studies.schedule import cell_name, route_orders
 from memorymaze.studies.study_file import Study
 
 FILE = "answers.sqlite"
+BUSY_TIMEOUT = 60.0
+"""Seconds to wait while another process writes."""
 
 SCHEMA = """
 CREATE TABLE facts (name TEXT PRIMARY KEY, value TEXT NOT NULL) STRICT;

@@ -53,7 +53,7 @@ def test_answers_in_a_file_to_an_older_prompt_are_found(
 def test_answers_in_a_store_to_an_older_prompt_are_found(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    store = tmp_path / "answers.sqlite"
+    store = tmp_path / "answers.jsonl"
     with monkeypatch.context() as before:
         before.setattr(
             "memorymaze.agents.code_generation.requests.api_specification",

@@ -202,7 +202,7 @@ def test_the_walk_ends_without_a_claim_when_no_request_is_left(
 def test_a_recorded_walk_is_replayed_without_a_model(
     t_site: Site, tmp_path: Path
 ) -> None:
-    store, route = tmp_path / "replies.sqlite", t_site.routes[0]
+    store, route = tmp_path / "replies.jsonl", t_site.routes[0]
     replies = [say("walk", way="A"), say("walk", way="A"), say("stop")]
     model = RecordingModel(ScriptedLanguageModel(replies, name="m"), store)
     asked = AboutInstruction(model, f"t_junction-{route.id}")

@@ -55,8 +55,6 @@ class CaptionOptions:
     vision model that is shown pictures."""
     caption_model: str | None = None
     """Vision model of the captions; none for the agent's own model."""
-    caption_file: str = "navgpt_captions.sqlite"
-    """File in which a vision model's captions are kept and looked up."""
 
     @property
     def needs(self) -> frozenset[Need]:
