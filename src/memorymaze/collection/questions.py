@@ -2,11 +2,9 @@
 
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
-from pathlib import Path
 
 from memorymaze.collection.labels import KINDS, NO_WAY, Label, text_stamp
-from memorymaze.drawing.plan_picture import draw_site
-from memorymaze.errors import SettingsError, did_you_mean
+from memorymaze.errors import did_you_mean
 from memorymaze.instructions.records import Failure, Instruction
 from memorymaze.sites.records import Route, Site, TurningPoint
 
@@ -99,17 +97,3 @@ def _name_beyond(site: Site, way: Route, point: TurningPoint) -> str | None:
         if place.name and place.polygon.covers(beyond):
             return place.name
     return None
-
-
-def draw_ways(folder: str | Path, site: Site, route: str) -> Path:
-    """Draw the plan with the ways of a route, unless the picture is there already."""
-    picture = Path(folder) / f"{site.name}_{route}.png"
-    if not picture.exists():
-        try:
-            picture.parent.mkdir(parents=True, exist_ok=True)
-            draw_site(site, picture, routes=[route])
-        except OSError as error:
-            raise SettingsError(
-                f"--pictures {folder}: cannot be written ({error.strerror or error})"
-            ) from None
-    return picture

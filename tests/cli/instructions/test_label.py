@@ -1,5 +1,4 @@
 import csv
-import io
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -9,26 +8,31 @@ import pytest
 Memorymaze = Callable[..., Any]
 
 
+def fill(sheet: Path, *answers: dict[str, str]) -> None:
+    """Fill in the first rows of a sheet."""
+    with sheet.open(encoding="utf-8-sig", newline="") as opened:
+        rows = list(csv.DictReader(opened))
+    for row, answer in zip(rows, answers, strict=False):
+        row |= answer
+    with sheet.open("w", encoding="utf-8", newline="") as opened:
+        writer = csv.DictWriter(opened, list(rows[0]))
+        writer.writeheader()
+        writer.writerows(rows)
+
+
 def test_two_annotators_label_and_agree(
-    memorymaze: Memorymaze,
-    tiny_files: list[str],
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
+    memorymaze: Memorymaze, tiny_files: list[str], tmp_path: Path
 ) -> None:
     _, file, *sites = tiny_files
-    label = ("instructions", "label", file, *sites, "--annotator")
-    for name, stops_after in (("ada", 11), ("bob", 12)):
-        typed = "1\nyes\n" * stops_after + "q\n"
-        monkeypatch.setattr("sys.stdin", io.StringIO(typed))
-        said = memorymaze(*label, name, "--out", tmp_path / f"{name}.jsonl")
-        assert (said.code, f"{name}: 0 texts labelled, 12 to go" in said.err) == (
-            0,
-            True,
-        )
-    monkeypatch.setattr("sys.stdin", io.StringIO("1\nno\n0\nat the start\n\n\n"))
-    said = memorymaze(*label, "ada", "--out", tmp_path / "ada.jsonl")
-    assert "ada: 11 texts labelled, 1 to go" in said.err
-    assert "p6-2" in said.out
+    right = {"way": "1", "arrives": "yes"}
+    wrong = {"way": "1", "arrives": "no", "kind_1": "0", "where_1": "at the start"}
+    for name, last in (("ada", wrong), ("bob", right)):
+        sheet = tmp_path / f"{name}.csv"
+        label = ("instructions", "label", file, *sites, "--annotator", name)
+        label = (*label, "--csv", sheet, "--out", tmp_path / f"{name}.jsonl")
+        assert "12 rows to fill in" in memorymaze(*label).err
+        fill(sheet, *[right] * 11, last)
+        assert "12 labels added, 0 texts to go" in memorymaze(*label).err
     out = tmp_path / "agreed.jsonl"
     said = memorymaze(
         "instructions",
@@ -53,13 +57,7 @@ def test_a_sheet_is_written_first_and_read_back_then(
     label = ("instructions", "label", file, *sites, "--annotator", "ada")
     label = (*label, "--out", tmp_path / "ada.jsonl", "--csv", sheet)
     assert "12 rows to fill in" in memorymaze(*label).err
-    with sheet.open(encoding="utf-8-sig", newline="") as opened:
-        rows = list(csv.DictReader(opened))
-    rows[0] |= {"way": "1", "arrives": "yes"}
-    with sheet.open("w", encoding="utf-8", newline="") as opened:
-        writer = csv.DictWriter(opened, list(rows[0]))
-        writer.writeheader()
-        writer.writerows(rows)
+    fill(sheet, {"way": "1", "arrives": "yes"})
     assert "1 label added, 11 texts to go" in memorymaze(*label).err
     assert "0 labels added, 11 texts to go" in memorymaze(*label).err
 
@@ -67,13 +65,10 @@ def test_a_sheet_is_written_first_and_read_back_then(
 @pytest.mark.parametrize(
     ("arguments", "code", "said"),
     [
-        pytest.param(["label", "--annotator", " "], 2, "expected a name", id="name"),
         pytest.param(
-            ["label", "--annotator", "a", "--csv", "s", "--pictures", "p"],
-            2,
-            "without --csv",
-            id="pictures in a sheet",
+            ["label", "--annotator", " ", "--csv", "s"], 2, "expected a name", id="name"
         ),
+        pytest.param(["label", "--annotator", "a"], 2, "--csv", id="no sheet"),
         pytest.param(["agreement"], 1, "none.jsonl: cannot be read", id="no labels"),
     ],
 )

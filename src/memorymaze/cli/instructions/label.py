@@ -12,13 +12,12 @@ def add_parser(actions: Verbs) -> None:
     """Add the action to `memorymaze instructions`."""
     parser = actions.add_parser(
         "label",
-        help="mark failures and alternative ways, in the terminal or a sheet",
-        description="Ask which way each text describes and what is wrong in it, without "
-        "showing the labels that the file has. Each answer is kept at once; the same "
-        "command goes on where it was broken off. With --csv a sheet is written to be "
-        "filled in; once it is there, it is read back (docs/labelling.md).",
+        help="mark failures and alternative ways in a sheet",
+        description="Write a sheet that asks which way each text describes and what is "
+        "wrong in it, without showing the labels that the file has. Once the sheet is "
+        "there, the same command reads back what is filled in (docs/labelling.md).",
         epilog="example: memorymaze instructions label mine.jsonl --annotator ada "
-        "--out ada.jsonl",
+        "--csv ada.csv --out ada.jsonl",
     )
     parser.add_argument("file", metavar="FILE", help="instruction file (JSONL)")
     parser.add_argument("--annotator", metavar="NAME", required=True, help="who labels")
@@ -26,16 +25,17 @@ def add_parser(actions: Verbs) -> None:
         "--out", metavar="LABELS", required=True, help="file that labels are added to"
     )
     parser.add_argument(
-        "--csv", metavar="SHEET", help="sheet to write, or to read where it exists"
-    )
-    parser.add_argument(
-        "--pictures", metavar="DIR", help="draw the plan with the ways into this folder"
+        "--csv",
+        metavar="SHEET",
+        required=True,
+        help="sheet to write, or to read where it exists",
     )
     add_sites_option(parser)
     parser.set_defaults(run=_run)
 
 
 def _run(options: argparse.Namespace) -> int:
+    from memorymaze.collection.label_sheet import read_label_sheet, write_label_sheet
     from memorymaze.collection.labels import (
         append_labels,
         check_annotator,
@@ -43,14 +43,9 @@ def _run(options: argparse.Namespace) -> int:
         read_labels,
     )
     from memorymaze.collection.questions import questions
-    from memorymaze.errors import SettingsError
     from memorymaze.instructions import load_corpus
 
     annotator = check_annotator(options.annotator)
-    if options.csv is not None and options.pictures is not None:
-        raise SettingsError(
-            "--pictures: is for labelling in the terminal, without --csv"
-        )
     corpus = load_corpus([options.file], sites=options.sites)
     told, sites = corpus.instructions, corpus.sites
     known = (
@@ -61,25 +56,6 @@ def _run(options: argparse.Namespace) -> int:
         for (who, name), label in latest_labels(known).items()
         if who == annotator
     }
-    if options.csv is None:
-        from memorymaze.collection.dialogue import ask_for_labels
-
-        waiting = questions(told, sites, done)
-        _say(
-            f"{annotator}: {counted(len(done), 'text')} labelled, {len(waiting)} to go"
-        )
-        if waiting:
-            ask_for_labels(
-                waiting,
-                annotator,
-                options.out,
-                ask=input,
-                say=print,
-                pictures=options.pictures,
-            )
-        return 0
-    from memorymaze.collection.label_sheet import read_label_sheet, write_label_sheet
-
     if not Path(options.csv).exists():
         waiting = questions(told, sites, done)
         write_label_sheet(options.csv, waiting)

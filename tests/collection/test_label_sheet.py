@@ -1,10 +1,9 @@
 import csv
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
-from memorymaze.collection.dialogue import ask_for_labels
 from memorymaze.collection.label_sheet import read_label_sheet, write_label_sheet
 from memorymaze.collection.labels import Label, append_labels, read_labels
 from memorymaze.collection.questions import questions
@@ -13,7 +12,7 @@ from memorymaze.instructions import Failure, Instruction
 from memorymaze.sites import Site
 
 Told = Callable[..., Instruction]
-Typed = Callable[..., str]
+Labelled = Callable[..., Label]
 
 
 @pytest.fixture
@@ -24,30 +23,6 @@ def instructions(told: Told) -> list[Instruction]:
 
 
 @pytest.fixture
-def typed(
-    instructions: list[Instruction], tiny_sites: dict[str, Site], tmp_path: Path
-) -> Typed:
-    """Label with the answers given, then the end of the input; return what was said."""
-
-    def run(*answers: str) -> str:
-        said: list[str] = []
-        left: Iterator[str] = iter(answers)
-
-        def ask(prompt: str) -> str:
-            said.append(prompt)
-            try:
-                return next(left)
-            except StopIteration:
-                raise EOFError from None
-
-        waiting = questions(instructions, tiny_sites)
-        ask_for_labels(waiting, "ada", tmp_path / "ada.jsonl", ask=ask, say=said.append)
-        return "\n".join(said)
-
-    return run
-
-
-@pytest.fixture
 def kept(
     instructions: list[Instruction], tiny_sites: dict[str, Site], tmp_path: Path
 ) -> Callable[[], list[Label]]:
@@ -55,56 +30,11 @@ def kept(
     return lambda: read_labels([tmp_path / "ada.jsonl"], instructions, tiny_sites)
 
 
-def test_an_annotator_is_told_the_ways_and_not_the_labels(typed: Typed) -> None:
-    said = typed()
-    assert "> Turn right, says a." in said
-    assert "2 route_r1_alternative: alternative, 33 m: left" in said
-    assert "written by people" in said
-    assert "SECRET" not in said
-    assert "extra_turn" not in said
-
-
-def test_answers_become_labels(typed: Typed, kept: Callable[[], list[Label]]) -> None:
-    failing = ("2", "no", "extra turn", "tp_nw", "says left", "")
-    assert "done; 3 labels" in typed("", "y", *failing, "0", "yes")
-    [first, second, third] = kept()
-    assert (first.way, first.failures) == ("route_r1_reference", ())
-    assert second.way == "route_r1_alternative"
-    assert second.failures == (Failure("extra_turn", "tp_nw", "says left"),)
-    assert third.way == "none"
-
-
-def test_what_cannot_be_read_is_asked_again(
-    typed: Typed, kept: Callable[[], list[Label]]
-) -> None:
-    said = typed("3", "x", "1", "perhaps", "y")
-    assert "expected a way (0 to 2, or none, route_r1_reference" in said
-    assert "expected yes or no, got 'perhaps'" in said
-    assert len(kept()) == 1
-
-
-def test_breaking_off_keeps_what_is_whole(
-    typed: Typed, kept: Callable[[], list[Label]]
-) -> None:
-    assert "stopped; 1 label is kept" in typed("1", "y", "1", "no", "0", "q")
-    assert [label.instruction for label in kept()] == ["a"]
-
-
-def test_one_can_go_back_and_leave_one_for_later(
-    typed: Typed, kept: Callable[[], list[Label]]
-) -> None:
-    typed("s", "1", "y", "b", "0", "y")
-    assert [(label.instruction, label.way) for label in kept()] == [
-        ("b", "route_r1_reference"),
-        ("b", "none"),
-    ]
-
-
 def test_a_line_that_a_kill_broke_off_is_cut_away(
-    typed: Typed, kept: Callable[[], list[Label]], tmp_path: Path
+    label: Labelled, kept: Callable[[], list[Label]], tmp_path: Path
 ) -> None:
-    typed("1", "y")
     file = tmp_path / "ada.jsonl"
+    append_labels(file, [label("ada", "a")])
     file.write_bytes(file.read_bytes() + b'{"instruction": "b", "te')
     [first] = kept()
     append_labels(file, [first])
@@ -112,14 +42,14 @@ def test_a_line_that_a_kill_broke_off_is_cut_away(
 
 
 def test_labels_of_another_text_or_way_are_refused(
-    typed: Typed,
+    label: Labelled,
     instructions: list[Instruction],
     tiny_sites: dict[str, Site],
     tmp_path: Path,
     told: Told,
 ) -> None:
-    typed("1", "y")
     file = tmp_path / "ada.jsonl"
+    append_labels(file, [label("ada", "a")])
     with pytest.raises(LabelFileError, match=r"ada\.jsonl:1: .*text of 'a' is another"):
         read_labels([file], [told("a", text="Changed.")], tiny_sites)
     bad = file.read_text(encoding="utf-8").replace("route_r1_reference", "route_x")
@@ -149,7 +79,10 @@ def test_a_sheet_is_filled_in_and_read_back(
     write_label_sheet(sheet, waiting)
     written = sheet.read_text(encoding="utf-8-sig")
     assert "'=1+1" in written
+    assert "route_r1_alternative: alternative, 33 m: left" in written
+    assert ",people," in written
     assert "SECRET" not in written
+    assert "extra_turn" not in written
     failing = {
         "way": "1",
         "arrives": "no",
@@ -210,23 +143,3 @@ def test_a_file_that_is_no_sheet_is_named(
     sheet.write_text("a,b\n1,2\n", encoding="utf-8")
     with pytest.raises(LabelFileError, match="expected the columns of a sheet"):
         read_label_sheet(sheet, questions(instructions, tiny_sites), "bob")
-
-
-def test_plans_are_drawn_once_and_named(
-    instructions: list[Instruction], tiny_sites: dict[str, Site], tmp_path: Path
-) -> None:
-    said: list[str] = []
-
-    def leave(_prompt: str) -> str:
-        return "s"
-
-    ask_for_labels(
-        questions(instructions, tiny_sites),
-        "ada",
-        tmp_path / "ada.jsonl",
-        ask=leave,
-        say=said.append,
-        pictures=tmp_path / "plans",
-    )
-    [picture] = (tmp_path / "plans").iterdir()
-    assert said.count(f"plan: {picture}") == 3
