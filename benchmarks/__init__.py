@@ -9,6 +9,7 @@ texts, by many walks or words is run by itself: `arrival` and `repair` (docs/ben
 BENCHMARKS: dict[str, str] = {
     "lidar": "benchmarks.lidar",
     "metrics": "benchmarks.metrics",
+    "films": "benchmarks.films",
     "rendering": "benchmarks.rendering",
     "scaling": "benchmarks.scaling",
     "sign_reading": "benchmarks.sign_reading",

@@ -171,6 +171,7 @@ class MjModel:
     vis: _Visual
     ngeom: int
     nbody: int
+    geom_aabb: _Floats
     geom_group: _Ints
     geom_size: _Floats
     geom_pos: _Floats

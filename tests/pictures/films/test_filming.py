@@ -1,4 +1,5 @@
 import math
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -9,6 +10,8 @@ import pytest
 from memorymaze.errors import SettingsError
 from memorymaze.geometry.pose import Pose
 from memorymaze.pictures.films import WalkthroughSettings, film_walkthrough
+from memorymaze.pictures.films.drawing import Artist, frames_of_shots, shots_of
+from memorymaze.pictures.films.video_file import BT709, LIMITED_RANGE, video_frame
 from memorymaze.pictures.rendering import PanoramaCamera, RenderedCamera
 from memorymaze.pictures.rendering.robot_eyes import visual_scene_of
 from memorymaze.simulation.scene import Scene
@@ -62,17 +65,73 @@ def test_a_panorama_looks_all_round(scenes: dict[str, Scene], tmp_path: Path) ->
     assert b"equirectangular" in path.read_bytes()
 
 
-def test_a_film_that_is_broken_off_leaves_nothing(
-    scenes: dict[str, Scene], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+def test_a_panorama_has_the_colours_of_faces_drawn_one_by_one(
+    corridor_artist: Artist, scenes: dict[str, Scene]
 ) -> None:
-    def interrupt(*_: Any) -> None:
+    pose = Pose(6.0, 0.3, 0.4)
+    with PanoramaCamera(visual_scene_of(scenes["corridor"]), 512, 4) as camera:
+        around = camera.picture(pose, 1.6)
+    drawn = colours(corridor_artist.planes(pose))
+    assert difference(drawn, around) < 3.0
+    # Nothing is out of its place: two columns off it is less like it.
+    for columns in (-2, 2):
+        aside = np.roll(drawn, columns, axis=1)
+        assert difference(aside, around) > difference(drawn, around) + 0.5
+
+
+def test_a_turn_on_the_spot_is_a_panorama_turned(corridor_artist: Artist) -> None:
+    start = Pose(6.0, 0.3, 0.0)
+    quarter = Pose(6.0, 0.3, math.pi / 2)
+    onwards = Pose(6.1, 0.3, math.pi / 2)
+    drawn, shots = shots_of([start, start, quarter, onwards], panorama=True)
+    assert drawn == [start, onwards]
+    pictures = (corridor_artist.planes(pose) for pose in drawn)
+    first, _, turned, _ = map(colours, frames_of_shots(shots, pictures))
+    again = colours(corridor_artist.planes(quarter))
+    assert difference(turned, again) < 3.0 < 6.0 < difference(first, again)
+
+
+def test_a_film_ahead_draws_anew_where_the_eye_has_turned() -> None:
+    start, turned = Pose(6.0, 0.3, 0.0), Pose(6.0, 0.3, 0.1)
+    drawn, shots = shots_of([start, start, turned], panorama=False)
+    assert drawn == [start, turned]
+    assert [shot.picture for shot in shots] == [0, 0, 1]
+
+
+@pytest.fixture(scope="module")
+def corridor_artist(scenes: dict[str, Scene]) -> Iterator[Artist]:
+    """Who draws the corridor all round, 512 pixels wide."""
+    settings = WalkthroughSettings(size=(512, 256), panorama=True)
+    artist = Artist(scenes["corridor"].site, settings.eye)
+    yield artist
+    artist.close()
+
+
+def difference(one: np.ndarray, other: np.ndarray) -> float:
+    """Return the mean difference of two pictures' colours, of 255."""
+    return float(np.abs(one.astype(float) - other).mean())
+
+
+def colours(planes: np.ndarray) -> np.ndarray:
+    frame = video_frame(planes).reformat(
+        format="rgb24", src_colorspace=BT709, src_color_range=LIMITED_RANGE
+    )
+    return frame.to_ndarray()
+
+
+def test_a_film_that_is_broken_off_leaves_nothing(
+    scenes: dict[str, Scene], tmp_path: Path
+) -> None:
+    def interrupt(done: int, count: int) -> None:
+        assert any(tmp_path.iterdir())
+        assert (done, count) == (1, 5)
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(RenderedCamera, "picture", interrupt)
     scene = scenes["corridor"]
-    settings = WalkthroughSettings(size=(64, 48), fps=1, speed=8)
+    settings = WalkthroughSettings(size=(64, 48), fps=1, speed=4)
+    path = tmp_path / "a.mp4"
     with pytest.raises(KeyboardInterrupt):
-        film_walkthrough(scene, scene.site.routes[0], tmp_path / "a.mp4", settings)
+        film_walkthrough(scene, scene.site.routes[0], path, settings, told=interrupt)
     assert not list(tmp_path.iterdir())
 
 

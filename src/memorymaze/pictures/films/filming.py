@@ -1,8 +1,8 @@
 """From a route to the file of its walkthrough."""
 
 import math
-from collections.abc import Generator, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable, Iterator
+from contextlib import closing
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -12,6 +12,12 @@ from numpy.typing import NDArray
 from memorymaze.errors import MemoryMazeError, SettingsError
 from memorymaze.geometry.pose import Pose, wrap_angle
 from memorymaze.geometry.trajectory import Trajectory
+from memorymaze.pictures.films.drawing import (
+    Eye,
+    drawn_by_processes,
+    frames_of_shots,
+    shots_of,
+)
 from memorymaze.pictures.films.video_file import (
     check_picture,
     check_ranges,
@@ -19,9 +25,6 @@ from memorymaze.pictures.films.video_file import (
     write_video,
 )
 from memorymaze.pictures.kinds_of_looks import Looks
-from memorymaze.pictures.rendering.camera import RenderedCamera
-from memorymaze.pictures.rendering.panorama import PanoramaCamera
-from memorymaze.pictures.rendering.robot_eyes import visual_scene_of
 from memorymaze.simulation.robot import SimulatedRobot
 from memorymaze.simulation.scene import Scene
 from memorymaze.simulation.settings import SimulationSettings
@@ -62,7 +65,7 @@ class WalkthroughSettings:
     horizontal_fov: float = math.pi / 2
     """Radians; of no meaning in a panorama."""
     multisamples: int = 4
-    """Samples per pixel that smooth edges."""
+    """Samples per pixel that smooth edges; of no meaning in a panorama."""
     looks: Looks | None = None
     """How things look: `own` or `models`; None for models where they were converted."""
 
@@ -75,6 +78,19 @@ class WalkthroughSettings:
     def height_in_pixels(self) -> int:
         """Pixels."""
         return self.size[1] if self.size else (640 if self.panorama else 540)
+
+    @property
+    def eye(self) -> Eye:
+        """What looks."""
+        return Eye(
+            self.width,
+            self.height_in_pixels,
+            self.panorama,
+            self.horizontal_fov,
+            self.height,
+            self.multisamples,
+            self.looks,
+        )
 
     def __post_init__(self) -> None:
         """Check every value."""
@@ -97,6 +113,7 @@ def film_walkthrough(
     settings: WalkthroughSettings | None = None,
     *,
     progress: bool = False,
+    told: Callable[[int, int], object] | None = None,
 ) -> int:
     """Write the video of a route; it is there in full or not at all.
 
@@ -108,6 +125,8 @@ def film_walkthrough(
         path: An mp4 file, which is replaced.
         settings: What it looks like; the defaults when None.
         progress: Whether to show a bar with the time left on stderr.
+        told: Is told after each frame how many of how many are written; what it raises
+            ends the film.
 
     Returns:
         How many frames it has.
@@ -122,13 +141,14 @@ def film_walkthrough(
     check_target(path, ".mp4", "video")
     tour = tour_of(scene, route)
     count = tour.frame_count(settings.fps, settings.speed)
-    with _camera(scene, settings) as camera:
+    poses, shots = shots_of(
+        tour.poses(settings.fps, settings.speed), panorama=settings.panorama
+    )
+    # Closed at once where the film is broken off, with the processes that draw.
+    with closing(drawn_by_processes(scene.site, settings.eye, poses)) as pictures:
         write_video(
             path,
-            (
-                camera.picture(pose, settings.height)
-                for pose in tour.poses(settings.fps, settings.speed)
-            ),
+            _telling(frames_of_shots(shots, pictures), count, told),
             (settings.width, settings.height_in_pixels),
             settings.fps,
             title=f"Walkthrough of {scene.site.title}, {route.id} (simulated)",
@@ -139,23 +159,15 @@ def film_walkthrough(
     return count
 
 
-@contextmanager
-def _camera(
-    scene: Scene, settings: WalkthroughSettings
-) -> Generator[RenderedCamera | PanoramaCamera]:
-    looks = visual_scene_of(scene, settings.looks)
-    if settings.panorama:
-        camera = PanoramaCamera(looks, settings.width, settings.multisamples)
-    else:
-        camera = RenderedCamera(
-            looks,
-            settings.width,
-            settings.height_in_pixels,
-            settings.horizontal_fov,
-            multisamples=settings.multisamples,
-        )
-    with camera:
-        yield camera
+def _telling(
+    frames: Iterator[NDArray[np.uint8]],
+    count: int,
+    told: Callable[[int, int], object] | None,
+) -> Iterator[NDArray[np.uint8]]:
+    for number, frame in enumerate(frames, start=1):
+        yield frame
+        if told is not None:
+            told(number, count)
 
 
 @dataclass(frozen=True)

@@ -19,7 +19,7 @@ from memorymaze.errors import SettingsError
 
 SECONDS_BETWEEN_LINES = 15.0
 
-QUALITY = {"crf": "20", "preset": "fast", "threads": "1"}
+QUALITY = {"crf": "20", "preset": "veryfast", "threads": "1"}
 """Of x264; a single thread, because threads have a part in what comes out."""
 BT709, LIMITED_RANGE = 1, 1
 """Numbers of colour space, primaries, transfer and range in H.264."""
@@ -99,7 +99,7 @@ def write_video(
 
     Args:
         path: An mp4 file.
-        pictures: Colours, each (height, width, 3).
+        pictures: Colours, each (height, width, 3); or planes (`planes_of`).
         size: Width and height, pixels, even.
         fps: Frames per second.
         title: Kept in the file.
@@ -128,17 +128,30 @@ def write_video(
             container.metadata["title"] = title
             stream = _stream(container, size, fps)
             for picture in pictures:
-                colours = av.VideoFrame.from_ndarray(picture, format="rgb24")
-                frame = colours.reformat(
-                    format="yuv420p",
-                    dst_colorspace=BT709,
-                    dst_color_range=LIMITED_RANGE,
-                )
-                container.mux(stream.encode(frame))
+                container.mux(stream.encode(video_frame(picture)))
                 bar.update()
             container.mux(stream.encode(None))
         if spherical:
             mark_spherical(unfinished)
+
+
+def video_frame(picture: NDArray[np.uint8]) -> av.VideoFrame:
+    """Return a picture, (height, width, 3) or planes, as the encoder takes it."""
+    if picture.ndim == 2:
+        return av.VideoFrame.from_ndarray(picture, format="yuv420p")
+    colours = av.VideoFrame.from_ndarray(picture, format="rgb24")
+    return colours.reformat(
+        format="yuv420p", dst_colorspace=BT709, dst_color_range=LIMITED_RANGE
+    )
+
+
+def planes_of(picture: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """Return a picture as its encoder keeps it: brightness, then the two colours.
+
+    Rows are as wide as the picture, and half as many again: the colours have a quarter
+    of its pixels each.
+    """
+    return np.asarray(video_frame(picture).to_ndarray(), dtype=np.uint8)
 
 
 def _stream(container: Any, size: tuple[int, int], fps: float) -> Any:

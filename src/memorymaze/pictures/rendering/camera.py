@@ -60,6 +60,7 @@ class RenderedCamera:
         near: float = 0.05,
         far: float = 100.0,
         multisamples: int = 0,
+        trilinear: bool | None = None,
     ) -> None:
         """Open a camera.
 
@@ -71,6 +72,8 @@ class RenderedCamera:
             near: Metres along the axis below which nothing is seen.
             far: Metres along the axis beyond which nothing is seen.
             multisamples: Samples per pixel that smooth edges in `rgb`; 0 is fastest.
+            trilinear: Whether textures are mixed from two of their sizes, which is
+                slower; None where edges are smoothed too.
 
         Raises:
             SettingsError: A setting has no meaning.
@@ -95,7 +98,7 @@ class RenderedCamera:
         self._drawn.flags[mujoco.mjtRndFlag.mjRND_SHADOW] = 0
         self._drawn.flags[mujoco.mjtRndFlag.mjRND_REFLECTION] = 0
         self._drawn.flags[mujoco.mjtRndFlag.mjRND_HAZE] = 0
-        if not multisamples:
+        if not (multisamples if trilinear is None else trilinear):
             filter_fast(self._buffers)
         self._options = mujoco.MjvOption()
         self._options.geomgroup[:] = 0
@@ -174,7 +177,7 @@ class RenderedCamera:
             raise RenderingError("the camera is closed; make a new RenderedCamera")
         scene = self._scene
         self._context.make_current()
-        seen = self._may_be_seen(pose, pitch)
+        seen = self._may_be_seen(pose, height, pitch)
         # The sky's dome comes last of what is opaque, so only what shows of it is
         # drawn. Where it would be cut off the engine draws its own, more slowly.
         shows_sky = bool(seen[scene.outlet_geoms].any())
@@ -196,22 +199,43 @@ class RenderedCamera:
         self._aim(pose, height, pitch)
         return np.flatnonzero(seen)
 
-    def _may_be_seen(self, pose: Pose, pitch: float) -> NDArray[np.bool_]:
+    def _may_be_seen(
+        self, pose: Pose, height: float, pitch: float
+    ) -> NDArray[np.bool_]:
         """Leave out what walls hide and what lies beside the picture.
 
         Of no meaning for the sky's geoms.
         """
         half = self.horizontal_fov / 2
         vertical = math.atan(math.tan(half) * self.height / self.width)
+        far = min(self.far * 1.5, self._reach(height, pitch, half, vertical))
         if abs(pitch) + vertical >= math.pi / 2 - 0.01:
             half = math.pi
         elif pitch:
             # Above and below the level the same picture is wider on the plan.
             reach = math.tan(half) / math.cos(vertical)
             half = math.atan2(reach, math.cos(abs(pitch) + vertical))
-        lines, far = self._scene.sightlines, self.far * 1.5
+        lines = self._scene.sightlines
         outlook = lines.outlook(pose.x, pose.y, pose.heading, half, far)
         return outlook.sees(self._scene.centres, self._scene.radii)
+
+    def _reach(
+        self, height: float, pitch: float, half: float, vertical: float
+    ) -> float:
+        """Return how far away on the plan a picture may show something, metres.
+
+        One that looks so steeply that the level is not in it shows what is near.
+        """
+        sideways, low = math.tan(half), math.tan(vertical)
+        steep = abs(pitch)
+        # The corners are what comes nearest to the level.
+        rise = math.sin(steep) - low * math.cos(steep)
+        if rise <= 0.01:
+            return math.inf
+        away = math.hypot(math.cos(steep) + low * math.sin(steep), sideways)
+        bottom, top = self._scene.extent
+        across = top - height if pitch > 0 else height - bottom
+        return max(0.0, across) * away / rise + 1.0
 
     def _aim(self, pose: Pose, height: float, pitch: float) -> None:
         ahead = (math.cos(pose.heading), math.sin(pose.heading))

@@ -70,6 +70,8 @@ class VisualScene:
     """From this geom on, geoms are mere shades, without depth or id."""
     first_sky: int
     """From this geom on, geoms are the sky; they come last."""
+    extent: tuple[float, float]
+    """Heights between which everything is but the sky, metres."""
     outlet_geoms: NDArray[np.intp]
     """Geoms through or beside which one may see the sky."""
     sightlines: Sightlines
@@ -165,6 +167,7 @@ def build_visual_scene(
     builder.assembler.finish()
     model = spec.compile()
     data = mujoco.MjData(model)
+    mujoco.mj_kinematics(model, data)
     scene = VisualScene(
         site,
         looks,
@@ -182,6 +185,7 @@ def build_visual_scene(
         np.array(builder.radii),
         first_decal,
         first_sky,
+        _extent(model, data, first_sky),
         np.array(outlets, dtype=np.intp),
         # What a mesh hides is not known beforehand.
         Sightlines(np.empty((0, 4)) if structure is None else structure.hiding),
@@ -281,6 +285,15 @@ def _add_decals(builder: _Builder, structure: Structure, site: Site) -> None:
         hx, hy, _ = landmark_solid(landmark, site).half_size
         radius = math.hypot(hx + SHADOW_MARGIN, hy + SHADOW_MARGIN)
         builder.add(placed, FLOOR, (placed.x, placed.y), radius, body=ground)
+
+
+def _extent(
+    model: mujoco.MjModel, data: mujoco.MjData, first_sky: int
+) -> tuple[float, float]:
+    boxes, turned = model.geom_aabb[:first_sky], data.geom_xmat[:first_sky, 6:]
+    middles = data.geom_xpos[:first_sky, 2] + (boxes[:, :3] * turned).sum(axis=1)
+    halves = (boxes[:, 3:] * np.abs(turned)).sum(axis=1)
+    return float((middles - halves).min()), float((middles + halves).max())
 
 
 def _circle(points: NDArray[np.float64]) -> tuple[tuple[float, float], float]:

@@ -1,0 +1,96 @@
+"""How many frames a second of a study's 360-degree film are made, beside how it was before.
+
+Before: one process draws the six faces for every frame, one after another, a little larger
+than needed, mixes them with numpy, and encodes. Ours: `film_walkthrough`'s own parts.
+Both make the same frames, of pieces spread evenly over route R1 of the university, so that
+turns and straights are as frequent as in the whole film. What begins a film (the looks, the
+camera, processes) is not counted.
+"""
+
+import math
+import tempfile
+import time
+from collections.abc import Iterable, Iterator
+from contextlib import closing
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from benchmarks.measuring import Row
+from memorymaze.geometry.pose import Pose
+from memorymaze.pictures.films import WalkthroughSettings, tour_of
+from memorymaze.pictures.films.drawing import (
+    AHEAD,
+    MOST_PROCESSES,
+    drawn_by_processes,
+    frames_of_shots,
+    shots_of,
+)
+from memorymaze.pictures.films.video_file import write_video
+from memorymaze.pictures.rendering import PanoramaCamera, build_visual_scene
+from memorymaze.processes import available_cores
+from memorymaze.simulation.scene import build_scene
+from memorymaze.sites import Site, load_site
+
+SITE, ROUTE = "university", "R1"
+SETTINGS = WalkthroughSettings(size=(1920, 960), panorama=True, fps=10)
+"""Those of a new study file."""
+PIECES, LENGTH = 6, 8
+"""Pieces of the film, and frames of each."""
+
+
+def run() -> list[Row]:
+    site = load_site(SITE)
+    tour = tour_of(build_scene(site), site.reference_route(ROUTE))
+    whole = list(tour.poses(SETTINGS.fps))
+    starts = np.linspace(0, len(whole) - LENGTH, PIECES).astype(int)
+    poses = [pose for start in starts for pose in whole[start : start + LENGTH]]
+    before, now = rate_before(site, poses), rate_now(site, poses)
+    return [
+        Row(
+            f"360-degree film, 1920x960, {available_cores()} cores",
+            now,
+            "frames/s",
+            before,
+            "each frame's six faces in one process, mixed by numpy",
+            target=6 * before,
+            higher_is_better=True,
+        )
+    ]
+
+
+def rate_before(site: Site, poses: list[Pose]) -> float:
+    width = SETTINGS.width
+    with PanoramaCamera(build_visual_scene(site), width, 4) as camera:
+        camera.picture(poses[0])
+        began = time.perf_counter()
+        encode(camera.picture(pose, SETTINGS.height) for pose in poses)
+        return len(poses) / (time.perf_counter() - began)
+
+
+def rate_now(site: Site, poses: list[Pose]) -> float:
+    # Some pictures more come first: when they are there, every process is at work.
+    begun = AHEAD * min(available_cores(), MOST_PROCESSES)
+    first = [Pose(poses[0].x + n / 100, *poses[0][1:]) for n in range(1, begun + 1)]
+    drawn, shots = shots_of([*first, *poses], panorama=True)
+    began = math.inf
+
+    def timed(frames: Iterable[NDArray[np.uint8]]) -> Iterator[NDArray[np.uint8]]:
+        nonlocal began
+        for number, frame in enumerate(frames):
+            if number == begun:
+                began = time.perf_counter()
+            yield frame
+
+    with closing(drawn_by_processes(site, SETTINGS.eye, drawn)) as pictures:
+        encode(timed(frames_of_shots(shots, pictures)))
+    # Those drawn ahead when the clock began are not counted.
+    return (len(poses) - begun) / (time.perf_counter() - began)
+
+
+def encode(frames: Iterable[NDArray[np.uint8]]) -> None:
+    size = (SETTINGS.width, SETTINGS.height_in_pixels)
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "film.mp4"
+        write_video(path, frames, size, SETTINGS.fps, title="", total=0)
