@@ -41,7 +41,7 @@ from memorymaze.tables import Column, Table
 from memorymaze.writing.route_facts import RouteFacts
 from memorymaze.writing.steps import SIDES
 from memorymaze.writing.things import NUMBER, Thing
-from memorymaze.writing.turning_point_graph import TurningPointGraph, Way
+from memorymaze.writing.turning_point_graph import GraphWay, TurningPointGraph
 
 DISTANCES = (1.5, 3.0, 5.0)
 """Metres from the destination."""
@@ -127,7 +127,7 @@ class Approach(NamedTuple):
 class _Turn(NamedTuple):
     at: str
     side: Literal["left", "right"]
-    onward: Way
+    onward: GraphWay
 
 
 class Approaches:
@@ -147,7 +147,7 @@ class Approaches:
             if (approach := self._approach(point, first, second)) is not None
         ]
 
-    def _straight_on(self, point: str, way: Way) -> Iterator[Way]:
+    def _straight_on(self, point: str, way: GraphWay) -> Iterator[GraphWay]:
         """Yield a way from a turning point, and those that go straight on after it."""
         passed, onward = {point}, way
         while onward is not None and onward.end not in passed:
@@ -157,7 +157,7 @@ class Approaches:
             passed.add(onward.end)
             onward = self._graph.leaving(onward.end, onward.heading, None)
 
-    def _turns(self, point: str, way: Way) -> Iterator[_Turn]:
+    def _turns(self, point: str, way: GraphWay) -> Iterator[_Turn]:
         """Yield the turns that one can make who goes straight on."""
         for each in self._straight_on(point, way):
             for side in SIDES if each.end else ():

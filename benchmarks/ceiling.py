@@ -59,7 +59,7 @@ from memorymaze.metrics.success import SUCCESS_DISTANCE
 from memorymaze.perception.camera_view import (
     ObjectDescription,
     VisibleObject,
-    place_of,
+    place_at_bearing,
 )
 from memorymaze.perception.detector import LONGEST_QUERY
 from memorymaze.perception.matching import (
@@ -287,7 +287,9 @@ def _sightings(
                 phrase,
                 seen.description.category,
                 score,
-                in_frame(start, place_of(look.pose, seen.distance, seen.bearing)),
+                in_frame(
+                    start, place_at_bearing(look.pose, seen.distance, seen.bearing)
+                ),
                 in_frame(start, (look.pose.x, look.pose.y)),
                 seen.distance,
                 track,

@@ -8,10 +8,10 @@ from urllib.parse import urlsplit
 
 from memorymaze.errors import SettingsError
 
-Answer = TypeVar("Answer")
+_Answer = TypeVar("_Answer")
 
 
-def within(seconds: float, call: Callable[[], Answer]) -> Answer:
+def within(seconds: float, call: Callable[[], _Answer]) -> _Answer:
     """Return what a call returns, and raise what it raises.
 
     Time-outs of clients are for each part of an answer, so that a server that sends a
@@ -21,7 +21,7 @@ def within(seconds: float, call: Callable[[], Answer]) -> Answer:
     Raises:
         TimeoutError: It took longer.
     """
-    future: Future[Answer] = Future()
+    future: Future[_Answer] = Future()
 
     def run() -> None:
         try:

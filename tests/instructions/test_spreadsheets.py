@@ -14,7 +14,7 @@ from memorymaze.instructions.files import load_instructions
 from memorymaze.instructions.record_format import tidied
 from memorymaze.instructions.records import Instruction
 from memorymaze.instructions.spreadsheets import (
-    Kind,
+    _Kind,
     read_spreadsheet,
     write_spreadsheet,
 )
@@ -121,7 +121,7 @@ def test_a_column_of_another_kind_is_refused_by_name(
 
 
 @pytest.mark.parametrize("kind", ["csv", "parquet"])
-def test_an_address_is_no_file(kind: Kind) -> None:
+def test_an_address_is_no_file(kind: _Kind) -> None:
     with pytest.raises(InstructionFileError, match="cannot be read"):
         read_spreadsheet("http://127.0.0.1:9/told.csv", kind)
 

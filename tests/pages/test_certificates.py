@@ -11,14 +11,14 @@ from memorymaze.pages.certificates import (
     fingerprint,
     local_certificate,
 )
-from memorymaze.pages.web import Door, make_app, serving
+from memorymaze.pages.web import ServedApplication, make_app, serving
 
 
 def test_who_trusts_the_authority_reaches_pages_over_https(tmp_path: Path) -> None:
     certificate = local_certificate(tmp_path / "mine.tls", "127.0.0.1")
     authority = authority_of(certificate)
     trusting = ssl.create_default_context(cafile=str(authority))
-    with serving(Door(make_app([]), certificate=certificate)) as [address]:
+    with serving(ServedApplication(make_app([]), certificate=certificate)) as [address]:
         assert address.startswith("https://127.0.0.1:")
         for host in ("127.0.0.1", "localhost"):
             page = f"https://{host}:{address.rpartition(':')[2]}/static/page.css"

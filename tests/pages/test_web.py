@@ -12,7 +12,7 @@ from starlette.responses import PlainTextResponse, Response
 from starlette.routing import Route
 
 from memorymaze.errors import SettingsError
-from memorymaze.pages.web import Door, RateLimit, make_app, render, serving
+from memorymaze.pages.web import RateLimit, ServedApplication, make_app, render, serving
 
 
 async def show(request: Request) -> Response:
@@ -43,7 +43,7 @@ def visiting(
     routes: Sequence[Route] = ROUTES, **limits: Any
 ) -> Generator[httpx2.Client]:
     with (
-        serving(Door(make_app(routes, **limits))) as [address],
+        serving(ServedApplication(make_app(routes, **limits))) as [address],
         httpx2.Client(base_url=address) as client,
     ):
         yield client
@@ -172,11 +172,11 @@ def test_a_fault_tells_nothing_of_the_host(client: httpx2.Client) -> None:
 
 
 def test_a_port_in_use_is_named() -> None:
-    with serving(Door(make_app(ROUTES))) as [address]:
+    with serving(ServedApplication(make_app(ROUTES))) as [address]:
         port = int(address.rsplit(":", 1)[1])
         with (
             pytest.raises(SettingsError, match=f"port {port}: cannot be served at"),
-            serving(Door(make_app(ROUTES), port=port)),
+            serving(ServedApplication(make_app(ROUTES), port=port)),
         ):
             pass
 
@@ -184,12 +184,12 @@ def test_a_port_in_use_is_named() -> None:
 def test_a_port_that_cannot_be_is_named() -> None:
     with (
         pytest.raises(SettingsError, match=r"to 65535, got 99999999"),
-        serving(Door(make_app(ROUTES), port=99999999)),
+        serving(ServedApplication(make_app(ROUTES), port=99999999)),
     ):
         pass
 
 
 def test_a_door_to_all_networks_has_an_address_that_can_be_opened() -> None:
-    with serving(Door(make_app(ROUTES), host="0.0.0.0")) as [address]:
+    with serving(ServedApplication(make_app(ROUTES), host="0.0.0.0")) as [address]:
         assert "0.0.0.0" not in address
         assert httpx2.get(address).status_code == 200

@@ -19,7 +19,7 @@ from memorymaze.passers_by.bank_records import (
     REPLY_CASES,
     SLOT,
     WAY_CASES,
-    Answer,
+    BankAnswer,
     TurnFact,
     WayFacts,
 )
@@ -93,7 +93,7 @@ def test_every_reply_is_said_in_every_manner(kind: str, case: str) -> None:
             assert "{" not in said
 
 
-def corrects_itself(answer: Answer) -> bool:
+def corrects_itself(answer: BankAnswer) -> bool:
     """Tell whether the wrong side of a turn is said before the one that is meant."""
     return any(slot.startswith("wrong") for slot in answer.slots)
 
@@ -103,7 +103,7 @@ def corrects_itself(answer: Answer) -> bool:
     [a for a in BANK.answers if a.case in WAY_CASES and not corrects_itself(a)],
     ids=lambda answer: answer.id,
 )
-def test_the_turns_of_an_answer_are_said_in_order(answer: Answer) -> None:
+def test_the_turns_of_an_answer_are_said_in_order(answer: BankAnswer) -> None:
     numbers = [
         int(number)
         for name, number in SLOT.findall(answer.text)

@@ -3,11 +3,11 @@ import math
 from hypothesis import given
 from hypothesis import strategies as st
 
-from memorymaze.perception import Sighting, Tracker
+from memorymaze.perception import SingleSighting, Tracker
 
 
-def door(x: float, y: float = 1.5) -> Sighting:
-    return Sighting("door", (x, y), 0.9)
+def door(x: float, y: float = 1.5) -> SingleSighting:
+    return SingleSighting("door", (x, y), 0.9)
 
 
 def test_four_equal_doors_passed_one_by_one_are_four() -> None:
@@ -31,15 +31,18 @@ def test_thing_keeps_its_number_after_a_detour() -> None:
 
 def test_long_thing_may_seem_to_move_more_than_a_small_one() -> None:
     tracker = Tracker()
-    tracker.update([Sighting("mural", (0.0, 0.0), 3.6)])
-    assert tracker.update([Sighting("mural", (1.5, 0.0), 3.6)]) == [1]
-    tracker.update([Sighting("bin", (0.0, 0.0), 0.4)])
-    assert tracker.update([Sighting("bin", (0.5, 0.0), 0.4)]) == [3]
+    tracker.update([SingleSighting("mural", (0.0, 0.0), 3.6)])
+    assert tracker.update([SingleSighting("mural", (1.5, 0.0), 3.6)]) == [1]
+    tracker.update([SingleSighting("bin", (0.0, 0.0), 0.4)])
+    assert tracker.update([SingleSighting("bin", (0.5, 0.0), 0.4)]) == [3]
 
 
 def test_other_kind_in_the_same_place_is_another_thing() -> None:
     tracker = Tracker()
-    assert tracker.update([door(3.0), Sighting("sign", (3.0, 1.5), 0.3)]) == [1, 2]
+    assert tracker.update([door(3.0), SingleSighting("sign", (3.0, 1.5), 0.3)]) == [
+        1,
+        2,
+    ]
 
 
 def test_nearest_track_wins_whatever_the_order() -> None:

@@ -2,14 +2,14 @@ import pytest
 
 from memorymaze.perception.camera_view import ObjectDescription
 from memorymaze.simulation.scene_sentences import (
-    Surface,
-    View,
+    PlaceSurface,
+    SceneView,
     summary_sentence,
     thing_words,
     view_sentence,
 )
 
-CARPET = Surface("carpet", "wood_panel")
+CARPET = PlaceSurface("carpet", "wood_panel")
 DOOR = ObjectDescription("door", color="brown", material="wood", text="2103")
 BENCH = ObjectDescription("bench")
 
@@ -45,12 +45,12 @@ def test_a_thing_is_named_by_what_can_be_seen_of_it(
     ],
 )
 def test_a_view_tells_how_far_one_sees(depth: float, width: float, begin: str) -> None:
-    assert view_sentence(View(depth, width, CARPET, ())).startswith(begin)
+    assert view_sentence(SceneView(depth, width, CARPET, ())).startswith(begin)
 
 
 def test_a_view_tells_near_things_and_far_ones() -> None:
     seen = ((DOOR, 1.0), (BENCH, 2.0), (BENCH, 2.5), (DOOR, 6.0))
-    sentence = view_sentence(View(1.0, 2.0, CARPET, seen))
+    sentence = view_sentence(SceneView(1.0, 2.0, CARPET, seen))
     assert sentence.endswith(
         'near by a brown wooden door "2103" and 2 benches; '
         'farther off a brown wooden door "2103".'
@@ -60,12 +60,14 @@ def test_a_view_tells_near_things_and_far_ones() -> None:
 def test_equal_things_with_words_are_counted_too() -> None:
     poster = ObjectDescription("poster", text="OPEN DAY")
     seen = ((poster, 1.0), (poster, 2.0))
-    assert view_sentence(View(1.0, 2.0, CARPET, seen)).endswith('2 posters "OPEN DAY".')
+    assert view_sentence(SceneView(1.0, 2.0, CARPET, seen)).endswith(
+        '2 posters "OPEN DAY".'
+    )
 
 
 def test_no_more_than_six_things_are_named() -> None:
     seen = tuple((ObjectDescription(f"thing{k}"), 1.0) for k in range(9))
-    sentence = view_sentence(View(1.0, 2.0, CARPET, seen))
+    sentence = view_sentence(SceneView(1.0, 2.0, CARPET, seen))
     assert sentence.endswith("a thing5 and more.")
 
 
@@ -79,5 +81,5 @@ def test_no_more_than_six_things_are_named() -> None:
     ],
 )
 def test_a_summary_counts_the_ways(far: range, leading: str) -> None:
-    views = [View(20.0 if k in far else 1.0, 2.0, CARPET, ()) for k in range(8)]
+    views = [SceneView(20.0 if k in far else 1.0, 2.0, CARPET, ()) for k in range(8)]
     assert leading in summary_sentence(views, CARPET, [])

@@ -11,7 +11,7 @@ from shapely.affinity import rotate, translate
 
 from memorymaze.simulation.solids import (
     WALL_THICKNESS,
-    Wall,
+    _Wall,
     door_solid,
     landmark_solid,
     walls_around,
@@ -20,7 +20,7 @@ from memorymaze.sites import Site
 from memorymaze.sites.records import Door
 
 
-def footprint(wall: Wall) -> Polygon:
+def footprint(wall: _Wall) -> Polygon:
     lying = box(
         -wall.half_length, -wall.half_thickness, wall.half_length, wall.half_thickness
     )

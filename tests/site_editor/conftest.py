@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from memorymaze.pages.entrance import Entrance
-from memorymaze.pages.web import Door, make_app, serving
-from memorymaze.site_editor.pages import LARGEST_PLAN, ROOM, EditorPages
+from memorymaze.pages.web import ServedApplication, make_app, serving
+from memorymaze.site_editor.pages import EDITOR_ROOM, LARGEST_PLAN, EditorPages
 from memorymaze.site_editor.plan_file import PlanFile
 from memorymaze.sites.loading import new_plan
 
@@ -32,9 +32,13 @@ def edit() -> EditPlan:
         entrance = Entrance("token", "editor", "Open the printed address.")
         pages = EditorPages(PlanFile(path), entrance, picture)
         app = make_app(
-            pages.routes, ROOM, max_body=LARGEST_PLAN, hosts=["127.0.0.1"], rate=None
+            pages.routes,
+            EDITOR_ROOM,
+            max_body=LARGEST_PLAN,
+            hosts=["127.0.0.1"],
+            rate=None,
         )
-        with serving(Door(app)) as [address]:
+        with serving(ServedApplication(app)) as [address]:
             yield address
 
     return serve

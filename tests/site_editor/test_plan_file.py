@@ -8,8 +8,8 @@ from memorymaze.errors import MemoryMazeError
 from memorymaze.site_editor.plan_file import (
     ChangedMeanwhile,
     Edited,
-    Picture,
     PlanFile,
+    TracedPicture,
 )
 from memorymaze.sites import find_site_problems
 
@@ -100,7 +100,9 @@ def test_nothing_stays_beside_the_plan_once_it_is_saved(annex: Path) -> None:
 
 
 def test_where_the_picture_lies_is_kept_beside_the_plan(annex: Path) -> None:
-    picture = Picture(x=1.0, y=2.0, metres_per_pixel=0.1, turn_deg=5.0, opacity=0.5)
+    picture = TracedPicture(
+        x=1.0, y=2.0, metres_per_pixel=0.1, turn_deg=5.0, opacity=0.5
+    )
     PlanFile(annex).keep_picture(picture)
     assert PlanFile(annex).contents()["picture"] == picture.model_dump()
 

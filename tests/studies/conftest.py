@@ -14,7 +14,7 @@ from memorymaze.pictures.films.video_file import write_video
 from memorymaze.sites import load_site
 from memorymaze.studies.serving import Addresses, serving_study
 from memorymaze.studies.store import Store, open_store
-from memorymaze.studies.study_file import Kind, Study, load_study, new_study
+from memorymaze.studies.study_file import Study, StudyKind, load_study, new_study
 
 ServeStudy = Callable[[Study], AbstractContextManager["Served"]]
 T_SITE = Path(__file__).parents[1] / "tiny_sites" / "t_junction.geojson"
@@ -27,7 +27,7 @@ def make_study(tmp_path: Path) -> Callable[..., Study]:
     Lines of the file that begin as the values do are replaced by them.
     """
 
-    def make(kind: Kind = "online", *replaced: str) -> Study:
+    def make(kind: StudyKind = "online", *replaced: str) -> Study:
         path = tmp_path / f"{kind}.toml"
         path.unlink(missing_ok=True)
         new_study(path, load_site(T_SITE), kind, str(T_SITE))

@@ -12,7 +12,7 @@ from memorymaze.studies.exporting import export_study
 from memorymaze.studies.follow.runs import export_walks
 from memorymaze.studies.store import open_store
 from memorymaze.studies.study_file import Study
-from memorymaze.studies.tellings import Tellings
+from memorymaze.studies.tellings import StudyTellings
 
 MakeStudy = Callable[..., Study]
 
@@ -60,7 +60,7 @@ def test_made_up_interviews_are_recorded_or_typed_and_labelled(
     assert ends["finished"] >= 2
     with open_store(study) as store:
         export_study(study, store, tmp_path / "made.jsonl")
-        told = Tellings(store)
+        told = StudyTellings(store)
         voices = [told.path_of(each).read_bytes() for each in told.recordings()]
     made = load_instructions([tmp_path / "made.jsonl"])
     assert {(each.source, each.study) for each in made} == {("human", "onsite")}

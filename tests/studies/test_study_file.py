@@ -7,8 +7,8 @@ from memorymaze.errors import SettingsError, StudyError
 from memorymaze.sites import load_site
 from memorymaze.studies.study_file import (
     KINDS,
-    Kind,
     Study,
+    StudyKind,
     field_lines,
     load_study,
     new_study,
@@ -20,7 +20,7 @@ MakeStudy = Callable[..., Study]
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("site", ["university", "museum_5f"])
 def test_a_new_study_file_can_be_read_as_it_is(
-    tmp_path: Path, kind: Kind, site: str
+    tmp_path: Path, kind: StudyKind, site: str
 ) -> None:
     path = tmp_path / "mine.toml"
     new_study(path, load_site(site), kind, site)

@@ -8,9 +8,9 @@ import pytest
 from playwright.sync_api import Browser, Page, expect
 
 from memorymaze.evaluation.settings import AgentSettings, RunSettings
-from memorymaze.pages.web import Door, make_app, serving
+from memorymaze.pages.web import ServedApplication, make_app, serving
 from memorymaze.sites import Site
-from memorymaze.trying.pages import ROOM, TryPages, examples_of
+from memorymaze.trying.pages import TRYING_ROOM, TryPages, examples_of
 from memorymaze.trying.sessions import LEAVING, PATIENCE, Visits
 
 ENOUGH = 60_000.0
@@ -26,8 +26,8 @@ def visits() -> Generator[Visits]:
 
 @pytest.fixture(scope="module")
 def address(visits: Visits, t_site: Site) -> Generator[str]:
-    app = make_app(TryPages(visits, {t_site.name: t_site}).routes(), ROOM)
-    with serving(Door(app)) as [address]:
+    app = make_app(TryPages(visits, {t_site.name: t_site}).routes(), TRYING_ROOM)
+    with serving(ServedApplication(app)) as [address]:
         yield address
 
 

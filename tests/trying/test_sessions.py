@@ -14,7 +14,7 @@ from memorymaze.trying.sessions import (
     LEAVING,
     PATIENCE,
     NoRobotFree,
-    Visit,
+    PageVisit,
     Visits,
 )
 
@@ -46,12 +46,12 @@ def visits(clock: Clock) -> Generator[Visits]:
 
 
 @pytest.fixture(scope="module")
-def the_visit(visits: Visits, t_site: Site) -> Visit:
+def the_visit(visits: Visits, t_site: Site) -> PageVisit:
     return visits.begin(t_site, t_site.reference_route("R1"), "one")
 
 
 @pytest.fixture
-def visit(visits: Visits, the_visit: Visit) -> Visit:
+def visit(visits: Visits, the_visit: PageVisit) -> PageVisit:
     """A visitor whose robot listens."""
     if the_visit.state in {"walking", "away"}:
         visits.stop(the_visit)
@@ -60,7 +60,11 @@ def visit(visits: Visits, the_visit: Visit) -> Visit:
 
 
 def wait_until(
-    visits: Visits, visit: Visit, happened: Callable[[], bool], *, looks: bool = True
+    visits: Visits,
+    visit: PageVisit,
+    happened: Callable[[], bool],
+    *,
+    looks: bool = True,
 ) -> None:
     """Look at a visit, as its page does, until something has happened."""
     deadline = time.monotonic() + ENOUGH
@@ -70,21 +74,21 @@ def wait_until(
         time.sleep(0.01)
 
 
-def moved(visit: Visit) -> list[list[float]]:
+def moved(visit: PageVisit) -> list[list[float]]:
     return [news["robot"] for news in visit.news if "robot" in news]
 
 
-def overs(visit: Visit) -> list[dict[str, Any]]:
+def overs(visit: PageVisit) -> list[dict[str, Any]]:
     return [news["over"] for news in visit.news if "over" in news]
 
 
-def test_a_robot_looks_round_where_it_starts(visit: Visit) -> None:
+def test_a_robot_looks_round_where_it_starts(visit: PageVisit) -> None:
     strip = Image.open(io.BytesIO(visit.pictures["round"]))
     assert strip.width > 4 * strip.height
 
 
 def test_a_robot_follows_a_text_and_tells_all_of_it(
-    visits: Visits, visit: Visit
+    visits: Visits, visit: PageVisit
 ) -> None:
     visits.change_pace(visit, 30.0, paused=False)
     assert visits.set_out(visit, TEXT)
@@ -112,7 +116,7 @@ def test_a_robot_follows_a_text_and_tells_all_of_it(
 
 
 def test_a_text_told_before_the_robot_is_ready_is_followed_then(
-    visits: Visits, visit: Visit
+    visits: Visits, visit: PageVisit
 ) -> None:
     visits.stop(visit)
     assert visits.set_out(visit, TEXT)
@@ -121,7 +125,7 @@ def test_a_text_told_before_the_robot_is_ready_is_followed_then(
     assert visit.text == TEXT
 
 
-def test_a_paused_robot_stands_and_goes_on(visits: Visits, visit: Visit) -> None:
+def test_a_paused_robot_stands_and_goes_on(visits: Visits, visit: PageVisit) -> None:
     visits.change_pace(visit, 1.0, paused=False)
     visits.set_out(visit, TEXT)
     wait_until(visits, visit, lambda: len(moved(visit)) > 3)
@@ -133,14 +137,14 @@ def test_a_paused_robot_stands_and_goes_on(visits: Visits, visit: Visit) -> None
     assert overs(visit)[0]["arrived"]
 
 
-def is_still(visit: Visit) -> bool:
+def is_still(visit: PageVisit) -> bool:
     before = len(visit.news)
     time.sleep(0.5)  # several periods of news
     return len(visit.news) == before
 
 
 def test_a_stopped_walk_is_over_at_once_and_its_text_is_kept(
-    visits: Visits, visit: Visit
+    visits: Visits, visit: PageVisit
 ) -> None:
     visits.change_pace(visit, 1.0, paused=False)
     visits.set_out(visit, TEXT)
@@ -150,7 +154,7 @@ def test_a_stopped_walk_is_over_at_once_and_its_text_is_kept(
 
 
 def test_a_closed_page_ends_its_walk_and_frees_the_robot(
-    visits: Visits, visit: Visit, clock: Clock, t_site: Site
+    visits: Visits, visit: PageVisit, clock: Clock, t_site: Site
 ) -> None:
     visits.change_pace(visit, 1.0, paused=False)
     visits.set_out(visit, TEXT)
@@ -174,7 +178,7 @@ def test_a_closed_page_ends_its_walk_and_frees_the_robot(
 
 
 def test_a_page_that_is_loaded_anew_keeps_its_robot_and_a_closed_one_does_not(
-    visits: Visits, visit: Visit, clock: Clock
+    visits: Visits, visit: PageVisit, clock: Clock
 ) -> None:
     visits.leave(visit)
     clock.now += LEAVING / 2
@@ -187,7 +191,7 @@ def test_a_page_that_is_loaded_anew_keeps_its_robot_and_a_closed_one_does_not(
 
 
 def test_a_robot_that_dies_is_told_of_and_another_takes_the_text_up(
-    visits: Visits, visit: Visit
+    visits: Visits, visit: PageVisit
 ) -> None:
     assert visit.process is not None
     visit.process.end()

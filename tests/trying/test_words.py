@@ -8,7 +8,7 @@ from memorymaze.evaluation.navigation import navigate
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.sites import Site
 from memorymaze.trying.words import (
-    Belief,
+    ToldBelief,
     Verdict,
     belief_of,
     change_of_mind,
@@ -65,9 +65,9 @@ def test_a_belief_names_the_likeliest_step() -> None:
 
 def test_only_another_step_or_a_new_doubt_is_a_change_of_mind() -> None:
     steps = ["turn left", "arrive at the library"]
-    first = Belief([0.9, 0.1], 0, "", 0.1)
-    onward = Belief([0.2, 0.8], 1, "", 0.1)
-    doubting = Belief([0.3, 0.7], 1, "", 0.6)
+    first = ToldBelief([0.9, 0.1], 0, "", 0.1)
+    onward = ToldBelief([0.2, 0.8], 1, "", 0.1)
+    doubting = ToldBelief([0.3, 0.7], 1, "", 0.6)
     assert change_of_mind(None, first, steps) == (
         "thinks",
         "Now comes step 1: turn left.",

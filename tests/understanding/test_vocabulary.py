@@ -4,13 +4,13 @@ import re
 
 import pytest
 
-from memorymaze.understanding.chunks import claimed_at, pieces_of
+from memorymaze.understanding.chunks import chunks_of, claimed_at
 from memorymaze.understanding.vocabulary import PATTERNS, PLAIN_WORDS, Pattern
 
 
 def _claimed(text: str, pattern: Pattern) -> list[str]:
     """Return the words of a text that a pattern claims, all earlier rows considered."""
-    claims = [(claimed_at(text, each.start), each.text) for each in pieces_of(text)]
+    claims = [(claimed_at(text, each.start), each.text) for each in chunks_of(text)]
     return [words for claim, words in claims if claim == (pattern, words)]
 
 

@@ -6,7 +6,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from memorymaze.instructions.error_kinds import ERROR_KINDS, kinds_of
-from memorymaze.writing.following import follow
+from memorymaze.writing.following import follow_steps
 from memorymaze.writing.mistakes import made_wrong, possible_mistakes
 from memorymaze.writing.route_facts import RouteFacts
 from memorymaze.writing.sampling import chosen_plan
@@ -31,10 +31,10 @@ def test_a_plan_with_an_error_does_not_arrive_and_without_it_does(
     rng = np.random.default_rng(seed)
     study = "onsite" if kind in kinds_of("onsite") else "online"
     plan = chosen_plan(facts, make_voice(study, 1, rng), rng)
-    assert follow(facts.graph, facts.route, plan).arrived
+    assert follow_steps(facts.graph, facts.route, plan).arrived
     for mistake in list(possible_mistakes(facts, plan, kind, rng))[:3]:
         assert mistake.kind == kind
-        assert not follow(facts.graph, facts.route, mistake.plan).arrived
+        assert not follow_steps(facts.graph, facts.route, mistake.plan).arrived
 
 
 @QUIET
@@ -47,7 +47,7 @@ def test_two_errors_lie_in_two_steps_and_do_not_undo_each_other(
     made = made_wrong(facts, facts.plan, ("missing_turn", "extra_turn"), rng)
     assert len({mistake.key for mistake in made}) == len(made)
     if made:
-        assert not follow(facts.graph, facts.route, made[-1].plan).arrived
+        assert not follow_steps(facts.graph, facts.route, made[-1].plan).arrived
 
 
 @pytest.mark.parametrize("study", ["online", "onsite"])

@@ -72,12 +72,12 @@ def _add_make(verbs: Verbs) -> None:
 
 
 def _make(options: argparse.Namespace) -> int:
-    from memorymaze.datasets import check_out, make_dataset
+    from memorymaze.datasets import check_dataset_folder, make_dataset
     from memorymaze.options import check_whole
 
     request = _request(options)
     check_whole("--workers", options.workers, least=0)
-    check_out(options.out, overwrite=options.overwrite)
+    check_dataset_folder(options.out, overwrite=options.overwrite)
     with shown_progress("building") as show:
         table = make_dataset(
             request,

@@ -32,8 +32,8 @@ def serve(
     app: "ASGIApp", said: str, page: str = "", *, host: str = "127.0.0.1", port: int
 ) -> None:
     """Serve a page until Ctrl-C, and say for what and where it is."""
-    from memorymaze.pages.web import Door, serving, wait_for_interrupt
+    from memorymaze.pages.web import ServedApplication, serving, wait_for_interrupt
 
-    with serving(Door(app, host, port)) as [address]:
+    with serving(ServedApplication(app, host, port)) as [address]:
         print(f"{said} at {address}{page} (Ctrl-C to end)", flush=True)
         wait_for_interrupt()

@@ -49,7 +49,7 @@ def _run(options: argparse.Namespace) -> int:
     check_can_serve("the page to edit plans")
     from memorymaze.pages.entrance import Entrance
     from memorymaze.pages.web import THIS_MACHINE, make_app
-    from memorymaze.site_editor.pages import LARGEST_PLAN, ROOM, EditorPages
+    from memorymaze.site_editor.pages import EDITOR_ROOM, LARGEST_PLAN, EditorPages
     from memorymaze.site_editor.plan_file import PlanFile
 
     picture: Path | None = options.picture
@@ -66,7 +66,7 @@ def _run(options: argparse.Namespace) -> int:
     entrance = Entrance(token, cookie, "Open the address that the editor printed.")
     app = make_app(
         EditorPages(file, entrance, picture).routes,
-        ROOM,
+        EDITOR_ROOM,
         max_body=LARGEST_PLAN,
         rate=None,
         hosts=THIS_MACHINE,

@@ -76,7 +76,7 @@ def _run(options: argparse.Namespace) -> int:
 
     check_can_serve("the page to try")
     from memorymaze.pages.web import THIS_MACHINE, make_app
-    from memorymaze.trying.pages import ROOM, TryPages
+    from memorymaze.trying.pages import TRYING_ROOM, TryPages
     from memorymaze.trying.sessions import Visits
     from memorymaze.trying.walk import GUIDE
 
@@ -106,6 +106,6 @@ def _run(options: argparse.Namespace) -> int:
         choose_agent(agent).make(isolate=settings.isolate, kept_from=plans)
     hosts = THIS_MACHINE if options.host in THIS_MACHINE else None
     with Visits(settings, beside, most=options.robots) as visits:
-        app = make_app(TryPages(visits, sites).routes(), ROOM, hosts=hosts)
+        app = make_app(TryPages(visits, sites).routes(), TRYING_ROOM, hosts=hosts)
         serve(app, "try the robot", host=options.host, port=options.port)
     return 0

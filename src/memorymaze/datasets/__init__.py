@@ -4,6 +4,10 @@ Does not hold how buildings (`construction`) and texts (`writing`) are made, nor
 agents on them (`evaluation`).
 """
 
-from memorymaze.datasets.making import DatasetRequest, check_out, make_dataset
+from memorymaze.datasets.making import (
+    DatasetRequest,
+    check_dataset_folder,
+    make_dataset,
+)
 
-__all__ = ["DatasetRequest", "check_out", "make_dataset"]
+__all__ = ["DatasetRequest", "check_dataset_folder", "make_dataset"]

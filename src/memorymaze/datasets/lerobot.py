@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from memorymaze.datasets import frame_videos
 from memorymaze.datasets.buildings import FinishedBuilding
 from memorymaze.datasets.frame_videos import FPS, FrameVideo
-from memorymaze.datasets.moments import Moments
+from memorymaze.datasets.moments import RowMoments
 from memorymaze.datasets.walks import STEP, TURN, StepWalk
 from memorymaze.datasets.workers import done_by_processes
 from memorymaze.instructions.exchange.vln_ce import FORWARD, LEFT, RIGHT, STOP
@@ -48,7 +48,7 @@ WHOLE = ("vln_ce_action", "frame_index", "episode_index", "index", "task_index")
 
 
 @dataclass(frozen=True, slots=True)
-class Episode:
+class DatasetEpisode:
     """A text, the walk that belongs to it, and where both lie in the files."""
 
     number: int
@@ -71,7 +71,7 @@ class BuildingFrames:
     site: Site
     walks: tuple[StepWalk, ...]
     """In the order of the videos."""
-    episodes: tuple[Episode, ...]
+    episodes: tuple[DatasetEpisode, ...]
     size: tuple[int, int]
     """Width and height of frames, pixels."""
 
@@ -98,7 +98,7 @@ def write_frames(
             continue
         walks: list[StepWalk] = []
         starts: dict[str, int] = {}
-        members: list[Episode] = []
+        members: list[DatasetEpisode] = []
         for text in texts:
             walk = building.walks[text.reference_route]
             if text.reference_route not in starts:
@@ -106,14 +106,14 @@ def write_frames(
                 walks.append(walk)
             task = tasks.setdefault(text.text, len(tasks))
             start = starts[text.reference_route]
-            members.append(Episode(episodes, rows, task, text, walk, start))
+            members.append(DatasetEpisode(episodes, rows, task, text, walk, start))
             episodes, rows = episodes + 1, rows + len(walk)
         jobs.append(
             BuildingFrames(
                 root, len(jobs), building.site, tuple(walks), tuple(members), size
             )
         )
-    moments = {name: Moments.none() for name in (*VECTORS, COLOURS, DEPTH)}
+    moments = {name: RowMoments.none() for name in (*VECTORS, COLOURS, DEPTH)}
     for done, found in enumerate(done_by_processes(write_building, jobs, workers), 1):
         for name, more in found.items():
             moments[name] = moments[name] + more
@@ -134,14 +134,14 @@ def write_frames(
     _write_json(root / "meta/info.json", said)
 
 
-def write_building(job: BuildingFrames) -> dict[str, Moments]:
+def write_building(job: BuildingFrames) -> dict[str, RowMoments]:
     """Write rows and videos of a building; return what they have in the mean."""
     moments = _draw(job)
     columns = [_columns(each) for each in job.episodes]
     joined = {
         name: np.concatenate([each[name] for each in columns]) for name in VECTORS
     }
-    moments |= {name: Moments.of(values) for name, values in joined.items()}
+    moments |= {name: RowMoments.of(values) for name, values in joined.items()}
     table = pa.table({
         **{
             name: pa.FixedSizeListArray.from_arrays(values.ravel(), values.shape[1])
@@ -156,12 +156,12 @@ def write_building(job: BuildingFrames) -> dict[str, Moments]:
     return moments
 
 
-def _draw(job: BuildingFrames) -> dict[str, Moments]:
+def _draw(job: BuildingFrames) -> dict[str, RowMoments]:
     # Datasets without frames load neither OpenGL nor the looks of things.
     from memorymaze.pictures.rendering.camera import RenderedCamera
     from memorymaze.pictures.rendering.visual_scene import build_visual_scene
 
-    colours = depth = Moments.none()
+    colours = depth = RowMoments.none()
     videos = {
         name: job.root / VIDEOS.format(video_key=name, **_place(job.number))
         for name in (COLOURS, DEPTH)
@@ -183,12 +183,12 @@ def _draw(job: BuildingFrames) -> dict[str, Moments]:
                 metres = np.clip(
                     frame.depth[some, some], frame_videos.NEAREST, frame_videos.FARTHEST
                 )
-                colours += Moments.of(pixels, episodes)
-                depth += Moments.of(metres.reshape(-1, 1), episodes)
+                colours += RowMoments.of(pixels, episodes)
+                depth += RowMoments.of(metres.reshape(-1, 1), episodes)
     return {COLOURS: colours, DEPTH: depth}
 
 
-def _columns(episode: Episode) -> dict[str, NDArray[Any]]:
+def _columns(episode: DatasetEpisode) -> dict[str, NDArray[Any]]:
     """Return the rows of an episode, column by column."""
     walk, count = episode.walk, len(episode.walk)
     way = walk.poses - walk.poses[0]

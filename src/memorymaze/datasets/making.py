@@ -31,7 +31,7 @@ MARK = "dataset.json"
 SMALLEST, LARGEST = 64, 1920
 """Pixels of a frame's sides."""
 
-Progress = Callable[[int, int, str], None]
+_Progress = Callable[[int, int, str], None]
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,7 +82,7 @@ class DatasetRequest:
         )
 
 
-def check_out(folder: str | Path, *, overwrite: bool = False) -> None:
+def check_dataset_folder(folder: str | Path, *, overwrite: bool = False) -> None:
     """Refuse a place for a dataset before anything is made for it.
 
     Raises:
@@ -97,7 +97,7 @@ def make_dataset(
     *,
     overwrite: bool = False,
     workers: int = 0,
-    progress: Progress | None = None,
+    progress: _Progress | None = None,
 ) -> Table:
     """Make a dataset; the folder is there when it is whole, or as it was before.
 
@@ -146,7 +146,7 @@ def make_dataset(
 
 
 def _buildings(
-    request: DatasetRequest, folder: Path, workers: int, progress: Progress | None
+    request: DatasetRequest, folder: Path, workers: int, progress: _Progress | None
 ) -> list[FinishedBuilding]:
     (folder / "sites").mkdir()
     tasks = [

@@ -10,7 +10,7 @@ from memorymaze.geometry.points import FloatArray
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Moments:
+class RowMoments:
     """What is known of some rows; all arrays have the shape of a row."""
 
     count: int
@@ -20,13 +20,13 @@ class Moments:
     highest: FloatArray
 
     @classmethod
-    def none(cls) -> "Moments":
+    def none(cls) -> "RowMoments":
         """Return what is known of no rows."""
         none, far = np.zeros(1), np.full(1, np.inf)
         return cls(0, none, none, far, -far)
 
     @classmethod
-    def of(cls, rows: NDArray[Any], times: int = 1) -> "Moments":
+    def of(cls, rows: NDArray[Any], times: int = 1) -> "RowMoments":
         """Return what is known of rows, (N, C), each of them counted so many times."""
         values = rows.astype(np.float64)
         return cls(
@@ -37,9 +37,9 @@ class Moments:
             values.max(axis=0),
         )
 
-    def __add__(self, other: "Moments") -> "Moments":
+    def __add__(self, other: "RowMoments") -> "RowMoments":
         """Return what is known of both."""
-        return Moments(
+        return RowMoments(
             self.count + other.count,
             self.total + other.total,
             self.squares + other.squares,

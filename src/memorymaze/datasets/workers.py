@@ -11,7 +11,7 @@ from memorymaze.errors import MemoryMazeError
 from memorymaze.processes import available_cores, die_with_parent, main_left_out
 
 Task = TypeVar("Task")
-Result = TypeVar("Result")
+_Result = TypeVar("_Result")
 
 # Children of a server hold no locks or threads of the parent's libraries, and begin with
 # what the server has imported once for all of them.
@@ -20,8 +20,8 @@ PROCESSES.set_forkserver_preload(["memorymaze.datasets"])
 
 
 def done_by_processes(
-    do: Callable[[Task], Result], tasks: Sequence[Task], workers: int
-) -> Iterator[Result]:
+    do: Callable[[Task], _Result], tasks: Sequence[Task], workers: int
+) -> Iterator[_Result]:
     """Do tasks; with one worker in this process.
 
     Args:

@@ -12,7 +12,7 @@ from shapely import Polygon
 
 from memorymaze.pictures.looks.assembly import MeshPart
 from memorymaze.pictures.looks.materials import Material
-from memorymaze.pictures.rendering.meshes import Kind
+from memorymaze.pictures.rendering.meshes import MeshKind
 from memorymaze.pictures.rendering.placed_things import (
     PlacedMeshes,
     placed_things,
@@ -23,7 +23,7 @@ from memorymaze.sites.records import Site
 
 Attributes = Mapping[str, object]
 """What the plan says of a feature, as JSON takes it; nothing stands for null."""
-WORDS: Mapping[Kind, str] = {
+WORDS: Mapping[MeshKind, str] = {
     "floor": "floor",
     "ceiling": "ceiling",
     "wall": "wall",
@@ -103,7 +103,7 @@ def plan_members(site: Site) -> Attributes:
 
 
 def _structure(site: Site, attributes: Mapping[str, Attributes]) -> Iterator[NamedMesh]:
-    found: dict[tuple[str, Kind], list[MeshPart]] = defaultdict(list)
+    found: dict[tuple[str, MeshKind], list[MeshPart]] = defaultdict(list)
     for made in structure_of(site).slices:
         for kind, part in made.meshes():
             found[made.part_of, kind].append(part)
@@ -116,7 +116,7 @@ def _structure(site: Site, attributes: Mapping[str, Attributes]) -> Iterator[Nam
         yield _around(feature, kind, _on_the_plan(parts))
 
 
-def _around(feature: str, kind: Kind, placed: PlacedMeshes) -> NamedMesh:
+def _around(feature: str, kind: MeshKind, placed: PlacedMeshes) -> NamedMesh:
     word = WORDS[kind]
     name = f"{feature}/{word}"
     return NamedMesh(name, {"id": name, "kind": word, "part_of": feature}, placed)

@@ -25,7 +25,7 @@ from memorymaze.geometry.floor import Floor
 from memorymaze.geometry.points import BoolArray, FloatArray
 from memorymaze.geometry.shortest_walk import ShortestWalks
 
-IntArray = NDArray[np.intp]
+_IndexArray = NDArray[np.intp]
 
 CELL = 0.5
 """Side of a cell, metres."""
@@ -100,7 +100,7 @@ class FloorGrid:
         """Return the number of nodes."""
         return len(self.centres)
 
-    def map_points(self, points: ArrayLike) -> IntArray:
+    def map_points(self, points: ArrayLike) -> _IndexArray:
         """Return the node of each point (K, 2): the nearest that no wall hides.
 
         Where walls hide the nine nearest nodes, the nearest of all is taken. A point
@@ -132,7 +132,7 @@ class FloorGrid:
             )
         return nodes[every, best]
 
-    def map_path(self, points: ArrayLike) -> IntArray:
+    def map_path(self, points: ArrayLike) -> _IndexArray:
         """Return the nodes a path (N, 2) passes, consecutive repeats removed.
 
         The path is sampled at steps of one cell, so that consecutive nodes are
@@ -192,7 +192,7 @@ class FloorGrid:
     def _beside_edge(self) -> BoolArray:
         return self.floor.beside_edge(self.centres, HALF_DIAGONAL * self.cell)
 
-    def _checked(self, nodes: ArrayLike) -> IntArray:
+    def _checked(self, nodes: ArrayLike) -> _IndexArray:
         ids = np.asarray(nodes)
         if ids.ndim != 1 or (len(ids) and not np.issubdtype(ids.dtype, np.integer)):
             raise ValueError(f"expected node ids of shape (k,), got {nodes!r}")

@@ -6,4 +6,5 @@ from numpy.typing import NDArray
 XY = tuple[float, float]
 """A place, metres."""
 FloatArray = NDArray[np.float64]
+IntArray = NDArray[np.int64]
 BoolArray = NDArray[np.bool_]

@@ -19,7 +19,7 @@ from memorymaze.evaluation.named_settings import with_choices
 from memorymaze.evaluation.settings import RunSettings
 from memorymaze.gym.actions import ActionSet, action_set, most_steps
 from memorymaze.gym.observations import Senses, SensorChoice, senses_of
-from memorymaze.gym.rewards import Progress, RewardChoice, reward_settings
+from memorymaze.gym.rewards import RewardChoice, StepProgress, reward_settings
 from memorymaze.instructions.corpus import episodes
 from memorymaze.instructions.files import load_instructions
 from memorymaze.instructions.records import Episode, is_of_split
@@ -211,7 +211,7 @@ class NavigationEnvironment(gymnasium.Env[Observation, Any]):
         )
         self._is_over = terminated or truncated
         information = self._inform()
-        progress = Progress(
+        progress = StepProgress(
             before - self._distance,
             len(robot.collisions) - touched,
             bool(information.get("success", False)),

@@ -9,7 +9,7 @@ from memorymaze.options import check_number
 
 
 @dataclass(frozen=True, slots=True)
-class Progress:
+class StepProgress:
     """What one step has brought."""
 
     nearer: float
@@ -42,7 +42,7 @@ class RewardSettings:
         for each in fields(self):
             check_number(f"reward: {each.name}", getattr(self, each.name))
 
-    def of(self, progress: Progress) -> float:
+    def of(self, progress: StepProgress) -> float:
         """Return the reward of a step."""
         return (
             self.progress * progress.nearer

@@ -12,7 +12,7 @@ from shapely.geometry import shape
 from memorymaze.importing.imported import ImportNotes
 from memorymaze.importing.obstacles import box_around
 from memorymaze.importing.shapes import moved
-from memorymaze.pictures.building_mesh import Piece
+from memorymaze.pictures.building_mesh import MeshPiece
 from memorymaze.sites.floor_rules import DOOR_OFF_WALL, ROOM_ON_FLOOR, THING_OFF_FLOOR
 from memorymaze.sites.plan_writing import Feature, degrees, line_feature, point_feature
 from memorymaze.wording import counted
@@ -87,15 +87,15 @@ NULLS: Mapping[str, Mapping[str, None]] = {
 """Kinds of features, and the members that our export leaves out where they are null."""
 
 
-def by_kind(pieces: Sequence[Piece]) -> Mapping[str, list[Piece]]:
+def by_kind(pieces: Sequence[MeshPiece]) -> Mapping[str, list[MeshPiece]]:
     """Return pieces as `door`, `landmark`, `room`, `seen_only` or `building`."""
-    found: defaultdict[str, list[Piece]] = defaultdict(list)
+    found: defaultdict[str, list[MeshPiece]] = defaultdict(list)
     for piece in pieces:
         found[_kind_of(piece)].append(piece)
     return found
 
 
-def _kind_of(piece: Piece) -> str:
+def _kind_of(piece: MeshPiece) -> str:
     kind = piece.extras.get("kind")
     if kind in NULLS and "geometry" in piece.extras:
         return str(kind)
@@ -114,11 +114,11 @@ def _words(name: str) -> list[str]:
     return [word.lower() for word in re.findall("[A-Za-z]{2,}", spaced)]
 
 
-def _box(piece: Piece) -> tuple[tuple[float, float], float, float, float]:
+def _box(piece: MeshPiece) -> tuple[tuple[float, float], float, float, float]:
     return box_around(MultiPoint(piece.vertices[:, :2]))
 
 
-def door_line(piece: Piece) -> LineString:
+def door_line(piece: MeshPiece) -> LineString:
     """Return the line on the plan in which a door stands."""
     if "geometry" in piece.extras:
         return LineString(piece.extras["geometry"]["coordinates"])
@@ -132,7 +132,7 @@ def door_line(piece: Piece) -> LineString:
 def features_on(
     floor: Polygon,
     height: float,
-    pieces: Mapping[str, Sequence[Piece]],
+    pieces: Mapping[str, Sequence[MeshPiece]],
     notes: ImportNotes,
 ) -> list[Feature]:
     """Return rooms, doors and things as features; those left out are told."""
@@ -160,7 +160,7 @@ def features_on(
 
 
 def _features_of(
-    kind: str, piece: Piece, floor: Polygon, height: float, rooms: set[str]
+    kind: str, piece: MeshPiece, floor: Polygon, height: float, rooms: set[str]
 ) -> Iterator[Feature]:
     """Yield the feature of a piece, if it fits on the floor."""
     told = _told(kind, piece.extras) if "geometry" in piece.extras else None
@@ -216,7 +216,7 @@ def _told(kind: str, extras: Mapping[str, Any]) -> dict[str, Any]:
     return {**NULLS[kind], **members}
 
 
-def _stands(piece: Piece, floor: Polygon) -> bool:
+def _stands(piece: MeshPiece, floor: Polygon) -> bool:
     if "geometry" in piece.extras:
         place = shape(piece.extras["geometry"])
     else:

@@ -14,9 +14,9 @@ from memorymaze.geometry.points import FloatArray
 from memorymaze.importing.shapes import polygons
 from memorymaze.pictures.building_mesh import (
     FLAT,
-    Piece,
+    MeshPiece,
+    face_normals,
     levels,
-    normals,
 )
 from memorymaze.sites.floor_rules import PASSABLE_RADIUS
 
@@ -43,7 +43,9 @@ class MeshFloor:
     """Square metres of other floor that a robot could drive on, behind walls or doors."""
 
 
-def mesh_floor_of(pieces: Sequence[Piece], doors: Sequence[Polygon] = ()) -> MeshFloor:
+def mesh_floor_of(
+    pieces: Sequence[MeshPiece], doors: Sequence[Polygon] = ()
+) -> MeshFloor:
     """Return the largest floor that a robot drives over; doors are closed."""
     height, ceiling = levels(pieces)
     ground = shapely.union_all(
@@ -80,18 +82,18 @@ def _is_walled(part: Polygon, walls: shapely.Geometry) -> bool:
 
 
 def _level_shapes(
-    pieces: Sequence[Piece], low: float, high: float
+    pieces: Sequence[MeshPiece], low: float, high: float
 ) -> Iterator[Polygon]:
     """Yield what level faces between two heights cover of the plan."""
     for piece in pieces:
-        across = normals(piece)
+        across = face_normals(piece)
         level = np.abs(across[:, 2]) > FLAT * np.linalg.norm(across, axis=1)
         heights = piece.triangles[:, :, 2].mean(axis=1)
         chosen = level & (heights > low) & (heights < high) & (across[:, 2] != 0)
         yield from map(Polygon, piece.triangles[chosen][:, :, :2])
 
 
-def _walls(pieces: Sequence[Piece], floor: float) -> list[LineString]:
+def _walls(pieces: Sequence[MeshPiece], floor: float) -> list[LineString]:
     """Return the lines in which level planes cut the mesh."""
     cuts: list[FloatArray] = []
     for piece in pieces:

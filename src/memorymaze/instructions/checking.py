@@ -9,7 +9,11 @@ from pathlib import Path
 from memorymaze.errors import InstructionFileError, did_you_mean
 from memorymaze.instructions.corpus import site_problems
 from memorymaze.instructions.error_kinds import ERROR_KINDS
-from memorymaze.instructions.files import place_of, read_instruction_file, repeated_ids
+from memorymaze.instructions.files import (
+    instruction_place,
+    read_instruction_file,
+    repeated_ids,
+)
 from memorymaze.instructions.record_format import InstructionProblem
 from memorymaze.instructions.records import Failure, Instruction
 from memorymaze.instructions.text_damage import invisible_characters, text_damage
@@ -61,7 +65,9 @@ def check_instruction_files(
     unusable += _double_counts(instructions) + _damaged(instructions)
     bad = {problem.place for problem in unusable}
     return CheckReport(
-        good=sum(place_of(instruction) not in bad for instruction in instructions),
+        good=sum(
+            instruction_place(instruction) not in bad for instruction in instructions
+        ),
         errors=tuple(problems + unusable),
         notes=(
             *_repeated_texts(instructions),
@@ -74,7 +80,7 @@ def check_instruction_files(
 
 def _damaged(instructions: Sequence[Instruction]) -> list[InstructionProblem]:
     return [
-        InstructionProblem(place_of(each), f"field {field!r}: {message}")
+        InstructionProblem(instruction_place(each), f"field {field!r}: {message}")
         for each in instructions
         for field, text in _texts(each)
         for message in text_damage(text)
@@ -95,7 +101,7 @@ def _odd_characters(instructions: Sequence[Instruction]) -> list[InstructionProb
         hidden = invisible_characters(each.text)
         if hidden:
             message = f"field 'text': invisible characters ({', '.join(hidden)})"
-            notes.append(InstructionProblem(place_of(each), message))
+            notes.append(InstructionProblem(instruction_place(each), message))
         letters = [character for character in each.text if character.isalpha()]
         foreign = sum(ord(character) > 0x24F for character in letters)
         if each.language.startswith("en") and foreign > FOREIGN_SHARE * len(letters):
@@ -103,7 +109,7 @@ def _odd_characters(instructions: Sequence[Instruction]) -> list[InstructionProb
                 f"field 'language': {each.language!r}, but {foreign} of {len(letters)} "
                 "letters are not Latin"
             )
-            notes.append(InstructionProblem(place_of(each), message))
+            notes.append(InstructionProblem(instruction_place(each), message))
     return notes
 
 
@@ -126,9 +132,9 @@ def _double_counts(instructions: Iterable[Instruction]) -> list[InstructionProbl
         if earlier is not each and earlier.id != each.id:
             problems.append(
                 InstructionProblem(
-                    place_of(each),
+                    instruction_place(each),
                     f"expected a new instruction, got {each.id!r}, which is "
-                    f"{earlier.id!r} ({place_of(earlier)}) under another id; remove one",
+                    f"{earlier.id!r} ({instruction_place(earlier)}) under another id; remove one",
                 )
             )
     return problems
@@ -152,16 +158,16 @@ def _repeated_texts(instructions: Iterable[Instruction]) -> list[InstructionProb
             )
             notes.append(
                 InstructionProblem(
-                    place_of(each),
-                    f"{each.id!r} has {alike} as {earlier.id!r} ({place_of(earlier)})",
+                    instruction_place(each),
+                    f"{each.id!r} has {alike} as {earlier.id!r} ({instruction_place(earlier)})",
                 )
             )
         other = cells.setdefault(_given(each), each)
         if other.text != each.text and not _paired(other, each):
             notes.append(
                 InstructionProblem(
-                    place_of(each),
-                    f"{each.id!r} and {other.id!r} ({place_of(other)}) are both of "
+                    instruction_place(each),
+                    f"{each.id!r} and {other.id!r} ({instruction_place(other)}) are both of "
                     f"participant {each.participant!r} for {each.site} {each.route}, "
                     f"iteration {each.iteration}",
                 )
@@ -186,7 +192,7 @@ def _odd_ids(
     folded: dict[str, Instruction] = {}
     studies: dict[str, Instruction] = {}
     for each in instructions:
-        place = place_of(each)
+        place = instruction_place(each)
         for field, got in (("id", each.id), ("participant", each.participant)):
             if got != got.strip() or not got.isprintable():
                 notes.append(
@@ -214,7 +220,7 @@ def _odd_ids(
                 InstructionProblem(
                     place,
                     f"field 'participant': {each.participant!r} is in study "
-                    f"{each.study!r} here and {before.study!r} at {place_of(before)}",
+                    f"{each.study!r} here and {before.study!r} at {instruction_place(before)}",
                 )
             )
     return notes
@@ -286,7 +292,7 @@ def _label_notes(
         for route in routes:
             if route.id == each.reference_route:
                 notes += [
-                    InstructionProblem(place_of(each), message)
+                    InstructionProblem(instruction_place(each), message)
                     for message in _notes(each, names[each.site], route)
                 ]
     return notes

@@ -8,8 +8,8 @@ from memorymaze.errors import InstructionFileError, SettingsError, did_you_mean
 from memorymaze.input_files import refusal
 from memorymaze.instructions.files import (
     BUILTIN_CORPUS,
+    instruction_place,
     load_instructions,
-    place_of,
     repeated_ids,
 )
 from memorymaze.instructions.record_format import InstructionProblem, tidied
@@ -116,7 +116,7 @@ def site_problems(
     for instruction in instructions:
         message = _misplaced(instruction, sites)
         if message is not None:
-            problems.append(InstructionProblem(place_of(instruction), message))
+            problems.append(InstructionProblem(instruction_place(instruction), message))
     return problems
 
 

@@ -4,9 +4,9 @@ import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass
 from importlib.resources import files
-from typing import Any, Literal
+from typing import Any
 
-Study = Literal["online", "onsite"]
+from memorymaze.instructions.published import PublishedStudy
 
 
 @dataclass(frozen=True, slots=True)
@@ -15,7 +15,7 @@ class ErrorKind:
 
     name: str
     """As the shipped corpus calls it."""
-    studies: tuple[Study, ...]
+    studies: tuple[PublishedStudy, ...]
     """Where the paper found it."""
     paper: str
     """The paper's words for it, section "Benchmark Analysis and Statistics"."""

@@ -26,7 +26,7 @@ BUILTIN_CORPUS = Path(str(files("memorymaze.instructions") / "data/role_played.j
 """The shipped corpus: 564 texts written by a language model (see its README)."""
 
 
-def place_of(instruction: Instruction) -> str:
+def instruction_place(instruction: Instruction) -> str:
     """Return where an instruction comes from: `file:line`, else its id."""
     return instruction.origin or f"instruction {instruction.id}"
 
@@ -40,9 +40,9 @@ def repeated_ids(instructions: Iterable[Instruction]) -> list[InstructionProblem
         if earlier is not instruction:
             message = (
                 f"field 'id': expected a new id, got {instruction.id!r}, which "
-                f"{place_of(earlier)} has"
+                f"{instruction_place(earlier)} has"
             )
-            problems.append(InstructionProblem(place_of(instruction), message))
+            problems.append(InstructionProblem(instruction_place(instruction), message))
     return problems
 
 

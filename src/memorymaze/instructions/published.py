@@ -6,7 +6,7 @@ from functools import cache
 from importlib.resources import files
 from typing import Any, Literal
 
-Study = Literal["online", "onsite"]
+PublishedStudy = Literal["online", "onsite"]
 PUBLISHED_MEASURES = ("sr", "osr", "spd", "cls")
 """What Tables II and III give."""
 
@@ -15,7 +15,7 @@ PUBLISHED_MEASURES = ("sr", "osr", "spd", "cls")
 class PublishedDescriptions:
     """A cell of Table I: how one route was described in one iteration of a study."""
 
-    study: Study
+    study: PublishedStudy
     site: str
     route: str
     iteration: int
@@ -33,7 +33,7 @@ class PublishedDescriptions:
 class PublishedResult:
     """A cell of Table II (has a method) or Table III (has an iteration)."""
 
-    study: Study
+    study: PublishedStudy
     site: str
     route: str
     method: str

@@ -37,10 +37,10 @@ def _small_letters(name: str) -> str:
     return name
 
 
-Study = Literal["online", "memory", "onsite", "sail"]
+StudyName = Literal["online", "memory", "onsite", "sail"]
 Text = Annotated[str, Strict(), AfterValidator(_said)]
-AnyText = Annotated[str, Strict(), AfterValidator(writable)]
-Count = Annotated[int, Strict(), Field(ge=0)]
+_AnyText = Annotated[str, Strict(), AfterValidator(writable)]
+_Count = Annotated[int, Strict(), Field(ge=0)]
 
 WRITTEN_BY = {
     "human": "people",
@@ -75,9 +75,9 @@ class Failure:
 
     kind: Text
     """Such as `missing_turn`, `extra_turn`, `wrong_destination`."""
-    where: AnyText
+    where: _AnyText
     """Turning point id or place."""
-    detail: AnyText
+    detail: _AnyText
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,13 +86,13 @@ class Span:
 
     kind: Text
     """Of an error, or of a surface mark such as `filler`."""
-    start: Count
+    start: _Count
     """Character of the text."""
-    end: Count
+    end: _Count
     """Character after the last one; `start` where words are missing."""
-    where: AnyText = ""
+    where: _AnyText = ""
     """Turning point id or place; empty for surface marks."""
-    detail: AnyText = ""
+    detail: _AnyText = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,9 +101,9 @@ class Followers:
 
     usable: Annotated[bool, Strict()]
     """Whether its corpus knows a legal path that the instruction tells."""
-    tried: Count | None
+    tried: _Count | None
     """None where the corpus does not tell."""
-    arrived: Count | None
+    arrived: _Count | None
     """Of these those who reached the goal."""
 
 
@@ -119,7 +119,7 @@ class Instruction:
     site: Text
     route: Text
     """`R1`, `R2`, …"""
-    study: Study = "online"
+    study: StudyName = "online"
     """`online`: typed while a walkthrough can be watched; `memory`: typed after it;
     `onsite`: spoken."""
     iteration: Annotated[Literal[1, 2], BeforeValidator(_whole)] = 1
@@ -135,7 +135,7 @@ class Instruction:
     language: Text = "en"
     split: Annotated[str, AfterValidator(_small_letters)] = "test"
     """`dev` (prompts may be built from it) or `test`."""
-    original_text: AnyText | None = None
+    original_text: _AnyText | None = None
     """What was said before translation or editing."""
     followers: Followers | None = None
     """None where nobody is known to have followed it."""

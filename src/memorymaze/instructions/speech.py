@@ -11,22 +11,22 @@ from dataclasses import dataclass
 from importlib.resources import files
 from typing import Any, Literal
 
-Kind = Literal["hedge", "filler", "correction"]
-Row = dict[str, Any]
+_Kind = Literal["hedge", "filler", "correction"]
+_Row = dict[str, Any]
 
-PHRASES: dict[str, list[Row]] = tomllib.loads(
+PHRASES: dict[str, list[_Row]] = tomllib.loads(
     (files("memorymaze.instructions") / "data/speech.toml").read_text(encoding="utf-8")
 )
 """Rows of a pattern with examples and counter-examples, by kind."""
 
 
-def words_like(rows: Sequence[Row]) -> re.Pattern[str]:
+def words_like(rows: Sequence[_Row]) -> re.Pattern[str]:
     """Return a pattern of what any of some rows finds, as whole words."""
     either = "|".join(row["pattern"] for row in rows)
     return re.compile(rf"(?<![\w'-])(?:{either})(?![\w'])")
 
 
-_PATTERNS: tuple[tuple[Kind, re.Pattern[str]], ...] = (
+_PATTERNS: tuple[tuple[_Kind, re.Pattern[str]], ...] = (
     ("correction", words_like(PHRASES["correction"])),
     ("hedge", words_like(PHRASES["hedge"])),
     ("filler", words_like(PHRASES["filler"])),
@@ -38,7 +38,7 @@ _PATTERNS: tuple[tuple[Kind, re.Pattern[str]], ...] = (
 class SpokenMark:
     """A mark of speaking from memory."""
 
-    kind: Kind
+    kind: _Kind
     words: str
     """As said, in small letters."""
     start: int

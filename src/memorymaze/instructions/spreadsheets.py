@@ -19,14 +19,14 @@ from memorymaze.instructions.record_format import (
 )
 from memorymaze.instructions.records import Instruction
 
-Kind = Literal["csv", "parquet"]
+_Kind = Literal["csv", "parquet"]
 
 STRUCTURED = ("failures", "followers", "spans")
 """Columns that hold JSON."""
 
 
 def write_spreadsheet(
-    path: str | Path, instructions: Iterable[Instruction], kind: Kind
+    path: str | Path, instructions: Iterable[Instruction], kind: _Kind
 ) -> None:
     """Write a CSV file (UTF-8) or a Parquet file.
 
@@ -44,7 +44,7 @@ def write_spreadsheet(
     write_file(path, _as_csv(rows) if kind == "csv" else _as_parquet(rows))
 
 
-def read_spreadsheet(path: str | Path, kind: Kind) -> list[Instruction]:
+def read_spreadsheet(path: str | Path, kind: _Kind) -> list[Instruction]:
     """Read what `write_spreadsheet` writes; columns may be in any order.
 
     Empty cells, and columns that are not there, have their defaults.
@@ -59,14 +59,14 @@ def read_spreadsheet(path: str | Path, kind: Kind) -> list[Instruction]:
     return instructions
 
 
-def spreadsheet_kind(path: str | Path) -> Kind | None:
+def spreadsheet_kind(path: str | Path) -> _Kind | None:
     """Return what a file is by its name; None for JSONL."""
-    kinds: dict[str, Kind] = {".csv": "csv", ".parquet": "parquet"}
+    kinds: dict[str, _Kind] = {".csv": "csv", ".parquet": "parquet"}
     return kinds.get(Path(path).suffix.lower())
 
 
 def read_rows(
-    path: str | Path, kind: Kind
+    path: str | Path, kind: _Kind
 ) -> tuple[list[Instruction], list[InstructionProblem]]:
     """Read a table; return the good instructions and what is wrong with other rows.
 

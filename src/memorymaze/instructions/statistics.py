@@ -16,7 +16,7 @@ from typing import Literal
 import numpy as np
 
 from memorymaze.errors import InstructionFileError
-from memorymaze.instructions.records import Instruction, Study
+from memorymaze.instructions.records import Instruction, StudyName
 from memorymaze.sites.records import Site
 
 WORD = re.compile(r"[a-z']+")
@@ -47,7 +47,7 @@ LIST_MARKER = re.compile(r"\(?\d+[.):]|[-*\u2022\u2013\u2014]")
 class CellStatistics:
     """How one route was described in one iteration of one study (Table I)."""
 
-    study: Study
+    study: StudyName
     site: str
     route: str
     iteration: Literal[1, 2]

@@ -29,7 +29,7 @@ def prepare_processes(module: str) -> None:
     forkserver.ensure_running()
 
 
-class Lost(Exception):
+class ProcessLost(Exception):
     """The last message of a process: it is gone, and why, in words for its user."""
 
 
@@ -37,7 +37,7 @@ class LiveProcess:
     """A process and the messages from it, which are told as they come."""
 
     def __init__(self, work: Work, hear: Callable[[Any], None]) -> None:
-        """Start the process; `hear` is called in a thread, with a `Lost` at the end."""
+        """Start the process; `hear` is called in a thread, with a `ProcessLost` at the end."""
         self._connection, theirs = PROCESSES.Pipe()
         self._process = PROCESSES.Process(
             target=_live, args=(theirs, work), daemon=True
@@ -49,7 +49,7 @@ class LiveProcess:
         threading.Thread(target=self._listen, args=(hear,), daemon=True).start()
 
     def tell(self, message: object) -> None:
-        """Send it a message; one that is gone says so by its `Lost`."""
+        """Send it a message; one that is gone says so by its `ProcessLost`."""
         with self._telling, contextlib.suppress(OSError):
             self._connection.send(message)
 
@@ -66,12 +66,12 @@ class LiveProcess:
     def _listen(self, hear: Callable[[Any], None]) -> None:
         last: object = None
         with contextlib.suppress(EOFError, OSError):
-            while not isinstance(last, Lost):
+            while not isinstance(last, ProcessLost):
                 last = self._connection.recv()
                 hear(last)
         self.end()
-        if not isinstance(last, Lost):
-            hear(Lost("The robot was put away."))
+        if not isinstance(last, ProcessLost):
+            hear(ProcessLost("The robot was put away."))
         with self._telling:
             self._connection.close()
 
@@ -88,7 +88,9 @@ def _live(connection: Connection, work: Work) -> None:
     except (EOFError, BrokenPipeError):
         return
     except MemoryMazeError as error:
-        connection.send(Lost(str(error)))
+        connection.send(ProcessLost(str(error)))
     except BaseException as error:
-        connection.send(Lost(f"The robot failed: {type(error).__name__}: {error}"))
+        connection.send(
+            ProcessLost(f"The robot failed: {type(error).__name__}: {error}")
+        )
         raise

@@ -297,7 +297,7 @@ class Certificate(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True)
-class Door:
+class ServedApplication:
     """An application and where it is to be found."""
 
     app: ASGIApp
@@ -316,7 +316,7 @@ def wait_for_interrupt() -> None:
 
 
 @contextmanager
-def serving(*doors: Door) -> Generator[list[str]]:
+def serving(*doors: ServedApplication) -> Generator[list[str]]:
     """Serve, each door in a thread; yields their addresses, such as `http://[::1]:80`.
 
     Of a door to all networks it is the address that others in the network come to.
@@ -330,7 +330,7 @@ def serving(*doors: Door) -> Generator[list[str]]:
 
 
 @contextmanager
-def _listening(door: Door) -> Generator[socket.socket]:
+def _listening(door: ServedApplication) -> Generator[socket.socket]:
     if not 0 <= door.port <= LAST_PORT:
         raise SettingsError(
             f"--port: expected 0 (any free one) to {LAST_PORT}, got {door.port}"
@@ -348,7 +348,7 @@ def _listening(door: Door) -> Generator[socket.socket]:
 
 
 @contextmanager
-def _running(door: Door, listener: socket.socket) -> Generator[None]:
+def _running(door: ServedApplication, listener: socket.socket) -> Generator[None]:
     chain, key = door.certificate or (None, None)
     server = uvicorn.Server(
         uvicorn.Config(
@@ -375,7 +375,7 @@ def _running(door: Door, listener: socket.socket) -> Generator[None]:
         thread.join()
 
 
-def _address(door: Door, listener: socket.socket) -> str:
+def _address(door: ServedApplication, listener: socket.socket) -> str:
     scheme = "http" if door.certificate is None else "https"
     host = door.host
     if host in {"0.0.0.0", "::"}:

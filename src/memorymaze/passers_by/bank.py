@@ -22,9 +22,9 @@ from memorymaze.passers_by.bank_records import (
     REPLY_CASES,
     SLOT,
     WAY_CASES,
-    Answer,
+    BankAnswer,
     CueWords,
-    Start,
+    StartSide,
     TurnFact,
     WayFacts,
 )
@@ -43,12 +43,14 @@ _Record = TypeVar("_Record")
 class Bank:
     """Answers and phrases, checked; the same generator gives the same words."""
 
-    def __init__(self, answers: Iterable[Answer], words: Iterable[CueWords]) -> None:
+    def __init__(
+        self, answers: Iterable[BankAnswer], words: Iterable[CueWords]
+    ) -> None:
         """Hold what `load_bank` has read and checked."""
         self.answers = tuple(answers)
         self.words = tuple(words)
         self.manners = tuple(sorted({answer.manner for answer in self.answers}))
-        self._answers: dict[tuple[str, str], list[Answer]] = defaultdict(list)
+        self._answers: dict[tuple[str, str], list[BankAnswer]] = defaultdict(list)
         for answer in self.answers:
             self._answers[answer.kind, answer.case].append(answer)
         self._words: dict[str, list[CueWords]] = defaultdict(list)
@@ -95,7 +97,7 @@ class Bank:
     ) -> str:
         """Say an answer of a case, in one manner where it is given.
 
-        `metres` is a number in digits, `where` one of `Start`; both are put into words.
+        `metres` is a number in digits, `where` one of `StartSide`; both are put into words.
         Of `metres`, `near` and `where` those may be missing that nobody is to speak of.
         """
         if (kind, case) not in REPLY_CASES:
@@ -108,9 +110,9 @@ class Bank:
                 f"{kind} {case}: expected the slots {sorted(needed)}, perhaps "
                 f"{sorted(allowed - needed)}, got {sorted(slots)}"
             )
-        if slots.get("where", "ahead") not in get_args(Start):
+        if slots.get("where", "ahead") not in get_args(StartSide):
             raise SettingsError(
-                f"{kind} {case}: expected where to be one of {get_args(Start)}, got "
+                f"{kind} {case}: expected where to be one of {get_args(StartSide)}, got "
                 f"{slots['where']!r}"
             )
         fitting = self._in_manner(kind, case, manner)
@@ -126,7 +128,7 @@ class Bank:
 
         return _sentences(answer.text, say)
 
-    def _in_manner(self, kind: str, case: str, manner: str | None) -> list[Answer]:
+    def _in_manner(self, kind: str, case: str, manner: str | None) -> list[BankAnswer]:
         if manner is not None and manner not in self.manners:
             raise SettingsError(
                 f"expected a manner of {', '.join(self.manners)}, got {manner!r}"

@@ -15,7 +15,7 @@ from memorymaze.passers_by.bank_records import (
     REPLY_CASES,
     WAY_CASES,
     WORD_CASES,
-    Answer,
+    BankAnswer,
     CueWords,
     Phrase,
 )
@@ -26,17 +26,17 @@ _WAY_SLOTS = {"start", "set_off", "where", "metres", "total", "destination", "re
 _TURN_SLOTS = ("side", "bend", "cue", "turn", "metres", "wrong")
 
 
-def read_answers(file: Path) -> list[Answer]:
+def read_answers(file: Path) -> list[BankAnswer]:
     """Return the answers of a file: each fit for its case, and each case in each voice."""
     ids: set[str] = set()
 
-    def check(answer: Answer) -> None:
+    def check(answer: BankAnswer) -> None:
         if answer.id in ids:
             raise ValueError(f"expected an id of its own, got {answer.id!r} once more")
         ids.add(answer.id)
         _check_answer(answer)
 
-    answers = _read(file, Answer, check)
+    answers = _read(file, BankAnswer, check)
     # What may be missing of a reply must not decide whether a voice has an answer.
     found = {
         (a.manner, (a.kind, a.case))
@@ -76,7 +76,7 @@ def read_words(file: Path, manners: Collection[str]) -> list[CueWords]:
     return words
 
 
-def _check_answer(answer: Answer) -> None:
+def _check_answer(answer: BankAnswer) -> None:
     if answer.kind != "way_to" or answer.case not in WAY_CASES:
         ways = [("way_to", case) for case in WAY_CASES]
         _check_case((answer.kind, answer.case), [*ways, *REPLY_CASES])

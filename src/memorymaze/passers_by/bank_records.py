@@ -11,9 +11,9 @@ from pydantic import ConfigDict, Field
 from memorymaze.passers_by.spoken_numbers import LENGTH_UNITS
 from memorymaze.robot.asking import QuestionKind
 
-Start = Literal["ahead", "left", "right", "back"]
+StartSide = Literal["ahead", "left", "right", "back"]
 End = Literal["ahead", "left", "right", "end"]
-Cue = Literal["next", "ordinal", "end", "thing", "crossing"]
+_Cue = Literal["next", "ordinal", "end", "thing", "crossing"]
 
 WAY_CASES = ("0", "1", "2", "3", "4+")
 """The cases of ways that are told, by their turns."""
@@ -41,7 +41,11 @@ OPPOSITES = {
 }
 _SIDED = ("side", "bend")
 WORD_CASES: dict[tuple[str, str], tuple[tuple[str, ...], ...]] = {
-    **{(slot, case): () for slot in ("start", "set_off") for case in get_args(Start)},
+    **{
+        (slot, case): ()
+        for slot in ("start", "set_off")
+        for case in get_args(StartSide)
+    },
     **{(slot, case): () for slot in _SIDED for case in OPPOSITES},
     **{("where", case): () for case in get_args(End)},
     **{("cue", case): () for case in ("next", "end", "crossing")},
@@ -64,7 +68,7 @@ class TurnFact:
 
     side: str
     """`left`, `right`, `half left` or `half right`."""
-    cue: Cue
+    cue: _Cue
     """What the turn is known by."""
     ordinal: int
     """Which opening it is, from 1; said with the cue `ordinal` only."""
@@ -78,7 +82,7 @@ class TurnFact:
 class WayFacts:
     """A way as somebody tells it, from where robot and person stand."""
 
-    start: Start
+    start: StartSide
     """How one leaves, in the robot's frame: `ahead` is the way it faces."""
     turns: tuple[TurnFact, ...]
     end: End
@@ -114,7 +118,7 @@ class Phrase:
 
 
 @dataclass(frozen=True, slots=True)
-class Answer(Phrase):
+class BankAnswer(Phrase):
     """A whole answer, of one of `WAY_CASES` or `REPLY_CASES`."""
 
     id: str

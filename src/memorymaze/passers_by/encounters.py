@@ -6,7 +6,7 @@ from typing import Any, Protocol, cast, get_args
 
 from memorymaze.errors import CommandError
 from memorymaze.geometry.pose import Pose
-from memorymaze.passers_by.memory import Told, Truth
+from memorymaze.passers_by.memory import AnswerWithTruth, Truth
 from memorymaze.robot.asking import Question, QuestionKind
 from memorymaze.simulation.obstacles.crowd import Person
 from memorymaze.simulation.robot import SimulatedRobot
@@ -23,7 +23,7 @@ class PasserBy(Protocol):
         """Whether they answer without errors; None where nobody can tell."""
         ...
 
-    def answer(self, question: Question, here: Pose) -> Told:
+    def answer(self, question: Question, here: Pose) -> AnswerWithTruth:
         """Answer where one stands, facing as the asker faces."""
         ...
 

@@ -21,7 +21,11 @@ from memorymaze.simulation.senses.sight_targets import describe_door, describe_l
 from memorymaze.sites.records import Route, RouteTurn, Site
 from memorymaze.writing.route_facts import RouteFacts
 from memorymaze.writing.things import with_article
-from memorymaze.writing.turning_point_graph import BACK, STRAIGHT, TurningPointGraph
+from memorymaze.writing.turning_point_graph import (
+    STRAIGHT,
+    TURNING_BACK,
+    TurningPointGraph,
+)
 
 Bearing = Literal["ahead", "left", "right", "back"]
 
@@ -133,7 +137,7 @@ class FloorKnowledge:
         spot = Point(place.position)
         eye = Point(here.x, here.y)
         seen = eye.distance(spot) <= SEEN_FROM and self._graph.sees(eye, spot)
-        bearing = bearing_of(here, heading_to((here.x, here.y), place.position))
+        bearing = side_of_heading(here, heading_to((here.x, here.y), place.position))
         return Whereabouts(
             bearing if seen else None, self.walk_to(here, place), self.thing_near(place)
         )
@@ -171,7 +175,7 @@ class FloorKnowledge:
                 _ = facts.plan
             except SitePlanError:  # It cannot be told where to turn.
                 continue
-            return WayThere(bearing_of(here, route.start_heading), facts)
+            return WayThere(side_of_heading(here, route.start_heading), facts)
         return None
 
     @cached_property
@@ -336,7 +340,7 @@ class FloorKnowledge:
         return line
 
 
-def bearing_of(here: Pose, heading: float) -> Bearing:
+def side_of_heading(here: Pose, heading: float) -> Bearing:
     """Return where a heading leads, seen the way one faces."""
     angle = turn_between(here.heading, heading)
     if abs(angle) <= math.pi / 4:
@@ -367,7 +371,7 @@ def _is_back(
     if math.dist(middle, end) <= 0.02:
         return False
     turn = turn_between(heading_to(start, middle), heading_to(middle, end))
-    return abs(turn) > BACK
+    return abs(turn) > TURNING_BACK
 
 
 def _plain(words: str) -> str:

@@ -15,7 +15,7 @@ from memorymaze.geometry.pose import Pose
 from memorymaze.instructions.error_kinds import kinds_of
 from memorymaze.language.model import Completion
 from memorymaze.passers_by.bank import Bank
-from memorymaze.passers_by.bank_records import Reply, Start, TurnFact, WayFacts
+from memorymaze.passers_by.bank_records import Reply, StartSide, TurnFact, WayFacts
 from memorymaze.passers_by.knowledge import (
     FURTHER_ON,
     FloorKnowledge,
@@ -38,7 +38,7 @@ PLAINEST = 0.5
 BEYOND = 3.0
 """Metres of floor beyond a destination without which the way ends there."""
 
-_OPPOSITE: dict[Start, Start] = {
+_OPPOSITE: dict[StartSide, StartSide] = {
     "ahead": "back",
     "back": "ahead",
     "left": "right",
@@ -47,7 +47,7 @@ _OPPOSITE: dict[Start, Start] = {
 
 
 @dataclass(frozen=True, slots=True)
-class Told:
+class AnswerWithTruth:
     """An answer, and what is true of it."""
 
     words: str
@@ -65,7 +65,7 @@ class Recalled:
     facts: WayFacts | Reply
     truth: Truth
     error: str = ""
-    """As in `Told`."""
+    """As in `AnswerWithTruth`."""
 
 
 @dataclass(frozen=True)
@@ -88,7 +88,7 @@ class Memory:
         """Whether the person makes no errors; who is not makes one in each answer."""
         return bool(self._rng("reliable").random() >= self.error_rate)
 
-    def answer(self, question: Question, here: Pose) -> Told:
+    def answer(self, question: Question, here: Pose) -> AnswerWithTruth:
         """Answer a question where one stands, facing as the asker faces."""
         rng = self._rng(question.kind, question.about)
         recalled = self._recall(question, here, rng)
@@ -97,7 +97,7 @@ class Memory:
                 words = self.bank.way(way, rng, self.voice)
             case Reply(case, slots):
                 words = self.bank.reply(question.kind, case, slots, rng, self.voice)
-        return Told(words, recalled.truth, recalled.error)
+        return AnswerWithTruth(words, recalled.truth, recalled.error)
 
     def recall(self, question: Question, here: Pose) -> Recalled:
         """Return what is remembered, for somebody else to put into words."""
@@ -268,5 +268,5 @@ def _said(turn: TurnFact) -> tuple[object, ...]:
     return turn.side, turn.cue, turn.ordinal, turn.thing
 
 
-def _as_told(bearing: Start | None) -> str:
+def _as_told(bearing: StartSide | None) -> str:
     return "far" if bearing is None else "behind" if bearing == "back" else bearing

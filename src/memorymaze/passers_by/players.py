@@ -15,7 +15,7 @@ from memorymaze.language.model import (
 from memorymaze.language.model import Question as ModelQuestion
 from memorymaze.language.prompt_texts import load_prompt, prompt_version
 from memorymaze.passers_by.bank_records import Reply, TurnFact, WayFacts
-from memorymaze.passers_by.memory import Memory, Told
+from memorymaze.passers_by.memory import AnswerWithTruth, Memory
 from memorymaze.passers_by.spoken_numbers import ordinal_word
 from memorymaze.robot.asking import Question
 from memorymaze.wording import single_spaced
@@ -81,7 +81,7 @@ class ModelInRole:
     def _rules(self) -> str:
         return load_prompt("passer_by")
 
-    def answer(self, question: Question, here: Pose) -> Told:
+    def answer(self, question: Question, here: Pose) -> AnswerWithTruth:
         """Ask the model; whether it says what it was told, nobody checks."""
         recalled = self.memory.recall(question, here)
         match recalled.facts:
@@ -102,7 +102,7 @@ class ModelInRole:
             )
         )
         words = single_spaced(completion.text)
-        return Told(words, recalled.truth, recalled.error, completion)
+        return AnswerWithTruth(words, recalled.truth, recalled.error, completion)
 
 
 def reply_in_words(reply: Reply) -> str:

@@ -12,14 +12,14 @@ from memorymaze.perception.camera_view import (
 )
 from memorymaze.perception.detector import Detector, TruthDetector
 from memorymaze.perception.matching import MATCH_THRESHOLD, match_score
-from memorymaze.perception.tracking import Sighting, Tracker
+from memorymaze.perception.tracking import SingleSighting, Tracker
 
 __all__ = [
     "MATCH_THRESHOLD",
     "CameraView",
     "Detector",
     "ObjectDescription",
-    "Sighting",
+    "SingleSighting",
     "Tracker",
     "TruthDetector",
     "VisibleObject",

@@ -9,7 +9,7 @@ from memorymaze.errors import DetectorError
 from memorymaze.geometry.pose import Pose
 from memorymaze.robot.steps import CameraPicture
 
-Box = tuple[float, float, float, float]
+PixelBox = tuple[float, float, float, float]
 """Pixels (left, top, right, bottom)."""
 
 
@@ -39,7 +39,7 @@ class VisibleObject:
     """Middle of the thing in the world, metres; for tracking only."""
     length: float
     """Its longer side on the floor, metres; for tracking only."""
-    box: Box
+    box: PixelBox
     """The part in the picture."""
     distance: float
     """Metres from the camera to the nearest part seen."""
@@ -137,7 +137,7 @@ class PictureView:
         )
 
 
-def bearing_of(box: Box, width: int) -> float:
+def box_bearing(box: PixelBox, width: int) -> float:
     """Return where the middle of a box is, radians from straight ahead, left positive.
 
     The picture is 90 degrees and so many pixels wide.
@@ -145,7 +145,9 @@ def bearing_of(box: Box, width: int) -> float:
     return math.atan2(width / 2 - (box[0] + box[2]) / 2, width / 2)
 
 
-def place_of(pose: Pose, distance: float, bearing: float) -> tuple[float, float]:
+def place_at_bearing(
+    pose: Pose, distance: float, bearing: float
+) -> tuple[float, float]:
     """Return where something is on the plan, metres."""
     heading = pose.heading + bearing
     return (

@@ -6,10 +6,15 @@ from typing import NamedTuple, Protocol
 
 from memorymaze.errors import CommandError
 from memorymaze.geometry.pose import Pose
-from memorymaze.perception.camera_view import Box, CameraView, VisibleObject, place_of
+from memorymaze.perception.camera_view import (
+    CameraView,
+    PixelBox,
+    VisibleObject,
+    place_at_bearing,
+)
 from memorymaze.perception.error_model import ErrorSource, Phantom
 from memorymaze.perception.matching import MATCH_THRESHOLD, match_score
-from memorymaze.perception.tracking import Sighting, Tracker
+from memorymaze.perception.tracking import SingleSighting, Tracker
 from memorymaze.robot.api import DETECTION_RANGE, Detection
 
 LONGEST_QUERY = 300
@@ -50,11 +55,11 @@ class Find(NamedTuple):
     """Something found in one look, before it is known whether it was seen before."""
 
     label: str
-    box: Box
+    box: PixelBox
     score: float
     distance: float
     bearing: float
-    sighting: Sighting
+    sighting: SingleSighting
 
 
 def detections(finds: Iterable[Find], tracker: Tracker) -> list[Detection]:
@@ -139,17 +144,17 @@ class TruthDetector:
 
 
 def _find_of(thing: VisibleObject, label: str, score: float) -> Find:
-    sighting = Sighting(label, thing.position, thing.length)
+    sighting = SingleSighting(label, thing.position, thing.length)
     return Find(label, thing.box, score, thing.distance, thing.bearing, sighting)
 
 
 def _phantom_find(phantom: Phantom, label: str, pose: Pose) -> Find:
-    place = place_of(pose, phantom.distance, phantom.bearing)
+    place = place_at_bearing(pose, phantom.distance, phantom.bearing)
     return Find(
         label,
         phantom.box,
         phantom.score,
         phantom.distance,
         phantom.bearing,
-        Sighting(label, place, 0.0),
+        SingleSighting(label, place, 0.0),
     )

@@ -13,7 +13,7 @@ import numpy as np
 
 from memorymaze.geometry.pose import Pose
 from memorymaze.options import check_number
-from memorymaze.perception.camera_view import VisibleObject, bearing_of
+from memorymaze.perception.camera_view import VisibleObject, box_bearing
 
 REFERENCE_SIZE = 64.0
 """Pixels; square root of the box's area of the reference thing."""
@@ -162,4 +162,4 @@ def _phantom(rng: np.random.Generator, range_limit: float) -> Phantom:
         min(u + side / 2, float(WIDTH)),
         min(v + side / 2, float(HEIGHT)),
     )
-    return Phantom(box, distance, bearing_of(box, WIDTH), float(rng.uniform(0.5, 0.8)))
+    return Phantom(box, distance, box_bearing(box, WIDTH), float(rng.uniform(0.5, 0.8)))

@@ -12,9 +12,14 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from memorymaze.perception.camera_view import Box, CameraView, bearing_of, place_of
+from memorymaze.perception.camera_view import (
+    CameraView,
+    PixelBox,
+    box_bearing,
+    place_at_bearing,
+)
 from memorymaze.perception.detector import Find, check_query, detections
-from memorymaze.perception.tracking import Sighting, Tracker
+from memorymaze.perception.tracking import SingleSighting, Tracker
 from memorymaze.robot.api import DETECTION_RANGE, Detection
 from memorymaze.robot.steps import CameraPicture
 
@@ -26,7 +31,7 @@ SAME_THING = 0.7
 class FoundBox:
     """Something a model found in a picture."""
 
-    box: Box
+    box: PixelBox
     """Pixels (left, top, right, bottom)."""
     label: str
     """What the model calls it."""
@@ -72,10 +77,10 @@ class PictureDetector:
         for each in _without_doubles([found for found in cut if found is not None]):
             distance = depth_distance(picture, each.box)
             if distance is not None and distance <= self._range_limit:
-                bearing = bearing_of(each.box, width)
-                sighting = Sighting(
+                bearing = box_bearing(each.box, width)
+                sighting = SingleSighting(
                     "thing",
-                    place_of(view.pose, distance, bearing),
+                    place_at_bearing(view.pose, distance, bearing),
                     distance * (each.box[2] - each.box[0]) / (width / 2),
                 )
                 finds.append(
@@ -84,7 +89,7 @@ class PictureDetector:
         return detections(finds, self._tracker)
 
 
-def depth_distance(picture: CameraPicture, box: Box) -> float | None:
+def depth_distance(picture: CameraPicture, box: PixelBox) -> float | None:
     """Return metres from the lens to what fills a box; None where nothing is.
 
     That is the median depth over the box, along the way to its middle. The picture is
@@ -122,7 +127,7 @@ def _without_doubles(found: Sequence[FoundBox]) -> list[FoundBox]:
     return kept
 
 
-def _overlap(a: Box, b: Box) -> float:
+def _overlap(a: PixelBox, b: PixelBox) -> float:
     """Return the intersection over union of two boxes."""
     wide = min(a[2], b[2]) - max(a[0], b[0])
     tall = min(a[3], b[3]) - max(a[1], b[1])

@@ -24,7 +24,7 @@ WORTH_ANOTHER_TRY = frozenset({408, 425, 429, 500, 502, 503, 504})
 """States of servers that may soon be another."""
 
 Number = Annotated[float, Field(allow_inf_nan=False)]
-Share = Annotated[float, Field(ge=0, le=1, allow_inf_nan=False)]
+_Share = Annotated[float, Field(ge=0, le=1, allow_inf_nan=False)]
 
 
 class DetectionRequest(BaseModel):
@@ -36,9 +36,9 @@ class DetectionRequest(BaseModel):
     """The picture's file, PNG or JPEG, in base64."""
     query: str
     """What to look for, in a few words."""
-    box_threshold: Share = 0.35
+    box_threshold: _Share = 0.35
     """Least score of a box."""
-    text_threshold: Share = 0.25
+    text_threshold: _Share = 0.25
     """Least score of a word to be part of the label."""
 
 
@@ -49,7 +49,7 @@ class DetectionReply(BaseModel):
     """Pixels (left, top, right, bottom) of the picture sent."""
     labels: list[str]
     """What the model calls each."""
-    scores: list[Share]
+    scores: list[_Share]
     """How sure it is of each, 0 to 1."""
 
     @model_validator(mode="after")

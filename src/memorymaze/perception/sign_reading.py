@@ -17,14 +17,14 @@ from numpy.typing import NDArray
 from memorymaze.errors import DetectorError
 from memorymaze.extras import require_extra
 from memorymaze.perception.camera_view import (
-    Box,
     CameraView,
+    PixelBox,
     VisibleText,
-    bearing_of,
-    place_of,
+    box_bearing,
+    place_at_bearing,
 )
 from memorymaze.perception.picture_detector import depth_distance
-from memorymaze.perception.tracking import Sighting, Tracker
+from memorymaze.perception.tracking import SingleSighting, Tracker
 from memorymaze.robot.api import READING_RANGE, SignText
 from memorymaze.robot.steps import CameraPicture
 from memorymaze.wording import single_spaced
@@ -73,7 +73,7 @@ class TruthSignReader:
         found: list[_Found] = []
         for seen in filter(_readable, view.visible_texts(READING_RANGE)):
             text, on = single_spaced(seen.text), seen.bearer
-            sighting = Sighting(text, on.position, on.length)
+            sighting = SingleSighting(text, on.position, on.length)
             found.append(_Found(on.distance, on.bearing, text, sighting))
         return _sign_texts(found, self._tracker)
 
@@ -84,7 +84,7 @@ class _Found(NamedTuple):
     distance: float
     bearing: float
     text: str
-    sighting: Sighting
+    sighting: SingleSighting
 
 
 def _sign_texts(found: list[_Found], tracker: Tracker) -> list[SignText]:
@@ -111,7 +111,7 @@ def _readable(seen: VisibleText) -> bool:
 class FoundLine:
     """A line of text in a picture."""
 
-    box: Box
+    box: PixelBox
     """Pixels (left, top, right, bottom)."""
     text: str
     """As read."""
@@ -185,9 +185,9 @@ class PictureSignReader:
         found: list[_Found] = []
         for sign in _joined(self._placed(picture)):
             if sign.distance <= READING_RANGE:
-                bearing = bearing_of(sign.box, PICTURE_SIZE[0])
-                place = place_of(view.pose, sign.distance, bearing)
-                sighting = Sighting("text", place, SAME_PLACE)
+                bearing = box_bearing(sign.box, PICTURE_SIZE[0])
+                place = place_at_bearing(view.pose, sign.distance, bearing)
+                sighting = SingleSighting("text", place, SAME_PLACE)
                 found.append(_Found(sign.distance, bearing, sign.text, sighting))
         return _sign_texts(found, self._tracker)
 
@@ -204,7 +204,7 @@ class PictureSignReader:
 
 
 class _Placed(NamedTuple):
-    box: Box
+    box: PixelBox
     text: str
     distance: float
     line_height: float
@@ -248,6 +248,6 @@ def _goes_on(sign: _Placed, line: _Placed) -> bool:
     )
 
 
-def _around(corners: Any) -> Box:
+def _around(corners: Any) -> PixelBox:
     xs, ys = np.asarray(corners, dtype=np.float64).T
     return float(xs.min()), float(ys.min()), float(xs.max()), float(ys.max())

@@ -9,7 +9,7 @@ LEAST_GATE = 0.3
 """Metres; how far the middle of a small thing may seem to have moved."""
 
 
-class Sighting(NamedTuple):
+class SingleSighting(NamedTuple):
     """A thing as it was seen once."""
 
     kind: str
@@ -41,7 +41,7 @@ class Tracker:
         """Begin with nothing seen."""
         self._tracks: list[_Track] = []
 
-    def update(self, sightings: Sequence[Sighting]) -> list[int]:
+    def update(self, sightings: Sequence[SingleSighting]) -> list[int]:
         """Return the numbers of the things seen in one look, from 1 up, in order."""
         pairs = sorted(
             (distance, number, index)
@@ -66,7 +66,7 @@ class Tracker:
         return [matched[index] + 1 for index in range(len(sightings))]
 
     @staticmethod
-    def _note(track: _Track, sighting: Sighting) -> None:
+    def _note(track: _Track, sighting: SingleSighting) -> None:
         """Move a track to the mean of all its sightings."""
         track.sightings += 1
         share = 1 / track.sightings

@@ -32,7 +32,7 @@ Faces = NDArray[np.int64]
 
 
 @dataclass(frozen=True, eq=False)
-class Piece:
+class MeshPiece:
     """A node of a scene with its mesh, which may be empty, in metres, z up."""
 
     name: str
@@ -49,7 +49,9 @@ class Piece:
         return self.vertices[self.faces]
 
 
-def read_mesh(path: Path, *, with_looks: bool = False) -> tuple[list[Piece], list[str]]:
+def read_mesh(
+    path: Path, *, with_looks: bool = False
+) -> tuple[list[MeshPiece], list[str]]:
     """Return the pieces of a GLB or OBJ file, and what was guessed of its frame."""
     if path.suffix.lower() not in FORMATS:
         raise ImportFileError(
@@ -111,7 +113,7 @@ def _scene(path: Path, kind: str, *, with_looks: bool) -> Any:
         ) from None
 
 
-def _pieces(scene: Any) -> Iterator[Piece]:
+def _pieces(scene: Any) -> Iterator[MeshPiece]:
     """Yield a piece for each node that has a mesh or says something."""
     edges, parents = scene.graph.transforms.edge_data, scene.graph.transforms.parents
     for node in scene.graph.nodes:
@@ -127,14 +129,14 @@ def _pieces(scene: Any) -> Iterator[Piece]:
             vertices = corners @ matrix[:3, :3].T + matrix[:3, 3]
         numbers = np.asarray(faces, dtype=np.int64).reshape(-1, 3)
         name = str(extras.get("id") or node)
-        yield Piece(name, extras, vertices, numbers, getattr(mesh, "visual", None))
+        yield MeshPiece(name, extras, vertices, numbers, getattr(mesh, "visual", None))
 
 
-def _changed(piece: Piece, vertices: FloatArray) -> Piece:
+def _changed(piece: MeshPiece, vertices: FloatArray) -> MeshPiece:
     return replace(piece, vertices=vertices)
 
 
-def _level_area(pieces: list[Piece], axis: int) -> float:
+def _level_area(pieces: list[MeshPiece], axis: int) -> float:
     """Return the area of faces that are level if an axis points up."""
     return (
         sum(
@@ -143,24 +145,24 @@ def _level_area(pieces: list[Piece], axis: int) -> float:
                     np.abs(n[:, axis]) > FLAT * np.linalg.norm(n, axis=1)
                 ].sum()
             )
-            for n in map(normals, pieces)
+            for n in map(face_normals, pieces)
         )
         / 2
     )
 
 
-def normals(piece: Piece) -> FloatArray:
+def face_normals(piece: MeshPiece) -> FloatArray:
     """Return the normals of a piece's faces, twice their area long."""
     a, b, c = piece.triangles.transpose(1, 0, 2)
     return np.cross(b - a, c - a)
 
 
-def levels(pieces: Sequence[Piece]) -> tuple[float, float | None]:
+def levels(pieces: Sequence[MeshPiece]) -> tuple[float, float | None]:
     """Return the heights of the floor and, above it, of the ceiling."""
     heights = np.concatenate([
         piece.triangles[:, :, 2].mean(axis=1) for piece in pieces
     ])
-    across = np.concatenate([normals(piece) for piece in pieces])
+    across = np.concatenate([face_normals(piece) for piece in pieces])
     areas = np.linalg.norm(across, axis=1) / 2
     slopes = across[:, 2] / np.maximum(2 * areas, 1e-12)
     up = slopes > FLAT

@@ -50,10 +50,10 @@ def _not_zero(number: int) -> int:
 
 Words = Annotated[str, StringConstraints(min_length=1, pattern=r"\S")]
 Doubt = Annotated[float, Field(ge=0, le=1, allow_inf_nan=False)]
-Metres = Annotated[float, Field(ge=0, allow_inf_nan=False)]
+_Metres = Annotated[float, Field(ge=0, allow_inf_nan=False)]
 MOST_COUNTED, MOST_LEGS = 10**6, 200
 """What is more no speaker means; agents count and search with these."""
-Count = Annotated[int, Field(ge=1, le=MOST_COUNTED)]
+_Count = Annotated[int, Field(ge=1, le=MOST_COUNTED)]
 Ordinal = Annotated[int, Field(ge=-1, le=MOST_COUNTED), AfterValidator(_not_zero)]
 """2 for `the second`, -1 for `the last`."""
 
@@ -78,7 +78,7 @@ class Length:
 
     __pydantic_config__ = _CHECKED
 
-    metres: Metres
+    metres: _Metres
     unit: Unit
     """It tells how far to trust the number."""
     count: Annotated[float, Field(gt=0, allow_inf_nan=False)] | None = None
@@ -100,7 +100,7 @@ class Mention:
     side: Side | None = None
     nth: Ordinal | None = None
     """2 for `the second door`."""
-    after_metres: Metres | None = None
+    after_metres: _Metres | None = None
     """How far along the stretch."""
     ignored: bool = False
     """True when it is to be left alone: said only so that it is not taken for something."""
@@ -114,7 +114,7 @@ class Passing:
 
     __pydantic_config__ = _CHECKED
 
-    count: Count | None = None
+    count: _Count | None = None
     """None when all there are."""
     side: Literal["left", "right"] | None = None
     what: Words | None = None
@@ -197,7 +197,7 @@ class Totals:
     __pydantic_config__ = _CHECKED
 
     turns: Annotated[int, Field(ge=0, le=MOST_COUNTED)] | None = None
-    metres: Metres | None = None
+    metres: _Metres | None = None
 
 
 @dataclass(frozen=True, slots=True)

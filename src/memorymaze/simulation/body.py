@@ -19,7 +19,7 @@ from memorymaze.robot.sensors_and_motion import OdometryReading
 from memorymaze.robot.steps import CameraPicture, LidarScan
 from memorymaze.simulation.cameras import CameraMaker, RobotCameras
 from memorymaze.simulation.motion.wheeled_base import WheeledBase
-from memorymaze.simulation.obstacles.surroundings import Surroundings
+from memorymaze.simulation.obstacles.surroundings import ObstacleSurroundings
 from memorymaze.simulation.scene import Scene
 from memorymaze.simulation.senses.lidar import Lidar, LidarSettings
 from memorymaze.simulation.senses.odometry import Odometry, OdometrySettings
@@ -73,7 +73,7 @@ class SimulatedBody:
         self.base = WheeledBase(scene.model, start, settings, rng, tangible)
         self.pose = self.base.pose
         """Where it really is."""
-        self.surroundings: Surroundings | None = None
+        self.surroundings: ObstacleSurroundings | None = None
         """What there is beyond the plan; None for nothing, which costs nothing."""
         self.collisions: list[Collision] = []
         self.on_motion: Callable[[float, Pose], None] | None = None

@@ -15,7 +15,7 @@ THINGS = ("landmark", "thing", "person")
 
 
 class PlanFloor:
-    """The floor as its plan tells it; implements `Floor`."""
+    """The floor as its plan tells it; implements `KnownFloor`."""
 
     horizon = math.inf
 

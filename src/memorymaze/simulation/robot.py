@@ -18,7 +18,7 @@ from memorymaze.simulation.body import Collision, SimulatedBody
 from memorymaze.simulation.cameras import CameraFrame, CameraMaker, PanoramaFrame
 from memorymaze.simulation.motion.line_following import follow_line
 from memorymaze.simulation.obstacles.crowd import Person
-from memorymaze.simulation.obstacles.surroundings import NearMiss, Surroundings
+from memorymaze.simulation.obstacles.surroundings import NearMiss, ObstacleSurroundings
 from memorymaze.simulation.plan_floor import PlanFloor
 from memorymaze.simulation.scene import Scene
 from memorymaze.simulation.senses.lidar import LidarSettings
@@ -26,7 +26,7 @@ from memorymaze.simulation.senses.odometry import OdometrySettings
 from memorymaze.simulation.senses.turning_points import AnnotatedTurningPoints
 from memorymaze.simulation.senses.visibility import camera_elsewhere
 from memorymaze.simulation.settings import SimulationSettings
-from memorymaze.steering.calls import Moment, TraceEvent
+from memorymaze.steering.calls import CallEnd, TraceEvent
 from memorymaze.steering.commands import check_speeds
 from memorymaze.steering.driving import TimeIsUp
 from memorymaze.steering.guide_robot import GuideRobot
@@ -98,7 +98,7 @@ class SimulatedRobot(GuideRobot):
             cameras=cameras,
         )
         if scene.obstacles is not None:
-            body.surroundings = Surroundings(
+            body.surroundings = ObstacleSurroundings(
                 scene,
                 body.base.data,
                 start,
@@ -290,7 +290,7 @@ class SimulatedRobot(GuideRobot):
         return tuple(self._body.collisions)
 
     @property
-    def surroundings(self) -> Surroundings | None:
+    def surroundings(self) -> ObstacleSurroundings | None:
         """Things and people around it; None in a building that is as in its plan."""
         return self._body.surroundings
 
@@ -322,9 +322,9 @@ class SimulatedRobot(GuideRobot):
             return self._floor.what_blocks()
         return "done" if how == "arrived" else "obstacle"
 
-    def _moment(self) -> Moment:
+    def _moment(self) -> CallEnd:
         self._body.sample()
-        return Moment(self.time, self.pose, self._driver.distance)
+        return CallEnd(self.time, self.pose, self._driver.distance)
 
 
 def _turning_points(

@@ -23,7 +23,7 @@ _HISSING = ("x", "ch", "sh")
 
 
 @dataclass(frozen=True, slots=True)
-class Surface:
+class PlaceSurface:
     """What a place is made of, in the words of the site plan."""
 
     floor: str
@@ -31,19 +31,19 @@ class Surface:
 
 
 @dataclass(frozen=True, slots=True)
-class View:
+class SceneView:
     """What is seen in one direction."""
 
     depth: float
     """Metres to where walls end the view."""
     width: float
     """Metres between the walls, a little ahead."""
-    surface: Surface
+    surface: PlaceSurface
     things: tuple[tuple[ObjectDescription, float], ...]
     """Things and their distances in metres, the nearest first."""
 
 
-def view_sentence(view: View) -> str:
+def view_sentence(view: SceneView) -> str:
     """Return one sentence on a direction: walls, floor and ways, then things."""
     floor, wall = _made_of(view.surface.floor), _made_of(view.surface.wall)
     if view.depth < WALL_CLOSE:
@@ -71,7 +71,9 @@ def view_sentence(view: View) -> str:
 
 
 def summary_sentence(
-    views: Sequence[View], surface: Surface, things: Sequence[ObjectDescription]
+    views: Sequence[SceneView],
+    surface: PlaceSurface,
+    things: Sequence[ObjectDescription],
 ) -> str:
     """Return one sentence on a place, without directions."""
     far = [view.depth >= FAR for view in views]

@@ -31,7 +31,7 @@ OVER_DOOR_GAP = 0.05
 
 
 @dataclass(frozen=True, slots=True)
-class Wall:
+class _Wall:
     """A straight piece of wall, a box on the ground plane."""
 
     x: float
@@ -48,7 +48,7 @@ class Wall:
     """0 on the floor's outer boundary, n on the boundary of its n-th hole."""
 
 
-def walls_around(floor: Polygon) -> list[Wall]:
+def walls_around(floor: Polygon) -> list[_Wall]:
     """Return one wall per straight edge of the floor's boundary and of its holes.
 
     The walls' inner faces lie exactly on the boundary. Where the floor's corner is
@@ -63,7 +63,7 @@ def walls_around(floor: Polygon) -> list[Wall]:
     ]
 
 
-def _walls_along(corners: list[tuple[float, float]], ring: int) -> Iterator[Wall]:
+def _walls_along(corners: list[tuple[float, float]], ring: int) -> Iterator[_Wall]:
     # Oriented rings keep the floor on their left.
     count = len(corners)
     for i, (ax, ay) in enumerate(corners):
@@ -77,7 +77,7 @@ def _walls_along(corners: list[tuple[float, float]], ring: int) -> Iterator[Wall
         if ux * (after[1] - by) - uy * (after[0] - bx) > 0:
             end += WALL_THICKNESS
         middle = (start + end) / 2
-        yield Wall(
+        yield _Wall(
             x=ax + ux * middle + uy * WALL_THICKNESS / 2,
             y=ay + uy * middle - ux * WALL_THICKNESS / 2,
             half_length=(end - start) / 2,

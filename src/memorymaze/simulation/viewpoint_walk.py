@@ -22,8 +22,8 @@ from memorymaze.robot.viewpoints import (
 from memorymaze.simulation.robot import SimulatedRobot
 from memorymaze.simulation.scene import Scene
 from memorymaze.simulation.scene_sentences import (
-    Surface,
-    View,
+    PlaceSurface,
+    SceneView,
     summary_sentence,
     thing_words,
     view_sentence,
@@ -225,7 +225,7 @@ def _within_reach(sightings: Sequence[_Sighting]) -> tuple[SeenThing, ...]:
 
 def _view(
     scene: Scene, x: float, y: float, heading: float, seen: Sequence[_Sighting]
-) -> View:
+) -> SceneView:
     rays = [wrap_angle(heading + aside) for aside in LOOKS_AHEAD]
     depths = [_to_wall(scene, x, y, ray) for ray in rays]
     depth = max(depths)
@@ -234,7 +234,7 @@ def _view(
     ux, uy = math.cos(ray), math.sin(ray)
     px, py = x + ahead * ux, y + ahead * uy
     width = sum(_to_wall(scene, px, py, ray + side * math.pi / 2) for side in (-1, 1))
-    return View(
+    return SceneView(
         depth=depth,
         width=width,
         surface=_surface(scene, px, py),
@@ -250,11 +250,11 @@ def _to_wall(scene: Scene, x: float, y: float, heading: float) -> float:
     return crossings[0] if crossings else 0.0
 
 
-def _surface(scene: Scene, x: float, y: float) -> Surface:
+def _surface(scene: Scene, x: float, y: float) -> PlaceSurface:
     """Return what floor and walls are made of at or nearest to a place."""
     here = Point(x, y)
     part = min(
         (*scene.site.corridors, *scene.site.areas),
         key=lambda each: each.polygon.distance(here),
     )
-    return Surface(part.floor_material, part.wall_material)
+    return PlaceSurface(part.floor_material, part.wall_material)

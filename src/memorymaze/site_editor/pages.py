@@ -22,9 +22,9 @@ from memorymaze.pictures.looks.materials import colour_words
 from memorymaze.site_editor.plan_file import (
     ChangedMeanwhile,
     Edited,
-    Picture,
     Plan,
     PlanFile,
+    TracedPicture,
 )
 from memorymaze.site_editor.proposals import completed, missing_turning_points
 from memorymaze.sites.checking import (
@@ -40,9 +40,9 @@ from memorymaze.sites.plan_models import FEATURE_MODELS, PlanHeader
 from memorymaze.sites.reading import understand_plan
 from memorymaze.sites.records import Site, floor_pieces
 
-Message = TypeVar("Message", bound=BaseModel)
+_Message = TypeVar("_Message", bound=BaseModel)
 
-ROOM = "memorymaze.site_editor"
+EDITOR_ROOM = "memorymaze.site_editor"
 LARGEST_PLAN = 32_000_000
 """Bytes that a browser may send."""
 
@@ -80,11 +80,11 @@ class EditorPages:
             self._told("/save", Edited, self._save),
             self._told("/propose", Proposal, self._propose),
             self._told("/discard", Nothing, self._discard),
-            self._told("/place", Picture, self._place),
+            self._told("/place", TracedPicture, self._place),
         ]
 
     def _told(
-        self, path: str, message: type[Message], answer: Callable[[Message], Any]
+        self, path: str, message: type[_Message], answer: Callable[[_Message], Any]
     ) -> Route:
         """Return where the script sends a message."""
 
@@ -169,7 +169,7 @@ class EditorPages:
     def _discard(self, told: Nothing) -> None:
         self._file.discard_draft()
 
-    def _place(self, picture: Picture) -> None:
+    def _place(self, picture: TracedPicture) -> None:
         self._file.keep_picture(picture)
 
 

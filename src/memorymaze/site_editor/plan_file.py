@@ -42,7 +42,7 @@ class Edited(BaseModel):
     """A number is the place of a feature in the file that is not changed."""
 
 
-class Picture(BaseModel):
+class TracedPicture(BaseModel):
     """Where the picture of a floor plan lies beneath the plan."""
 
     model_config = ConfigDict(strict=True, frozen=True)
@@ -61,7 +61,7 @@ class Kept(BaseModel):
 
     base: str = ""
     draft: Plan | None = None
-    picture: Picture | None = None
+    picture: TracedPicture | None = None
 
 
 class ChangedMeanwhile(Exception):
@@ -141,7 +141,7 @@ class PlanFile:
         with self._lock:
             self._keep(draft=None)
 
-    def keep_picture(self, picture: Picture) -> None:
+    def keep_picture(self, picture: TracedPicture) -> None:
         """Keep where the picture lies."""
         with self._lock:
             self._keep(picture=picture)

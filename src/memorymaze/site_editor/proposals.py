@@ -19,8 +19,8 @@ from memorymaze.sites.plan_writing import degrees, polygon_feature
 from memorymaze.sites.records import Area, Corridor, Site, TurningPoint
 from memorymaze.sites.route_rules import GOAL_NEAR
 
-Feature = dict[str, Any]
-Floor = Corridor | Area | TurningPoint
+_Feature = dict[str, Any]
+_Floor = Corridor | Area | TurningPoint
 STRAIGHT_ON = math.radians(150)
 """Exits at a larger angle are a way through."""
 CROSSING = math.radians(20)
@@ -29,9 +29,9 @@ SHAPES = {1: "dead_end", 2: "corner", 3: "t_junction"}
 """By the number of exits; more are a crossing."""
 
 
-def completed(feature: Feature, site: Site) -> Feature:
+def completed(feature: _Feature, site: Site) -> _Feature:
     """Return a drawn feature with what follows from its place on the plan."""
-    properties: Feature = dict(feature["properties"])
+    properties: _Feature = dict(feature["properties"])
     coordinates = feature["geometry"]["coordinates"]
     match properties["kind"]:
         case "turning_point":
@@ -48,7 +48,7 @@ def completed(feature: Feature, site: Site) -> Feature:
     return {**feature, "properties": properties}
 
 
-def missing_turning_points(site: Site, ids: set[str]) -> Iterator[Feature]:
+def missing_turning_points(site: Site, ids: set[str]) -> Iterator[_Feature]:
     """Make the turning points where corridors meet and none is drawn yet."""
     taken = [point.polygon for point in site.turning_points]
     for one, other in combinations(site.corridors, 2):
@@ -64,7 +64,7 @@ def missing_turning_points(site: Site, ids: set[str]) -> Iterator[Feature]:
         yield completed(feature, site)
 
 
-def _floor_of(site: Site) -> tuple[Floor, ...]:
+def _floor_of(site: Site) -> tuple[_Floor, ...]:
     return (*site.corridors, *site.areas, *site.turning_points)
 
 
@@ -98,7 +98,7 @@ def _ends(line: LineString) -> tuple[tuple[float, float], tuple[float, float]]:
     return (x[0], y[0]), (x[-1], y[-1])
 
 
-def _ways_out(own_id: str, place: Polygon, site: Site) -> Feature:
+def _ways_out(own_id: str, place: Polygon, site: Site) -> _Feature:
     """Return the exits of a turning point, and the shape that they make."""
     others = [each for each in _floor_of(site) if each.id != own_id]
     floor = union_all([each.polygon.buffer(1e-6) for each in others] + [place])
@@ -129,14 +129,14 @@ def _ways_out(own_id: str, place: Polygon, site: Site) -> Feature:
     }
 
 
-def _courses(floor: Floor) -> list[float]:
+def _courses(floor: _Floor) -> list[float]:
     """Return the two directions along a corridor."""
     if not isinstance(floor, Corridor):
         return []
     return [_course(floor), turn_between(math.pi, _course(floor))]
 
 
-def _is_way_in(floor: Floor, heading: float) -> bool:
+def _is_way_in(floor: _Floor, heading: float) -> bool:
     """Tell whether one walks into floor in a direction: corridors only along them."""
     courses = _courses(floor)
     return not courses or any(
@@ -151,11 +151,11 @@ def _across_edges(place: Polygon) -> Iterator[float]:
             yield turn_between(-side, heading_to(start, end))
 
 
-def _way(line: LineString, site: Site) -> Feature:
+def _way(line: LineString, site: Site) -> _Feature:
     """Return what follows from a route's line."""
     places = [(x, y) for x, y, *_ in line.coords]
     end = Point(places[-1])
-    found: Feature = {
+    found: _Feature = {
         "start_heading_deg": degrees(heading_to(places[0], places[1])),
         "turns": list(turns_along(places, site)),
     }

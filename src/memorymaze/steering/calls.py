@@ -10,7 +10,7 @@ from memorymaze.geometry.pose import Pose, turn_between
 from memorymaze.robot.api import Detection, MoveResult, SignText, TurnResult
 from memorymaze.steering.settings import RobotSettings
 
-Result = TypeVar("Result")
+_Result = TypeVar("_Result")
 
 STILL_DISTANCE = 0.01
 """Metres driven below which a call brought no motion."""
@@ -42,7 +42,7 @@ class TraceEvent:
     """What it returned, as JSON knows it; `{"error": ...}` when it raised."""
 
 
-class Moment(NamedTuple):
+class CallEnd(NamedTuple):
     """When and where a call ended."""
 
     time: float
@@ -59,7 +59,7 @@ class Call:
     arguments: dict[str, object]
     result: object = None
 
-    def returns(self, result: Result) -> Result:
+    def returns(self, result: _Result) -> _Result:
         """Take note of what it returns."""
         self.result = _plain(result)
         return result
@@ -108,7 +108,7 @@ class CallLog:
 
     @contextmanager
     def call(
-        self, name: str, arguments: dict[str, object], moment: Callable[[], Moment]
+        self, name: str, arguments: dict[str, object], moment: Callable[[], CallEnd]
     ) -> Generator[Call]:
         """Begin a call, and report it when it is over, where the robot is then.
 
@@ -125,7 +125,7 @@ class CallLog:
         self.end(name, made.arguments, made.result, moment())
 
     def end(
-        self, call: str, arguments: Mapping[str, object], result: object, now: Moment
+        self, call: str, arguments: Mapping[str, object], result: object, now: CallEnd
     ) -> None:
         """Report a call; too many in a row that changed nothing end the episode."""
         time, pose, distance = now

@@ -9,7 +9,7 @@ from typing import Literal
 
 from memorymaze.geometry.pose import Pose, turn_between
 from memorymaze.robot.sensors_and_motion import SensorsAndMotion
-from memorymaze.steering.floor import LANE_STEP, Floor
+from memorymaze.steering.floor import LANE_STEP, KnownFloor
 from memorymaze.steering.lanes import LaneFollower
 from memorymaze.steering.settings import TICK, RobotSettings
 
@@ -44,7 +44,7 @@ class Driver:
     """
 
     def __init__(
-        self, body: SensorsAndMotion, floor: Floor, settings: RobotSettings
+        self, body: SensorsAndMotion, floor: KnownFloor, settings: RobotSettings
     ) -> None:
         """Take a body that stands."""
         self._body = body

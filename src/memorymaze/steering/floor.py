@@ -48,7 +48,7 @@ class Surroundings(Protocol):
         ...
 
 
-class Floor(Protocol):
+class KnownFloor(Protocol):
     """What is known of the floor one robot drives on."""
 
     @property

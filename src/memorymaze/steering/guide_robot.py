@@ -20,7 +20,7 @@ from memorymaze.robot.api import (
 )
 from memorymaze.robot.sensors_and_motion import SensorsAndMotion
 from memorymaze.robot.steps import CameraPicture, LidarScan
-from memorymaze.steering.calls import Call, CallLog, Moment, TraceEvent
+from memorymaze.steering.calls import Call, CallEnd, CallLog, TraceEvent
 from memorymaze.steering.commands import (
     degrees_to_turn,
     metres_ahead,
@@ -29,12 +29,12 @@ from memorymaze.steering.commands import (
     words_to_look_for,
 )
 from memorymaze.steering.driving import Driver, TimeIsUp
-from memorymaze.steering.floor import Floor
+from memorymaze.steering.floor import KnownFloor
 from memorymaze.steering.pilot import Pilot
 from memorymaze.steering.sensed_floor import SensedFloor
 from memorymaze.steering.settings import RobotSettings
 
-Result = TypeVar("Result")
+_Result = TypeVar("_Result")
 
 
 class GuideRobot:
@@ -49,7 +49,7 @@ class GuideRobot:
     def __init__(
         self,
         body: SensorsAndMotion,
-        floor: Floor | None = None,
+        floor: KnownFloor | None = None,
         settings: RobotSettings | None = None,
         on_event: Callable[[TraceEvent], None] | None = None,
         *,
@@ -231,8 +231,8 @@ class GuideRobot:
         return call.returns(MoveResult(self._driver.distance - before, reason))
 
     def _in_time(
-        self, motion: Callable[[], Result], cut_short: Callable[[], Result]
-    ) -> Result:
+        self, motion: Callable[[], _Result], cut_short: Callable[[], _Result]
+    ) -> _Result:
         """Return what a motion returns, or what is left to say when the time is up."""
         try:
             return motion()
@@ -243,9 +243,9 @@ class GuideRobot:
     def _call(self, name: str, **arguments: object) -> AbstractContextManager[Call]:
         return self._log.call(name, arguments, self._moment)
 
-    def _moment(self) -> Moment:
+    def _moment(self) -> CallEnd:
         """Return when and where a call ended."""
-        return Moment(self._driver.time, self._driver.pose, self._driver.distance)
+        return CallEnd(self._driver.time, self._driver.pose, self._driver.distance)
 
 
 def _out_of_time() -> MoveEnd:

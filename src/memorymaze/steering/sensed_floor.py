@@ -98,7 +98,7 @@ class SensedSpace:
 
 
 class SensedFloor:
-    """The floor as a body's LiDAR sees it; implements `Floor` and `Surroundings`."""
+    """The floor as a body's LiDAR sees it; implements `KnownFloor` and `Surroundings`."""
 
     horizon = HORIZON
     patience = PATIENCE

@@ -14,9 +14,9 @@ from memorymaze.errors import SettingsError, StudyError
 from memorymaze.instructions.files import write_instructions
 from memorymaze.instructions.records import Instruction
 from memorymaze.studies.labels.labelling import Labelled, Labelling
-from memorymaze.studies.store import Answer, Event, Participant, Store
+from memorymaze.studies.store import PageEvent, Participant, SentAnswer, Store
 from memorymaze.studies.study_file import Study
-from memorymaze.studies.tellings import TELLINGS, Tellings, Told
+from memorymaze.studies.tellings import TELLINGS, StudyTelling, StudyTellings
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,9 +36,9 @@ class Exported:
 @dataclass(frozen=True, slots=True)
 class _Telling:
     place: int
-    told: Told
-    answer: Answer
-    events: tuple[Event, ...]
+    told: StudyTelling
+    answer: SentAnswer
+    events: tuple[PageEvent, ...]
 
     @property
     def seconds(self) -> float:
@@ -65,8 +65,8 @@ def export_study(study: Study, store: Store, out: str | Path) -> Exported:
             f"{store.folder}: expected participants who have finished, got none; the "
             "experimenter's page shows how far they are"
         )
-    tellings = Tellings(store)
-    told: dict[str, dict[str, Told]] = {}
+    tellings = StudyTellings(store)
+    told: dict[str, dict[str, StudyTelling]] = {}
     for each in tellings.told():
         told.setdefault(each.participant, {})[each.step] = each
     written = [who for who in finished if all(x.text for x in told[who.id].values())]
@@ -105,7 +105,10 @@ def export_study(study: Study, store: Store, out: str | Path) -> Exported:
 
 
 def _tellings(
-    store: Store, told: dict[str, Told], who: Participant, answers: dict[str, Answer]
+    store: Store,
+    told: dict[str, StudyTelling],
+    who: Participant,
+    answers: dict[str, SentAnswer],
 ) -> Iterator[_Telling]:
     for place, route in enumerate(who.cell.split(", "), start=1):
         for kind in TELLINGS:
@@ -127,7 +130,7 @@ def _labels(labels: Labelled, agreed: Consensus | None) -> dict[str, Any]:
 
 
 def _about(
-    study: Study, store: Store, who: Participant, answers: dict[str, Answer]
+    study: Study, store: Store, who: Participant, answers: dict[str, SentAnswer]
 ) -> dict[str, Any]:
     failed = [
         number

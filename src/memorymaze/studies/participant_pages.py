@@ -22,9 +22,9 @@ from memorymaze.instructions.statistics import word_count
 from memorymaze.pages.web import Fields, posted, render
 from memorymaze.studies.follow.drives import Drives
 from memorymaze.studies.follow.pages import FollowPages
-from memorymaze.studies.schedule import Step, steps_of
-from memorymaze.studies.store import Answer, Participant, Store, Taken
-from memorymaze.studies.study_file import Question
+from memorymaze.studies.schedule import StudyStep, steps_of
+from memorymaze.studies.store import Participant, SentAnswer, Store, Taken
+from memorymaze.studies.study_file import ChoiceQuestion
 
 LONGEST_TEXT = 20_000
 """Characters of a description."""
@@ -42,14 +42,14 @@ WRONG = "wrong"
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
+class StudyPlace:
     """Where somebody is in a study."""
 
-    step: Step | None
+    step: StudyStep | None
     """None where all is answered."""
     number: int
     count: int
-    answers: dict[str, Answer]
+    answers: dict[str, SentAnswer]
     """By step."""
 
 
@@ -64,7 +64,9 @@ class ParticipantPages:
         self._design = store.study.design
         self._films = films
         self._cookie = cookie_name("participant", store)
-        self._takers: dict[str, Callable[[Participant, Step, Fields], Taken | str]] = {
+        self._takers: dict[
+            str, Callable[[Participant, StudyStep, Fields], Taken | str]
+        ] = {
             "comprehension": self._take_comprehension,
             "familiarity": self._take_familiarity,
             "scenario": self._take_scenario,
@@ -145,16 +147,16 @@ class ParticipantPages:
 
     # The steps -------------------------------------------------------------------------
 
-    def _steps(self, participant: Participant) -> list[Step]:
+    def _steps(self, participant: Participant) -> list[StudyStep]:
         return steps_of(self._design, tuple(participant.cell.split(", ")))
 
-    def _current(self, participant: Participant) -> Place:
+    def _current(self, participant: Participant) -> StudyPlace:
         answers = self._store.answers(participant.id)
         steps = self._steps(participant)
         for number, step in enumerate(steps, start=1):
             if step.key not in answers:
-                return Place(step, number, len(steps), answers)
-        return Place(None, len(steps), len(steps), answers)
+                return StudyPlace(step, number, len(steps), answers)
+        return StudyPlace(None, len(steps), len(steps), answers)
 
     def _study(self, request: Request) -> Response:
         participant = self._participant(request)
@@ -172,8 +174,8 @@ class ParticipantPages:
         self,
         request: Request,
         participant: Participant,
-        step: Step,
-        place: Place,
+        step: StudyStep,
+        place: StudyPlace,
         *,
         problem: str | None = None,
         given: Fields | None = None,
@@ -246,12 +248,12 @@ class ParticipantPages:
         return _to("/study")
 
     def _take_scenario(
-        self, participant: Participant, step: Step, fields: Fields
+        self, participant: Participant, step: StudyStep, fields: Fields
     ) -> Taken | str:
         return Taken("", shown=self._design.scenario)
 
     def _take_comprehension(
-        self, participant: Participant, step: Step, fields: Fields
+        self, participant: Participant, step: StudyStep, fields: Fields
     ) -> Taken | str:
         check = self._design.comprehension
         chosen = _chosen(check.questions, fields)
@@ -271,7 +273,7 @@ class ParticipantPages:
         return Taken(json.dumps(chosen), excluded="comprehension")
 
     def _take_familiarity(
-        self, participant: Participant, step: Step, fields: Fields
+        self, participant: Participant, step: StudyStep, fields: Fields
     ) -> Taken | str:
         asked = self._design.familiarity
         chosen = _chosen([asked], fields)
@@ -281,13 +283,13 @@ class ParticipantPages:
         return Taken(chosen[0], excluded="familiarity" if knows_it else "")
 
     def _take_attention(
-        self, participant: Participant, step: Step, fields: Fields
+        self, participant: Participant, step: StudyStep, fields: Fields
     ) -> Taken | str:
         chosen = _chosen([self._design.attention[step.number]], fields)
         return "Please choose an answer." if chosen is None else Taken(chosen[0])
 
     def _take_watched(
-        self, participant: Participant, step: Step, fields: Fields
+        self, participant: Participant, step: StudyStep, fields: Fields
     ) -> Taken | str:
         events = self._store.events(participant.id, step.key)
         if not any(event.kind == WATCHED for event in events):
@@ -295,19 +297,19 @@ class ParticipantPages:
         return Taken("")
 
     def _take_waited(
-        self, participant: Participant, step: Step, fields: Fields
+        self, participant: Participant, step: StudyStep, fields: Fields
     ) -> Taken | str:
         if self._seconds_left(step, self._store.answers(participant.id)) > 0:
             return "It is a little too early. This page says when to go on."
         return Taken("")
 
-    def _seconds_left(self, step: Step, answers: Mapping[str, Answer]) -> int:
+    def _seconds_left(self, step: StudyStep, answers: Mapping[str, SentAnswer]) -> int:
         seen = answers[f"watch.{step.route}"].at
         delay = 60 * (self._design.delay_minutes or 0)
         return max(0, math.ceil(seen + delay - self._store.now()))
 
     def _take_text(
-        self, participant: Participant, step: Step, fields: Fields
+        self, participant: Participant, step: StudyStep, fields: Fields
     ) -> Taken | str:
         design, text = self._design, fields.get("text", "").strip()
         if word_count(text) >= design.least_words and len(text) <= LONGEST_TEXT:
@@ -347,7 +349,7 @@ class ParticipantPages:
             raise HTTPException(429, "There are too many events already.")
         return Response(status_code=204)
 
-    def _at_work(self, request: Request) -> tuple[Participant, Step]:
+    def _at_work(self, request: Request) -> tuple[Participant, StudyStep]:
         participant = self._participant(request)
         if participant is None:
             raise HTTPException(403, "Nobody takes part in this browser.")
@@ -373,7 +375,7 @@ class ParticipantPages:
             headers={"Cache-Control": caching},
         )
 
-    def _may_watch(self, step: Step, route: str) -> bool:
+    def _may_watch(self, step: StudyStep, route: str) -> bool:
         """Return whether a video is there: from memory, it is gone while one describes."""
         kinds = {"watch"} if self._design.kind == "memory" else {"tell", "retell"}
         return step.kind in kinds and step.route == route
@@ -430,7 +432,7 @@ def cookie_name(who: str, store: Store) -> str:
     return f"{who}-{place}"
 
 
-def _chosen(questions: Sequence[Question], fields: Fields) -> list[str] | None:
+def _chosen(questions: Sequence[ChoiceQuestion], fields: Fields) -> list[str] | None:
     """Return the choices made; None where one is missing."""
     chosen: list[str] = []
     for number, question in enumerate(questions):

@@ -19,7 +19,7 @@ StepKind = Literal[
 
 
 @dataclass(frozen=True, slots=True)
-class Step:
+class StudyStep:
     """One page that a participant answers."""
 
     kind: StepKind
@@ -58,25 +58,29 @@ def cell_name(order: tuple[str, ...]) -> str:
     return ", ".join(order)
 
 
-def steps_of(design: StudyDesign, order: tuple[str, ...]) -> list[Step]:
+def steps_of(design: StudyDesign, order: tuple[str, ...]) -> list[StudyStep]:
     """Return what somebody answers who describes, or follows, routes in an order.
 
     Interviews (`onsite`) have steps of their own, which the tablet's script knows.
     """
-    steps = [Step("comprehension"), Step("familiarity"), Step("scenario")]
+    steps = [
+        StudyStep("comprehension"),
+        StudyStep("familiarity"),
+        StudyStep("scenario"),
+    ]
     if not design.comprehension.questions:
         del steps[0]
     for place, route in enumerate(order, start=1):
         if design.kind == "memory":
-            steps.append(Step("watch", route))
+            steps.append(StudyStep("watch", route))
             if design.delay_minutes:
-                steps.append(Step("wait", route))
+                steps.append(StudyStep("wait", route))
         if design.kind == "follow":
-            steps.append(Step("follow", route))
+            steps.append(StudyStep("follow", route))
         else:
-            steps += [Step("tell", route), Step("retell", route)]
+            steps += [StudyStep("tell", route), StudyStep("retell", route)]
         steps += [
-            Step("attention", number=number)
+            StudyStep("attention", number=number)
             for number, check in enumerate(design.attention)
             if check.after_route == place
         ]

@@ -6,7 +6,13 @@ from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from typing import NamedTuple
 
-from memorymaze.pages.web import THIS_MACHINE, Certificate, Door, make_app, serving
+from memorymaze.pages.web import (
+    THIS_MACHINE,
+    Certificate,
+    ServedApplication,
+    make_app,
+    serving,
+)
 from memorymaze.studies.experimenter_pages import ExperimenterPages
 from memorymaze.studies.follow.drives import Drives
 from memorymaze.studies.follow.texts import texts_to_follow
@@ -16,7 +22,7 @@ from memorymaze.studies.interviews.transcript_pages import TranscriptPages
 from memorymaze.studies.labels.pages import LabelPages
 from memorymaze.studies.participant_pages import ParticipantPages
 from memorymaze.studies.store import Store
-from memorymaze.studies.tellings import Tellings
+from memorymaze.studies.tellings import StudyTellings
 
 ROOMS = (
     "memorymaze.studies",
@@ -57,7 +63,7 @@ def serving_study(
     drives = None
     with ExitStack() as stack:
         experimenter = ExperimenterPages(store, token)
-        tellings = Tellings(store)
+        tellings = StudyTellings(store)
         behind = [
             *experimenter.routes,
             *TranscriptPages(experimenter, tellings).routes,
@@ -72,7 +78,9 @@ def serving_study(
             app = make_app(
                 behind, *ROOMS, max_body=MAX_RECORDING, hosts=[*THIS_MACHINE, host]
             )
-            with serving(Door(app, host, experimenter_port, certificate)) as [address]:
+            with serving(
+                ServedApplication(app, host, experimenter_port, certificate)
+            ) as [address]:
                 yield Addresses("", f"{address}/enter/{token}")
             return
         if store.study.design.kind == "follow":
@@ -80,7 +88,9 @@ def serving_study(
             drives = stack.enter_context(Drives(store, texts, draws=draws))
         pages = make_app(ParticipantPages(store, films, drives).routes, *ROOMS)
         with serving(
-            Door(pages, host, port, certificate),
-            Door(make_app(behind, *ROOMS, hosts=THIS_MACHINE), port=experimenter_port),
+            ServedApplication(pages, host, port, certificate),
+            ServedApplication(
+                make_app(behind, *ROOMS, hosts=THIS_MACHINE), port=experimenter_port
+            ),
         ) as [participants, experimenter]:
             yield Addresses(participants, f"{experimenter}/enter/{token}")

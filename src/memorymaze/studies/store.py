@@ -45,7 +45,7 @@ class Participant:
 
 
 @dataclass(frozen=True, slots=True)
-class Answer:
+class SentAnswer:
     """What somebody sent, for good."""
 
     text: str
@@ -64,7 +64,7 @@ class Taken(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True)
-class Event:
+class PageEvent:
     """Something that somebody did on a page."""
 
     step: str
@@ -225,13 +225,13 @@ class Store:
             self._touch(rows, participant)
         return bool(added)
 
-    def answers(self, participant: str) -> dict[str, Answer]:
+    def answers(self, participant: str) -> dict[str, SentAnswer]:
         """Return somebody's answers by step, in the order they came."""
         query = (
             "SELECT step, text, shown, at FROM answers WHERE participant = ? "
             "ORDER BY rowid"
         )
-        return {row[0]: Answer(*row[1:]) for row in self.rows(query, participant)}
+        return {row[0]: SentAnswer(*row[1:]) for row in self.rows(query, participant)}
 
     def keep_draft(self, participant: str, step: str, text: str) -> bool:
         """Keep an unfinished text; False where the step is answered already."""
@@ -264,13 +264,13 @@ class Store:
             self._touch(rows, participant)
         return bool(added)
 
-    def events(self, participant: str, step: str | None = None) -> list[Event]:
+    def events(self, participant: str, step: str | None = None) -> list[PageEvent]:
         """Return what somebody did, in order; on all pages or one."""
         query = (
             "SELECT step, kind, value, at FROM events WHERE participant = ?1 AND "
             "(?2 IS NULL OR step = ?2) ORDER BY rowid"
         )
-        return [Event(*row) for row in self.rows(query, participant, step)]
+        return [PageEvent(*row) for row in self.rows(query, participant, step)]
 
     def _touch(self, rows: sqlite3.Connection, participant: str) -> None:
         rows.execute(

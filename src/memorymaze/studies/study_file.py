@@ -31,8 +31,8 @@ from memorymaze.input_files import (
 )
 from memorymaze.sites import BUILTIN_SITE_NAMES, Route, Site, load_site
 
-Kind = Literal["online", "memory", "onsite", "follow"]
-KINDS: tuple[Kind, ...] = ("online", "memory", "onsite", "follow")
+StudyKind = Literal["online", "memory", "onsite", "follow"]
+KINDS: tuple[StudyKind, ...] = ("online", "memory", "onsite", "follow")
 
 BY_THEMSELVES = ("platform_ids", "codes", "comprehension")
 """What only people who take part by themselves need."""
@@ -47,7 +47,7 @@ def _said(text: str) -> str:
     return writable(text.strip())
 
 
-Text = Annotated[str, AfterValidator(_said)]
+_Text = Annotated[str, AfterValidator(_said)]
 
 
 class _Part(BaseModel):
@@ -56,11 +56,11 @@ class _Part(BaseModel):
     )
 
 
-class Question(_Part):
+class ChoiceQuestion(_Part):
     """A question with choices."""
 
-    text: Text
-    choices: Annotated[list[Text], Field(min_length=2, max_length=12)]
+    text: _Text
+    choices: Annotated[list[_Text], Field(min_length=2, max_length=12)]
 
     @model_validator(mode="after")
     def _differ(self) -> Self:
@@ -69,10 +69,10 @@ class Question(_Part):
         return self
 
 
-class CheckedQuestion(Question):
+class CheckedQuestion(ChoiceQuestion):
     """A question that has a right answer."""
 
-    answer: Text
+    answer: _Text
 
     @model_validator(mode="after")
     def _is_a_choice(self) -> Self:
@@ -88,10 +88,10 @@ class Comprehension(_Part):
     questions: Annotated[list[CheckedQuestion], Field(max_length=10)]
 
 
-class Familiarity(Question):
+class Familiarity(ChoiceQuestion):
     """How well somebody knows the place."""
 
-    excluded: list[Text]
+    excluded: list[_Text]
     """Answers of people who are thanked and let go."""
 
     @model_validator(mode="after")
@@ -117,9 +117,9 @@ class AttentionCheck(CheckedQuestion):
 class Codes(_Part):
     """What people bring back to the platform that sent them."""
 
-    complete: Text
-    excluded: Text
-    full: Text
+    complete: _Text
+    excluded: _Text
+    full: _Text
     return_address: Annotated[str, Field(pattern=r"^(https://\S+)?$")]
     """Of the platform, with `{code}` for the code; empty for none."""
 
@@ -127,10 +127,10 @@ class Codes(_Part):
 class RouteShown(_Part):
     """A route that people describe."""
 
-    route: Text
-    video: Text | None = None
+    route: _Text
+    video: _Text | None = None
     """A 360-degree video of one's own, seen from the study file; None to make one."""
-    start: Text | None = None
+    start: _Text | None = None
     """What people call the place where it begins; only `onsite`."""
 
 
@@ -142,10 +142,10 @@ class Walkthrough(_Part):
     speed: Annotated[float, Field(ge=0.1, le=20)]
 
 
-class Followed(_Part):
+class FollowedTexts(_Part):
     """Which texts people follow in a study of the kind `follow`."""
 
-    instructions: list[Text]
+    instructions: list[_Text]
     """Instruction files, seen from the study file; none for the shipped texts."""
     limit: Annotated[int, Field(ge=1)] | None = None
     """How many of the texts, alike many of every route; None for all."""
@@ -156,11 +156,11 @@ class Followed(_Part):
 class Interview(_Part):
     """What a study of the kind `onsite` has beyond the others."""
 
-    errors_found: Text
+    errors_found: _Text
     """Said before the errors of a description."""
-    no_errors: Text
+    no_errors: _Text
     """Said where there are none."""
-    recogniser: Text | None = None
+    recogniser: _Text | None = None
     """A command that gets the path of a recording and prints what was said."""
 
 
@@ -168,11 +168,11 @@ class StudyDesign(_Part):
     """Everything in a study file."""
 
     format: Literal[1]
-    name: Text
-    kind: Kind
+    name: _Text
+    kind: StudyKind
     language: Annotated[str, Field(pattern=r"^[a-z]{2,3}(-[A-Za-z0-9]+)*$")]
-    site: Text
-    contact: Text
+    site: _Text
+    contact: _Text
     keep_months: Annotated[int, Field(ge=1, le=600)]
     quota: Annotated[int, Field(ge=1, le=100_000)]
     """Participants who finish, for each order of routes."""
@@ -184,21 +184,21 @@ class StudyDesign(_Part):
     delay_minutes: Annotated[float, Field(ge=0, le=600)] | None = None
     """Between the video and the description; only `memory`."""
     platform_ids: list[Annotated[str, Field(pattern=r"^[A-Za-z0-9_]{1,40}$")]] = []
-    introduction: Text
-    consent: Annotated[list[Text], Field(min_length=1)]
-    scenario: Text
-    task: Text
-    robot: Text = ""
+    introduction: _Text
+    consent: Annotated[list[_Text], Field(min_length=1)]
+    scenario: _Text
+    task: _Text
+    robot: _Text = ""
     """What people are told between their two descriptions: the treatment."""
-    second_task: Text = ""
-    thanks: Text
-    excluded_thanks: Text
+    second_task: _Text = ""
+    thanks: _Text
+    excluded_thanks: _Text
     codes: Codes = Codes(complete="-", excluded="-", full="-", return_address="")
     comprehension: Comprehension = Comprehension(attempts=1, questions=[])
     familiarity: Familiarity
     attention: list[AttentionCheck] = []
     walkthrough: Walkthrough = Walkthrough(fps=10, width=1280, speed=1)
-    follow: Followed | None = None
+    follow: FollowedTexts | None = None
     """Of the kind `follow`, which has nothing to describe."""
     interview: Interview | None = None
     """Of the kind `onsite`."""
@@ -296,7 +296,7 @@ _PARTS = (
     StudyDesign,
     RouteShown,
     Walkthrough,
-    Followed,
+    FollowedTexts,
     Interview,
     Codes,
     AttentionCheck,
@@ -360,7 +360,7 @@ def check_is_changed(study: Study) -> None:
         raise StudyError(_problem(study.path, study.text, "contact", said))
 
 
-def new_study(path: str | Path, site: Site, kind: Kind, plan: str) -> None:
+def new_study(path: str | Path, site: Site, kind: StudyKind, plan: str) -> None:
     """Write a study file with comments, on every route of a site; `plan` names the site."""
     from jinja2 import Environment, StrictUndefined
 

@@ -33,7 +33,7 @@ class Transcript:
 
 
 @dataclass(frozen=True, slots=True)
-class Told:
+class StudyTelling:
     """A description, as far as it is known."""
 
     participant: str
@@ -61,7 +61,7 @@ class Told:
         return self.step.partition(".")[2]
 
 
-class Tellings:
+class StudyTellings:
     """The descriptions in a store of answers."""
 
     def __init__(self, store: Store) -> None:
@@ -90,7 +90,7 @@ class Tellings:
                 ).rowcount
             )
 
-    def told(self, participant: str | None = None) -> list[Told]:
+    def told(self, participant: str | None = None) -> list[StudyTelling]:
         """Return all descriptions, or those of one participant, typed or recorded."""
         recordings = {(each.participant, each.step): each for each in self.recordings()}
         versions: dict[tuple[str, str], list[Transcript]] = {}
@@ -110,11 +110,11 @@ class Tellings:
                 by, is_heard, text, at = row
                 versions[who, step].append(Transcript(by, bool(is_heard), text, at))
         return [
-            Told(*key, recordings.get(key), tuple(some))
+            StudyTelling(*key, recordings.get(key), tuple(some))
             for key, some in versions.items()
         ]
 
-    def instruction(self, told: Told) -> Instruction:
+    def instruction(self, told: StudyTelling) -> Instruction:
         """Return a description as a corpus has it."""
         study = self._store.study
         iteration = 1 if told.step.startswith(f"{TELLINGS[0]}.") else 2

@@ -17,10 +17,10 @@ from memorymaze.drawing.svg import Frame, path_data, plan_frame, svg_plan
 from memorymaze.instructions import Corpus, load_corpus
 from memorymaze.pages.web import Fields, csrf_token, posted, render
 from memorymaze.sites import Route, Site
-from memorymaze.trying.sessions import NoRobotFree, Visit, Visits
+from memorymaze.trying.sessions import NoRobotFree, PageVisit, Visits
 from memorymaze.wording import single_spaced
 
-ROOM = "memorymaze.trying"
+TRYING_ROOM = "memorymaze.trying"
 PACES = ("1", "3", "5", "10", "30")
 """Simulated seconds per second that one can choose."""
 LONGEST_TEXT = 4000
@@ -149,7 +149,7 @@ class TryPages:
             jpeg, media_type="image/jpeg", headers={"Cache-Control": "no-store"}
         )
 
-    def _visit(self, request: Request) -> Visit:
+    def _visit(self, request: Request) -> PageVisit:
         visit = self._visits.find(request.path_params["visit"])
         if visit is None:
             raise HTTPException(

@@ -10,15 +10,15 @@ from typing import Any, Literal
 
 from memorymaze.errors import MemoryMazeError
 from memorymaze.evaluation.settings import AgentSettings, RunSettings
-from memorymaze.pages.live_process import LiveProcess, Lost, prepare_processes
+from memorymaze.pages.live_process import LiveProcess, ProcessLost, prepare_processes
 from memorymaze.sites import Route, Site
 from memorymaze.trying.walk import (
     News,
     Pace,
-    Picture,
     Ready,
     RobotToTry,
     SetOut,
+    ShownPicture,
 )
 
 PATIENCE = 90.0
@@ -30,7 +30,7 @@ KEPT = 50
 """Visitors that are remembered, with robots or without."""
 DEFAULT_PACE = 5.0
 
-State = Literal["opening", "ready", "walking", "over", "away"]
+_State = Literal["opening", "ready", "walking", "over", "away"]
 """`opening`: the robot is set up; `ready`: it listens; `away`: there is no robot."""
 
 
@@ -39,7 +39,7 @@ class NoRobotFree(MemoryMazeError):
 
 
 @dataclass(eq=False)
-class Visit:
+class PageVisit:
     """What a visitor's page shows; others than its own session only read it."""
 
     id: str
@@ -49,7 +49,7 @@ class Visit:
     route: Route
     seen: float
     """When the page gave its last sign of life."""
-    state: State = "opening"
+    state: _State = "opening"
     text: str = ""
     """What the robot follows, or followed last."""
     waiting: bool = False
@@ -86,7 +86,7 @@ class Visits:
         """Have no visitor yet, and robots for `most` at a time."""
         self._settings, self._beside = settings, tuple(beside)
         self._most, self._clock = most, clock
-        self._visits: dict[str, Visit] = {}
+        self._visits: dict[str, PageVisit] = {}
         self._lock = threading.RLock()
         self._closed = threading.Event()
 
@@ -103,7 +103,7 @@ class Visits:
             for visit in self._visits.values():
                 self._put_away(visit)
 
-    def begin(self, site: Site, route: Route, browser: str) -> Visit:
+    def begin(self, site: Site, route: Route, browser: str) -> PageVisit:
         """Give a visitor a robot, and take back the one that the browser had.
 
         `NoRobotFree` says that there are too many visitors.
@@ -113,14 +113,14 @@ class Visits:
                 if other.browser == browser:
                     self._put_away(other, "The robot is on another way now.")
             name = secrets.token_urlsafe(12)
-            visit = Visit(name, browser, site, route, self._clock())
+            visit = PageVisit(name, browser, site, route, self._clock())
             self._start(visit)
             self._visits[visit.id] = visit
             while len(self._visits) > KEPT:
                 self._forget_oldest()
         return visit
 
-    def find(self, visit_id: str) -> Visit | None:
+    def find(self, visit_id: str) -> PageVisit | None:
         """Return a visitor, who is there at this moment."""
         with self._lock:
             visit = self._visits.get(visit_id)
@@ -128,7 +128,7 @@ class Visits:
                 visit.seen = self._clock()
             return visit
 
-    def set_out(self, visit: Visit, text: str) -> bool:
+    def set_out(self, visit: PageVisit, text: str) -> bool:
         """Let the robot follow a text once it is ready; False while it follows one."""
         with self._lock:
             if visit.state == "walking" or visit.waiting:
@@ -142,26 +142,26 @@ class Visits:
                 self._send_out(visit)
             return True
 
-    def change_pace(self, visit: Visit, pace: float | None, paused: bool) -> None:
+    def change_pace(self, visit: PageVisit, pace: float | None, paused: bool) -> None:
         """Go on at another pace, or stand still."""
         with self._lock:
             visit.pace, visit.paused = pace or visit.pace, paused
             if visit.process is not None and visit.state == "walking":
                 visit.process.tell(Pace(0.0 if paused else visit.pace))
 
-    def leave(self, visit: Visit) -> None:
+    def leave(self, visit: PageVisit) -> None:
         """Take note that the page was closed, or is loaded anew."""
         with self._lock:
             visit.seen = self._clock() - PATIENCE + LEAVING
 
-    def stop(self, visit: Visit) -> None:
+    def stop(self, visit: PageVisit) -> None:
         """End the walk, and have a robot at the start again."""
         with self._lock:
             self._put_away(visit)
             visit.news.clear()
             self._start(visit)
 
-    def news_after(self, visit: Visit, walk: int, known: int) -> Mapping[str, Any]:
+    def news_after(self, visit: PageVisit, walk: int, known: int) -> Mapping[str, Any]:
         """Return how things stand, with the news of this walk that are not known."""
         with self._lock:
             fresh = visit.news[known:] if walk == visit.walk else visit.news
@@ -179,7 +179,7 @@ class Visits:
 
     # With the lock held.
 
-    def _start(self, visit: Visit) -> None:
+    def _start(self, visit: PageVisit) -> None:
         in_use = sum(each.process is not None for each in self._visits.values())
         if in_use >= self._most:
             raise NoRobotFree(
@@ -191,14 +191,14 @@ class Visits:
         visit.robots += 1
         visit.process = LiveProcess(robot, partial(self._hear, visit, visit.robots))
 
-    def _send_out(self, visit: Visit) -> None:
+    def _send_out(self, visit: PageVisit) -> None:
         assert visit.process is not None
         visit.walk += 1
         visit.state, visit.waiting = "walking", False
         visit.news.clear()
         visit.process.tell(SetOut(visit.text, visit.pace))
 
-    def _put_away(self, visit: Visit, why: str = "") -> None:
+    def _put_away(self, visit: PageVisit, why: str = "") -> None:
         if visit.process is not None:
             process, visit.process = visit.process, None
             process.end()
@@ -211,16 +211,16 @@ class Visits:
 
     # In threads of their own.
 
-    def _hear(self, visit: Visit, robot: int, message: object) -> None:
+    def _hear(self, visit: PageVisit, robot: int, message: object) -> None:
         with self._lock:
             if visit.process is None or visit.robots != robot:
                 return  # what a robot said last that was put away
-            if isinstance(message, Picture):
+            if isinstance(message, ShownPicture):
                 visit.pictures[message.name] = message.jpeg
                 visit.drawn += message.name == "camera"
             elif isinstance(message, News):
                 visit.news.append(message.content)
-            elif isinstance(message, Lost):
+            elif isinstance(message, ProcessLost):
                 self._put_away(visit, str(message))
             elif isinstance(message, Ready):
                 visit.blind = message.blind

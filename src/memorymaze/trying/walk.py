@@ -1,6 +1,6 @@
 """The process of a robot to try: looks round, follows what it is told, tells all of it.
 
-What it is told are `SetOut` and `Pace`; it tells `Picture`, `News` and `Ready`.
+What it is told are `SetOut` and `Pace`; it tells `ShownPicture`, `News` and `Ready`.
 """
 
 import math
@@ -27,7 +27,7 @@ from memorymaze.simulation.robot import SimulatedRobot
 from memorymaze.sites import Site
 from memorymaze.trying.words import (
     FOLLOWERS,
-    Belief,
+    ToldBelief,
     belief_of,
     change_of_mind,
     thought_of,
@@ -54,7 +54,7 @@ class Pace(NamedTuple):
     value: float
 
 
-class Picture(NamedTuple):
+class ShownPicture(NamedTuple):
     """Tells what it sees."""
 
     name: str
@@ -90,7 +90,7 @@ class RobotToTry:
         blind = ""
         try:
             strip = seen_all_round(lambda turn: self._robot_at_start(arena, turn))
-            connection.send(Picture("round", strip))
+            connection.send(ShownPicture("round", strip))
         except RenderingError as error:
             blind = str(error)
         while True:
@@ -172,7 +172,7 @@ class LiveWalk:
         self._drawn = 0.0
         self._things_told = False
         self._steps: Sequence[str] = ()
-        self._belief: Belief | None = None
+        self._belief: ToldBelief | None = None
 
     def begin(self, robot: SimulatedRobot, trace: Sequence[dict[str, Any]]) -> None:
         """See the walk begin."""
@@ -210,7 +210,7 @@ class LiveWalk:
         if self._sees and self._robot and now - self._drawn >= PICTURE_PERIOD:
             self._drawn = now
             jpeg = seen_ahead(self._robot)
-            self._connection.send(Picture("camera", jpeg))
+            self._connection.send(ShownPicture("camera", jpeg))
         self._heed()
 
     def _thoughts(self) -> dict[str, Any]:

@@ -71,7 +71,7 @@ def thought_of(entry: Mapping[str, Any]) -> Thought | None:
     return None
 
 
-class Belief(NamedTuple):
+class ToldBelief(NamedTuple):
     """What a robot believes of where it is in the description."""
 
     steps: list[float]
@@ -83,18 +83,18 @@ class Belief(NamedTuple):
     """How probable it is that something told is wrong."""
 
 
-def belief_of(entry: Mapping[str, Any]) -> Belief | None:
+def belief_of(entry: Mapping[str, Any]) -> ToldBelief | None:
     """Return the belief that an entry of a trace tells; None where it tells none."""
     if entry["kind"] != "note" or entry.get("about") != "belief":
         return None
     steps = [float(each) for each in entry["legs"]]
     likeliest = max(range(len(steps)), key=steps.__getitem__)
     words = f"Probably at step {likeliest + 1} of {len(steps)} ({steps[likeliest]:.0%})"
-    return Belief(steps, likeliest, words, float(entry["doubt"]))
+    return ToldBelief(steps, likeliest, words, float(entry["doubt"]))
 
 
 def change_of_mind(
-    before: Belief | None, now: Belief, steps: Sequence[str]
+    before: ToldBelief | None, now: ToldBelief, steps: Sequence[str]
 ) -> Thought | None:
     """Say what a robot newly believes; None where it is the same step as before."""
     if before is not None and before.doubt < DOUBTS <= now.doubt:

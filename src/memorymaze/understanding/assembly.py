@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from memorymaze.routes import Length, Mention, Passing, Side, Turn, Way
-from memorymaze.understanding.clause import AT_THE_TURN, Event
+from memorymaze.understanding.clause import AT_THE_TURN, ClauseEvent
 from memorymaze.understanding.endings import ended_on_a_side
 from memorymaze.understanding.event_order import (
     counted_from,
@@ -18,7 +18,7 @@ from memorymaze.understanding.event_order import (
     told_since_turn,
 )
 from memorymaze.understanding.lengths import PLACE_METRES
-from memorymaze.understanding.partial_legs import PartialLeg, flank, place_of
+from memorymaze.understanding.partial_legs import PartialLeg, flank, place_on_leg
 from memorymaze.understanding.repetitions import Restating
 from memorymaze.understanding.setting_off import SettingOff
 from memorymaze.understanding.things import is_floor, kind_of
@@ -27,19 +27,19 @@ _LONGEST_OPEN = 3
 """Clauses after which an opening that was named counts as left alone."""
 
 
-def assemble(events: Sequence[Event]) -> list[PartialLeg]:
+def assemble(events: Sequence[ClauseEvent]) -> list[PartialLeg]:
     """Return the legs in order; the last has no turn and leads to the destination."""
     return _Assembly(events).run()
 
 
 class _Assembly:
-    def __init__(self, events: Sequence[Event]) -> None:
+    def __init__(self, events: Sequence[ClauseEvent]) -> None:
         self._events = events
         self._done: list[PartialLeg] = []
         self._draft = PartialLeg()
         self._restating = Restating(events)
         self._setting_off = SettingOff(events)
-        self._way: Event | None = None
+        self._way: ClauseEvent | None = None
         """An opening that was named but neither taken nor left yet."""
         self._way_age = 0
         self._since_thing = 9
@@ -68,7 +68,7 @@ class _Assembly:
         legs[0].drop_names()
         return legs
 
-    def _take(self, event: Event, at: int) -> None:
+    def _take(self, event: ClauseEvent, at: int) -> None:
         match event.kind:
             case "turn":
                 self._add_turn(event, at)
@@ -133,7 +133,7 @@ class _Assembly:
         """A warning is about the last turn."""
         return self._done[-1] if self._done else self._draft
 
-    def _close_clause(self, event: Event) -> None:
+    def _close_clause(self, event: ClauseEvent) -> None:
         self._side = None
         self._way_age += 1
         self._since_thing += 1
@@ -148,7 +148,7 @@ class _Assembly:
 
     # -- turns
 
-    def _add_turn(self, event: Event, at: int) -> None:
+    def _add_turn(self, event: ClauseEvent, at: int) -> None:
         self._set_off(self._setting_off.side_before_a_turn(at))
         event = self._with_named_way(event)
         way: Way | None = event.way
@@ -216,9 +216,9 @@ class _Assembly:
         side: Side = "left" if last.turn.way == "left" else "right"
         last.turn = None
         self._draft = self._done.pop()
-        self._leave(Event("way", side=side))
+        self._leave(ClauseEvent("way", side=side))
 
-    def _is_named_again(self, event: Event) -> bool:
+    def _is_named_again(self, event: ClauseEvent) -> bool:
         named = self._way
         return (
             named is not None
@@ -228,7 +228,7 @@ class _Assembly:
             == (event.side, event.phrase, event.count)
         )
 
-    def _newly_counted(self, way: Event) -> Event:
+    def _newly_counted(self, way: ClauseEvent) -> ClauseEvent:
         """`At the third junction`, the second being that of the turn before: the next."""
         if way.ordinal is None or way.side or way.phrase.startswith("number"):
             return way
@@ -236,7 +236,7 @@ class _Assembly:
         goes_on = way.ordinal - 1 in self._counted
         return replace(way, nearest=True) if goes_on else way
 
-    def _with_named_way(self, event: Event) -> Event:
+    def _with_named_way(self, event: ClauseEvent) -> ClauseEvent:
         """Join a turn with the opening named before it, if they agree."""
         named = self._way
         if named is None:
@@ -250,7 +250,7 @@ class _Assembly:
             return replace(event, way=way)
         return replace(event, way=way, ordinal=named.ordinal, nearest=named.nearest)
 
-    def _counts_on(self, way: Event) -> bool:
+    def _counts_on(self, way: ClauseEvent) -> bool:
         """`The first left no, the second yes`: a number after those that were passed."""
         side = self._draft.passed_side
         passed = [p.count or 1 for p in self._draft.passings if p.side in {side, None}]
@@ -288,7 +288,7 @@ class _Assembly:
 
     # -- openings that are named before it is said what to do with them
 
-    def _turn_into(self, way: Event, at: int) -> None:
+    def _turn_into(self, way: ClauseEvent, at: int) -> None:
         self._way = None
         self._add_turn(replace(way, kind="turn", way=flank(way.side)), at)
 
@@ -300,11 +300,11 @@ class _Assembly:
         if named.side == "left" or named.side == "right":
             self._draft.mentions.pop()
             self._since_thing = 9
-            self._add_turn(Event("turn", way=named.side), at)
+            self._add_turn(ClauseEvent("turn", way=named.side), at)
             told = replace(named, side=None, place="target")
             self._done[-1].mentions.append(told)
 
-    def _go_straight(self, event: Event, at: int) -> None:
+    def _go_straight(self, event: ClauseEvent, at: int) -> None:
         way = self._way
         if (
             way
@@ -318,7 +318,7 @@ class _Assembly:
             self._leave(way)
         self._draft.straight = True
 
-    def _leave(self, way: Event) -> None:
+    def _leave(self, way: ClauseEvent) -> None:
         self._way = None
         if way.ordinal is not None and way.side is not None:
             self._left[way.ordinal] = way.side
@@ -345,7 +345,7 @@ class _Assembly:
 
     # -- what is on a leg and at its end
 
-    def _add_length(self, event: Event, at: int) -> None:
+    def _add_length(self, event: ClauseEvent, at: int) -> None:
         self._settle_likely_way()
         if event.length is None:
             return
@@ -359,7 +359,7 @@ class _Assembly:
         if draft is self._draft and self._last is not draft.mentions:
             self._last = []
 
-    def _add_thing(self, event: Event, at: int) -> None:
+    def _add_thing(self, event: ClauseEvent, at: int) -> None:
         if event.relation == "from":
             if not self._done and self._draft.is_new and not self._draft.origin:
                 self._draft.origin = event.phrase
@@ -388,7 +388,7 @@ class _Assembly:
             Mention(
                 event.phrase,
                 kind_of(event.phrase),
-                "passed" if is_passed else place_of(event, back),
+                "passed" if is_passed else place_on_leg(event, back),
                 side=self._side,
                 nth=event.ordinal,
                 ignored=event.ignored,
@@ -405,7 +405,7 @@ class _Assembly:
         if turn is not None and turn.ordinal is not None:
             self._change_last_turn(counted_after=phrase)
 
-    def _add_ahead(self, event: Event, at: int) -> None:
+    def _add_ahead(self, event: ClauseEvent, at: int) -> None:
         """Add what lies along a way; the way may be a new one."""
         self._settle_likely_way()
         if event.phrase in self._draft.ahead and not self._draft.has_ended:
@@ -420,9 +420,9 @@ class _Assembly:
         """Turn to what is said next, unless one has just turned or still stands."""
         draft = self._draft
         if not draft.is_new or (always and draft.walls and draft.ahead):
-            self._add_turn(Event("turn", way="either"), at)
+            self._add_turn(ClauseEvent("turn", way="either"), at)
 
-    def _add_side(self, event: Event, at: int) -> None:
+    def _add_side(self, event: ClauseEvent, at: int) -> None:
         if event.of_goal:
             self._set_off(self._setting_off.take_side(at))
             self._draft.side = event.side
@@ -449,7 +449,7 @@ class _Assembly:
         ]
         self._done.append(PartialLeg(turn=turn, here=True))
 
-    def _add_place(self, event: Event, at: int) -> None:
+    def _add_place(self, event: ClauseEvent, at: int) -> None:
         """Add an end of the way or a kind of junction."""
         if event.kind == "end":
             self._set_off(self._setting_off.side_before_an_end(at))
@@ -472,7 +472,7 @@ class _Assembly:
             if event.junction == "t":
                 self._change_last_turn(at_end=True)
 
-    def _ends_the_turn(self, event: Event, at: int) -> bool:
+    def _ends_the_turn(self, event: ClauseEvent, at: int) -> bool:
         """`Turn right, opposite the hall.`: a place said last is that of the turn."""
         if event.relation not in AT_THE_TURN or event.walks or event.of_goal:
             return False

@@ -21,7 +21,7 @@ from memorymaze.understanding.lengths import (
     LENGTH,
     NUMBER,
     PLACES,
-    VAGUE,
+    VAGUE_LENGTH,
     read_length,
     read_number,
     read_places,
@@ -42,7 +42,7 @@ from memorymaze.understanding.vocabulary import (
 
 _LENGTH = re.compile(LENGTH)
 _PLACES = re.compile(PLACES)
-_VAGUE = re.compile(VAGUE)
+_VAGUE = re.compile(VAGUE_LENGTH)
 _NUMBER = re.compile(NUMBER + r"\b")
 _WORD = re.compile(r"[^\W_][\w&+-]*(?:'(?!(?:s|d|ll)\b)\w+)?")
 _ADVERB = re.compile(r"[a-z]+(?:ica|ic|i?ous|[ai]b|ful|less|iv|ari|tial|nal)l?ly")
@@ -104,7 +104,7 @@ _PLAIN_SIGNS = {
 """Quotes, dashes and arrows, and what is read for them."""
 
 
-Direction = Way | Literal["forward"]
+_Direction = Way | Literal["forward"]
 """What a word for a direction can mean; `forward` is no turn."""
 
 
@@ -116,7 +116,7 @@ class Chunk:
     text: str
     start: int
     """Offset in the normalised text."""
-    way: Direction | None = None
+    way: _Direction | None = None
     """Direction of `L` and `S`; first direction of `2`."""
     second_turn: Way | None = None
     """Second direction of `2`."""
@@ -194,10 +194,10 @@ def _drop_inline_counting(text: str) -> str:
 
 def cut(text: str) -> list[Chunk]:
     """Cut a normalised text into chunks; content words become names of things."""
-    return _with_pronouns(_join_names(_join_ordinals(pieces_of(text)), text))
+    return _with_pronouns(_join_names(_join_ordinals(chunks_of(text)), text))
 
 
-def pieces_of(text: str) -> list[Chunk]:
+def chunks_of(text: str) -> list[Chunk]:
     """Cut a normalised text into chunks, every content word one of its own."""
     chunks: list[Chunk] = []
     at = 0
@@ -299,7 +299,7 @@ def _valued(kind: str, words: str, at: int) -> Chunk:
     return chunk
 
 
-def _way_of(words: str) -> Direction | None:
+def _way_of(words: str) -> _Direction | None:
     clock = re.search(r"(\w+) ?o'? ?clock", words)
     if clock:
         way = CLOCK.get(clock[1])

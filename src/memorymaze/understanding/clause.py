@@ -69,7 +69,7 @@ AT_THE_TURN: frozenset[Relation] = frozenset({
 
 
 @dataclass(frozen=True, slots=True)
-class Event:
+class ClauseEvent:
     """One piece of meaning; fields without a meaning for the kind stay empty."""
 
     kind: EventKind
@@ -145,7 +145,7 @@ class Clause:
 
     said: Sequence[Chunk]
     """All its chunks."""
-    before: Sequence[Event]
+    before: Sequence[ClauseEvent]
     """Events of all clauses before."""
 
     @cached_property
@@ -218,7 +218,7 @@ class Clause:
         """Return the kind of the chunk before an index, "" at the beginning."""
         return self.kinds[at - 1] if at > 0 else ""
 
-    def last_event(self) -> Event | None:
+    def last_event(self) -> ClauseEvent | None:
         """Return what was said last before this clause."""
         return next((e for e in reversed(self.before) if e.kind != "clause"), None)
 

@@ -9,17 +9,17 @@ from memorymaze.understanding.chunks import Chunk
 from memorymaze.understanding.clause import (
     AT_THE_TURN,
     Clause,
-    Event,
+    ClauseEvent,
     Relation,
     side_of,
     towards_a_side,
 )
 from memorymaze.understanding.directions import (
     comes_before_its_thing,
-    faces,
     is_on_both_sides,
     is_turn,
     names_a_way,
+    only_faces,
     place_is_named,
     read_left_alone,
     read_opening,
@@ -56,23 +56,23 @@ _LOOSE = {"with", "among", "in", "inside", "between"}
 class ClauseReader:
     """Reads one clause."""
 
-    def __init__(self, chunks: Sequence[Chunk], before: Sequence[Event]) -> None:
+    def __init__(self, chunks: Sequence[Chunk], before: Sequence[ClauseEvent]) -> None:
         """Take a clause without its joint, and the events of all clauses before."""
         self._clause = Clause(chunks, before)
         self._turned = self._taken = False
         self._facing = False
         """Whether what is named next is what one turns to."""
-        self._read: list[Event] = []
+        self._read: list[ClauseEvent] = []
 
-    def read(self) -> list[Event]:
+    def read(self) -> list[ClauseEvent]:
         """Return the events of the clause."""
         clause = self._clause
         if clause.is_recap:
-            self._add(Event("recap"))
+            self._add(ClauseEvent("recap"))
         if clause.has("a") and not clause.kinds:
-            self._add(Event("restate"))
+            self._add(ClauseEvent("restate"))
         if clause.at_once_first:
-            self._add(Event("at_once"))
+            self._add(ClauseEvent("at_once"))
         if clause.is_of_the_speaker or speaks_of_ways(clause):
             return self._read
         if clause.kinds == "XJ" and re.fullmatch("no .*s", clause.words):
@@ -85,7 +85,7 @@ class ClauseReader:
         elif denies > 0 and re.fullmatch("[nOJLS]+X", clause.kinds):
             self._read_negative(0)  # "the first left no, the second yes"
         elif clause.kinds == "P":
-            self._add(Event("refuse", taken=True))  # "Side corridor left: past."
+            self._add(ClauseEvent("refuse", taken=True))  # "Side corridor left: past."
         elif re.fullmatch("[nOJ]+[LSm]*B?P|[OJLS]+BP", clause.kinds):
             self._read_negative(0)  # "two openings on the left passed"
         elif denies >= 0:
@@ -95,10 +95,10 @@ class ClauseReader:
         else:
             self._read_positive(0, end)
         if clause.has("D") and not self._turned:
-            self._add(Event("forced"))
+            self._add(ClauseEvent("forced"))
         return self._read
 
-    def _add(self, event: Event) -> None:
+    def _add(self, event: ClauseEvent) -> None:
         self._read.append(event)
 
     # -- what is not to be done
@@ -116,9 +116,11 @@ class ClauseReader:
                 bound = clause.chunks[at - 1] if at else chunk
                 until = bound.kind == "U" and bound.text != "to"  # "ignore all until …"
                 self._add(
-                    Event("thing", phrase=phrase, relation="until")
+                    ClauseEvent("thing", phrase=phrase, relation="until")
                     if until
-                    else Event("thing", phrase=phrase, relation="past", ignored=True)
+                    else ClauseEvent(
+                        "thing", phrase=phrase, relation="past", ignored=True
+                    )
                 )
             elif kind == "L" and not re.search("[TGOJ]", clause.kinds[start:]):
                 found = True  # "not left": says only what the turn is not
@@ -132,18 +134,18 @@ class ClauseReader:
                 self._add(event)
             elif kind == "m":
                 found = True
-                self._add(Event("pass_ways"))
+                self._add(ClauseEvent("pass_ways"))
             elif kind == "E":
-                self._add(Event("end", relation="until"))
+                self._add(ClauseEvent("end", relation="until"))
             elif kind == "M":
-                self._add(Event("length", length=chunk.length))
+                self._add(ClauseEvent("length", length=chunk.length))
             at += 1
         if clause.kinds[start:] == "H":
             if _names_an_opening(clause.before):
-                self._add(Event("take"))  # "the first on the right. not straight"
+                self._add(ClauseEvent("take"))  # "the first on the right. not straight"
         elif not found and clause.kinds[start:] != "T":  # "no turns"
             firm = re.search("I|XY", clause.kinds) is not None
-            self._add(Event("refuse", taken=firm))
+            self._add(ClauseEvent("refuse", taken=firm))
 
     def _is_of_ways(self, at: int) -> bool:
         """`Two openings`, or `on the left` next to a word for a way."""
@@ -167,15 +169,15 @@ class ClauseReader:
         kind = chunk.kind
         before = clause.kinds[:at]
         if kind == "s":
-            self._add(Event("wall", side=side_of(chunk) or "behind"))
+            self._add(ClauseEvent("wall", side=side_of(chunk) or "behind"))
             return at + 1
         if kind == "u":
-            self._take(Event("turn", way="around", here=True))
+            self._take(ClauseEvent("turn", way="around", here=True))
             return at + 1
         if kind == "b" and _BACK.match(chunk.text) and clause.is_first:
-            self._take(Event("turn", way="around", here=True))
+            self._take(ClauseEvent("turn", way="around", here=True))
             return at + 1
-        if faces(clause, at):
+        if only_faces(clause, at):
             self._facing = True
             return at + 1
         if self._facing and kind in "GTLSUE":
@@ -194,10 +196,10 @@ class ClauseReader:
                 return self._read_lane(at)
             self._read_thing(at)
         elif kind == "M" and re.fullmatch("[ZB]*N[BV]?[SL][AQ]M", clause.kinds):
-            self._add(Event("along", length=chunk.length))
+            self._add(ClauseEvent("along", length=chunk.length))
         elif kind == "M":
             back = self._turned and clause.kind_before(at) in {"A", "Q"}
-            self._add(Event("length", length=chunk.length, back=back))
+            self._add(ClauseEvent("length", length=chunk.length, back=back))
         elif kind == "E":
             bound = re.search("A[VG]*$", before) is not None
             at_it = bound or _AT_IT.match(chunk.text) is not None
@@ -205,23 +207,23 @@ class ClauseReader:
             it_is = before == "V" or re.search("[ZBR]", before) is not None
             of_goal = it_is and "T" not in before
             relation: Relation = "at" if at_it else "until"
-            self._add(Event("end", relation=relation, back=back, of_goal=of_goal))
+            self._add(ClauseEvent("end", relation=relation, back=back, of_goal=of_goal))
         elif kind == "Y":
-            self._add(Event("take"))
+            self._add(ClauseEvent("take"))
             self._taken = True
         elif kind == "R":
             if chunk.text.endswith(" it"):
-                self._add(Event("take"))  # "another one on the right, that is it"
-            self._add(Event("arrive"))
+                self._add(ClauseEvent("take"))  # "another one on the right, that is it"
+            self._add(ClauseEvent("arrive"))
         elif kind == "H" and _AHEAD.match(chunk.text) and re.search("NB?A?H*$", before):
             of_the_next = clause.kinds[at + 1 :].startswith("BN")
-            self._add(Event("side", side="ahead", likely=of_the_next))
+            self._add(ClauseEvent("side", side="ahead", likely=of_the_next))
         elif kind == "H" and _AHEAD.match(chunk.text) and _is_of_the_goal(clause):
-            self._add(Event("side", side="ahead", of_goal=True))
+            self._add(ClauseEvent("side", side="ahead", of_goal=True))
         elif kind == "H" and re.fullmatch("A?HB?N[^N]*", clause.kinds):
-            self._add(Event("side", side="ahead", likely=True))
+            self._add(ClauseEvent("side", side="ahead", likely=True))
         elif kind == "H":
-            self._add(Event("straight"))
+            self._add(ClauseEvent("straight"))
         elif (
             kind == "K"
             and _ROUND.search(chunk.text)
@@ -230,10 +232,10 @@ class ClauseReader:
             and not (self._turned and before[-1:] in {"L", "J"})
         ):
             about = self._clause.has("D") and not _ROUND_IT.match(chunk.text)
-            self._take(Event("turn", forced=True, subject=about))
+            self._take(ClauseEvent("turn", forced=True, subject=about))
         return at + 1
 
-    def _take(self, event: Event) -> None:
+    def _take(self, event: ClauseEvent) -> None:
         """Add an event of `read_opening`; turns learn how they were said."""
         if event.kind != "turn":
             self._turned = self._turned or event.taken
@@ -266,11 +268,13 @@ class ClauseReader:
         chunk = clause.chunks[at]
         diagonal = chunk.kind == "d"
         if diagonal and clause.kind_before(at) == "N" and "front" in chunk.text:
-            self._take(Event("turn", way=chunk.turn))  # "at the window front left"
-        elif not is_on_both_sides(clause, at):
-            self._take(Event("turn", way=chunk.turn))
             self._take(
-                Event(
+                ClauseEvent("turn", way=chunk.turn)
+            )  # "at the window front left"
+        elif not is_on_both_sides(clause, at):
+            self._take(ClauseEvent("turn", way=chunk.turn))
+            self._take(
+                ClauseEvent(
                     "turn",
                     way=chunk.second_turn,
                     at_once=True,
@@ -288,9 +292,11 @@ class ClauseReader:
         leaving = off and not self._turned and moved is None
         turn = is_turn(clause, at, after_turn=after_turn)
         if chunk.kind == "L" and clause.kind_before(at) == "P":
-            self._add(Event("pass_ways", count=1, side=side_of(chunk)))
+            self._add(ClauseEvent("pass_ways", count=1, side=side_of(chunk)))
         elif names_a_way(clause, at, turn=turn):
-            self._add(Event("way", side=side_of(chunk), likely=True, leaving=leaving))
+            self._add(
+                ClauseEvent("way", side=side_of(chunk), likely=True, leaving=leaving)
+            )
         elif turn:
             bend = " ".join(c.text for c in clause.chunks[:at] if c.kind == "K")
             way = chunk.turn
@@ -298,7 +304,7 @@ class ClauseReader:
                 way = _SLANTED.get(way) or way
             alone = re.fullmatch("[ZVR]*S", clause.kinds) and not place_is_named(clause)
             self._take(
-                Event(
+                ClauseEvent(
                     "turn",
                     way=way,
                     forced=bool(bend),
@@ -310,7 +316,7 @@ class ClauseReader:
             first = comes_before_its_thing(clause, at)
             goal = _is_of_the_goal(clause)
             self._add(
-                Event(
+                ClauseEvent(
                     "side",
                     side=side_of(chunk),
                     likely=first,
@@ -327,7 +333,7 @@ class ClauseReader:
         self._read_thing(at)
         likely = re.search("[BVPA]", self._clause.kinds) is None
         side = side_of(self._clause.chunks[at + 1])
-        self._add(Event("way", side=side, likely=likely))
+        self._add(ClauseEvent("way", side=side, likely=likely))
         return at + 2
 
     def _read_thing(self, at: int) -> None:
@@ -339,14 +345,14 @@ class ClauseReader:
             return
         relation = self._relation(at, is_look=look is not None)
         if self._facing:
-            self._add(Event("ahead", phrase=phrase, turns=True))
+            self._add(ClauseEvent("ahead", phrase=phrase, turns=True))
             return
         if look is not None and self._is_way(at, relation):
             takes = clause.chunks[at - 1].kind == "T" if at else False
-            self._add(Event("ahead", phrase=look, turns=takes, walks=True))
+            self._add(ClauseEvent("ahead", phrase=look, turns=takes, walks=True))
             return
         if clause.kind_before(at) == "A" and _TOWARDS.match(clause.chunks[at - 1].text):
-            self._add(Event("ahead", phrase=phrase, walks=True))
+            self._add(ClauseEvent("ahead", phrase=phrase, walks=True))
         counted = clause.kind_before(at) == "O"
         nth = int(clause.chunks[at - 1].number or 1) if counted else None
         followed = self._follows_a_sign(at)
@@ -356,7 +362,7 @@ class ClauseReader:
         taken = self._turned or ((followed or self._taken) and relation == "into")
         back = taken and (relation in AT_THE_TURN or relation in {"into", "between"})
         self._add(
-            Event(
+            ClauseEvent(
                 "thing",
                 phrase=phrase,
                 relation=relation,
@@ -462,7 +468,7 @@ class ClauseReader:
                 return None
 
 
-def _names_an_opening(told: Sequence[Event]) -> bool:
+def _names_an_opening(told: Sequence[ClauseEvent]) -> bool:
     """Tell whether an opening was named last."""
     joints = {"clause", "sentence", "then"}
     last = next((each for each in reversed(told) if each.kind not in joints), None)

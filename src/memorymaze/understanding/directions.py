@@ -12,7 +12,7 @@ from memorymaze.understanding.chunks import Chunk
 from memorymaze.understanding.clause import (
     AT_THE_TURN,
     Clause,
-    Event,
+    ClauseEvent,
     is_aside,
     side_of,
     towards_a_side,
@@ -186,7 +186,7 @@ def _turned_at_a_thing(clause: Clause) -> bool:
     return len(said) > 1 and said[-1].kind == "turn" and bound[-1:] == [True]
 
 
-def faces(clause: Clause, at: int) -> bool:
+def only_faces(clause: Clause, at: int) -> bool:
     """Tell whether a verb only turns one to what is named next.
 
     `Face the clock` and `turn towards the clock`, but neither `when you face the clock`
@@ -283,7 +283,7 @@ class _Opening:
 
 def read_opening(
     clause: Clause, start: int, *, turned: bool
-) -> tuple[list[Event], int]:
+) -> tuple[list[ClauseEvent], int]:
     """Read the words for an opening from an ordinal, number or junction noun on.
 
     `turned` says whether the clause has told a turn already.
@@ -296,17 +296,17 @@ def read_opening(
         if opening.side is None:
             return [], at  # the ordinal of a thing: "the second door"
         if _DOOR.search(clause.chunks[at].text) and not re.search("[TG]", before):
-            return [Event("side", side=opening.side, likely=True)], at
+            return [ClauseEvent("side", side=opening.side, likely=True)], at
     if not (before or opening.noun or opening.side) and re.match("[VGKR]", after):
         return [], at  # "first go to the desk"
     if before.endswith("NB") and clause.kinds[start:at] == "OS":
         return [
-            Event("side", side=opening.side)
+            ClauseEvent("side", side=opening.side)
         ], at  # "the library is second on the left"
     after_it = before.endswith("Q") and clause.chunks[start - 1].text.endswith("after")
     if after_it and _BEND.search(opening.noun) and not opening.side:
         return [], at  # "after the second bend"
-    way = Event(
+    way = ClauseEvent(
         "way",
         side=opening.side,
         ordinal=opening.ordinal,
@@ -324,7 +324,9 @@ def read_opening(
         plural = opening.noun.endswith("s")
         count = opening.count or (None if plural else 1)
         return [
-            Event("pass_ways", count=count, side=opening.side, phrase=opening.name)
+            ClauseEvent(
+                "pass_ways", count=count, side=opening.side, phrase=opening.name
+            )
         ], at
     if opening.side is None and opening.ordinal is None:
         return _bare(clause, start, opening, after, turned=turned), at
@@ -335,7 +337,7 @@ def read_opening(
         if re.search("[LS][tA]$", before) and told == (opening.way or opening.side):
             return [_likely(way, back=True)], at  # "turn left into the second left"
         if opening.stated or _is_taken(clause, opening, start, after):
-            turn = Event(
+            turn = ClauseEvent(
                 "turn",
                 way=opening.way or opening.side,
                 ordinal=opening.ordinal,
@@ -412,7 +414,9 @@ def _words_of(clause: Clause, start: int) -> tuple[_Opening, int]:
     return opening, at
 
 
-def _likely(way: Event, *, taken: bool = False, back: bool = False) -> Event:
+def _likely(
+    way: ClauseEvent, *, taken: bool = False, back: bool = False
+) -> ClauseEvent:
     return replace(way, likely=True, taken=taken, back=back)
 
 
@@ -435,31 +439,33 @@ def _is_taken(clause: Clause, opening: _Opening, start: int, after: str) -> bool
 
 def _bare(
     clause: Clause, start: int, opening: _Opening, after: str, *, turned: bool
-) -> list[Event]:
+) -> list[ClauseEvent]:
     """Read a junction noun without ordinal and side."""
     before = clause.kinds[:start]
     placed = turned and re.search("[AQJ]$|AV$", before) is not None
     junction = _junction_of(opening.noun)
     is_crossed = before.endswith("HA") and not re.search("[LS2]", clause.kinds)
     if is_crossed and re.search(r"junction|intersection|cross", opening.noun):
-        return [Event("pass_ways", count=1, phrase=opening.name)]  # "straight over at"
+        return [
+            ClauseEvent("pass_ways", count=1, phrase=opening.name)
+        ]  # "straight over at"
     if junction is not None:
-        return [Event("junction", junction=junction, back=placed)]
+        return [ClauseEvent("junction", junction=junction, back=placed)]
     at_one = re.search("A$|AV$", before) is not None
     if (placed or at_one) and re.search(r"junction|intersection|corner", opening.noun):
-        return [Event("junction", back=placed)]
+        return [ClauseEvent("junction", back=placed)]
     if opening.count is not None:
         if opening.count >= 3 and re.search("[AV]", before + after):
-            return [Event("junction", junction="crossing")]
-        return [Event("pass_ways", count=opening.count, phrase=opening.name)]
+            return [ClauseEvent("junction", junction="crossing")]
+        return [ClauseEvent("pass_ways", count=opening.count, phrase=opening.name)]
     if before.endswith("T") and not turned and _TAKEN.search(opening.noun):
-        return [] if after.startswith("L") else [Event("turn")]
+        return [] if after.startswith("L") else [ClauseEvent("turn")]
     vague = re.search(r"\b(?:long|short)\b", opening.noun)
-    length = [Event("length", length=read_vague(vague[0]))] if vague else []
+    length = [ClauseEvent("length", length=read_vague(vague[0]))] if vague else []
     if re.search("[tGT]$", before):
         into = re.search(r"into|down|through|enter", clause.chunks[start - 1].text)
         noun = opening.noun.split()[-1] if into else ""
-        return [Event("straight", phrase=noun), *length]
+        return [ClauseEvent("straight", phrase=noun), *length]
     return length
 
 
@@ -473,7 +479,7 @@ def _junction_of(noun: str) -> Junction | None:
     return None
 
 
-def read_left_alone(clause: Clause, at: int) -> tuple[Event, int]:
+def read_left_alone(clause: Clause, at: int) -> tuple[ClauseEvent, int]:
     """Read the words for openings not to be taken, up to the last of them."""
     count: int | None = None
     side: Side | None = None
@@ -493,4 +499,4 @@ def read_left_alone(clause: Clause, at: int) -> tuple[Event, int]:
             name = chunk.text
         last = at
         at += 1
-    return Event("pass_ways", count=count, side=side, phrase=name), last
+    return ClauseEvent("pass_ways", count=count, side=side, phrase=name), last

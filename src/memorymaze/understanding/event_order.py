@@ -2,16 +2,16 @@
 
 from collections.abc import Sequence
 
-from memorymaze.understanding.clause import Event
+from memorymaze.understanding.clause import ClauseEvent
 
 
-def is_placed(events: Sequence[Event], at: int) -> bool:
+def is_placed(events: Sequence[ClauseEvent], at: int) -> bool:
     """Tell whether a turn is said with a place: `the second left`, `left at the clock`."""
     following = events[at + 1 : at + 2]
     return events[at].ordinal is not None or any(each.back for each in following)
 
 
-def told_since_turn(events: Sequence[Event], at: int) -> int | None:
+def told_since_turn(events: Sequence[ClauseEvent], at: int) -> int | None:
     """Count what was told since the last turn of this sentence; None without one."""
     told = 0
     for earlier in reversed(events[:at]):
@@ -21,7 +21,7 @@ def told_since_turn(events: Sequence[Event], at: int) -> int | None:
     return None
 
 
-def follows_a_thing(events: Sequence[Event], at: int) -> bool:
+def follows_a_thing(events: Sequence[ClauseEvent], at: int) -> bool:
     """Tell whether the sentence named a thing last, not bound to a place."""
     arrives = False
     for earlier in reversed(events[:at]):
@@ -34,7 +34,7 @@ def follows_a_thing(events: Sequence[Event], at: int) -> bool:
     return arrives
 
 
-def counted_from(events: Sequence[Event], at: int) -> Event | None:
+def counted_from(events: Sequence[ClauseEvent], at: int) -> ClauseEvent | None:
     """Return the thing that a length counted in places begins at, if it is told.
 
     As in `two junctions after the lift`, but not in `go two segments past the lift`.
@@ -49,7 +49,7 @@ def counted_from(events: Sequence[Event], at: int) -> Event | None:
     return None
 
 
-def ends_the_sentence_of_a_turn(events: Sequence[Event], at: int) -> bool:
+def ends_the_sentence_of_a_turn(events: Sequence[ClauseEvent], at: int) -> bool:
     """`Turn right, opposite the hall.`: a place said last, after a turn."""
     for later in events[at + 1 :]:
         if later.kind == "sentence":

@@ -146,7 +146,7 @@ def read_totals(text: str) -> tuple[str, Totals]:
 
 _VAGUE_METRES = (("little", 4.0), ("short", 6.0), ("quite", 25.0), ("long", 25.0))
 _A_WHILE = 12.0
-VAGUE = (
+VAGUE_LENGTH = (
     r"(?P<size>long|short)(?= (?:one|walk|stretch|straight)\b)|"
     rf"(?:{_GOING}|(?<=\bon )|(?<=\bgoing ))(?P<vague>for (?:quite )?a (?:long |short |little )?"
     r"(?:way|while|distance|stretch|bit|time)|(?:for )?a little(?: bit| way)?"
@@ -157,7 +157,7 @@ VAGUE = (
 
 
 def read_vague(words: str) -> Length:
-    """Return the length of words that `VAGUE` matches, or that name a way by it."""
+    """Return the length of words that `VAGUE_LENGTH` matches, or that name a way by it."""
     found = (metres for word, metres in _VAGUE_METRES if word in words)
     return Length(next(found, _A_WHILE), "vague")
 

@@ -18,7 +18,7 @@ from memorymaze.routes import (
     Turn,
     Way,
 )
-from memorymaze.understanding.clause import Event
+from memorymaze.understanding.clause import ClauseEvent
 from memorymaze.understanding.lengths import combine_lengths
 from memorymaze.understanding.things import is_floor, kind_of
 
@@ -165,7 +165,7 @@ def flank(side: Side | Way | None) -> Literal["left", "right"] | None:
     return side if side == "left" or side == "right" else None
 
 
-def place_of(event: Event, back: bool) -> Place:
+def place_on_leg(event: ClauseEvent, back: bool) -> Place:
     """Return where on its leg a thing is, from how it was bound to its clause."""
     if event.relation == "into" and not back:
         return "along"

@@ -7,7 +7,7 @@ from dataclasses import replace
 from memorymaze.routes import RoutePlan
 from memorymaze.understanding.assembly import assemble
 from memorymaze.understanding.chunks import Chunk, cut, normalise
-from memorymaze.understanding.clause import Clause, Event
+from memorymaze.understanding.clause import Clause, ClauseEvent
 from memorymaze.understanding.clause_reader import ClauseReader
 from memorymaze.understanding.corrections import apply_corrections
 from memorymaze.understanding.destinations import find_destinations, names_in_title
@@ -46,7 +46,7 @@ def parse_route_description(text: str) -> RoutePlan:
     return replace(plan_of(drafts, destinations, side, nth), totals=totals)
 
 
-def _without_title(events: Sequence[Event]) -> list[Event]:
+def _without_title(events: Sequence[ClauseEvent]) -> list[ClauseEvent]:
     """`The way to the library: left, …`: what is no more than the destination's name."""
     ways = [n for n, e in enumerate(events) if e.kind not in {"thing", "clause"}]
     title = ways[0] if ways else len(events)
@@ -54,11 +54,13 @@ def _without_title(events: Sequence[Event]) -> list[Event]:
     return [*origin, *events[title:]]
 
 
-def _sentences(clauses: list[list[Chunk]], text: str) -> list[tuple[str, list[Event]]]:
+def _sentences(
+    clauses: list[list[Chunk]], text: str
+) -> list[tuple[str, list[ClauseEvent]]]:
     """Read all clauses; return the words and events of each sentence."""
-    sentences: list[tuple[str, list[Event]]] = []
+    sentences: list[tuple[str, list[ClauseEvent]]] = []
     sentence: list[list[Chunk]] = []
-    before: list[Event] = []
+    before: list[ClauseEvent] = []
     start = 0
     for clause in clauses:
         sentence.append(clause)
@@ -142,10 +144,10 @@ def _starts_anew(clause: Sequence[Chunk], chunk: Chunk) -> bool:
 
 
 def read_clauses(
-    clauses: Sequence[list[Chunk]], before: Sequence[Event]
-) -> list[Event]:
+    clauses: Sequence[list[Chunk]], before: Sequence[ClauseEvent]
+) -> list[ClauseEvent]:
     """Return the events of one sentence, with marks between its clauses."""
-    events: list[Event] = []
+    events: list[ClauseEvent] = []
     told = list(before[-60:])
     missing = False
     for number, clause in enumerate(clauses):
@@ -155,11 +157,11 @@ def read_clauses(
             missing = False  # "if you go right you meet the stairs, so go left"
         missing = missing or _speaks_of_missing(body, clauses[number:], told)
         if _is_a_question(clause):
-            said: list[Event] = []
+            said: list[ClauseEvent] = []
         elif missing:
             kind = "wrong_way" if _turned_wrong(body, clauses[number:]) else "too_far"
             said = [
-                Event(kind, phrase=phrase)
+                ClauseEvent(kind, phrase=phrase)
                 for chunk in body
                 if chunk.kind == "N" and (phrase := thing_phrase(chunk.text))
             ]
@@ -198,10 +200,10 @@ def _kinds(clause: Sequence[Chunk]) -> str:
     return "".join(chunk.kind for chunk in clause)
 
 
-def _mark(joint: Chunk | None) -> Event:
+def _mark(joint: Chunk | None) -> ClauseEvent:
     if joint is not None and joint.kind == ".":
-        return Event("sentence", counted=";" in joint.text)
-    return Event("then" if joint is not None and joint.kind == ">" else "clause")
+        return ClauseEvent("sentence", counted=";" in joint.text)
+    return ClauseEvent("then" if joint is not None and joint.kind == ">" else "clause")
 
 
 def _turned_wrong(body: list[Chunk], rest: Sequence[list[Chunk]]) -> bool:
@@ -214,7 +216,7 @@ def _turned_wrong(body: list[Chunk], rest: Sequence[list[Chunk]]) -> bool:
 
 
 def _speaks_of_missing(
-    body: list[Chunk], rest: Sequence[list[Chunk]], told: Sequence[Event]
+    body: list[Chunk], rest: Sequence[list[Chunk]], told: Sequence[ClauseEvent]
 ) -> bool:
     """Tell whether from here the sentence is about having gone wrong.
 

@@ -9,7 +9,7 @@ import re
 from collections.abc import Sequence
 
 from memorymaze.routes import Way
-from memorymaze.understanding.clause import Event
+from memorymaze.understanding.clause import ClauseEvent
 from memorymaze.understanding.event_order import is_placed, told_since_turn
 from memorymaze.understanding.partial_legs import PartialLeg
 
@@ -28,7 +28,9 @@ _LISTED = 3
 """Bare turns in a row that are a list."""
 
 
-def without_overviews(sentences: list[tuple[str, list[Event]]]) -> list[Event]:
+def without_overviews(
+    sentences: list[tuple[str, list[ClauseEvent]]],
+) -> list[ClauseEvent]:
     """Return the events of all sentences but overviews.
 
     An overview has two turns or more that are told again, in order, by the sentences
@@ -37,7 +39,7 @@ def without_overviews(sentences: list[tuple[str, list[Event]]]) -> list[Event]:
     turns: list[list[Way | None]] = [
         [e.way for e in events if e.kind == "turn"] for _, events in sentences
     ]
-    kept: list[Event] = []
+    kept: list[ClauseEvent] = []
     for at, (words, events) in enumerate(sentences):
         if _IN_ORDER.search(words) and sum(map(len, turns[at:])) >= _LISTED:
             kept.clear()  # what was told before was told from its end
@@ -72,7 +74,7 @@ def without_overviews(sentences: list[tuple[str, list[Event]]]) -> list[Event]:
 
 
 def _lists_all(
-    events: Sequence[Event],
+    events: Sequence[ClauseEvent],
     listed: Sequence[Way | None],
     others: Sequence[Sequence[Way | None]],
 ) -> bool:
@@ -95,9 +97,9 @@ def _lists_all(
     )
 
 
-def _without_announcements(events: list[Event]) -> list[Event]:
+def _without_announcements(events: list[ClauseEvent]) -> list[ClauseEvent]:
     """Drop a pair that the same sentence tells again: `a left-right: left at …`."""
-    kept: list[Event] = []
+    kept: list[ClauseEvent] = []
     for at in range(len(events)):
         pair = [e for e in events[at : at + 2] if e.kind == "turn"]
         if len(pair) == 2 and pair[1].joined:
@@ -106,17 +108,17 @@ def _without_announcements(events: list[Event]) -> list[Event]:
             told = [events[i].way for i in run[:2]]
             same = told == [e.way for e in pair]
             if same and between and not between & {"thing", "end"}:
-                kept.append(Event("clause"))
-                events[at + 1] = Event("clause")
+                kept.append(ClauseEvent("clause"))
+                events[at + 1] = ClauseEvent("clause")
                 continue
         kept.append(events[at])
     return kept
 
 
-def _without_recaps(events: list[Event]) -> list[Event]:
+def _without_recaps(events: list[ClauseEvent]) -> list[ClauseEvent]:
     """Drop turns that only say the last ones again: `so right and left`."""
-    kept: list[Event] = []
-    said: list[Event] = []
+    kept: list[ClauseEvent] = []
+    said: list[ClauseEvent] = []
     fresh, same_sentence = True, False
     dropped: set[int] = set()
     for at, event in enumerate(events):
@@ -144,7 +146,7 @@ def _without_recaps(events: list[Event]) -> list[Event]:
     return kept
 
 
-def _turns_ahead(events: list[Event], start: int, *, whole: bool) -> list[int]:
+def _turns_ahead(events: list[ClauseEvent], start: int, *, whole: bool) -> list[int]:
     """Indices of the turns to the end of the sentence, or of a joined pair."""
     run: list[int] = []
     for at in range(start, len(events)):
@@ -169,7 +171,7 @@ def _within(short: Sequence[object], long: Sequence[object]) -> bool:
 class Restating:
     """Knows whether the sentence at hand only says the last turn again."""
 
-    def __init__(self, events: Sequence[Event]) -> None:
+    def __init__(self, events: Sequence[ClauseEvent]) -> None:
         """Take all events of a description."""
         self._events = events
         self._sentence = False

@@ -3,7 +3,7 @@
 from collections.abc import Sequence, Set
 
 from memorymaze.routes import Turn
-from memorymaze.understanding.clause import Event
+from memorymaze.understanding.clause import ClauseEvent
 from memorymaze.understanding.event_order import is_placed
 from memorymaze.understanding.partial_legs import PartialLeg
 
@@ -13,13 +13,13 @@ _JOINTS = {"clause", "then", "sentence"}
 class SettingOff:
     """Knows which of the first words of a description say how one leaves."""
 
-    def __init__(self, events: Sequence[Event]) -> None:
+    def __init__(self, events: Sequence[ClauseEvent]) -> None:
         """Take all events of a description."""
         self._events = events
         self._side: int | None = None
         """Where a side was said that may be how one leaves."""
 
-    def is_told(self, event: Event, at: int, draft: PartialLeg) -> bool:
+    def is_told(self, event: ClauseEvent, at: int, draft: PartialLeg) -> bool:
         """Tell whether the first turn, as it was joined, is where one stands.
 
         It is when it says so, or where one goes off to, and has no place of its own.
@@ -33,7 +33,7 @@ class SettingOff:
             return True
         return event.leaving and draft.called == set(range(len(draft.mentions)))
 
-    def note_side(self, event: Event, at: int) -> None:
+    def note_side(self, event: ClauseEvent, at: int) -> None:
         """Keep a side, until another is told of the same."""
         if event.leaving and self._side is None:
             self._side = at

@@ -6,9 +6,9 @@ from memorymaze.routes import Kind
 from memorymaze.understanding.vocabulary import (
     COMMON,
     FILLERS,
-    FLOORS,
+    FLOOR_WORDS,
     IDLE_ENDS,
-    KINDS,
+    KINDS_OF_THINGS,
     LOOKS,
     ONES,
     PLAIN,
@@ -130,7 +130,7 @@ def kind_of(phrase: str) -> Kind:
     ('door', 'sign')
     """
     head = _BINDING.split(phrase, maxsplit=1)[0].split()[-1]
-    return KINDS.get(head, "object")
+    return KINDS_OF_THINGS.get(head, "object")
 
 
 def is_lane(phrase: str) -> bool:
@@ -170,7 +170,7 @@ def floor_phrase(words: str) -> str | None:
     if not named and not _SURFACE.match(tokens[-1]):
         return None
     text = " ".join(tokens)
-    return next((phrase for look, phrase in FLOORS if look.search(text)), None)
+    return next((phrase for look, phrase in FLOOR_WORDS if look.search(text)), None)
 
 
 def wall_phrase(words: str) -> str | None:

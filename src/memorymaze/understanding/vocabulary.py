@@ -86,11 +86,11 @@ CLOCK: Mapping[str, str] = {
 ONES = {word: number for number, word in enumerate(_words["ones"].split(), 1)}
 TENS = {word: 10 * number for number, word in enumerate(_words["tens"].split(), 2)}
 QUANTITIES: Mapping[str, float] = _words["quantities"]
-KINDS: Mapping[str, Kind] = {
+KINDS_OF_THINGS: Mapping[str, Kind] = {
     noun: kind for kind, nouns in _words["kinds"].items() for noun in nouns.split()
 }
 """What a thing is, by the head noun of its name."""
-FLOORS = tuple(
+FLOOR_WORDS = tuple(
     (re.compile(rf"\b(?:{words})\b"), look) for words, look in _words["floors"]
 )
 """Words that describe a floor, those that tell most first, and what to look for."""

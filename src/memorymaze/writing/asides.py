@@ -19,9 +19,9 @@ from memorymaze.writing.clauses import (
 from memorymaze.writing.marked_text import mark, without_marks
 from memorymaze.writing.phrases import phrases, words_for
 from memorymaze.writing.things import Thing, is_plural, thing_called, with_article
-from memorymaze.writing.voices import Unit, Voice
+from memorymaze.writing.voices import SpokenUnit, Voice
 
-UNIT_METRES: Mapping[Unit, float] = {"metres": 1.0, "steps": 0.7, "seconds": 1.2}
+UNIT_METRES: Mapping[SpokenUnit, float] = {"metres": 1.0, "steps": 0.7, "seconds": 1.2}
 """Metres that a walker makes in one."""
 FAR_OFF = 0.25
 """A length that is further off is labelled."""
@@ -79,7 +79,7 @@ def leg_asides(
         lengths = phrases(voice.manner, "lengths")
         length = stated_length(metres, voice, rng)
         yield aside(-90, one_of(lengths, rng), length=length)
-    floor = words_for("floor_words").get(floor_of(part) or "")
+    floor = words_for("floor_words").get(floor_underfoot(part) or "")
     if floor is not None:
         yield aside(-80, one_of(phrases("besides", "floors"), rng), floor=floor)
     yield from _passings(part, key, voice, rng, things, known)
@@ -98,7 +98,7 @@ def leg_asides(
         yield aside(-85, one_of(phrases("besides", "long"), rng))
 
 
-def floor_of(part: Leg | Arrival) -> str | None:
+def floor_underfoot(part: Leg | Arrival) -> str | None:
     """Return what lies underfoot where most of a stretch is."""
     floors = (each.phrase for each in part.mentions if each.kind == "floor")
     return next((floor.removesuffix(" floor") for floor in floors), None)

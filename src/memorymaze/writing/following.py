@@ -10,8 +10,8 @@ from dataclasses import dataclass
 
 from memorymaze.geometry.polyline import point_at, project
 from memorymaze.sites.records import Route
-from memorymaze.writing.steps import Ending, Step, StepPlan
-from memorymaze.writing.turning_point_graph import TurningPointGraph, Way
+from memorymaze.writing.steps import Step, StepPlan, ToldEnding
+from memorymaze.writing.turning_point_graph import GraphWay, TurningPointGraph
 
 ARRIVED = 3.0
 """Metres from the goal within which a description ends right."""
@@ -33,7 +33,7 @@ class Followed:
     """Turning points where the told turns were made."""
 
 
-def follow(
+def follow_steps(
     graph: TurningPointGraph,
     route: Route,
     plan: StepPlan,
@@ -71,8 +71,8 @@ def follow(
 
 
 def _ahead(
-    graph: TurningPointGraph, way: Way
-) -> Iterator[tuple[str, float, Way | None]]:
+    graph: TurningPointGraph, way: GraphWay
+) -> Iterator[tuple[str, float, GraphWay | None]]:
     """Yield turning points ahead, the heading there, and the way straight on.
 
     Corners without a choice are followed.
@@ -89,7 +89,7 @@ def _ahead(
 
 
 def _place_of(
-    graph: TurningPointGraph, way: Way, turn: Step, *, corners_counted: bool
+    graph: TurningPointGraph, way: GraphWay, turn: Step, *, corners_counted: bool
 ) -> tuple[str, float] | None:
     """Return where a turn is to be made, if its cue comes true before the way ends."""
     cue, seen = turn.cue, 0
@@ -118,7 +118,7 @@ def _place_of(
 
 
 def _destination(
-    graph: TurningPointGraph, way: Way, ending: Ending
+    graph: TurningPointGraph, way: GraphWay, ending: ToldEnding
 ) -> tuple[float, float] | None:
     """Return the place on the last stretch that is nearest to the destination."""
     lines = [way.line]

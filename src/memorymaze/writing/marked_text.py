@@ -1,7 +1,7 @@
 """Text that carries labels, so that errors can be found to the word.
 
 While a text is put together, labels are kept inside it between control characters;
-`read_marks` takes them out and says where they lay.
+`unmarked` takes them out and says where they lay.
 """
 
 from typing import NamedTuple
@@ -24,7 +24,7 @@ def mark(label: str, text: str) -> str:
     return f"{OPEN}{label}{END_OF_LABEL}{text}{CLOSE}"
 
 
-def read_marks(marked: str) -> tuple[str, list[Marked]]:
+def unmarked(marked: str) -> tuple[str, list[Marked]]:
     """Return the text without labels, and where each label lay.
 
     >>> read_marks("Turn " + mark("side", "left") + ".")
@@ -52,7 +52,7 @@ def read_marks(marked: str) -> tuple[str, list[Marked]]:
 
 def without_marks(marked: str) -> str:
     """Return the text alone."""
-    return read_marks(marked)[0]
+    return unmarked(marked)[0]
 
 
 def capitalised(marked: str) -> str:

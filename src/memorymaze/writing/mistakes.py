@@ -15,16 +15,16 @@ from memorymaze.writing.steps import (
     SIDES,
     Beside,
     Cue,
-    Ending,
     Mistake,
     Step,
     StepPlan,
-    Stretch,
+    ToldEnding,
+    ToldStretch,
 )
 from memorymaze.writing.things import with_article
-from memorymaze.writing.turning_point_graph import Side
+from memorymaze.writing.turning_point_graph import TurnSide
 
-OPPOSITE: Mapping[Side, Side] = {
+OPPOSITE: Mapping[TurnSide, TurnSide] = {
     "left": "right",
     "right": "left",
     "slight_left": "slight_right",
@@ -171,7 +171,7 @@ class _Proposals:
                     if facts.graph.leaving(point, heading, side) is not None:
                         yield from self.turns_at(place, point, side)
 
-    def turns_at(self, place: int, point: str, side: Side) -> Iterator[Mistake]:
+    def turns_at(self, place: int, point: str, side: TurnSide) -> Iterator[Mistake]:
         """Yield a turn that can be made at a point, with a cue that leads there."""
         facts, plan = self.facts, self.plan
         here = facts.graph.points[point].polygon.centroid.coords[0]
@@ -184,7 +184,7 @@ class _Proposals:
         told = sum(each.told for each in plan.turns[:place])
         for cue in (*(Cue("ordinal", n) for n in (1, 2, 3)), *near[:3]):
             key = f"extra_{point}_{side}"
-            turn = Step(key, side, cue, Stretch(0.0), point, extra=True)
+            turn = Step(key, side, cue, ToldStretch(0.0), point, extra=True)
             wrong = plan.with_another(turn, place)
             if facts.follow(wrong).turned[told : told + 1] == (point,):
                 detail = f"adds a turn {side}; the way goes straight on there"
@@ -196,7 +196,7 @@ class _Proposals:
             side = SIDES[int(self.rng.choice(2))]
             at = f"after {self.plan.turns[place - 1].at}" if place else "start"
             key = f"extra_{place}"
-            turn = Step(key, side, Cue("ordinal"), Stretch(0.0), at, extra=True)
+            turn = Step(key, side, Cue("ordinal"), ToldStretch(0.0), at, extra=True)
             detail = f"adds a turn {side} that the way does not have"
             wrong = self.plan.with_another(turn, place)
             yield self.mistake(key, "step", at, detail, wrong)
@@ -239,10 +239,10 @@ class _Proposals:
                 if each.thing.id != goal:
                     yield self.ends_at(shorter, each, gone[0].stretch)
 
-    def ends_at(self, plan: StepPlan, beside: Beside, stretch: Stretch) -> Mistake:
+    def ends_at(self, plan: StepPlan, beside: Beside, stretch: ToldStretch) -> Mistake:
         thing, goal = beside.thing, plan.ending.goal
         claimed = with_article(thing, definite=True)
-        ending = Ending(goal, thing.position, stretch, beside.side, thing, claimed)
+        ending = ToldEnding(goal, thing.position, stretch, beside.side, thing, claimed)
         detail = f"ends at {claimed} and takes it for {goal}"
         wrong = replace(plan, ending=ending)
         return self.mistake("arrival", "step", thing.id, detail, wrong)
@@ -266,13 +266,15 @@ class _Proposals:
             for each in self.plan.ending.stretch.beside[:1]:
                 thing = str(self.rng.choice(words))
                 key, cue = "extra_thing", Cue("thing", words=thing)
-                turn = Step(key, each.side, cue, Stretch(0.0), "the way", extra=True)
+                turn = Step(
+                    key, each.side, cue, ToldStretch(0.0), "the way", extra=True
+                )
                 detail = f"tells of a {thing} and a turn there; there is neither"
                 wrong = self.plan.with_another(turn, 0)
                 yield self.mistake(key, "step", "the way", detail, wrong)
 
 
-def _plain(side: Side) -> str:
+def _plain(side: TurnSide) -> str:
     return side.replace("_", " ")
 
 

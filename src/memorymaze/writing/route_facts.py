@@ -14,21 +14,21 @@ from shapely.ops import substring
 from memorymaze.errors import SitePlanError
 from memorymaze.geometry.pose import heading_to, turn_between
 from memorymaze.sites.records import Route, RouteTurn
-from memorymaze.writing.following import Followed, follow
+from memorymaze.writing.following import Followed, follow_steps
 from memorymaze.writing.steps import (
     SIDES,
     Beside,
     Cue,
-    Ending,
     Step,
     StepPlan,
-    Stretch,
+    ToldEnding,
+    ToldStretch,
 )
 from memorymaze.writing.things import Thing
 from memorymaze.writing.turning_point_graph import (
-    Side,
     TurningPointGraph,
-    side_of,
+    TurnSide,
+    side_of_angle,
     side_of_turn,
 )
 
@@ -77,7 +77,7 @@ class RouteFacts:
 
     def follow(self, plan: StepPlan) -> Followed:
         """Follow a plan for this route."""
-        return follow(self.graph, self.route, plan)
+        return follow_steps(self.graph, self.route, plan)
 
     def is_right(self, plan: StepPlan) -> bool:
         """Tell whether a plan arrives, turning where it should, in either way of counting.
@@ -92,7 +92,7 @@ class RouteFacts:
         return not any(each.arrived for each in self._both(plan))
 
     def _both(self, plan: StepPlan) -> tuple[Followed, Followed]:
-        counted = follow(self.graph, self.route, plan, corners_counted=True)
+        counted = follow_steps(self.graph, self.route, plan, corners_counted=True)
         return self.follow(plan), counted
 
     @cached_property
@@ -125,7 +125,7 @@ class RouteFacts:
         """The heading on coming to each turning point of the route, radians."""
         ways = self.graph.first_way(self.route)
         found: dict[str, float] = {}
-        turns: dict[str, Side] = {
+        turns: dict[str, TurnSide] = {
             turn.at: side_of_turn(turn) for turn in self.route.turns
         }
         for _ in range(len(self.graph.passed[self.route.id]) + 1):
@@ -138,10 +138,10 @@ class RouteFacts:
         return found
 
     @cached_property
-    def stretches(self) -> tuple[Stretch, ...]:
+    def stretches(self) -> tuple[ToldStretch, ...]:
         """The stretches before each turn, and the last one."""
         edges = (0.0, *self.stops, self.route.line.length)
-        stretches: list[Stretch] = []
+        stretches: list[ToldStretch] = []
         for n, (low, high) in enumerate(pairwise(edges)):
             turn = self.route.turns[n] if n < len(self.route.turns) else None
             stretches.append(self._stretch(low, high, self.between[n], turn))
@@ -173,7 +173,7 @@ class RouteFacts:
                 str(k),
                 side_of_turn(each),
                 cue if k == n else before[k],
-                Stretch(0),
+                ToldStretch(0),
                 each.at,
             )
             for k, each in enumerate(self.route.turns[: n + 1])
@@ -214,10 +214,10 @@ class RouteFacts:
 
     def _stretch(
         self, low: float, high: float, points: tuple[str, ...], turn: RouteTurn | None
-    ) -> Stretch:
+    ) -> ToldStretch:
         line = substring(self.route.line, low, high)
         if not isinstance(line, LineString) or line.length < 0.01:
-            return Stretch(0.0)
+            return ToldStretch(0.0)
         openings: list[Literal["left", "right"]] = []
         for point in points:
             heading = self.headings.get(point)
@@ -229,7 +229,7 @@ class RouteFacts:
                     openings.append(side)
         parts = [*self.graph.site.corridors, *self.graph.site.areas]
         part = max(parts, key=lambda p: p.polygon.intersection(line).length)
-        return Stretch(
+        return ToldStretch(
             length=line.length,
             beside=tuple(self._beside(line)),
             openings=tuple(openings),
@@ -261,7 +261,7 @@ class RouteFacts:
                 heading_to((here.x, here.y), (further.x, further.y)),
                 heading_to((here.x, here.y), (spot.x, spot.y)),
             )
-            yield Beside(thing, side_of(bearing), at)
+            yield Beside(thing, side_of_angle(bearing), at)
 
     def _beyond(self, turn: RouteTurn) -> Thing | None:
         """Return what one meets who does not turn."""
@@ -283,7 +283,7 @@ class RouteFacts:
         return min(ahead, key=lambda each: each[0], default=(0.0, None))[1]
 
     @cached_property
-    def _ending(self) -> Ending:
+    def _ending(self) -> ToldEnding:
         line = self.route.line
         x, y = line.coords[-1][:2]
         site = self.graph.site
@@ -301,7 +301,9 @@ class RouteFacts:
                 heading_to((x, y), (goal.x, goal.y)),
             )
             side = (
-                side_of(bearing) if AHEAD < abs(bearing) < math.radians(140) else None
+                side_of_angle(bearing)
+                if AHEAD < abs(bearing) < math.radians(140)
+                else None
             )
         near = [
             each.thing
@@ -311,4 +313,4 @@ class RouteFacts:
         ]
         by = near[-1] if near else None
         last = self.stretches[-1]
-        return Ending(self.route.goal, (float(x), float(y)), last, side, by)
+        return ToldEnding(self.route.goal, (float(x), float(y)), last, side, by)

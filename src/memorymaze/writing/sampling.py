@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from memorymaze.instructions.error_kinds import kinds_of
+from memorymaze.instructions.published import PublishedStudy
 from memorymaze.sites.records import Site
 from memorymaze.writing.mistakes import made_wrong
 from memorymaze.writing.request import (
@@ -122,9 +123,8 @@ def _weight(cue: Cue, turn: Step) -> float:
     return END_WEIGHT
 
 
-Study = Literal["online", "onsite"]
 Iteration = Literal[1, 2]
-STUDIES: tuple[Study, ...] = ("online", "onsite")
+STUDIES: tuple[PublishedStudy, ...] = ("online", "onsite")
 ITERATIONS: tuple[Iteration, ...] = (1, 2)
 PER_TURN = 3.5
 """Words that the shortest telling of a turn takes."""
@@ -134,7 +134,7 @@ PER_TURN = 3.5
 class Cell:
     """One cell of Table I: a route, a study, an iteration."""
 
-    study: Study
+    study: PublishedStudy
     iteration: Iteration
     site: str
     route: str
@@ -181,7 +181,7 @@ def cells_of(
     site: Site,
     *,
     route: str | None = None,
-    studies: Sequence[Study] = STUDIES,
+    studies: Sequence[PublishedStudy] = STUDIES,
     iterations: Sequence[Iteration] = ITERATIONS,
 ) -> list[Cell]:
     """Return the cells of a site.

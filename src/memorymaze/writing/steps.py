@@ -11,7 +11,7 @@ from typing import Literal
 
 from memorymaze.routes import Arrival, Leg, Length, Mention, Passing, RoutePlan, Turn
 from memorymaze.writing.things import Thing
-from memorymaze.writing.turning_point_graph import Side
+from memorymaze.writing.turning_point_graph import TurnSide
 
 SIDES: tuple[Literal["left", "right"], ...] = ("left", "right")
 
@@ -28,7 +28,7 @@ class Beside:
 
 
 @dataclass(frozen=True, slots=True)
-class Stretch:
+class ToldStretch:
     """What is true of the stretch before a turn or the destination."""
 
     length: float
@@ -91,9 +91,9 @@ class Step:
 
     key: str
     """Names the step in the clean and the wrong plan."""
-    side: Side
+    side: TurnSide
     cue: Cue
-    stretch: Stretch
+    stretch: ToldStretch
     at: str
     """Turning point where the route turns; for an extra turn, where it is told."""
     told: bool = True
@@ -122,14 +122,14 @@ class Step:
 
 
 @dataclass(frozen=True, slots=True)
-class Ending:
+class ToldEnding:
     """How the way ends."""
 
     goal: str
     """The destination in everyday words."""
     place: tuple[float, float]
     """Where the speaker says it is, metres."""
-    stretch: Stretch
+    stretch: ToldStretch
     side: Literal["left", "right"] | None
     """Of who arrives; None for ahead."""
     by: Thing | None = None
@@ -157,7 +157,7 @@ class StepPlan:
     site: str
     route_id: str
     turns: tuple[Step, ...]
-    ending: Ending
+    ending: ToldEnding
     things: Mapping[str, Thing] = field(compare=False, repr=False)
     """The things of the site by their words."""
     around: bool = False

@@ -15,7 +15,7 @@ from memorymaze.routes import Arrival, Leg
 from memorymaze.writing.asides import (
     Aside,
     disturbed,
-    floor_of,
+    floor_underfoot,
     leg_asides,
     opening_and_closing,
     small_talk,
@@ -36,7 +36,7 @@ from memorymaze.writing.marked_text import (
     Marked,
     capitalised,
     mark,
-    read_marks,
+    unmarked,
     without_marks,
 )
 from memorymaze.writing.phrases import phrases
@@ -139,7 +139,7 @@ class Teller:
         after = self._around(END)
         if after:
             items[-1] = " ".join([items[-1], *after])
-        text, marks = read_marks(laid_out(items, self._voice) + pending)
+        text, marks = unmarked(laid_out(items, self._voice) + pending)
         return Told(text, tuple(marks))
 
     def _item(self, plan: StepPlan, key: str, focus: Mapping[str, Focus]) -> str:
@@ -289,7 +289,7 @@ class Teller:
 
 def _on_new_floor(part: Leg | Arrival, before: Leg | None) -> Leg | Arrival:
     """Return a stretch whose floor is only known where it changes."""
-    if before is None or floor_of(before) != floor_of(part):
+    if before is None or floor_underfoot(before) != floor_underfoot(part):
         return part
     others = tuple(each for each in part.mentions if each.kind != "floor")
     return replace(part, mentions=others)

@@ -19,7 +19,7 @@ from memorymaze.sites.records import Exit, Route, RouteTurn, Site, TurningPoint
 from memorymaze.writing.things import Thing, things_of
 
 
-class Way(NamedTuple):
+class GraphWay(NamedTuple):
     """A way out of a turning point, up to the next one."""
 
     heading: float
@@ -30,13 +30,13 @@ class Way(NamedTuple):
     """Turning point it leads to; None where it ends without one."""
 
 
-def _carried_on(way: Way, guess: Way) -> Way:
+def _carried_on(way: GraphWay, guess: GraphWay) -> GraphWay:
     """Return a route's last way with what lies beyond the goal."""
     start = way.line[0]
     goes_on = math.dist(start, guess.line[-1]) > math.dist(start, way.line[-1])
     if way.end is not None or not goes_on:
         return way
-    return Way(way.heading, (*way.line, guess.line[-1]), guess.end)
+    return GraphWay(way.heading, (*way.line, guess.line[-1]), guess.end)
 
 
 def _overlaps(line: LineString, polygon: Polygon) -> list[tuple[float, float]]:
@@ -55,12 +55,12 @@ def _overlaps(line: LineString, polygon: Polygon) -> list[tuple[float, float]]:
     return joined
 
 
-Side = Literal["left", "right", "slight_left", "slight_right"]
+TurnSide = Literal["left", "right", "slight_left", "slight_right"]
 """Where a turn leads."""
 
 STRAIGHT = math.radians(28)
 """A way that differs less from the walker's heading goes straight on."""
-BACK = math.radians(150)
+TURNING_BACK = math.radians(150)
 """A way that differs more goes back."""
 SLIGHT = math.radians(12)
 """The least bend that is told as a slight turn."""
@@ -71,17 +71,17 @@ OFF_THE_FLOOR = 0.8
 """Metres that a thing may stand behind the rim of the floor."""
 
 
-def side_of_turn(turn: RouteTurn) -> Side:
+def side_of_turn(turn: RouteTurn) -> TurnSide:
     """Return where a route turns; the loader of sites admits no other direction."""
-    return cast(Side, turn.direction)
+    return cast(TurnSide, turn.direction)
 
 
-def side_of(angle: float) -> Literal["left", "right"]:
+def side_of_angle(angle: float) -> Literal["left", "right"]:
     """Return which side a signed turn in radians goes: left or right."""
     return "left" if angle > 0 else "right"
 
 
-def turn_angle(side: Side) -> float:
+def turn_angle(side: TurnSide) -> float:
     """Return the signed turn that a side stands for, radians."""
     angle = math.pi / 4 if side.startswith("slight") else math.pi / 2
     return angle if side.endswith("left") else -angle
@@ -112,7 +112,7 @@ class TurningPointGraph:
         return {thing.words: thing for thing in reversed(self.things)}
 
     @cached_property
-    def ways(self) -> Mapping[str, tuple[Way, ...]]:
+    def ways(self) -> Mapping[str, tuple[GraphWay, ...]]:
         """Ways out of each turning point."""
         guessed = {
             point.id: [self._way(point, leaving) for leaving in point.exits]
@@ -180,29 +180,34 @@ class TurningPointGraph:
             for route in self.site.routes
         }
 
-    def first_way(self, route: Route, *, around: bool = False) -> Way:
+    def first_way(self, route: Route, *, around: bool = False) -> GraphWay:
         """Return the way from a route's start, ahead or back."""
         if around:
             start = (route.start.x, route.start.y)
             return self._ray(start, route.start.heading + math.pi, None)
         return next(way for _, way in self.ways_along(route))
 
-    def ways_along(self, route: Route) -> Iterator[tuple[str | None, Way]]:
+    def ways_along(self, route: Route) -> Iterator[tuple[str | None, GraphWay]]:
         """Yield the ways along a route: from its start, then from each turning point."""
         stops = [(0.0, None), *self.passed[route.id], (route.line.length, None)]
         for (start, name), (end, following) in pairwise(stops):
             if end - start < 0.05:
                 if name is None and following is not None:
                     x, y = route.line.coords[0][:2]
-                    yield None, Way(route.start_heading, ((x, y), (x, y)), following)
+                    yield (
+                        None,
+                        GraphWay(route.start_heading, ((x, y), (x, y)), following),
+                    )
                 continue
             piece = substring(route.line, start, end)
             line = tuple((float(x), float(y)) for x, y, *_ in piece.coords)
             # A turn's bend may lie beyond the middle of its polygon.
             longest = max(pairwise(line), key=lambda leg: math.dist(*leg))
-            yield name, Way(heading_to(*longest), line, following)
+            yield name, GraphWay(heading_to(*longest), line, following)
 
-    def leaving(self, point: str, heading: float, side: Side | None) -> Way | None:
+    def leaving(
+        self, point: str, heading: float, side: TurnSide | None
+    ) -> GraphWay | None:
         """Return the way that someone takes who comes with a heading, if one lies there.
 
         `side` is None for going straight on.
@@ -216,24 +221,24 @@ class TurningPointGraph:
             fitting = [
                 (abs(a - wanted), w)
                 for a, w in angles
-                if least <= abs(a) < BACK and (a > 0) == (wanted > 0)
+                if least <= abs(a) < TURNING_BACK and (a > 0) == (wanted > 0)
             ]
         return min(fitting, default=(0.0, None), key=lambda pair: pair[0])[1]
 
-    def only_way(self, point: str, heading: float) -> Way | None:
+    def only_way(self, point: str, heading: float) -> GraphWay | None:
         """Return the way on where a turning point leaves no choice, else None."""
         onward = [
             way
             for way in self.ways[point]
-            if abs(turn_between(heading, way.heading)) < BACK
+            if abs(turn_between(heading, way.heading)) < TURNING_BACK
         ]
         return onward[0] if len(onward) == 1 else None
 
-    def _way(self, point: TurningPoint, leaving: Exit) -> Way:
+    def _way(self, point: TurningPoint, leaving: Exit) -> GraphWay:
         centre = self._middle(point.id)
         if leaving.to in self.points:
             line = (centre, self._middle(leaving.to))
-            return Way(leaving.heading, line, leaving.to)
+            return GraphWay(leaving.heading, line, leaving.to)
         floor = self._floors.get(leaving.to)
         ahead: list[tuple[float, str]] = []
         for other in self.site.turning_points if floor is not None else ():
@@ -248,13 +253,15 @@ class TurningPointGraph:
         if not ahead:
             return self._ray(centre, leaving.heading, point.id)
         end = min(ahead)[1]
-        return Way(leaving.heading, (centre, self._middle(end)), end)
+        return GraphWay(leaving.heading, (centre, self._middle(end)), end)
 
     def _middle(self, point: str) -> tuple[float, float]:
         centroid = self.points[point].polygon.centroid
         return centroid.x, centroid.y
 
-    def _ray(self, start: tuple[float, float], heading: float, own: str | None) -> Way:
+    def _ray(
+        self, start: tuple[float, float], heading: float, own: str | None
+    ) -> GraphWay:
         """Walk straight on until a turning point or a wall."""
         x, y = start
         far = x + RAY * math.cos(heading), y + RAY * math.sin(heading)
@@ -267,7 +274,7 @@ class TurningPointGraph:
             and piece.length > 0
         ]
         if not reach:
-            return Way(heading, (start, start), None)
+            return GraphWay(heading, (start, start), None)
         wall = max(reach[0].coords, key=lambda corner: math.dist(corner, start))
         line = LineString([start, wall])
         hits = [
@@ -278,9 +285,9 @@ class TurningPointGraph:
         ]
         if hits:
             end = min(hits)[1]
-            return Way(heading, (start, self._middle(end)), end)
+            return GraphWay(heading, (start, self._middle(end)), end)
         x, y = line.coords[-1][:2]
-        return Way(heading, (start, (x, y)), None)
+        return GraphWay(heading, (start, (x, y)), None)
 
     @cached_property
     def _floors(self) -> Mapping[str, Polygon]:

@@ -6,12 +6,12 @@ from typing import Literal
 
 import numpy as np
 
-Layout = Literal["prose", "numbered", "lines"]
-Unit = Literal["metres", "steps", "seconds"]
+_Layout = Literal["prose", "numbered", "lines"]
+SpokenUnit = Literal["metres", "steps", "seconds"]
 
 
 @dataclass(frozen=True, slots=True)
-class Surface:
+class SpeechMarks:
     """How often speech is marked by what does not make it wrong; shares, 0 to 1."""
 
     filler: float
@@ -28,8 +28,8 @@ class Surface:
     """Of corners without a choice, not told."""
 
 
-ONLINE = Surface(0.0, 0.0, 0.02, 0.15, 0.35, 0.15)
-ONSITE = Surface(0.22, 0.06, 0.1, 0.4, 0.45, 0.3)
+ONLINE = SpeechMarks(0.0, 0.0, 0.02, 0.15, 0.35, 0.15)
+ONSITE = SpeechMarks(0.22, 0.06, 0.1, 0.4, 0.45, 0.3)
 """Of typed and spoken texts; not from the paper, which counts none of them."""
 FILLERS = (
     ("um", "uh"),
@@ -49,16 +49,16 @@ class Voice:
     """Whether it is transcribed speech, not typing."""
     again: bool
     """Whether it is the second description."""
-    layout: Layout
+    layout: _Layout
     marker: str
     """Before the items of a numbered list, with `{n}`."""
-    unit: Unit
+    unit: SpokenUnit
     please: bool
     fillers: tuple[str, ...]
     """At the beginning and in the middle of sentences; empty for a speaker without."""
     contracted: bool
     """Says "you'll", not "you will"."""
-    surface: Surface
+    surface: SpeechMarks
 
     @property
     def manner(self) -> Literal["spoken", "typed"]:
@@ -74,22 +74,22 @@ def make_voice(
 ) -> Voice:
     """Make up a speaker; the same chance makes the same one for both iterations.
 
-    `changes` are shares by the names of `Surface`'s fields that differ from the defaults.
+    `changes` are shares by the names of `SpeechMarks`' fields that differ from the defaults.
     """
     spoken = study == "onsite"
-    layouts: list[Layout] = ["prose", "numbered", "lines"]
+    layouts: list[_Layout] = ["prose", "numbered", "lines"]
     weights = [1.0, 0.0, 0.0] if spoken else [0.68, 0.24, 0.08]
     layout = layouts[int(rng.choice(3, p=weights))]
     markers = ["{n}.", "{n})", "Step {n}:", "({n})"]
     marker = str(rng.choice(markers, p=[0.55, 0.2, 0.15, 0.1]))
-    units: list[Unit] = ["metres", "steps", "seconds"]
+    units: list[SpokenUnit] = ["metres", "steps", "seconds"]
     shares = [0.55, 0.3, 0.15] if spoken else [0.7, 0.22, 0.08]
     unit = units[int(rng.choice(3, p=shares))]
     please = bool(rng.random() < 0.15)
     with_fillers = bool(rng.random() < 0.55)
     fillers = FILLERS[int(rng.choice(len(FILLERS)))]
     contracted = bool(rng.random() < (0.9 if spoken else 0.5))
-    known = {field.name for field in fields(Surface)}
+    known = {field.name for field in fields(SpeechMarks)}
     given = {name: share for name, share in (changes or {}).items() if name in known}
     surface = replace(ONSITE if spoken else ONLINE, **given)
     forced = "filler" in given and given["filler"] > 0

@@ -12,7 +12,7 @@ import pytest
 
 from memorymaze.agents.agent import Journal
 from memorymaze.agents.guide.arriving import Ending
-from memorymaze.agents.guide.choosing import Step
+from memorymaze.agents.guide.choosing import _Step
 from memorymaze.agents.guide.search import Search
 from memorymaze.agents.guide.walk_log import DOOR, way_name
 from memorymaze.agents.walking.floor_map import Crossing, FloorMap, Sighting, Stretch
@@ -184,7 +184,7 @@ class Believes:
         step = search._choice.best()
         return self._do(step, search, log.at)
 
-    def _do(self, step: Step | None, search: Search, at: int) -> str:
+    def _do(self, step: _Step | None, search: Search, at: int) -> str:
         if step is None:
             return _say("give_up")
         if not isinstance(step, Ending):

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 from memorymaze.perception.turning_points.junctions import (
-    Junction,
+    FreeSurroundings,
+    SensedJunction,
     SensedWay,
-    Surroundings,
     crossing,
     is_turning_point,
     is_worth_telling,
@@ -17,13 +17,13 @@ from memorymaze.perception.turning_points.local_map import CELL
 MIDDLE = 64
 
 
-def floor_of(*boxes: tuple[float, float, float, float]) -> Surroundings:
+def floor_of(*boxes: tuple[float, float, float, float]) -> FreeSurroundings:
     """Free floor of boxes (west, south, east, north), metres from the middle."""
     free = np.zeros((2 * MIDDLE + 1, 2 * MIDDLE + 1), dtype=bool)
     for bounds in boxes:
         west, south, east, north = (round(each / CELL) + MIDDLE for each in bounds)
         free[west : east + 1, south : north + 1] = True
-    return Surroundings(free)
+    return FreeSurroundings(free)
 
 
 def test_the_middle_is_where_the_room_is_greatest() -> None:
@@ -106,7 +106,7 @@ def test_straight_on_alone_is_not_told() -> None:
 
 
 def test_what_most_sightings_tell_is_believed() -> None:
-    junction = Junction(0, 0, 1.5)
+    junction = SensedJunction(0, 0, 1.5)
     for seen in ((0, 90, 180), (2, 88, 180), (0, 180), (-1, 91, 180, -90)):
         junction.see(0.1, -0.1, 1.5, ways(*seen), 1.0)
     headings = sorted(math.degrees(each.heading) for each in junction.ways())
@@ -115,7 +115,7 @@ def test_what_most_sightings_tell_is_believed() -> None:
 
 
 def test_it_holds_what_lies_between_the_edges_of_its_ways() -> None:
-    junction = Junction(0, 0, 1.5)
+    junction = SensedJunction(0, 0, 1.5)
     junction.see(0, 0, 1.5, ways(0, 90, 180), 1.0)
     assert junction.holds(1.1, 0, 0)
     assert not junction.holds(1.5, 0, 0)

@@ -9,7 +9,7 @@ from memorymaze.errors import SettingsError
 from memorymaze.pictures.furniture.conversion import (
     build_cache,
     library_files,
-    pieces_of,
+    library_pieces,
 )
 from memorymaze.pictures.furniture.models import (
     cache_folder,
@@ -24,7 +24,7 @@ TABLE = Order("table", 1.2, 0.8, 0.7)
 
 def test_libraries_tell_names_sizes_and_creators(library_folder: Path) -> None:
     [library] = library_files(library_folder)
-    cone, table = pieces_of(library).values()
+    cone, table = library_pieces(library).values()
     assert (cone.id, cone.name, cone.creator) == ("Scopia/cone", "Kägel", "Ada Maker")
     assert cone.size == (0.4, 0.4, 0.7)
     assert (table.creator, table.licence) == ("Scopia", "CC BY 3.0")
@@ -123,4 +123,4 @@ def test_a_folder_without_libraries_is_told_with_what_to_install(
         library_files(tmp_path)
     (tmp_path / "Scopia.sh3f").write_bytes(b"no archive")
     with pytest.raises(SettingsError, match=r"Scopia\.sh3f: expected a furniture"):
-        pieces_of(tmp_path / "Scopia.sh3f")
+        library_pieces(tmp_path / "Scopia.sh3f")

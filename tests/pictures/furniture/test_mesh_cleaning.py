@@ -4,16 +4,16 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from memorymaze.pictures.furniture.mesh_cleaning import (
-    Surface,
+    MaterialSurface,
     cleaned,
     finished,
     thinned,
 )
 
 
-def ball(rings: int) -> Surface:
+def ball(rings: int) -> MaterialSurface:
     mesh = trimesh.creation.uv_sphere(count=[rings, rings])
-    return cleaned(Surface(np.array(mesh.vertices), np.array(mesh.faces)))
+    return cleaned(MaterialSurface(np.array(mesh.vertices), np.array(mesh.faces)))
 
 
 def volume(vertices: np.ndarray, faces: np.ndarray) -> float:
@@ -29,7 +29,9 @@ def test_a_closed_body_faces_outward_however_its_faces_were_wound(
     box = trimesh.creation.box()
     faces = np.array(box.faces)
     mixed = np.where(np.array(turned)[:, None], faces[:, ::-1], faces)
-    once = cleaned(Surface(np.array(box.vertices), np.concatenate([mixed, mixed])))
+    once = cleaned(
+        MaterialSurface(np.array(box.vertices), np.concatenate([mixed, mixed]))
+    )
     vertices, faces, normals, _ = finished(once)
     assert len(faces) == 12
     assert np.isclose(volume(vertices, faces), 1.0)
@@ -39,7 +41,7 @@ def test_a_closed_body_faces_outward_however_its_faces_were_wound(
 
 
 def test_an_open_surface_is_seen_from_both_sides() -> None:
-    square = Surface(
+    square = MaterialSurface(
         np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], dtype=float),
         np.array([[0, 1, 2], [0, 2, 3]]),
     )
@@ -63,7 +65,7 @@ def test_foliage_loses_leaves_and_stays_as_large() -> None:
     middles = rng.uniform(-1, 1, (500, 1, 3))
     leaf = np.array([[0, 0, 0], [0.05, 0, 0], [0, 0.05, 0.02]])
     vertices = (middles + leaf).reshape(-1, 3)
-    leaves = Surface(vertices, np.arange(1500).reshape(-1, 3))
+    leaves = MaterialSurface(vertices, np.arange(1500).reshape(-1, 3))
     after = thinned(leaves, 100, np.random.default_rng(0))
     assert 60 <= len(after.faces) <= 140
     left = after.vertices[np.unique(after.faces)]

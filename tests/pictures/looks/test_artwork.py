@@ -6,8 +6,8 @@ GREY = (0.5, 0.5, 0.5)
 
 
 def test_posters_show_their_words_and_differ_by_them():
-    first = artwork.poster(0.6, 0.85, "CHESS CLUB", GREY, 1)
-    second = artwork.poster(0.6, 0.85, "JAZZ BAND", GREY, 1)
+    first = artwork.poster_picture(0.6, 0.85, "CHESS CLUB", GREY, 1)
+    second = artwork.poster_picture(0.6, 0.85, "JAZZ BAND", GREY, 1)
     changed = np.nonzero((first != second).any(axis=2))[0]
     assert len(changed)
     assert changed.max() < 0.65 * len(first)
@@ -22,14 +22,14 @@ def test_screens_keep_their_picture_beside_their_words():
 
 
 def test_notice_boards_and_panels_come_in_variants():
-    for draw in (artwork.cork_board, artwork.headlined, artwork.poster):
+    for draw in (artwork.cork_board, artwork.headlined, artwork.poster_picture):
         pictures = [draw(1.5, 1.1, "NEWS", GREY, each) for each in range(3)]
         assert not np.array_equal(pictures[0], pictures[1])
 
 
 def test_pictures_are_read_only_and_kept():
-    first = artwork.painting(1.0, 0.7, GREY, 0)
-    assert first is artwork.painting(1.0, 0.7, GREY, 0)
+    first = artwork.painting_picture(1.0, 0.7, GREY, 0)
+    assert first is artwork.painting_picture(1.0, 0.7, GREY, 0)
     assert not first.flags.writeable
 
 
@@ -51,8 +51,8 @@ def test_the_earth_has_land_and_sea_where_they_are():
 
 
 def test_a_floor_map_marks_where_one_is():
-    plan = artwork.floor_map(1.6, 1.2, "You are here", (0.93, 0.93, 0.92), 0).astype(
-        int
-    )
+    plan = artwork.floor_map_picture(
+        1.6, 1.2, "You are here", (0.93, 0.93, 0.92), 0
+    ).astype(int)
     red = (plan[:, :, 0] > 180) & (plan[:, :, 1] < 60)
     assert 20 < red.sum() < 0.02 * red.size

@@ -14,11 +14,17 @@ from memorymaze.pictures.looks.shapes import (
     joined,
     lathed,
     plate,
-    smoothed,
+    smoothed_shape,
     tapered,
     triangles_of,
 )
-from memorymaze.pictures.looks.tubes import leaves, limb, lofted, ring, tube
+from memorymaze.pictures.looks.tubes import (
+    ellipse_ring,
+    limb,
+    lofted,
+    plant_leaves,
+    tube,
+)
 
 L_SHAPE = [(0.0, 0.0), (2.0, 0.0), (2.0, 1.0), (1.0, 1.0), (1.0, 3.0), (0.0, 3.0)]
 SHAPES = {
@@ -33,7 +39,7 @@ SHAPES = {
     "along y": (extruded(L_SHAPE, (1, 3), "y"), 8.0),
     "along z": (extruded(L_SHAPE[::-1], (1, 3), "z"), 8.0),
     "tube": (tube([(0, 0, 0), (0, 0, 2)], 1.0, 200), 2 * math.pi),
-    "loft": (lofted([ring((0, 0, z), 1, 1, 200) for z in (0, 2)]), 2 * math.pi),
+    "loft": (lofted([ellipse_ring((0, 0, z), 1, 1, 200) for z in (0, 2)]), 2 * math.pi),
 }
 
 
@@ -122,14 +128,14 @@ def test_a_closed_tube_is_a_ring_without_ends():
 
 
 def test_leaves_are_thin_and_closed():
-    blade = leaves(np.zeros((1, 3)), np.array([[1.0, 0.0, 0.3]]), np.array([0.2]))
+    blade = plant_leaves(np.zeros((1, 3)), np.array([[1.0, 0.0, 0.3]]), np.array([0.2]))
     assert len(blade.faces) == 4
     assert 0 < volume(blade) < 0.02
 
 
 def test_triangles_without_area_are_dropped():
     points = np.array([(0.0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 0, 0)])
-    assert len(smoothed(points, np.array([(0, 1, 2), (0, 1, 3)])).faces) == 1
+    assert len(smoothed_shape(points, np.array([(0, 1, 2), (0, 1, 3)])).faces) == 1
 
 
 def test_joined_shapes_keep_their_faces_apart():

@@ -19,7 +19,7 @@ from memorymaze.pictures.rendering import (
     VisualScene,
     build_visual_scene,
 )
-from memorymaze.pictures.rendering.floor_plan import Surroundings
+from memorymaze.pictures.rendering.floor_plan import WallSurroundings
 from memorymaze.simulation.motion.wheeled_base import ROBOT_GROUP
 from memorymaze.simulation.scene import Scene, build_scene
 from memorymaze.sites import load_sites
@@ -71,7 +71,7 @@ def before(door: Door, site: Site) -> Pose:
 
 
 def doors_to_rooms(site: Site) -> Iterator[tuple[Door, Pose]]:
-    surroundings = Surroundings(site)
+    surroundings = WallSurroundings(site)
     for door in site.doors:
         pose = before(door, site)
         middle = door.line.interpolate(0.5, normalized=True)

@@ -9,7 +9,7 @@ from shapely import LineString, box
 from memorymaze.pictures.looks import surfaces
 from memorymaze.pictures.rendering.floor_plan import (
     Opening,
-    Surroundings,
+    WallSurroundings,
     floor_parts,
     openings_of,
     sliced,
@@ -82,7 +82,7 @@ def test_ceilings_are_missing_only_in_the_open_air(two_rooms: Site) -> None:
 def test_what_is_behind_a_wall_decides_what_one_sees(corridor_site: Site) -> None:
     west, _, east, north = corridor_site.walkable_floor.bounds
     room = Room("r", box(west, north + 0.1, west + 5, north + 4), "Office", "office")
-    surroundings = Surroundings(replace(corridor_site, rooms=(room,)))
+    surroundings = WallSurroundings(replace(corridor_site, rooms=(room,)))
     assert surroundings.behind(west + 2, north, math.pi / 2)[0] == "room"
     assert surroundings.behind(east - 2, north, math.pi / 2)[0] == "outdoors"
 
@@ -96,8 +96,8 @@ def test_a_hole_in_the_floor_is_indoors_unless_it_is_beside_the_open_air(
     ring = replace(hall, polygon=hall.polygon.difference(hole))
     inside = replace(two_rooms, areas=(ring, *two_rooms.areas[1:]))
     terrace = replace(inside, areas=(replace(ring, open_air=True), *inside.areas[1:]))
-    assert Surroundings(inside).behind(x - 1, y, 0.0)[0] == "room"
-    assert Surroundings(terrace).behind(x - 1, y, 0.0)[0] == "outdoors"
+    assert WallSurroundings(inside).behind(x - 1, y, 0.0)[0] == "room"
+    assert WallSurroundings(terrace).behind(x - 1, y, 0.0)[0] == "outdoors"
 
 
 def empty_metres(site: Site) -> float:

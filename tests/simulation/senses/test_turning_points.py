@@ -6,7 +6,7 @@ from shapely import box
 
 from memorymaze.geometry.pose import Pose
 from memorymaze.simulation.scene import build_scene
-from memorymaze.simulation.senses.turning_points import AnnotatedTurningPoints, Visit
+from memorymaze.simulation.senses.turning_points import AnnotatedTurningPoints, _Visit
 from memorymaze.sites import Site
 
 
@@ -59,7 +59,7 @@ def test_turning_is_done_where_the_middle_lines_meet(
         chosen = min(
             point.exits, key=lambda each: abs(math.degrees(each.heading) - way_out)
         )
-        visit = Visit(point, build_scene(site))
+        visit = _Visit(point, build_scene(site))
         place = visit.meeting_point(chosen, come_from, math.radians(course))
         assert place == pytest.approx(expected, abs=0.01)
 
@@ -67,6 +67,6 @@ def test_turning_is_done_where_the_middle_lines_meet(
 def test_an_exit_into_an_area_is_taken_through_the_centre(two_rooms: Site) -> None:
     point = next(each for each in two_rooms.turning_points if each.id == "tp_west")
     hall = next(each for each in point.exits if each.to == "west_hall")
-    visit = Visit(point, build_scene(two_rooms))
+    visit = _Visit(point, build_scene(two_rooms))
     place = visit.meeting_point(hall, (5, 2.5), math.pi / 2)
     assert place == pytest.approx((5, 3), abs=0.01)

@@ -15,8 +15,8 @@ from memorymaze.instructions import load_instructions
 from memorymaze.instructions.records import Failure
 from memorymaze.sites import Site
 from memorymaze.studies.exporting import export_study
-from memorymaze.studies.interviews.records import Interviews, Record
-from memorymaze.studies.labels.marking import crossed, read_marks
+from memorymaze.studies.interviews.records import InterviewRecord, Interviews
+from memorymaze.studies.labels.marking import points_crossed, read_marks
 from memorymaze.studies.serving import serving_study
 from memorymaze.studies.store import Store, open_store
 from memorymaze.studies.study_file import Study
@@ -39,7 +39,7 @@ def interview(store: Store, who: str = WHO, **texts: str) -> None:
     }
     interviews, now = Interviews(store), time.time()
     records = [
-        Record(f"{who}-{n:03}", who, step, now - 9, now)
+        InterviewRecord(f"{who}-{n:03}", who, step, now - 9, now)
         for n, step in enumerate(["consent", "familiarity.R1", *told, "done"])
     ]
     assert interviews.begin(records[0], "R1, R2", "I agree") == "kept"
@@ -187,7 +187,7 @@ def test_whose_recordings_are_not_written_down_is_left_out_and_counted(
 
 
 def test_places_of_a_way_of_the_plan_mean_that_way(t_site: Site) -> None:
-    assert crossed(t_site, t_site.reference_route("R1")) == (
+    assert points_crossed(t_site, t_site.reference_route("R1")) == (
         "tp_south_end",
         "tp_junction",
         "tp_west_end",

@@ -22,7 +22,7 @@ SURELY_TOLD = 0.8
 SHORT_WALK = 80.0
 """Metres that are never too many."""
 
-Step = Frontier | Ending
+_Step = Frontier | Ending
 """What one may do next: walk a way that is new, or arrive."""
 
 
@@ -126,7 +126,7 @@ class Choice:
         """Return how likely a place is the one to arrive at."""
         return min(self.mass_about(ending) / self._tellings.total, 1.0)
 
-    def best(self) -> Step | None:
+    def best(self) -> _Step | None:
         """Return what to do next; None where nothing is left."""
         frontier, ending = self.best_frontier(), self.best_ending()
         if frontier is None:

@@ -22,7 +22,7 @@ OWN_FIELD = "memorymaze"
 """Where a foreign record keeps what its format has no place for."""
 
 
-Read = TypeVar("Read")
+_Read = TypeVar("_Read")
 
 
 class Unlabelled(NamedTuple):
@@ -131,7 +131,7 @@ def site_called(name: str, sites: Mapping[str, Site], place: str) -> Site:
     return sites[name]
 
 
-def read_as(adapter: TypeAdapter[Read], path: Path, what: str) -> Read:
+def read_as(adapter: TypeAdapter[_Read], path: Path, what: str) -> _Read:
     """Read a JSON file, gzipped or not, that holds what an adapter says.
 
     Raises:

@@ -45,7 +45,7 @@ TOKEN = re.compile(r"\w+|[^\w\s]")
 SHORTEST = 200
 """Numbers per text at least, as in VLN-CE's preprocessed files."""
 
-Position = Annotated[list[FiniteFloat], Field(min_length=3, max_length=3)]
+_Position = Annotated[list[FiniteFloat], Field(min_length=3, max_length=3)]
 
 
 class _Text(BaseModel):
@@ -59,10 +59,10 @@ class _Episode(BaseModel):
 
     episode_id: int | str
     scene_id: str
-    start_position: Position
+    start_position: _Position
     start_rotation: Annotated[list[FiniteFloat], Field(min_length=4, max_length=4)]
     instruction: _Text
-    reference_path: Annotated[list[Position], Field(min_length=2)]
+    reference_path: Annotated[list[_Position], Field(min_length=2)]
     info: dict[str, Any] = {}
 
 

@@ -21,16 +21,16 @@ from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, ValidationError
 from memorymaze.errors import InstructionFileError
 from memorymaze.input_files import mistakes, read_file, read_text
 from memorymaze.instructions.sail.records import (
-    Cell,
-    Hall,
     Maze,
+    MazeCell,
+    MazeHall,
+    MazeNode,
     MazeTexts,
-    Node,
     Paragraph,
     check_texts,
 )
 
-Read = TypeVar("Read")
+_Read = TypeVar("_Read")
 
 MAZES, PARAGRAPHS = "maps.json", "instructions.jsonl"
 
@@ -128,7 +128,7 @@ def _mazes(path: Path) -> dict[str, Maze]:
 
 
 def _maze(name: str, read: _Map, path: Path) -> Maze:
-    positions: dict[int, Cell] = {}
+    positions: dict[int, MazeCell] = {}
     for number, cell in read.positions.items():
         if not number.isdecimal():
             raise InstructionFileError(
@@ -138,8 +138,8 @@ def _maze(name: str, read: _Map, path: Path) -> Maze:
         positions[int(number)] = cell
     return Maze(
         name,
-        tuple(Node((node.x, node.y), node.object) for node in read.nodes),
-        tuple(Hall((edge.a, edge.b), edge.floor, edge.wall) for edge in read.edges),
+        tuple(MazeNode((node.x, node.y), node.object) for node in read.nodes),
+        tuple(MazeHall((edge.a, edge.b), edge.floor, edge.wall) for edge in read.edges),
         positions,
     )
 
@@ -170,7 +170,7 @@ def _paragraphs(path: Path) -> tuple[Paragraph, ...]:
     return tuple(paragraphs)
 
 
-def _valid(read: Callable[[str], Read], text: str, place: str) -> Read:
+def _valid(read: Callable[[str], _Read], text: str, place: str) -> _Read:
     try:
         return read(text)
     except ValidationError as error:
@@ -192,7 +192,7 @@ def _read_original_layout(folder: Path) -> MazeTexts:
     source = folder / "data" / "Paragraph.xml"
     examples = _root(source).findall("example")
     read = [_example(each, mazes, source) for each in examples]
-    votes: dict[tuple[str, int], Counter[Cell]] = {}
+    votes: dict[tuple[str, int], Counter[MazeCell]] = {}
     for each in read:
         if each.cells:
             for number, cell in (
@@ -217,14 +217,14 @@ def _root(path: Path) -> ElementTree.Element:
 def _original_maze(path: Path) -> Maze:
     root = _root(path)
     nodes = [
-        Node(
+        MazeNode(
             _cell(f"{node.get('x')},{node.get('y')}", path),
             node.get("item") or None,
         )
         for node in root.iterfind("nodes/node")
     ]
     halls = [
-        Hall(
+        MazeHall(
             (_cell(edge.get("node1"), path), _cell(edge.get("node2"), path)),
             edge.get("floor") or "unknown",
             edge.get("wall") or "unknown",
@@ -234,7 +234,7 @@ def _original_maze(path: Path) -> Maze:
     return Maze(root.get("name") or path.stem, tuple(nodes), tuple(halls), {})
 
 
-def _cell(text: str | None, path: Path) -> Cell:
+def _cell(text: str | None, path: Path) -> MazeCell:
     match = _CELL.fullmatch(text or "")
     if match is None:
         raise InstructionFileError(
@@ -250,7 +250,7 @@ class _Example(NamedTuple):
     goal: int
     version: str
     text: str
-    cells: list[Cell]
+    cells: list[MazeCell]
 
 
 def _example(
@@ -304,7 +304,7 @@ def _paragraph(example: _Example, maze: Maze) -> Paragraph | None:
     )
 
 
-def _is_legal(cells: list[Cell], maze: Maze) -> bool:
+def _is_legal(cells: list[MazeCell], maze: Maze) -> bool:
     return all(
         here == there or there in maze.neighbours.get(here, ())
         for here, there in pairwise(cells)

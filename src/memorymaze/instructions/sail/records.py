@@ -9,24 +9,24 @@ from functools import cached_property
 
 from memorymaze.errors import InstructionFileError
 
-Cell = tuple[int, int]
+MazeCell = tuple[int, int]
 """Column and row of a node; columns grow east, rows grow SOUTH."""
 
 
 @dataclass(frozen=True, slots=True)
-class Node:
+class MazeNode:
     """A place where one can stand and turn."""
 
-    cell: Cell
+    cell: MazeCell
     thing: str | None
     """The piece of furniture that stands there, such as `easel`."""
 
 
 @dataclass(frozen=True, slots=True)
-class Hall:
+class MazeHall:
     """A way between two neighbouring nodes, of length 1."""
 
-    ends: tuple[Cell, Cell]
+    ends: tuple[MazeCell, MazeCell]
     floor: str
     """Such as `brick`."""
     wall: str
@@ -38,15 +38,15 @@ class Maze:
     """One map."""
 
     name: str
-    nodes: tuple[Node, ...]
-    halls: tuple[Hall, ...]
-    positions: dict[int, Cell]
+    nodes: tuple[MazeNode, ...]
+    halls: tuple[MazeHall, ...]
+    positions: dict[int, MazeCell]
     """The numbered starts and goals; nothing in the maze shows them."""
 
     @cached_property
-    def neighbours(self) -> dict[Cell, list[Cell]]:
+    def neighbours(self) -> dict[MazeCell, list[MazeCell]]:
         """Cells one can walk to from each, in the order east, south, west, north."""
-        found: dict[Cell, list[Cell]] = {node.cell: [] for node in self.nodes}
+        found: dict[MazeCell, list[MazeCell]] = {node.cell: [] for node in self.nodes}
         for hall in self.halls:
             first, second = hall.ends
             found[first].append(second)
@@ -56,9 +56,9 @@ class Maze:
             cells.sort(key=steps.index)
         return found
 
-    def shortest_way(self, start: Cell, goal: Cell) -> list[Cell] | None:
+    def shortest_way(self, start: MazeCell, goal: MazeCell) -> list[MazeCell] | None:
         """Return the cells of a shortest walk, both ends included; None without one."""
-        came_from: dict[Cell, Cell] = {start: start}
+        came_from: dict[MazeCell, MazeCell] = {start: start}
         queue = [start]
         for cell in queue:
             for following in self.neighbours[cell]:
@@ -83,8 +83,8 @@ class Paragraph:
     writer: str
     start_position: int
     goal_position: int
-    start: Cell
-    goal: Cell
+    start: MazeCell
+    goal: MazeCell
     text: str
     """Lower case; sentences with ` . ` between them."""
     usable: bool

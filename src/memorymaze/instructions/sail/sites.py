@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 from typing import Any
 
-from memorymaze.instructions.sail.records import Cell, Hall, Maze
+from memorymaze.instructions.sail.records import Maze, MazeCell, MazeHall
 from memorymaze.sites import Site
 from memorymaze.sites.loading import sound_site
 from memorymaze.sites.reading import understand_plan
@@ -49,7 +49,7 @@ THINGS: dict[str, tuple[str, str | None, tuple[float, float, float]]] = {
 _CORNER = 0.72
 """Metres from the middle of a node to its furniture, east and north."""
 _SHAPES = {1: "dead_end", 3: "t_junction", 4: "crossing"}
-Feature = dict[str, Any]
+_Feature = dict[str, Any]
 
 
 def site_name(maze: str) -> str:
@@ -99,11 +99,11 @@ class _Builder:
         self._west = min(node.cell[0] for node in maze.nodes)
         self._south = max(node.cell[1] for node in maze.nodes)
 
-    def place(self, cell: Cell) -> tuple[float, float]:
+    def place(self, cell: MazeCell) -> tuple[float, float]:
         """Return the middle of a node, metres; rows grow south, y grows north."""
         return (cell[0] - self._west) * EDGE, (self._south - cell[1]) * EDGE
 
-    def features(self) -> Iterator[Feature]:
+    def features(self) -> Iterator[_Feature]:
         for hall in self._maze.halls:
             yield self._corridor(hall)
             yield from self._looks(hall)
@@ -118,7 +118,7 @@ class _Builder:
                 if way is not None and len(way) > 1:
                     yield self._route(start, goal, way)
 
-    def _corridor(self, hall: Hall) -> Feature:
+    def _corridor(self, hall: MazeHall) -> _Feature:
         (ax, ay), (bx, by) = map(self.place, hall.ends)
         half = HALL_WIDTH / 2
         dx, dy = (bx - ax) / EDGE * half, (by - ay) / EDGE * half
@@ -138,7 +138,7 @@ class _Builder:
             wall_material="plaster",
         )
 
-    def _looks(self, hall: Hall) -> Iterator[Feature]:
+    def _looks(self, hall: MazeHall) -> Iterator[_Feature]:
         (ax, ay), (bx, by) = map(self.place, hall.ends)
         x, y = (ax + bx) / 2, (ay + by) / 2
         along = math.degrees(math.atan2(by - ay, bx - ax)) % 360
@@ -164,7 +164,7 @@ class _Builder:
                 mount="wall",
             )
 
-    def _turning_point(self, cell: Cell) -> Feature:
+    def _turning_point(self, cell: MazeCell) -> _Feature:
         x, y = self.place(cell)
         half = HALL_WIDTH / 2
         ways = self._maze.neighbours[cell]
@@ -195,7 +195,7 @@ class _Builder:
             exits=exits,
         )
 
-    def _furniture(self, cell: Cell, thing: str) -> Feature:
+    def _furniture(self, cell: MazeCell, thing: str) -> _Feature:
         x, y = self.place(cell)
         category, name, size = THINGS.get(thing, (thing, None, (0.45, 0.45, 1.0)))
         return _landmark(
@@ -206,7 +206,7 @@ class _Builder:
             225.0,
         )
 
-    def _route(self, start: int, goal: int, way: list[Cell]) -> Feature:
+    def _route(self, start: int, goal: int, way: list[MazeCell]) -> _Feature:
         line = [self.place(cell) for cell in way]
         headings = [
             math.degrees(math.atan2(b[1] - a[1], b[0] - a[0]))
@@ -238,17 +238,17 @@ class _Builder:
         }
 
 
-def _word(cell: Cell) -> str:
+def _word(cell: MazeCell) -> str:
     return f"{cell[0]}_{cell[1]}".replace("-", "m")
 
 
-def _between(hall: Hall) -> str:
+def _between(hall: MazeHall) -> str:
     return "_".join(_word(cell) for cell in hall.ends)
 
 
 def _polygon(
     identity: str, corners: list[tuple[float, float]], **properties: Any
-) -> Feature:
+) -> _Feature:
     return {
         "type": "Feature",
         "id": identity,
@@ -264,7 +264,7 @@ def _landmark(
     size: tuple[float, float, float],
     heading_deg: float,
     mount: str = "floor",
-) -> Feature:
+) -> _Feature:
     category, color, name = words
     return {
         "type": "Feature",

@@ -16,12 +16,12 @@ from memorymaze.geometry.points import FloatArray
 from memorymaze.geometry.pose import Pose, turn_between, wrap_angle
 from memorymaze.perception.turning_points.junctions import (
     REACH,
-    SAME_PLACE,
-    SAME_WAY,
-    Junction,
+    SAME_DIRECTION,
+    SAME_JUNCTION,
+    FreeSurroundings,
     Mouth,
+    SensedJunction,
     SensedWay,
-    Surroundings,
     crossing,
     is_turning_point,
     is_worth_telling,
@@ -81,11 +81,11 @@ class TurningPointFinder:
         """Begin knowing nothing."""
         self._map = LocalMap()
         self._walls = WallDirections()
-        self._junctions: list[Junction] = []
+        self._junctions: list[SensedJunction] = []
         self._numbers = 0
         self._pose: Pose | None = None
         self._trail: deque[tuple[float, float]] = deque(maxlen=TRAIL)
-        self._inside: Junction | None = None
+        self._inside: SensedJunction | None = None
         self._came_from = 0.0
         self._start_back = 0.0
         self._current: SensedTurningPoint | None = None
@@ -119,7 +119,7 @@ class TurningPointFinder:
 
     def _look(self, pose: Pose) -> None:
         """Take the ways around the robot for a sighting of a turning point."""
-        surroundings = Surroundings(self._map.free)
+        surroundings = FreeSurroundings(self._map.free)
         cell = self._map.cell(pose.x, pose.y)
         middle = surroundings.middle(cell)
         centre = self._map.place(*middle)
@@ -134,7 +134,7 @@ class TurningPointFinder:
         known = self._known_near(meeting)
         if is_turning_point(ways):
             if known is None:
-                known = Junction(*meeting, radius)
+                known = SensedJunction(*meeting, radius)
                 self._junctions.append(known)
             weight = math.exp(-((math.dist(meeting, centre) / CLOSE) ** 2))
             known.see(*meeting, radius, ways, max(weight, FROM_AFAR))
@@ -142,18 +142,18 @@ class TurningPointFinder:
             # Where the lines of a straight way meet tells nothing of a place.
             known.see(known.x, known.y, known.radius, ways, 1.0)
 
-    def _known_near(self, place: tuple[float, float]) -> Junction | None:
+    def _known_near(self, place: tuple[float, float]) -> SensedJunction | None:
         nearest = min(
             self._junctions,
             key=lambda each: math.dist((each.x, each.y), place),
             default=None,
         )
-        if nearest is None or math.dist((nearest.x, nearest.y), place) > SAME_PLACE:
+        if nearest is None or math.dist((nearest.x, nearest.y), place) > SAME_JUNCTION:
             return None
         return nearest
 
     def _ways(
-        self, surroundings: Surroundings, mouth: Mouth, radius: float
+        self, surroundings: FreeSurroundings, mouth: Mouth, radius: float
     ) -> list[SensedWay]:
         """Look along what begins at a mouth: no way, one, or two at a slant.
 
@@ -174,7 +174,7 @@ class TurningPointFinder:
         between = (headings + headings[first]) / 2
         wedge = depths - surroundings.depths(mouth, between)
         for other in np.flatnonzero((depths >= enough) & (wedge > WEDGE)):
-            if abs(headings[other] - headings[first]) > SAME_WAY:
+            if abs(headings[other] - headings[first]) > SAME_DIRECTION:
                 heading = wrap_angle(float(headings[other]))
                 ways.append(SensedWay(x, y, heading, mouth.width))
         return ways
@@ -222,7 +222,7 @@ class TurningPointFinder:
                 inside.number, inside.x, inside.y, onward, back
             )
 
-    def _direction_of_trail(self, junction: Junction) -> float:
+    def _direction_of_trail(self, junction: SensedJunction) -> float:
         for x, y in reversed(self._trail):
             dx, dy = x - junction.x, y - junction.y
             if math.hypot(dx, dy) > junction.radius + 0.2:
@@ -235,7 +235,8 @@ def _one_per_heading(ways: Sequence[SensedWay]) -> list[SensedWay]:
     kept: list[SensedWay] = []
     for way in sorted(ways, key=lambda each: -each.width):
         if all(
-            abs(turn_between(way.heading, each.heading)) > SAME_WAY for each in kept
+            abs(turn_between(way.heading, each.heading)) > SAME_DIRECTION
+            for each in kept
         ):
             kept.append(way)
     return kept

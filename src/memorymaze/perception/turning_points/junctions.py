@@ -35,9 +35,9 @@ DOUBT = 0.02
 EVERY_NEIGHBOUR = np.ones((3, 3), dtype=bool)
 BEND = math.radians(15)
 """A way that bends less goes straight on: alone it makes no turning point."""
-SAME_WAY = math.radians(35)
+SAME_DIRECTION = math.radians(35)
 """Ways seen at less than this angle from each other are one."""
-SAME_PLACE = 2.0
+SAME_JUNCTION = 2.0
 """Metres between two sightings of one turning point."""
 MEMORY = 0.9
 """Share of a sighting's weight that is left at the next sighting."""
@@ -81,7 +81,7 @@ class SensedWay(NamedTuple):
         )
 
 
-class Surroundings:
+class FreeSurroundings:
     """Free floor around a robot, and the room on it."""
 
     def __init__(self, free: BoolArray) -> None:
@@ -217,7 +217,7 @@ class _Belief:
 
 
 @dataclass(slots=True)
-class Junction:
+class SensedJunction:
     """A turning point, or what may become one."""
 
     x: float
@@ -263,7 +263,7 @@ class Junction:
             )
             if (
                 same is None
-                or abs(turn_between(same.way.heading, way.heading)) > SAME_WAY
+                or abs(turn_between(same.way.heading, way.heading)) > SAME_DIRECTION
             ):
                 self.beliefs.append(_Belief(way, weight))
                 continue
@@ -276,7 +276,7 @@ class Junction:
         """Whether a place lies where the ways' strips cross."""
         ways = self.ways()
         dx, dy = x - self.x, y - self.y
-        if math.hypot(dx, dy) > SAME_PLACE + self.radius:
+        if math.hypot(dx, dy) > SAME_JUNCTION + self.radius:
             return False
         return all(
             dx * math.cos(way.heading) + dy * math.sin(way.heading)

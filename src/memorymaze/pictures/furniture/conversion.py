@@ -19,7 +19,7 @@ from PIL import Image
 from memorymaze.errors import SettingsError
 from memorymaze.extras import require_extra
 from memorymaze.pictures.furniture.mesh_cleaning import (
-    Surface,
+    MaterialSurface,
     cleaned,
     finished,
     thinned,
@@ -74,7 +74,7 @@ def build_cache(
     pieces = {
         piece.id: (piece, library)
         for library in libraries
-        for piece in pieces_of(library).values()
+        for piece in library_pieces(library).values()
     }
     place = cache_folder()
     place.parent.mkdir(parents=True, exist_ok=True)
@@ -106,7 +106,7 @@ def build_cache(
 
 
 @dataclass(frozen=True, slots=True)
-class Piece:
+class FurniturePiece:
     """An entry of a library's catalogue."""
 
     id: str
@@ -135,7 +135,7 @@ def library_files(folder: Path = DEBIAN_FOLDER) -> list[Path]:
     return found
 
 
-def pieces_of(library: Path) -> dict[str, Piece]:
+def library_pieces(library: Path) -> dict[str, FurniturePiece]:
     """Return the pieces of a library by id."""
     try:
         with ZipFile(library) as archive:
@@ -166,13 +166,13 @@ def _entries(text: str) -> Iterator[dict[str, str]]:
             yield entry
 
 
-def _piece(library: str, entry: dict[str, str]) -> Piece:
+def _piece(library: str, entry: dict[str, str]) -> FurniturePiece:
     member = entry["model"].lstrip("/")
     centimetres = (float(entry[key]) for key in ("width", "depth", "height"))
     length, depth, height = (each / 100 for each in centimetres)
     turned = [float(each) for each in entry.get("modelRotation", "").split()]
     rotation = np.array(turned).reshape(3, 3) if turned else np.eye(3)
-    return Piece(
+    return FurniturePiece(
         f"{library}/{Path(member).stem}",
         entry.get("name", Path(member).stem),
         member,
@@ -190,7 +190,7 @@ def check_tools() -> None:
     )
 
 
-def converted(piece: Piece, archive: ZipFile) -> ObjectModel:
+def converted(piece: FurniturePiece, archive: ZipFile) -> ObjectModel:
     """Convert a piece: cleaned, at most `MOST_TRIANGLES`, in its catalogue's size."""
     surfaces, looks = _read(piece, archive)
     surfaces = [cleaned(each) for each in surfaces]
@@ -218,10 +218,12 @@ def converted(piece: Piece, archive: ZipFile) -> ObjectModel:
     return ObjectModel(tuple(part for part in parts if len(part.faces)))
 
 
-def _read(piece: Piece, archive: ZipFile) -> tuple[list[Surface], list[Material]]:
+def _read(
+    piece: FurniturePiece, archive: ZipFile
+) -> tuple[list[MaterialSurface], list[Material]]:
     """Return a surface for each look, in our frame and in metres."""
     scene = _loaded(piece, archive)
-    found: dict[_Look, list[Surface]] = {}
+    found: dict[_Look, list[MaterialSurface]] = {}
     pictures: dict[bytes, NDArray[np.uint8]] = {}
     for mesh in scene.geometry.values():
         material = getattr(mesh.visual, "material", None)
@@ -231,7 +233,7 @@ def _read(piece: Piece, archive: ZipFile) -> tuple[list[Surface], list[Material]
         if picture is not None and uv is not None:
             key = picture.tobytes()
             pictures[key] = picture
-        surface = Surface(
+        surface = MaterialSurface(
             np.asarray(mesh.vertices, dtype=np.float64) @ piece.rotation.T @ AXES.T,
             np.asarray(mesh.faces, dtype=np.int64),
             None
@@ -250,7 +252,7 @@ def _read(piece: Piece, archive: ZipFile) -> tuple[list[Surface], list[Material]
     return surfaces, looks
 
 
-def _loaded(piece: Piece, archive: ZipFile) -> Any:
+def _loaded(piece: FurniturePiece, archive: ZipFile) -> Any:
     import trimesh
     from trimesh.resolvers import Resolver
 
@@ -313,17 +315,19 @@ def _picture(image: Any) -> NDArray[np.uint8] | None:
     return pixels
 
 
-def _bounds(surfaces: list[Surface]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def _bounds(
+    surfaces: list[MaterialSurface],
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     points = np.concatenate([each.vertices[np.unique(each.faces)] for each in surfaces])
     return points.min(axis=0), points.max(axis=0)
 
 
 def _joined(
-    group: list[Surface], shift: NDArray[np.float64], scale: NDArray[np.float64]
-) -> Surface:
+    group: list[MaterialSurface], shift: NDArray[np.float64], scale: NDArray[np.float64]
+) -> MaterialSurface:
     starts = np.cumsum([0, *(len(each.vertices) for each in group)])
     uv = [each.uv for each in group if each.uv is not None]
-    return Surface(
+    return MaterialSurface(
         (np.concatenate([each.vertices for each in group]) - shift) * scale,
         np.concatenate([
             each.faces + start for each, start in zip(group, starts, strict=False)
@@ -332,7 +336,7 @@ def _joined(
     )
 
 
-def _part(surface: Surface, look: Material) -> MeshPart:
+def _part(surface: MaterialSurface, look: Material) -> MeshPart:
     vertices, faces, normals, uv = finished(surface)
     return MeshPart(
         vertices.astype(np.float32),
@@ -356,7 +360,7 @@ def _save(model: ObjectModel, path: Path) -> None:
     np.savez_compressed(path, **arrays)
 
 
-def _credit(piece: Piece, archetype: str, model: ObjectModel) -> Credit:
+def _credit(piece: FurniturePiece, archetype: str, model: ObjectModel) -> Credit:
     main = max(model.parts, key=area_of).material
     red, green, blue = main.rgba[:3]
     if main.texture is not None:

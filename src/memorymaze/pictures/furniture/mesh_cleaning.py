@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from scipy.sparse import coo_array, csr_array
 from scipy.sparse.csgraph import breadth_first_order, connected_components
 
-from memorymaze.geometry.points import FloatArray
+from memorymaze.geometry.points import FloatArray, IntArray
 
 FLAT = 0.9999
 """Cosine between faces up to which they make a flat quad."""
@@ -27,28 +27,27 @@ LARGEST_LEAF = 40
 """Mean faces of a leaf up to which leaves need not be simplified themselves."""
 GROWTH = 1.7
 """Foliage that is left grows at most so much in length, for what was taken away."""
-Ints = NDArray[np.int64]
 CREASE = math.cos(math.radians(42))
 """Neighbouring faces that meet at less than this angle share their shading."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Surface:
+class MaterialSurface:
     """Triangles of one material."""
 
     vertices: FloatArray
     """(N, 3)."""
-    faces: Ints
+    faces: IntArray
     """(M, 3)."""
     uv: FloatArray | None = None
     """(N, 2)."""
 
 
-def cleaned(surface: Surface) -> Surface:
+def cleaned(surface: MaterialSurface) -> MaterialSurface:
     """Join equal vertices; drop faces without area and faces that lie twice."""
     span = float(np.ptp(surface.vertices, axis=0).max()) or 1.0
     keys = np.round(surface.vertices / (span * 1e-5))
-    places = numbered(keys)
+    places = row_numbers(keys)
     if surface.uv is not None:
         keys = np.column_stack([keys, np.round(surface.uv * 1e4)])
     _, first, joined = np.unique(keys, axis=0, return_index=True, return_inverse=True)
@@ -63,17 +62,17 @@ def cleaned(surface: Surface) -> Surface:
     spots[places] = surface.vertices
     faces = faces[~_split_the_other_way(spots, corners)]
     uv = None if surface.uv is None else surface.uv[first]
-    return Surface(surface.vertices[first], faces, uv)
+    return MaterialSurface(surface.vertices[first], faces, uv)
 
 
-def _split_the_other_way(spots: FloatArray, corners: Ints) -> NDArray[np.bool_]:
+def _split_the_other_way(spots: FloatArray, corners: IntArray) -> NDArray[np.bool_]:
     """Find quads that lie twice, cut along both diagonals, and tell the second cuts.
 
     The faces' corners (M, 3) are numbers of spots (N, 3), ascending.
     """
     again = np.zeros(len(corners), dtype=bool)
     sides = np.concatenate([corners[:, [0, 1]], corners[:, [1, 2]], corners[:, [0, 2]]])
-    first, second = pairs_in_groups(numbered(sides))
+    first, second = pairs_in_groups(row_numbers(sides))
     first, second = first % len(corners), second % len(corners)
     pairs = np.column_stack([first, second])[first < second]
     if not len(pairs):
@@ -88,8 +87,8 @@ def _split_the_other_way(spots: FloatArray, corners: Ints) -> NDArray[np.bool_]:
     second_up = directions(np.cross(there - here, right - here))
     flat = np.einsum("ij,ij->i", first_up, second_up) < -FLAT
     pairs, four, twice = pairs[flat], four[flat], twice[flat]
-    quads = numbered(four[~twice].reshape(-1, 4))
-    cuts = numbered(four[twice].reshape(-1, 2))
+    quads = row_numbers(four[~twice].reshape(-1, 4))
+    cuts = row_numbers(four[twice].reshape(-1, 2))
     first_cut: dict[int, int] = {}
     needed = np.zeros(len(corners), dtype=bool)
     for row, (quad, pair) in enumerate(zip(quads.tolist(), pairs, strict=True)):
@@ -106,7 +105,9 @@ def _split_the_other_way(spots: FloatArray, corners: Ints) -> NDArray[np.bool_]:
     return again
 
 
-def thinned(surface: Surface, target: int, rng: np.random.Generator) -> Surface:
+def thinned(
+    surface: MaterialSurface, target: int, rng: np.random.Generator
+) -> MaterialSurface:
     """Return a surface of about `target` faces or fewer that looks alike.
 
     Foliage loses whole leaves and the others grow (Cook, Halstead, Planck, Ryu 2007,
@@ -125,8 +126,8 @@ def thinned(surface: Surface, target: int, rng: np.random.Generator) -> Surface:
 
 
 def finished(
-    surface: Surface,
-) -> tuple[FloatArray, Ints, FloatArray, FloatArray | None]:
+    surface: MaterialSurface,
+) -> tuple[FloatArray, IntArray, FloatArray, FloatArray | None]:
     """Turn faces outward, show open surfaces from both sides, and shade smoothly.
 
     Returns vertices (N, 3), faces (M, 3), unit normals (N, 3) and pictures' (N, 2).
@@ -155,7 +156,7 @@ def finished(
     )
 
 
-def _collapsed(surface: Surface, target: int) -> Surface:
+def _collapsed(surface: MaterialSurface, target: int) -> MaterialSurface:
     """Collapse edges; gently if that is enough, and never at the cost of whole parts."""
     best = surface
     for hardness in HARDNESS:
@@ -168,7 +169,9 @@ def _collapsed(surface: Surface, target: int) -> Surface:
     return best
 
 
-def _collapsed_so_hard(surface: Surface, target: int, hardness: int) -> Surface:
+def _collapsed_so_hard(
+    surface: MaterialSurface, target: int, hardness: int
+) -> MaterialSurface:
     import fast_simplification
 
     points = surface.vertices.astype(np.float32)
@@ -188,17 +191,21 @@ def _collapsed_so_hard(surface: Surface, target: int, hardness: int) -> Surface:
             points, surface.faces.astype(np.int32), collapses
         )
         uv = _nearest_uv(surface, np.asarray(made), np.asarray(went_to))
-    return cleaned(Surface(np.asarray(made, float), np.asarray(faces, np.int64), uv))
+    return cleaned(
+        MaterialSurface(np.asarray(made, float), np.asarray(faces, np.int64), uv)
+    )
 
 
-def _areas(surface: Surface) -> FloatArray:
+def _areas(surface: MaterialSurface) -> FloatArray:
     """Return the area of each face."""
     corners = surface.vertices[surface.faces]
     across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     return np.linalg.norm(across, axis=1) / 2
 
 
-def _nearest_uv(surface: Surface, made: FloatArray, went_to: Ints) -> FloatArray:
+def _nearest_uv(
+    surface: MaterialSurface, made: FloatArray, went_to: IntArray
+) -> FloatArray:
     """Give each vertex the picture's place of the nearest one that became it."""
     assert surface.uv is not None
     distance = np.linalg.norm(surface.vertices - made[went_to], axis=1)
@@ -210,8 +217,8 @@ def _nearest_uv(surface: Surface, made: FloatArray, went_to: Ints) -> FloatArray
 
 
 def _fewer_leaves(
-    surface: Surface, pieces: Ints, target: int, rng: np.random.Generator
-) -> Surface:
+    surface: MaterialSurface, pieces: IntArray, target: int, rng: np.random.Generator
+) -> MaterialSurface:
     count = int(pieces.max()) + 1
     share = min(1.0, target / len(surface.faces))
     kept = rng.random(count) < share
@@ -229,14 +236,14 @@ def _fewer_leaves(
     return replace(surface, vertices=vertices, faces=surface.faces[kept[pieces]])
 
 
-def _is_foliage(surface: Surface) -> bool:
+def _is_foliage(surface: MaterialSurface) -> bool:
     """Tell whether it is made of many pieces, none of which matters much."""
     pieces = _pieces(surface)
     areas = np.bincount(pieces, _areas(surface))
     return len(areas) > MANY and areas.max() < LARGEST_SHARE * areas.sum()
 
 
-def _pieces(surface: Surface) -> Ints:
+def _pieces(surface: MaterialSurface) -> IntArray:
     """Return the number of the connected piece that each face belongs to."""
     places = same_places(surface.vertices)[surface.faces]
     count = int(places.max()) + 1
@@ -248,18 +255,18 @@ def _pieces(surface: Surface) -> Ints:
         shape=(count, count),
     )
     _, labels = connected_components(links, directed=False)
-    return numbered(labels[places[:, 0]][:, None])
+    return row_numbers(labels[places[:, 0]][:, None])
 
 
 def turned_outward(
-    vertices: FloatArray, faces: Ints, places: Ints
-) -> tuple[Ints, NDArray[np.bool_]]:
+    vertices: FloatArray, faces: IntArray, places: IntArray
+) -> tuple[IntArray, NDArray[np.bool_]]:
     """Return the faces, closed pieces turned outward, and which belong to these."""
     count = len(faces)
     starts = places[faces].reshape(-1)
     ends = places[np.roll(faces, -1, axis=1)].reshape(-1)
     owner = np.repeat(np.arange(count), 3)
-    edges = numbered(
+    edges = row_numbers(
         np.column_stack([np.minimum(starts, ends), np.maximum(starts, ends)])
     )
     shared = np.bincount(edges)[edges] == 2
@@ -293,7 +300,7 @@ def turned_outward(
     return faces, closed
 
 
-def smooth_normals(corners: FloatArray, groups: Ints) -> FloatArray:
+def smooth_normals(corners: FloatArray, groups: IntArray) -> FloatArray:
     """Return a normal per corner: the mean over like-minded faces at its vertex."""
     across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     sizes = np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-12)
@@ -316,7 +323,7 @@ def directions(vectors: FloatArray) -> FloatArray:
     return vectors / np.maximum(np.linalg.norm(vectors, axis=1, keepdims=True), 1e-12)
 
 
-def pairs_in_groups(groups: Ints) -> tuple[Ints, Ints]:
+def pairs_in_groups(groups: IntArray) -> tuple[IntArray, IntArray]:
     """Return all ordered pairs of rows of the same group, each with itself too."""
     order = np.argsort(groups, kind="stable")
     starts = np.flatnonzero(np.diff(groups[order], prepend=-1))
@@ -328,12 +335,12 @@ def pairs_in_groups(groups: Ints) -> tuple[Ints, Ints]:
     return order[first], order[second]
 
 
-def same_places(vertices: FloatArray) -> Ints:
+def same_places(vertices: FloatArray) -> IntArray:
     """Return equal numbers for vertices that are at one place, to rounding."""
     span = float(np.ptp(vertices, axis=0).max()) or 1.0
-    return numbered(np.round(vertices / (span * 1e-5)))
+    return row_numbers(np.round(vertices / (span * 1e-5)))
 
 
-def numbered(rows: FloatArray | Ints) -> Ints:
+def row_numbers(rows: FloatArray | IntArray) -> IntArray:
     """Return equal numbers for equal rows, from 0 on."""
     return np.unique(rows, axis=0, return_inverse=True)[1].reshape(-1)

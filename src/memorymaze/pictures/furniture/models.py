@@ -49,7 +49,7 @@ _CREDITS = TypeAdapter(tuple[Credit, ...])
 
 
 @dataclass(frozen=True, slots=True)
-class Choice:
+class FurnitureChoice:
     """Which pieces of the furniture libraries stand for which archetypes of ours.
 
     Only where they are recognised at least as well, and no words have to stand on them.
@@ -64,9 +64,9 @@ class Choice:
 
 
 @cache
-def choice() -> Choice:
+def choice() -> FurnitureChoice:
     """Return what `furniture.json` says; read once."""
-    return read_table("furniture.json", Choice)
+    return read_table("furniture.json", FurnitureChoice)
 
 
 def cache_folder() -> Path:

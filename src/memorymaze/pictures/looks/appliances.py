@@ -20,8 +20,8 @@ from memorymaze.pictures.looks.shapes import (
     box,
     cylinder,
     lathed,
+    span_within,
     tapered,
-    within,
 )
 
 
@@ -254,13 +254,13 @@ def photocopier(made: Assembly, order: Order) -> None:
     inner = order.y.inset(0.16 * order.length)
     waist, lid = order.height * 0.62, order.height * 0.86
     made.box(body, order.x.inset(0, 0.06), inner, (0.05, waist), 0.02)
-    made.box(dark, order.x.inset(0.05, 0.1), within(inner, 0.03), (0, 0.05))
+    made.box(dark, order.x.inset(0.05, 0.1), span_within(inner, 0.03), (0, 0.05))
     for row in range(3):
         z = 0.07 + row * (waist - 0.1) / 3
         made.box(
             paint(shade(colour, 0.92), 0.2),
             order.x.end(0.09, 0.045),
-            within(inner, 0.02),
+            span_within(inner, 0.02),
             (z + 0.01, z + (waist - 0.1) / 3 - 0.01),
             0.006,
         )
@@ -275,7 +275,11 @@ def photocopier(made: Assembly, order: Order) -> None:
     )
     made.box(body, order.x.inset(0, 0.06), inner, (lid - 0.06, lid), 0.015)
     made.box(
-        dark, order.x.inset(0.02, 0.12), within(inner, 0.02), (lid, order.height), 0.03
+        dark,
+        order.x.inset(0.02, 0.12),
+        span_within(inner, 0.02),
+        (lid, order.height),
+        0.03,
     )
     panel = tapered(
         order.x.end(0.16),
@@ -332,24 +336,24 @@ def printer(made: Assembly, order: Order) -> None:
     made.box(
         paint(BLACK),
         order.x.end(0.12, 0.055),
-        within(y, 0.06),
+        span_within(y, 0.06),
         (low + 0.45 * tall, low + 0.62 * tall),
     )
     made.box(
         paint((0.97, 0.97, 0.95)),
         order.x.end(0.2),
-        within(y, 0.1),
+        span_within(y, 0.1),
         (low + 0.46 * tall, low + 0.48 * tall),
     )
     made.box(
         paint(shade(colour, 0.7)),
         order.x.end(0.08, 0.05),
-        within(y, 0.03),
+        span_within(y, 0.03),
         (low + 0.06 * tall, low + 0.32 * tall),
         0.01,
     )
     feeder = box(
-        order.x.start(0.02, 0.05), within(y, 0.1), (low + 0.8 * tall, order.height)
+        order.x.start(0.02, 0.05), span_within(y, 0.1), (low + 0.8 * tall, order.height)
     )
     made.add(paint((0.97, 0.97, 0.95)), feeder)
     made.box(

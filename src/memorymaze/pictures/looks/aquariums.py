@@ -7,11 +7,12 @@ import numpy as np
 from PIL import ImageDraw
 
 from memorymaze.pictures.looks.assembly import Assembly, Order
-from memorymaze.pictures.looks.boards import Pixels, blank, graded, pixels_of
+from memorymaze.pictures.looks.boards import blank, graded, pixels_of
 from memorymaze.pictures.looks.materials import (
     BASALT,
     IRON,
     SEA,
+    Pixels,
     Rgb,
     glass,
     metal,
@@ -23,11 +24,11 @@ from memorymaze.pictures.looks.materials import (
 )
 from memorymaze.pictures.looks.shapes import (
     around,
-    between,
     box,
     cylinder,
     extruded,
     lathed,
+    span_between,
 )
 from memorymaze.pictures.looks.tubes import tube
 
@@ -61,7 +62,7 @@ def aquarium(made: Assembly, order: Order) -> None:
     back, front = order.x
     made.box(paint((0.3, 0.2, 0.14)), order.x.inset(0, 0.01), order.y, (0, base))
     for side in (-1, 1):
-        y = between(side * 0.01, side * (order.length / 2 - 0.03))
+        y = span_between(side * 0.01, side * (order.length / 2 - 0.03))
         made.box(
             paint((0.36, 0.25, 0.17)), order.x.end(0.02), y, (0.05, base - 0.04), 0.006
         )

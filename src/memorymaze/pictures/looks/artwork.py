@@ -5,10 +5,11 @@ from functools import cache
 import numpy as np
 from PIL import Image, ImageDraw
 
-from memorymaze.pictures.looks.boards import Pixels, blank, graded, pixels_of, whole
+from memorymaze.pictures.looks.boards import blank, graded, pixels_of, whole
 from memorymaze.pictures.looks.materials import (
     OCEAN,
     PURE_WHITE,
+    Pixels,
     Rgb,
     ink_on,
     mixed,
@@ -21,11 +22,11 @@ from memorymaze.simulation.senses.lettering import Field, write
 NIGHT: Rgb = (0.04, 0.05, 0.14)
 LAND: Rgb = (0.28, 0.52, 0.24)
 ICE: Rgb = (0.93, 0.95, 0.96)
-Outline = tuple[tuple[int, int], ...]
+_Outline = tuple[tuple[int, int], ...]
 
 
 @cache
-def painting(width: float, height: float, colour: Rgb, variant: int) -> Pixels:
+def painting_picture(width: float, height: float, colour: Rgb, variant: int) -> Pixels:
     """Return a painted landscape in tones of a colour, within a mount."""
     image = blank(width, height, (0.93, 0.91, 0.86))
     landscape(image, whole(image).inset(0.08), colour, variant)
@@ -189,7 +190,9 @@ ACCENTS: tuple[Rgb, ...] = (
 
 
 @cache
-def poster(width: float, height: float, text: str, colour: Rgb, variant: int) -> Pixels:
+def poster_picture(
+    width: float, height: float, text: str, colour: Rgb, variant: int
+) -> Pixels:
     """Return a poster: its words large over a picture."""
     image = blank(width, height, colour)
     everything = whole(image)
@@ -341,7 +344,7 @@ def film(
 
 
 @cache
-def framed_photos(width: float, height: float, tone: Rgb) -> Pixels:
+def photo_picture(width: float, height: float, tone: Rgb) -> Pixels:
     """Return rows of small framed portraits."""
     image = blank(width, height, (0.88, 0.87, 0.84))
     draw = ImageDraw.Draw(image)
@@ -361,7 +364,7 @@ def framed_photos(width: float, height: float, tone: Rgb) -> Pixels:
 
 
 @cache
-def flag(width: float, height: float, first: Rgb, second: Rgb) -> Pixels:
+def flag_picture(width: float, height: float, first: Rgb, second: Rgb) -> Pixels:
     """Return a flag of three bands with a disc."""
     image = blank(width, height, first)
     draw = ImageDraw.Draw(image)
@@ -395,7 +398,9 @@ def earth() -> Pixels:
 
 
 @cache
-def world_map(width: float, height: float, text: str, sea: Rgb, land: Rgb) -> Pixels:
+def world_map_picture(
+    width: float, height: float, text: str, sea: Rgb, land: Rgb
+) -> Pixels:
     """Return a map of the world with its words above it."""
     image = blank(width, height, shade(sea, 1.25) if sea != land else OCEAN)
     everything = whole(image)
@@ -432,7 +437,7 @@ def planet(colour: Rgb, *, banded: bool, variant: int = 0) -> Pixels:
 
 
 @cache
-def floor_map(
+def floor_map_picture(
     width: float, height: float, text: str, ground: Rgb, variant: int
 ) -> Pixels:
     """Return a floor plan to find one's way by, its words above it, and a red dot."""
@@ -463,9 +468,9 @@ def floor_map(
 
 
 @cache
-def _continents() -> tuple[Outline, ...]:
+def _continents() -> tuple[_Outline, ...]:
     """Return coarse outlines in degrees east and north, drawn by hand."""
-    return read_table("continents.json", tuple[Outline, ...])
+    return read_table("continents.json", tuple[_Outline, ...])
 
 
 def _draw_continents(image: Image.Image, field: Field, land: Rgb) -> None:

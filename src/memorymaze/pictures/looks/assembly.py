@@ -23,9 +23,9 @@ from memorymaze.pictures.looks.materials import (
 )
 from memorymaze.pictures.looks.shapes import (
     Axis,
+    AxisSpan,
     Extent,
     Shape,
-    Span,
     around,
     ball,
     box,
@@ -33,7 +33,7 @@ from memorymaze.pictures.looks.shapes import (
     joined,
     lathed,
     plate,
-    within,
+    span_within,
 )
 from memorymaze.pictures.looks.tubes import Point3, limb, tube
 from memorymaze.sites.records import Mount
@@ -164,13 +164,24 @@ class Assembly:
         self.shapes.setdefault(material, []).extend(shapes)
 
     def box(
-        self, material: Material, x: Span, y: Span, z: Span, bevel: float = 0.0
+        self,
+        material: Material,
+        x: AxisSpan,
+        y: AxisSpan,
+        z: AxisSpan,
+        bevel: float = 0.0,
     ) -> None:
         """Add a box."""
         self.add(material, box(x, y, z, bevel))
 
     def plate(
-        self, material: Material, x: Span, y: Span, z: Span, *, both_sides: bool = False
+        self,
+        material: Material,
+        x: AxisSpan,
+        y: AxisSpan,
+        z: AxisSpan,
+        *,
+        both_sides: bool = False,
     ) -> None:
         """Add a box whose front shows a whole picture."""
         self.add(material, plate(x, y, z, both_sides=both_sides))
@@ -179,9 +190,9 @@ class Assembly:
         self,
         text: str | None,
         ground: Rgb,
-        x: Span,
-        y: Span,
-        z: Span,
+        x: AxisSpan,
+        y: AxisSpan,
+        z: AxisSpan,
         *,
         light: float = 0.0,
         both_sides: bool = False,
@@ -195,7 +206,7 @@ class Assembly:
         self,
         material: Material,
         radius: float,
-        span: Span,
+        span: AxisSpan,
         sides: int = 16,
         top: float | None = None,
         *,
@@ -338,7 +349,9 @@ def plinth(made: Assembly, order: Order, height: float, colour: Rgb = STONE) -> 
     front = order.x[1]
     lip = min(0.03, 0.1 * height)
     made.box(stone, order.x, order.y, (0, lip))
-    made.box(stone, within(order.x, 0.03), within(order.y, 0.03), (lip, height))
+    made.box(
+        stone, span_within(order.x, 0.03), span_within(order.y, 0.03), (lip, height)
+    )
     if order.text:
         wide = order.length * 0.84
         tall = min(0.75 * (height - lip), 0.42 * wide)
@@ -353,7 +366,7 @@ def plinth(made: Assembly, order: Order, height: float, colour: Rgb = STONE) -> 
         )
 
 
-def header(made: Assembly, order: Order, z: Span, front: float) -> None:
+def header(made: Assembly, order: Order, z: AxisSpan, front: float) -> None:
     """Add a strip with the order's words, if it has any, to the front of a thing."""
     if not order.text:
         return

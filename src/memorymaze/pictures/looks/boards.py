@@ -6,13 +6,13 @@ from itertools import pairwise
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 from PIL import Image, ImageDraw
 
 from memorymaze.perception.signposts import Arrow, Signpost, signposts
 from memorymaze.pictures.looks.materials import (
     PURE_WHITE,
     SAFETY_GREEN,
+    Pixels,
     Rgb,
     ink_on,
     mixed,
@@ -20,7 +20,6 @@ from memorymaze.pictures.looks.materials import (
 )
 from memorymaze.simulation.senses.lettering import Field, write
 
-Pixels = NDArray[np.uint8]
 PIXELS_PER_METRE = 300
 SMALLEST_PICTURE, LARGEST_PICTURE = 128, 512
 """Pixels of the longer side."""
@@ -29,11 +28,11 @@ Pictogram = Literal[
 ]
 FINER = 4
 """Pictograms are drawn larger by this factor, then reduced, for smooth edges."""
-Point = tuple[float, float]
+_Point = tuple[float, float]
 Pen = Callable[[ImageDraw.ImageDraw, float], None]
 """Draws in white into a square of so many pixels."""
 QUARTER_TURNS: dict[Arrow, int] = {"ahead": 0, "left": 1, "back": 2, "right": 3}
-ARROW: list[Point] = [
+ARROW: list[_Point] = [
     (0.5, 0.04), (0.94, 0.48), (0.78, 0.64), (0.62, 0.48), (0.62, 0.96),
     (0.38, 0.96), (0.38, 0.48), (0.22, 0.64), (0.06, 0.48)
 ]  # fmt: skip
@@ -244,14 +243,14 @@ def _disc(draw: ImageDraw.ImageDraw, s: float, x: float, y: float, r: float) -> 
 
 
 def _stroke(
-    draw: ImageDraw.ImageDraw, s: float, points: list[Point], width: float
+    draw: ImageDraw.ImageDraw, s: float, points: list[_Point], width: float
 ) -> None:
     draw.line([(x * s, y * s) for x, y in points], 255, round(width * s), "curve")
     for x, y in points:
         _disc(draw, s, x, y, width / 2)
 
 
-def _area(draw: ImageDraw.ImageDraw, s: float, points: list[Point]) -> None:
+def _area(draw: ImageDraw.ImageDraw, s: float, points: list[_Point]) -> None:
     draw.polygon([(x * s, y * s) for x, y in points], 255)
 
 

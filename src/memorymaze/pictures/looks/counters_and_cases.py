@@ -16,7 +16,7 @@ from memorymaze.pictures.looks.materials import (
     shade,
     wood,
 )
-from memorymaze.pictures.looks.shapes import Span, around, lathed
+from memorymaze.pictures.looks.shapes import AxisSpan, around, lathed
 
 
 def counter(made: Assembly, order: Order) -> None:
@@ -158,7 +158,7 @@ def drop_box(made: Assembly, order: Order) -> None:
     )
 
 
-def _exhibits(made: Assembly, order: Order, room: Span) -> None:
+def _exhibits(made: Assembly, order: Order, room: AxisSpan) -> None:
     """Put things on the shelves of a case: trophies, stones, instruments."""
     words = f"{order.category} {order.text or ''}".lower()
     shelves = 2 if room[1] - room[0] > 0.9 else 1

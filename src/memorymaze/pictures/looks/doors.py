@@ -30,10 +30,10 @@ from memorymaze.pictures.looks.materials import (
 from memorymaze.pictures.looks.shapes import (
     Shape,
     around,
-    between,
     box,
     joined,
     pane,
+    span_between,
 )
 from memorymaze.simulation.solids import DOOR_HEIGHT, DOOR_PROUD
 from memorymaze.sites.records import Door
@@ -290,7 +290,7 @@ def swinging(
     leaf: Callable[[Assembly, float, float, float], None],
 ) -> None:
     """Add leaves, swung into the room where the door is open."""
-    for low, high, hinge in leaves(length):
+    for low, high, hinge in door_leaves(length):
         at = low if hinge < 0 else high
         for material, shapes in built(leaf, low, high, hinge).shapes.items():
             for shape in shapes:
@@ -302,7 +302,7 @@ def swinging(
         threshold_pane(made, length)
 
 
-def leaves(length: float) -> list[tuple[float, float, float]]:
+def door_leaves(length: float) -> list[tuple[float, float, float]]:
     """Return from, to and the hinge's side (-1, 1) of each leaf, along y."""
     half = length / 2 - 0.005
     if length < DOUBLE_FROM:
@@ -317,7 +317,7 @@ def casing(made: Assembly, length: float, material: Material) -> None:
         made.box(
             material,
             (-0.05, CASING_FRONT),
-            between(side * half, side * (half + CASING)),
+            span_between(side * half, side * (half + CASING)),
             (0.0, DOOR_HEIGHT + CASING),
         )
     made.box(
@@ -337,7 +337,7 @@ def handle(made: Assembly, y: float, towards: float) -> None:
         box((FRONT, FRONT + 0.05), around(y, 0.01), (1.04, 1.06)),
         box(
             (FRONT + 0.035, FRONT + 0.055),
-            between(y, y + towards * 0.12),
+            span_between(y, y + towards * 0.12),
             (1.035, 1.06),
             0.008,
         ),

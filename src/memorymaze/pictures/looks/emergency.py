@@ -16,11 +16,11 @@ from memorymaze.pictures.looks.materials import (
 from memorymaze.pictures.looks.shapes import (
     around,
     ball,
-    between,
     box,
     cylinder,
     extruded,
     lathed,
+    span_between,
 )
 from memorymaze.pictures.looks.tubes import tube
 
@@ -154,7 +154,7 @@ def switch_board(made: Assembly, order: Order) -> None:
     colour = order.colour((0.6, 0.61, 0.63))
     made.box(paint(shade(colour, 0.7)), order.x.inset(0, 0.025), order.y, order.z)
     for side in (-1, 1):
-        y = between(side * 0.006, side * (order.length / 2 - 0.012))
+        y = span_between(side * 0.006, side * (order.length / 2 - 0.012))
         made.box(
             paint(colour, 0.2),
             order.x.end(0.04, 0.012),

@@ -20,7 +20,7 @@ from memorymaze.pictures.looks.shapes import (
     box,
     ellipsoid,
 )
-from memorymaze.pictures.looks.tubes import Point3, limb, lofted, ring
+from memorymaze.pictures.looks.tubes import Point3, ellipse_ring, limb, lofted
 
 SKINS: tuple[Rgb, ...] = (
     (0.92, 0.74, 0.62),
@@ -120,12 +120,12 @@ def walker(
         )
         made.ball(clothes.skin, 0.028 * s, 8, 6, at=hand)
     torso = [
-        ring((0, 0, 0.47 * s), 0.05 * s, 0.085 * s),
-        ring((0, 0, 0.53 * s), 0.066 * s, 0.098 * s),
-        ring((0, 0, 0.62 * s), 0.058 * s, 0.086 * s),
-        ring((0.005 * s, 0, 0.72 * s), 0.068 * s, 0.105 * s),
-        ring((0, 0, 0.79 * s), 0.06 * s, 0.118 * s),
-        ring((0, 0, 0.83 * s), 0.035 * s, 0.075 * s),
+        ellipse_ring((0, 0, 0.47 * s), 0.05 * s, 0.085 * s),
+        ellipse_ring((0, 0, 0.53 * s), 0.066 * s, 0.098 * s),
+        ellipse_ring((0, 0, 0.62 * s), 0.058 * s, 0.086 * s),
+        ellipse_ring((0.005 * s, 0, 0.72 * s), 0.068 * s, 0.105 * s),
+        ellipse_ring((0, 0, 0.79 * s), 0.06 * s, 0.118 * s),
+        ellipse_ring((0, 0, 0.83 * s), 0.035 * s, 0.075 * s),
     ]
     made.add(clothes.trousers, lofted(torso[:2], round_ends=True))
     made.add(
@@ -196,10 +196,10 @@ def space_suit(made: Assembly, order: Order) -> None:
         cloth,
         lofted(
             [
-                ring((0, 0, 0.42 * s), 0.11 * s, 0.16 * s),
-                ring((0, 0, 0.5 * s), 0.13 * s, 0.18 * s),
-                ring((0, 0, 0.68 * s), 0.14 * s, 0.2 * s),
-                ring((0, 0, 0.8 * s), 0.1 * s, 0.14 * s),
+                ellipse_ring((0, 0, 0.42 * s), 0.11 * s, 0.16 * s),
+                ellipse_ring((0, 0, 0.5 * s), 0.13 * s, 0.18 * s),
+                ellipse_ring((0, 0, 0.68 * s), 0.14 * s, 0.2 * s),
+                ellipse_ring((0, 0, 0.8 * s), 0.1 * s, 0.14 * s),
             ],
             round_ends=True,
         ),
@@ -233,9 +233,9 @@ def statue(made: Assembly, order: Order) -> None:
     )
     tall = order.height - foot
     robe = lofted([
-        ring((0, 0, 0.12 * tall), 0.13 * tall, 0.14 * tall),
-        ring((0, 0, 0.35 * tall), 0.1 * tall, 0.115 * tall),
-        ring((0, 0, 0.55 * tall), 0.072 * tall, 0.1 * tall),
+        ellipse_ring((0, 0, 0.12 * tall), 0.13 * tall, 0.14 * tall),
+        ellipse_ring((0, 0, 0.35 * tall), 0.1 * tall, 0.115 * tall),
+        ellipse_ring((0, 0, 0.55 * tall), 0.072 * tall, 0.1 * tall),
     ])
     figure.add(material, robe)
     made.include(figure, z=foot)
@@ -261,12 +261,12 @@ def bust(made: Assembly, order: Order) -> None:
     tall = order.height - foot - 0.04
     body = lofted(
         [
-            ring((0, 0, 0.0), 0.12 * tall, 0.16 * tall, 14),
-            ring((0, 0, 0.12 * tall), 0.15 * tall, 0.24 * tall, 14),
-            ring((0, 0, 0.3 * tall), 0.2 * tall, 0.4 * tall, 14),
-            ring((0, 0, 0.42 * tall), 0.14 * tall, 0.3 * tall, 14),
-            ring((0, 0, 0.48 * tall), 0.09 * tall, 0.1 * tall, 14),
-            ring((0.01, 0, 0.58 * tall), 0.085 * tall, 0.085 * tall, 14),
+            ellipse_ring((0, 0, 0.0), 0.12 * tall, 0.16 * tall, 14),
+            ellipse_ring((0, 0, 0.12 * tall), 0.15 * tall, 0.24 * tall, 14),
+            ellipse_ring((0, 0, 0.3 * tall), 0.2 * tall, 0.4 * tall, 14),
+            ellipse_ring((0, 0, 0.42 * tall), 0.14 * tall, 0.3 * tall, 14),
+            ellipse_ring((0, 0, 0.48 * tall), 0.09 * tall, 0.1 * tall, 14),
+            ellipse_ring((0.01, 0, 0.58 * tall), 0.085 * tall, 0.085 * tall, 14),
         ],
         round_ends=True,
     )
@@ -343,10 +343,10 @@ def robot(made: Assembly, order: Order) -> None:
         shell,
         lofted(
             [
-                ring((0, 0, 0.46 * s), 0.07 * s, 0.1 * s),
-                ring((0, 0, 0.54 * s), 0.09 * s, 0.11 * s),
-                ring((0.01 * s, 0, 0.7 * s), 0.12 * s, 0.16 * s),
-                ring((0, 0, 0.78 * s), 0.07 * s, 0.11 * s),
+                ellipse_ring((0, 0, 0.46 * s), 0.07 * s, 0.1 * s),
+                ellipse_ring((0, 0, 0.54 * s), 0.09 * s, 0.11 * s),
+                ellipse_ring((0.01 * s, 0, 0.7 * s), 0.12 * s, 0.16 * s),
+                ellipse_ring((0, 0, 0.78 * s), 0.07 * s, 0.11 * s),
             ],
             round_ends=True,
         ),
@@ -418,4 +418,4 @@ def sculpture(made: Assembly, order: Order) -> None:
 
 
 def _rectangle(half_x: float, half_y: float, z: float) -> FloatArray:
-    return ring((0, 0, z), half_x, half_y, 8)
+    return ellipse_ring((0, 0, z), half_x, half_y, 8)

@@ -19,11 +19,11 @@ from memorymaze.pictures.looks.materials import (
 )
 from memorymaze.pictures.looks.shapes import (
     around,
-    between,
     box,
     cylinder,
     extruded,
     lathed,
+    span_between,
 )
 from memorymaze.pictures.looks.tubes import tube
 
@@ -82,7 +82,7 @@ def grandfather_clock(made: Assembly, order: Order) -> None:
     )
     made.box(body, order.x.start(0.04), (-narrow, narrow), (0.24 * h, 0.7 * h))
     for side in (-1, 1):
-        y = between(side * narrow, side * (narrow - 0.07))
+        y = span_between(side * narrow, side * (narrow - 0.07))
         made.box(body, order.x.inset(0, 0.05), y, (0.24 * h, 0.7 * h))
     made.box(
         body,

@@ -30,7 +30,7 @@ GLOW = 0.55
 
 def poster(made: Assembly, order: Order) -> None:
     """Build a poster: words over a picture."""
-    pixels = artwork.poster(
+    pixels = artwork.poster_picture(
         order.length, order.height, order.text or "", order.colour(CHALK), order.variant
     )
     sheet(made, order, picture(pixels))
@@ -117,7 +117,7 @@ def menu_board(made: Assembly, order: Order) -> None:
 
 def floor_map(made: Assembly, order: Order) -> None:
     """Build a floor plan to find one's way by."""
-    pixels = artwork.floor_map(
+    pixels = artwork.floor_map_picture(
         order.length, order.height, order.text or "", order.colour(CHALK), order.variant
     )
     framed(made, order, picture(pixels), metal(ALUMINIUM), 0.02)
@@ -129,7 +129,9 @@ def world_map(made: Assembly, order: Order) -> None:
     if min(sea) > 0.8:
         sea = (0.14, 0.36, 0.66)
     land = order.second_colour((0.28, 0.52, 0.24))
-    pixels = artwork.world_map(order.length, order.height, order.text or "", sea, land)
+    pixels = artwork.world_map_picture(
+        order.length, order.height, order.text or "", sea, land
+    )
     framed(made, order, picture(pixels), metal(ALUMINIUM), 0.02)
 
 
@@ -153,7 +155,7 @@ def framed(
 
 def painting(made: Assembly, order: Order) -> None:
     """Build a landscape in a frame."""
-    pixels = artwork.painting(
+    pixels = artwork.painting_picture(
         order.length, order.height, order.colour((0.3, 0.45, 0.6)), order.variant
     )
     framed(made, order, picture(pixels), paint((0.55, 0.42, 0.18), 0.5), 0.05)
@@ -162,7 +164,7 @@ def painting(made: Assembly, order: Order) -> None:
 def mural(made: Assembly, order: Order) -> None:
     """Build a picture straight on the wall, with its words under it."""
     colour = order.colour((0.3, 0.45, 0.6))
-    pixels = artwork.poster(
+    pixels = artwork.poster_picture(
         order.length, order.height, order.text or "", colour, order.variant
     )
     sheet(made, order, picture(pixels))
@@ -171,7 +173,7 @@ def mural(made: Assembly, order: Order) -> None:
 def framed_photos(made: Assembly, order: Order) -> None:
     """Build rows of portraits."""
     tone = order.colour((0.2, 0.2, 0.2))
-    pixels = artwork.framed_photos(order.length, order.height, tone)
+    pixels = artwork.photo_picture(order.length, order.height, tone)
     sheet(made, order, picture(pixels))
 
 
@@ -204,7 +206,7 @@ def mirror(made: Assembly, order: Order) -> None:
 
 def flag(made: Assembly, order: Order) -> None:
     """Build a flag hanging from a pole on the wall."""
-    pixels = artwork.flag(
+    pixels = artwork.flag_picture(
         order.length,
         order.height,
         order.colour((0.13, 0.36, 0.75)),

@@ -11,7 +11,7 @@ from memorymaze.pictures.looks.shapes import (
     Shape,
     lathed,
 )
-from memorymaze.pictures.looks.tubes import leaves, tube
+from memorymaze.pictures.looks.tubes import plant_leaves, tube
 
 SOIL: Rgb = (0.2, 0.13, 0.08)
 GREENS: tuple[Rgb, ...] = ((0.13, 0.42, 0.15), (0.2, 0.52, 0.2), (0.1, 0.33, 0.16))
@@ -93,8 +93,8 @@ def potted_plant(made: Assembly, order: Order) -> None:
     widths = np.full(count, 0.22 * reach)
     made.add(
         paint(green, 0.3),
-        leaves(base, knee, widths),
-        leaves(knee * 0.97 + base * 0.03, tip, widths * 0.8),
+        plant_leaves(base, knee, widths),
+        plant_leaves(knee * 0.97 + base * 0.03, tip, widths * 0.8),
     )
 
 
@@ -148,4 +148,4 @@ def _bush(
     end = np.column_stack([heading * length[:, None], np.minimum(height + drop, high)])
     end[-1] = (0.02, 0.0, high)
     start[-1, 2] = high - 0.2 * (high - low)
-    return leaves(start, end, 0.32 * reach + 0.16 * length)
+    return plant_leaves(start, end, 0.32 * reach + 0.16 * length)

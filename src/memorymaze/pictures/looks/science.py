@@ -20,11 +20,11 @@ from memorymaze.pictures.looks.materials import (
 from memorymaze.pictures.looks.shapes import (
     around,
     ball,
-    between,
     box,
     cylinder,
     lathed,
-    smoothed,
+    smoothed_shape,
+    span_between,
 )
 from memorymaze.pictures.looks.tubes import Point3, limb
 
@@ -145,7 +145,9 @@ def cloud_chamber(made: Assembly, order: Order) -> None:
     for side in (0, 1):
         edge = order.x.start(0.03) if side else order.x.end(0.03)
         made.box(metal(STEEL), edge, order.y, order.z.end(0.03))
-        rim = between(order.y[side], order.y[side] + (0.03 if side == 0 else -0.03))
+        rim = span_between(
+            order.y[side], order.y[side] + (0.03 if side == 0 else -0.03)
+        )
         made.box(metal(STEEL), order.x.inset(0.03), rim, order.z.end(0.03))
     made.words(
         order.text,
@@ -248,7 +250,7 @@ def rock(made: Assembly, order: Order) -> None:
     for octave in range(4):
         waves = points @ rng.normal(0, 2.2 + octave, 3) + rng.uniform(0, 6)
         bumps += 0.09 * math.exp(-0.4 * octave) * np.sin(waves)
-    rough = smoothed(lump.vertices * (1 + bumps)[:, None], lump.faces)
+    rough = smoothed_shape(lump.vertices * (1 + bumps)[:, None], lump.faces)
     made.add(
         paint(shade(colour, 1.12), 0.5),
         rough.scaled(order.depth * 0.42, order.length * 0.43, tall * 0.5).moved(

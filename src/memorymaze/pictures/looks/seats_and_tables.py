@@ -16,7 +16,7 @@ from memorymaze.pictures.looks.materials import (
     shade,
     wood,
 )
-from memorymaze.pictures.looks.shapes import around, between, box, cylinder
+from memorymaze.pictures.looks.shapes import around, box, cylinder, span_between
 from memorymaze.pictures.looks.tubes import tube
 
 
@@ -142,7 +142,7 @@ def _upholstered(made: Assembly, order: Order, places: int) -> None:
     )
     for side in (-1, 1):
         outer = side * order.length / 2
-        y = between(outer, outer - side * arm)
+        y = span_between(outer, outer - side * arm)
         made.box(cloth, order.x, y, (0.1, min(seat + 0.18, order.height)), 0.055)
     inner = order.length - 2 * arm
     step = inner / places

@@ -9,13 +9,11 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 import shapely
-from numpy.typing import NDArray
 
-from memorymaze.geometry.points import FloatArray
+from memorymaze.geometry.points import FloatArray, IntArray
 
 Axis = Literal["x", "y", "z"]
-Ints = NDArray[np.int64]
-Span = tuple[float, float]
+AxisSpan = tuple[float, float]
 """From and to along an axis, metres."""
 
 
@@ -25,17 +23,17 @@ class Extent(NamedTuple):
     low: float
     high: float
 
-    def start(self, first: float, second: float | None = None) -> Span:
+    def start(self, first: float, second: float | None = None) -> AxisSpan:
         """Return the first metres of it, or what lies between two distances from there."""
         if second is None:
             return self.low, self.low + first
         return self.low + first, self.low + second
 
-    def end(self, first: float, second: float = 0.0) -> Span:
+    def end(self, first: float, second: float = 0.0) -> AxisSpan:
         """Return its last metres, or what lies between two distances from its end."""
         return self.high - first, self.high - second
 
-    def inset(self, first: float, second: float | None = None) -> Span:
+    def inset(self, first: float, second: float | None = None) -> AxisSpan:
         """Return it less a margin at its beginning and the same or another at its end."""
         return self.low + first, self.high - (first if second is None else second)
 
@@ -52,7 +50,7 @@ class Shape:
 
     vertices: FloatArray
     """(N, 3)."""
-    faces: Ints
+    faces: IntArray
     """(M, 3)."""
     normals: FloatArray
     """(N, 3), unit."""
@@ -101,19 +99,19 @@ def joined(*shapes: Shape) -> Shape:
     )
 
 
-def crossed(first: FloatArray, second: FloatArray) -> FloatArray:
+def cross_products(first: FloatArray, second: FloatArray) -> FloatArray:
     """Return the cross products of rows; `numpy.cross` is slow on few of them."""
     (a, b, c), (d, e, f) = first.T, second.T
     return np.column_stack([b * f - c * e, c * d - a * f, a * e - b * d])
 
 
-def smoothed(vertices: FloatArray, faces: Ints) -> Shape:
+def smoothed_shape(vertices: FloatArray, faces: IntArray) -> Shape:
     """Return a shape whose normals are the area-weighted means of the faces' normals.
 
     Triangles without area are dropped.
     """
     a, b, c = (vertices[faces[:, corner]] for corner in range(3))
-    across = crossed(b - a, c - a)
+    across = cross_products(b - a, c - a)
     sound = np.einsum("ij,ij->i", across, across) > 1e-18
     faces, across = faces[sound], across[sound]
     normals = np.zeros_like(vertices)
@@ -126,22 +124,22 @@ def smoothed(vertices: FloatArray, faces: Ints) -> Shape:
     return Shape(vertices, faces, normals)
 
 
-def around(middle: float, half: float) -> Span:
+def around(middle: float, half: float) -> AxisSpan:
     """Return the span that reaches so far to either side of its middle."""
     return middle - half, middle + half
 
 
-def between(one: float, other: float) -> Span:
+def span_between(one: float, other: float) -> AxisSpan:
     """Return the span from the smaller of two numbers to the larger."""
     return (one, other) if one < other else (other, one)
 
 
-def within(span: Span, margin: float) -> Span:
+def span_within(span: AxisSpan, margin: float) -> AxisSpan:
     """Return a span less a margin at both ends."""
     return span[0] + margin, span[1] - margin
 
 
-def box(x: Span, y: Span, z: Span, bevel: float = 0.0) -> Shape:
+def box(x: AxisSpan, y: AxisSpan, z: AxisSpan, bevel: float = 0.0) -> Shape:
     """Return an upright box: from back to front, across, from bottom to top.
 
     Its edges lose `bevel` metres, shaded round; at most half its smallest side.
@@ -157,7 +155,9 @@ def box(x: Span, y: Span, z: Span, bevel: float = 0.0) -> Shape:
     return Shape((low + high) / 2 + points, faces, normals)
 
 
-def tapered(x: Span, y: Span, z: Span, top_x: Span, top_y: Span) -> Shape:
+def tapered(
+    x: AxisSpan, y: AxisSpan, z: AxisSpan, top_x: AxisSpan, top_y: AxisSpan
+) -> Shape:
     """Return a block whose top is another rectangle than its bottom, with flat faces."""
     signs, _, faces = _box_template()
     low, high = _corners(x, y, z)
@@ -167,7 +167,7 @@ def tapered(x: Span, y: Span, z: Span, top_x: Span, top_y: Span) -> Shape:
         signs > 0, np.where(up, top_high, high), np.where(up, top_low, low)
     )
     a, b, c = (points[faces[:, corner]] for corner in range(3))
-    across = crossed(b - a, c - a)
+    across = cross_products(b - a, c - a)
     across /= np.linalg.norm(across, axis=1, keepdims=True)
     normals = np.empty_like(points)
     for corner in range(3):
@@ -176,7 +176,12 @@ def tapered(x: Span, y: Span, z: Span, top_x: Span, top_y: Span) -> Shape:
 
 
 def plate(
-    x: Span, y: Span, z: Span, *, both_sides: bool = False, roof: bool = False
+    x: AxisSpan,
+    y: AxisSpan,
+    z: AxisSpan,
+    *,
+    both_sides: bool = False,
+    roof: bool = False,
 ) -> Shape:
     """Return a box whose front shows a whole picture; its rim has a corner's colour.
 
@@ -199,7 +204,7 @@ def plate(
     return Shape(points, faces, normals, uv)
 
 
-def pane(x: float, y: Span, z: Span) -> Shape:
+def pane(x: float, y: AxisSpan, z: AxisSpan) -> Shape:
     """Return a single rectangle that is seen from the front."""
     points = np.array([
         (x, y[0], z[0]),
@@ -245,7 +250,7 @@ def _lathed(profile: tuple[tuple[float, float], ...], sides: int) -> Shape:
     up = np.cumsum([0.0, *lengths]) / sum(lengths)
     turn = np.linspace(0, 1, sides + 1)
     rings: list[tuple[FloatArray, FloatArray, FloatArray]] = []
-    faces: list[Ints] = []
+    faces: list[IntArray] = []
     for run in _runs(points):
         outward = _outward(points, run)
         for position, at in enumerate(run):
@@ -270,7 +275,7 @@ def _lathed(profile: tuple[tuple[float, float], ...], sides: int) -> Shape:
 
 def cylinder(
     radius: float,
-    span: Span,
+    span: AxisSpan,
     sides: int = 16,
     top: float | None = None,
     *,
@@ -309,7 +314,9 @@ def ellipsoid(
     return ball(1.0, sides, rings).scaled(*radii).moved(*centre)
 
 
-def extruded(outline: Sequence[tuple[float, float]], span: Span, along: Axis) -> Shape:
+def extruded(
+    outline: Sequence[tuple[float, float]], span: AxisSpan, along: Axis
+) -> Shape:
     """Return a solid with the same outline all along an axis.
 
     The corners of the simple polygon are in the other two axes in alphabetic order: (y,
@@ -364,7 +371,7 @@ def extruded(outline: Sequence[tuple[float, float]], span: Span, along: Axis) ->
     return Shape(points[:, order], faces, normals[:, order])
 
 
-def triangles_of(outline: FloatArray) -> Ints:
+def triangles_of(outline: FloatArray) -> IntArray:
     """Cut a simple polygon (N, 2) into triangles (M, 3), counter-clockwise."""
     polygon = shapely.Polygon(outline) if len(outline) > 2 else shapely.Polygon()
     if polygon.is_empty or not polygon.is_valid:
@@ -380,7 +387,7 @@ def triangles_of(outline: FloatArray) -> Ints:
     return np.array([[numbers[x, y] for x, y in ring] for ring in rings])
 
 
-def _corners(x: Span, y: Span, z: Span) -> tuple[FloatArray, FloatArray]:
+def _corners(x: AxisSpan, y: AxisSpan, z: AxisSpan) -> tuple[FloatArray, FloatArray]:
     """Return the lowest and the highest corner; spans may be given either way round."""
     ends = np.array([x, y, z], dtype=float)
     low, high = ends.min(axis=1), ends.max(axis=1)
@@ -415,10 +422,10 @@ def _outward(
     return [(float(r), float(z)) for r, z in means]
 
 
-def _band(start: int, sides: int, below: float, above: float) -> Ints:
+def _band(start: int, sides: int, below: float, above: float) -> IntArray:
     low = np.arange(start - sides - 1, start - 1)
     high = low + sides + 1
-    triangles: list[Ints] = []
+    triangles: list[IntArray] = []
     if below > 0:
         triangles.append(np.column_stack([low, low + 1, high + 1]))
     if above > 0:
@@ -429,7 +436,7 @@ def _band(start: int, sides: int, below: float, above: float) -> Ints:
 
 
 @cache
-def _box_template() -> tuple[FloatArray, FloatArray, Ints]:
+def _box_template() -> tuple[FloatArray, FloatArray, IntArray]:
     signs: list[tuple[float, ...]] = []
     normals: list[tuple[float, ...]] = []
     faces: list[tuple[int, int, int]] = []
@@ -447,7 +454,7 @@ def _box_template() -> tuple[FloatArray, FloatArray, Ints]:
 
 
 @cache
-def _bevelled_template() -> tuple[FloatArray, FloatArray, Ints]:
+def _bevelled_template() -> tuple[FloatArray, FloatArray, IntArray]:
     """Join the six faces, drawn apart, by twelve edges and eight corners."""
     signs, normals, flat = _box_template()
     rows = {

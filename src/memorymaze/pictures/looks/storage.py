@@ -13,7 +13,7 @@ from memorymaze.pictures.looks.materials import (
     paint,
     shade,
 )
-from memorymaze.pictures.looks.shapes import around, between, box, lathed
+from memorymaze.pictures.looks.shapes import around, box, lathed, span_between
 from memorymaze.pictures.looks.tubes import tube
 
 
@@ -362,7 +362,7 @@ def tray_rack(made: Assembly, order: Order) -> None:
     for row in range(rows):
         z = 0.12 + (roof - 0.14) * row / rows
         for side in (-1, 1):
-            y = between(side * 0.03, side * (order.length / 2 - 0.04))
+            y = span_between(side * 0.03, side * (order.length / 2 - 0.04))
             made.box(paint(trays[row % 2]), order.x.inset(0.02, 0.01), y, (z, z + 0.03))
             if (row + side) % 3 == 0:
                 made.lathed(

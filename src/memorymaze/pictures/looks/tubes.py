@@ -8,9 +8,9 @@ import numpy as np
 from memorymaze.geometry.points import FloatArray
 from memorymaze.pictures.looks.shapes import (
     Shape,
-    crossed,
+    cross_products,
     joined,
-    smoothed,
+    smoothed_shape,
 )
 
 Point3 = tuple[float, float, float]
@@ -39,7 +39,9 @@ def limb(
     return _round_path(path, radius, sides, closed=False, round_ends=True)
 
 
-def ring(centre: Point3, half_x: float, half_y: float, sides: int = 12) -> FloatArray:
+def ellipse_ring(
+    centre: Point3, half_x: float, half_y: float, sides: int = 12
+) -> FloatArray:
     """Return a level ellipse as a cross-section for `lofted`, (sides, 3) metres."""
     angles = np.arange(sides) * (2 * math.pi / sides)
     flat = np.column_stack([
@@ -73,7 +75,7 @@ def lofted(
     ])
     points = grid.reshape(-1, 3)
     if closed:
-        return smoothed(points, faces)
+        return smoothed_shape(points, faces)
     around = np.arange(sides)
     following = (around + 1) % sides
     first, last = grid[0].mean(axis=0), grid[-1].mean(axis=0)
@@ -85,16 +87,16 @@ def lofted(
             np.column_stack([following, around, np.full(sides, bottom)]),
             np.column_stack([end + around, end + following, np.full(sides, top)]),
         ])
-        return smoothed(np.vstack([points, first, last]), faces)
+        return smoothed_shape(np.vstack([points, first, last]), faces)
     fan = np.column_stack([around, following, np.full(sides, sides)])
     return joined(
-        smoothed(points, faces),
-        smoothed(np.vstack([grid[0], first]), fan[:, ::-1]),
-        smoothed(np.vstack([grid[-1], last]), fan),
+        smoothed_shape(points, faces),
+        smoothed_shape(np.vstack([grid[0], first]), fan[:, ::-1]),
+        smoothed_shape(np.vstack([grid[-1], last]), fan),
     )
 
 
-def leaves(bases: FloatArray, tips: FloatArray, widths: FloatArray) -> Shape:
+def plant_leaves(bases: FloatArray, tips: FloatArray, widths: FloatArray) -> Shape:
     """Return thin closed leaves, four flat triangles each.
 
     They grow from bases (N, 3) to tips not straight above or below; widths (N,) are
@@ -103,7 +105,7 @@ def leaves(bases: FloatArray, tips: FloatArray, widths: FloatArray) -> Shape:
     along = tips - bases
     sideways = np.column_stack([-along[:, 1], along[:, 0], np.zeros(len(along))])
     sideways /= np.linalg.norm(sideways, axis=1, keepdims=True)
-    upwards = crossed(along, sideways)
+    upwards = cross_products(along, sideways)
     upwards /= np.linalg.norm(upwards, axis=1, keepdims=True)
     half = widths[:, None] / 2
     middle = bases + along * 0.45
@@ -116,7 +118,7 @@ def leaves(bases: FloatArray, tips: FloatArray, widths: FloatArray) -> Shape:
         [corners[corner] for face in triangles for corner in face], axis=1
     ).reshape(-1, 3)
     faces = np.arange(len(points)).reshape(-1, 3)
-    return smoothed(points, faces)
+    return smoothed_shape(points, faces)
 
 
 def _round_path(
@@ -154,7 +156,7 @@ def _round_path(
         normal = normal - (last + tangent) * turned
         normals[place] = normal
         last = tangent
-    others = crossed(tangents, normals)
+    others = cross_products(tangents, normals)
     radii = radii * (1 + (stretch - 1) * 0.5)
     angles = np.arange(sides) * (2 * math.pi / sides)
     across = np.cos(angles)[:, None] * normals[:, None]

@@ -5,12 +5,14 @@ from functools import cache
 import numpy as np
 from PIL import ImageDraw
 
+from memorymaze.pictures.looks.appliances import ink_ground
 from memorymaze.pictures.looks.assembly import Assembly, Order
-from memorymaze.pictures.looks.boards import Pixels, blank, pixels_of
+from memorymaze.pictures.looks.boards import blank, pixels_of
 from memorymaze.pictures.looks.materials import (
     ALUMINIUM,
     BLACK,
     PALE_GREY,
+    Pixels,
     Rgb,
     glass,
     glow,
@@ -179,11 +181,6 @@ def capsule_toy_machine(made: Assembly, order: Order) -> None:
         (waist * 0.03, waist * 0.18),
         0.01,
     )
-
-
-def ink_ground(colour: Rgb) -> Rgb:
-    """Return white on dark machines and a dark tone on light ones."""
-    return (0.96, 0.96, 0.94) if ink_on(colour)[0] > 0.5 else shade(colour, 0.35)
 
 
 @cache

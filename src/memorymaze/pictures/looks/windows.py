@@ -6,9 +6,10 @@ import numpy as np
 from PIL import ImageDraw
 
 from memorymaze.pictures.looks.assembly import Assembly, ObjectModel, Order
-from memorymaze.pictures.looks.boards import Pixels, blank, graded, pixels_of
+from memorymaze.pictures.looks.boards import blank, graded, pixels_of
 from memorymaze.pictures.looks.materials import (
     SHALE,
+    Pixels,
     Rgb,
     glass,
     paint,

@@ -13,15 +13,15 @@ from memorymaze.pictures.rendering.floor_plan import (
     BAY,
     DOUBLE_WALL,
     Hole,
-    Outline,
-    Surroundings,
+    HollowOutline,
     WallFace,
+    WallSurroundings,
     clear_of,
 )
 from memorymaze.pictures.rendering.meshes import (
     Slice,
     ceiling_kind,
-    foot_shade,
+    shade_foot,
     solid_of,
     upright,
     wall_uv,
@@ -111,7 +111,7 @@ def wind_screen(made: Slice, face: WallFace, height: float) -> None:
             _bar(made, metal, face, (x, x + 0.05), (low_wall, height))
         _bar(made, metal, face, (low, high), (low_wall, low_wall + 0.05))
         _bar(made, metal, face, (low, high), (height - 0.05, height))
-    foot_shade(made, face, list(face.holes))
+    shade_foot(made, face, list(face.holes))
 
 
 def _bar(
@@ -136,7 +136,7 @@ def reveals_and_rooms(
     face: WallFace,
     holes: list[Hole],
     height: float,
-    surroundings: Surroundings,
+    surroundings: WallSurroundings,
 ) -> None:
     """Add the thickness of the wall round its holes, and dim rooms where they are."""
     rooms: list[tuple[float, float, float]] = []
@@ -176,7 +176,7 @@ def _joined(holes: list[Hole]) -> list[Hole]:
 
 
 def _reveal(
-    made: Slice, face: WallFace, outline: Outline, height: tuple[float, float]
+    made: Slice, face: WallFace, outline: HollowOutline, height: tuple[float, float]
 ) -> None:
     """Add the sides of a hole, which is open at its far end."""
     plaster = surfaces.solid(0.74, 0.73, 0.70)
@@ -187,7 +187,7 @@ def _reveal(
             builder.quad(_upright(face, start, end, height))
 
 
-def _room(made: Slice, face: WallFace, outline: Outline, height: float) -> None:
+def _room(made: Slice, face: WallFace, outline: HollowOutline, height: float) -> None:
     """Add a room whose lights are off, open to the wall."""
     colours = (surfaces.solid(0.20, 0.19, 0.18), surfaces.solid(0.34, 0.34, 0.34))
     _floor_and_ceiling(made, face, outline, (0.0, height), colours)
@@ -211,7 +211,7 @@ def _room(made: Slice, face: WallFace, outline: Outline, height: float) -> None:
 def _floor_and_ceiling(
     made: Slice,
     face: WallFace,
-    outline: Outline,
+    outline: HollowOutline,
     height: tuple[float, float],
     materials: tuple[Material, Material],
 ) -> None:
@@ -242,7 +242,7 @@ def outer_face(
     face: WallFace,
     height: float,
     holes: list[Hole],
-    surroundings: Surroundings,
+    surroundings: WallSurroundings,
 ) -> None:
     """Add the outer face of a wall; one sees it from other windows."""
     inwards = face.heading + math.pi

@@ -39,7 +39,7 @@ SLICE = 6.0
 SMALLEST = 1e-4
 """Square metres below which a left-over piece is dropped."""
 Behind = Literal["outdoors", "room"]
-Outline = list[tuple[float, float]]
+HollowOutline = list[tuple[float, float]]
 """Of what is hollow behind a wall, closed: metres along and behind it."""
 DEEPEST = 2.6
 """Metres that a room is seen deep."""
@@ -375,7 +375,7 @@ def _merged(cuts: list[float]) -> list[float]:
     return [*kept, cuts[-1]]
 
 
-class Surroundings:
+class WallSurroundings:
     """Tells what is behind a place on a wall."""
 
     def __init__(self, site: Site) -> None:
@@ -416,7 +416,7 @@ class Surroundings:
         depth: float,
         *,
         room: bool = False,
-    ) -> list[Outline]:
+    ) -> list[HollowOutline]:
         """Return what is hollow behind a piece of wall: no floor, of a room only it.
 
         It reaches `along` the wall from where to where, and so many metres deep at
@@ -434,7 +434,7 @@ class Surroundings:
         if room and near:
             rooms = transform(unary_union(near), face.local)
             hollow = hollow.intersection(rooms.buffer(ROOM_WALL, join_style="mitre"))
-        outlines: list[Outline] = []
+        outlines: list[HollowOutline] = []
         for piece in polygons_of(hollow):
             outer = [(x, y) for x, y, *_ in orient(piece).exterior.coords]
             if min(y for _, y in outer) < 2 * CLEAR:

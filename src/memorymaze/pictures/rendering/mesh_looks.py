@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from memorymaze.errors import SettingsError
-from memorymaze.pictures.building_mesh import Piece, levels, normals, read_mesh
+from memorymaze.pictures.building_mesh import MeshPiece, face_normals, levels, read_mesh
 from memorymaze.pictures.looks.assembly import MeshPart
 from memorymaze.pictures.looks.materials import OPAQUE_FROM, Material
 from memorymaze.pictures.rendering.placed_things import PlacedMeshes, PlacedThing
@@ -54,7 +54,7 @@ def mesh_building(site: Site) -> MeshBuilding:
     pieces = [piece for piece in found if len(piece.faces)]
     floor, _ = levels(pieces)
     materials: dict[int, Material] = {}
-    named: defaultdict[str, list[Piece]] = defaultdict(list)
+    named: defaultdict[str, list[MeshPiece]] = defaultdict(list)
     for piece in pieces:
         named[piece.name].append(piece)
     things: list[PlacedThing] = []
@@ -70,8 +70,8 @@ def mesh_building(site: Site) -> MeshBuilding:
     return MeshBuilding(things, rest)
 
 
-def _part_of_building(piece: Piece, floor: float) -> str:
-    across = normals(piece)
+def _part_of_building(piece: MeshPiece, floor: float) -> str:
+    across = face_normals(piece)
     total = float(np.linalg.norm(across, axis=1).sum())
     if np.abs(across[:, 2]).sum() < LEVEL * total:
         return "wall"
@@ -79,7 +79,7 @@ def _part_of_building(piece: Piece, floor: float) -> str:
 
 
 def _placed(
-    pieces: Sequence[Piece], floor: float, materials: dict[int, Material]
+    pieces: Sequence[MeshPiece], floor: float, materials: dict[int, Material]
 ) -> tuple[PlacedMeshes, float]:
     """Return pieces around their middle on the plan, and the radius of their circle."""
     if not pieces:
@@ -94,7 +94,7 @@ def _placed(
 
 
 def _part(
-    piece: Piece, vertices: NDArray[np.float64], materials: dict[int, Material]
+    piece: MeshPiece, vertices: NDArray[np.float64], materials: dict[int, Material]
 ) -> MeshPart:
     made = getattr(piece.visual, "material", None)
     uv = getattr(piece.visual, "uv", None)

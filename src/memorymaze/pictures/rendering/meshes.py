@@ -18,7 +18,7 @@ from memorymaze.pictures.looks.materials import Material
 from memorymaze.pictures.rendering.floor_plan import BAY, Hole, WallFace
 
 Vector = tuple[float, float, float]
-Kind = Literal["floor", "ceiling", "wall", "beyond", "decal"]
+MeshKind = Literal["floor", "ceiling", "wall", "beyond", "decal"]
 """What a mesh belongs to; `beyond` is seen through glass, `decal` is a mere shade."""
 Uv = Callable[[float, float], tuple[float, float]]
 """What gives a point of a wall, along and above, its place in the picture."""
@@ -150,11 +150,11 @@ class Slice:
     """Id of the area, corridor or turning point it belongs to."""
     shows_sky: bool = False
     """Whether one may see the sky through it or over it."""
-    builders: dict[tuple[Kind, Material], MeshBuilder] = field(
+    builders: dict[tuple[MeshKind, Material], MeshBuilder] = field(
         default_factory=lambda: defaultdict(MeshBuilder)
     )
 
-    def meshes(self) -> Iterator[tuple[Kind, MeshPart]]:
+    def meshes(self) -> Iterator[tuple[MeshKind, MeshPart]]:
         """Yield its meshes with what they belong to."""
         for (kind, material), builder in self.builders.items():
             if not builder.is_empty:
@@ -224,7 +224,7 @@ def wall_uv(face: WallFace, height: float) -> Uv:
     return uv
 
 
-def foot_shade(made: Slice, face: WallFace, holes: list[Hole]) -> None:
+def shade_foot(made: Slice, face: WallFace, holes: list[Hole]) -> None:
     """Darken the floor along the foot of the wall."""
     builder = made.builders["decal", surfaces.foot_shade()]
     for low, high, bottom, _ in solid_of(face.length, SKIRTING_HEIGHT, holes):

@@ -24,8 +24,8 @@ from memorymaze.pictures.rendering.floor_plan import (
     NEAR_WALL,
     FloorPart,
     Hole,
-    Surroundings,
     WallFace,
+    WallSurroundings,
     clear_of,
     floor_parts,
     openings_of,
@@ -34,10 +34,10 @@ from memorymaze.pictures.rendering.floor_plan import (
 )
 from memorymaze.pictures.rendering.meshes import (
     SKIRTING_HEIGHT,
-    Kind,
+    MeshKind,
     Slice,
     ceiling_kind,
-    foot_shade,
+    shade_foot,
     solid_of,
     upright,
     wall_uv,
@@ -74,7 +74,7 @@ def structure_of(site: Site) -> Structure:
             middles.append((part, polygon))
     tree = STRtree([polygon for _, polygon in middles])
     open_rings = rings_with_things_above(site)
-    surroundings = Surroundings(site)
+    surroundings = WallSurroundings(site)
     faces = list(wall_faces(site.walkable_floor, parts, openings_of(site)))
     slice_of: dict[WallFace, Slice] = {}
     for face in faces:
@@ -176,7 +176,7 @@ def _floor_and_ceiling(part: FloorPart, polygon: Polygon, height: float) -> Slic
     # Parts that touch leave rounding gaps; a hair of overlap closes them.
     wide = polygon.buffer(0.004, join_style="mitre")
     pattern = _pattern(part)
-    key: tuple[Kind, Material] = ("floor", surfaces.floor(part.floor_material))
+    key: tuple[MeshKind, Material] = ("floor", surfaces.floor(part.floor_material))
     made.builders[key].polygon(wide, 0.0, pattern, up=True)
     if part.open_air:
         made.shows_sky = True
@@ -245,7 +245,7 @@ def _extent(
 
 
 def _wall(
-    made: Slice, face: WallFace, height: float, surroundings: Surroundings
+    made: Slice, face: WallFace, height: float, surroundings: WallSurroundings
 ) -> None:
     holes = list(face.holes)
     if face.part.wall_material == "glass":
@@ -254,7 +254,7 @@ def _wall(
     for low, high, bottom, top in solid_of(face.length, height, holes):
         upright(builder, face, (low, high), (bottom, top), 0.0, wall_uv(face, height))
     _skirting(made, face, holes)
-    foot_shade(made, face, holes)
+    shade_foot(made, face, holes)
     reveals_and_rooms(made, face, holes, height, surroundings)
     if face.ring == 0:
         outer_face(made, face, height, holes, surroundings)

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 from memorymaze.geometry.points import FloatArray
 from memorymaze.pictures.rendering.floor_plan import (
-    Surroundings,
     WallFace,
+    WallSurroundings,
     clear_of,
 )
 
@@ -23,7 +23,7 @@ MARGIN = 0.05
 
 
 def hiding_segments(
-    faces: Iterable[WallFace], open_rings: set[int], surroundings: Surroundings
+    faces: Iterable[WallFace], open_rings: set[int], surroundings: WallSurroundings
 ) -> FloatArray:
     """Return the pieces of wall that hide what is behind, (n, 4): x, y to x, y, metres.
 
@@ -49,7 +49,7 @@ def hiding_segments(
 
 
 @dataclass(frozen=True, eq=False)
-class Outlook:
+class SightFan:
     """How far one sees from a place in each of a fan of directions."""
 
     x: float
@@ -101,7 +101,7 @@ class Sightlines:
 
     def outlook(
         self, x: float, y: float, heading: float, half_angle: float, far: float
-    ) -> Outlook:
+    ) -> SightFan:
         """Look around."""
         count = max(8, math.ceil(2 * half_angle * RAYS_PER_RADIAN))
         bearings = np.linspace(-half_angle, half_angle, count)
@@ -124,4 +124,4 @@ class Sightlines:
             ) * inverse
         hit = (s > 0) & (t >= 0) & (t <= 1)
         reach = np.where(hit, s, far).min(axis=1, initial=far)
-        return Outlook(x, y, bearings, reach, heading)
+        return SightFan(x, y, bearings, reach, heading)

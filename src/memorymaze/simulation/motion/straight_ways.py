@@ -53,7 +53,7 @@ ON_FLOOR = 0.01
 
 
 @dataclass(frozen=True, slots=True)
-class Axis:
+class _Axis:
     """A corridor's centre line with its floor."""
 
     corridor: str
@@ -76,12 +76,12 @@ class Axis:
         """Of the line, radians."""
         return math.atan2(self.uy, self.ux)
 
-    def reversed_if(self, reverse: bool) -> "Axis":
+    def reversed_if(self, reverse: bool) -> "_Axis":
         """Return the axis that runs the other way, or itself."""
         if not reverse:
             return self
         x, y = self.at(self.length)
-        return Axis(self.corridor, x, y, -self.ux, -self.uy, self.length, self.corners)
+        return _Axis(self.corridor, x, y, -self.ux, -self.uy, self.length, self.corners)
 
     def local(self, x: float, y: float) -> XY:
         """Return metres along the axis and to the left of it."""
@@ -116,13 +116,13 @@ class Axis:
         return max(nearest, 0.0)
 
 
-def corridor_axis(corridor: Corridor) -> Axis:
+def corridor_axis(corridor: Corridor) -> _Axis:
     """Return a corridor's axis, running as its centre line does."""
     (ax, ay), (bx, by) = [point[:2] for point in corridor.centre_line.coords]
     length = math.hypot(bx - ax, by - ay)
     ux, uy = (bx - ax) / length, (by - ay) / length
     corners = counter_clockwise(corridor.polygon)
-    return Axis(corridor.id, ax, ay, ux, uy, length, corners)
+    return _Axis(corridor.id, ax, ay, ux, uy, length, corners)
 
 
 def counter_clockwise(polygon: Polygon) -> tuple[XY, ...]:
@@ -200,14 +200,14 @@ class StraightWays:
         begin: float,
         reach: float,
         followed: set[str],
-    ) -> tuple[float, Axis] | None:
+    ) -> tuple[float, _Axis] | None:
         """Find a corridor that leaves an open area beside where the line hits its wall.
 
         One walks through a lobby into the hallway opposite, although it lies a step or
         two to the side.
         """
         ux, uy = math.cos(course), math.sin(course)
-        best: tuple[float, float, Axis] | None = None
+        best: tuple[float, float, _Axis] | None = None
         for axis in self._along(course, BEND_TOLERANCE):
             at = (axis.x - place[0]) * ux + (axis.y - place[1]) * uy
             aside = abs(axis.local(place[0] + at * ux, place[1] + at * uy)[1])
@@ -227,13 +227,13 @@ class StraightWays:
                     best = aside, at - aside, axis
         return None if best is None else best[1:]
 
-    def axis_through(self, point: TurningPoint, chosen: WayOut) -> Axis | None:
+    def axis_through(self, point: TurningPoint, chosen: WayOut) -> _Axis | None:
         """Return the centre line of the corridor an exit leads into, outward.
 
         The exit may name the next turning point; then the corridor that runs out that
         way. None when it leads into an open area.
         """
-        outward: Axis | None = None
+        outward: _Axis | None = None
         centre = point.polygon.centroid
         for axis in self._along(chosen.heading, TOWARDS_TOLERANCE):
             if axis.corridor == chosen.to:
@@ -276,7 +276,7 @@ class StraightWays:
 
     def _corridor_at(
         self, position: XY, course: float, tolerance: float, towards: str | None
-    ) -> Axis | None:
+    ) -> _Axis | None:
         best, least = None, math.inf
         for axis in self._along(course, max(tolerance, TOWARDS_TOLERANCE)):
             along, aside = axis.local(*position)
@@ -291,7 +291,7 @@ class StraightWays:
                 best, least = axis, cost
         return best
 
-    def _along(self, course: float, tolerance: float) -> Iterator[Axis]:
+    def _along(self, course: float, tolerance: float) -> Iterator[_Axis]:
         ux, uy, limit = math.cos(course), math.sin(course), math.cos(tolerance)
         for axis in self._axes:
             inner = axis.ux * ux + axis.uy * uy
@@ -314,10 +314,10 @@ class StraightWays:
         reach: float,
         tolerance: float,
         followed: set[str],
-    ) -> tuple[float, Axis] | None:
+    ) -> tuple[float, _Axis] | None:
         """Find the first corridor to follow from a distance along the line on."""
         ux, uy = math.cos(course), math.sin(course)
-        best: tuple[float, float, Axis] | None = None
+        best: tuple[float, float, _Axis] | None = None
         for axis in self._along(course, tolerance):
             if axis.corridor in followed:
                 continue
@@ -349,7 +349,7 @@ def _piece_at(points: Sequence[XY], s: float) -> int:
 
 
 def _transition(
-    place: XY, course: float, at: float, axis: Axis, new_course: float
+    place: XY, course: float, at: float, axis: _Axis, new_course: float
 ) -> Iterator[tuple[XY, float]]:
     """Lead from one line over to the centre line of the corridor met at a distance."""
     ux, uy = math.cos(course), math.sin(course)

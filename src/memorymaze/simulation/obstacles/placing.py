@@ -32,7 +32,7 @@ EDGE = 1.6
 """Metres around a thing beyond which the floor has to hang together as before."""
 
 
-class Stretch(NamedTuple):
+class _Stretch(NamedTuple):
     """A piece of floor along which things may stand."""
 
     line: LineString
@@ -40,9 +40,9 @@ class Stretch(NamedTuple):
     polygon: Polygon
 
 
-def stretches(site: Site) -> list[Stretch]:
+def stretches(site: Site) -> list[_Stretch]:
     """Return the corridors with their centre lines, the areas with their long axes."""
-    found = [Stretch(each.centre_line, each.polygon) for each in site.corridors]
+    found = [_Stretch(each.centre_line, each.polygon) for each in site.corridors]
     for area in site.areas:
         outline = cast(Polygon, area.polygon.minimum_rotated_rectangle)
         corners = list(outline.exterior.coords)[:4]
@@ -54,7 +54,7 @@ def stretches(site: Site) -> list[Stretch]:
             )
             for i in (first, first + 2)
         ]
-        found.append(Stretch(LineString(ends), area.polygon))
+        found.append(_Stretch(LineString(ends), area.polygon))
     return found
 
 

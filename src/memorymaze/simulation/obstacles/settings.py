@@ -24,7 +24,7 @@ that they do not know; or a language model from their memory."""
 
 
 @dataclass(frozen=True, slots=True)
-class ThingKind:
+class ObstacleKind:
     """A kind of thing that is left standing in corridors."""
 
     category: str
@@ -39,14 +39,14 @@ class ThingKind:
 
 
 THING_KINDS = {
-    "cardboard_box": ThingKind("cardboard box", (0.5, 0.4, 0.45), "brown", False),
-    "cart": ThingKind("cart", (0.9, 0.5, 1.0), "grey", False),
-    "wet_floor_sign": ThingKind(
+    "cardboard_box": ObstacleKind("cardboard box", (0.5, 0.4, 0.45), "brown", False),
+    "cart": ObstacleKind("cart", (0.9, 0.5, 1.0), "grey", False),
+    "wet_floor_sign": ObstacleKind(
         "wet floor sign", (0.3, 0.35, 0.65), "yellow", True, "CAUTION WET FLOOR"
     ),
-    "suitcase": ThingKind("suitcase", (0.48, 0.28, 0.7), "blue", False),
-    "queue_barrier": ThingKind("queue barrier", (1.3, 0.3, 1.0), "black", True),
-    "ladder": ThingKind("ladder", (0.5, 0.45, 1.6), "silver", False),
+    "suitcase": ObstacleKind("suitcase", (0.48, 0.28, 0.7), "blue", False),
+    "queue_barrier": ObstacleKind("queue barrier", (1.3, 0.3, 1.0), "black", True),
+    "ladder": ObstacleKind("ladder", (0.5, 0.45, 1.6), "silver", False),
 }
 """Kinds by the names that settings use."""
 

@@ -63,7 +63,7 @@ class NearMiss:
 
 
 @dataclass(frozen=True, slots=True)
-class PlacedThing:
+class PlacedObstacle:
     """A thing of an episode, and where it stands."""
 
     record: Movable
@@ -71,7 +71,7 @@ class PlacedThing:
     """Of its middle; its front faces along the heading."""
 
 
-class Surroundings:
+class ObstacleSurroundings:
     """Things and people of one episode. Time passes only in `advance`."""
 
     def __init__(
@@ -97,7 +97,7 @@ class Surroundings:
             scene.site, things, [(robot.x, robot.y), *keep_free], for_things
         )
         self.things = tuple(
-            PlacedThing(thing, pose)
+            PlacedObstacle(thing, pose)
             for thing, pose in zip(things, poses, strict=True)
             if pose is not None
         )

@@ -35,12 +35,12 @@ class AnnotatedTurningPoints:
             each.id: each.polygon
             for each in (*site.corridors, *site.areas, *site.turning_points)
         }
-        self._visits: dict[int, Visit] = {}
+        self._visits: dict[int, _Visit] = {}
         self._numbers: dict[str, int] = {}
-        self._current: Visit | None = None
+        self._current: _Visit | None = None
 
     @property
-    def current(self) -> "Visit | None":
+    def current(self) -> "_Visit | None":
         """The stay that counts now: of overlapping ones, where the centre is nearest."""
         return self._current
 
@@ -62,7 +62,7 @@ class AnnotatedTurningPoints:
                 if index not in visits:
                     point = outline.point
                     came_by = self._way_back(point, x, y, travel)
-                    visits[index] = Visit(point, self._scene, came_by)
+                    visits[index] = _Visit(point, self._scene, came_by)
                 distance = (x - outline.centre_x) ** 2 + (y - outline.centre_y) ** 2
                 if distance < least:
                     nearest, least = visits[index], distance
@@ -92,7 +92,7 @@ class AnnotatedTurningPoints:
 
 
 @dataclass(slots=True)
-class Visit(Stay):
+class _Visit(Stay):
     """A stay in a turning point of the site plan."""
 
     point: TurningPoint

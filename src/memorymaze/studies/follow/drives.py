@@ -15,11 +15,11 @@ from typing import Any, NamedTuple
 
 from memorymaze.errors import StudyError
 from memorymaze.instructions.records import Episode
-from memorymaze.pages.live_process import LiveProcess, Lost, prepare_processes
+from memorymaze.pages.live_process import LiveProcess, ProcessLost, prepare_processes
 from memorymaze.studies.follow.texts import TextsToFollow
 from memorymaze.studies.follow.walk import COMMANDS, Ended, RobotToDrive, Said, Seen
 from memorymaze.studies.schedule import steps_of
-from memorymaze.studies.store import Answer, Participant, Store, Taken
+from memorymaze.studies.store import Participant, SentAnswer, Store, Taken
 
 MOST = 6
 """Robots at a time; each takes some 500 MB."""
@@ -76,7 +76,7 @@ class _Live:
                 self.seen = message
             elif isinstance(message, Ended):
                 self.ended = True
-            elif isinstance(message, Lost):
+            elif isinstance(message, ProcessLost):
                 self.lost = self.lost or str(message)
             self.changed.notify_all()
 
@@ -277,7 +277,7 @@ def finished_walks(store: Store, routes: list[str]) -> list[tuple[str, Walked]]:
     return sorted(walks, key=lambda each: each[1].at)
 
 
-def _walked(store: Store, who: str, step: str, answer: Answer) -> Walked:
+def _walked(store: Store, who: str, step: str, answer: SentAnswer) -> Walked:
     kept = json.loads(answer.text)
     said = None if kept["said"] is None else Said(**kept["said"])
     commands = commands_of(store, who, step)[: kept["commands"]]

@@ -12,7 +12,7 @@ from memorymaze.errors import StudyError
 from memorymaze.pages.web import Fields, posted
 from memorymaze.studies.follow.drives import Drives, NoRobotNow, WalkElsewhere
 from memorymaze.studies.follow.walk import Said
-from memorymaze.studies.schedule import Step
+from memorymaze.studies.schedule import StudyStep
 from memorymaze.studies.store import Participant, Store, Taken
 
 SURE = (
@@ -28,7 +28,7 @@ SAID = (
     ("gave_up", "I cannot find the way."),
 )
 
-AtWork = Callable[[Request], tuple[Participant, Step]]
+AtWork = Callable[[Request], tuple[Participant, StudyStep]]
 """Tells who sends a request, and for which step; refuses others."""
 
 
@@ -47,7 +47,7 @@ class FollowPages:
             Route("/robot/{step}", posted(self._drive), methods=["POST"]),
         ]
 
-    def view(self, who: Participant, step: Step) -> dict[str, Any]:
+    def view(self, who: Participant, step: StudyStep) -> dict[str, Any]:
         """Return what the page shows besides what every page does."""
         told = self._drives.text_for(who, step.key).instruction
         follow = self._store.study.design.follow
@@ -58,7 +58,7 @@ class FollowPages:
             "sure": SURE,
         }
 
-    def take(self, who: Participant, step: Step, fields: Fields) -> Taken | str:
+    def take(self, who: Participant, step: StudyStep, fields: Fields) -> Taken | str:
         """Return what is kept of a walk that somebody ends, or what is wrong with it."""
         said, sure = fields.get("said"), fields.get("sure")
         if said not in dict(SAID) or sure not in dict(SURE):

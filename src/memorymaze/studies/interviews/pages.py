@@ -23,16 +23,16 @@ from memorymaze.studies.interviews.recognising import Recogniser
 from memorymaze.studies.interviews.records import (
     MEDIA_TYPES,
     VOICE,
+    InterviewRecord,
     Interviews,
-    Record,
-    Taken,
+    Receipt,
 )
 from memorymaze.studies.labels.marking import plan_view, read_marks
 from memorymaze.studies.participant_pages import LONGEST_TEXT
 from memorymaze.studies.schedule import route_orders
 from memorymaze.studies.store import Store
 from memorymaze.studies.study_file import StudyDesign
-from memorymaze.studies.tellings import TELLINGS, Tellings
+from memorymaze.studies.tellings import TELLINGS, StudyTellings
 
 WORKER = Path(__file__).parent / "static" / "service-worker.js"
 NEEDS_HTTPS = (
@@ -40,8 +40,8 @@ NEEDS_HTTPS = (
     "network listens, recordings are not taken over http. Start the server with --tls and "
     "open the https address that it prints; until then, type what is said."
 )
-CODES: dict[Taken, int] = {"kept": 200, "known": 200, "taken": 409, "gone": 410}
-REFUSALS: dict[Taken, str] = {
+CODES: dict[Receipt, int] = {"kept": 200, "known": 200, "taken": 409, "gone": 410}
+REFUSALS: dict[Receipt, str] = {
     "taken": "Another answer to this is kept already.",
     "gone": "Nobody of this number takes part any more.",
 }
@@ -55,7 +55,7 @@ class InterviewPages:
         self,
         experimenter: ExperimenterPages,
         store: Store,
-        tellings: Tellings,
+        tellings: StudyTellings,
         recogniser: Recogniser,
         certificate: Certificate | None,
     ) -> None:
@@ -67,7 +67,7 @@ class InterviewPages:
         self._authority = None if certificate is None else authority_of(certificate)
         self._store = store
         self._study = store.study
-        self._takers: dict[str, Callable[[Record, Fields], Taken]] = {
+        self._takers: dict[str, Callable[[InterviewRecord, Fields], Receipt]] = {
             "consent": self._take_consent,
             "familiarity": self._take_familiarity,
             "tell": self._take_told,
@@ -157,11 +157,11 @@ class InterviewPages:
             return JSONResponse({"refused": str(error)}, 400)
         return _said(taken)
 
-    def _take_consent(self, record: Record, fields: Fields) -> Taken:
+    def _take_consent(self, record: InterviewRecord, fields: Fields) -> Receipt:
         cell, shown = fields.get("cell", ""), fields.get("shown", "")
         return self._interviews.begin(record, cell, shown)
 
-    def _take_familiarity(self, record: Record, fields: Fields) -> Taken:
+    def _take_familiarity(self, record: InterviewRecord, fields: Fields) -> Receipt:
         text, shown = fields.get("text", ""), fields.get("shown", "")
         if text not in self._study.design.familiarity.excluded:
             return self._interviews.take(record, text, shown)
@@ -169,17 +169,17 @@ class InterviewPages:
             record, text, shown, state="excluded", reason="familiarity"
         )
 
-    def _take_text(self, record: Record, fields: Fields) -> Taken:
+    def _take_text(self, record: InterviewRecord, fields: Fields) -> Receipt:
         return self._interviews.take(
             record, fields.get("text", "").strip(), fields.get("shown", "").strip()
         )
 
-    def _take_told(self, record: Record, fields: Fields) -> Taken:
+    def _take_told(self, record: InterviewRecord, fields: Fields) -> Receipt:
         if not fields.get("text", "").strip() and fields.get("recorded") != "yes":
             raise ValueError("Expected what was told, typed or recorded, got neither.")
         return self._take_text(record, fields)
 
-    def _take_marks(self, record: Record, fields: Fields) -> Taken:
+    def _take_marks(self, record: InterviewRecord, fields: Fields) -> Receipt:
         route = record.step.partition(".")[2]
         marks = read_marks(fields, self._study.site, route)
         taken = self._interviews.take(record, marks.as_json())
@@ -194,7 +194,7 @@ class InterviewPages:
             )
         return taken
 
-    def _take_end(self, record: Record, fields: Fields) -> Taken:
+    def _take_end(self, record: InterviewRecord, fields: Fields) -> Receipt:
         return self._interviews.take(record, "", state="complete")
 
     async def _take_recording(self, request: Request) -> Response:
@@ -253,8 +253,8 @@ def interview_steps(design: StudyDesign) -> list[str]:
     return ["consent", *known, "scenario", *about, "done"]
 
 
-def _record(request: Request, fields: Fields) -> Record:
-    return Record(
+def _record(request: Request, fields: Fields) -> InterviewRecord:
+    return InterviewRecord(
         request.path_params["record"],
         request.path_params["participant"],
         fields.get("step", ""),
@@ -263,7 +263,7 @@ def _record(request: Request, fields: Fields) -> Record:
     )
 
 
-def _said(taken: Taken) -> Response:
+def _said(taken: Receipt) -> Response:
     told: dict[str, Any] = {"taken": taken, "refused": REFUSALS.get(taken, "")}
     return JSONResponse(told, CODES[taken])
 

@@ -8,7 +8,7 @@ from collections.abc import Generator
 from contextlib import contextmanager
 
 from memorymaze.studies.store import Store
-from memorymaze.studies.tellings import Recording, Tellings
+from memorymaze.studies.tellings import Recording, StudyTellings
 
 PATIENCE = 600.0
 """Seconds for one recording."""
@@ -18,7 +18,7 @@ NAME = "the recogniser"
 class Recogniser:
     """Hears recordings one after the other, in a thread, as they come."""
 
-    def __init__(self, store: Store, tellings: Tellings) -> None:
+    def __init__(self, store: Store, tellings: StudyTellings) -> None:
         """Take the store, whose study says which command there is, and what is told."""
         interview = store.study.design.interview
         command = None if interview is None else interview.recogniser

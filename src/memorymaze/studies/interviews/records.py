@@ -14,7 +14,7 @@ from memorymaze.errors import StudyError
 from memorymaze.studies.schedule import cell_name, route_orders
 from memorymaze.studies.store import RECORDINGS, State, Store
 
-Taken = Literal["kept", "known", "taken", "gone"]
+Receipt = Literal["kept", "known", "taken", "gone"]
 """Kept now; known from before; the step has another answer; nobody has that number."""
 
 MEDIA_TYPES = {
@@ -33,7 +33,7 @@ TOLERANCE = 24 * 3600.0
 
 
 @dataclass(frozen=True, slots=True)
-class Record:
+class InterviewRecord:
     """A thing that a tablet sends, and when it came to be."""
 
     id: str
@@ -53,7 +53,7 @@ class Interviews:
 
     # What a tablet sends ---------------------------------------------------------------
 
-    def begin(self, record: Record, cell: str, shown: str) -> Taken:
+    def begin(self, record: InterviewRecord, cell: str, shown: str) -> Receipt:
         """Take in somebody who has consented, with a number that the tablet chose.
 
         Orders may be taken more often than wanted: whoever was asked already is kept.
@@ -84,13 +84,13 @@ class Interviews:
 
     def take(
         self,
-        record: Record,
+        record: InterviewRecord,
         text: str,
         shown: str = "",
         *,
         state: State = "active",
         reason: str = "",
-    ) -> Taken:
+    ) -> Receipt:
         """Keep an answer, with what was said to the person, and what they are with it."""
         self._check(record)
         with self.store.writing() as rows:
@@ -106,8 +106,8 @@ class Interviews:
         return taken
 
     def take_recording(
-        self, record: Record, content: bytes, media_type: str, seconds: float
-    ) -> Taken:
+        self, record: InterviewRecord, content: bytes, media_type: str, seconds: float
+    ) -> Receipt:
         """Keep a recording; it is on the disk when this returns."""
         self._check(record)
         step = record.step.removeprefix(VOICE)
@@ -126,7 +126,7 @@ class Interviews:
                 write_whole(folder / name, content)
         return taken
 
-    def _check(self, record: Record) -> None:
+    def _check(self, record: InterviewRecord) -> None:
         if not PARTICIPANT.fullmatch(record.participant):
             raise StudyError(
                 f"expected a participant's number such as p0123456789, got "
@@ -139,7 +139,7 @@ class Interviews:
                 "the clock of the tablet seems to be wrong; set it, and send again"
             )
 
-    def _state_of(self, record: Record) -> Taken:
+    def _state_of(self, record: InterviewRecord) -> Receipt:
         """Return what is to be done with a record; kept where it is new."""
         query = "SELECT participant, step FROM records WHERE id = ?"
         known = self.store.rows(query, record.id)
@@ -154,7 +154,7 @@ class Interviews:
         return "kept"
 
     def _add(
-        self, rows: sqlite3.Connection, record: Record, text: str, shown: str
+        self, rows: sqlite3.Connection, record: InterviewRecord, text: str, shown: str
     ) -> None:
         self._add_record(rows, record)
         rows.execute(
@@ -166,7 +166,7 @@ class Interviews:
             (record.participant, record.step, record.opened),
         )
 
-    def _add_record(self, rows: sqlite3.Connection, record: Record) -> None:
+    def _add_record(self, rows: sqlite3.Connection, record: InterviewRecord) -> None:
         rows.execute(
             "INSERT INTO records VALUES (?, ?, ?)",
             (record.id, record.participant, record.step),

@@ -8,7 +8,7 @@ from starlette.routing import BaseRoute, Route
 from memorymaze.pages.web import Fields
 from memorymaze.studies.experimenter_pages import ExperimenterPages
 from memorymaze.studies.participant_pages import LONGEST_TEXT
-from memorymaze.studies.tellings import Tellings, Told
+from memorymaze.studies.tellings import StudyTelling, StudyTellings
 
 NAMELESS = "Please say who you are: it is kept with the text."
 LONGEST_NAME = 60
@@ -18,7 +18,9 @@ LONGEST_NAME = 60
 class TranscriptPages:
     """The pages for texts, of every kind of study that has descriptions."""
 
-    def __init__(self, experimenter: ExperimenterPages, tellings: Tellings) -> None:
+    def __init__(
+        self, experimenter: ExperimenterPages, tellings: StudyTellings
+    ) -> None:
         """Take who guards the pages, and what is told."""
         self._experimenter = experimenter
         self._tellings = tellings
@@ -45,7 +47,7 @@ class TranscriptPages:
     def _page(
         self,
         request: Request,
-        told: Told,
+        told: StudyTelling,
         problem: str = "",
         given: Fields | None = None,
     ) -> Response:
@@ -78,7 +80,7 @@ class TranscriptPages:
         return RedirectResponse("/transcripts", status_code=303)
 
 
-def told_at(request: Request, tellings: Tellings) -> Told:
+def told_at(request: Request, tellings: StudyTellings) -> StudyTelling:
     """Return the description that an address is about."""
     who, step = request.path_params["participant"], request.path_params["step"]
     for told in tellings.told(who):

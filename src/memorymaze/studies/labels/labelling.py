@@ -12,7 +12,7 @@ from memorymaze.errors import LabelFileError
 from memorymaze.instructions.records import Failure, Instruction
 from memorymaze.studies.labels.marking import Marks
 from memorymaze.studies.store import Store
-from memorymaze.studies.tellings import Tellings, Told
+from memorymaze.studies.tellings import StudyTelling, StudyTellings
 from memorymaze.tables import Table
 
 
@@ -31,7 +31,7 @@ class Given:
 class Labelled:
     """A description and the labels of its present text."""
 
-    told: Told
+    told: StudyTelling
     instruction: Instruction
     labels: tuple[Given, ...]
     """Each given without a look at the others."""
@@ -80,12 +80,14 @@ def _closed(agreed: Consensus, keep: tuple[str, ...] = ()) -> Consensus:
 class Labelling:
     """The labels in a store of answers."""
 
-    def __init__(self, store: Store, tellings: Tellings) -> None:
+    def __init__(self, store: Store, tellings: StudyTellings) -> None:
         """Take the store, and what is told."""
         self._store = store
         self._tellings = tellings
 
-    def add(self, told: Told, annotator: str, marks: Marks, *, settles: bool) -> None:
+    def add(
+        self, told: StudyTelling, annotator: str, marks: Marks, *, settles: bool
+    ) -> None:
         """Keep what somebody marked; it takes the place of what they marked before."""
         instruction = self._tellings.instruction(told)
         stamp = text_stamp(instruction.text)
@@ -128,7 +130,7 @@ class Labelling:
             if told.text and told.participant not in excluded
         ]
 
-    def _labelled(self, told: Told, kept: list[Given]) -> Labelled:
+    def _labelled(self, told: StudyTelling, kept: list[Given]) -> Labelled:
         instruction = self._tellings.instruction(told)
         stamp = text_stamp(instruction.text)
         current = [each for each in kept if each.label.text_sha256 == stamp]

@@ -21,7 +21,7 @@ LONGEST_DETAIL = 500
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
+class NumberedPlace:
     """A turning point as it is numbered on the plan."""
 
     number: int
@@ -47,11 +47,11 @@ class Marks:
         return json.dumps(asdict(self), ensure_ascii=False)
 
 
-def places_of(site: Site) -> list[Place]:
+def numbered_places(site: Site) -> list[NumberedPlace]:
     """Return the turning points of a plan, numbered from west to east."""
     points = sorted(site.turning_points, key=lambda each: each.polygon.centroid.x)
     return [
-        Place(
+        NumberedPlace(
             number,
             point.id,
             point.name or point.shape.replace("_", " "),
@@ -64,7 +64,7 @@ def places_of(site: Site) -> list[Place]:
 
 def plan_view(site: Site, route: str) -> dict[str, Any]:
     """Return what a page shows of a plan for marking a description of a route."""
-    ways, places = site.ways(route), places_of(site)
+    ways, places = site.ways(route), numbered_places(site)
 
     def words(way: Route) -> str:
         said = way_in_words(site, way)
@@ -132,7 +132,7 @@ def read_marks(fields: dict[str, str], site: Site, route: str) -> Marks:
 
 
 def _read_places(text: str, site: Site) -> tuple[str, ...]:
-    by_number = {str(place.number): place.id for place in places_of(site)}
+    by_number = {str(place.number): place.id for place in numbered_places(site)}
     given = re.split(r"[\s,>]+", text.strip()) if text.strip() else []
     unknown = [each for each in given if each not in by_number]
     if unknown:
@@ -143,7 +143,7 @@ def _read_places(text: str, site: Site) -> tuple[str, ...]:
     return tuple(by_number[each] for each in given)
 
 
-def crossed(site: Site, way: Route) -> tuple[str, ...]:
+def points_crossed(site: Site, way: Route) -> tuple[str, ...]:
     """Return the turning points that a way goes through, in order."""
     through = [
         (way.line.project(point.polygon.centroid), point.id)
@@ -156,4 +156,4 @@ def crossed(site: Site, way: Route) -> tuple[str, ...]:
 def _goes_by(site: Site, way: Route, places: tuple[str, ...]) -> bool:
     """Tell whether places are those of a way: all it crosses, or where it turns."""
     turns = tuple(turn.at for turn in way.turns)
-    return bool(places) and places in {crossed(site, way), turns}
+    return bool(places) and places in {points_crossed(site, way), turns}

@@ -17,16 +17,16 @@ from memorymaze.studies.interviews.transcript_pages import (
     told_at,
 )
 from memorymaze.studies.labels.labelling import Given, Labelled, Labelling
-from memorymaze.studies.labels.marking import places_of, plan_view, read_marks
+from memorymaze.studies.labels.marking import numbered_places, plan_view, read_marks
 from memorymaze.studies.store import Store
-from memorymaze.studies.tellings import Tellings
+from memorymaze.studies.tellings import StudyTellings
 
 
 class LabelPages:
     """The pages for labels, of every kind of study that has descriptions."""
 
     def __init__(
-        self, experimenter: ExperimenterPages, store: Store, tellings: Tellings
+        self, experimenter: ExperimenterPages, store: Store, tellings: StudyTellings
     ) -> None:
         """Take who guards the pages, the answers, and what is told."""
         self._experimenter = experimenter
@@ -69,7 +69,8 @@ class LabelPages:
 
     def _in_words(self, given: Given) -> str:
         places = {
-            each.id: f"place {each.number}" for each in places_of(self._study.site)
+            each.id: f"place {each.number}"
+            for each in numbered_places(self._study.site)
         }
         by_place = " > ".join(places[each] for each in given.places)
         errors = "; ".join(
@@ -91,7 +92,9 @@ class LabelPages:
         own = next(
             (each for each in labelled.labels if each.label.annotator == name), None
         )
-        numbers = {each.id: str(each.number) for each in places_of(self._study.site)}
+        numbers = {
+            each.id: str(each.number) for each in numbered_places(self._study.site)
+        }
         marked: dict[str, Any] = _as_typed(given)
         if own is not None and not given.get("settle") and not problem:
             marked = {
