@@ -15,6 +15,7 @@ from memorymaze.evaluation.agent_catalogue import (
     agent_names,
     choose_agent,
 )
+from memorymaze.evaluation.answers import open_requests
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.driver import run_plan
 from memorymaze.evaluation.episode import run_episode
@@ -236,6 +237,56 @@ def test_a_replay_is_paid_for_at_another_price(
     assert _first(plan(_asking(server, record=replies))).cost_usd == 0
     agent = _asking(None, replay=replies, price=TokenPrice(10_000, 0))
     assert _first(plan(agent)).cost_usd == 1.0
+
+
+OWN = """
+from memorymaze.language.model import CompletionRequest, Message, Question
+
+class Asker:
+    needs = frozenset({"language_model"})
+
+    def __init__(self, model):
+        self.model = model
+        self.name = f"asker[{model.name}]"
+
+    def follow(self, instruction, robot, journal, rng):
+        robot.move_forward(1)
+        told = (Message("user", instruction),)
+        request = CompletionRequest(told, question=Question("word", "1"))
+        if "I follow" in journal.ask(self.model, request, "word"):
+            robot.move_forward(2)
+"""
+
+
+def test_an_agent_of_ones_own_is_recorded_replayed_and_priced_like_ours(
+    server: str, plan: Callable[..., RunPlan], tmp_path: Path
+) -> None:
+    own, replies = tmp_path / "own.py", str(tmp_path / "replies.sqlite")
+    own.write_text(OWN, encoding="utf-8")
+    price = TokenPrice(1000, 2000)
+    model = ModelSettings(model="fake", base_url=server, record=replies, price=price)
+    agent = AgentSettings(f"{own}:Asker", language_model=model)
+    asked = run_plan(plan(agent), tmp_path / "asked", workers=2)
+    assert {one.agent for one in asked} == {"asker[fake]"}
+    assert [one.cost_usd for one in asked] == pytest.approx([0.14] * 2)
+    assert {one.stopped_by for one in asked} == {"agent"}
+
+    model = ModelSettings(replay=replies, price=price)
+    replaying = plan(replace(agent, language_model=model))
+    again = run_plan(replaying, tmp_path / "replayed", workers=2)
+    untimed = {"wall_s": 0.0}
+    assert [replace(one, **untimed) for one in again] == [
+        replace(one, **untimed) for one in asked
+    ]
+
+    # Of four episodes the two that were not asked about are open.
+    left = plan(replace(agent, language_model=model), 4)
+    assert left.settings.answers is not None
+    assert left.settings.answers.missing == 2
+    questions = [request.question for request in open_requests(left)]
+    known = {one.instruction_id for one in asked}
+    wanted = {each.instruction.id for each in left.episodes} - known
+    assert {each.instruction for each in questions if each} == wanted
 
 
 def first_listed(request: CompletionRequest) -> str:
