@@ -208,6 +208,9 @@ class Agent(Protocol):
 
         needs: ClassVar[frozenset[Need]] = frozenset({"camera", "steps"})
 
+    How a run makes it, with its options and a language model, tells
+    `memorymaze.agents.making`; what it may say before a run, `AsksModel`.
+
     Returning, or calling `robot.stop()`, says "we are there", unless the agent's last
     word on that is `journal.note("gave_up")`. `EpisodeOver` raised by
     the robot passes through; `ProgramError` and `LanguageModelError` may be raised and

@@ -63,6 +63,10 @@ class AgentRecipe:
                 f"{instead}"
             ) from error
 
+    def with_options(self, given: tuple[tuple[str, str], ...]) -> "AgentRecipe":
+        """Return it with other options."""
+        return agent_recipe(self.name, self.maker, given, handed_over=self.handed_over)
+
     def maker_elsewhere(self) -> Callable[[LanguageModel | None], Agent]:
         """Return what makes the agent in another process, which finds it there again."""
         if self.handed_over:

@@ -126,16 +126,13 @@ class ChosenAgent:
     def with_defaults(self, **options: str) -> "ChosenAgent":
         """Return it with values for options that it has and nobody gave."""
         given = {name.replace("-", "_") for name, _ in self.settings.options}
-        kind = self.recipe.options
-        known = set() if kind is None else {each.name for each in fields(kind)}
+        known = {name for name, _ in _values(self.recipe.options)}
         added = [each for each in options.items() if each[0] in known - given]
+        if not added:
+            return self
         told = (*self.settings.options, *added)
-        recipe = self.recipe
-        if added:
-            recipe = agent_recipe(recipe.name, recipe.maker, told)
-        return replace(
-            self, settings=replace(self.settings, options=told), recipe=recipe
-        )
+        settings = replace(self.settings, options=told)
+        return ChosenAgent(settings, self.recipe.with_options(told), self.handed)
 
     def make(
         self, *, isolate: bool = False, kept_from: Sequence[str | Path] = ()
