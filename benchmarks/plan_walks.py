@@ -23,6 +23,7 @@ from memorymaze.evaluation.plan import plan_run
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.settings import AgentSettings, RunSettings
 from memorymaze.evaluation.trace import read_trace
+from memorymaze.evaluation.trace_entries import NoteEntry, TrajectoryEntry
 from memorymaze.instructions import Corpus, Instruction
 from memorymaze.instructions.corpus import episodes
 from memorymaze.metrics.aggregate import participant_bootstrap
@@ -136,13 +137,13 @@ def walk_plans(
 def notes_of(folder: Path, episode: str) -> Iterator[Note]:
     """Yield what an agent wrote down in an episode, with the places."""
     entries = list(read_trace(folder, episode))
-    [walk] = [each for each in entries if each["kind"] == "trajectory"]
-    times, x, y, _ = np.array(walk["poses"]).T
+    [walk] = [each for each in entries if isinstance(each, TrajectoryEntry)]
+    times, x, y, _ = np.array(walk.poses).T
     for entry in entries:
-        if entry["kind"] == "note":
-            now = entry["time"]
+        if isinstance(entry, NoteEntry):
+            now = entry.time
             place = float(np.interp(now, times, x)), float(np.interp(now, times, y))
-            yield Note(entry["about"], entry, place)
+            yield Note(entry.about, entry.details, place)
 
 
 def estimates(

@@ -21,6 +21,12 @@ from memorymaze.evaluation.driver import run_plan
 from memorymaze.evaluation.plan import plan_run
 from memorymaze.evaluation.settings import AgentSettings
 from memorymaze.evaluation.trace import read_trace
+from memorymaze.evaluation.trace_entries import (
+    EndEntry,
+    NoteEntry,
+    TraceEntry,
+    TrajectoryEntry,
+)
 from memorymaze.instructions import load_corpus
 from memorymaze.language.model_settings import ModelSettings
 
@@ -58,16 +64,16 @@ def main() -> None:
             print(f"\n{name}: {told.text}\n{told.failures}")
             print(f"success {result.success}, {result.path_length:.0f} m")
             entries = list(read_trace(Path(runs) / "run", result.episode_id))
-            [walk] = [each for each in entries if each["kind"] == "trajectory"]
+            [walk] = [each for each in entries if isinstance(each, TrajectoryEntry)]
             route = site.route(told.reference_route)
             path = folder / f"{name}.jpg"
-            picture = _picture(site, route, np.array(walk["poses"]), entries)
+            picture = _picture(site, route, np.array(walk.poses), entries)
             picture.save(path, quality=85, optimize=True)
             print(path, f"{path.stat().st_size / 1e3:.0f} kB")
 
 
 def _picture(
-    site: Any, route: Any, poses: np.ndarray, entries: list[dict[str, Any]]
+    site: Any, route: Any, poses: np.ndarray, entries: list[TraceEntry]
 ) -> Image.Image:
     times, x, y = poses[:, 0], poses[:, 1], poses[:, 2]
     shown = np.vstack([np.array(route.line.coords)[:, :2], poses[:, 1:3]])
@@ -89,16 +95,14 @@ def _picture(
     return picture
 
 
-def _marks(
-    entries: list[dict[str, Any]],
-) -> Iterator[tuple[float, list[dict[str, Any]]]]:
+def _marks(entries: list[TraceEntry]) -> Iterator[tuple[float, list[NoteEntry]]]:
     """Yield the times at which something is to be told, with the notes of that time."""
-    notes = [each for each in entries if each["kind"] == "note"]
-    end = max(each["time"] for each in entries if "time" in each)
-    times = [each["time"] for each in notes if each["about"] in TOLD]
+    notes = [each for each in entries if isinstance(each, NoteEntry)]
+    [end] = [each.time for each in entries if isinstance(each, EndEntry)]
+    times = [each.time for each in notes if each.about in TOLD]
     for time in dict.fromkeys([*times, end]):
-        at_once = [each for each in notes if each["time"] == time]
-        yield time, [each for each in at_once if each["about"] != "model_reply"]
+        at_once = [each for each in notes if each.time == time]
+        yield time, [each for each in at_once if each.about != "model_reply"]
 
 
 if __name__ == "__main__":

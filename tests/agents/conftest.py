@@ -51,7 +51,7 @@ class Walk(NamedTuple):
         return any(math.dist(point, (x, y)) <= NEAR for point in self.points)
 
     def notes(self, kind: str) -> list[dict[str, Any]]:
-        return [note for note in self.journal.notes if note["kind"] == kind]
+        return [dict(each.details) for each in self.journal.notes if each.about == kind]
 
 
 TakeWalk = Callable[..., Walk]

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from memorymaze.agents.agent import Journal
+from memorymaze.agents.notes import Note, OwnNote
 from memorymaze.language.model import Completion, Usage
 
 
@@ -37,10 +38,10 @@ def test_what_cannot_be_added_up_is_refused_where_it_is_assigned(
 
 
 def test_a_note_reaches_the_listener() -> None:
-    heard: list[dict[str, object]] = []
+    heard: list[Note] = []
     journal = Journal(listener=heard.append)
     journal.note("steps", steps=["go"])
-    assert heard == journal.notes == [{"kind": "steps", "steps": ["go"]}]
+    assert heard == journal.notes == [OwnNote("steps", {"steps": ["go"]})]
 
 
 def test_a_counted_reply_is_added_up_and_noted():
@@ -55,17 +56,19 @@ def test_a_counted_reply_is_added_up_and_noted():
     assert (journal.model_calls, journal.tokens) == (2, 84)
     assert (journal.cost_usd, journal.inference_s) == (0.5, 3.0)
     assert journal.notes == heard
-    assert heard[1] == {
-        "kind": "model_reply",
-        "stage": "step",
-        "model": "m-1",
-        "text": "left",
-        "prompt_tokens": 30,
-        "completion_tokens": 12,
-        "cost_usd": None,
-        "latency": 1.5,
-        "standing_s": 3.0,
-    }
+    assert (heard[1].about, heard[1].details) == (
+        "model_reply",
+        {
+            "stage": "step",
+            "model": "m-1",
+            "text": "left",
+            "prompt_tokens": 30,
+            "completion_tokens": 12,
+            "cost_usd": None,
+            "latency": 1.5,
+            "standing_s": 3.0,
+        },
+    )
 
 
 def test_a_journal_that_is_told_nothing_of_the_end_claims_arrival() -> None:

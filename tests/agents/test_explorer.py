@@ -10,6 +10,7 @@ import pytest
 
 from memorymaze.agents.agent import Journal
 from memorymaze.agents.explorer import ExplorerAgent, ExplorerOptions, destination_names
+from memorymaze.agents.notes import GaveUpNote
 from memorymaze.errors import EpisodeOver, SettingsError
 from memorymaze.geometry.pose import Pose
 from memorymaze.routes import Arrival
@@ -59,7 +60,10 @@ def test_a_destination_is_found_in_a_loop_from_either_side(
     found = search(loop_site, "To the drinking fountain.", Pose(1.0, 4.0, heading))
     assert math.dist(found.end, (7, 13)) <= NEAR
     assert found.stopped_by == "agent"
-    assert found.notes[-1]["reason"] == "drinking fountain seen as drinking fountain"
+    assert (
+        found.notes[-1].details["reason"]
+        == "drinking fountain seen as drinking fountain"
+    )
 
 
 def test_it_does_not_stop_at_another_name(loop_site: Site) -> None:
@@ -73,14 +77,14 @@ def test_it_gives_up_when_every_way_is_tried(loop_site: Site) -> None:
     lost = search(loop_site, "Walk to the white statue.", IN_THE_LOOP)
     assert all(lost.came_by(*corner) for corner in [(1, 1), (13, 1), (1, 13), (13, 13)])
     assert lost.stopped_by == "agent"
-    assert lost.notes[-1] == {"kind": "gave_up", "reason": "every way is tried"}
+    assert lost.notes[-1] == GaveUpNote("every way is tried")
 
 
 def test_dead_ends_are_left_for_the_nearest_way_not_tried(crossing_site: Site) -> None:
     start = Pose(-10.0, 0.0, 0.0)
     lost = search(crossing_site, "Walk to the drinking fountain.", start)
     assert all(lost.came_by(*end) for end in [(11, 0), (0, 11), (0, -11), (-11, 0)])
-    assert [note["kind"] for note in lost.notes].count("decision") == 5
+    assert [note.about for note in lost.notes].count("decision") == 5
 
 
 @pytest.mark.parametrize("seed", range(2))
@@ -96,14 +100,14 @@ def test_the_way_told_is_ignored(crossing_site: Site, seed: int) -> None:
 def test_which_way_is_tried_first_is_drawn_by_lot(crossing_site: Site) -> None:
     start = Pose(-10.0, 0.0, 0.0)
     walks = [search(crossing_site, "To the piano.", start, seed) for seed in range(4)]
-    firsts = {walk.notes[2]["exit"] for walk in walks}
+    firsts = {walk.notes[2].details["exit"] for walk in walks}
     assert len(firsts) > 1
 
 
 def test_a_text_without_a_destination_leads_nowhere(loop_site: Site) -> None:
     lost = search(loop_site, "Turn right, and then left.", IN_THE_LOOP)
     assert len(set(lost.points)) == 1
-    assert lost.notes[-1]["reason"] == "the text names no destination"
+    assert lost.notes[-1].details["reason"] == "the text names no destination"
 
 
 @pytest.mark.parametrize(
@@ -127,7 +131,7 @@ def test_a_sign_is_arrived_at_where_it_names_the_place(
     start = Pose(2.0, 0.0, 0.0)
     found = search(site, "Go on to the library.", start, least_score=least_score)
     assert (math.dist(found.end, (10, 0)) <= NEAR) == arrived
-    assert found.notes[-1]["kind"] == ("arrival" if arrived else "gave_up")
+    assert found.notes[-1].about == ("arrival" if arrived else "gave_up")
 
 
 def test_a_score_beyond_one_is_refused() -> None:

@@ -24,6 +24,7 @@ from memorymaze.evaluation.budgets import fair_limits
 from memorymaze.evaluation.episode import EpisodeRun
 from memorymaze.evaluation.navigation import navigate
 from memorymaze.evaluation.settings import AgentSettings
+from memorymaze.evaluation.trace_entries import NoteEntry
 from memorymaze.language.answers import AboutInstruction
 from memorymaze.language.model import CompletionRequest
 from memorymaze.language.model_settings import ModelSettings
@@ -235,7 +236,11 @@ def test_a_model_on_a_server_sees_its_way_and_a_replay_needs_no_server(
     )
     assert run.result.success
     assert run.result.model_calls == len(requests)
-    moves = [entry["done"] for entry in run.trace if entry.get("about") == "move"]
+    moves = [
+        entry.details["done"]
+        for entry in run.trace
+        if isinstance(entry, NoteEntry) and entry.about == "move"
+    ]
     assert "The robot turned left by 90 degrees." in moves
 
     asked = len(requests)

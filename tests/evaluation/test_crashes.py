@@ -5,6 +5,7 @@ from memorymaze.evaluation.crashes import crash_lines
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import RunRecord, open_run_folder, read_run
 from memorymaze.evaluation.trace import trace_content
+from memorymaze.evaluation.trace_entries import EndEntry, NoteEntry
 
 
 def test_a_run_says_of_what_its_agent_crashed_and_where_it_is_written(
@@ -13,16 +14,16 @@ def test_a_run_says_of_what_its_agent_crashed_and_where_it_is_written(
     result: Callable[..., EpisodeResult],
 ) -> None:
     where = ["Traceback (most recent call last):", '  File "own.py", line 7, in follow']
-    trace = trace_content([{"kind": "note", "about": "traceback", "lines": where}])
+    trace = trace_content([NoteEntry(1.0, "traceback", {"lines": where})])
     error = "ValueError: no way (own.py, line 7)"
     with open_run_folder(tmp_path, record, resume=False) as run:
         for name in ("a-1", "b-1"):
             run.add(result(name, stopped_by="crash", error=error), trace)
         run.add(
             result("c-1", stopped_by="crash", error="WorkerLost: killed"),
-            trace_content([{"kind": "end"}]),
+            trace_content([EndEntry(1.0, "crash", None)]),
         )
-        run.add(result("d-1"), trace_content([{"kind": "end"}]))
+        run.add(result("d-1"), trace_content([EndEntry(1.0, "crash", None)]))
     results = read_run(tmp_path)[1]
     first, file, last = crash_lines(tmp_path, results)
     assert first == f"crash in 2 episodes: {error}"

@@ -16,6 +16,7 @@ from memorymaze.evaluation.plan import RunPlan
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import read_run
 from memorymaze.evaluation.trace import read_trace, trace_path
+from memorymaze.evaluation.trace_entries import EndEntry
 
 Plan = Callable[..., RunPlan]
 
@@ -136,7 +137,9 @@ def test_an_episode_whose_worker_is_killed_is_tried_once_more(
     assert {one.stopped_by for name, one in results.items() if name != "p6-1"} == {
         "agent"
     }
-    assert list(read_trace(tmp_path / "run", "p6-1"))[-1]["stopped_by"] == "crash"
+    assert list(read_trace(tmp_path / "run", "p6-1")) == [
+        EndEntry(0.0, "crash", lost.error)
+    ]
 
 
 def test_an_episode_that_hangs_is_given_up_and_the_run_goes_on(

@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 
 from memorymaze.agents.agent import Journal
+from memorymaze.agents.notes import TracebackNote
 from memorymaze.errors import (
     EpisodeOver,
     InterpreterLostError,
@@ -14,6 +15,8 @@ from memorymaze.errors import (
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.episode import EpisodeRun, run_episode
 from memorymaze.evaluation.plan import RunPlan
+from memorymaze.evaluation.trace import plain_entries
+from memorymaze.evaluation.trace_entries import NoteEntry
 from memorymaze.robot.api import Robot
 
 Act = Callable[[Robot, Journal], None]
@@ -236,9 +239,10 @@ def test_the_trace_says_where_an_agent_failed(run: Run) -> None:
         raise RuntimeError("lost")
 
     *_, note, _, _ = run(fail).trace
-    assert (note["kind"], note["about"]) == ("note", "traceback")
-    assert note["lines"][-1] == "RuntimeError: lost"
-    assert any("in fail" in line for line in note["lines"])
+    assert isinstance(note, NoteEntry)
+    assert isinstance(note.note, TracebackNote)
+    assert note.note.lines[-1] == "RuntimeError: lost"
+    assert any("in fail" in line for line in note.note.lines)
 
 
 def test_the_trace_has_calls_thoughts_poses_and_the_end(run: Run) -> None:
@@ -249,16 +253,16 @@ def test_the_trace_has_calls_thoughts_poses_and_the_end(run: Run) -> None:
         journal.model_calls, journal.tokens = 1, 30
 
     done = run(think_and_go)
-    kinds = [entry["kind"] for entry in done.trace]
+    kinds = [entry.kind for entry in done.trace]
     assert kinds[:4] == ["episode", "call", "note", "call"]
     assert kinds[-2:] == ["trajectory", "end"]
-    opening, said, note, moved, *_ = done.trace
+    opening, said, note, moved, *_, walk, _ = plain_entries(done.trace)
     assert opening["instruction"] == "Go to the fourth door on the left."
     assert opening["instruction_source"] == "human"
     assert (said["call"], said["arguments"]) == ("say", {"text": "Hello."})
     assert (note["about"], note["steps"]) == ("plan", ["go"])
     assert moved["result"]["reason"] == "done"
-    assert done.trace[-2]["poses"][-1][1] == pytest.approx(4.0, abs=0.3)
+    assert walk["poses"][-1][1] == pytest.approx(4.0, abs=0.3)
     assert (done.result.model_calls, done.result.tokens) == (1, 30)
 
 

@@ -11,6 +11,7 @@ from memorymaze.evaluation.eyes import eyes_notes, looks_of_run
 from memorymaze.evaluation.navigation import navigate
 from memorymaze.evaluation.plan import plan_run
 from memorymaze.evaluation.settings import AgentSettings, RunSettings
+from memorymaze.evaluation.trace_entries import CallEntry
 from memorymaze.instructions import load_corpus
 from memorymaze.perception.error_model import ErrorModel
 from memorymaze.perception.eyes import (
@@ -47,7 +48,7 @@ def walk(corridor_site: Site):
 
 
 def looks(run) -> list[object]:
-    return [entry.get("result") for entry in run.trace if entry["kind"] == "call"]
+    return [entry.result for entry in run.trace if isinstance(entry, CallEntry)]
 
 
 def test_mistakes_depend_on_the_seed_alone_and_leave_the_wheels_alone(walk):

@@ -1,6 +1,7 @@
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -10,6 +11,7 @@ from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.episode import EpisodeRun, run_episode
 from memorymaze.evaluation.plan import RunPlan
 from memorymaze.evaluation.settings import AgentSettings
+from memorymaze.evaluation.trace_entries import CallEntry, NoteEntry
 
 AGENT = """
 class Mine:
@@ -79,7 +81,7 @@ def test_all_that_the_control_api_has_reaches_the_robot(
 ) -> None:
     run = own_agent(line)
     assert run.result.stopped_by == "agent"
-    calls = (each["call"] for each in run.trace if each["kind"] == "call")
+    calls = (each.call for each in run.trace if isinstance(each, CallEntry))
     assert next(calls) == call
 
 
@@ -114,9 +116,14 @@ def test_an_agent_gets_the_pictures_and_steps_that_it_declares(
     assert said is None or said in str(walk.result.error)
 
 
+def seen_in(run: EpisodeRun) -> list[Mapping[str, Any]]:
+    notes = (each for each in run.trace if isinstance(each, NoteEntry))
+    return [each.details for each in notes if each.about == "seen"]
+
+
 def test_an_own_agent_has_the_lidar(own_agent: Run) -> None:
     run = own_agent("journal.note('seen', rays=len(robot.lidar_scan().ranges))")
-    assert [each["rays"] for each in run.trace if each.get("about") == "seen"] == [360]
+    assert seen_in(run) == [{"rays": 360}]
 
 
 def test_an_own_agent_sees_that_it_can_go_by_steps(own_agent: Run) -> None:
@@ -124,5 +131,4 @@ def test_an_own_agent_sees_that_it_can_go_by_steps(own_agent: Run) -> None:
         "import memorymaze.robot.steps as s; "
         "journal.note('seen', steps=isinstance(robot, s.SteppingRobot))"
     )
-    trace = own_agent(line).trace
-    assert [each["steps"] for each in trace if each.get("about") == "seen"] == [True]
+    assert seen_in(own_agent(line)) == [{"steps": True}]

@@ -18,6 +18,7 @@ from memorymaze.evaluation.episode import EpisodeRun, run_episode
 from memorymaze.evaluation.handing_over import graph_of
 from memorymaze.evaluation.plan import RunPlan, plan_run
 from memorymaze.evaluation.settings import AgentSettings, RunDefinition
+from memorymaze.evaluation.trace_entries import NoteEntry
 from memorymaze.instructions.records import Episode
 from memorymaze.language.model import CompletionRequest
 from memorymaze.language.scripted_model import ScriptedLanguageModel
@@ -74,8 +75,12 @@ def run(episode: Episode, plan: RunPlan, **options: Any) -> EpisodeRun:
     return run_episode(agent, episode, arena, on_graph(plan.settings))
 
 
-def notes(done: EpisodeRun, about: str) -> list[dict[str, Any]]:
-    return [entry for entry in done.trace if entry.get("about") == about]
+def notes(done: EpisodeRun, about: str) -> list[Mapping[str, Any]]:
+    return [
+        entry.details
+        for entry in done.trace
+        if isinstance(entry, NoteEntry) and entry.about == about
+    ]
 
 
 def test_it_follows_the_graphs_of_tiny_sites_to_their_goals(

@@ -25,6 +25,7 @@ from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import read_run
 from memorymaze.evaluation.settings import AgentSettings, RunSettings
 from memorymaze.evaluation.trace import read_trace
+from memorymaze.evaluation.trace_entries import NoteEntry
 from memorymaze.instructions import load_corpus
 from memorymaze.language.answers import RecordingModel
 from memorymaze.language.model import CompletionRequest
@@ -105,9 +106,9 @@ def test_a_recorded_run_is_replayed_without_a_server(
     assert {one.stopped_by for one in asked} == {"agent"}
     assert any(one.success for one in asked)
     notes = [
-        entry["about"]
+        entry.about
         for entry in read_trace(tmp_path / "asked", asked[0].episode_id)
-        if entry["kind"] == "note"
+        if isinstance(entry, NoteEntry)
     ]
     assert {"model_reply", "program"} <= set(notes)
     model = ModelSettings(model="fake", replay=replies)

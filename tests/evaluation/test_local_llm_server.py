@@ -23,6 +23,7 @@ from memorymaze.evaluation.plan import plan_run
 from memorymaze.evaluation.run_folder import read_run
 from memorymaze.evaluation.settings import AgentSettings, RunSettings
 from memorymaze.evaluation.trace import read_trace
+from memorymaze.evaluation.trace_entries import NoteEntry
 from memorymaze.instructions import load_corpus
 from memorymaze.language.local_models import SMOLLM2_FILE, local_model
 from memorymaze.language.model import CompletionRequest, Message
@@ -107,9 +108,9 @@ def test_from_a_server_over_programs_and_walks_to_a_table_and_a_replay(
         # Held to the grammar, it writes programs that run to their end.
         assert one.stopped_by in {"agent", "budget", "stuck"}, one.error
         notes = {
-            entry["about"]
+            entry.about
             for entry in read_trace(tmp_path / "asked", one.episode_id)
-            if entry["kind"] == "note"
+            if isinstance(entry, NoteEntry)
         }
         assert {"steps", "program"} <= notes
     replayed = run(

@@ -16,6 +16,7 @@ from memorymaze.evaluation.run_folder import RunRecord, open_run_folder, read_ru
 from memorymaze.evaluation.settings import RunDefinition, differences
 from memorymaze.evaluation.summary import summarise, summary_lines
 from memorymaze.evaluation.trace import read_trace
+from memorymaze.evaluation.trace_entries import PeopleEntry, ThingsEntry
 from memorymaze.results.tables import load_runs, run_tables
 from memorymaze.simulation.obstacles import ObstacleSettings
 
@@ -40,9 +41,9 @@ def test_the_same_seed_gives_the_same_results_in_other_processes(
         name = each.episode_id
         traces = [list(read_trace(tmp_path / run, name)) for run in ("one", "two")]
         assert traces[0] == traces[1]
-        assert [entry for entry in traces[0] if entry["kind"] == "things"]
-        [people] = [entry for entry in traces[0] if entry["kind"] == "people"]
-        times = [place[0] for place in people["walks"]["person-1"]]
+        assert [entry for entry in traces[0] if isinstance(entry, ThingsEntry)]
+        [people] = [entry for entry in traces[0] if isinstance(entry, PeopleEntry)]
+        times = [place[0] for place in people.walks["person-1"]]
         assert times[0] == 0
         assert all(1 <= b - a < 1.2 for a, b in pairwise(times))
         assert times[-1] > each.duration_s - 1.2

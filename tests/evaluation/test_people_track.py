@@ -17,6 +17,7 @@ from memorymaze.evaluation.run_folder import RunRecord, open_run_folder, read_ru
 from memorymaze.evaluation.settings import AgentSettings, RunDefinition, RunSettings
 from memorymaze.evaluation.summary import summarise, summary_lines
 from memorymaze.evaluation.trace import read_trace
+from memorymaze.evaluation.trace_entries import OpeningEntry
 from memorymaze.instructions import Corpus
 from memorymaze.language.model_settings import ModelSettings
 from memorymaze.language.spending import TokenPrice
@@ -201,7 +202,7 @@ def test_a_model_plays_people_and_its_cost_is_not_the_agents(
     assert entry["model"] == "canned"
     call = next(each for each in walk.trace if each.get("result") == SPOKEN["reply"])
     assert call["call"] == "ask"
-    told = [each.text for each in events_of(walk.trace)]
+    told = [each.text for each in events_of(walk.run.trace)]
     assert any("words of a language model, canned" in text for text in told)
 
 
@@ -267,7 +268,8 @@ def test_a_run_with_people_is_kept_and_not_taken_up_with_others(
     [result] = run_plan(plan, tmp_path, workers=1)
     assert read_run(tmp_path)[0].settings.ask == 3
     [first, *_] = read_trace(tmp_path, result.episode_id)
-    assert "destination" in first
+    assert isinstance(first, OpeningEntry)
+    assert first.destination
     other = tiny_plan("stop", limit=1, ask=3, obstacles=CROWD, passers_by="wrong")
     with pytest.raises(RunFolderError, match="passers_by"):
         run_plan(other, tmp_path, workers=1, resume=True)

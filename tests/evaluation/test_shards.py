@@ -23,6 +23,7 @@ from memorymaze.evaluation.run_folder import (
 from memorymaze.evaluation.settings import Shard, parse_shard
 from memorymaze.evaluation.shards import episodes_of_shard, part_folder
 from memorymaze.evaluation.trace import trace_content, trace_path
+from memorymaze.evaluation.trace_entries import EndEntry
 from memorymaze.instructions import Corpus, load_corpus
 from memorymaze.instructions.records import Episode
 from memorymaze.results.story.recorded_episode import load_episode
@@ -133,7 +134,9 @@ def shard_folder(
             sites=[loop_site],
             instructions=[everything[number].instruction],
         ) as run:
-            run.add(result(f"p{number}-1"), trace_content([{"kind": "end"}]))
+            run.add(
+                result(f"p{number}-1"), trace_content([EndEntry(1.0, "agent", None)])
+            )
         return folder
 
     return write

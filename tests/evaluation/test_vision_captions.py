@@ -51,7 +51,7 @@ def test_the_model_describes_and_the_camera_measures(robot: SimulatedRobot) -> N
     assert "bench" in str(panorama.outlooks[4].things)
     assert model.requests[0].messages[-1].pictures == (DOT,) * 8
     assert journal.model_calls == 1
-    assert journal.notes[0]["stage"] == "caption"
+    assert journal.notes[0].details["stage"] == "caption"
 
 
 @pytest.mark.parametrize("process", ["the same", "another"])

@@ -40,7 +40,7 @@ def test_it_stops_before_the_wall_it_sees(corridor_site: mm.Site) -> None:
 
     agent.follow("Go.", GuardedRobot(robot), journal, np.random.default_rng(0))
 
-    assert journal.notes[-1]["metres"] < 1.5
+    assert journal.notes[-1].details["metres"] < 1.5
     assert not robot.collisions
 
 

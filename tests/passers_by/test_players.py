@@ -3,6 +3,7 @@ from collections.abc import Callable
 
 import pytest
 
+from memorymaze.evaluation.trace_entries import answer_entry, line_of
 from memorymaze.geometry.pose import Pose
 from memorymaze.language.answers import RecordingModel, ReplayingModel
 from memorymaze.language.scripted_model import ScriptedLanguageModel
@@ -11,7 +12,6 @@ from memorymaze.passers_by import (
     FloorKnowledge,
     Memory,
     ModelInRole,
-    asked_entry,
     load_bank,
 )
 from memorymaze.passers_by.bank_records import REPLY_CASES, Reply, TurnFact, WayFacts
@@ -64,7 +64,7 @@ def test_a_model_says_what_the_person_remembers_right_or_wrong(
     [answered] = people.asked
     assert answered.truth == {"memory": "right"}.get(kind, kind)
     assert answered.error == recalled.error
-    entry = asked_entry(answered)
+    entry = line_of(answer_entry(answered))
     assert entry["model"] == "scripted"
     assert entry["tokens"] > 100
 
@@ -92,7 +92,9 @@ def test_a_models_words_are_replayed_from_a_store(
 def test_what_a_trace_tells_of_others_names_no_model(met: Meet) -> None:
     _, people, _ = met()
     people.ask(way_to("the library"))
-    assert {"model", "tokens", "cost_usd"}.isdisjoint(asked_entry(people.asked[0]))
+    assert {"model", "tokens", "cost_usd"}.isdisjoint(
+        line_of(answer_entry(people.asked[0]))
+    )
 
 
 @pytest.mark.parametrize(("kind", "case"), REPLY_CASES)

@@ -149,7 +149,14 @@ def test_a_bad_trace_costs_its_own_walk_alone(rules: Path, how: str) -> None:
 def test_a_trace_with_a_call_that_needs_answers_is_found(rules: Path) -> None:
     episode = edit_result(rules)
     path = trace_path(rules, episode)
-    call = {"kind": "call", "call": "follow", "arguments": {}}
+    call = {
+        "kind": "call",
+        "time": 1.0,
+        "pose": [0.0, 0.0, 0.0],
+        "call": "follow",
+        "arguments": {},
+        "result": {"distance": 1.0, "reason": "done"},
+    }
     content = gzip.decompress(path.read_bytes()) + json.dumps(call).encode() + b"\n"
     path.write_bytes(gzip.compress(content))
     assert any("the call follow" in each for each in check(rules).problems)

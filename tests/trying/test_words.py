@@ -4,28 +4,33 @@ from typing import Any
 
 import pytest
 
+from memorymaze.agents.notes import BeliefNote
 from memorymaze.evaluation.navigation import navigate
 from memorymaze.evaluation.results import EpisodeResult
+from memorymaze.evaluation.trace_entries import CallEntry, NoteEntry, TraceEntry
 from memorymaze.sites import Site
 from memorymaze.trying.words import (
-    ToldBelief,
     Verdict,
-    belief_of,
+    belief_words,
     change_of_mind,
     thought_of,
     verdict_of,
 )
 
 
-def note(about: str, **told: Any) -> dict[str, Any]:
-    return {"kind": "note", "time": 1.0, "about": about, **told}
+def note(about: str, **told: Any) -> NoteEntry:
+    return NoteEntry(1.0, about, told)
+
+
+def call(name: str, **arguments: Any) -> CallEntry:
+    return CallEntry(1.0, (0.0, 0.0, 0.0), name, arguments, None)
 
 
 @pytest.mark.parametrize(
     ("entry", "told"),
     [
         pytest.param(
-            {"kind": "call", "call": "say", "arguments": {"text": "We turn left."}},
+            call("say", text="We turn left."),
             ("says", "We turn left."),
             id="speech",
         ),
@@ -44,30 +49,28 @@ def note(about: str, **told: Any) -> dict[str, Any]:
             ("thinks", "Gives up: nothing fits. (2% sure)"),
             id="gave up",
         ),
-        pytest.param(
-            {"kind": "call", "call": "move_forward", "arguments": {}}, None, id="move"
-        ),
+        pytest.param(call("move_forward"), None, id="move"),
         pytest.param(note("decision", at=1), None, id="decision"),
     ],
 )
 def test_a_visitor_hears_what_the_robot_says_and_why_it_goes_back(
-    entry: dict[str, Any], told: tuple[str, str] | None
+    entry: TraceEntry, told: tuple[str, str] | None
 ) -> None:
     assert thought_of(entry) == told
 
 
 def test_a_belief_names_the_likeliest_step() -> None:
-    belief = belief_of(note("belief", legs=[0.1, 0.7, 0.2], doubt=0.25))
-    assert belief is not None
-    assert belief.words == "Probably at step 2 of 3 (70%)"
+    belief = note("belief", at=1, legs=[0.1, 0.7, 0.2], doubt=0.25).note
+    assert isinstance(belief, BeliefNote)
+    assert belief_words(belief) == "Probably at step 2 of 3 (70%)"
     assert (belief.likeliest, belief.doubt) == (1, 0.25)
 
 
 def test_only_another_step_or_a_new_doubt_is_a_change_of_mind() -> None:
     steps = ["turn left", "arrive at the library"]
-    first = ToldBelief([0.9, 0.1], 0, "", 0.1)
-    onward = ToldBelief([0.2, 0.8], 1, "", 0.1)
-    doubting = ToldBelief([0.3, 0.7], 1, "", 0.6)
+    first = BeliefNote(0, [0.9, 0.1], 0.1)
+    onward = BeliefNote(1, [0.2, 0.8], 0.1)
+    doubting = BeliefNote(1, [0.3, 0.7], 0.6)
     assert change_of_mind(None, first, steps) == (
         "thinks",
         "Now comes step 1: turn left.",

@@ -9,6 +9,13 @@ from typing import Any, Literal, Protocol, runtime_checkable
 
 import numpy as np
 
+from memorymaze.agents.notes import (
+    ArrivalNote,
+    GaveUpNote,
+    ModelReplyNote,
+    Note,
+    OwnNote,
+)
 from memorymaze.language.model import Completion, CompletionRequest, LanguageModel
 from memorymaze.robot.steps import SteppingRobot
 
@@ -22,7 +29,7 @@ AMOUNTS = frozenset({"cost_usd", "inference_s"})
 TOLD_AGAIN = "\n\nTold once more:\n\n"
 """Between two tellings of one way by the same person, where an agent is handed both."""
 
-ARRIVAL, GAVE_UP = "arrival", "gave_up"
+_ENDINGS = frozenset({ArrivalNote.about, GaveUpNote.about})
 """Kinds of notes by which an agent says at the end whether it is there."""
 
 
@@ -97,8 +104,8 @@ class Journal:
     cost_usd: float = 0.0
     inference_s: float = 0.0
     """Real seconds that replies took, all together."""
-    notes: list[dict[str, Any]] = field(default_factory=list[dict[str, Any]])
-    listener: Callable[[dict[str, Any]], None] | None = None
+    notes: list[Note] = field(default_factory=list[Note])
+    listener: Callable[[Note], None] | None = None
     on_completion: Callable[[Completion], float] | None = None
     """Lets the time of a reply pass for the robot; returns the simulated seconds."""
     limits: FairLimits | None = None
@@ -115,31 +122,34 @@ class Journal:
         super().__setattr__(name, value)
 
     def note(self, kind: str, **details: Any) -> None:
-        """Write down a thought: `kind` such as `steps`, `program`, `model_reply`."""
-        told = details.get("confidence")
-        if kind in {ARRIVAL, GAVE_UP} and told is not None:
-            what = f"journal.note({kind!r}, confidence=…)"
+        """Write down a thought of any kind, such as `steps`, `decision`, `arrival`."""
+        self.add(OwnNote(kind, details))
+
+    def add(self, note: Note) -> None:
+        """Write down a thought."""
+        told = note.details.get("confidence")
+        if note.about in _ENDINGS and told is not None:
+            what = f"journal.note({note.about!r}, confidence=…)"
             _checked(what, "a probability from 0 to 1", told, float, most=1)
-        entry = {"kind": kind, **details}
-        self.notes.append(entry)
+        self.notes.append(note)
         if self.listener is not None:
-            self.listener(entry)
+            self.listener(note)
 
     @property
     def confidence(self) -> float | None:
         """How sure the agent was at last that it is there; None where it tells nothing."""
-        told = [each.get("confidence") for each in self._endings]
+        told = [each.details.get("confidence") for each in self._endings]
         last = next((each for each in reversed(told) if each is not None), None)
         return None if last is None else float(last)
 
     @property
     def gave_up(self) -> bool:
         """Whether its last word is that it could not find the way."""
-        return bool(self._endings) and self._endings[-1]["kind"] == GAVE_UP
+        return bool(self._endings) and self._endings[-1].about == GaveUpNote.about
 
     @property
-    def _endings(self) -> list[dict[str, Any]]:
-        return [each for each in self.notes if each["kind"] in {ARRIVAL, GAVE_UP}]
+    def _endings(self) -> list[Note]:
+        return [each for each in self.notes if each.about in _ENDINGS]
 
     def ask(self, model: LanguageModel, request: CompletionRequest, stage: str) -> str:
         """Return a model's reply to what it is asked at a stage, such as `program`."""
@@ -161,16 +171,17 @@ class Journal:
         self.cost_usd += usage.cost_usd or 0.0
         self.inference_s += completion.latency
         stood = 0.0 if self.on_completion is None else self.on_completion(completion)
-        self.note(
-            "model_reply",
-            stage=stage,
-            model=completion.model,
-            text=completion.text,
-            prompt_tokens=usage.prompt_tokens,
-            completion_tokens=usage.completion_tokens,
-            cost_usd=usage.cost_usd,
-            latency=completion.latency,
-            standing_s=stood,
+        self.add(
+            ModelReplyNote(
+                stage=stage,
+                model=completion.model,
+                text=completion.text,
+                prompt_tokens=usage.prompt_tokens,
+                completion_tokens=usage.completion_tokens,
+                cost_usd=usage.cost_usd,
+                latency=completion.latency,
+                standing_s=stood,
+            )
         )
 
 

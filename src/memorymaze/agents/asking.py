@@ -5,6 +5,7 @@ from dataclasses import replace
 from typing import TypeVar
 
 from memorymaze.agents.agent import Journal
+from memorymaze.agents.notes import UnusableReplyNote
 from memorymaze.errors import LanguageModelError
 from memorymaze.input_files import shown
 from memorymaze.language.model import (
@@ -44,7 +45,7 @@ def ask_until_read(
             return read(reply)
         except ValueError as error:
             problem = str(error)
-        journal.note("unusable_reply", stage=question.stage, problem=problem)
+        journal.add(UnusableReplyNote(question.stage, problem))
         said = Message("assistant", reply.strip() or "(nothing)")
         again = Message("user", load_prompt(refusal, problem=problem))
         request = replace(request, messages=(*request.messages, said, again))

@@ -8,6 +8,12 @@ from itertools import islice
 import numpy as np
 
 from memorymaze.agents.agent import Journal
+from memorymaze.agents.notes import (
+    ArrivalNote,
+    DecisionNote,
+    DestinationNote,
+    GaveUpNote,
+)
 from memorymaze.agents.plan_readers import ReaderOptions, ReadsFirst
 from memorymaze.agents.rules.arriving import approach
 from memorymaze.agents.walking.floor_map import Sighting
@@ -70,7 +76,7 @@ class ExplorerAgent(ReadsFirst):
         end `arrival` or `gave_up`.
         """
         names = destination_names(self.reader.read(instruction, journal).arrival)
-        journal.note("destination", names=list(names))
+        journal.add(DestinationNote(names))
         walker = Walker(robot)
         walker.map.crossings[walker.at].add_exit(math.pi)
         found: list[Sighting] = []
@@ -83,19 +89,19 @@ class ExplorerAgent(ReadsFirst):
 
         ways = untried_ways(walker, rng) if names else iter(())
         for crossing, exit in ways:
-            journal.note("decision", at=crossing, exit=exit)
+            journal.add(DecisionNote(crossing, exit))
             if walker.go_to(crossing):
                 walker.follow_exit(exit, names, is_found)
             else:
                 walker.map.crossings[crossing].closed.add(exit)
             if found:
                 reason = f"{found[0].phrase} seen as {found[0].label}"
-                journal.note("arrival", reason=reason, score=found[0].score)
+                journal.add(ArrivalNote(reason, score=found[0].score))
                 approach(walker, found[0])
                 break
         else:
             why = "every way is tried" if names else "the text names no destination"
-            journal.note("gave_up", reason=why)
+            journal.add(GaveUpNote(why))
         robot.stop()
 
 

@@ -3,9 +3,7 @@
 import importlib
 import sys
 import traceback
-from collections.abc import Iterable, Mapping
 from pathlib import Path
-from typing import Any
 
 from memorymaze.errors import LanguageModelError, ProgramError
 
@@ -49,14 +47,6 @@ def failure_traceback(problem: BaseException) -> list[str]:
         return []
     lines = "".join(traceback.format_exception(problem)).splitlines()
     return lines[-TRACEBACK_LINES:]
-
-
-def kept_traceback(trace: Iterable[Mapping[str, Any]]) -> list[str]:
-    """Return the lines of the traceback in an episode's trace; none where none is."""
-    for entry in trace:
-        if entry["kind"] == "note" and entry["about"] == "traceback":
-            return list(entry["lines"])
-    return []
 
 
 def _message(problem: BaseException) -> str:

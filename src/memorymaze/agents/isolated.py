@@ -30,6 +30,7 @@ from memorymaze.agents.agent import (
     asking_of,
 )
 from memorymaze.agents.failures import failure_line, failure_traceback
+from memorymaze.agents.notes import TracebackNote
 from memorymaze.errors import (
     EpisodeOver,
     LanguageModelError,
@@ -155,7 +156,7 @@ class IsolatedAgent:
                 case "call", content:
                     connection.send(_answer(robot, names, *content))
                 case "note", content:
-                    journal.note(content.pop("kind"), **content)
+                    journal.add(content)
                 case "ask", request:
                     connection.send(self._completed(request))
                 case "completion", content:
@@ -290,7 +291,7 @@ def _live(connection: Connection) -> None:
         except (EOFError, OSError):
             return
         journal = Journal(
-            listener=lambda entry: connection.send(("note", dict(entry))),
+            listener=lambda note: connection.send(("note", note)),
             on_completion=lambda reply: _stood(connection, reply),
             limits=limits,
         )
@@ -304,7 +305,7 @@ def _live(connection: Connection) -> None:
             end = _sendable(problem, agent)
             lines = failure_traceback(problem)
             if lines and end[0] == "error":
-                journal.note("traceback", lines=tuple(lines))
+                journal.add(TracebackNote(lines))
         spent = {name: getattr(journal, name) for name in COUNTS | AMOUNTS}
         connection.send(("end", (end, spent)))
 

@@ -17,6 +17,7 @@ from memorymaze.agents.agent import Asking, FairLimits, Journal, Need
 from memorymaze.agents.asking import ask_until_read
 from memorymaze.agents.navid.motions import Command, Motions, frame_name
 from memorymaze.agents.navid.replies import read_reply, reply_grammar
+from memorymaze.agents.notes import SaidAndDoneNote
 from memorymaze.errors import EpisodeOver, SettingsError
 from memorymaze.language.model import (
     CompletionRequest,
@@ -125,7 +126,7 @@ class SeeAndGoAgent:
             if command.motion == "stop":
                 return robot.stop()
             ahead, done = make_move(robot, command)
-            journal.note("move", said=said, done=done)
+            journal.add(SaidAndDoneNote(said, done))
             steps.append(f"- {said} {done}")
             still = 0 if ahead > STILL_METRES else still + 1
             place = frame_name(episode, place, done)

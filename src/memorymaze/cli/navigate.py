@@ -62,8 +62,8 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
 
 def _run(options: argparse.Namespace) -> int:
     import memorymaze as mm
-    from memorymaze.agents.failures import kept_traceback
     from memorymaze.evaluation.navigation import check_folder
+    from memorymaze.evaluation.trace_entries import kept_traceback
 
     settings = one_episode_settings(options)
     site = mm.load_site(options.site)
@@ -88,7 +88,7 @@ def _run(options: argparse.Namespace) -> int:
             f"memorymaze: note: could not show it all ({onlooker.trouble})",
             file=sys.stderr,
         )
-    for line in kept_traceback(walk.trace):
+    for line in kept_traceback(walk.run.trace):
         print(line, file=sys.stderr)
     result = walk.result
     outcome = "arrived" if result.success else "did not arrive"

@@ -10,6 +10,7 @@ from typing import Any, Literal, cast
 import numpy as np
 
 from memorymaze.agents.agent import Agent, Journal, asking_of
+from memorymaze.agents.notes import ProgramDoubtsNote, note_of
 from memorymaze.errors import (
     EpisodeOver,
     LanguageModelError,
@@ -95,10 +96,9 @@ def remarks_on(plan: RunPlan) -> Iterator[Remark]:
         elif isinstance(ending, LanguageModelError):
             yield Remark("model_error", f"{place}: {ending}")
         for note in journal.notes:
-            if note["kind"] == "doubts":
-                yield from (
-                    Remark("note", f"{place}: {each}") for each in note["doubts"]
-                )
+            read = note_of(note.about, note.details)
+            if isinstance(read, ProgramDoubtsNote):
+                yield from (Remark("note", f"{place}: {each}") for each in read.doubts)
 
 
 class _Inquirer:

@@ -3,9 +3,9 @@
 from collections.abc import Iterable
 from pathlib import Path
 
-from memorymaze.agents.failures import kept_traceback
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.trace import read_trace, trace_path
+from memorymaze.evaluation.trace_entries import kept_traceback
 from memorymaze.wording import counted
 
 CRASHES = 3

@@ -10,6 +10,7 @@ from typing import Any, NamedTuple, Protocol, cast
 
 from memorymaze.agents.agent import Agent, Journal
 from memorymaze.agents.failures import failure_line, failure_traceback
+from memorymaze.agents.notes import TracebackNote
 from memorymaze.errors import (
     DetectorError,
     EpisodeOver,
@@ -26,6 +27,9 @@ from memorymaze.evaluation.results import EpisodeResult, StoppedBy, measure_walk
 from memorymaze.evaluation.seeds import seeds_of
 from memorymaze.evaluation.settings import RunDefinition
 from memorymaze.evaluation.trace_entries import (
+    OpeningEntry,
+    TraceEntry,
+    answer_entry,
     call_entry,
     closing_entries,
     note_entry,
@@ -35,7 +39,7 @@ from memorymaze.evaluation.trace_entries import (
 from memorymaze.evaluation.vision_captions import VisionCaptions
 from memorymaze.geometry.trajectory import Trajectory
 from memorymaze.instructions.records import Episode
-from memorymaze.passers_by import Encounters, asked_entry
+from memorymaze.passers_by import Encounters
 from memorymaze.simulation.robot import SimulatedRobot
 
 
@@ -45,16 +49,21 @@ class EpisodeRun:
 
     result: EpisodeResult
     trajectory: Trajectory
-    trace: tuple[dict[str, Any], ...]
+    trace: tuple[TraceEntry, ...]
     """Entries in the order of time; see `docs/data_formats.md`."""
     interpreter_lost: bool = False
     """Whether the process that ran the agent's program died."""
+
+    @property
+    def opening(self) -> OpeningEntry:
+        """What was followed, from where."""
+        return next(each for each in self.trace if isinstance(each, OpeningEntry))
 
 
 class Watcher(Protocol):
     """Looks at an episode while it goes on; changes nothing."""
 
-    def begin(self, robot: SimulatedRobot, trace: Sequence[dict[str, Any]]) -> None:
+    def begin(self, robot: SimulatedRobot, trace: Sequence[TraceEntry]) -> None:
         """See an episode begin; its trace grows from now on."""
         ...
 
@@ -109,9 +118,11 @@ def _attempt(
     seeds = seeds_of(settings.seed, episode.id)
     way = arena.site.route(episode.instruction.reference_route)
     destination = None if settings.ask is None else way.goal
-    trace = [opening_entry(agent.name, episode, settings, destination)]
+    trace: list[TraceEntry] = [
+        opening_entry(agent.name, episode, settings, destination)
+    ]
 
-    def tell(entry: dict[str, Any]) -> None:
+    def tell(entry: TraceEntry) -> None:
         trace.append(entry)
         if watcher is not None:
             watcher.told()
@@ -130,10 +141,10 @@ def _attempt(
             people_of_episode(arena, episode, settings, seeds.people),
             destination,
             settings.ask,
-            lambda asked: tell(asked_entry(asked)),
+            lambda asked: tell(answer_entry(asked)),
         )
     journal = Journal(
-        listener=lambda entry: tell(note_entry(robot.time, entry)),
+        listener=lambda note: tell(note_entry(robot.time, note)),
         on_completion=lambda reply: robot.wait(
             settings.agent.language_model.inference_time.seconds(reply)
         ),
@@ -242,7 +253,7 @@ def _follow(
     except BaseException as problem:
         where = failure_traceback(problem)
         if where:
-            journal.note("traceback", lines=where)
+            journal.add(TracebackNote(where))
         return _Ending(
             _outcome(problem) if robot.stopped_by is None else _as_robot_says(robot),
             failure_line(problem, agent),

@@ -2,12 +2,13 @@
 
 import json
 import os
-from collections.abc import Sequence
+from collections.abc import Iterable
 from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from memorymaze.drawing.shapes import Met, ThingInTheWay
 from memorymaze.durable_files import write_whole
@@ -21,6 +22,12 @@ from memorymaze.evaluation.people_to_ask import check_people, model_of_people
 from memorymaze.evaluation.plan import define_run
 from memorymaze.evaluation.settings import RunSettings
 from memorymaze.evaluation.trace import trace_lines
+from memorymaze.evaluation.trace_entries import (
+    NearMissEntry,
+    PeopleEntry,
+    ThingsEntry,
+    TraceEntry,
+)
 from memorymaze.instructions.corpus import episodes
 from memorymaze.instructions.records import Instruction
 from memorymaze.language.model_settings import ModelSettings
@@ -92,22 +99,22 @@ def instruction_on(site: Site, route: Route, text: str) -> Instruction:
     )
 
 
-def _met_in(trace: Sequence[dict[str, Any]]) -> Met | None:
-    """Return the things and people that a trace tells of; None without obstacles."""
-    entries = {entry["kind"]: entry for entry in trace}
-    if "things" not in entries:
-        return None
+def _met_in(trace: Iterable[TraceEntry]) -> Met:
+    """Return the things and people that a trace tells of."""
     things: list[ThingInTheWay] = []
-    for each in entries["things"]["things"]:
-        (x, y, heading), (length, depth, _) = each["pose"], each["size"]
-        things.append(ThingInTheWay(each["category"], x, y, heading, length, depth))
-    walks = entries.get("people", {"walks": {}})["walks"].values()
-    close = tuple(
-        (entry["pose"][0], entry["pose"][1])
-        for entry in trace
-        if entry["kind"] == "near_miss"
-    )
-    return Met(things, tuple(np.array(walk)[:, 1:] for walk in walks), close)
+    walks: list[NDArray[np.float64]] = []
+    close: list[tuple[float, float]] = []
+    for entry in trace:
+        match entry:
+            case ThingsEntry():
+                things += [each.shape for each in entry.things]
+            case PeopleEntry():
+                walks += [np.array(walk)[:, 1:] for walk in entry.walks.values()]
+            case NearMissEntry():
+                close.append(entry.pose[:2])
+            case _:
+                pass
+    return Met(things, walks, close)
 
 
 def draw_navigation(run: EpisodeRun, site: Site, route: Route) -> "Image":
@@ -118,7 +125,7 @@ def draw_navigation(run: EpisodeRun, site: Site, route: Route) -> "Image":
         site,
         route,
         run.trajectory,
-        instruction=run.trace[0]["instruction"],
+        instruction=run.opening.instruction,
         outcome=outcome_line(run.result),
         arrived=run.result.success,
         met=_met_in(run.trace),
@@ -133,7 +140,7 @@ def write_navigation(
     content: dict[str, Any] = {
         "site": site.name,
         "route": route.id,
-        "instruction": run.trace[0]["instruction"],
+        "instruction": run.opening.instruction,
         "result": asdict(run.result),
         "columns": ["time", "x", "y", "heading"],
         "poses": [list(pose) for pose in run.trajectory.poses],

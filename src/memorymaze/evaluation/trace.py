@@ -12,10 +12,12 @@ from typing import Any
 from urllib.parse import quote
 
 import numpy as np
+from pydantic import ValidationError
 
 from memorymaze.durable_files import write_whole
 from memorymaze.errors import RunFolderError
 from memorymaze.evaluation.shards import parts_in
+from memorymaze.evaluation.trace_entries import TraceEntry, line_of, read_entry
 
 NAME_LIMIT = 150
 """Longest file stem made of an episode id; longer ones are cut and numbered."""
@@ -44,7 +46,7 @@ def trace_path(folder: Path, episode_id: str) -> Path:
     return folder / place
 
 
-def trace_content(entries: Iterable[Mapping[str, object]]) -> bytes:
+def trace_content(entries: Iterable[TraceEntry]) -> bytes:
     """Return what the file of a trace holds; equal entries give equal bytes."""
     return gzip.compress(trace_lines(entries), mtime=0)
 
@@ -54,13 +56,18 @@ def keep_trace(folder: Path, episode_id: str, content: bytes) -> None:
     write_whole(trace_path(folder, episode_id), content)
 
 
-def trace_lines(entries: Iterable[Mapping[str, object]]) -> bytes:
+def trace_lines(entries: Iterable[TraceEntry]) -> bytes:
     """Return trace entries as lines of JSON; what JSON does not know as its `repr`."""
-    text = "".join(f"{_line(entry)}\n" for entry in entries)
+    text = "".join(f"{_line(line_of(entry))}\n" for entry in entries)
     return text.encode("utf-8", "backslashreplace")
 
 
-def read_trace(folder: Path, episode_id: str) -> Iterator[dict[str, Any]]:
+def plain_entries(entries: Iterable[TraceEntry]) -> tuple[dict[str, Any], ...]:
+    """Return trace entries as their lines of JSON are read."""
+    return tuple(_plain(line_of(entry)) for entry in entries)
+
+
+def read_trace(folder: Path, episode_id: str) -> Iterator[TraceEntry]:
     """Read an episode's trace, entry by entry."""
     path = trace_path(folder, episode_id)
     try:
@@ -68,8 +75,8 @@ def read_trace(folder: Path, episode_id: str) -> Iterator[dict[str, Any]]:
             content = file.read(LARGEST_TRACE + 1)
         if len(content) > LARGEST_TRACE:
             raise ValueError(f"unpacked it has more than {LARGEST_TRACE // 2**20} MiB")
-        for line in content.splitlines():
-            yield json.loads(line)
+        for number, line in enumerate(content.splitlines(), start=1):
+            yield _entry_in(line, f"{path}:{number}")
     except FileNotFoundError:
         raise RunFolderError(
             f"{path}: expected the trace of episode {episode_id!r}, got no such file"
@@ -78,6 +85,18 @@ def read_trace(folder: Path, episode_id: str) -> Iterator[dict[str, Any]]:
         raise RunFolderError(
             f"{path}: the trace of episode {episode_id!r} is damaged ({error}); delete "
             "its line in episodes.jsonl, and --resume runs the episode again"
+        ) from None
+
+
+def _entry_in(line: bytes, place: str) -> TraceEntry:
+    try:
+        return read_entry(json.loads(line))
+    except ValidationError as error:
+        wrong = error.errors()[0]
+        where = ".".join(map(str, wrong["loc"])) or "line"
+        raise RunFolderError(
+            f"{place}: expected an entry as memorymaze writes it, got another "
+            f"({where}: {wrong['msg']})"
         ) from None
 
 

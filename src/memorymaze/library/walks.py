@@ -15,6 +15,7 @@ from memorymaze.evaluation.navigation import (
     write_navigation,
 )
 from memorymaze.evaluation.settings import RunSettings
+from memorymaze.evaluation.trace import plain_entries
 from memorymaze.language.model_settings import ModelSettings
 from memorymaze.pictures import robot_cameras
 from memorymaze.simulation.robot import SimulatedRobot
@@ -69,7 +70,7 @@ class Walk:
     @property
     def trace(self) -> tuple[dict[str, Any], ...]:
         """Every call and note in the order of time; see `docs/data_formats.md`."""
-        return self.run.trace
+        return plain_entries(self.run.trace)
 
     def plot(self) -> "Image":
         """Draw the walk on the plan; notebooks show the picture."""

@@ -8,7 +8,7 @@ this room.
 """
 
 from memorymaze.passers_by.bank import load_bank
-from memorymaze.passers_by.encounters import Asked, Encounters, Meet, asked_entry
+from memorymaze.passers_by.encounters import Asked, Encounters, Meet
 from memorymaze.passers_by.knowledge import FloorKnowledge
 from memorymaze.passers_by.memory import Memory
 from memorymaze.passers_by.players import ModelInRole
@@ -20,6 +20,5 @@ __all__ = [
     "Meet",
     "Memory",
     "ModelInRole",
-    "asked_entry",
     "load_bank",
 ]

@@ -1,7 +1,7 @@
 """The people of one episode whom a robot can ask, and what came of it."""
 
 from collections.abc import Callable
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from typing import Any, Protocol, cast, get_args
 
 from memorymaze.errors import CommandError
@@ -123,15 +123,6 @@ class Encounters:
         if self._on_answer is not None:
             self._on_answer(self.asked[-1])
         return words
-
-
-def asked_entry(asked: Asked) -> dict[str, Any]:
-    """Return what a trace tells of an answer besides its words."""
-    told = asdict(asked) | {"place": [round(each, 3) for each in asked.place]}
-    if asked.model is None:
-        for name in ("model", "tokens", "cost_usd"):
-            del told[name]
-    return {"kind": "passer_by", **told}
 
 
 def _checked(question: object) -> Question:

@@ -3,7 +3,6 @@
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
 
 from memorymaze.errors import RunFolderError, UndefinedMetricError
 from memorymaze.evaluation.arena import Arena
@@ -17,7 +16,12 @@ from memorymaze.evaluation.settings import (
     agent_version,
     differences,
 )
-from memorymaze.evaluation.trace import read_trace, trace_path
+from memorymaze.evaluation.trace import read_trace
+from memorymaze.evaluation.trace_entries import (
+    CallEntry,
+    EndEntry,
+    TrajectoryEntry,
+)
 from memorymaze.geometry.trajectory import TimedPose, Trajectory
 from memorymaze.input_files import stamp_file
 from memorymaze.instructions.corpus import Corpus, load_corpus
@@ -188,25 +192,24 @@ def _trace_problems(
 ) -> Iterator[str]:
     place = f"episode {result.episode_id!r}"
     try:
-        entries = list(_entries(folder, result.episode_id))
+        entries = list(read_trace(folder, result.episode_id))
     except RunFolderError as error:
         yield str(error)
         return
-    ending = next((e for e in entries if e["kind"] == "end"), {})
-    walked = next((e for e in entries if e["kind"] == "trajectory"), None)
-    if ending.get("stopped_by") != result.stopped_by or walked is None:
+    ending = next((e.stopped_by for e in entries if isinstance(e, EndEntry)), None)
+    walked = next((e for e in entries if isinstance(e, TrajectoryEntry)), None)
+    if ending != result.stopped_by or walked is None:
         yield (
-            f"{place}: expected a trace that ends with {result.stopped_by}, got "
-            f"{ending.get('stopped_by')}"
+            f"{place}: expected a trace that ends with {result.stopped_by}, got {ending}"
         )
         return
-    called = [entry.get("call") for entry in entries]
+    called = {entry.call for entry in entries if isinstance(entry, CallEntry)}
     for call in sorted(name for name in PRIVILEGED_CALLS if name in called):
         yield f"{place}: the trace has the call {call}, which needs answers"
     try:
         walk = arena.finished(
             episode,
-            Trajectory([TimedPose(*pose) for pose in walked["poses"]]),
+            Trajectory([TimedPose(*pose) for pose in walked.poses]),
             result.stopped_by,
             settings.success_distance,
         )
@@ -224,18 +227,6 @@ def _trace_problems(
                 f"{place}: expected {measure.field} {again:.3f}, as its trajectory "
                 f"gives, got {said:.3f}"
             )
-
-
-def _entries(folder: Path, episode_id: str) -> Iterator[dict[str, Any]]:
-    """Yield the entries of a trace."""
-    entries: Iterator[Any] = read_trace(folder, episode_id)
-    for number, entry in enumerate(entries, start=1):
-        if not (isinstance(entry, dict) and "kind" in entry):
-            raise RunFolderError(
-                f"{trace_path(folder, episode_id)}:{number}: expected an entry of a "
-                f"trace, an object with `kind`, got {str(entry)[:40]}"
-            )
-        yield entry
 
 
 def remarks(settings: RunDefinition, results: Iterable[EpisodeResult]) -> Iterator[str]:

@@ -2,12 +2,11 @@
 
 from collections.abc import Callable, Generator, Mapping
 from contextlib import contextmanager
-from dataclasses import asdict, dataclass
-from typing import NamedTuple, TypeVar, cast
+from dataclasses import dataclass
+from typing import NamedTuple, TypeVar
 
 from memorymaze.errors import CommandError, EpisodeOver, SettingsError
 from memorymaze.geometry.pose import Pose, turn_between
-from memorymaze.robot.api import Detection, MoveResult, SignText, TurnResult
 from memorymaze.steering.settings import RobotSettings
 
 _Result = TypeVar("_Result")
@@ -39,7 +38,8 @@ class TraceEvent:
     arguments: Mapping[str, object]
     """By parameter name; values as JSON knows them."""
     result: object
-    """What it returned, as JSON knows it; `{"error": ...}` when it raised."""
+    """What it returned: a record of the control API, a list of such, or what JSON knows;
+    `{"error": ...}` when it raised."""
 
 
 class CallEnd(NamedTuple):
@@ -61,17 +61,9 @@ class Call:
 
     def returns(self, result: _Result) -> _Result:
         """Take note of what it returns."""
-        self.result = _plain(result)
+        # The list itself goes to the agent, which may change it.
+        self.result = list(result) if isinstance(result, list) else result
         return result
-
-
-def _plain(value: object) -> object:
-    """Return a result as JSON knows it."""
-    if isinstance(value, list):
-        return [_plain(each) for each in cast(list[object], value)]
-    if isinstance(value, MoveResult | TurnResult | Detection | SignText):
-        return asdict(value)
-    return value
 
 
 class CallLog:

@@ -12,12 +12,14 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from memorymaze.agents.notes import BeliefNote, PlanNote, StepsNote
 from memorymaze.drawing.svg import path_data, simplified
 from memorymaze.errors import MemoryMazeError, RenderingError
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.eyes import checked_eyes
 from memorymaze.evaluation.navigation import instruction_on, navigate
 from memorymaze.evaluation.settings import AgentSettings, RunSettings
+from memorymaze.evaluation.trace_entries import CallEntry, NoteEntry, TraceEntry
 from memorymaze.geometry.pose import Pose, wrap_angle
 from memorymaze.instructions.corpus import episodes
 from memorymaze.pages.live_camera import seen_ahead, seen_all_round
@@ -27,8 +29,7 @@ from memorymaze.simulation.robot import SimulatedRobot
 from memorymaze.sites import Site
 from memorymaze.trying.words import (
     FOLLOWERS,
-    ToldBelief,
-    belief_of,
+    belief_words,
     change_of_mind,
     thought_of,
     verdict_of,
@@ -167,14 +168,14 @@ class LiveWalk:
         self._sees = sees
         self._onlooker = Onlooker(self, pace)
         self._robot: SimulatedRobot | None = None
-        self._trace: Sequence[dict[str, Any]] = ()
+        self._trace: Sequence[TraceEntry] = ()
         self._told = self._walked = 0
         self._drawn = 0.0
         self._things_told = False
         self._steps: Sequence[str] = ()
-        self._belief: ToldBelief | None = None
+        self._belief: BeliefNote | None = None
 
-    def begin(self, robot: SimulatedRobot, trace: Sequence[dict[str, Any]]) -> None:
+    def begin(self, robot: SimulatedRobot, trace: Sequence[TraceEntry]) -> None:
         """See the walk begin."""
         self._robot, self._trace = robot, trace
         self._onlooker.begin(robot, trace)
@@ -218,18 +219,26 @@ class LiveWalk:
         fresh = self._trace[self._told :]
         self._told += len(fresh)
         found: dict[str, Any] = {}
-        if any(entry.get("about") in {"plan", "steps"} for entry in fresh):
+        notes = [entry for entry in fresh if isinstance(entry, NoteEntry)]
+        if any(isinstance(each.note, PlanNote | StepsNote) for each in notes):
             self._steps = found["steps"] = understood(self._trace).steps
         thoughts: list[list[object]] = []
         for entry in fresh:
+            if not isinstance(entry, CallEntry | NoteEntry):
+                continue
             thought = thought_of(entry)
-            belief = belief_of(entry)
-            if belief is not None:
+            belief = entry.note if isinstance(entry, NoteEntry) else None
+            if isinstance(belief, BeliefNote):
                 thought = change_of_mind(self._belief, belief, self._steps)
                 self._belief = belief
-                found["belief"] = belief._asdict()
+                found["belief"] = {
+                    "steps": belief.legs,
+                    "likeliest": belief.likeliest,
+                    "words": belief_words(belief),
+                    "doubt": belief.doubt,
+                }
             if thought is not None:
-                thoughts.append([round(entry["time"], 1), *thought])
+                thoughts.append([round(entry.time, 1), *thought])
         return {**found, "thoughts": thoughts}
 
     def _heed(self) -> None:

@@ -1,9 +1,11 @@
 """What a robot understood, believes and did, in words for somebody who is new to it."""
 
-from collections.abc import Mapping, Sequence
-from typing import Any, NamedTuple
+from collections.abc import Sequence
+from typing import NamedTuple
 
+from memorymaze.agents.notes import ArrivalNote, BeliefNote, GaveUpNote, RepairNote
 from memorymaze.evaluation.results import EpisodeResult
+from memorymaze.evaluation.trace_entries import CallEntry, NoteEntry, TraceEntry
 from memorymaze.geometry.trajectory import Trajectory
 from memorymaze.results.story.following import (
     Following,
@@ -49,52 +51,35 @@ class Thought(NamedTuple):
     text: str
 
 
-def thought_of(entry: Mapping[str, Any]) -> Thought | None:
+def thought_of(entry: TraceEntry) -> Thought | None:
     """Return what an entry of a trace tells a listener; None where it tells nothing."""
-    if entry["kind"] == "call":
-        said = entry.get("arguments") or {}
-        if entry["call"] == "say":
+    if isinstance(entry, CallEntry):
+        said = entry.arguments
+        if entry.call == "say":
             return Thought("says", str(said.get("text")))
-        if entry["call"] == "ask" and entry["result"] is not None:
-            return Thought(
-                "says", f"{said.get('question')} The answer: {entry['result']}"
-            )
+        if entry.call == "ask" and entry.result is not None:
+            return Thought("says", f"{said.get('question')} The answer: {entry.result}")
         return None
-    about = entry.get("about") if entry["kind"] == "note" else None
-    if about == "repair":
-        reason = REPAIRS.get(str(entry.get("reason")), "something else may be meant")
-        return Thought("thinks", f"Goes back: {reason.format(leg=entry.get('leg'))}.")
-    if about == "arrival":
-        return Thought("says", f"We are there.{_sure(entry)}")
-    if about == "gave_up":
-        return Thought("thinks", f"Gives up: {entry.get('reason')}.{_sure(entry)}")
-    return None
+    match entry.note if isinstance(entry, NoteEntry) else None:
+        case RepairNote(leg=leg, reason=reason):
+            told = REPAIRS.get(reason, "something else may be meant")
+            return Thought("thinks", f"Goes back: {told.format(leg=leg)}.")
+        case ArrivalNote(confidence=confidence):
+            return Thought("says", f"We are there.{_sure(confidence)}")
+        case GaveUpNote(reason=reason, confidence=confidence):
+            return Thought("thinks", f"Gives up: {reason}.{_sure(confidence)}")
+        case _:
+            return None
 
 
-class ToldBelief(NamedTuple):
-    """What a robot believes of where it is in the description."""
-
-    steps: list[float]
-    """How probable it is that it is at each step, in their order."""
-    likeliest: int
-    """The step it is probably at, from 0."""
-    words: str
-    doubt: float
-    """How probable it is that something told is wrong."""
-
-
-def belief_of(entry: Mapping[str, Any]) -> ToldBelief | None:
-    """Return the belief that an entry of a trace tells; None where it tells none."""
-    if entry["kind"] != "note" or entry.get("about") != "belief":
-        return None
-    steps = [float(each) for each in entry["legs"]]
-    likeliest = max(range(len(steps)), key=steps.__getitem__)
-    words = f"Probably at step {likeliest + 1} of {len(steps)} ({steps[likeliest]:.0%})"
-    return ToldBelief(steps, likeliest, words, float(entry["doubt"]))
+def belief_words(belief: BeliefNote) -> str:
+    """Say where in the description a robot believes to be."""
+    most, steps = belief.likeliest, belief.legs
+    return f"Probably at step {most + 1} of {len(steps)} ({steps[most]:.0%})"
 
 
 def change_of_mind(
-    before: ToldBelief | None, now: ToldBelief, steps: Sequence[str]
+    before: BeliefNote | None, now: BeliefNote, steps: Sequence[str]
 ) -> Thought | None:
     """Say what a robot newly believes; None where it is the same step as before."""
     if before is not None and before.doubt < DOUBTS <= now.doubt:
@@ -162,6 +147,5 @@ def _followed(following: Following, site: Site, route: Route, *, arrived: bool) 
     return f"{did}{', and arrived all the same' if arrived else ''}."
 
 
-def _sure(entry: Mapping[str, Any]) -> str:
-    confidence = entry.get("confidence")
-    return "" if confidence is None else f" ({float(confidence):.0%} sure)"
+def _sure(confidence: float | None) -> str:
+    return "" if confidence is None else f" ({confidence:.0%} sure)"

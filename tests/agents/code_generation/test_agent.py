@@ -10,6 +10,7 @@ from memorymaze.agents.code_generation import (
     CodeGenerationAgent,
     CodeGenerationOptions,
 )
+from memorymaze.agents.notes import ModelReplyNote
 from memorymaze.errors import (
     EpisodeOver,
     LanguageModelError,
@@ -110,7 +111,7 @@ def test_in_the_track_with_people_the_model_is_told_how_to_ask(robot, journal):
     [writing] = model.requests
     told = api_specification(with_people=True).strip()
     assert told in writing.messages[0].content
-    assert journal.notes[-1]["text"] == "the cafe is here\n"
+    assert journal.notes[-1].details["text"] == "the cafe is here\n"
 
 
 def test_without_the_parser_the_description_itself_becomes_a_program(robot, journal):
@@ -128,20 +129,21 @@ def test_the_journal_keeps_what_was_thought_and_spent(robot, journal):
     with pytest.raises(EpisodeOver):
         follow(ScriptedLanguageModel([STEPS, PROGRAM]), robot, journal)
 
-    kinds = [note["kind"] for note in journal.notes]
+    kinds = [note.about for note in journal.notes]
     assert kinds == ["model_reply", "steps", "model_reply", "program", "print"]
-    assert journal.notes[0]["stage"] == "parse"
-    assert journal.notes[0]["text"] == STEPS
-    assert journal.notes[1]["steps"] == ["Go about 2 m.", "Stop."]
-    assert journal.notes[2]["stage"] == "program"
-    assert journal.notes[3]["program"] == (
+    assert journal.notes[0].details["stage"] == "parse"
+    assert journal.notes[0].details["text"] == STEPS
+    assert journal.notes[1].details["steps"] == ["Go about 2 m.", "Stop."]
+    assert journal.notes[2].details["stage"] == "program"
+    assert journal.notes[3].details["program"] == (
         'print("off we go")\nmove_forward(2)\nstop()\n'
     )
-    assert journal.notes[4]["text"] == "off we go\n"
+    assert journal.notes[4].details["text"] == "off we go\n"
     assert journal.model_calls == 2
     spent = (journal.notes[0], journal.notes[2])
     assert journal.tokens == sum(
-        note["prompt_tokens"] + note["completion_tokens"] for note in spent
+        note.details["prompt_tokens"] + note.details["completion_tokens"]
+        for note in spent
     )
     assert journal.tokens > 1000
 
@@ -180,7 +182,7 @@ def test_an_unusable_reply_is_a_model_error_and_is_kept(
     with pytest.raises(LanguageModelError, match=message):
         follow(ScriptedLanguageModel(replies), robot, journal)
 
-    assert [note["kind"] for note in journal.notes] == kinds
+    assert [note.about for note in journal.notes] == kinds
     assert journal.model_calls == asked
     assert robot.calls == []
 
@@ -275,7 +277,9 @@ def test_a_program_that_fails_before_motion_is_mended_once(robot, journal):
     assert "stands at the start" in asked[3].content
     assert robot.calls == [2.0, "stop"]
     assert journal.model_calls == 3
-    assert [note["stage"] for note in journal.notes if "stage" in note] == [
+    assert [
+        note.stage for note in journal.notes if isinstance(note, ModelReplyNote)
+    ] == [
         "parse",
         "program",
         "repair",
@@ -364,6 +368,6 @@ def test_a_simulated_robot_goes_on_from_where_it_stands(corridor_site, journal):
         agent.follow(TEXT, robot, journal, np.random.default_rng(0))
 
     assert robot.trajectory().length == pytest.approx(12, abs=0.2)
-    [repair] = [note for note in journal.notes if note["kind"] == "repair"]
-    assert "IndexError" in repair["error"]
-    assert repair["calls"] == 1
+    [repair] = [note for note in journal.notes if note.about == "repair"]
+    assert "IndexError" in repair.details["error"]
+    assert repair.details["calls"] == 1

@@ -5,6 +5,7 @@ import pytest
 from memorymaze.agents.agent import Journal
 from memorymaze.agents.guide.model_questions import ModelQuestions, guide_prompts
 from memorymaze.agents.guide.walk_log import WalkLog
+from memorymaze.agents.notes import UnusableReplyNote
 from memorymaze.agents.walking.floor_map import FloorMap
 from memorymaze.errors import LanguageModelError
 from memorymaze.language.scripted_model import ScriptedLanguageModel
@@ -43,9 +44,9 @@ def test_a_reply_that_cannot_be_used_is_asked_for_once_more() -> None:
     said, repaired = model.requests[1].messages[2:]
     assert said.content == "one"
     assert "cannot be used: invalid literal" in repaired.content
-    assert [each["stage"] for each in journal.notes if "problem" in each] == [
-        "decision"
-    ]
+    assert [
+        each.stage for each in journal.notes if isinstance(each, UnusableReplyNote)
+    ] == ["decision"]
 
 
 def test_two_replies_that_cannot_be_used_are_an_error_with_the_models_name() -> None:

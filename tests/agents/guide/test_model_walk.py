@@ -14,12 +14,14 @@ from memorymaze.agents.guide import GuideAgent, GuideOptions
 from memorymaze.agents.guide.model_questions import ModelQuestions
 from memorymaze.agents.guide.model_walk import ModelWalk
 from memorymaze.agents.guide.walk_log import WalkLog
+from memorymaze.agents.notes import RepairNote
 from memorymaze.agents.plan_readers import read_plan_reply
 from memorymaze.agents.walking.walker import Walker
 from memorymaze.errors import LanguageModelError, SettingsError
 from memorymaze.evaluation.navigation import navigate
 from memorymaze.evaluation.sampling import sample
 from memorymaze.evaluation.settings import AgentSettings
+from memorymaze.evaluation.trace_entries import NoteEntry
 from memorymaze.geometry.pose import Pose
 from memorymaze.instructions import load_corpus
 from memorymaze.language.answers import AboutInstruction, RecordingModel, ReplayingModel
@@ -63,7 +65,7 @@ class Walk(NamedTuple):
     journal: Journal
 
     def notes(self, kind: str) -> list[dict[str, Any]]:
-        return [each for each in self.journal.notes if each["kind"] == kind]
+        return [dict(each.details) for each in self.journal.notes if each.about == kind]
 
     def ends_near(self, x: float, y: float, metres: float = 1.5) -> bool:
         return math.dist(self.end, (x, y)) <= metres
@@ -113,9 +115,7 @@ def test_the_model_is_told_what_the_robot_met_and_nothing_else(
     assert (
         "2. At place 1, 0 turns done, doubt 0.1: On. -> way A left. Came to " in third
     )
-    assert taken.notes("gave_up") == [
-        {"kind": "gave_up", "reason": "On.", "confidence": 0.2}
-    ]
+    assert taken.notes("gave_up") == [{"reason": "On.", "confidence": 0.2}]
 
 
 def test_decisions_doubts_and_repairs_are_noted(walk: Callable[..., Walk]) -> None:
@@ -249,9 +249,9 @@ def test_a_text_that_says_left_for_right_is_noticed_and_repaired(
     run = navigate(site, site.route(told.reference_route), told.text, agent)
     assert [failure.kind for failure in told.failures] == ["wrong_direction_at_turn"]
     assert run.result.success
-    notes = [entry for entry in run.trace if entry["kind"] == "note"]
-    [repair] = [each for each in notes if each["about"] == "repair"]
-    assert (repair["leg"], repair["at"]) == (1, 1)
+    notes = [entry.note for entry in run.trace if isinstance(entry, NoteEntry)]
+    [repair] = [each for each in notes if isinstance(each, RepairNote)]
+    assert (repair.leg, repair.at) == (1, 1)
     assert run.result.confidence == 0.8
 
 

@@ -156,14 +156,14 @@ def test_the_journal_tells_the_plan_what_it_believes_and_why_it_stopped(
 ) -> None:
     walk = take_walk(*WRONG_SIDE)
     (plan,) = walk.notes("plan")
-    assert walk.journal.notes[0] is plan
+    assert walk.journal.notes[0].details == plan
     decisions = walk.notes("decision")
     assert len(decisions) >= 2
     fields = {"at", "exit", "probability", "legs_done", "because"}
     assert all(fields <= set(note) for note in decisions)
     assert all(0 <= note["probability"] <= 1 for note in decisions)
     (arrival,) = walk.notes("arrival")
-    assert walk.journal.notes[-1] is arrival
+    assert walk.journal.notes[-1].details == arrival
     assert "piano" in arrival["reason"]
 
 
@@ -206,7 +206,7 @@ def test_whatever_is_said_the_walk_ends_by_itself(
     walk = take_walk(start, text)
     assert walk.stopped_by == "agent"
     assert walk.metres < 450
-    assert 0 <= walk.journal.notes[-1]["confidence"] <= 1
+    assert 0 <= walk.journal.notes[-1].details["confidence"] <= 1
 
 
 def test_the_same_words_give_the_same_walk_whatever_the_seed(

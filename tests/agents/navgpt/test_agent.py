@@ -39,7 +39,7 @@ def ends(
 
 
 def notes(journal: Journal, kind: str) -> list[dict[str, Any]]:
-    return [note for note in journal.notes if note["kind"] == kind]
+    return [dict(note.details) for note in journal.notes if note.about == kind]
 
 
 def shown(model: ScriptedLanguageModel, number: int) -> str:

@@ -8,6 +8,7 @@ from PIL import Image
 
 from memorymaze.agents.agent import Agent, FairLimits, Journal
 from memorymaze.agents.navid import NavidAgent, NavidOptions
+from memorymaze.agents.notes import OutOfStepsNote
 from memorymaze.errors import (
     CommandError,
     EpisodeOver,
@@ -122,15 +123,15 @@ def test_each_answer_is_counted_and_noted(robot):
     _, journal = follow(TalkingModel(AHEAD, "stop"), robot)
 
     assert (journal.model_calls, journal.tokens, journal.inference_s) == (2, 24, 1.0)
-    assert [note["kind"] for note in journal.notes] == [
+    assert [note.about for note in journal.notes] == [
         "model_reply",
         "decision",
         "model_reply",
         "decision",
     ]
-    assert journal.notes[1]["motions"] == [["forward", 3]]
-    assert journal.notes[1]["step"] == 0
-    assert journal.notes[1]["picture"] != journal.notes[3]["picture"]
+    assert journal.notes[1].details["motions"] == (("forward", 3),)
+    assert journal.notes[1].details["step"] == 0
+    assert journal.notes[1].details["picture"] != journal.notes[3].details["picture"]
 
 
 def test_an_unreadable_answer_is_asked_for_once_more_and_then_nothing_is_done(robot):
@@ -192,7 +193,7 @@ def test_the_released_budget_ends_after_400_steps_and_that_is_no_stop(robot):
     assert ended == "budget"
     assert len(robot.calls) == 400
     assert not robot.stopped
-    assert journal.notes[-1] == {"kind": "out_of_steps", "step": 400, "limit": 400}
+    assert journal.notes[-1] == OutOfStepsNote(400, 400)
 
 
 @pytest.mark.parametrize(
@@ -221,7 +222,7 @@ def test_25_steps_without_getting_ahead_are_stuck(sentence, make_robot):
 
     assert ended == "stuck"
     assert len(robot.calls) == (3 + 25 if sentence == AHEAD else 25)
-    assert journal.notes[-1]["kind"] == "stuck"
+    assert journal.notes[-1].about == "stuck"
 
 
 def test_a_robot_without_primitive_motions_is_refused():

@@ -4,29 +4,30 @@ from typing import Any
 
 import pytest
 
+from memorymaze.evaluation.trace_entries import NoteEntry, TrajectoryEntry
 from memorymaze.results.report.belief_timeline import BeliefTimeline, belief_timeline
 from memorymaze.results.story.story import story_of
 
-WALK = {
-    "kind": "trajectory",
-    "poses": [[0.0, 0.0, 0.0, 0.0], [10.0, 10.0, 0.0, 0.0], [20.0, 0.0, 0.0, 3.14]],
-}
+WALK = TrajectoryEntry(
+    ("time", "x", "y", "heading"),
+    [(0.0, 0.0, 0.0, 0.0), (10.0, 10.0, 0.0, 0.0), (20.0, 0.0, 0.0, 3.14)],
+)
 """Ten metres there and ten metres back, a metre a second."""
 
 
-def note(time: float, about: str, **told: Any) -> dict[str, Any]:
-    return {"kind": "note", "time": time, "about": about, **told}
+def note(time: float, about: str, **told: Any) -> NoteEntry:
+    return NoteEntry(time, about, told)
 
 
-def belief(time: float, legs: list[float], doubt: float = 0.0) -> dict[str, Any]:
+def belief(time: float, legs: list[float], doubt: float = 0.0) -> NoteEntry:
     return note(time, "belief", at=int(time), legs=legs, doubt=doubt)
 
 
-def timeline(*notes: dict[str, Any]) -> BeliefTimeline | None:
-    return belief_timeline(story_of([{"kind": "episode"}, *notes, WALK], "a trace"))
+def timeline(*notes: NoteEntry) -> BeliefTimeline | None:
+    return belief_timeline(story_of([*notes, WALK], "a trace"))
 
 
-def drawn(*notes: dict[str, Any]) -> BeliefTimeline:
+def drawn(*notes: NoteEntry) -> BeliefTimeline:
     found = timeline(*notes)
     assert found is not None
     return found
@@ -40,7 +41,7 @@ def test_places_lie_at_the_metres_walked_also_on_the_way_back() -> None:
     found = drawn(belief(0, [1, 0]), belief(5, [0.4, 0.6]), belief(15, [0.7, 0.3]))
     spans = [(each.metres, each.until) for each in found.places]
     assert spans == [(0, 5), (5, 15), (15, 20)]
-    assert [each.likeliest for each in found.places] == [0, 1, 0]
+    assert [each.note.likeliest for each in found.places] == [0, 1, 0]
     assert (found.legs, found.length) == (1, 20)
 
 

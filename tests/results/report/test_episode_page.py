@@ -1,12 +1,12 @@
 import json
-from typing import Any
 
+from memorymaze.evaluation.trace_entries import NoteEntry, TrajectoryEntry
 from memorymaze.results.report.episode_page import story_record
 from memorymaze.results.story.story import story_of
 
 
-def walk(*poses: tuple[float, float, float, float]) -> dict[str, Any]:
-    return {"kind": "trajectory", "poses": [list(pose) for pose in poses]}
+def walk(*poses: tuple[float, float, float, float]) -> TrajectoryEntry:
+    return TrajectoryEntry(("time", "x", "y", "heading"), list(poses))
 
 
 def test_poses_on_a_straight_way_are_left_out_and_corners_kept() -> None:
@@ -26,7 +26,7 @@ def test_poses_on_a_straight_way_are_left_out_and_corners_kept() -> None:
 
 def test_a_record_holds_no_character_that_could_end_a_script() -> None:
     text = "</script>\u2028&\ud800<!--"
-    said = {"kind": "note", "time": 0.0, "about": "said", "text": text}
+    said = NoteEntry(0.0, "said", {"text": text})
     story = story_of([said, walk((0, 0, 0, 0))], "trace")
     record = story_record(story)
     assert record.isascii()

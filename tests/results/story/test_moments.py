@@ -1,26 +1,29 @@
 import math
-from collections.abc import Mapping
-from typing import Any
 
 import numpy as np
 import pytest
 
-from memorymaze.errors import RunFolderError
+from memorymaze.evaluation.trace_entries import (
+    CallEntry,
+    NoteEntry,
+    PeopleEntry,
+    TraceEntry,
+    TrajectoryEntry,
+)
 from memorymaze.results.story import RecordedEpisode
 from memorymaze.results.story.events import Event, news
 from memorymaze.results.story.moments import Moments
 from memorymaze.results.story.story import story_of
 from memorymaze.results.story.understanding import step_of, understood
+from memorymaze.robot.api import Detection
 
-WALK = {
-    "kind": "trajectory",
-    "poses": [[0, 0, 0, 3.0], [2, 2, 0, 3.0], [4, 2, 0, -3.0]],
-}
+WALK = TrajectoryEntry(
+    ("time", "x", "y", "heading"), [(0, 0, 0, 3.0), (2, 2, 0, 3.0), (4, 2, 0, -3.0)]
+)
 
 
-def moments_of(*entries: Mapping[str, Any]) -> Moments:
-    everything = [{"kind": "episode", "instruction": "Go."}, *entries, WALK]
-    return Moments(story_of(everything, "here"))
+def moments_of(*entries: TraceEntry) -> Moments:
+    return Moments(story_of([*entries, WALK], "here"))
 
 
 def test_between_two_poses_the_robot_is_between_them() -> None:
@@ -34,24 +37,15 @@ def test_headings_turn_the_short_way_round() -> None:
 
 
 def test_nothing_is_told_before_it_happens() -> None:
-    said = {
-        "kind": "call",
-        "time": 1.5,
-        "pose": [1.5, 0, 0],
-        "call": "say",
-        "arguments": {"text": "Hello"},
-        "result": None,
-    }
+    said = CallEntry(1.5, (1.5, 0, 0), "say", {"text": "Hello"}, None)
     moments = moments_of(said)
     assert not moments.at(1.4).events
     assert [each.kind for each in moments.at(1.5).events] == ["say"]
 
 
 def test_a_person_is_where_the_trace_says_and_faces_the_way_walked() -> None:
-    people = {
-        "kind": "people",
-        "walks": {"person_1": [[0, 5, 0], [1, 5, 1], [9, 5, 1]]},
-    }
+    walk = [(0, 5, 0), (1, 5, 1), (9, 5, 1)]
+    people = PeopleEntry(("time", "x", "y"), {"person_1": walk})
     moments = moments_of(people)
     walking, standing = (moments.at(time).people["person_1"] for time in (0.5, 4.0))
     assert walking == pytest.approx((5, 0.5, math.pi / 2))
@@ -59,30 +53,11 @@ def test_a_person_is_where_the_trace_says_and_faces_the_way_walked() -> None:
 
 
 def test_every_sighting_lies_where_distance_and_bearing_say() -> None:
-    found = {"label": "bench", "box": [0, 0, 9, 9], "distance": 2.0, "bearing_deg": 90}
-    look = {
-        "kind": "call",
-        "time": 1,
-        "pose": [1, 0, 0],
-        "call": "detect_from_RGB_image",
-        "arguments": {"object": "bench"},
-        "result": [found],
-    }
+    found = Detection("bench", (0, 0, 9, 9), 1.0, 2.0, 90, 1)
+    name = "detect_from_RGB_image"
+    look = CallEntry(1, (1, 0, 0), name, {"object": "bench"}, [found])
     [sighting] = moments_of(look).sightings
     assert (sighting.x, sighting.y) == pytest.approx((1, 2))
-
-
-def test_a_detection_that_no_episode_leaves_is_refused() -> None:
-    look = {
-        "kind": "call",
-        "time": 1,
-        "pose": [1, 0, 0],
-        "call": "detect_from_RGB_image",
-        "arguments": {"object": "bench"},
-        "result": [{"label": "bench", "distance": 2.0, "bearing_deg": 90}],
-    }
-    with pytest.raises(RunFolderError, match="expected detections"):
-        moments_of(look)
 
 
 def test_answers_that_stay_the_same_are_told_once() -> None:
@@ -95,8 +70,8 @@ def test_answers_that_stay_the_same_are_told_once() -> None:
 
 def test_the_step_at_work_is_the_one_that_notes_name() -> None:
     entries = [
-        {"kind": "note", "time": 0, "about": "plan", "steps": ["go", "turn", "stop"]},
-        {"kind": "note", "time": 1, "about": "decision", "legs_done": 1},
+        NoteEntry(0, "plan", {"steps": ["go", "turn", "stop"]}),
+        NoteEntry(1, "decision", {"legs_done": 1}),
     ]
     step = step_of(understood(entries), 1, [])
     assert (step.heading, step.lines) == ("Step 2 of 3", ("turn",))
@@ -104,8 +79,8 @@ def test_the_step_at_work_is_the_one_that_notes_name() -> None:
 
 def test_of_a_program_the_line_that_makes_the_call_is_shown() -> None:
     program = "a = 1\nmove_forward(2)\nturn('left')\nb = 2\nc = 3"
-    call = {"kind": "call", "call": "turn", "arguments": {"direction": "left"}}
-    entries = [{"kind": "note", "about": "program", "program": program}, call]
+    call = CallEntry(1, (0, 0, 0), "turn", {"direction": "left"}, None)
+    entries = [NoteEntry(0, "program", {"program": program}), call]
     step = step_of(understood(entries), 1, [])
     assert step.heading == "Program, line 3"
     assert step.lines[step.current or 0] == "turn('left')"

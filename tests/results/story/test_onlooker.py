@@ -8,6 +8,7 @@ from memorymaze.errors import SettingsError
 from memorymaze.evaluation.episode import EpisodeRun, Watcher
 from memorymaze.evaluation.navigation import navigate
 from memorymaze.evaluation.settings import AgentSettings
+from memorymaze.evaluation.trace_entries import CallEntry
 from memorymaze.results.story.onlooker import Onlooker, PlainView, Present
 from memorymaze.sites import Site
 
@@ -94,7 +95,11 @@ def test_every_event_is_told_once_and_the_end_last(walk: Walk) -> None:
     run = walk(onlooker)
     onlooker.end()
     events = [event for present in seen.shown for event in present.fresh]
-    moves = [entry for entry in run.trace if entry.get("call") == "move_forward"]
+    moves = [
+        entry
+        for entry in run.trace
+        if isinstance(entry, CallEntry) and entry.call == "move_forward"
+    ]
     assert len([each for each in events if each.kind == "move"]) == len(moves)
     assert [each.time for each in events] == sorted(each.time for each in events)
     assert events[-1].kind == "stop"

@@ -23,6 +23,7 @@ from memorymaze.agents.code_generation.requests import (
     CodeGenerationOptions,
     CodeGenerationRequests,
 )
+from memorymaze.agents.notes import ProgramNote, ProgramRepairNote, StepsNote
 from memorymaze.errors import InterpreterLostError, ProgramError
 from memorymaze.language.model import (
     CompletionRequest,
@@ -95,7 +96,7 @@ class CodeGenerationAgent:
         if requests.parser:
             reply = journal.ask(self._model, requests.parse(instruction), "parse")
             steps = read_steps(reply)
-            journal.note("steps", steps=steps)
+            journal.add(StepsNote(steps))
             way = numbered(steps)
         reply = journal.ask(self._model, requests.program(way), "program")
         if not requests.options.repair:
@@ -109,14 +110,14 @@ class CodeGenerationAgent:
             # nothing about the program.
             if error.unsafe or isinstance(error, InterpreterLostError):
                 raise
-            journal.note("repair", error=str(error), calls=len(witness.done))
+            journal.add(ProgramRepairNote(str(error), len(witness.done)))
             asked = requests.repair(way, reply, str(error), witness.told())
             reply = journal.ask(self._model, asked, "repair")
             self._run(reply, robot, journal)
 
     def _run(self, reply: str, robot: Robot, journal: Journal) -> None:
         program = read_program(reply)
-        journal.note("program", program=program)
+        journal.add(ProgramNote(program))
         run_program(program, robot, on_event=lambda event: journal.note(**event))
 
 

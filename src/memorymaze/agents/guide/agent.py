@@ -15,6 +15,7 @@ from memorymaze.agents.guide.model_questions import (
 from memorymaze.agents.guide.model_walk import ModelWalk
 from memorymaze.agents.guide.search import Search
 from memorymaze.agents.guide.walk_log import WalkLog
+from memorymaze.agents.notes import PlanNote
 from memorymaze.agents.plan_readers import ReaderOptions, ReadsFirst
 from memorymaze.agents.walking.outlooks import expected_metres
 from memorymaze.agents.walking.walker import Walker
@@ -135,7 +136,7 @@ class GuideAgent(ReadsFirst):
         plans = self.reader.read_tellings(instruction, journal)
         walker = Walker(robot, reads_signs=options.signs)
         for plan in plans:
-            journal.note("plan", steps=describe(plan))
+            journal.add(PlanNote(describe(plan)))
         if not options.things:
             plans = list(map(_without_things, plans))
         inquiry = None

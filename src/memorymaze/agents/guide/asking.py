@@ -9,6 +9,7 @@ from typing import Literal
 import numpy as np
 
 from memorymaze.agents.agent import Journal
+from memorymaze.agents.notes import AskedNote
 from memorymaze.agents.walking.walker import Walker
 from memorymaze.robot.asking import AskingRobot, Question, way_to
 from memorymaze.routes import RoutePlan
@@ -173,5 +174,5 @@ class Inquiry:
     def _ask(self, question: Question) -> str | None:
         said = self._robot.ask(question)
         if said is not None:
-            self._journal.note("asked", question=str(question), answer=said)
+            self._journal.add(AskedNote(str(question), said))
         return None if self._forgets else said

@@ -3,11 +3,17 @@
 import math
 from textwrap import shorten
 
-from memorymaze.agents.agent import ARRIVAL, GAVE_UP
 from memorymaze.agents.guide.arriving import IN_FRONT, is_sign, walk_up_to
 from memorymaze.agents.guide.model_questions import ModelQuestions
 from memorymaze.agents.guide.model_replies import Answer, read_answer
 from memorymaze.agents.guide.walk_log import DOOR, way_name
+from memorymaze.agents.notes import (
+    ArrivalNote,
+    DecisionNote,
+    DoubtNote,
+    GaveUpNote,
+    RepairNote,
+)
 from memorymaze.agents.walking.floor_map import Sighting
 from memorymaze.agents.walking.walker import STRIDE, Walker
 from memorymaze.geometry.pose import wrap_angle
@@ -53,11 +59,11 @@ class ModelWalk:
                 return self._give_up(answer.note, answer.confidence)
             elif self._is_stopped(answer):
                 note, sure = answer.note, answer.confidence
-                return self._journal.note(ARRIVAL, reason=note, confidence=sure)
+                return self._journal.add(ArrivalNote(note, confidence=sure))
         self._give_up("no request is left", 0.0)
 
     def _give_up(self, reason: str, confidence: float) -> None:
-        self._journal.note(GAVE_UP, reason=reason, confidence=confidence)
+        self._journal.add(GaveUpNote(reason, confidence))
         self._walker.say("I could not find it.")
 
     # -- asking
@@ -97,7 +103,7 @@ class ModelWalk:
         if answer.doubt != self._doubt:
             self._doubt = answer.doubt
             leg = answer.turns_done + 1
-            self._journal.note("doubt", score=answer.doubt, leg=leg, at=self._walker.at)
+            self._journal.add(DoubtNote(answer.doubt, leg, self._walker.at))
         self._log.add_step(
             f"At place {self._walker.at}, {answer.turns_done} turns done, doubt "
             f"{answer.doubt:g}: {answer.note} -> {self._told(answer)}."
@@ -125,16 +131,17 @@ class ModelWalk:
         if place != walker.at or (place, exit) in walker.map.stretches:
             leg = answer.turns_done + 1
             reason = shorten(answer.note, LONGEST_REASON, placeholder=" …")
-            self._journal.note("repair", leg=leg, at=place, reason=reason)
+            self._journal.add(RepairNote(leg, place, reason))
             walker.say("I think we went wrong. We go back.")
         if exit is not None:
-            self._journal.note(
-                "decision",
-                at=place,
-                exit=exit,
-                probability=answer.confidence,
-                legs_done=answer.turns_done,
-                because=[answer.note],
+            self._journal.add(
+                DecisionNote(
+                    place,
+                    exit,
+                    probability=answer.confidence,
+                    legs_done=answer.turns_done,
+                    because=[answer.note],
+                )
             )
         begin = walker.travelled
         if place != walker.at and not walker.go_to(place):

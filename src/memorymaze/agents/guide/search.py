@@ -13,6 +13,14 @@ from memorymaze.agents.guide.choosing import Choice
 from memorymaze.agents.guide.likelihoods import Likelihoods
 from memorymaze.agents.guide.starts import starts_ahead, starts_any_way
 from memorymaze.agents.guide.tellings import Telling, Tellings
+from memorymaze.agents.notes import (
+    ArrivalNote,
+    BeliefNote,
+    DecisionNote,
+    DoubtNote,
+    GaveUpNote,
+    RepairNote,
+)
 from memorymaze.agents.walking.floor_map import Sighting, Stretch
 from memorymaze.agents.walking.outlooks import (
     each_once,
@@ -135,12 +143,8 @@ class Search:
         self._choice.update()
         best = self._likeliest()
         self._legs_done, self._doubt = self._summary()
-        self._journal.note(
-            "belief",
-            at=self._walker.at,
-            legs=[round(each, 3) for each in self._legs_done],
-            doubt=round(self._doubt, 3),
-        )
+        legs = [round(each, 3) for each in self._legs_done]
+        self._journal.add(BeliefNote(self._walker.at, legs, round(self._doubt, 3)))
         if best is not None:
             self._say_doubts(best, self._doubt)
 
@@ -178,13 +182,7 @@ class Search:
             self._doubted = frozenset(slips)
 
     def _note_doubt(self, slip: Slip, doubt: float) -> None:
-        self._journal.note(
-            "doubt",
-            score=round(doubt, 3),
-            leg=slip.leg + 1,
-            at=slip.at,
-            kind_of=slip.kind,
-        )
+        self._journal.add(DoubtNote(round(doubt, 3), slip.leg + 1, slip.at, slip.kind))
         self._walker.say(_doubt_in_words(slip, len(self._plans[0].legs)))
 
     # -- walking
@@ -192,19 +190,18 @@ class Search:
     def _walk(self, frontier: Frontier) -> bool:
         """Walk a way that is new; True when arrived on it."""
         walker, best = self._walker, frontier.best
-        self._journal.note(
-            "decision",
-            at=frontier.at,
-            exit=frontier.exit,
-            probability=round(frontier.mass / self._total, 3),
-            legs_done=best.leg,
-            because=list(best.story[-3:]),
+        self._journal.add(
+            DecisionNote(
+                frontier.at,
+                frontier.exit,
+                probability=round(frontier.mass / self._total, 3),
+                legs_done=best.leg,
+                because=best.story[-3:],
+            )
         )
         if walker.at != frontier.at and best.slips:
             slip = best.slips[-1]
-            self._journal.note(
-                "repair", leg=slip.leg + 1, at=frontier.at, reason=slip.kind
-            )
+            self._journal.add(RepairNote(slip.leg + 1, frontier.at, slip.kind))
         if not walker.go_to(frontier.at):
             walker.map.crossings[frontier.at].closed.add(frontier.exit)
             return False
@@ -372,24 +369,21 @@ class Search:
         return True
 
     def _note_last_doubt(self) -> None:
-        self._journal.note("doubt", score=round(self._doubt, 3), at=self._walker.at)
+        self._journal.add(DoubtNote(round(self._doubt, 3), at=self._walker.at))
 
     def _arrive(
         self, reason: str, confidence: float, story: tuple[str, ...] = ()
     ) -> None:
         self._said = "arrival"
         self._note_last_doubt()
-        self._journal.note(
-            "arrival",
-            reason=reason,
-            confidence=round(confidence, 3),
-            because=list(story),
+        self._journal.add(
+            ArrivalNote(reason, confidence=round(confidence, 3), because=story)
         )
 
     def _give_up(self, reason: str, confidence: float = 0.0) -> None:
         self._said = "gave_up"
         self._note_last_doubt()
-        self._journal.note("gave_up", reason=reason, confidence=round(confidence, 3))
+        self._journal.add(GaveUpNote(reason, round(confidence, 3)))
         self._walker.say("I could not find it.")
 
 

@@ -29,6 +29,16 @@ from memorymaze.agents.navgpt.replies import (
     reply_grammar,
     thought_of,
 )
+from memorymaze.agents.notes import (
+    BlockedMoveNote,
+    FinalAnswerNote,
+    NavGPTCountsNote,
+    ObservationNote,
+    ParseFailureNote,
+    RefusedMoveNote,
+    ThoughtNote,
+    ViewpointMoveNote,
+)
 from memorymaze.errors import EpisodeOver, SettingsError
 from memorymaze.language.model import (
     CompletionRequest,
@@ -195,14 +205,14 @@ class NavGPTAgent:
                 walk.counts.requests = number
                 told = summary_text(start) if walk.counts.moves else walk.full(start)
                 reply = self._ask(instruction, told, walk, journal)
-                journal.note("thought", text=thought_of(reply))
+                journal.add(ThoughtNote(thought_of(reply)))
                 wish = read_reply(reply)
                 if isinstance(wish, Finish):
-                    return journal.note("final_answer", text=wish.answer)
+                    return journal.add(FinalAnswerNote(wish.answer))
                 walk.take(wish, reply)
             raise EpisodeOver("budget")
         finally:
-            journal.note("navgpt", **asdict(walk.counts), **asdict(limits))
+            journal.add(NavGPTCountsNote(**asdict(walk.counts), **asdict(limits)))
 
     def _ask(
         self, instruction: str, start: str, walk: "_Walk", journal: Journal
@@ -266,7 +276,7 @@ class _Walk:
         if isinstance(wish, Unreadable):
             faults = self.counts.parse_failures
             faults[wish.fault] = faults.get(wish.fault, 0) + 1
-            self._journal.note("parse_failure", fault=wish.fault, told=wish.told)
+            self._journal.add(ParseFailureNote(wish.fault, wish.told))
             return self._fail(reply, wish.told)
         viewpoint, before = wish.viewpoint, self.place
         journey = self._robot.go_to(viewpoint)
@@ -274,11 +284,8 @@ class _Walk:
             self._arrive(before, journey, reply)
         elif journey.end == "blocked":
             self.counts.blocked_moves += 1
-            self._journal.note(
-                "blocked_move",
-                viewpoint=viewpoint,
-                reason=journey.reason,
-                distance=journey.distance,
+            self._journal.add(
+                BlockedMoveNote(viewpoint, journey.reason, journey.distance)
             )
             self.look(before.heading)
             self.pad.add_move(
@@ -295,12 +302,10 @@ class _Walk:
         self._failures = 0
         way = next(way for way in before.ways if way.viewpoint == self._robot.viewpoint)
         heading = compass_degrees(way.heading)
-        self._journal.note(
-            "move",
-            start=before.viewpoint,
-            end=way.viewpoint,
-            heading_deg=round(heading, 2),
-            distance=journey.distance,
+        self._journal.add(
+            ViewpointMoveNote(
+                before.viewpoint, way.viewpoint, round(heading, 2), journey.distance
+            )
         )
         here = self.look(heading)
         self.pad.add_move(reply, self.full(here), history_line(before, here))
@@ -314,7 +319,7 @@ class _Walk:
             why = (
                 "That viewpoint is not next to yours, so it cannot be gone to at once."
             )
-        self._journal.note("refused_move", viewpoint=viewpoint, why=journey.end)
+        self._journal.add(RefusedMoveNote(viewpoint, journey.end))
         self._fail(
             reply,
             f"{why} You did not move and are still at viewpoint "
@@ -333,11 +338,12 @@ class _Walk:
         robot = self._robot
         ways = tuple(robot.ways_on())
         self.place = Place(robot.viewpoint, heading, robot.look_around(), ways)
-        self._journal.note(
-            "observation",
-            viewpoint=self.place.viewpoint,
-            described_by=self.place.panorama.described_by,
-            text=self.full(self.place),
+        self._journal.add(
+            ObservationNote(
+                self.place.viewpoint,
+                self.place.panorama.described_by,
+                self.full(self.place),
+            )
         )
         return self.place
 

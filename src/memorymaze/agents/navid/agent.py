@@ -20,6 +20,12 @@ from memorymaze.agents.navid.motions import (
 )
 from memorymaze.agents.navid.options import NavidOptions
 from memorymaze.agents.navid.replies import read_reply, read_reply_as_released
+from memorymaze.agents.notes import (
+    MotionsNote,
+    OutOfStepsNote,
+    RandomMotionNote,
+    StuckNote,
+)
 from memorymaze.errors import (
     CommandError,
     EpisodeOver,
@@ -140,6 +146,7 @@ class _Walk:
         """Return the primitives to do next; none where no answer could be read."""
         problem: str | None = None
         name = ""
+        seen = hashlib.sha256(frame.rgb.tobytes()).hexdigest()[:16]
         for _ in range(1 if self.options.faithful else 2):
             completion = self.session.act(frame, problem)
             self.journal.count(completion, stage="act")
@@ -148,14 +155,15 @@ class _Walk:
                 command = self._read(completion.text)
             except ValueError as error:
                 problem = str(error)
-                self._note_decision(frame, problem=problem)
+                self.journal.add(MotionsNote(frame.step, seen, problem=problem))
                 continue
-            self._note_decision(frame, motions=[[command.motion, command.count]])
+            motions = ((command.motion, command.count),)
+            self.journal.add(MotionsNote(frame.step, seen, motions=motions))
             self.unreadable = 0
             return [command.motion] * command.count
         if self.options.faithful:
             drawn = RANDOM_MOTIONS[int(self.rng.integers(len(RANDOM_MOTIONS)))]
-            self.journal.note("random_motion", step=frame.step, motion=drawn)
+            self.journal.add(RandomMotionNote(frame.step, drawn))
             return [drawn]
         self.unreadable += 1
         if self.unreadable >= self.options.failures:
@@ -169,14 +177,10 @@ class _Walk:
         reader = read_reply_as_released if self.options.faithful else read_reply
         return reader(text, self.options.motions)
 
-    def _note_decision(self, frame: Frame, **read: object) -> None:
-        seen = hashlib.sha256(frame.rgb.tobytes()).hexdigest()[:16]
-        self.journal.note("decision", step=frame.step, picture=seen, **read)
-
     def _take_step(self, motion: Motion | None) -> None:
         """Do a primitive, or nothing, within the budgets."""
         if self.limit is not None and self.steps >= self.limit:
-            self.journal.note("out_of_steps", step=self.steps, limit=self.limit)
+            self.journal.add(OutOfStepsNote(self.steps, self.limit))
             raise EpisodeOver("budget")
         motions, moved = self.options.motions, False
         turn = math.radians(motions.turn_deg)
@@ -187,7 +191,7 @@ class _Walk:
         self.steps += 1
         self.still = 0 if moved else self.still + 1
         if self.still >= self.options.still_steps:
-            self.journal.note("stuck", step=self.steps, still_steps=self.still)
+            self.journal.add(StuckNote(self.steps, self.still))
             raise EpisodeOver("stuck")
 
     def _picture(self, after: Motion | None) -> Frame:

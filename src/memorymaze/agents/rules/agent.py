@@ -8,6 +8,7 @@ from typing import Literal
 import numpy as np
 
 from memorymaze.agents.agent import Journal
+from memorymaze.agents.notes import ArrivalNote, DecisionNote, PlanNote
 from memorymaze.agents.plan_readers import ReaderOptions, ReadsFirst
 from memorymaze.agents.rules.arriving import Ending, approach
 from memorymaze.agents.rules.evidence import Standing
@@ -78,7 +79,7 @@ class RulesAgent(ReadsFirst):
         """Drive the robot as the instruction says, and stop."""
         plans = self.reader.read_tellings(instruction, journal)
         for plan in plans:
-            journal.note("plan", steps=describe(plan))
+            journal.add(PlanNote(describe(plan)))
         _Search(plans, Walker(robot), journal, self.options).run()
         robot.stop()
 
@@ -232,13 +233,14 @@ class _Search:
     def _walk(self, branch: Standing) -> bool:
         """Walk the stretch a hypothesis leads to; True when arrived on the way."""
         walker = self._walker
-        self._journal.note(
-            "decision",
-            at=branch.at,
-            exit=branch.exit,
-            cost=round(self._told.outlook(branch), 2),
-            legs_done=branch.leg,
-            because=list(branch.story[-2:]),
+        self._journal.add(
+            DecisionNote(
+                branch.at,
+                branch.exit,
+                cost=round(self._told.outlook(branch), 2),
+                legs_done=branch.leg,
+                because=branch.story[-2:],
+            )
         )
         if not walker.go_to(branch.at):
             self._frontier.remove(branch)
@@ -265,7 +267,7 @@ class _Search:
         if stretch is not None:
             self._survey()
         if found:
-            self._journal.note("arrival", reason=f"{found[0].phrase} seen")
+            self._journal.add(ArrivalNote(f"{found[0].phrase} seen"))
             approach(walker, found[0])
             return True
         return False
@@ -297,11 +299,12 @@ class _Search:
     def _finish(self, ending: Ending) -> None:
         """Go to the place of an ending."""
         walker = self._walker
-        self._journal.note(
-            "arrival",
-            reason=ending.reason,
-            cost=round(ending.cost, 2),
-            because=list(ending.standing.story),
+        self._journal.add(
+            ArrivalNote(
+                ending.reason,
+                cost=round(ending.cost, 2),
+                because=ending.standing.story,
+            )
         )
         if not walker.go_to(ending.standing.at) or ending.exit is None:
             return

@@ -24,6 +24,7 @@ from memorymaze.drawing.shapes import (
 from memorymaze.durable_files import replaced_when_whole
 from memorymaze.errors import SettingsError
 from memorymaze.evaluation.outcomes import outcome_line, source_line
+from memorymaze.evaluation.trace_entries import ThingsEntry
 from memorymaze.extras import require_extra
 from memorymaze.pictures.films.video_file import check_target, progress_bar
 from memorymaze.results.replay.film import ReplaySettings
@@ -340,10 +341,10 @@ class _Log:
     def _log_things(self) -> None:
         rr = self._rr
         for entry in self._episode.story.entries:
-            if entry["kind"] == "things" and entry["things"]:
-                ids = [each["object_id"] for each in entry["things"]]
+            if isinstance(entry, ThingsEntry) and entry.things:
+                ids = [each.object_id for each in entry.things]
                 poses = [self._moments.things[each] for each in ids]
-                sizes = [each["size"] for each in entry["things"]]
+                sizes = [each.size for each in entry.things]
                 things = rr.Boxes3D(
                     centers=[
                         [pose.x, pose.y, size[2] / 2]
@@ -355,7 +356,7 @@ class _Log:
                         for pose in poses
                     ],
                     colors=[THINGS],
-                    labels=[each["category"] for each in entry["things"]],
+                    labels=[each.category for each in entry.things],
                 )
                 self._log("world/things", things)
 

@@ -5,12 +5,19 @@ from bisect import bisect_right
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Annotated, Literal, NamedTuple
+from typing import NamedTuple, get_args
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import BaseModel, Field, TypeAdapter, ValidationError
 
+from memorymaze.agents.notes import (
+    ArrivalNote,
+    BeliefNote,
+    DoubtNote,
+    GaveUpNote,
+    RepairNote,
+)
+from memorymaze.evaluation.trace_entries import NoteEntry
 from memorymaze.geometry.trajectory import Trajectory
 from memorymaze.results.story.story import Story
 
@@ -29,55 +36,24 @@ GAP = 3.0
 TOP, STRIP = 36.0, 30.0
 """Room for marks above the rows, and for the doubt below them."""
 
-Probability = Annotated[float, Field(ge=0, le=1)]
+_READ = BeliefNote | DoubtNote | RepairNote | ArrivalNote | GaveUpNote
+_ABOUT = frozenset(each.about for each in get_args(_READ))
 
 
-class BeliefNote(BaseModel):
-    """What an agent believed at a place."""
+class MindChange(NamedTuple):
+    """That an agent doubted what was told, or went back for another explanation."""
 
-    about: Literal["belief"]
     time: float
-    at: int
-    """The crossing, as the agent counts them."""
-    legs: Annotated[list[Probability], Field(min_length=1)]
-    """Of each number of legs done, from none to all."""
-    doubt: Probability
-    """That something told is wrong."""
-
-
-class ChangeNote(BaseModel):
-    """That an agent doubts what was told, or goes back for another explanation."""
-
-    about: Literal["doubt", "repair"]
-    time: float
-    score: Probability = 1.0
-    leg: int | None = None
-    """From 1; one more than there are for the arrival."""
-    reason: Annotated[str, Field(max_length=200)] = ""
+    """Simulated seconds."""
+    note: DoubtNote | RepairNote
 
     @property
     def words(self) -> str:
         """Say what it is about."""
-        leg = "" if self.leg is None else f" leg {self.leg}"
-        if self.about == "doubt":
-            return f"doubts{leg} ({self.score:.2f})"
-        return f"repairs{leg}{': ' if self.reason else ''}{self.reason}"
-
-
-class EndNote(BaseModel):
-    """What an agent said at the end."""
-
-    about: Literal["arrival", "gave_up"]
-    time: float
-    confidence: Probability | None = None
-
-
-_NOTE: TypeAdapter[BeliefNote | ChangeNote | EndNote] = TypeAdapter(
-    Annotated[BeliefNote | ChangeNote | EndNote, Field(discriminator="about")]
-)
-
-
-_ABOUT = frozenset({"belief", "doubt", "repair", "arrival", "gave_up"})
+        leg = "" if self.note.leg is None else f" leg {self.note.leg}"
+        if isinstance(self.note, DoubtNote):
+            return f"doubts{leg} ({self.note.score:.2f})"
+        return f"repairs{leg}{': ' if self.note.reason else ''}{self.note.reason}"
 
 
 class BelievedPlace(NamedTuple):
@@ -87,13 +63,8 @@ class BelievedPlace(NamedTuple):
     """Walked up to there."""
     until: float
     note: BeliefNote
-    changes: tuple[ChangeNote, ...]
-    """Of mind, before the next place."""
-
-    @property
-    def likeliest(self) -> int:
-        """The number of legs most likely done."""
-        return int(np.argmax(self.note.legs))
+    changes: tuple[MindChange, ...]
+    """Before the next place."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,13 +72,13 @@ class BeliefTimeline:
     """The belief over a plan along a walk; at least one place."""
 
     places: tuple[BelievedPlace, ...]
-    marks: tuple[tuple[float, ChangeNote], ...]
+    marks: tuple[tuple[float, MindChange], ...]
     """Changes of mind, with the metres walked."""
     legs: int
     """Of the plan."""
     length: float
     """Metres of the walk."""
-    end: EndNote | None
+    end: ArrivalNote | GaveUpNote | None
     unread: int
     """Notes of these kinds that are not as docs/report.md says."""
 
@@ -116,7 +87,8 @@ class BeliefTimeline:
         """Say how the walk ended."""
         said = "ended without a word"
         if self.end is not None:
-            said = "said that it arrived" if self.end.about == "arrival" else "gave up"
+            arrived = isinstance(self.end, ArrivalNote)
+            said = "said that it arrived" if arrived else "gave up"
             if self.end.confidence is not None:
                 said += f", confidence {self.end.confidence:.2f}"
         return f"After {self.length:.0f} m it {said}."
@@ -156,7 +128,9 @@ class BeliefTimeline:
     @property
     def likeliest_line(self) -> str:
         """Return the path through the number of legs most likely done."""
-        return self._steps([self.row(each.likeliest) + ROW / 2 for each in self.places])
+        return self._steps([
+            self.row(each.note.likeliest) + ROW / 2 for each in self.places
+        ])
 
     @property
     def doubt_line(self) -> str:
@@ -175,33 +149,37 @@ class BeliefTimeline:
 def belief_timeline(story: Story) -> BeliefTimeline | None:
     """Return how the belief went; None where the agent notes none."""
     beliefs: list[BeliefNote] = []
-    changes: list[ChangeNote] = []
+    times: list[float] = []
+    changes: list[MindChange] = []
     end, unread = None, 0
     for entry in story.entries:
-        if entry["kind"] != "note" or entry.get("about") not in _ABOUT:
+        if not isinstance(entry, NoteEntry) or entry.about not in _ABOUT:
             continue
-        try:
-            note = _NOTE.validate_python(entry, strict=True)
-        except ValidationError:
-            unread += 1
-            continue
-        if isinstance(note, EndNote):
-            end = note
-        elif isinstance(note, ChangeNote):
-            changes += [note] if note.score >= SAID else []
-        elif beliefs and len(note.legs) != len(beliefs[0].legs):
-            unread += 1
-        else:
-            beliefs.append(note)
+        match entry.note:
+            case ArrivalNote() | GaveUpNote() as end:
+                pass
+            case DoubtNote(score=score) if score < SAID:
+                pass
+            case DoubtNote() | RepairNote() as note:
+                changes.append(MindChange(entry.time, note))
+            case BeliefNote() as note if not beliefs or len(note.legs) == len(
+                beliefs[0].legs
+            ):
+                beliefs.append(note)
+                times.append(entry.time)
+            case _:
+                unread += 1
     if not beliefs:
         return None
     away = _metres_walked(story.walk)
-    walked = away(beliefs)
+    walked = away(times)
     # Of several notes at a place the last one counts.
     last = [*np.flatnonzero(np.diff(walked) >= STEP).tolist(), len(beliefs) - 1]
     begins = [0.0, *walked[last[1:]].tolist()]
-    marks = tuple(zip(away(changes).tolist(), changes, strict=True))
-    changed: list[list[ChangeNote]] = [[] for _ in last]
+    marks = tuple(
+        zip(away([each.time for each in changes]).tolist(), changes, strict=True)
+    )
+    changed: list[list[MindChange]] = [[] for _ in last]
     for metres, change in marks:
         changed[bisect_right(begins, metres + STEP) - 1].append(change)
     spans = pairwise([*begins, story.walk.length])
@@ -215,11 +193,11 @@ def belief_timeline(story: Story) -> BeliefTimeline | None:
 
 def _metres_walked(
     walk: Trajectory,
-) -> Callable[[Sequence[BeliefNote | ChangeNote]], NDArray[np.float64]]:
-    """Return what tells the metres walked when notes were made."""
+) -> Callable[[Sequence[float]], NDArray[np.float64]]:
+    """Return what tells the metres walked at some times."""
     times = [pose.time for pose in walk.poses]
     metres = np.append(0.0, np.cumsum(np.hypot(*np.diff(walk.points, axis=0).T)))
-    return lambda notes: np.interp([each.time for each in notes], times, metres)
+    return lambda moments: np.interp(moments, times, metres)
 
 
 def _shade(probability: float) -> int:

@@ -2,10 +2,27 @@
 
 import json
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TypeGuard
 
+from memorymaze.agents.notes import (
+    BeliefNote,
+    ModelReplyNote,
+    PlanNote,
+    ProgramNote,
+    StepsNote,
+)
+from memorymaze.evaluation.trace_entries import (
+    AnswerEntry,
+    CallEntry,
+    CollisionEntry,
+    NearMissEntry,
+    NoteEntry,
+    TraceEntry,
+)
+from memorymaze.geometry.pose import Pose
+from memorymaze.robot.api import Detection, MoveResult, SignText, TurnResult
 from memorymaze.wording import printable
 
 KINDS = (
@@ -34,9 +51,6 @@ ASKING = frozenset({
 })
 """Calls that move nothing; those at the same moment are told in one line."""
 
-HIDDEN_NOTES = frozenset({"plan", "steps", "program", "belief"})
-"""Shown beside the timeline instead."""
-
 
 @dataclass(frozen=True, slots=True)
 class Event:
@@ -53,27 +67,37 @@ class Event:
     """Things detected: x and y in metres, label."""
 
 
-def events_of(entries: Sequence[Mapping[str, Any]]) -> Iterator[Event]:
+def events_of(entries: Sequence[TraceEntry]) -> Iterator[Event]:
     """Tell the entries of a trace, or of a piece of one."""
-    asked: list[Mapping[str, Any]] = []
+    asked: list[CallEntry] = []
     for number, entry in enumerate(entries):
-        kind = entry["kind"]
-        asks = kind == "call" and entry.get("call") in ASKING
-        if asked and not (asks and entry["time"] == asked[0]["time"]):
+        now = entry.time if _asks(entry) else None
+        if asked and now != asked[0].time:
             yield from _asked_events(asked, number)
             asked = []
-        if asks:
-            asked.append(entry)
-        elif kind == "call":
-            yield _call_event(entry, number)
-        elif kind == "note":
-            yield from _note_events(entry, number)
-        elif kind == "passer_by":
-            yield _answered_event(entry, number)
-        elif kind in {"collision", "near_miss"}:
-            yield _met_event(entry, number)
+        match entry:
+            case CallEntry() if _asks(entry):
+                asked.append(entry)
+            case CallEntry():
+                yield _call_event(entry, number)
+            case NoteEntry():
+                yield from _note_events(entry, number)
+            case AnswerEntry():
+                yield _answered_event(entry, number)
+            case CollisionEntry():
+                text = f"touched a {entry.with_} ({entry.object_id})"
+                yield Event(entry.time, "touch", _cut(text), number)
+            case NearMissEntry():
+                text = f"came within {entry.gap:.2f} m of {entry.object_id}"
+                yield Event(entry.time, "touch", _cut(text), number)
+            case _:
+                pass
     if asked:
         yield from _asked_events(asked, len(entries))
+
+
+def _asks(entry: TraceEntry) -> TypeGuard[CallEntry]:
+    return isinstance(entry, CallEntry) and entry.call in ASKING
 
 
 def news(events: Iterable[Event], told: dict[str, str] | None = None) -> list[Event]:
@@ -92,21 +116,25 @@ def news(events: Iterable[Event], told: dict[str, str] | None = None) -> list[Ev
     return kept
 
 
-def _asked_events(asked: Sequence[Mapping[str, Any]], after: int) -> Iterator[Event]:
+def _asked_events(asked: Sequence[CallEntry], after: int) -> Iterator[Event]:
     """Tell the questions asked at one moment: what was looked for, what else."""
-    looked, found, seen, others = [], [], [], []
+    looked: list[str] = []
+    found: list[str] = []
+    seen: list[tuple[float, float, str]] = []
+    others: list[str] = []
     for entry in asked:
-        result = entry["result"]
-        if entry["call"] == "detect_from_RGB_image":
-            looked.append(str(entry["arguments"].get("object")))
-            found += [f"{each['label']} {_where(each)}" for each in result or ()]
-            seen += [_place(entry["pose"], each) for each in result or ()]
-        elif entry["call"] == "read_signs":
-            found += [f"“{each['text']}” {_where(each)}" for each in result or ()]
+        if entry.call == "detect_from_RGB_image":
+            looked.append(str(entry.arguments.get("object")))
+            pose = Pose(*entry.pose)
+            for each in entry.detections:
+                found.append(f"{each.label} {_where(each)}")
+                seen.append((*place_of(each, pose), _cut(each.label)))
+        elif entry.call == "read_signs":
+            found += [f"“{each.text}” {_where(each)}" for each in entry.texts]
             looked.append("signs")
         else:
-            others.append(f"{entry['call']}() → {_value(result)}")
-    time = float(asked[0]["time"])
+            others.append(f"{entry.call}() → {_value(entry.result)}")
+    time = asked[0].time
     if looked:
         # What is found is told once, however often it was looked for.
         what = ", ".join(dict.fromkeys(looked))
@@ -120,87 +148,80 @@ def _asked_events(asked: Sequence[Mapping[str, Any]], after: int) -> Iterator[Ev
         yield Event(time, "ask", _cut(told), after - 1)
 
 
-def _call_event(entry: Mapping[str, Any], number: int) -> Event:
+def _call_event(entry: CallEntry, number: int) -> Event:
     """Tell a call of the control API."""
-    call, result = str(entry["call"]), entry["result"]
-    arguments = ", ".join(_value(each) for each in entry["arguments"].values())
+    call, result = entry.call, entry.result
+    arguments = ", ".join(_value(each) for each in entry.arguments.values())
     text = f"{call}({arguments})"
     kind = "other"
     if call == "ask":
         answer = "nobody near" if result is None else f"“{result}”"
         text = f"“{arguments}” → {answer}"
-        return Event(float(entry["time"]), "say", _cut(text), number)
+        return Event(entry.time, "say", _cut(text), number)
     if call in {"move_forward", "follow"} or call.startswith("step_"):
         kind = "move"
     elif call in {"turn", "turn_by"}:
         kind = "turn"
     elif call in {"say", "stop"}:
         kind = call
-    if isinstance(result, dict) and {"distance", "reason"} <= result.keys():
-        text += f" → {float(result['distance']):.2f} m, {result['reason']}"
-    elif isinstance(result, dict) and "message" in result:
-        text += f" → {result['message']}"
-    elif result is not None:
-        text += f" → {_value(result)}"
-    return Event(float(entry["time"]), kind, _cut(text), number)
+    match result:
+        case MoveResult(distance, reason):
+            text += f" → {distance:.2f} m, {reason}"
+        case TurnResult(message=message):
+            text += f" → {message}"
+        case None:
+            pass
+        case _:
+            text += f" → {_value(result)}"
+    return Event(entry.time, kind, _cut(text), number)
 
 
-def _note_events(entry: Mapping[str, Any], number: int) -> Iterator[Event]:
+def _note_events(entry: NoteEntry, number: int) -> Iterator[Event]:
     """Tell what an agent noted; nothing of what is shown elsewhere."""
-    about = str(entry["about"])
-    if about in HIDDEN_NOTES:
-        return
-    told = {k: v for k, v in entry.items() if k not in {"kind", "time", "about"}}
-    kind = "note"
-    if about == "model_reply":
-        kind = "model"
-        stage, text = told.get("stage"), told.get("text")
-        text = f"{told.get('model')} replied ({stage}): {text}"
-    elif list(told) == ["text"]:
-        text = f"{about}: {told['text']}"
-    else:
-        text = f"{about}: " + "; ".join(f"{k} {_value(v)}" for k, v in told.items())
-    yield Event(float(entry["time"]), kind, _cut(text), number)
+    told, kind = entry.details, "note"
+    match entry.note:
+        case PlanNote() | StepsNote() | ProgramNote() | BeliefNote():
+            return
+        case ModelReplyNote() as reply:
+            kind = "model"
+            text = f"{reply.model} replied ({reply.stage}): {reply.text}"
+        case _ if list(told) == ["text"]:
+            text = f"{entry.about}: {told['text']}"
+        case _:
+            parts = (f"{name} {_value(value)}" for name, value in told.items())
+            text = f"{entry.about}: {'; '.join(parts)}"
+    yield Event(entry.time, kind, _cut(text), number)
 
 
-def _answered_event(entry: Mapping[str, Any], number: int) -> Event:
+def _answered_event(entry: AnswerEntry, number: int) -> Event:
     """Tell what was true of a passer-by's answer, which the agent does not learn."""
     told = {
         "right": "is right",
         "wrong": "is WRONG",
         "unknown": "tells nothing",
     }
-    error = f": {entry['error']}" if entry["error"] else ""
-    text = f"the answer of {entry['person']} {told[entry['truth']]}{error}"
-    if entry.get("model") is not None:
-        text += f" (in the words of a language model, {entry['model']}; not checked)"
-    ended = float(entry["time"]) + float(entry["seconds"])
-    return Event(ended, "other", _cut(text), number)
+    error = f": {entry.error}" if entry.error else ""
+    text = f"the answer of {entry.person} {told[entry.truth]}{error}"
+    if entry.model is not None:
+        text += f" (in the words of a language model, {entry.model}; not checked)"
+    return Event(entry.time + entry.seconds, "other", _cut(text), number)
 
 
-def _met_event(entry: Mapping[str, Any], number: int) -> Event:
-    """Tell a collision, or that a person came close."""
-    if entry["kind"] == "collision":
-        text = f"touched a {entry['with']} ({entry['object_id']})"
-    else:
-        text = f"came within {float(entry['gap']):.2f} m of {entry['object_id']}"
-    return Event(float(entry["time"]), "touch", _cut(text), number)
+def place_of(found: Detection, pose: Pose) -> tuple[float, float]:
+    """Return where a thing is, metres, that was detected from a place."""
+    angle = pose.heading + math.radians(found.bearing_deg)
+    return (
+        pose.x + found.distance * math.cos(angle),
+        pose.y + found.distance * math.sin(angle),
+    )
 
 
-def _where(found: Mapping[str, Any]) -> str:
-    bearing = round(float(found["bearing_deg"]))
+def _where(found: Detection | SignText) -> str:
+    bearing = round(found.bearing_deg)
     side = (
         f"{abs(bearing)}° {'left' if bearing > 0 else 'right'}" if bearing else "ahead"
     )
-    return f"{float(found['distance']):.1f} m {side}"
-
-
-def _place(pose: Sequence[float], found: Mapping[str, Any]) -> tuple[float, float, str]:
-    x, y, heading = map(float, pose)
-    angle = heading + math.radians(float(found["bearing_deg"]))
-    distance = float(found["distance"])
-    label = _cut(str(found["label"]))
-    return x + distance * math.cos(angle), y + distance * math.sin(angle), label
+    return f"{found.distance:.1f} m {side}"
 
 
 def _value(value: object) -> str:

@@ -9,10 +9,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from memorymaze.errors import RunFolderError
+from memorymaze.evaluation.trace_entries import CallEntry, NoteEntry
 from memorymaze.geometry.pose import Pose, wrap_angle
-from memorymaze.results.story.events import Event, news
-from memorymaze.results.story.story import NOT_OURS, Story
+from memorymaze.results.story.events import Event, news, place_of
+from memorymaze.results.story.story import Story
 from memorymaze.results.story.understanding import CurrentStep, step_of
 
 FACING_SPAN = 0.6
@@ -64,9 +64,9 @@ class Moments:
         self._headings = np.unwrap(table[3])
         # Collisions and people stand behind the walk in a trace, out of order.
         timed = [
-            (float(each["time"]), number)
+            (each.time, number)
             for number, each in enumerate(story.entries)
-            if each["kind"] in {"call", "note"}
+            if isinstance(each, CallEntry | NoteEntry)
         ]
         self._entry_times = [time for time, _ in timed]
         self._entry_numbers = [number for _, number in timed]
@@ -77,13 +77,7 @@ class Moments:
             for name, thing in story.things.items()
         }
         """Where each thing stood that no plan has, by its id."""
-        try:
-            self.sightings = tuple(_sightings(story))
-        except NOT_OURS as error:
-            raise RunFolderError(
-                "expected detections as memorymaze writes them in the trace, got others "
-                f"({type(error).__name__}: {error})"
-            ) from None
+        self.sightings = tuple(_sightings(story))
         """Everything detected, in the order of time."""
 
     @property
@@ -125,20 +119,12 @@ class Moments:
 
 def _sightings(story: Story) -> Iterator[Sighting]:
     for entry in story.entries:
-        if entry["kind"] != "call" or entry["call"] != "detect_from_RGB_image":
+        if not isinstance(entry, CallEntry):
             continue
-        pose = Pose(*entry["pose"])
-        for each in entry["result"] if isinstance(entry["result"], list) else ():
-            way = pose.heading + math.radians(each["bearing_deg"])
-            far = each["distance"]
-            yield Sighting(
-                entry["time"],
-                pose,
-                str(each["label"]),
-                tuple(each["box"]),
-                pose.x + far * math.cos(way),
-                pose.y + far * math.sin(way),
-            )
+        pose = Pose(*entry.pose)
+        for each in entry.detections:
+            x, y = place_of(each, pose)
+            yield Sighting(entry.time, pose, each.label, each.box, x, y)
 
 
 def _on_walk(walk: NDArray[np.float64], time: float) -> Pose:

@@ -4,9 +4,10 @@ import math
 import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, Protocol, TextIO
+from typing import Protocol, TextIO
 
 from memorymaze.errors import SettingsError
+from memorymaze.evaluation.trace_entries import NoteEntry, TraceEntry
 from memorymaze.geometry.pose import Pose
 from memorymaze.results.story.events import Event, events_of, news
 from memorymaze.results.story.understanding import CurrentStep, step_of, understood
@@ -81,7 +82,7 @@ class Onlooker:
         self.pace = None if pace is None else check_pace(pace)
         """Simulated seconds per second; may be changed while the episode goes on."""
         self._clock, self._sleep = clock, sleep
-        self._trace: Sequence[dict[str, Any]] = ()
+        self._trace: Sequence[TraceEntry] = ()
         self._robot: SimulatedRobot | None = None
         self._path: list[tuple[float, float]] = []
         self._distance = 0.0
@@ -94,7 +95,7 @@ class Onlooker:
         self.trouble: Exception | None = None
         """What kept it from showing the rest of the episode."""
 
-    def begin(self, robot: SimulatedRobot, trace: Sequence[dict[str, Any]]) -> None:
+    def begin(self, robot: SimulatedRobot, trace: Sequence[TraceEntry]) -> None:
         """See an episode begin."""
         self._robot, self._trace = robot, trace
         self._path, self._distance = [(robot.pose.x, robot.pose.y)], 0.0
@@ -111,7 +112,7 @@ class Onlooker:
         if self._robot is None or not self._trace:
             return
         # A new thought may last for a moment only.
-        thought = self._trace[-1]["kind"] == "note"
+        thought = isinstance(self._trace[-1], NoteEntry)
         if thought or self._clock() - self._shown >= self._view.period:
             self._show(self._robot.time, self._robot.pose)
 

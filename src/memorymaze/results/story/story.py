@@ -3,38 +3,31 @@
 What agents and models wrote is kept as text and never trusted.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from memorymaze.drawing.shapes import ThingInTheWay
 from memorymaze.errors import RunFolderError
+from memorymaze.evaluation.trace_entries import (
+    OpeningEntry,
+    PeopleEntry,
+    ThingsEntry,
+    TraceEntry,
+    TrajectoryEntry,
+)
 from memorymaze.geometry.trajectory import TimedPose, Trajectory
 from memorymaze.results.story.events import Event, events_of
 from memorymaze.results.story.understanding import Understanding, understood
-
-LARGEST = 1e6
-"""Metres, seconds and radians of a story; larger numbers cannot be drawn."""
-NOT_OURS = (
-    KeyError,
-    IndexError,
-    TypeError,
-    ValueError,
-    OverflowError,
-    AttributeError,
-    RecursionError,
-)
-"""Errors in reading entries that no episode leaves."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Story:
     """What a reader sees of an episode of one run."""
 
-    entries: tuple[Mapping[str, Any], ...]
+    entries: tuple[TraceEntry, ...]
     """The trace, see `docs/data_formats.md`."""
     walk: Trajectory
     events: tuple[Event, ...]
@@ -48,7 +41,7 @@ class Story:
     """Who walked about: times, x and y, shape (3, N)."""
 
 
-def story_of(entries: Iterable[Mapping[str, Any]], place: str) -> Story:
+def story_of(entries: Iterable[TraceEntry], place: str) -> Story:
     """Read the entries of a trace.
 
     Args:
@@ -56,59 +49,30 @@ def story_of(entries: Iterable[Mapping[str, Any]], place: str) -> Story:
         place: Its file, for errors.
 
     Raises:
-        RunFolderError: The entries are none that an episode leaves.
+        RunFolderError: There is no trajectory among them.
     """
     listed = tuple(entries)
-    try:
-        poses = next(each["poses"] for each in listed if each["kind"] == "trajectory")
-        opening = listed[0].get("instruction")
-        return Story(
-            entries=listed,
-            walk=Trajectory([TimedPose(*map(_number, pose)) for pose in poses]),
-            events=tuple(map(_checked, events_of(listed))),
-            understanding=understood(listed),
-            instruction=opening if isinstance(opening, str) else None,
-            things={
-                thing["object_id"]: ThingInTheWay(
-                    str(thing["category"]),
-                    *map(_number, thing["pose"]),
-                    *map(_number, thing["size"][:2]),
-                )
-                for entry in listed
-                if entry["kind"] == "things"
-                for thing in entry["things"]
-            },
-            people={
-                name: _places(walk)
-                for entry in listed
-                if entry["kind"] == "people"
-                for name, walk in entry["walks"].items()
-            },
-        )
-    except StopIteration:
-        raise RunFolderError(f"{place}: expected a trajectory, got none") from None
-    except NOT_OURS as error:
-        raise RunFolderError(
-            f"{place}: expected entries as memorymaze writes them, got others "
-            f"({type(error).__name__}: {error})"
-        ) from None
-
-
-def _number(value: Any) -> float:
-    """Return a number that can be drawn."""
-    if not abs(float(value)) <= LARGEST:
-        raise ValueError(f"expected a number up to {LARGEST:.0e}, got {value!r}")
-    return float(value)
-
-
-def _places(walk: Any) -> NDArray[np.float64]:
-    places = np.array([[_number(number) for number in place] for place in walk])
-    if places.ndim != 2 or places.shape[1] != 3:
-        raise ValueError(f"expected times and places of a person, got {places.shape}")
-    return places.T
-
-
-def _checked(event: Event) -> Event:
-    for number in (event.time, *(number for each in event.seen for number in each[:2])):
-        _number(number)
-    return event
+    walk = next((each for each in listed if isinstance(each, TrajectoryEntry)), None)
+    if walk is None:
+        raise RunFolderError(f"{place}: expected a trajectory, got none")
+    opening = listed[0]
+    things = (
+        each
+        for entry in listed
+        if isinstance(entry, ThingsEntry)
+        for each in entry.things
+    )
+    people = (entry.walks for entry in listed if isinstance(entry, PeopleEntry))
+    return Story(
+        entries=listed,
+        walk=Trajectory(TimedPose(*pose) for pose in walk.poses),
+        events=tuple(events_of(listed)),
+        understanding=understood(listed),
+        instruction=opening.instruction if isinstance(opening, OpeningEntry) else None,
+        things={each.object_id: each.shape for each in things},
+        people={
+            name: np.array(walk, dtype=np.float64).T
+            for walks in people
+            for name, walk in walks.items()
+        },
+    )

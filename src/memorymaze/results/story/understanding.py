@@ -1,10 +1,12 @@
 """What an agent understood: its steps or program, and which of it is at work when."""
 
 import ast
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
+from memorymaze.agents.notes import ArrivalNote, PlanNote, ProgramNote, StepsNote
+from memorymaze.evaluation.trace_entries import CallEntry, NoteEntry, TraceEntry
 from memorymaze.results.story.events import Event
 from memorymaze.wording import printable
 
@@ -40,11 +42,11 @@ class CurrentStep(NamedTuple):
     """Which of the lines is at work; None for all of them."""
 
 
-def understood(entries: Sequence[Mapping[str, Any]]) -> Understanding:
+def understood(entries: Sequence[TraceEntry]) -> Understanding:
     """Read what an agent noted of its understanding from a trace.
 
     Steps stand in notes about `plan` or `steps`, programs in notes about `program`; a
-    step counts as worked on when a note says how many are done (`legs_done`).
+    step counts as worked on when a note of any kind says how many are done (`legs_done`).
     """
     steps: tuple[str, ...] = ()
     programs: list[tuple[str, ...]] = []
@@ -52,25 +54,28 @@ def understood(entries: Sequence[Mapping[str, Any]]) -> Understanding:
     at_lines: dict[int, tuple[int, ...]] = {}
     calls: dict[str, list[_CallInProgram]] = {}
     for number, entry in enumerate(entries):
-        about = entry.get("about") if entry["kind"] == "note" else None
-        if about in {"plan", "steps"} and isinstance(entry.get("steps"), list):
-            steps = tuple(
-                printable(str(step))[:LONGEST_STEP].removeprefix(f"{place}. ")
-                for place, step in enumerate(entry["steps"], start=1)
-            )
-        elif about == "program":
-            shown = printable(str(entry.get("program")))[:LONGEST_PROGRAM]
-            calls = _calls_in(shown, sum(map(len, programs)))
-            programs.append(tuple(shown.rstrip().splitlines()))
-        elif entry["kind"] == "call" and programs:
-            arguments = entry.get("arguments")
-            told = list(arguments.values()) if isinstance(arguments, dict) else []
-            fitting = [each for each in calls.get(entry["call"], ()) if each.fits(told)]
+        if isinstance(entry, CallEntry) and programs:
+            told = list(entry.arguments.values())
+            fitting = [each for each in calls.get(entry.call, ()) if each.fits(told)]
             at_lines[number] = tuple(sorted({each.line for each in fitting}))
-        elif steps and about == "arrival":
-            at_steps[number] = (len(steps) - 1,)
-        elif steps and isinstance(done := entry.get("legs_done"), int):
-            at_steps[number] = (min(max(done, 0), len(steps) - 1),)
+        if not isinstance(entry, NoteEntry):
+            continue
+        match entry.note:
+            case PlanNote(steps=told) | StepsNote(steps=told):
+                steps = tuple(
+                    printable(step)[:LONGEST_STEP].removeprefix(f"{place}. ")
+                    for place, step in enumerate(told, start=1)
+                )
+            case ProgramNote(program=program):
+                shown = printable(program)[:LONGEST_PROGRAM]
+                calls = _calls_in(shown, sum(map(len, programs)))
+                programs.append(tuple(shown.rstrip().splitlines()))
+            case ArrivalNote() if steps:
+                at_steps[number] = (len(steps) - 1,)
+            case _:
+                done = entry.details.get("legs_done")
+                if steps and isinstance(done, int):
+                    at_steps[number] = (min(max(done, 0), len(steps) - 1),)
     if steps and at_steps:
         at_steps.setdefault(0, (0,))
     marks = at_lines if programs else at_steps

@@ -8,14 +8,16 @@ import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from multiprocessing.connection import Connection
-from typing import Any, ClassVar, NamedTuple
+from typing import ClassVar, NamedTuple
 
 import numpy as np
 
-from memorymaze.agents.agent import ARRIVAL, GAVE_UP, Journal, Need
+from memorymaze.agents.agent import Journal, Need
+from memorymaze.agents.notes import ArrivalNote, GaveUpNote
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.episode import EpisodeRun, run_episode
 from memorymaze.evaluation.settings import RunDefinition
+from memorymaze.evaluation.trace_entries import TraceEntry
 from memorymaze.geometry.pose import Pose, turn_between
 from memorymaze.instructions.records import Episode
 from memorymaze.pages.live_camera import seen_ahead
@@ -93,8 +95,8 @@ class People:
         """Drive the robot."""
         for command in self._commands:
             if isinstance(command, Said):
-                about = ARRIVAL if command.arrived else GAVE_UP
-                journal.note(about, confidence=command.confidence)
+                ending = ArrivalNote if command.arrived else GaveUpNote
+                journal.add(ending(confidence=command.confidence))
                 return
             answer = COMMANDS[command](robot)
             if self._hear is not None:
@@ -172,7 +174,7 @@ class _Driver:
         self._drawn_at: Pose | None = None
         """Where the last picture was taken; None while past commands are repeated."""
 
-    def begin(self, robot: SimulatedRobot, trace: Sequence[dict[str, Any]]) -> None:
+    def begin(self, robot: SimulatedRobot, trace: Sequence[TraceEntry]) -> None:
         self._robot, self._pose = robot, robot.pose
         robot.watch(self._moved)
 
