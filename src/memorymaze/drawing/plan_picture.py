@@ -32,6 +32,8 @@ from memorymaze.drawing.margin import (
     write_legend,
 )
 from memorymaze.drawing.shapes import (
+    ARRIVED_COLOR,
+    FAILED_COLOR,
     Bounds,
     Met,
     Points,
@@ -56,7 +58,6 @@ LARGEST_SHEET = 60.0
 DOTS_PER_INCH = 130
 NARROWEST = 9.0
 """Inches of paper that title and legend need."""
-ARRIVED_COLOR, FAILED_COLOR = "#0b5d2a", "#8a1c1c"
 AROUND = 6.0
 """Metres of plan shown round a walk and the way described."""
 PIXELS_PER_INCH = 100

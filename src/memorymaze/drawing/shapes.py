@@ -92,6 +92,8 @@ EXIT_COLOR = "#2f6fb0"
 WALK_COLOR = "#111111"
 THING_COLOR, PEOPLE_COLOR, FOUND_COLOR = "#c2185b", "#0b7285", "#7a4fb5"
 """Of what no plan has, and of what a robot detects."""
+ARRIVED_COLOR, FAILED_COLOR = "#0b5d2a", "#8a1c1c"
+"""Of words on how a walk ended."""
 ROUTE_COLORS = ("#d7301f", "#1f5fbf", "#2a8a3e", "#8a3ea8", "#c77700")
 
 FLAT = 0.05

@@ -12,13 +12,13 @@ from numpy.typing import NDArray
 from PIL import Image, ImageDraw, ImageFont
 
 from memorymaze.drawing.axes import OTHER_SCRIPTS, WIDE_FROM
+from memorymaze.drawing.shapes import ARRIVED_COLOR, FAILED_COLOR
 from memorymaze.results.story.events import Event
 from memorymaze.results.story.understanding import CurrentStep
 
 PAPER, INK, GREY, RULE = "#ffffff", "#16181d", "#5a6270", "#c9ced6"
 HEAD, HEAD_INK = "#16181d", "#ffffff"
 STEP, STEP_INK = "#fff3c4", "#16181d"
-ARRIVED, NOT_ARRIVED = "#0b5d2a", "#8a1c1c"
 NEWS = "#e8eef7"
 """Behind what happened last."""
 MARKS = {
@@ -229,7 +229,7 @@ class Page:
         lines = lines_of(text, font, box.width - 2 * letter, 4)
         high = round(row * len(lines) + 0.9 * letter)
         top = box.y if layout.camera is None else box.y + box.height - high
-        back = ARRIVED if arrived else NOT_ARRIVED
+        back = ARRIVED_COLOR if arrived else FAILED_COLOR
         self._pen.rectangle((box.x, top, box.x + box.width - 1, top + high), fill=back)
         for number, line in enumerate(lines):
             at = (box.x + letter, top + 0.35 * letter + number * row)
