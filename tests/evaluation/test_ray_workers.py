@@ -19,8 +19,9 @@ import pytest
 from memorymaze.errors import SettingsError
 from memorymaze.evaluation.driver import run_plan
 from memorymaze.evaluation.episode_worker import EpisodeDone, EpisodeTask, EpisodeWorker
-from memorymaze.evaluation.plan import RunPlan
+from memorymaze.evaluation.plan import RunPlan, plan_run
 from memorymaze.evaluation.ray_workers import (
+    RayWorker,
     RayWorkforce,
     TravellingWorker,
     open_ray_cluster,
@@ -30,7 +31,10 @@ from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import read_run
 from memorymaze.evaluation.settings import AgentSettings, RunSettings
 from memorymaze.evaluation.trace import trace_path
+from memorymaze.instructions import Corpus
+from memorymaze.language.answer_files import AnswerFile
 from memorymaze.language.model_settings import ModelSettings
+from memorymaze.language.scripted_model import ScriptedLanguageModel
 from memorymaze.language.spending import TokenPrice
 
 Plan = Callable[..., RunPlan]
@@ -316,6 +320,41 @@ def test_a_file_of_answers_travels(tmp_path: Path, settings: RunSettings) -> Non
     assert pack_files(replace(settings, agent=agent)) == {
         "replay/answers.jsonl": b"answers",
     }
+
+
+def test_answers_recorded_on_other_machines_come_back_and_are_not_asked_for_again(
+    tmp_path: Path, tiny_corpus: Corpus, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    models: list[ScriptedLanguageModel] = []
+
+    def server(*_: object) -> ScriptedLanguageModel:
+        models.append(ScriptedLanguageModel(lambda _: "stop()", name="m"))
+        return models[-1]
+
+    monkeypatch.setattr("memorymaze.language.building._server", server)
+    record = tmp_path / "answers.jsonl"
+    plan = plan_run(
+        AgentSettings(
+            "code_generation",
+            options=(("parser", "false"),),
+            language_model=ModelSettings(model="m", record=str(record)),
+        ),
+        tiny_corpus,
+    )
+    # What Ray brings is what an actor returned.
+    monkeypatch.setattr("ray.get", lambda reply: ("done", reply))
+    tasks = [EpisodeTask(episode) for episode in plan.episodes[:2]]
+    for task in (*tasks, tasks[0]):
+        files = pack_files(plan.settings)
+        there = TravellingWorker(EpisodeWorker.of(plan, plan.settings), files)()
+        done = RayWorker(None, there(task), record).receive()
+        assert isinstance(done, EpisodeDone)
+        assert done.result.model_calls == 1
+
+    asked = {each.episode.instruction.id for each in tasks}
+    assert {name for name, _ in AnswerFile(record).stages()} == asked
+    assert len(record.read_text(encoding="utf-8").splitlines()) == 2
+    assert sum(len(model.requests) for model in models) == 2
 
 
 def test_a_cluster_that_is_not_there_is_told_at_once() -> None:
