@@ -3,7 +3,7 @@
     python examples/answer_batch.py requests.jsonl replies.jsonl
 
 It shows what a script that runs a model of your own has to do: for each request take the
-messages, have them answered, and write `custom_id` and `text`. Put your model in the
+messages, have them answered, and write `custom_id` and `reply`. Put your model in the
 place of `answer`; this one only picks out the words "left" and "right".
 """
 
@@ -61,14 +61,14 @@ def main(requests: Path, replies: Path) -> None:
         for line in lines:
             request = json.loads(line)
             messages = request["body"]["messages"]
-            text = answer(messages)
+            said = answer(messages)
             # Count tokens as your model does; words stand in for them here.
             reply = {
                 "custom_id": request["custom_id"],
                 "model": NAME,
-                "text": text,
+                "reply": said,
                 "prompt_tokens": sum(len(each["content"].split()) for each in messages),
-                "completion_tokens": len(text.split()),
+                "completion_tokens": len(said.split()),
             }
             file.write(json.dumps(reply) + "\n")
 

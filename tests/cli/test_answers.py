@@ -163,7 +163,7 @@ def test_a_request_that_failed_stays_open(
     ask += ["--model", "m", "--store", str(store), *tiny_files]
     memorymaze(*ask, "--out", asked)
     ids = [json.loads(line)["custom_id"] for line in asked.read_text().splitlines()]
-    lines = [{"custom_id": each, "text": "```\nstop()\n```"} for each in ids[1:]]
+    lines = [{"custom_id": each, "reply": "```\nstop()\n```"} for each in ids[1:]]
     lines.append({"custom_id": ids[0], "error": {"message": "Too busy."}})
     replies = tmp_path / "replies.jsonl"
     replies.write_text("\n".join(map(json.dumps, lines)), encoding="utf-8")
@@ -182,7 +182,9 @@ def test_replies_to_what_was_not_asked_are_refused(
 ) -> None:
     store, replies = tmp_path / "answers.jsonl", tmp_path / "replies.jsonl"
     AnswerFile(store, make=True)
-    replies.write_text('{"custom_id": "program/x", "text": "stop()"}', encoding="utf-8")
+    replies.write_text(
+        '{"custom_id": "program/x", "reply": "stop()"}', encoding="utf-8"
+    )
     said = memorymaze("answers", "import", replies, "--store", store)
     assert said.code != 0
     assert f"{replies}:1: {store} has not asked 'program/x'" in said.err

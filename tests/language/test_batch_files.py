@@ -83,7 +83,7 @@ def test_a_batch_services_reply_is_a_completion(file: Callable[..., Path]) -> No
 
 
 def test_a_plain_reply_is_a_completion(file: Callable[..., Path]) -> None:
-    plain = {"custom_id": "a", "text": "Yes.", "model": "m", "latency_s": 1.5}
+    plain = {"custom_id": "a", "reply": "Yes.", "model": "m", "latency_s": 1.5}
     found = read_replies([file(plain, reply("b"))])
     assert found["a"].completion == Completion("Yes.", "m", Usage(), 1.5)
     assert set(found) == {"a", "b"}
@@ -106,7 +106,7 @@ def test_a_plain_reply_is_a_completion(file: Callable[..., Path]) -> None:
         pytest.param(reply(text=None), "without text", id="null"),
         pytest.param(reply(text="\ud800"), "halves of characters", id="halves"),
         pytest.param(reply(text="x" * 200_001), "200001 characters", id="endless"),
-        pytest.param({"custom_id": "a", "text": ""}, "without text", id="plain"),
+        pytest.param({"custom_id": "a", "reply": ""}, "without text", id="plain"),
     ],
 )
 def test_a_request_that_failed_says_why(
@@ -147,10 +147,10 @@ def test_an_answer_counts_before_failures(
             id="no choices",
         ),
         pytest.param(
-            [{"custom_id": 3, "text": "x"}], "'custom_id': expected", id="number"
+            [{"custom_id": 3, "reply": "x"}], "'custom_id': expected", id="number"
         ),
         pytest.param(
-            [{"custom_id": "a", "text": "x", "prompt_tokens": -1}],
+            [{"custom_id": "a", "reply": "x", "prompt_tokens": -1}],
             "'prompt_tokens': expected",
             id="tokens",
         ),

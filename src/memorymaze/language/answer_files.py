@@ -18,7 +18,7 @@ from memorymaze.errors import (
     RecordedAnswersWarning,
     SettingsError,
 )
-from memorymaze.input_files import decoded, read_file, refusal
+from memorymaze.input_files import decoded, parse_record, read_file, refusal
 from memorymaze.language.kept_answers import KeptAnswer, pictures_shown, request_key
 from memorymaze.language.model import Completion, CompletionRequest, Question
 
@@ -210,7 +210,7 @@ class AnswerFile:
                 continue
             place = f"{self.path}:{self._lines}"
             try:
-                found, unknown = KeptAnswer.of_line(line)
+                found, unknown = KeptAnswer.of_record(parse_record(line))
                 self._index(found, place)
             except ValueError as error:
                 self.problems.append(f"{place}: {error}")

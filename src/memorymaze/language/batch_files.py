@@ -1,9 +1,8 @@
 """Requests and replies of offline inference: JSONL files, one record per line.
 
 Requests are in the format of OpenAI's batch service, which vLLM's `run-batch` reads too.
-Replies are read in the format that both write, and in a plain one for scripts of one's
-own: `custom_id` and `text`, if known also `model`, `prompt_tokens`, `completion_tokens`
-and `latency_s`.
+Replies are read in the format that both write; scripts of one's own write `custom_id` and
+the fields of an answer (`kept_answers`), such as `reply`.
 """
 
 import base64
@@ -17,16 +16,14 @@ from pydantic import BaseModel, Field, StringConstraints, ValidationError
 
 from memorymaze.errors import AnswerFileError
 from memorymaze.input_files import mistakes, parse_record, read_lines, refusal
+from memorymaze.language.kept_answers import KeptAnswer, TokenCount
 from memorymaze.language.model import (
-    MOST_TOKENS,
     Completion,
     CompletionRequest,
     Message,
     Usage,
     why_unusable,
 )
-
-Count = Annotated[int, Field(ge=0, le=MOST_TOKENS)]
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,19 +40,9 @@ class BatchReply:
     """`file:line`."""
 
 
-class _Plain(BaseModel):
-    """A reply as a script of one's own writes it."""
-
-    text: str
-    model: str = ""
-    prompt_tokens: Count = 0
-    completion_tokens: Count = 0
-    latency_s: Annotated[float, Field(ge=0, allow_inf_nan=False)] = 0.0
-
-
 class _Usage(BaseModel):
-    prompt_tokens: Count = 0
-    completion_tokens: Count = 0
+    prompt_tokens: TokenCount = 0
+    completion_tokens: TokenCount = 0
 
 
 class _Message(BaseModel):
@@ -174,13 +161,12 @@ def _reply(line: str, place: str) -> BatchReply:
         )
     try:
         head = _Line.model_validate(record)
-        if "text" in record:
-            plain = _Plain.model_validate(record)
-            usage = Usage(plain.prompt_tokens, plain.completion_tokens)
-            said = Completion(plain.text, plain.model, usage, plain.latency_s)
-            return _checked(head, said, why_unusable(plain.text), place)
     except ValidationError as error:
         raise ValueError(_first_mistake(error)) from None
+    if record.get("reply") is not None:
+        told = {name: value for name, value in record.items() if name != "custom_id"}
+        said = KeptAnswer.of_record({"key": head.custom_id} | told)[0].completion("")
+        return _checked(head, said, why_unusable(said.text), place)
     response = head.response
     if response is None or response.status_code != 200 or head.error:
         return BatchReply(head.custom_id, None, _failure(head), place)

@@ -4,12 +4,12 @@ import hashlib
 import json
 from collections.abc import Iterator
 from dataclasses import asdict, dataclass, fields, replace
-from typing import Annotated
+from typing import Annotated, Any
 
 from pydantic import Field, StringConstraints, TypeAdapter, ValidationError
 
 from memorymaze.errors import LanguageModelError
-from memorymaze.input_files import mistakes, parse_record, unknown_fields
+from memorymaze.input_files import mistakes, unknown_fields
 from memorymaze.language.model import (
     MOST_TOKENS,
     Completion,
@@ -107,9 +107,8 @@ class KeptAnswer:
         return json.dumps(given)
 
     @classmethod
-    def of_line(cls, line: str) -> tuple["KeptAnswer", list[str]]:
-        """Read a line; return it with the names of fields that the format does not know."""
-        content = parse_record(line)
+    def of_record(cls, content: dict[str, Any]) -> tuple["KeptAnswer", list[str]]:
+        """Read what a line says; return it, and the fields that the format does not know."""
         unknown = unknown_fields(content, DEFAULTS)
         try:
             found = _LINE.validate_python(content)
