@@ -1,5 +1,6 @@
 """NavGPT in runs: on the graphs of tiny sites and of the university."""
 
+import json
 import math
 import re
 from collections.abc import Callable, Mapping
@@ -12,6 +13,7 @@ from scipy.sparse import csr_array
 from scipy.sparse.csgraph import dijkstra
 
 from memorymaze.agents.navgpt import NavGPTAgent, NavGPTOptions
+from memorymaze.evaluation.agent_catalogue import choose_agent
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.budgets import fair_limits
 from memorymaze.evaluation.episode import EpisodeRun, run_episode
@@ -19,8 +21,10 @@ from memorymaze.evaluation.handing_over import graph_of
 from memorymaze.evaluation.plan import RunPlan, plan_run
 from memorymaze.evaluation.settings import AgentSettings, RunDefinition
 from memorymaze.evaluation.trace_entries import NoteEntry
+from memorymaze.evaluation.vision_captions import VisionCaptions
 from memorymaze.instructions.records import Episode
-from memorymaze.language.model import CompletionRequest
+from memorymaze.language.model import CompletionRequest, Picture
+from memorymaze.language.model_settings import ModelSettings
 from memorymaze.language.scripted_model import ScriptedLanguageModel
 from memorymaze.sites.navigation_graph import NavigationGraph
 
@@ -144,6 +148,35 @@ def test_the_budget_is_the_same_for_every_route_of_a_site(
     limits = fair_limits(site.routes)
     assert limits.requests == 2 * (math.ceil(159.5 / 2.25) + 1)
     assert len({route.length for route in site.routes}) > 1
+
+
+def test_a_vision_model_describes_what_an_agent_on_a_graph_sees(
+    tiny_plan: Callable[..., RunPlan],
+) -> None:
+    plan = tiny_plan("oracle")
+    episode = plan.episodes[0]
+    arena = Arena(plan.sites[episode.instruction.site])
+    said = json.dumps({"views": ["A wall."] * 8, "summary": "A hall."})
+    captions = VisionCaptions(
+        ScriptedLanguageModel(lambda _: said, name="eyes"),
+        lambda *_: (Picture(b"\xff\xd8\xff", "image/jpeg"),) * 8,
+    )
+    agent = NavGPTAgent(
+        NavGPTOptions(captions="vision"),
+        model_that_knows(graph_of(arena.scene), episode.goal),
+    )
+    settings = on_graph(plan.settings)
+    done = run_episode(agent, episode, arena, settings, captions=captions)
+    assert done.result.success
+    assert {each["described_by"] for each in notes(done, "observation")} == {"eyes"}
+
+
+@pytest.mark.parametrize("captions", ["templates", "vision"])
+def test_options_of_an_agent_say_who_describes(captions: str) -> None:
+    model = ModelSettings(model="m", base_url="http://127.0.0.1:9/v1")
+    agent = AgentSettings("navgpt", options=(("captions", captions),))
+    ready = choose_agent(agent, model).make()
+    assert (ready.captions is None) == (captions == "templates")
 
 
 def test_nothing_that_the_model_is_told_gives_the_answers_away(
