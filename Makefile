@@ -12,6 +12,7 @@ RUN ?= runs/guide-$(VERSION)
 MODEL ?=
 LIMIT ?= 12
 TABLE_TWO ?= runs/table-two-$(VERSION)
+OPTIONS ?=
 
 .PHONY: benchmark table-two test proof test-local-llm check bench setup install clean
 
@@ -19,9 +20,26 @@ benchmark: install
 	$(BIN)/memorymaze evaluate --agent guide --workers $(WORKERS) --out $(RUN) --resume
 	$(BIN)/memorymaze table $(RUN)
 
-# Every method of the paper's Table II, from recorded answers or on a sample with any model.
+# Every method of the paper's Table II, from recorded answers or on a sample with any model,
+# which is asked and then replayed from its replies: that must give the same table. OPTIONS
+# takes further options of the model, such as "--base-url URL --price 0.15,0.60".
+SUITE := $(BIN)/memorymaze evaluate --resume --suite examples/suites
+SMALL := $(filter smollm2 gguf:%,$(MODEL))
+ASKED := $(SUITE)/$(if $(SMALL),table_two_small,table_two_asked).toml \
+	--model "$(MODEL)" --limit $(LIMIT)
 table-two: install
-	bash scripts/table_two.sh "$(BIN)" "$(MODEL)" "$(LIMIT)" "$(TABLE_TWO)"
+ifeq ($(MODEL),)
+	$(SUITE)/table_two.toml --workers $(WORKERS) --out $(TABLE_TWO)/recorded
+else
+ifneq ($(SMALL),)
+	$(BIN)/python -c 'import llama_cpp' 2>/dev/null || $(BIN)/python -m pip install --quiet \
+		--disable-pip-version-check --constraint constraints.txt --editable '.[local-llm]'
+endif
+	$(ASKED) --record $(TABLE_TWO)/replies.jsonl $(OPTIONS) --out $(TABLE_TWO)/asked
+	$(ASKED) --replay $(TABLE_TWO)/replies.jsonl --out $(TABLE_TWO)/replayed > /dev/null
+	cmp $(TABLE_TWO)/asked/II.csv $(TABLE_TWO)/replayed/II.csv
+	@echo "replayed from $(TABLE_TWO)/replies.jsonl: the same table"
+endif
 
 test: setup
 	$(BIN)/pytest -n auto

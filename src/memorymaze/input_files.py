@@ -124,6 +124,20 @@ def parse_toml(
         raise error(f"{path}: expected TOML, got a mistake: {mistake}") from None
 
 
+def field_problem(path: Path, text: str, where: str, said: str) -> str:
+    """Return what is wrong with a field of a TOML text, with the line of it."""
+    field = f"field {where!r}: " if where else ""
+    return f"{field_place(path, text, where)}: {field}{said}"
+
+
+def field_place(path: Path, text: str, where: str) -> str:
+    """Return file and line of a field; of the table that lacks it, where it is missing."""
+    lines = field_lines(text)
+    while where and where not in lines:
+        where = where[: max(where.rfind("."), where.rfind("["), 0)]
+    return f"{path}:{lines.get(where, 1)}"
+
+
 def field_lines(text: str) -> dict[str, int]:
     """Return the line of each field of a TOML text, by places such as `routes[1].video`."""
     lines: dict[str, int] = {}

@@ -2,7 +2,6 @@
 
 import csv
 import io
-import json
 import subprocess
 import sys
 from pathlib import Path
@@ -13,6 +12,7 @@ from memorymaze.instructions import load_corpus
 from memorymaze.language.answer_files import AnswerFile
 from memorymaze.results.tables import OVERVIEW, load_runs, paired_table
 
+COMMAND = (sys.executable, "-m", "memorymaze")
 PROJECT = Path(__file__).parents[2]
 RECORDED = PROJECT / "examples" / "recorded"
 
@@ -40,25 +40,17 @@ def test_every_answer_is_to_a_shipped_text(
     assert {each.stage for each in file.answers} == stages
 
 
-def test_the_texts_of_the_table_are_those_that_are_answered(tmp_path: Path) -> None:
-    out = tmp_path / "texts.jsonl"
-    script = PROJECT / "scripts" / "texts_answered.py"
-    file = RECORDED / "navgpt.jsonl"
-    subprocess.run([sys.executable, script, file, out], check=True)
-    written = [json.loads(line) for line in out.read_text("utf-8").splitlines()]
-    asked = {each.instruction_id for each in AnswerFile(file).answers}
-    assert {each["id"] for each in written} == asked
-    assert len({(e["study"], e["site"], e["route"]) for e in written}) == 12
-
-
 @pytest.mark.proof
 def test_table_two_is_made_again_without_a_key(tmp_path: Path) -> None:
-    command = ["bash", "scripts/table_two.sh", Path(sys.executable).parent, "", "12"]
+    suite = PROJECT / "examples" / "suites" / "table_two.toml"
     made = subprocess.run(
-        [*command, tmp_path], cwd=PROJECT, check=True, capture_output=True, text=True
+        [*COMMAND, "evaluate", "--suite", suite, "--out", tmp_path],
+        check=True,
+        capture_output=True,
+        text=True,
     )
     assert "navid (not recorded)" in made.stdout
-    runs = tmp_path / "recorded"
+    runs = tmp_path
     names = ["rules", "code_generation", "code_generation_parser", "navgpt", "oracle"]
     first, *others = load_runs([runs / name for name in names])
     rows = csv.DictReader(io.StringIO(paired_table([first, *others], OVERVIEW).csv()))

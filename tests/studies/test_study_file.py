@@ -4,12 +4,12 @@ from pathlib import Path
 import pytest
 
 from memorymaze.errors import SettingsError, StudyError
+from memorymaze.input_files import field_lines
 from memorymaze.sites import load_site
 from memorymaze.studies.study_file import (
     KINDS,
     Study,
     StudyKind,
-    field_lines,
     load_study,
     new_study,
 )

@@ -1,8 +1,8 @@
 """Options that say which agent acts, and how; shared by `evaluate`, `navigate`, `try`."""
 
 import argparse
-from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
 
 from memorymaze.cli.flags import add_flags, flag_names
 from memorymaze.language.model_settings import ModelSettings
@@ -12,13 +12,12 @@ if TYPE_CHECKING:
     from memorymaze.evaluation.settings import AgentSettings, RunSettings
 
 
-def add_agent_name(parser: argparse.ArgumentParser, default: str | None) -> None:
+def add_agent_name(add: "Callable[..., Any]", default: str | None) -> None:
     """Add `--agent`, among the options that come first."""
-    parser.add_argument(
+    add(
         "--agent",
         metavar="NAME",
         default=default,
-        required=default is None,
         help="one of `memorymaze agents`, or your own as module:Class or file.py:Class"
         + (f" (default: {default})" if default else ""),
     )

@@ -15,6 +15,7 @@ from memorymaze.cli.agent_options import (
     add_episode_options,
     agent_settings,
     episode_settings,
+    given_settings,
 )
 from memorymaze.cli.flags import add_flags
 from memorymaze.cli.verbs import Verbs, add_corpus_options
@@ -43,8 +44,14 @@ def add_parser(verbs: Verbs) -> None:
 def _add_options(parser: argparse.ArgumentParser) -> None:
     from memorymaze.evaluation.settings import RunSettings
 
-    parser.usage = "%(prog)s --agent NAME [OPTION …]"
-    add_agent_name(parser, default=None)
+    parser.usage = "%(prog)s (--agent NAME | --suite FILE) [OPTION …]"
+    what = parser.add_mutually_exclusive_group(required=True)
+    add_agent_name(what.add_argument, default=None)
+    what.add_argument(
+        "--suite",
+        metavar="FILE",
+        help="several runs and their tables, as a file says (docs/results.md)",
+    )
     add_flags(parser.add_argument, RunSettings, ["limit"])
     parser.add_argument(
         "--out", metavar="DIR", help="run folder (default: runs/AGENT-TIME)"
@@ -76,9 +83,6 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
 
 def _run(options: argparse.Namespace) -> int:
     from memorymaze.errors import SettingsError
-    from memorymaze.evaluation.crashes import crash_lines
-    from memorymaze.evaluation.summary import summarise, summary_lines
-    from memorymaze.library.runs import default_folder, evaluate
 
     if options.workers < 0:
         raise SettingsError(
@@ -86,6 +90,14 @@ def _run(options: argparse.Namespace) -> int:
         )
     if options.resume and options.out is None:
         raise SettingsError("--resume: name the run's folder with --out")
+    return _run_one(options) if options.suite is None else _run_suite(options)
+
+
+def _run_one(options: argparse.Namespace) -> int:
+    from memorymaze.evaluation.crashes import crash_lines
+    from memorymaze.evaluation.summary import summarise, summary_lines
+    from memorymaze.library.runs import default_folder, evaluate
+
     out = Path(options.out or default_folder(options.agent))
     agent, corpus, settings = _what_to_follow(options)
     with _workforce(options) as workforce:
@@ -102,12 +114,7 @@ def _run(options: argparse.Namespace) -> int:
                     on_plan=functools.partial(_announce, workforce),
                 )
         except KeyboardInterrupt:
-            print(
-                "\nmemorymaze: interrupted; what is finished is kept. To go on:\n  "
-                + _resuming(sys.argv[1:], out),
-                file=sys.stderr,
-            )
-            return 1
+            return _interrupted(out)
     print(f"run {run.folder}")
     print("\n".join(summary_lines(summarise(run.results, run.record.settings))))
     for line in crash_lines(run.folder, run.results, whole=options.debug):
@@ -116,6 +123,59 @@ def _run(options: argparse.Namespace) -> int:
     when = "" if shard is None else f", when all {shard.of} parts are there"
     print(f"tables{when}: {command_here()} table {shlex.quote(str(out))}")
     return 0
+
+
+def _run_suite(options: argparse.Namespace) -> int:
+    from memorymaze.durable_files import write_whole
+    from memorymaze.errors import MemoryMazeError, SettingsError
+    from memorymaze.library.runs import default_folder
+    from memorymaze.library.suites import read_suite, run_suite
+    from memorymaze.results.tables import load_runs
+    from memorymaze.tables import write_tables
+
+    for option in ("set", "instructions", "sites"):
+        if getattr(options, option):
+            raise SettingsError(
+                f"--{option}: stands in the file of a suite; leave it out"
+            )
+    suite = read_suite(options.suite)
+    out = Path(options.out or default_folder(Path(options.suite).stem))
+    with _workforce(options) as workforce:
+        try:
+            with contextlib.redirect_stdout(sys.stderr):
+                failed = run_suite(
+                    suite,
+                    out,
+                    given=given_settings(options),
+                    workers=workforce,
+                    resume=options.resume,
+                    on_plan=functools.partial(_announce, workforce),
+                )
+        except KeyboardInterrupt:
+            return _interrupted(out)
+    failures = [f"run {name}: {error}" for name, error in failed.items()]
+    finished = [out / run.name for run in suite.runs if run.name not in failed]
+    runs = load_runs(finished) if finished else []
+    for name in suite.tables if finished else ():
+        try:
+            tables = suite.tables_of(runs, name)
+        except MemoryMazeError as error:
+            failures.append(f"table {name}: {error}")
+            continue
+        print(write_tables(tables, "text").decode())
+        write_whole(out / f"{name}.csv", write_tables(tables, "csv"))
+    for failure in failures:
+        print(f"memorymaze: {failure}", file=sys.stderr)
+    return 1 if failures else 0
+
+
+def _interrupted(out: Path) -> int:
+    print(
+        "\nmemorymaze: interrupted; what is finished is kept. To go on:\n  "
+        + _resuming(sys.argv[1:], out),
+        file=sys.stderr,
+    )
+    return 1
 
 
 def _announce(workforce: "Workforce", plan: "RunPlan", out: Path) -> None:

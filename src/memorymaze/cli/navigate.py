@@ -38,7 +38,7 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
     parser.usage = "%(prog)s SITE ROUTE TEXT [OPTION …]"
     add_site_and_route(parser)
     parser.add_argument("text", metavar="TEXT", help="the instruction")
-    add_agent_name(parser, default="guide")
+    add_agent_name(parser.add_argument, default="guide")
     parser.add_argument(
         "--out", metavar="DIR", help="folder (default: runs/navigate-SITE-ROUTE-TIME)"
     )

@@ -22,7 +22,7 @@ from shapely import Point
 from memorymaze.durable_files import write_new
 from memorymaze.errors import SettingsError, SitePlanError, StudyError, did_you_mean
 from memorymaze.input_files import (
-    field_lines,
+    field_problem,
     mistakes,
     parse_toml,
     read_text,
@@ -337,7 +337,7 @@ def load_study(path: str | Path) -> Study:
         design = StudyDesign.model_validate(content)
     except ValidationError as error:
         problems = [
-            _problem(path, text, where, _unless_unknown(where, said))
+            field_problem(path, text, where, _unless_unknown(where, said))
             for where, said in mistakes(error)
         ]
         raise refusal(problems, StudyError) from None
@@ -345,7 +345,7 @@ def load_study(path: str | Path) -> Study:
         beside = path.parent / design.site
         site = load_site(beside if beside.is_file() else design.site)
     except (SettingsError, SitePlanError) as error:
-        raise StudyError(_problem(path, text, "site", str(error))) from None
+        raise StudyError(field_problem(path, text, "site", str(error))) from None
     problems = list(_route_problems(path, text, design, site))
     if problems:
         raise refusal(problems, StudyError)
@@ -357,7 +357,7 @@ def check_is_changed(study: Study) -> None:
     contact = study.design.contact
     if contact.startswith(UNCHANGED):
         said = f"expected who answers questions of participants, got {contact!r}"
-        raise StudyError(_problem(study.path, study.text, "contact", said))
+        raise StudyError(field_problem(study.path, study.text, "contact", said))
 
 
 def new_study(path: str | Path, site: Site, kind: StudyKind, plan: str) -> None:
@@ -405,10 +405,10 @@ def _route_problems(
     for number, shown in enumerate(design.routes):
         if shown.route not in known:
             said = f"expected one of {', '.join(known)}, got {shown.route!r}"
-            problems.append(_problem(path, text, f"routes[{number}].route", said))
+            problems.append(field_problem(path, text, f"routes[{number}].route", said))
         if shown.video is not None and not (path.parent / shown.video).is_file():
             said = f"expected a video file that is there, got {shown.video!r}"
-            problems.append(_problem(path, text, f"routes[{number}].video", said))
+            problems.append(field_problem(path, text, f"routes[{number}].video", said))
     return problems
 
 
@@ -418,13 +418,3 @@ def _unless_unknown(where: str, said: str) -> str:
     name = where.rpartition(".")[2]
     known = {field for part in _PARTS for field in part.model_fields}
     return f"expected no field of this name{did_you_mean(name, known)}"
-
-
-def _problem(path: Path, text: str, where: str, said: str) -> str:
-    lines = field_lines(text)
-    place = where
-    while place and place not in lines:
-        # A missing field is told at the table that lacks it.
-        place = place[: max(place.rfind("."), place.rfind("["), 0)]
-    field = f"field {where!r}: " if where else ""
-    return f"{path}:{lines.get(place, 1)}: {field}{said}"
