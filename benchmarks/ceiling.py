@@ -27,7 +27,7 @@ from numpy.typing import NDArray
 from benchmarks.plan_walks import estimates, share
 from benchmarks.reading import recorded_plans
 from memorymaze.agents.agent import Journal
-from memorymaze.agents.guide.alignments import Segment, Start
+from memorymaze.agents.guide.alignments import AssumedStart, Segment
 from memorymaze.agents.guide.arriving import (
     BEYOND_SIGN,
     CLOSE,
@@ -348,7 +348,7 @@ def ends_at(ending: Ending, goal: Point, within: float) -> bool:
 def follow(
     plan: RoutePlan,
     floor: FloorMap,
-    starts: list[Start],
+    starts: list[AssumedStart],
     model: Likelihoods,
     pointing_signs: set[int],
 ) -> Followed:

@@ -45,3 +45,39 @@ def _statements(tree: ast.AST) -> Iterator[ast.AST]:
             continue
         yield node
         yield from _statements(node)
+
+
+def test_a_public_name_means_one_thing_in_the_house() -> None:
+    """Classes, functions, types, and the constants that another file imports.
+
+    Other constants are words of their file. What every verb of the command line has to
+    have is one role in many files: `add_parser` in `cli`.
+    """
+    trees = {path: ast.parse(path.read_text()) for path in SOURCE.rglob("*.py")}
+    imported = {
+        (node.module, each.name)
+        for tree in trees.values()
+        for node in ast.walk(tree)
+        if isinstance(node, ast.ImportFrom)
+        for each in node.names
+    }
+    homes: dict[str, list[str]] = {}
+    for path, tree in sorted(trees.items()):
+        home = _name(path)
+        is_verb = home.startswith("memorymaze.cli.")
+        for name in _public_names(tree):
+            is_own = name.isupper() and (home, name) not in imported
+            if not is_own and not (is_verb and name == "add_parser"):
+                homes.setdefault(name, []).append(home)
+    assert {name: at for name, at in homes.items() if len(at) > 1} == {}
+
+
+def _public_names(tree: ast.Module) -> Iterator[str]:
+    for node in tree.body:
+        names: list[str] = []
+        if isinstance(node, ast.ClassDef | ast.FunctionDef | ast.AsyncFunctionDef):
+            names = [node.name]
+        elif isinstance(node, ast.Assign | ast.AnnAssign):
+            targets = node.targets if isinstance(node, ast.Assign) else [node.target]
+            names = [each.id for each in targets if isinstance(each, ast.Name)]
+        yield from (name for name in names if not name.startswith("_"))

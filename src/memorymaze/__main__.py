@@ -6,9 +6,9 @@ import sys
 def main() -> int:
     """Run the command line; Ctrl-C while it is being loaded is no traceback either."""
     try:
-        from memorymaze.cli.main import main as run
+        from memorymaze.cli.main import run_command_line
 
-        return run()
+        return run_command_line()
     except KeyboardInterrupt:
         print("memorymaze: interrupted", file=sys.stderr)
         return 1

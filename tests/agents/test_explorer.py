@@ -9,7 +9,11 @@ import numpy as np
 import pytest
 
 from memorymaze.agents.agent import Journal
-from memorymaze.agents.explorer import ExplorerAgent, ExplorerOptions, destination_names
+from memorymaze.agents.explorer import (
+    ExplorerAgent,
+    ExplorerOptions,
+    _destination_names,
+)
 from memorymaze.agents.notes import GaveUpNote
 from memorymaze.errors import EpisodeOver, SettingsError
 from memorymaze.geometry.pose import Pose
@@ -153,4 +157,4 @@ def test_a_score_beyond_one_is_refused() -> None:
 def test_names_are_those_that_tell_the_destination_from_other_places(
     told: tuple[str, ...], names: tuple[str, ...]
 ) -> None:
-    assert destination_names(Arrival(told)) == names
+    assert _destination_names(Arrival(told)) == names

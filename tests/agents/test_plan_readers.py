@@ -12,7 +12,7 @@ from memorymaze.agents.plan_readers import (
     WrittenPlanReader,
     read_plan_reply,
 )
-from memorymaze.cli.main import main
+from memorymaze.cli.main import run_command_line
 from memorymaze.errors import LanguageModelError, PlanFileError
 from memorymaze.evaluation.settings import AgentSettings
 from memorymaze.language.scripted_model import ScriptedLanguageModel
@@ -79,9 +79,9 @@ def test_rules_walks_the_plans_in_a_file_of_answers(
             record |= {"stage": "plan", "reply": json.dumps(plan)}
             file.write(json.dumps(record) + "\n")
     run = ["evaluate", "--agent", "rules", "--workers", "1", *tiny_files, "--out"]
-    assert main([*run, str(tmp_path / "grammar")]) == 0
+    assert run_command_line([*run, str(tmp_path / "grammar")]) == 0
     by_model = ["--set", "reader=model", "--replay", str(answers)]
-    assert main([*run, str(tmp_path / "model"), *by_model]) == 0
+    assert run_command_line([*run, str(tmp_path / "model"), *by_model]) == 0
 
     def walks(name: str) -> list[tuple[object, ...]]:
         lines = (tmp_path / name / "episodes.jsonl").read_text("utf-8").splitlines()
@@ -167,7 +167,9 @@ def test_a_text_that_should_be_a_plan_and_is_none_is_refused() -> None:
 def test_rules_asks_no_model_unless_it_is_its_reader(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
-    assert main(["evaluate", "--agent", "rules", "--model", "some-model"]) == 2
+    assert (
+        run_command_line(["evaluate", "--agent", "rules", "--model", "some-model"]) == 2
+    )
     assert "asks no language model" in capsys.readouterr().err
 
 

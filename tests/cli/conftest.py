@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import pytest
 
-from memorymaze.cli.main import main
+from memorymaze.cli.main import run_command_line
 
 
 class Said(NamedTuple):
@@ -23,7 +23,7 @@ def memorymaze(capsys: pytest.CaptureFixture[str]) -> Callable[..., Said]:
 
     def run(*arguments: str | Path) -> Said:
         try:
-            code = main([str(argument) for argument in arguments])
+            code = run_command_line([str(argument) for argument in arguments])
         except SystemExit as left:
             code = int(left.code or 0)
         return Said(code, *capsys.readouterr())

@@ -59,7 +59,7 @@ def test_wrong_usage_gives_code_2_and_the_usage(
 
 HELP_OF_MANY = """
 import sys
-from memorymaze.cli.main import main
+from memorymaze.cli.main import run_command_line
 
 HEAVY = {
     "jinja2", "matplotlib", "memorymaze.agents.guide", "mujoco", "networkx", "openai",
@@ -74,7 +74,7 @@ for verbs, heavy in [
     (["evaluate"], HEAVY),
 ]:
     try:
-        main([*verbs, "--help"])
+        run_command_line([*verbs, "--help"])
     except SystemExit:
         print("loaded:", *verbs, *heavy & {*sys.modules}, file=sys.stderr)
 """

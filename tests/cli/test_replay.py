@@ -12,11 +12,21 @@ SMALL = ("--size", "320x240", "--fps", "1", "--speed", "20", "--no-camera")
 @pytest.fixture(scope="session")
 def run_folder(tmp_path_factory: pytest.TempPathFactory, tiny_files: list[str]) -> Path:
     """A run of one episode, made by the command line."""
-    from memorymaze.cli.main import main
+    from memorymaze.cli.main import run_command_line
 
     folder = tmp_path_factory.mktemp("runs") / "one"
     options = [*tiny_files, "--limit", "1", "--workers", "1"]
-    assert main(["evaluate", "--agent", "rules", *options, "--out", str(folder)]) == 0
+    assert (
+        run_command_line([
+            "evaluate",
+            "--agent",
+            "rules",
+            *options,
+            "--out",
+            str(folder),
+        ])
+        == 0
+    )
     return folder
 
 

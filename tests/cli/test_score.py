@@ -4,7 +4,7 @@ from typing import Any
 
 import pytest
 
-from memorymaze.cli.main import main
+from memorymaze.cli.main import run_command_line
 
 GRAPHS: dict[str, Any] = {
     "line": {
@@ -34,7 +34,7 @@ def score(
     file = folder / "cases.json"
     text = content if isinstance(content, str) else json.dumps(content)
     file.write_text(text, encoding="utf-8")
-    code = main(["score", "--cases", str(file)])
+    code = run_command_line(["score", "--cases", str(file)])
     said = capsys.readouterr()
     return code, [json.loads(line) for line in said.out.splitlines()], said.err
 
@@ -151,20 +151,20 @@ def test_bytes_that_are_no_text_get_one_message(
 ) -> None:
     file = tmp_path / "cases.json"
     file.write_bytes(b"\xff\xfe{}")
-    assert main(["score", "--cases", str(file)]) == 1
+    assert run_command_line(["score", "--cases", str(file)]) == 1
     assert "expected UTF-8, got byte 0xff" in capsys.readouterr().err
 
 
 def test_a_file_that_is_not_there_gets_one_message(
     capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
-    assert main(["score", "--cases", str(tmp_path / "none.json")]) == 1
+    assert run_command_line(["score", "--cases", str(tmp_path / "none.json")]) == 1
     assert "none.json: cannot be read (No such file" in capsys.readouterr().err
 
 
 def test_no_file_is_wrong_usage(capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(SystemExit) as stop:
-        main(["score"])
+        run_command_line(["score"])
     assert stop.value.code == 2
     assert "--cases" in capsys.readouterr().err
 

@@ -70,12 +70,12 @@ RAY_START = [
 FOREIGN_CODE = """
 import sys
 from dataclasses import replace
-from memorymaze.cli.main import main
+from memorymaze.cli.main import run_command_line
 from memorymaze.evaluation import ray_workers
 
 stamp = ray_workers.code_stamp()
 ray_workers.code_stamp = lambda: replace(stamp, sha256="0" * 64)
-sys.exit(main())
+sys.exit(run_command_line())
 """
 
 

@@ -3,7 +3,7 @@ from itertools import pairwise
 
 import pytest
 
-from memorymaze.evaluation.turns import turns_in_order, turns_taken
+from memorymaze.evaluation.turns import route_turns_in_order, site_turns_taken
 from memorymaze.geometry.trajectory import TimedPose, Trajectory
 from memorymaze.metrics.turns import TurnAtPlace
 from memorymaze.sites import Site
@@ -35,29 +35,29 @@ def along(site: Site, route_id: str) -> Trajectory:
 def test_walking_a_route_takes_all_its_turns(tiny_sites: dict[str, Site]) -> None:
     for site in tiny_sites.values():
         for route in site.routes:
-            assert turns_in_order(site, route, along(site, route.id)) == 1.0
+            assert route_turns_in_order(site, route, along(site, route.id)) == 1.0
 
 
 def test_the_wrong_turn_counts_nothing(t_site: Site) -> None:
     left, right = t_site.reference_route("R1"), t_site.reference_route("R2")
-    assert turns_taken(t_site, along(t_site, right.id)) == [
+    assert site_turns_taken(t_site, along(t_site, right.id)) == [
         TurnAtPlace("tp_junction", "right")
     ]
-    assert turns_in_order(t_site, left, along(t_site, right.id)) == 0.0
+    assert route_turns_in_order(t_site, left, along(t_site, right.id)) == 0.0
 
 
 def test_part_of_the_turns_gives_their_share(loop_site: Site) -> None:
     route = loop_site.route("route_r1_alternative")
     *first, _ = [point[:2] for point in route.line.coords]
-    assert turns_in_order(loop_site, route, walk(*first)) == pytest.approx(2 / 3)
+    assert route_turns_in_order(loop_site, route, walk(*first)) == pytest.approx(2 / 3)
 
 
 def test_turning_back_is_no_turn(t_site: Site) -> None:
-    assert turns_taken(t_site, walk((0, -5), (0, 0), (0, -5))) == []
+    assert site_turns_taken(t_site, walk((0, -5), (0, 0), (0, -5))) == []
 
 
 def test_standing_still_takes_no_turn(corridor_site: Site, t_site: Site) -> None:
     stand = Trajectory([TimedPose(0.0, 2.0, 0.0, 0.0)])
     [route] = corridor_site.routes
-    assert turns_in_order(corridor_site, route, stand) == 1.0
-    assert turns_in_order(t_site, t_site.reference_route("R1"), stand) == 0.0
+    assert route_turns_in_order(corridor_site, route, stand) == 1.0
+    assert route_turns_in_order(t_site, t_site.reference_route("R1"), stand) == 0.0

@@ -15,7 +15,7 @@ import httpx2
 import pytest
 from PIL import Image
 
-from memorymaze.cli.main import main
+from memorymaze.cli.main import run_command_line
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "navid_server.py"
 AHEAD = "The next action is move forward 75 cm."
@@ -79,8 +79,11 @@ def test_the_checkpoint_is_asked_recorded_and_replayed_like_any_model(
     store = str(tmp_path / "replies")
 
     served = ["--base-url", serve(model), "--record", store]
-    assert main([*asked, *served, "--out", str(tmp_path / "served")]) == 0
-    assert main([*asked, "--replay", store, "--out", str(tmp_path / "again")]) == 0
+    assert run_command_line([*asked, *served, "--out", str(tmp_path / "served")]) == 0
+    assert (
+        run_command_line([*asked, "--replay", store, "--out", str(tmp_path / "again")])
+        == 0
+    )
 
     first = results(tmp_path / "served")
     assert [each["stopped_by"] for each in first] == ["agent", "agent"]

@@ -7,7 +7,7 @@ import pytest
 import trimesh
 from shapely import LineString, Polygon, box
 
-from memorymaze.cli.main import main
+from memorymaze.cli.main import run_command_line
 from memorymaze.errors import ImportFileError
 from memorymaze.exporting import export_site
 from memorymaze.importing.mesh import import_mesh
@@ -156,7 +156,7 @@ def test_a_route_over_the_floor_of_a_mesh_can_be_driven(
     path = written(corridor_mesh(Vending_Machine=machine))
     plan = tmp_path / "annex.geojson"
 
-    code = main([
+    code = run_command_line([
         "sites", "import", str(path), "--from", "mesh", "--out", str(plan),
         "--route", "1,1.2", "the vending machine",
     ])  # fmt: skip

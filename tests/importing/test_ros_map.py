@@ -6,7 +6,7 @@ import pytest
 from benchmarks.noisy_maps import Noise, write_map
 from shapely import box
 
-from memorymaze.cli.main import main
+from memorymaze.cli.main import run_command_line
 from memorymaze.errors import ImportFileError, SettingsError
 from memorymaze.importing.ros_map import import_ros_map
 from memorymaze.sites import Site, load_site
@@ -64,7 +64,7 @@ def test_a_route_over_the_floor_of_a_map_can_be_driven(
     path = mapped(CLEAN, FLOOR - box(18.6, 12.4, 19.0, 12.8))
     plan = tmp_path / "annex.geojson"
 
-    code = main([
+    code = run_command_line([
         "sites", "import", str(path), "--from", "ros_map", "--out", str(plan),
         "--route", "1,1.2", "box_1",
     ])  # fmt: skip

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from memorymaze.errors import AnswerFileError, LanguageModelError
 from memorymaze.language.answer_files import AnswerFile
 from memorymaze.language.answers import AboutInstruction, ReplayingModel
-from memorymaze.language.model import CompletionRequest, Message, Question, Usage
+from memorymaze.language.model import CompletionRequest, Message, ModelQuestion, Usage
 
 BY_HAND = {"instruction_id": "a", "stage": "program", "reply": "stop()"}
 STEP = {"instruction_id": "a", "stage": "step", "number": 2, "reply": "Go on."}
@@ -36,7 +36,7 @@ def file(tmp_path: Path) -> Callable[..., Path]:
 def ask(path: Path, stage: str, number: int = 1, prompt: str = "v1") -> Any:
     """Ask about the instruction `a`."""
     request = CompletionRequest(
-        (Message("user", "…"),), question=Question(stage, prompt, number)
+        (Message("user", "…"),), question=ModelQuestion(stage, prompt, number)
     )
     return AboutInstruction(ReplayingModel(path), "a").complete(request)
 

@@ -25,8 +25,8 @@ from memorymaze.language.model import (
     Completion,
     CompletionRequest,
     Message,
+    ModelQuestion,
     Picture,
-    Question,
     Usage,
 )
 from memorymaze.language.scripted_model import ScriptedLanguageModel
@@ -248,7 +248,7 @@ def test_other_pictures_of_one_name_are_recorded_anew_and_not_guessed_at(store: 
 
 
 def asked(text: str, prompt: str, number: int = 1) -> CompletionRequest:
-    question = Question("step", prompt, number)
+    question = ModelQuestion("step", prompt, number)
     return CompletionRequest((Message("user", text),), question=question)
 
 

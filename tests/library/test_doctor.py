@@ -2,7 +2,7 @@ import sys
 
 import pytest
 
-from memorymaze.cli.main import main
+from memorymaze.cli.main import run_command_line
 from memorymaze.library.doctor import EXTRAS, examine
 
 
@@ -21,7 +21,7 @@ def test_what_is_missing_comes_with_what_to_type(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setitem(sys.modules, "wordcloud", None)
-    assert main(["doctor"]) == 0
+    assert run_command_line(["doctor"]) == 0
     said = capsys.readouterr().out
     assert "missing  extra analysis" in said
     assert "-m pip install" in said

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 import memorymaze as mm
-from memorymaze.cli.main import main
+from memorymaze.cli.main import run_command_line
 from memorymaze.errors import RunFolderError, SettingsError
 
 SCRIPT = """
@@ -44,7 +44,7 @@ def test_a_run_from_python_equals_the_run_from_the_command_line(
     run = mm.evaluate(
         "rules", corpus, limit=4, seed=3, out=tmp_path / "python", workers=1
     )
-    code = main(
+    code = run_command_line(
         f"evaluate --agent rules --limit 4 --seed 3 --workers 1 --sites "
         f"{tiny_sites_folder} --instructions {tiny_instructions} "
         f"--out {tmp_path / 'cli'}".split()

@@ -12,25 +12,25 @@ from memorymaze.language.model import (
     CompletionRequest,
     LanguageModel,
     Message,
-    Question,
+    ModelQuestion,
 )
 from memorymaze.language.prompt_texts import load_prompt
 
 TRIES = 2
 """Requests for an answer, where a reply is none."""
 
-Answer = TypeVar("Answer")
+ReplyRecord = TypeVar("ReplyRecord")
 
 
 def ask_until_read(
     model: LanguageModel,
     journal: Journal,
     request: CompletionRequest,
-    question: Question,
+    question: ModelQuestion,
     numbers: Iterator[int],
-    read: Callable[[str], Answer],
+    read: Callable[[str], ReplyRecord],
     refusal: str = "unusable_reply",
-) -> Answer:
+) -> ReplyRecord:
     """Return what is read from the reply.
 
     `numbers` gives each request its number, and raises where no more may be made. What

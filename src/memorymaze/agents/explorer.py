@@ -75,7 +75,7 @@ class ExplorerAgent(ReadsFirst):
         Notes in the journal: `destination`, `decision` for each way tried, and at the
         end `arrival` or `gave_up`.
         """
-        names = destination_names(self.reader.read(instruction, journal).arrival)
+        names = _destination_names(self.reader.read(instruction, journal).arrival)
         journal.add(DestinationNote(names))
         walker = Walker(robot)
         walker.map.crossings[walker.at].add_exit(math.pi)
@@ -105,7 +105,7 @@ class ExplorerAgent(ReadsFirst):
         robot.stop()
 
 
-def destination_names(arrival: Arrival) -> tuple[str, ...]:
+def _destination_names(arrival: Arrival) -> tuple[str, ...]:
     """Return what to look for: the names of the destination, the best first.
 
     Of a sign what it names; things that are everywhere only where nothing else is told.

@@ -25,7 +25,7 @@ from memorymaze.language.model import (
     CompletionRequest,
     LanguageModel,
     Message,
-    Question,
+    ModelQuestion,
 )
 from memorymaze.language.prompt_texts import load_prompt, prompt_version
 from memorymaze.routes import RoutePlan, parse_plan
@@ -98,7 +98,7 @@ class ModelReader(PlanReader):
         """Prepare the prompt."""
         self._model = model
         self._prompt = load_prompt("read_plan")
-        self._question = Question("plan", prompt_version(self._prompt))
+        self._question = ModelQuestion("plan", prompt_version(self._prompt))
 
     @property
     def variant(self) -> str:

@@ -16,15 +16,15 @@ import numpy as np
 from memorymaze.agents.agent import Asking, FairLimits, Journal, Need
 from memorymaze.agents.asking import ask_until_read
 from memorymaze.agents.navid.motions import Command, Motions, frame_name
-from memorymaze.agents.navid.replies import read_reply, reply_grammar
+from memorymaze.agents.navid.replies import navid_reply_grammar, read_navid_reply
 from memorymaze.agents.notes import SaidAndDoneNote
 from memorymaze.errors import EpisodeOver, SettingsError
 from memorymaze.language.model import (
     CompletionRequest,
     LanguageModel,
     Message,
+    ModelQuestion,
     Picture,
-    Question,
     takes_pictures,
 )
 from memorymaze.language.prompt_texts import load_prompt, prompt_version
@@ -144,9 +144,9 @@ class SeeAndGoAgent:
             (Message("system", self._rules), Message("user", task, (view,))),
             temperature=self.options.temperature,
             max_tokens=self.options.max_tokens,
-            grammar=reply_grammar(MOTIONS),
+            grammar=navid_reply_grammar(MOTIONS),
         )
-        question = Question("move", self._version)
+        question = ModelQuestion("move", self._version)
         return ask_until_read(
             self._model, journal, request, question, numbers, _read_move
         )
@@ -161,7 +161,7 @@ def _numbers(limit: int | None) -> Iterator[int]:
 
 
 def _read_move(reply: str) -> tuple[Command, str]:
-    return read_reply(reply, MOTIONS), " ".join(reply.split())
+    return read_navid_reply(reply, MOTIONS), " ".join(reply.split())
 
 
 def make_move(robot: SteppingRobot, command: Command) -> tuple[float, str]:

@@ -44,7 +44,7 @@ from memorymaze.errors import (
 DONE, FAILED, WRONG_USAGE = 0, 1, 2
 
 
-def main(arguments: Sequence[str] | None = None) -> int:
+def run_command_line(arguments: Sequence[str] | None = None) -> int:
     """Run the command line.
 
     Arguments are without the program's name; those of this process when None.

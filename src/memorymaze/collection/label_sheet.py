@@ -7,7 +7,7 @@ from pathlib import Path
 
 from memorymaze.collection.labels import Label
 from memorymaze.collection.questions import (
-    Question,
+    LabelQuestion,
     read_kind,
     read_way,
     read_yes_or_no,
@@ -43,7 +43,7 @@ FORMULA_STARTS = ("=", "+", "-", "@", "\t", "\r")
 """What spreadsheets run as a formula; an apostrophe in front keeps it a text."""
 
 
-def write_label_sheet(path: str | Path, questions: Sequence[Question]) -> None:
+def write_label_sheet(path: str | Path, questions: Sequence[LabelQuestion]) -> None:
     """Write a sheet with a row per instruction, whose last columns are to be filled in.
 
     UTF-8 with a byte order mark, as spreadsheets expect it.
@@ -70,7 +70,7 @@ def write_label_sheet(path: str | Path, questions: Sequence[Question]) -> None:
 
 
 def read_label_sheet(
-    path: str | Path, questions: Sequence[Question], annotator: str
+    path: str | Path, questions: Sequence[LabelQuestion], annotator: str
 ) -> list[Label]:
     """Read the rows of a sheet that are filled in.
 
@@ -113,7 +113,7 @@ def _rows(path: Path) -> list[dict[str, str]]:
 
 
 def _label(
-    row: Mapping[str, str], known: Mapping[str, Question], annotator: str
+    row: Mapping[str, str], known: Mapping[str, LabelQuestion], annotator: str
 ) -> Label | None:
     filled = [
         name

@@ -16,7 +16,7 @@ from memorymaze.instructions.records import Failure, Instruction, Text
 from memorymaze.sites.records import Site
 
 OTHER_KIND = "other"
-KINDS = {kind.name: kind.meaning for kind in ERROR_KINDS} | {
+LABEL_KINDS = {kind.name: kind.meaning for kind in ERROR_KINDS} | {
     OTHER_KIND: "another significant error; say which"
 }
 """Kinds of failures that annotators choose from, and what they mean."""

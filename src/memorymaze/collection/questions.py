@@ -3,7 +3,7 @@
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
-from memorymaze.collection.labels import KINDS, NO_WAY, Label, text_stamp
+from memorymaze.collection.labels import LABEL_KINDS, NO_WAY, Label, text_stamp
 from memorymaze.errors import did_you_mean
 from memorymaze.instructions.records import Failure, Instruction
 from memorymaze.sites.records import Route, Site, TurningPoint
@@ -14,7 +14,7 @@ YES, NO = ("yes", "y", "1", "true"), ("no", "n", "0", "false")
 
 
 @dataclass(frozen=True)
-class Question:
+class LabelQuestion:
     """An instruction that waits for a label."""
 
     instruction: Instruction
@@ -36,10 +36,12 @@ def questions(
     instructions: Sequence[Instruction],
     sites: Mapping[str, Site],
     done: Collection[str] = (),
-) -> list[Question]:
+) -> list[LabelQuestion]:
     """Return the instructions without a label, in their order."""
     return [
-        Question(each, sites[each.site]) for each in instructions if each.id not in done
+        LabelQuestion(each, sites[each.site])
+        for each in instructions
+        if each.id not in done
     ]
 
 
@@ -60,7 +62,7 @@ def read_way(answer: str, ways: Sequence[str]) -> str:
 
 def read_kind(answer: str) -> str:
     """Return the kind of failure of an answer: its name, or its number from 0."""
-    return _choice(answer.replace(" ", "_"), tuple(KINDS), "a kind of failure")
+    return _choice(answer.replace(" ", "_"), tuple(LABEL_KINDS), "a kind of failure")
 
 
 def _choice(answer: str, choices: Sequence[str], what: str) -> str:

@@ -20,7 +20,7 @@ from numpy.typing import ArrayLike
 from shapely import Polygon, get_coordinates, orient_polygons
 
 from memorymaze.drawing.label_placing import LabelSpace
-from memorymaze.drawing.labels import Label, place_labels
+from memorymaze.drawing.labels import PlanLabel, place_labels
 from memorymaze.drawing.shapes import (
     EXIT_COLOR,
     INKS,
@@ -28,8 +28,8 @@ from memorymaze.drawing.shapes import (
     THING_COLOR,
     WALK_COLOR,
     Met,
+    PlanShape,
     Points,
-    Shape,
     ThingInTheWay,
     plan_shapes,
     route_color,
@@ -147,7 +147,12 @@ def paint_plan(axes: Axes, site: Site, *, turning_points: bool = True) -> None:
 
 
 def _fill(
-    axes: Axes, shape: Shape, zorder: float, *, edge: str = "none", alpha: float = 1.0
+    axes: Axes,
+    shape: PlanShape,
+    zorder: float,
+    *,
+    edge: str = "none",
+    alpha: float = 1.0,
 ) -> None:
     axes.add_patch(
         PathPatch(
@@ -329,7 +334,7 @@ def write_labels(
     return sum(label.placed is None for label in labels)
 
 
-def _write(axes: Axes, label: Label) -> None:
+def _write(axes: Axes, label: PlanLabel) -> None:
     placed = label.placed
     if placed is None:
         return

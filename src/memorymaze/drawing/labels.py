@@ -26,7 +26,7 @@ SHARES = (1.0, 0.9, 0.8, 0.7, 0.6, 0.5, 0.4, 0.3)
 """Of a polygon's bounding box, tried for a box inside it."""
 
 
-class Label(NamedTuple):
+class PlanLabel(NamedTuple):
     """A word on a plan."""
 
     placed: PlacedLabel | None
@@ -42,7 +42,7 @@ def place_labels(
     names: Sequence[float],
     thing: float,
     sheet: Box,
-) -> list[Label]:
+) -> list[PlanLabel]:
     """Place names of rooms, areas and corridors, and labels of things.
 
     Walls, doors, things and routes stay uncovered. Equal things beside each other share
@@ -81,11 +81,11 @@ def _spots(line: BaseGeometry, sheet: Box) -> Iterator[Box]:
 
 def _room_names(
     shown: OnSheet, space: LabelSpace, sizes: Sequence[float], sheet: Box
-) -> Iterator[Label]:
+) -> Iterator[PlanLabel]:
     for room in shown.rooms:
         texts, polygon = wrapped(room.name), _seen(room.polygon, sheet)
         label = space.inside(texts, [_inner_frame(polygon)], sizes)
-        yield Label(label or _slanted_name(texts, polygon, space, sizes), "name")
+        yield PlanLabel(label or _slanted_name(texts, polygon, space, sizes), "name")
 
 
 def _seen(polygon: Polygon, sheet: Box) -> Polygon:
@@ -126,16 +126,16 @@ def _place_names(
     space: LabelSpace,
     sizes: Sequence[float],
     sheet: Box,
-) -> Iterator[Label]:
+) -> Iterator[PlanLabel]:
     for area in areas:
         if area.name:
             frames = _frames_across(_seen(area.polygon, sheet))
-            yield Label(space.inside(wrapped(area.name), frames, sizes), "way")
+            yield PlanLabel(space.inside(wrapped(area.name), frames, sizes), "way")
     for corridor in corridors:
         way = corridor.centre_line.intersection(box(*sheet))
         if corridor.name and isinstance(way, LineString) and way.length:
             label = _corridor_name(corridor.name, way, corridor.width, space, sizes)
-            yield Label(label, "way")
+            yield PlanLabel(label, "way")
 
 
 def _corridor_name(
@@ -165,7 +165,7 @@ def _thing_labels(
     space: LabelSpace,
     font_size: float,
     sheet: Box,
-) -> Iterator[Label]:
+) -> Iterator[PlanLabel]:
     commonness = Counter(thing.category for thing in shown.landmarks)
     groups = sorted(
         _equal_neighbours(shown.landmarks),
@@ -176,13 +176,13 @@ def _thing_labels(
         bounds = _bounds(thing.footprint.bounds)
         words = _thing_words(group)
         on_it = is_covering(thing) and space.inside([words], [bounds], [font_size])
-        yield Label(on_it or space.beside(words, bounds, font_size, sheet), "word")
+        yield PlanLabel(on_it or space.beside(words, bounds, font_size, sheet), "word")
     names = {room.id: room.name for room in shown.rooms}
     for door in shown.doors:
         if door.label and door.label not in names.get(door.room or "", ""):
             line = _bounds(door.line.buffer(LINE_HALF).bounds)
             words = _broken(f"“{door.label}”")
-            yield Label(space.beside(words, line, font_size, sheet), "sign")
+            yield PlanLabel(space.beside(words, line, font_size, sheet), "sign")
 
 
 def _thing_words(group: Sequence[Landmark]) -> str:

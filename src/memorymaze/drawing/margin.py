@@ -18,7 +18,7 @@ from memorymaze.drawing.shapes import (
     WALK_COLOR,
     Met,
     OnSheet,
-    Shape,
+    PlanShape,
 )
 from memorymaze.sites.records import Route, Site
 
@@ -125,7 +125,7 @@ def legend_marks(
         )
     for style in dict.fromkeys(door.style for door in shown.doors):
         name = f"{style.replace('_', ' ')} door"
-        color = Shape("door", style).paper
+        color = PlanShape("door", style).paper
         yield Line2D([], [], color=color, linewidth=3, label=name)
     if any(door.state == "open" for door in shown.doors):
         yield Line2D(

@@ -25,7 +25,7 @@ Points = NDArray[np.float64]
 """Places in metres, shape (N, 2)."""
 Bounds = tuple[float, float, float, float]
 """West, south, east, north; metres."""
-Kind = Literal[
+_Kind = Literal[
     "room",
     "floor",
     "area",
@@ -106,10 +106,10 @@ ROUTES_APART = 0.16
 """Metres between routes drawn side by side where they share a way."""
 
 
-class Shape(NamedTuple):
+class PlanShape(NamedTuple):
     """Something to be painted: areas, or lines."""
 
-    kind: Kind
+    kind: _Kind
     variety: str = ""
     """A room's use, a door's style, a thing's mount."""
     polygons: Sequence[Polygon] = ()
@@ -129,34 +129,36 @@ class Shape(NamedTuple):
                 yield get_coordinates(ring)
 
 
-def plan_shapes(site: Site) -> Iterator[Shape]:
+def plan_shapes(site: Site) -> Iterator[PlanShape]:
     """Return all shapes of a plan, the lowest first."""
     for room in site.rooms:
-        yield Shape("room", room.use, [room.polygon])
-    yield Shape("floor", polygons=[site.walkable_floor])
+        yield PlanShape("room", room.use, [room.polygon])
+    yield PlanShape("floor", polygons=[site.walkable_floor])
     for area in site.areas:
-        yield Shape("open_air" if area.open_air else "area", polygons=[area.polygon])
+        yield PlanShape(
+            "open_air" if area.open_air else "area", polygons=[area.polygon]
+        )
     flat = [thing.footprint for thing in site.landmarks if is_covering(thing)]
-    yield Shape("covering", "floor", flat)
+    yield PlanShape("covering", "floor", flat)
     places = [place.polygon for place in site.turning_points]
-    yield Shape("turning_point", polygons=places)
-    yield Shape("wall", polygons=[site.walkable_floor])
+    yield PlanShape("turning_point", polygons=places)
+    yield PlanShape("wall", polygons=[site.walkable_floor])
     for mount in ("floor", "wall"):
         standing = [
             thing.footprint
             for thing in site.landmarks
             if thing.mount == mount and not is_covering(thing)
         ]
-        yield Shape("thing", mount, standing)
+        yield PlanShape("thing", mount, standing)
     for door in site.doors:
         start, end = get_coordinates(door.line)
         lines = [np.array([start, end])]
         if door.state == "open":
             post = POST * (end - start)
             lines = [np.array([start, start + post]), np.array([end - post, end])]
-        yield Shape("door", door.style, lines=lines)
+        yield PlanShape("door", door.style, lines=lines)
     above = [thing.footprint for thing in site.landmarks if thing.mount == "ceiling"]
-    yield Shape("overhead", "ceiling", above)
+    yield PlanShape("overhead", "ceiling", above)
 
 
 def is_covering(thing: Landmark) -> bool:

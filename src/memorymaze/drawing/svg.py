@@ -13,8 +13,8 @@ from markupsafe import Markup
 from shapely import LineString, get_coordinates
 
 from memorymaze.drawing.label_placing import LabelSpace, PlacedLabel
-from memorymaze.drawing.labels import Label, place_labels
-from memorymaze.drawing.shapes import INKS, Points, Shape, plan_bounds, plan_shapes
+from memorymaze.drawing.labels import PlanLabel, place_labels
+from memorymaze.drawing.shapes import INKS, PlanShape, Points, plan_bounds, plan_shapes
 from memorymaze.sites import Site
 
 MARGIN = 1.5
@@ -33,7 +33,7 @@ text{font-family:system-ui,"Segoe UI","DejaVu Sans",sans-serif;text-anchor:middl
 """
 
 
-class Frame(NamedTuple):
+class ViewBox(NamedTuple):
     """A part of a plan in the coordinates of its SVG: metres, y down."""
 
     x: float
@@ -46,10 +46,10 @@ class Frame(NamedTuple):
         return " ".join(svg_number(value) for value in self)
 
 
-def plan_frame(site: Site) -> Frame:
+def plan_frame(site: Site) -> ViewBox:
     """Return the frame of a site's whole plan."""
     west, south, east, north = plan_bounds(site, MARGIN)
-    return Frame(west, -north, east - west, north - south)
+    return ViewBox(west, -north, east - west, north - south)
 
 
 def svg_plan(site: Site) -> str:
@@ -135,7 +135,7 @@ def _style() -> str:
     return "\n".join(rules) + "\n" + TEXT_STYLE
 
 
-def _path(kind: str, shapes: Sequence[Shape]) -> Markup:
+def _path(kind: str, shapes: Sequence[PlanShape]) -> Markup:
     data = "".join(
         path_data(line.tolist(), closed=bool(shape.polygons))
         for shape in shapes
@@ -146,7 +146,7 @@ def _path(kind: str, shapes: Sequence[Shape]) -> Markup:
     return Markup('<path class="{}" fill-rule="evenodd" d="{}"/>').format(kind, data)
 
 
-def _text(label: Label) -> Markup:
+def _text(label: PlanLabel) -> Markup:
     placed = label.placed
     if placed is None:
         return Markup("")

@@ -28,7 +28,7 @@ from memorymaze.perception.eyes import Eyes
 from memorymaze.robot.specification import ASKING_NAMES
 from memorymaze.robot.steps import SteppingRobot
 
-Kind = Literal["unsafe", "crash", "model_error", "note"]
+_Kind = Literal["unsafe", "crash", "model_error", "note"]
 """How an episode will end, or `note`: worth knowing."""
 
 
@@ -60,7 +60,7 @@ def open_requests(plan: RunPlan) -> Iterator[CompletionRequest]:
 class Remark:
     """One line on answers."""
 
-    kind: Kind
+    kind: _Kind
     text: str
     """With `file:line` where there is one."""
 

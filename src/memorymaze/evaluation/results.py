@@ -8,7 +8,7 @@ from pydantic import FiniteFloat, TypeAdapter, ValidationError
 
 from memorymaze.errors import RunFolderError
 from memorymaze.evaluation.measures import FinishedWalk, Measure
-from memorymaze.evaluation.turns import turns_in_order
+from memorymaze.evaluation.turns import route_turns_in_order
 from memorymaze.instructions.records import Followers
 
 StoppedBy = Literal["agent", "budget", "stuck", "crash", "unsafe", "model_error"]
@@ -117,7 +117,7 @@ class EpisodeResult:
         Measure(
             "Turns in order",
             shown=("episode",),
-            of_walk=lambda walk: turns_in_order(
+            of_walk=lambda walk: route_turns_in_order(
                 walk.site, walk.reference_route, walk.trajectory
             ),
             is_rechecked=False,

@@ -24,8 +24,8 @@ from memorymaze.steering.calls import TraceEvent
 LARGEST = 1e6
 """Metres, seconds and radians of an entry that is read; larger ones cannot be drawn."""
 
-Number = Annotated[float, Field(ge=-LARGEST, le=LARGEST, allow_inf_nan=False)]
-PoseNumbers = tuple[Number, Number, Number]
+_Number = Annotated[float, Field(ge=-LARGEST, le=LARGEST, allow_inf_nan=False)]
+PoseNumbers = tuple[_Number, _Number, _Number]
 """x, y and heading."""
 
 
@@ -49,7 +49,7 @@ class OpeningEntry:
     instruction: str
     instruction_source: str
     start: PoseNumbers
-    goal: tuple[Number, Number]
+    goal: tuple[_Number, _Number]
     seed: int
     destination: str | None = None
     kind: Literal["episode"] = "episode"
@@ -59,7 +59,7 @@ class OpeningEntry:
 class CallEntry:
     """What was called, where the robot was then, and what came of it."""
 
-    time: Number
+    time: _Number
     pose: PoseNumbers
     call: str
     arguments: Mapping[str, Any]
@@ -85,7 +85,7 @@ class CallEntry:
 class NoteEntry:
     """What the agent noted."""
 
-    time: Number
+    time: _Number
     about: str
     details: Mapping[str, Any]
     """Beside these fields in a line."""
@@ -101,15 +101,15 @@ class NoteEntry:
 class AnswerEntry:
     """What was true of a passer-by's answer; the words are in the call before."""
 
-    time: Number
+    time: _Number
     """When the question was put."""
-    place: tuple[Number, Number]
+    place: tuple[_Number, _Number]
     person: str
     reliable: bool | None
     truth: Truth
     error: str
     """What is wrong with it; empty where nothing is."""
-    seconds: Number
+    seconds: _Number
     model: str | None = None
     """Language model that put it into words, where one did."""
     tokens: int | None = None
@@ -123,7 +123,7 @@ class ThingLeft:
 
     object_id: str
     category: str
-    size: tuple[Number, Number, Number]
+    size: tuple[_Number, _Number, _Number]
     """Length across the front, depth, height."""
     pose: PoseNumbers
 
@@ -155,11 +155,11 @@ class PeopleEntry:
 class NearMissEntry:
     """That a person came close."""
 
-    time: Number
+    time: _Number
     pose: PoseNumbers
     object_id: str
     """Of the person."""
-    gap: Number
+    gap: _Number
     """The least, metres."""
     kind: Literal["near_miss"] = "near_miss"
 
@@ -168,7 +168,7 @@ class NearMissEntry:
 class CollisionEntry:
     """What the robot touched."""
 
-    time: Number
+    time: _Number
     pose: PoseNumbers
     with_: Annotated[str, Field(alias="with")]
     object_id: str | None
@@ -181,7 +181,7 @@ class TrajectoryEntry:
 
     columns: Sequence[str]
     poses: Annotated[
-        list[tuple[Number, Number, Number, Number]],
+        list[tuple[_Number, _Number, _Number, _Number]],
         Field(min_length=1),
         AfterValidator(_in_order),
     ]
@@ -192,7 +192,7 @@ class TrajectoryEntry:
 class EndEntry:
     """Why the episode ended."""
 
-    time: Number
+    time: _Number
     stopped_by: str
     error: str | None
     kind: Literal["end"] = "end"

@@ -6,7 +6,7 @@ from memorymaze.metrics.turns import TurnAtPlace
 from memorymaze.sites import Route, Site
 
 
-def turns_taken(site: Site, walk: Trajectory) -> list[TurnAtPlace]:
+def site_turns_taken(site: Site, walk: Trajectory) -> list[TurnAtPlace]:
     """Return the turns of a walk in the site's turning points, in their order.
 
     See `metrics.turns` for what a turn is.
@@ -15,7 +15,7 @@ def turns_taken(site: Site, walk: Trajectory) -> list[TurnAtPlace]:
     return turns.turns_taken(places, walk)
 
 
-def turns_in_order(site: Site, route: Route, walk: Trajectory) -> float:
+def route_turns_in_order(site: Site, route: Route, walk: Trajectory) -> float:
     """Return the share of a route's turns that a walk took, in their order.
 
     Slight and sharp turns count as left or right. 1 for a route without turns.
@@ -24,4 +24,4 @@ def turns_in_order(site: Site, route: Route, walk: Trajectory) -> float:
         TurnAtPlace(turn.at, "left" if turn.direction.endswith("left") else "right")
         for turn in route.turns
     ]
-    return turns.turns_in_order(wanted, turns_taken(site, walk))
+    return turns.turns_in_order(wanted, site_turns_taken(site, walk))

@@ -15,8 +15,8 @@ from memorymaze.language.model import (
     CompletionRequest,
     LanguageModel,
     Message,
+    ModelQuestion,
     Picture,
-    Question,
 )
 from memorymaze.language.prompt_texts import load_prompt, prompt_version
 from memorymaze.pictures import Looks
@@ -120,7 +120,7 @@ class VisionCaptions:
         )
         problem, prompt = "", prompt_version(self._prompt)
         for number in range(1, TRIES + 1):
-            question = Question("caption", prompt, number, place)
+            question = ModelQuestion("caption", prompt, number, place)
             completion = self._model.complete(
                 CompletionRequest(messages, max_tokens=LONGEST_REPLY, question=question)
             )

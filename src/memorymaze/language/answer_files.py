@@ -20,7 +20,7 @@ from memorymaze.errors import (
 )
 from memorymaze.input_files import decoded, parse_record, read_file, refusal
 from memorymaze.language.kept_answers import KeptAnswer, pictures_shown, request_key
-from memorymaze.language.model import Completion, CompletionRequest, Question
+from memorymaze.language.model import Completion, CompletionRequest, ModelQuestion
 
 RECORDED = b'{"key": "'
 """What each line begins with that a run wrote; only such a line can have been broken off."""
@@ -98,7 +98,9 @@ class AnswerFile:
         same = len({each.pictures for each in found}) == 1
         return found[0] if same else None
 
-    def find_by_question(self, model: str, question: Question) -> KeptAnswer | None:
+    def find_by_question(
+        self, model: str, question: ModelQuestion
+    ) -> KeptAnswer | None:
         """Return the answer to a question.
 
         One by hand under this version of the prompt or another; else the one that was

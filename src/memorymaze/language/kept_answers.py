@@ -18,7 +18,7 @@ from memorymaze.language.model import (
     Usage,
 )
 
-Text = Annotated[str, StringConstraints(min_length=1, pattern=r"\S")]
+_Text = Annotated[str, StringConstraints(min_length=1, pattern=r"\S")]
 TokenCount = Annotated[int, Field(ge=0, le=MOST_TOKENS)]
 Amount = Annotated[float, Field(ge=0, le=1e9)]
 
@@ -27,22 +27,22 @@ Amount = Annotated[float, Field(ge=0, le=1e9)]
 class KeptAnswer:
     """One line: an answer, why there is none, or a question that is open."""
 
-    key: Text | None = None
+    key: _Text | None = None
     """Of what was asked (`request_key`); None where somebody wrote the answer by hand."""
-    pictures: Text | None = None
+    pictures: _Text | None = None
     """Digest of the pictures that were shown, where the key knows them by their names."""
-    instruction_id: Text | None = None
-    stage: Text | None = None
+    instruction_id: _Text | None = None
+    stage: _Text | None = None
     """One without a variant answers all its variants."""
     number: Annotated[int, Field(ge=1)] = 1
-    prompt: Text | None = None
+    prompt: _Text | None = None
     """Version of the prompt; None where nobody says."""
-    model: Text | None = None
+    model: _Text | None = None
     """The model asked; None for an answer by hand, which is no inference."""
     reply: str | None = None
     error: str | None = None
     """Why there is no reply."""
-    answered_by: Text | None = None
+    answered_by: _Text | None = None
     """What the server calls itself, where that is another name."""
     prompt_tokens: TokenCount = 0
     completion_tokens: TokenCount = 0

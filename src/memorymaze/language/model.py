@@ -62,7 +62,7 @@ class Message:
 
 
 @dataclass(frozen=True, slots=True)
-class Question:
+class ModelQuestion:
     """Which question of an agent a request is; answers are found by it."""
 
     stage: str
@@ -86,7 +86,7 @@ class CompletionRequest:
     grammar: str | None = None
     """GBNF grammar of the whole reply, for models that can be held to one; others
     never see it."""
-    question: Question | None = None
+    question: ModelQuestion | None = None
     """Does not determine the reply; None where it is found by the request alone."""
 
 

@@ -11,8 +11,8 @@ from memorymaze.language.model import (
     CompletionRequest,
     LanguageModel,
     Message,
+    ModelQuestion,
 )
-from memorymaze.language.model import Question as ModelQuestion
 from memorymaze.language.prompt_texts import load_prompt, prompt_version
 from memorymaze.passers_by.bank_records import Reply, TurnFact, WayFacts
 from memorymaze.passers_by.memory import AnswerWithTruth, Memory

@@ -8,7 +8,7 @@ import numpy as np
 from memorymaze.errors import EpisodeOver
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.budgets import perfect_time
-from memorymaze.evaluation.turns import turns_in_order
+from memorymaze.evaluation.turns import route_turns_in_order
 from memorymaze.metrics.score import score_walk
 from memorymaze.simulation.robot import SimulatedRobot
 from memorymaze.simulation.settings import SimulationSettings
@@ -61,5 +61,5 @@ def _check_route(arena: Arena, route: Route) -> None:
     expect(values.success == 1.0, f"{name} at the goal", f"{values.ne:.2f} m from it")
     expect(values.cls >= COVERAGE, f"{name} with a CLS >= {COVERAGE}", values.cls)
     expect(not robot.collisions, f"{name} without collisions", robot.collisions)
-    share = turns_in_order(arena.site, route, walk)
+    share = route_turns_in_order(arena.site, route, walk)
     expect(share == 1.0, f"{name} to take all turns in their order", f"{share:.2f}")

@@ -13,7 +13,7 @@ from starlette.responses import JSONResponse, RedirectResponse, Response
 from starlette.routing import BaseRoute
 from starlette.routing import Route as Path
 
-from memorymaze.drawing.svg import Frame, path_data, plan_frame, svg_plan
+from memorymaze.drawing.svg import ViewBox, path_data, plan_frame, svg_plan
 from memorymaze.instructions import Corpus, load_corpus
 from memorymaze.pages.web import Fields, csrf_token, posted, render
 from memorymaze.sites import Route, Site
@@ -207,7 +207,7 @@ def _drawn(site: Site, route: Route) -> dict[str, Any]:
     start = route.start
     return {
         "frame": plan_frame(site),
-        "view": Frame(west, -north, east - west, north - south),
+        "view": ViewBox(west, -north, east - west, north - south),
         "line": path_data(list(route.line.coords)),
         "goal": (round(goal_x, 2), round(-goal_y, 2)),
         "start": (round(start.x, 2), round(-start.y, 2)),

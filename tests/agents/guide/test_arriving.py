@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from memorymaze.agents.guide.alignments import Start
+from memorymaze.agents.guide.alignments import AssumedStart
 from memorymaze.agents.guide.arriving import Arrivals
 from memorymaze.agents.guide.belief import Belief
 from memorymaze.agents.guide.likelihoods import Likelihoods
@@ -19,7 +19,7 @@ from memorymaze.agents.walking.floor_map import (
 from memorymaze.routes import Arrival, Length, Mention, RoutePlan
 
 EAST, WEST = (12.0, 0.0), (-12.0, 0.0)
-BOTH_WAYS = [Start(0, 0.0, 0, 0.5), Start(0, math.pi, 1, 0.5)]
+BOTH_WAYS = [AssumedStart(0, 0.0, 0, 0.5), AssumedStart(0, math.pi, 1, 0.5)]
 
 
 def _floor(phrases: frozenset[str], *seen: tuple[str, Point]) -> FloorMap:
@@ -142,7 +142,7 @@ def test_a_destination_beyond_the_next_crossing_is_not_at_this_one() -> None:
     )
     things = Things(plan, floor, model)
     belief = Belief(plan, floor, model, things)
-    belief.update([Start(0, 0.0, 0, 1.0)])
+    belief.update([AssumedStart(0, 0.0, 0, 1.0)])
     endings = Arrivals(plan, floor, model, things).endings(belief)
     seen = {(each.at, each.exit) for each in endings if each.sighting}
     assert seen == {(5, 1)}

@@ -8,7 +8,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from memorymaze.agents.guide.alignments import Segment, Start
+from memorymaze.agents.guide.alignments import AssumedStart, Segment
 from memorymaze.agents.guide.arriving import Arrivals
 from memorymaze.agents.guide.belief import MOST_ALIGNMENTS, Belief
 from memorymaze.agents.guide.likelihoods import Likelihoods, untold_length
@@ -91,7 +91,7 @@ def _hall(crossings: int) -> Grid:
 
 
 def _believe(
-    plan: RoutePlan | str, grid: Grid, starts: list[Start] | None = None
+    plan: RoutePlan | str, grid: Grid, starts: list[AssumedStart] | None = None
 ) -> Belief:
     if isinstance(plan, str):
         plan = parse_route_description(plan)
@@ -239,8 +239,10 @@ def test_a_closed_way_is_not_believed_in() -> None:
 
 def test_what_may_be_begun_in_two_ways_has_the_weight_of_both() -> None:
     grid, plan = _hall(2), parse_route_description("Take the second left.")
-    alone = _believe(plan, grid, [Start(0, EAST, 0, 0.4)])
-    twice = _believe(plan, grid, [Start(0, EAST, 0, 0.4), Start(0, EAST, 0, 0.4)])
+    alone = _believe(plan, grid, [AssumedStart(0, EAST, 0, 0.4)])
+    twice = _believe(
+        plan, grid, [AssumedStart(0, EAST, 0, 0.4), AssumedStart(0, EAST, 0, 0.4)]
+    )
     assert alone.frontiers.keys() == twice.frontiers.keys()
     for key, frontier in alone.frontiers.items():
         assert twice.frontiers[key].mass == pytest.approx(2 * frontier.mass, rel=0.01)
@@ -252,8 +254,8 @@ def test_two_alignments_that_meet_become_one_with_the_weight_of_both() -> None:
     grid.walk((0, 0), (1, 0), (1, 1), (0, 1), (0, 0))
     turn = Leg(Turn("either"))
     plan = RoutePlan(legs=(turn, replace(turn)))
-    starts = [Start(0, EAST, grid.exit(0, 0, EAST)[1], 0.5)]
-    starts += [Start(0, NORTH, grid.exit(0, 0, NORTH)[1], 0.5)]
+    starts = [AssumedStart(0, EAST, grid.exit(0, 0, EAST)[1], 0.5)]
+    starts += [AssumedStart(0, NORTH, grid.exit(0, 0, NORTH)[1], 0.5)]
     both = _believe(plan, grid, starts)
     each = [_believe(plan, grid, [start]) for start in starts]
     for key in both.frontiers:
@@ -467,7 +469,7 @@ def test_a_long_plan_in_a_grid_of_streets_is_weighed_in_bounded_work() -> None:
     grid.floor.stretches = counted = CountedStretches(grid.floor.stretches)
     plan = RoutePlan(legs=_zigzag(10))
     at, exit = grid.exit(0, 0, NORTH)
-    belief = _believe(plan, grid, [Start(at, NORTH, exit, 1.0)])
+    belief = _believe(plan, grid, [AssumedStart(at, NORTH, exit, 1.0)])
     assert belief.frontiers
     assert counted.looked_up < 25 * MOST_ALIGNMENTS
 
@@ -485,7 +487,9 @@ def test_a_way_in_a_circle_ends() -> None:
     }
     grid = Grid(corners).walk(*corners, (0, 0))
     plan = "Take the ninth left. Then turn right."
-    belief = _believe(plan, grid, [Start(0, EAST, grid.exit(0, 0, EAST)[1], 1.0)])
+    belief = _believe(
+        plan, grid, [AssumedStart(0, EAST, grid.exit(0, 0, EAST)[1], 1.0)]
+    )
     assert not belief.frontiers
     lines = [visit.segment.line for visit in belief.visits]
     assert all(len(set(line)) >= len(line) - 1 for line in lines)

@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from memorymaze.agents.navgpt.observation import (
-    Place,
+    ObservedPlace,
     Scratchpad,
     compass_degrees,
     history_line,
@@ -31,7 +31,7 @@ def directions_of(text: str) -> dict[str, str]:
 
 
 def test_the_front_comes_first_and_the_rest_clockwise(look: Look) -> None:
-    text = observation_text(Place("a" * 32, 90.0, look(), ()))
+    text = observation_text(ObservedPlace("a" * 32, 90.0, look(), ()))
     directions = directions_of(text)
     assert list(directions) == [
         "Front",
@@ -51,21 +51,21 @@ def test_the_front_comes_first_and_the_rest_clockwise(look: Look) -> None:
 def test_directions_are_fixed_to_the_compass_and_ranges_to_the_robot(
     look: Look,
 ) -> None:
-    text = observation_text(Place("a" * 32, 80.0, look(), ()))
+    text = observation_text(ObservedPlace("a" * 32, 80.0, look(), ()))
     assert "Front, from left 12.50 to right 32.50:" in text
     assert "View 2." in directions_of(text)["Front"]
 
 
 def test_a_way_at_359_999_degrees_is_shown(look: Look) -> None:
     ways = (WayOn("b" * 32, JUST_WEST_OF_NORTH, 2.25),)
-    place = Place("a" * 32, 0.0, look(), ways)
+    place = ObservedPlace("a" * 32, 0.0, look(), ways)
     front = directions_of(observation_text(place))["Front"]
     assert f"{'b' * 32} (right 0.00, 2.25 m)" in front.replace("left", "right")
 
 
 def test_the_released_code_does_not_show_it(look: Look) -> None:
     ways = (WayOn("b" * 32, JUST_WEST_OF_NORTH, 2.25),)
-    place = Place("a" * 32, 0.0, look(), ways)
+    place = ObservedPlace("a" * 32, 0.0, look(), ways)
     assert "b" * 32 not in observation_text(place, faithful=True)
     assert "b" * 32 in ways_text(place)
 
@@ -76,7 +76,7 @@ def test_things_of_one_name_are_numbered_through_all_directions(look: Look) -> N
         0: [SeenThing("door", north, 1.0), SeenThing("door", north - 0.2, 2.0)],
         2: [SeenThing("door", east, 1.5), SeenThing("bench", east, 2.5)],
     }
-    text = observation_text(Place("a" * 32, 0.0, look(seen), ()))
+    text = observation_text(ObservedPlace("a" * 32, 0.0, look(seen), ()))
     assert "door 1 (right 0.00, 1.00 m); door 2 (right 11.46, 2.00 m)" in text
     assert "door 3 (right 90.00, 1.50 m); bench (right 90.00, 2.50 m)" in text
 
@@ -84,7 +84,7 @@ def test_things_of_one_name_are_numbered_through_all_directions(look: Look) -> N
 def test_the_released_code_tells_one_of_each_name_in_a_direction(look: Look) -> None:
     north = math.pi / 2
     seen = {0: [SeenThing("door", north, 1.0), SeenThing("door", north, 2.0)]}
-    text = observation_text(Place("a" * 32, 0.0, look(seen), ()), faithful=True)
+    text = observation_text(ObservedPlace("a" * 32, 0.0, look(seen), ()), faithful=True)
     assert text.count("door") == 1
     assert "door (right 0.00, 1.00 m)" in text
 
@@ -96,8 +96,8 @@ def test_the_released_code_tells_one_of_each_name_in_a_direction(look: Look) -> 
 def test_a_move_is_told_in_a_line(
     look: Look, before_deg: float, after_deg: float, turn: str
 ) -> None:
-    before = Place("a" * 32, before_deg, look(), ())
-    after = Place("b" * 32, after_deg, look(summary="A hall."), ())
+    before = ObservedPlace("a" * 32, before_deg, look(), ())
+    after = ObservedPlace("b" * 32, after_deg, look(summary="A hall."), ())
     line = history_line(before, after)
     assert line.startswith(f"You turned {turn} degrees, from heading {before_deg:.2f}")
     assert line.endswith(f"to {'b' * 32}. A hall.")

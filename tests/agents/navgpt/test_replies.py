@@ -6,8 +6,8 @@ from memorymaze.agents.navgpt.replies import (
     Finish,
     Move,
     Unreadable,
-    read_reply,
-    thought_of,
+    read_navgpt_reply,
+    thought_in_reply,
 )
 
 ID = "0f" * 16
@@ -44,18 +44,18 @@ ID = "0f" * 16
     ],
 )
 def test_a_move_is_read(reply: str) -> None:
-    assert read_reply(reply) == Move(ID)
+    assert read_navgpt_reply(reply) == Move(ID)
 
 
 def test_an_input_that_is_no_id_is_passed_on_to_be_refused() -> None:
     reply = "Action: go_to_viewpoint\nAction Input: the door on the left"
-    assert read_reply(reply) == Move("the door on the left")
+    assert read_navgpt_reply(reply) == Move("the door on the left")
 
 
 def test_a_final_answer_is_read() -> None:
     reply = "Thought: I give the final answer.\nFinal Answer: arrived"
-    assert read_reply(reply) == Finish("arrived")
-    assert thought_of(reply) == "I give the final answer."
+    assert read_navgpt_reply(reply) == Finish("arrived")
+    assert thought_in_reply(reply) == "I give the final answer."
 
 
 @pytest.mark.parametrize(
@@ -72,7 +72,7 @@ def test_a_final_answer_is_read() -> None:
     ],
 )
 def test_what_cannot_be_read_is_told(reply: str, fault: str) -> None:
-    read = read_reply(reply)
+    read = read_navgpt_reply(reply)
     assert isinstance(read, Unreadable)
     assert read.fault == fault
     assert read.told.endswith(".")
@@ -80,5 +80,5 @@ def test_what_cannot_be_read_is_told(reply: str, fault: str) -> None:
 
 @given(st.text(max_size=300))
 def test_any_reply_is_read_as_something(reply: str) -> None:
-    assert isinstance(read_reply(reply), Move | Finish | Unreadable)
-    assert isinstance(thought_of(reply), str)
+    assert isinstance(read_navgpt_reply(reply), Move | Finish | Unreadable)
+    assert isinstance(thought_in_reply(reply), str)

@@ -17,7 +17,7 @@ from memorymaze.agents.navid.model_policy import (
     rules,
 )
 from memorymaze.agents.navid.motions import Command, Motions
-from memorymaze.agents.navid.replies import read_reply, reply_grammar
+from memorymaze.agents.navid.replies import navid_reply_grammar, read_navid_reply
 from memorymaze.errors import EpisodeOver, LanguageModelError
 from memorymaze.language.model import CompletionRequest, Picture
 from memorymaze.language.scripted_model import ScriptedLanguageModel
@@ -103,18 +103,18 @@ def test_the_prompt_says_which_motions_there_are(robot, turn_deg, said):
     assert "forward by 25, 50 or 75 cm" in request.messages[0].content
     assert f"by {said} degrees" in request.messages[0].content
     assert (request.temperature, request.max_tokens) == (0.0, 300)
-    assert request.grammar == reply_grammar(Motions(turn_deg=turn_deg))
+    assert request.grammar == navid_reply_grammar(Motions(turn_deg=turn_deg))
 
 
 @pytest.mark.parametrize("motions", [Motions(), Motions(turn_deg=15)])
 def test_servers_that_keep_to_a_grammar_can_answer_every_motion(motions):
-    grammar = reply_grammar(motions)
+    grammar = navid_reply_grammar(motions)
 
     for motion in ("forward", "left", "right"):
         for count, amount in enumerate(motions.amounts(motion), 1):
             assert f'"{amount}"' in grammar
             reply = f'{{"reason": "Free", "action": "{motion}", "amount": {amount}}}'
-            assert read_reply(reply, motions) == Command(motion, count)
+            assert read_navid_reply(reply, motions) == Command(motion, count)
 
 
 def test_the_model_is_told_what_was_wrong_and_asked_once_more(robot):

@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from memorymaze.agents.navid.motions import Command, Motions
-from memorymaze.agents.navid.replies import read_reply, read_reply_as_released
+from memorymaze.agents.navid.replies import read_navid_reply, read_reply_as_released
 
 BY_30, BY_15 = Motions(), Motions(turn_deg=15)
 
@@ -18,7 +18,7 @@ STOP = Command("stop")
 def said(
     reply: str,
     motions: Motions = BY_30,
-    reader: Callable[[str, Motions], Command] = read_reply,
+    reader: Callable[[str, Motions], Command] = read_navid_reply,
 ) -> Command | None:
     """What a reply says; None where it is refused."""
     try:
@@ -128,14 +128,14 @@ def test_json_decides_before_any_sentence(reply: str, expected: Command | None) 
 
 def test_turns_are_counted_in_primitives_of_the_track() -> None:
     reply = "The next action is turn left 45 degrees."
-    assert read_reply(reply, BY_30) == Command("left", 1)
-    assert read_reply(reply, BY_15) == Command("left", 3)
+    assert read_navid_reply(reply, BY_30) == Command("left", 1)
+    assert read_navid_reply(reply, BY_15) == Command("left", 3)
     assert read_reply_as_released(reply, BY_15) == Command("left", 3)
 
 
 @given(st.text(), st.sampled_from([BY_15, BY_30]))
 def test_no_text_whatever_makes_a_reader_fail(text: str, motions: Motions) -> None:
-    for reader in (read_reply, read_reply_as_released):
+    for reader in (read_navid_reply, read_reply_as_released):
         read = said(text, motions, reader)
         assert read is None or 1 <= read.count <= motions.most
 

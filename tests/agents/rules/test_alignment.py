@@ -7,7 +7,7 @@ import pytest
 
 from memorymaze.agents.rules.alignment import Aligner
 from memorymaze.agents.rules.evidence import Standing
-from memorymaze.agents.walking.floor_map import Crossing, FloorMap, Sighting, View
+from memorymaze.agents.walking.floor_map import Crossing, FloorMap, Sighting, _View
 from memorymaze.understanding import ANY_FLOOR, parse_route_description
 
 FORK = 7
@@ -107,7 +107,7 @@ def test_a_way_named_by_its_floor_is_the_one_that_has_it(blue: float, way: str) 
     phrase = "blue floor"
     for number, heading in enumerate(floor.crossings[FORK].exits):
         seen = {ANY_FLOOR: 1.0} | ({phrase: 1.0} if heading == blue else {})
-        floor.views[FORK, number] = View({ANY_FLOOR, phrase}, seen)
+        floor.views[FORK, number] = _View({ANY_FLOOR, phrase}, seen)
     text = "Go forward. Take the blue path."
     assert _taken(text, floor, _standing()) == way
 

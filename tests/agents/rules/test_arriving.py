@@ -2,7 +2,7 @@
 
 import pytest
 
-from memorymaze.agents.rules.arriving import Arrivals, Ending
+from memorymaze.agents.rules.arriving import RulesArrivals, RulesEnding
 from memorymaze.agents.rules.evidence import Standing
 from memorymaze.agents.walking.choices import Choices
 from memorymaze.agents.walking.floor_map import Crossing, FloorMap, Sighting, Stretch
@@ -31,8 +31,8 @@ def _see(
     )
 
 
-def _best(text: str, floor: FloorMap) -> Ending:
-    arrivals = Arrivals(parse_route_description(text), floor)
+def _best(text: str, floor: FloorMap) -> RulesEnding:
+    arrivals = RulesArrivals(parse_route_description(text), floor)
     at_end = Standing(NEXT, 0.0, 0, walked=20.0, line=((0.0, 0.0), (20.0, 0.0)))
     endings = [*arrivals.on_stretch(BEGUN, STRETCH)]
     endings += arrivals.at_crossing(at_end, Choices(()))

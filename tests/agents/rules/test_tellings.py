@@ -3,9 +3,9 @@
 import pytest
 
 from memorymaze.agents.rules.alignment import UNSAID_TURN
-from memorymaze.agents.rules.arriving import Ending
+from memorymaze.agents.rules.arriving import RulesEnding
 from memorymaze.agents.rules.evidence import Standing
-from memorymaze.agents.rules.tellings import Tellings
+from memorymaze.agents.rules.tellings import RulesTellings
 from memorymaze.agents.walking.floor_map import Crossing, FloorMap
 from memorymaze.understanding import parse_route_description
 
@@ -13,10 +13,10 @@ AHEAD, ASIDE = 0, 1
 START = Standing(0, 0.0, 0, line=((0.0, 0.0),), exit=AHEAD)
 
 
-def told(*texts: str) -> Tellings:
+def told(*texts: str) -> RulesTellings:
     floor = FloorMap()
     floor.crossings[0] = Crossing(0, (0.0, 0.0), [0.0, 1.6])
-    return Tellings([parse_route_description(text) for text in texts], floor)
+    return RulesTellings([parse_route_description(text) for text in texts], floor)
 
 
 def branch(telling: int, exit: int, cost: float) -> Standing:
@@ -25,8 +25,8 @@ def branch(telling: int, exit: int, cost: float) -> Standing:
     )
 
 
-def ending(telling: int, metres: float, cost: float) -> Ending:
-    return Ending(branch(telling, AHEAD, 0.0), AHEAD, metres, cost, "")
+def ending(telling: int, metres: float, cost: float) -> RulesEnding:
+    return RulesEnding(branch(telling, AHEAD, 0.0), AHEAD, metres, cost, "")
 
 
 def test_one_telling_is_not_doubted() -> None:

@@ -7,7 +7,7 @@ import pytest
 from memorymaze.agents.rules.evidence import length_cost
 from memorymaze.agents.walking.floor_map import FloorMap, Sighting
 from memorymaze.agents.walking.outlooks import (
-    Outlook,
+    LegOutlook,
     first_heading_cost,
     outlook_cost,
     walls_cost,
@@ -39,31 +39,31 @@ def floor() -> FloorMap:
 
 
 def test_a_way_with_the_floor_said_is_the_likelier_one(floor: FloorMap) -> None:
-    blue = Outlook(ahead=("blue floor",))
+    blue = LegOutlook(ahead=("blue floor",))
     assert outlook_cost(blue, floor, 0, EAST) < 0 < outlook_cost(blue, floor, 0, NORTH)
 
 
 def test_a_floor_tells_nothing_where_no_floor_can_be_told() -> None:
     floor = FloorMap()
     floor.note_view(0, EAST, (ANY_FLOOR, "blue floor"), [])
-    assert outlook_cost(Outlook(ahead=("blue floor",)), floor, 0, EAST) == 0.0
+    assert outlook_cost(LegOutlook(ahead=("blue floor",)), floor, 0, EAST) == 0.0
 
 
 def test_a_thing_at_the_side_does_not_lie_along_a_way() -> None:
     floor = FloorMap()
     floor.note_view(0, EAST, ("easel",), [_seen("easel", 3.0, bearing_deg=40.0)])
-    assert outlook_cost(Outlook(ahead=("easel",)), floor, 0, EAST) > 0
+    assert outlook_cost(LegOutlook(ahead=("easel",)), floor, 0, EAST) > 0
 
 
 def test_a_thing_not_seen_counts_more_for_one_who_sees_far(floor: FloorMap) -> None:
-    easel = Outlook(ahead=("easel",))
+    easel = LegOutlook(ahead=("easel",))
     near_sighted = outlook_cost(easel, floor, 0, EAST)
     floor.note(_seen("lamp", 12.0))
     assert outlook_cost(easel, floor, 0, EAST) > near_sighted > 0
 
 
 def test_a_wall_behind_means_no_way_behind() -> None:
-    behind = Outlook(walls=("behind",))
+    behind = LegOutlook(walls=("behind",))
     corner = [0.0, math.pi / 2]
     assert walls_cost(behind, corner, set(), 0.0) < 0
     assert walls_cost(behind, [0.0, math.pi], set(), 0.0) > 0

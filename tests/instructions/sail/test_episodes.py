@@ -3,7 +3,7 @@ from pathlib import Path
 
 import pytest
 
-from memorymaze.cli.main import main
+from memorymaze.cli.main import run_command_line
 
 
 def test_a_perfect_follower_finds_every_goal_and_people_stand_beside_it(
@@ -11,9 +11,9 @@ def test_a_perfect_follower_finds_every_goal_and_people_stand_beside_it(
 ) -> None:
     run = str(tmp_path / "run")
     arguments = ["evaluate", "--instructions", str(small_folder), "--workers", "1"]
-    assert main([*arguments, "--agent", "oracle", "--out", run]) == 0
+    assert run_command_line([*arguments, "--agent", "oracle", "--out", run]) == 0
     capsys.readouterr()
-    assert main(["table", run, "--format", "csv"]) == 0
+    assert run_command_line(["table", run, "--format", "csv"]) == 0
     head, *rows = capsys.readouterr().out.splitlines()
     table = [dict(zip(head.split(","), row.split(","), strict=True)) for row in rows]
     by_kind = {row["paragraphs"]: row for row in table}
@@ -29,7 +29,7 @@ def test_rules_finds_its_way_from_any_heading(
 ) -> None:
     run = tmp_path / "run"
     arguments = ["evaluate", "--instructions", str(small_folder), "--workers", "1"]
-    assert main([*arguments, "--agent", "rules", "--out", str(run)]) == 0
+    assert run_command_line([*arguments, "--agent", "rules", "--out", str(run)]) == 0
     lines = (run / "episodes.jsonl").read_text().splitlines()
     results = [json.loads(line) for line in lines]
     missed = [each["episode_id"] for each in results if not each["success"]]
@@ -44,7 +44,7 @@ def test_sail_brings_its_own_sites(
     small_folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     arguments = ["evaluate", "--agent", "stop", "--instructions", str(small_folder)]
-    assert main([*arguments, "--sites", "elsewhere"]) == 2
+    assert run_command_line([*arguments, "--sites", "elsewhere"]) == 2
     assert "leave out the sites" in capsys.readouterr().err
 
 
@@ -52,5 +52,5 @@ def test_a_split_that_does_not_exist_is_wrong_usage(
     small_folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     arguments = ["evaluate", "--agent", "stop", "--instructions", str(small_folder)]
-    assert main([*arguments, "--split", "train"]) == 2
+    assert run_command_line([*arguments, "--split", "train"]) == 2
     assert "split: expected one of" in capsys.readouterr().err

@@ -7,7 +7,7 @@ from memorymaze.results.instruction_study.stated_distances import (
     by_unit,
     route_legs,
     stated_distances,
-    summarise,
+    summarise_distances,
 )
 from memorymaze.sites import Site
 from memorymaze.understanding import parse_route_description
@@ -81,7 +81,7 @@ def test_a_summary_has_median_quartiles_and_spread(told: Told, loop_site: Site) 
     groups = by_unit(legs)
     assert [unit for _, unit in groups] == ["metres", "numbers"]
     for group in groups.values():
-        assert summarise(group) == pytest.approx({
+        assert summarise_distances(group) == pytest.approx({
             "legs": 3,
             "texts": 3,
             "median": 1.0,

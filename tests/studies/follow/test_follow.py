@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from memorymaze.cli.main import main
+from memorymaze.cli.main import run_command_line
 from memorymaze.errors import SettingsError, StudyError
 from memorymaze.evaluation.run_folder import read_instructions, read_run
 from memorymaze.results.story import load_episode
@@ -94,7 +94,7 @@ def test_somebody_arrives_and_is_scored_in_a_run_that_tables_read(
     assert load_episode(out, result.episode_id).story.walk.length > 10
     for verb in ("table", "compare"):
         folders = [out] if verb == "table" else [out, out]
-        assert main([verb, *map(str, folders)]) == 0
+        assert run_command_line([verb, *map(str, folders)]) == 0
         assert "people" in capsys.readouterr().out
     assert [each.path for each in store.exports()] == [str(out)]
     with pytest.raises(SettingsError, match="not there yet"):

@@ -11,7 +11,7 @@ from typing import Literal
 
 from memorymaze.agents.agent import tellings_of
 from memorymaze.agents.code_generation.replies import program_grammar, steps_grammar
-from memorymaze.language.model import CompletionRequest, Message, Question
+from memorymaze.language.model import CompletionRequest, Message, ModelQuestion
 from memorymaze.language.prompt_texts import load_prompt, prompt_version
 from memorymaze.options import check_least, check_number
 from memorymaze.robot.specification import api_specification
@@ -122,7 +122,9 @@ class CodeGenerationRequests:
             max_tokens=self.options.max_tokens,
             seed=self.options.seed,
             grammar=grammar if self.options.grammar else None,
-            question=Question(stage + variant, prompt_version(prompt, *told_twice)),
+            question=ModelQuestion(
+                stage + variant, prompt_version(prompt, *told_twice)
+            ),
         )
 
 

@@ -7,7 +7,7 @@ from memorymaze.agents.guide.likelihoods import Weights
 from memorymaze.agents.walking.floor_map import Point, Stretch
 
 
-class Start(NamedTuple):
+class AssumedStart(NamedTuple):
     """A way to begin."""
 
     at: int

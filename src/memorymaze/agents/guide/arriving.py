@@ -20,7 +20,7 @@ from memorymaze.agents.guide.likelihoods import (
     then,
     untold_length,
 )
-from memorymaze.agents.guide.said_of_legs import counted
+from memorymaze.agents.guide.said_of_legs import counted_since
 from memorymaze.agents.guide.things import Things
 from memorymaze.agents.walking.choices import choices_at
 from memorymaze.agents.walking.floor_map import (
@@ -350,7 +350,7 @@ class Arrivals:
         """Weigh the length of the last stretch; neutral where counting has not begun."""
         beyond = bool(further)
         line = (*segment.line, place) if place and beyond else segment.line
-        since = counted(self._things, replace(segment, line=line), length.after)
+        since = counted_since(self._things, replace(segment, line=line), length.after)
         if since is None:
             return np.ones(segment.weights.shape[1])
         metres, places = since.metres, since.places

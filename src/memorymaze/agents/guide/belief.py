@@ -14,10 +14,10 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from memorymaze.agents.guide.alignments import (
+    AssumedStart,
     Frontier,
     Segment,
     Slip,
-    Start,
     Visit,
 )
 from memorymaze.agents.guide.likelihoods import (
@@ -74,7 +74,7 @@ class Belief:
         """Hold what was said of the legs together."""
         self._said = SaidOfLegs(self.plan, self.model, self.things)
 
-    def update(self, starts: list[Start]) -> None:
+    def update(self, starts: list[AssumedStart]) -> None:
         """Sum all alignments anew, from all ways to begin.
 
         Where there are too many, those that weigh least are left out; where those that
@@ -94,7 +94,7 @@ class Belief:
                 least *= 10
         self._add_lost(sum(each.chance for each in starts))
 
-    def _sum_up(self, starts: list[Start], least: float) -> bool:
+    def _sum_up(self, starts: list[AssumedStart], least: float) -> bool:
         """Sum the alignments that weigh so much; False where there are too many."""
         self._least, self._followed = least, 0
         self.frontiers.clear()

@@ -3,13 +3,13 @@
 from collections.abc import Callable, Iterator
 
 from memorymaze.agents.agent import Journal
-from memorymaze.agents.asking import Answer, ask_until_read
+from memorymaze.agents.asking import ReplyRecord, ask_until_read
 from memorymaze.agents.guide.walk_log import WalkLog
 from memorymaze.language.model import (
     CompletionRequest,
     LanguageModel,
     Message,
-    Question,
+    ModelQuestion,
 )
 from memorymaze.language.prompt_texts import load_prompt, prompt_version
 
@@ -57,7 +57,7 @@ class ModelQuestions:
             yield number
         raise _NoneLeft
 
-    def ask(self, read: Callable[[str], Answer], now: str) -> Answer | None:
+    def ask(self, read: Callable[[str], ReplyRecord], now: str) -> ReplyRecord | None:
         """Return what is read from the reply; None where no request is left."""
         task = load_prompt(
             "guide_task",
@@ -70,7 +70,7 @@ class ModelQuestions:
             (Message("system", load_rules()), Message("user", task)),
             max_tokens=MAX_TOKENS,
         )
-        question = Question(STAGE, guide_prompts()[STAGE])
+        question = ModelQuestion(STAGE, guide_prompts()[STAGE])
         try:
             return ask_until_read(
                 self._model, self.journal, request, question, self._numbers, read

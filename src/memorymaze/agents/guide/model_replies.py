@@ -12,8 +12,8 @@ MOST_PHRASES = 12
 
 Action = Literal["walk", "go_back", "look", "stop", "give_up"]
 Share = Annotated[float, Field(ge=0, le=1, allow_inf_nan=False)]
-Phrase = Annotated[str, StringConstraints(min_length=1, max_length=80, pattern=r"\S")]
-Note = Annotated[str, StringConstraints(min_length=1, max_length=400, pattern=r"\S")]
+_Phrase = Annotated[str, StringConstraints(min_length=1, max_length=80, pattern=r"\S")]
+_Note = Annotated[str, StringConstraints(min_length=1, max_length=400, pattern=r"\S")]
 
 _BELONGS: dict[str, tuple[Action, ...]] = {
     "place": ("walk", "go_back"),
@@ -26,11 +26,11 @@ _BELONGS: dict[str, tuple[Action, ...]] = {
 _NEEDED: dict[Action, str] = {"walk": "way", "go_back": "place"}
 
 
-class Answer(BaseModel, frozen=True, extra="forbid", strict=True):
+class WalkDecision(BaseModel, frozen=True, extra="forbid", strict=True):
     """What to do next, and what the model thinks of the walk so far."""
 
     action: Action
-    note: Note
+    note: _Note
     """Which part of the text is done and what comes next; kept in the log."""
     turns_done: Annotated[int, Field(ge=0, le=200)]
     """Turns of the text that are made."""
@@ -40,7 +40,7 @@ class Answer(BaseModel, frozen=True, extra="forbid", strict=True):
     """That this answer is right; of a stop, that the destination is within 3 m."""
     thought: str = ""
     """What led to the answer; not kept."""
-    look_for: Annotated[tuple[Phrase, ...], Field(max_length=MOST_PHRASES)] | None = (
+    look_for: Annotated[tuple[_Phrase, ...], Field(max_length=MOST_PHRASES)] | None = (
         None
     )
     """Things to look for from now on; None for those before."""
@@ -48,11 +48,11 @@ class Answer(BaseModel, frozen=True, extra="forbid", strict=True):
     """Place to go to, or to go back to before taking a way; None for this one."""
     way: Annotated[str, StringConstraints(pattern="^[A-Z]$")] | None = None
     """The way out to take."""
-    until: Phrase | None = None
+    until: _Phrase | None = None
     """Thing beside which to halt on the way."""
     metres: Annotated[float, Field(gt=0, le=1000)] | None = None
     """Metres after which to halt on the way."""
-    at: Phrase | None = None
+    at: _Phrase | None = None
     """Thing to walk up to before stopping."""
 
     @property
@@ -61,7 +61,7 @@ class Answer(BaseModel, frozen=True, extra="forbid", strict=True):
         return None if self.way is None else ord(self.way) - ord("A")
 
 
-def read_answer(reply: str) -> Answer:
+def read_answer(reply: str) -> WalkDecision:
     """Return the answer in a reply: one JSON object, whatever stands around it.
 
     `ValueError` says what is wrong with it.
@@ -69,7 +69,7 @@ def read_answer(reply: str) -> Answer:
     text = object_in(reply)
     parse_record(text)
     try:
-        answer = Answer.model_validate_json(text)
+        answer = WalkDecision.model_validate_json(text)
     except ValidationError as error:
         told = (f"{where}: {what}" for where, what in mistakes(error))
         raise ValueError("; ".join(told)) from None

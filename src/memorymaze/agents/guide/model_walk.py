@@ -5,7 +5,7 @@ from textwrap import shorten
 
 from memorymaze.agents.guide.arriving import IN_FRONT, is_sign, walk_up_to
 from memorymaze.agents.guide.model_questions import ModelQuestions
-from memorymaze.agents.guide.model_replies import Answer, read_answer
+from memorymaze.agents.guide.model_replies import WalkDecision, read_answer
 from memorymaze.agents.guide.walk_log import DOOR, way_name
 from memorymaze.agents.notes import (
     ArrivalNote,
@@ -68,7 +68,7 @@ class ModelWalk:
 
     # -- asking
 
-    def _ask(self) -> Answer | None:
+    def _ask(self) -> WalkDecision | None:
         walker = self._walker
         now = (
             f"The robot is at place {walker.at} after {walker.travelled:.0f} m. It looks "
@@ -76,7 +76,7 @@ class ModelWalk:
         )
         return self._questions.ask(self._read, now)
 
-    def _read(self, reply: str) -> Answer:
+    def _read(self, reply: str) -> WalkDecision:
         """Return the answer in a reply; `ValueError` where it cannot be carried out."""
         answer = read_answer(reply)
         place = self._place_of(answer)
@@ -94,10 +94,10 @@ class ModelWalk:
             )
         return answer
 
-    def _place_of(self, answer: Answer) -> int:
+    def _place_of(self, answer: WalkDecision) -> int:
         return self._walker.at if answer.place is None else answer.place
 
-    def _take_note(self, answer: Answer) -> None:
+    def _take_note(self, answer: WalkDecision) -> None:
         if answer.look_for is not None:
             self._look_for = answer.look_for
         if answer.doubt != self._doubt:
@@ -109,7 +109,7 @@ class ModelWalk:
             f"{answer.doubt:g}: {answer.note} -> {self._told(answer)}."
         )
 
-    def _told(self, answer: Answer) -> str:
+    def _told(self, answer: WalkDecision) -> str:
         if answer.exit is not None:
             place = self._place_of(answer)
             back = f"back to place {place}, then " * (place != self._walker.at)
@@ -123,7 +123,7 @@ class ModelWalk:
 
     # -- walking
 
-    def _walk(self, answer: Answer) -> None:
+    def _walk(self, answer: WalkDecision) -> None:
         """Go back to a place if need be, and then along a way if one is named."""
         walker = self._walker
         place = self._place_of(answer)
@@ -228,7 +228,7 @@ class ModelWalk:
 
     # -- stopping
 
-    def _is_stopped(self, answer: Answer) -> bool:
+    def _is_stopped(self, answer: WalkDecision) -> bool:
         """Walk up to what is named, if anything is; False where it is not to be seen."""
         if answer.at is None:
             return True

@@ -67,7 +67,7 @@ class SaidOfLegs:
         turn = leg.turn
         junction = len(choices.ways) > 1
         fine: float | Weights = junction_ratio(model, turn, choices)
-        since = counted(self.things, segment, turn.counted_after)
+        since = counted_since(self.things, segment, turn.counted_after)
         if since is not None:
             on_side = _on_side(since, leg) + 1
             fine = fine * ordinal_ratio(
@@ -78,7 +78,7 @@ class SaidOfLegs:
         )
         length = _with_lead(length_of(leg), lead)
         if length is not None and segment.walked:
-            since = counted(self.things, segment, length.after)
+            since = counted_since(self.things, segment, length.after)
             if since is not None:
                 # Who counts junctions alone does not end at a place that is none.
                 counts = junction and since.places > 0
@@ -119,7 +119,7 @@ class SaidOfLegs:
             ratio = ratio * untold_length(self.model, segment.walked)
         else:
             ratio = ratio * self._rest_to_come(segment, length)
-        since = counted(self.things, segment, leg.turn.counted_after)
+        since = counted_since(self.things, segment, leg.turn.counted_after)
         if since is not None:
             ratio = ratio * ordinal_to_come(
                 self.model, leg.turn, _on_side(since, leg), since.junctions
@@ -139,13 +139,15 @@ class SaidOfLegs:
         return weights * np.maximum(ratio, self.model.wrong_place)
 
     def _rest_to_come(self, segment: Segment, length: Length) -> Weights:
-        since = counted(self.things, segment, length.after)
+        since = counted_since(self.things, segment, length.after)
         if since is None:
             return np.ones(segment.weights.shape[1])
         return length_to_come(self.model, length, since.metres, since.places)
 
 
-def counted(things: Things, segment: Segment, after: str | None) -> Counted | None:
+def counted_since(
+    things: Things, segment: Segment, after: str | None
+) -> Counted | None:
     """Count since a thing on a stretch; None where it was not met yet."""
     if after is None:
         return _since_the_beginning(segment)

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from memorymaze.agents.agent import Journal
-from memorymaze.agents.guide.alignments import Frontier, Segment, Slip, Start
+from memorymaze.agents.guide.alignments import AssumedStart, Frontier, Segment, Slip
 from memorymaze.agents.guide.arriving import Ending, walk_up_to
 from memorymaze.agents.guide.asking import ANSWER_TRUST, Answer, Inquiry, Situation
 from memorymaze.agents.guide.choosing import Choice
@@ -295,7 +295,7 @@ class Search:
         telling = self._tellings.add(
             answer.plan, ANSWER_TRUST, breaks_off=answer.breaks_off
         )
-        telling.starts = [Start(at, heading, exit, 1.0, -walked)]
+        telling.starts = [AssumedStart(at, heading, exit, 1.0, -walked)]
         self._choice.walk_on_for(answer.plan)
         self._update()
 

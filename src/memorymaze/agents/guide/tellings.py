@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field, replace
 
-from memorymaze.agents.guide.alignments import Frontier, Segment, Start
+from memorymaze.agents.guide.alignments import AssumedStart, Frontier, Segment
 from memorymaze.agents.guide.arriving import SAME_PLACE, Arrivals, Ending
 from memorymaze.agents.guide.belief import Belief
 from memorymaze.agents.guide.likelihoods import Likelihoods
@@ -41,7 +41,7 @@ class Telling:
         """
         self.plan = plan
         self.breaks_off = breaks_off
-        self.starts: list[Start] = []
+        self.starts: list[AssumedStart] = []
         self.trust = trust
         self.things = Things(plan, floor, model)
         self.arrivals = Arrivals(plan, floor, model, self.things)

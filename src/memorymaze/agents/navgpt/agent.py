@@ -12,7 +12,7 @@ import numpy as np
 
 from memorymaze.agents.agent import Asking, FairLimits, Journal, Need
 from memorymaze.agents.navgpt.observation import (
-    Place,
+    ObservedPlace,
     Scratchpad,
     compass_degrees,
     history_line,
@@ -25,9 +25,9 @@ from memorymaze.agents.navgpt.replies import (
     Finish,
     Move,
     Unreadable,
-    read_reply,
-    reply_grammar,
-    thought_of,
+    navgpt_reply_grammar,
+    read_navgpt_reply,
+    thought_in_reply,
 )
 from memorymaze.agents.notes import (
     BlockedMoveNote,
@@ -44,7 +44,7 @@ from memorymaze.language.model import (
     CompletionRequest,
     LanguageModel,
     Message,
-    Question,
+    ModelQuestion,
 )
 from memorymaze.language.prompt_texts import load_prompt, prompt_version
 from memorymaze.options import check_least, check_number
@@ -205,8 +205,8 @@ class NavGPTAgent:
                 walk.counts.requests = number
                 told = summary_text(start) if walk.counts.moves else walk.full(start)
                 reply = self._ask(instruction, told, walk, journal)
-                journal.add(ThoughtNote(thought_of(reply)))
-                wish = read_reply(reply)
+                journal.add(ThoughtNote(thought_in_reply(reply)))
+                wish = read_navgpt_reply(reply)
                 if isinstance(wish, Finish):
                     return journal.add(FinalAnswerNote(wish.answer))
                 walk.take(wish, reply)
@@ -231,8 +231,8 @@ class NavGPTAgent:
             temperature=self.options.temperature,
             max_tokens=self.options.max_tokens,
             seed=self.options.seed,
-            grammar=reply_grammar(listed) if self.options.grammar else None,
-            question=Question("step", self._version, number),
+            grammar=navgpt_reply_grammar(listed) if self.options.grammar else None,
+            question=ModelQuestion("step", self._version, number),
         )
         return journal.ask(self._model, request, "step")
 
@@ -252,7 +252,7 @@ class Counts:
 class _Walk:
     """One episode: goes where the model says, and keeps what it is shown."""
 
-    place: Place
+    place: ObservedPlace
     """Where the robot is."""
 
     def __init__(
@@ -297,7 +297,7 @@ class _Walk:
         else:
             self._refuse(viewpoint, journey, reply)
 
-    def _arrive(self, before: Place, journey: Journey, reply: str) -> None:
+    def _arrive(self, before: ObservedPlace, journey: Journey, reply: str) -> None:
         self.counts.moves += 1
         self._failures = 0
         way = next(way for way in before.ways if way.viewpoint == self._robot.viewpoint)
@@ -333,11 +333,11 @@ class _Walk:
         if limit is not None and self._failures >= limit:
             raise EpisodeOver("stuck")
 
-    def look(self, heading: float) -> Place:
+    def look(self, heading: float) -> ObservedPlace:
         """Look about; who came by this heading, in compass degrees."""
         robot = self._robot
         ways = tuple(robot.ways_on())
-        self.place = Place(robot.viewpoint, heading, robot.look_around(), ways)
+        self.place = ObservedPlace(robot.viewpoint, heading, robot.look_around(), ways)
         self._journal.add(
             ObservationNote(
                 self.place.viewpoint,
@@ -347,5 +347,5 @@ class _Walk:
         )
         return self.place
 
-    def full(self, place: Place) -> str:
+    def full(self, place: ObservedPlace) -> str:
         return observation_text(place, faithful=self._faithful)

@@ -87,7 +87,7 @@ def _wrapped(degrees: float) -> float:
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
+class ObservedPlace:
     """Where the robot is on the graph, and what there is."""
 
     viewpoint: str
@@ -97,7 +97,7 @@ class Place:
     ways: tuple[WayOn, ...]
 
 
-def observation_text(place: Place, *, faithful: bool = False) -> str:
+def observation_text(place: ObservedPlace, *, faithful: bool = False) -> str:
     """Return a full observation: eight directions, the robot's front first.
 
     For each: its range relative to the robot, what is seen there, things within 3 m, and
@@ -129,12 +129,12 @@ def observation_text(place: Place, *, faithful: bool = False) -> str:
     return "\n".join(lines)
 
 
-def summary_text(place: Place) -> str:
+def summary_text(place: ObservedPlace) -> str:
     """Return an observation in two lines: which viewpoint, and what the place is like."""
     return f"{_where(place)}\n{place.panorama.summary}"
 
 
-def history_line(before: Place, after: Place) -> str:
+def history_line(before: ObservedPlace, after: ObservedPlace) -> str:
     """Return a move in short: the turn, the way, where it led, and what is there."""
     turn = relative_words(after.heading, before.heading)
     return (
@@ -144,23 +144,23 @@ def history_line(before: Place, after: Place) -> str:
     )
 
 
-def ways_text(place: Place) -> str:
+def ways_text(place: ObservedPlace) -> str:
     """Return the viewpoints one can go to, for a robot that wanted elsewhere."""
     return _listed(place.ways, place) or "none"
 
 
-def _where(place: Place) -> str:
+def _where(place: ObservedPlace) -> str:
     return f"You are at viewpoint {place.viewpoint}, heading {place.heading:.2f}."
 
 
-def _listed(ways: Iterable[WayOn], place: Place) -> str:
+def _listed(ways: Iterable[WayOn], place: ObservedPlace) -> str:
     return "; ".join(
         f"{way.viewpoint} ({_relative(way.heading, place)}, {way.distance:.2f} m)"
         for way in ways
     )
 
 
-def _relative(heading: float, place: Place) -> str:
+def _relative(heading: float, place: ObservedPlace) -> str:
     return relative_words(compass_degrees(heading), place.heading)
 
 

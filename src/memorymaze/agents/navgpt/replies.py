@@ -57,7 +57,7 @@ class Unreadable:
     """What the model is told about it."""
 
 
-def read_reply(reply: str) -> Move | Finish | Unreadable:
+def read_navgpt_reply(reply: str) -> Move | Finish | Unreadable:
     r"""Read a reply.
 
     What follows an `Observation:` is left out: models without a stop word go on and
@@ -109,7 +109,7 @@ def read_reply(reply: str) -> Move | Finish | Unreadable:
     return Move(viewpoint)
 
 
-def thought_of(reply: str) -> str:
+def thought_in_reply(reply: str) -> str:
     """Return the thought in a reply, without the action or answer after it."""
     text = _own_words(reply)
     ends = [found.start() for each in (_ACTION, _FINAL) if (found := each.search(text))]
@@ -122,7 +122,7 @@ def _own_words(reply: str) -> str:
     return text[: invented.start()] if invented else text
 
 
-def reply_grammar(viewpoints: Sequence[str]) -> str:
+def navgpt_reply_grammar(viewpoints: Sequence[str]) -> str:
     """Return the grammar of one thought with a move or a final answer."""
     rules = [
         r'root ::= "Thought: " thought "\n" (finish | move)'

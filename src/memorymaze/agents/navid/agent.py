@@ -19,7 +19,7 @@ from memorymaze.agents.navid.motions import (
     frame_name,
 )
 from memorymaze.agents.navid.options import NavidOptions
-from memorymaze.agents.navid.replies import read_reply, read_reply_as_released
+from memorymaze.agents.navid.replies import read_navid_reply, read_reply_as_released
 from memorymaze.agents.notes import (
     MotionsNote,
     OutOfStepsNote,
@@ -174,7 +174,7 @@ class _Walk:
         return []
 
     def _read(self, text: str) -> Command:
-        reader = read_reply_as_released if self.options.faithful else read_reply
+        reader = read_reply_as_released if self.options.faithful else read_navid_reply
         return reader(text, self.options.motions)
 
     def _take_step(self, motion: Motion | None) -> None:

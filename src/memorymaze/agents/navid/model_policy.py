@@ -8,14 +8,14 @@ from itertools import groupby
 
 from memorymaze.agents.navid.motions import Frame, Motion, Motions
 from memorymaze.agents.navid.options import NavidOptions
-from memorymaze.agents.navid.replies import reply_grammar
+from memorymaze.agents.navid.replies import navid_reply_grammar
 from memorymaze.language.model import (
     Completion,
     CompletionRequest,
     LanguageModel,
     Message,
+    ModelQuestion,
     Picture,
-    Question,
 )
 from memorymaze.language.prompt_texts import load_prompt, prompt_version
 
@@ -126,8 +126,8 @@ class PolicySession:
                 ),
                 temperature=policy.options.temperature,
                 max_tokens=policy.options.max_tokens,
-                grammar=reply_grammar(self._motions),
-                question=Question("act", policy.prompts["act"], self._asked),
+                grammar=navid_reply_grammar(self._motions),
+                question=ModelQuestion("act", policy.prompts["act"], self._asked),
             )
         )
 

@@ -1,6 +1,6 @@
 """Reads the next motion from what a model says; two readers, which refuse by `ValueError`.
 
-`read_reply` takes JSON or one clear sentence, and nothing else moves the robot.
+`read_navid_reply` takes JSON or one clear sentence, and nothing else moves the robot.
 `read_reply_as_released` does as the released NaVid evaluation does, faults and all. What
 they say of a reply that they refuse is for people and the model.
 """
@@ -52,7 +52,7 @@ _ACTIONS: dict[str, Motion] = {
 }
 
 
-def read_reply(text: str, motions: Motions) -> Command:
+def read_navid_reply(text: str, motions: Motions) -> Command:
     """Read a reply strictly.
 
     A JSON object with `action` and `amount` decides, wherever in the reply it is.
@@ -171,7 +171,7 @@ def _shown(value: object) -> str:
 
 
 @functools.cache
-def reply_grammar(motions: Motions) -> str:
+def navid_reply_grammar(motions: Motions) -> str:
     """Return the grammar of the JSON object that the prompt asks for."""
     rules = [
         r'root ::= "{\"reason\": \"" reason "\", \"action\": \"" action "}"',

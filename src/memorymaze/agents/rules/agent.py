@@ -10,9 +10,9 @@ import numpy as np
 from memorymaze.agents.agent import Journal
 from memorymaze.agents.notes import ArrivalNote, DecisionNote, PlanNote
 from memorymaze.agents.plan_readers import ReaderOptions, ReadsFirst
-from memorymaze.agents.rules.arriving import Ending, approach
+from memorymaze.agents.rules.arriving import RulesEnding, approach
 from memorymaze.agents.rules.evidence import Standing
-from memorymaze.agents.rules.tellings import Tellings
+from memorymaze.agents.rules.tellings import RulesTellings
 from memorymaze.agents.walking.floor_map import Sighting
 from memorymaze.agents.walking.outlooks import (
     LEG_METRES,
@@ -99,10 +99,10 @@ class _Search:
     ) -> None:
         self._walker = walker
         self._journal = journal
-        self._told = Tellings(plans, walker.map)
+        self._told = RulesTellings(plans, walker.map)
         self._distances: dict[int, float] = {}
         self._frontier: list[Standing] = []
-        self._endings: list[Ending] = []
+        self._endings: list[RulesEnding] = []
         self._best_known: dict[tuple[int, ...], list[float]] = {}
         self._limit = max(map(_walk_limit, plans))
         self._any_heading = options.start_heading == "unknown"
@@ -163,7 +163,7 @@ class _Search:
 
     # -- choosing
 
-    def _too_far_for(self, branch: Standing, ending: Ending | None) -> bool:
+    def _too_far_for(self, branch: Standing, ending: RulesEnding | None) -> bool:
         """Tell whether after one more stretch there is no time to come back."""
         back = 0.0 if ending is None else self._metres_to(ending)
         further = self._away(branch.at) + LEG_METRES
@@ -172,10 +172,10 @@ class _Search:
     def _branch_cost(self, branch: Standing) -> float:
         return self._told.way_cost(branch) + METRE_BACK * self._away(branch.at)
 
-    def _metres_to(self, ending: Ending) -> float:
+    def _metres_to(self, ending: RulesEnding) -> float:
         return self._away(ending.standing.at) + ending.distance
 
-    def _ending_cost(self, ending: Ending) -> float:
+    def _ending_cost(self, ending: RulesEnding) -> float:
         back = METRE_BACK * self._metres_to(ending)
         return self._told.ending_cost(ending) + back
 
@@ -296,7 +296,7 @@ class _Search:
                 phrases.append([m.phrase for m in things_on(plan, len(legs))])
         return each_once(phrases)
 
-    def _finish(self, ending: Ending) -> None:
+    def _finish(self, ending: RulesEnding) -> None:
         """Go to the place of an ending."""
         walker = self._walker
         self._journal.add(

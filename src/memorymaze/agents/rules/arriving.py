@@ -52,7 +52,7 @@ SIGN_NEAR = 9.0
 
 
 @dataclass(frozen=True, slots=True)
-class Ending:
+class RulesEnding:
     """A hypothesis that the destination is here."""
 
     standing: Standing
@@ -65,7 +65,7 @@ class Ending:
     reason: str
 
 
-class Arrivals:
+class RulesArrivals:
     """Finds the places where the walk of a plan may end."""
 
     def __init__(self, plan: RoutePlan, floor: FloorMap) -> None:
@@ -79,7 +79,7 @@ class Arrivals:
         self.phrases = tuple(name for name in told if not is_floor(name))
         """What to look for."""
 
-    def on_stretch(self, standing: Standing, stretch: Stretch) -> Iterator[Ending]:
+    def on_stretch(self, standing: Standing, stretch: Stretch) -> Iterator[RulesEnding]:
         """Yield the endings on a stretch walked by a hypothesis."""
         to_come = len(self._plan.legs) - standing.leg
         if to_come > 2:
@@ -96,16 +96,18 @@ class Arrivals:
             cost = base + loss + self._fit(standing, along, to_come)
             cost += self._side_cost(sighting)
             reason = f"{sighting.phrase} seen"
-            yield Ending(standing, standing.exit, along, cost, reason)
+            yield RulesEnding(standing, standing.exit, along, cost, reason)
         length = self._plan.arrival.length
         if to_come == 0 and length is not None and length.unit != "places":
             rest = length.metres - standing.walked
             if 0.0 < rest < stretch.length:
                 cost = base + (self._unseen + self._fit(standing, rest, 0))
                 reason = f"{length.metres:.0f} m walked"
-                yield Ending(standing, standing.exit, rest, cost, reason)
+                yield RulesEnding(standing, standing.exit, rest, cost, reason)
 
-    def at_crossing(self, standing: Standing, choices: Choices) -> Iterator[Ending]:
+    def at_crossing(
+        self, standing: Standing, choices: Choices
+    ) -> Iterator[RulesEnding]:
         """Yield the ending at a crossing where all legs are done."""
         if standing.leg < len(self._plan.legs) or not standing.walked:
             return
@@ -132,14 +134,14 @@ class Arrivals:
             for _, s in self._sightings()
         ):
             cost -= min(SIGN_SEEN, unseen)
-        yield Ending(standing, None, 0.0, cost, "end of the way")
+        yield RulesEnding(standing, None, 0.0, cost, "end of the way")
 
-    def after_turn(self, standing: Standing) -> Iterator[Ending]:
+    def after_turn(self, standing: Standing) -> Iterator[RulesEnding]:
         """Yield the ending where the last turn is all there is to do."""
         if standing.leg < len(self._plan.legs) or standing.walked:
             return
         if self._plan.arrival.on_the_spot and self._plan.legs and not self.phrases:
-            yield Ending(standing, None, 0.0, standing.cost + AFTER_TURN, "turned")
+            yield RulesEnding(standing, None, 0.0, standing.cost + AFTER_TURN, "turned")
 
     def best_now(
         self, standing: Standing, seen: list[Sighting], walked: float

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
 from memorymaze.agents.rules.alignment import STILL_AHEAD, UNSAID_TURN, Aligner
-from memorymaze.agents.rules.arriving import LEG_TO_COME, Arrivals, Ending
+from memorymaze.agents.rules.arriving import LEG_TO_COME, RulesArrivals, RulesEnding
 from memorymaze.agents.rules.evidence import Standing
 from memorymaze.agents.walking.floor_map import FloorMap, Point
 from memorymaze.routes import RoutePlan
@@ -19,12 +19,12 @@ SAME_PLACE = 3.0
 
 
 @dataclass(slots=True)
-class Telling:
+class _Telling:
     """A telling of the way, as it is compared with the map."""
 
     plan: RoutePlan
     aligner: Aligner
-    arrivals: Arrivals
+    arrivals: RulesArrivals
     ways: dict[tuple[int, int], float] = field(default_factory=dict)
     """Its cost of each way that is open, by crossing and exit; where there are others."""
     endings: list[tuple[float, Point]] = field(default_factory=list)
@@ -40,17 +40,18 @@ class Telling:
         return min(cost - self.best, UNSAID_TURN)
 
 
-class Tellings:
+class RulesTellings:
     """The tellings of a way; one that is alone is never doubted."""
 
     def __init__(self, plans: Sequence[RoutePlan], floor: FloorMap) -> None:
         """Take the plan of each and the map that the walk draws."""
         self._floor = floor
         self.all = [
-            Telling(plan, Aligner(plan, floor), Arrivals(plan, floor)) for plan in plans
+            _Telling(plan, Aligner(plan, floor), RulesArrivals(plan, floor))
+            for plan in plans
         ]
 
-    def of(self, standing: Standing) -> Telling:
+    def of(self, standing: Standing) -> _Telling:
         """Return the telling of a hypothesis."""
         return self.all[standing.telling]
 
@@ -68,7 +69,9 @@ class Tellings:
             cost = STILL_AHEAD * (legs[0] - count)
             yield replace(standing, telling=number, cost=cost)
 
-    def rate(self, frontier: Sequence[Standing], endings: Sequence[Ending]) -> None:
+    def rate(
+        self, frontier: Sequence[Standing], endings: Sequence[RulesEnding]
+    ) -> None:
         """Take note of what each thinks of the ways and places there are now."""
         if len(self.all) == 1:
             return
@@ -92,7 +95,7 @@ class Tellings:
             each.doubt(each.ways.get(way, math.inf)) for each in self._others(branch)
         )
 
-    def ending_cost(self, ending: Ending) -> float:
+    def ending_cost(self, ending: RulesEnding) -> float:
         """Return what ending at a place costs by all tellings, beside the best by each."""
         cost = ending.cost - self.of(ending.standing).best
         place = self._place_of(ending)
@@ -115,10 +118,10 @@ class Tellings:
                 doubts[id(told)] = min(doubt, doubts[id(told)])
         return cost - self.of(branch).best + sum(doubts.values())
 
-    def _others(self, standing: Standing) -> list[Telling]:
+    def _others(self, standing: Standing) -> list[_Telling]:
         return [each for each in self.all if each is not self.of(standing)]
 
-    def _place_of(self, ending: Ending) -> Point:
+    def _place_of(self, ending: RulesEnding) -> Point:
         crossing = self._floor.crossings[ending.standing.at]
         x, y = crossing.place
         if ending.exit is None:

@@ -59,7 +59,7 @@ class Sighting:
 
 
 @dataclass
-class View:
+class _View:
     """What one sees along a way from the crossing where it begins."""
 
     asked: set[str] = field(default_factory=set[str])
@@ -133,7 +133,7 @@ class FloorMap:
         self._sightings: dict[str, dict[int, Sighting]] = {}
         self._texts: dict[int, Sighting] = {}
         self._dead_ends = 0
-        self.views: dict[tuple[int, int], View] = {}
+        self.views: dict[tuple[int, int], _View] = {}
         """By crossing and exit."""
         self.metres = 0.0
         """Of ways walked, each counted once."""
@@ -173,7 +173,7 @@ class FloorMap:
         view = self.views.get((stretch.start, stretch.exit))
         if view is not None and view.floor is not None:
             floors = [p for p in view.distances if is_floor(p) and view.has_floor(p)]
-            mirrored = self.views.setdefault((stretch.end, back), View())
+            mirrored = self.views.setdefault((stretch.end, back), _View())
             mirrored.asked.update(p for p in view.asked if is_floor(p))
             for phrase in floors:
                 mirrored.distances.setdefault(phrase, view.floor)
@@ -182,7 +182,7 @@ class FloorMap:
         self, crossing: int, exit: int, asked: Iterable[str], seen: Iterable[Sighting]
     ) -> None:
         """Keep what was seen along a way by someone who faces it in its crossing."""
-        view = self.views.setdefault((crossing, exit), View())
+        view = self.views.setdefault((crossing, exit), _View())
         view.asked.update(asked)
         for each in seen:
             if abs(each.bearing) > ALONG or (
@@ -192,7 +192,7 @@ class FloorMap:
             known = view.distances.get(each.phrase, math.inf)
             view.distances[each.phrase] = min(known, each.distance)
 
-    def views_from(self, crossing: int) -> list[View]:
+    def views_from(self, crossing: int) -> list[_View]:
         """Return the views along all ways out of a crossing that were looked along."""
         return [view for (at, _), view in self.views.items() if at == crossing]
 

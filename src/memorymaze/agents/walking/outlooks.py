@@ -53,7 +53,7 @@ _JUNCTIONS: dict[str, Junction] = {
 
 
 @dataclass(frozen=True, slots=True)
-class Outlook:
+class LegOutlook:
     """What one sees, or has around oneself, facing along a stretch before walking it."""
 
     ahead: tuple[str, ...] = ()
@@ -64,20 +64,20 @@ class Outlook:
     """Sides on which there is no way."""
 
 
-def outlook_of(plan: RoutePlan, leg: int) -> Outlook:
+def outlook_of(plan: RoutePlan, leg: int) -> LegOutlook:
     """Return what was said of the beginning of a leg, or of the last stretch."""
     if leg == 0:
         return _outlook_of_start(plan)
     told = [each for each in plan.legs[leg - 1].mentions if _is_outlook(each)]
     things = [each for each in told if each.kind != "wall"]
-    return Outlook(
+    return LegOutlook(
         tuple(each.phrase for each in things if each.side == "ahead"),
         tuple(each.phrase for each in things if each.side == "behind"),
         tuple(each.side for each in told if each.kind == "wall" and each.side),
     )
 
 
-def _outlook_of_start(plan: RoutePlan) -> Outlook:
+def _outlook_of_start(plan: RoutePlan) -> LegOutlook:
     ahead = plan.start.facing.split(" and ") if plan.start.facing else []
     behind = plan.start.from_.split(" and ") if plan.start.from_ else []
     first = plan.legs[0] if plan.legs else plan.arrival
@@ -90,7 +90,7 @@ def _outlook_of_start(plan: RoutePlan) -> Outlook:
         walls.append("ahead")
     if "wall" in behind:
         walls.append("behind")
-    return Outlook(
+    return LegOutlook(
         tuple(each for each in ahead if each != "wall"),
         tuple(each for each in behind if each != "wall"),
         tuple(walls),
@@ -153,7 +153,9 @@ def faces(plan: RoutePlan, leg: int) -> bool:
     return plan.legs[leg].turn.way == "either" and bool(outlook_of(plan, leg + 1).ahead)
 
 
-def outlook_cost(outlook: Outlook, floor: FloorMap, at: int, exit: int | None) -> float:
+def outlook_cost(
+    outlook: LegOutlook, floor: FloorMap, at: int, exit: int | None
+) -> float:
     """Compare what was said to lie along a way out of a crossing with what is seen there.
 
     The exit is None for a wall.
@@ -179,7 +181,7 @@ def outlook_cost(outlook: Outlook, floor: FloorMap, at: int, exit: int | None) -
 
 
 def walls_cost(
-    outlook: Outlook, exits: Sequence[float], closed: set[int], heading: float
+    outlook: LegOutlook, exits: Sequence[float], closed: set[int], heading: float
 ) -> float:
     """Compare the sides that were said to be walls with the ways out of a crossing."""
     cost = 0.0
@@ -228,7 +230,7 @@ def first_heading_cost(
         for mention in things_on(plan, 0)
         if mention.place in {"turn", "passed"} and not is_floor(mention.phrase)
     )
-    seen = outlook_cost(Outlook(things[:1]), floor, at, exit)
+    seen = outlook_cost(LegOutlook(things[:1]), floor, at, exit)
     return cost + FIRST_THING * seen
 
 

@@ -15,9 +15,9 @@ import numpy as np
 from memorymaze.geometry.points import FloatArray
 from memorymaze.geometry.pose import Pose, turn_between, wrap_angle
 from memorymaze.perception.turning_points.junctions import (
-    REACH,
     SAME_DIRECTION,
     SAME_JUNCTION,
+    SCAN_REACH,
     FreeSurroundings,
     Mouth,
     SensedJunction,
@@ -167,7 +167,7 @@ class TurningPointFinder:
             headings = np.array([mouth.bearing])
         depths = surroundings.depths(mouth, headings)
         first = int((depths >= SAME_DEPTH * depths.max()).argmax())
-        enough = max(REACH, radius)
+        enough = max(SCAN_REACH, radius)
         if depths[first] < enough and not self._came_through(x, y):
             return []
         ways = [SensedWay(x, y, wrap_angle(float(headings[first])), mouth.width)]

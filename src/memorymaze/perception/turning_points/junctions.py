@@ -19,7 +19,7 @@ RING_GAP = 0.4
 """Metres from the largest free circle around a place to where its ways begin."""
 RING = 0.6
 """Metres of a way's beginning that tell where it lies."""
-REACH = 1.5
+SCAN_REACH = 1.5
 """Metres from its mouth that a robot can drive into a way at least; nooks are less
 deep."""
 FARTHEST_REACH = 5.0

@@ -23,7 +23,7 @@ from memorymaze.results.instruction_study.study import (
     BOTH_ITERATIONS,
     InstructionStudy,
 )
-from memorymaze.results.instruction_study.tables import SPEECH, THINGS, place_title
+from memorymaze.results.instruction_study.tables import SPEECH, THINGS, title_of_place
 from memorymaze.wording import counted
 
 COLORS = {"online": "#1d5fae", "onsite": "#b8481c"}
@@ -64,7 +64,7 @@ TOLD_WORDS = 15
 
 
 @dataclass(frozen=True, slots=True)
-class Picture:
+class _Picture:
     """A picture inside a page."""
 
     source: str
@@ -73,7 +73,7 @@ class Picture:
     caption: str
 
 
-def study_plots(study: InstructionStudy) -> Mapping[str, Picture]:
+def study_plots(study: InstructionStudy) -> Mapping[str, _Picture]:
     """Return by name the plots for which there is something to show."""
     plots = {"lengths": _lengths(study), "speech": _speech(study)}
     plots["things"] = _things(study)
@@ -86,7 +86,7 @@ def study_plots(study: InstructionStudy) -> Mapping[str, Picture]:
 
 def _drawn(
     draw: Callable[[Axes], None], size: tuple[float, float], alt: str, caption: str
-) -> Picture:
+) -> _Picture:
     """Draw; the figures themselves are in the table above."""
     with rc_context(STYLE), warnings.catch_warnings():
         # Characters that no installed font has are drawn as boxes.
@@ -98,14 +98,14 @@ def _drawn(
         figure.savefig(picture, format="svg", metadata={"Date": None, "Title": alt})
     svg = base64.b64encode(picture.getvalue().encode()).decode()
     alt += "; the figures are in the table."
-    return Picture(f"data:image/svg+xml;base64,{svg}", alt, caption)
+    return _Picture(f"data:image/svg+xml;base64,{svg}", alt, caption)
 
 
 def _color(study: str) -> str:
     return COLORS.get(study, OTHER_COLOR)
 
 
-def _lengths(study: InstructionStudy) -> Picture:
+def _lengths(study: InstructionStudy) -> _Picture:
     """Draw words per text in every cell of Table I, with the published means."""
     cells = study.rows("table_1", "study", "place", "route", "iteration")
     words: dict[tuple[object, ...], list[int]] = {}
@@ -143,7 +143,7 @@ def _lengths(study: InstructionStudy) -> Picture:
             )
             axes.legend(loc="lower right", bbox_to_anchor=(1, 1))
         titles = [
-            f"{c['study']}, {place_title(c['place'])} {c['route']}, {c['iteration']}"
+            f"{c['study']}, {title_of_place(c['place'])} {c['route']}, {c['iteration']}"
             for c in cells
         ]
         axes.set_yticks(list(heights), titles)
@@ -160,14 +160,14 @@ def _lengths(study: InstructionStudy) -> Picture:
     )
 
 
-def _curves(study: InstructionStudy) -> Picture:
+def _curves(study: InstructionStudy) -> _Picture:
     """Draw type-token curves, one per study and place."""
 
     def draw(axes: Axes) -> None:
         places = sorted({place for _, place in study.curves})
         for (name, place), curve in study.curves.items():
             dashes = DASHES[places.index(place) % len(DASHES)]
-            label = f"{place_title(place)}, {name}"
+            label = f"{title_of_place(place)}, {name}"
             axes.plot(
                 curve.tokens, curve.types, dashes, color=_color(name), label=label
             )
@@ -185,7 +185,7 @@ def _curves(study: InstructionStudy) -> Picture:
     )
 
 
-def _speech(study: InstructionStudy) -> Picture:
+def _speech(study: InstructionStudy) -> _Picture:
     """Draw hedges, fillers and corrections per 100 words."""
     about = ("study", "iteration")
     rows = study.rows("per_text", *about, place=ALL_SITES)
@@ -214,7 +214,7 @@ def _speech(study: InstructionStudy) -> Picture:
     )
 
 
-def _things(study: InstructionStudy) -> Picture:
+def _things(study: InstructionStudy) -> _Picture:
     """Draw things named per text, by what of the plan they are."""
     rows = study.rows("per_text", "study", "place", "iteration")
     groups = [
@@ -231,7 +231,8 @@ def _things(study: InstructionStudy) -> Picture:
             axes.barh(heights, values, 0.72, left=left, color=color, label=title)
             left += values
         titles = [
-            f"{g['study']}, {place_title(g['place'])}, {g['iteration']}" for g in groups
+            f"{g['study']}, {title_of_place(g['place'])}, {g['iteration']}"
+            for g in groups
         ]
         axes.set_yticks(heights, titles)
         axes.set_xlabel("things named per text")
@@ -247,7 +248,7 @@ def _things(study: InstructionStudy) -> Picture:
     )
 
 
-def _distances(study: InstructionStudy) -> Picture:
+def _distances(study: InstructionStudy) -> _Picture:
     """Draw stated against true lengths of legs, both axes logarithmic."""
     groups: dict[tuple[str, str], list[tuple[float, float]]] = {}
     for text in study.texts:
@@ -289,7 +290,7 @@ def _distances(study: InstructionStudy) -> Picture:
     )
 
 
-def word_clouds(study: InstructionStudy, *, seed: int) -> Iterator[Picture]:
+def word_clouds(study: InstructionStudy, *, seed: int) -> Iterator[_Picture]:
     """Draw the words of every study and site, larger the more often they are said.
 
     Function words (the, you, then) are left out, as in the counting rule `content`;
@@ -311,9 +312,9 @@ def word_clouds(study: InstructionStudy, *, seed: int) -> Iterator[Picture]:
         # order of the texts.
         ordered = sorted(counts.items(), key=lambda each: (-each[1], each[0]))
         words = ", ".join(f"{word} ({count})" for word, count in ordered[:TOLD_WORDS])
-        place = f"{place_title(site)}, {name}"
+        place = f"{title_of_place(site)}, {name}"
         png = _cloud(dict(ordered[:CLOUD_WORDS]), name, seed)
-        yield Picture(
+        yield _Picture(
             f"data:image/png;base64,{base64.b64encode(png).decode()}",
             f"Word cloud of {place}. Commonest words: {words}.",
             f"{place}: {counted(len(told), 'text')} of {' '.join(study.written)}",

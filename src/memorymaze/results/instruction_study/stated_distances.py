@@ -147,7 +147,7 @@ def by_unit(
     }
 
 
-def summarise(legs: Sequence[StatedDistance]) -> dict[str, float]:
+def summarise_distances(legs: Sequence[StatedDistance]) -> dict[str, float]:
     """Return median and quartiles of stated over true lengths, and how they spread.
 
     The `factor` is the exponential of the logarithms' standard deviation; 1 when there

@@ -35,7 +35,7 @@ from memorymaze.results.instruction_study.stated_distances import (
     StatedDistance,
     by_unit,
     stated_distances,
-    summarise,
+    summarise_distances,
 )
 from memorymaze.sites.records import Site
 from memorymaze.tables import Row
@@ -297,5 +297,5 @@ def _per_text(texts: Iterable[TextMeasures]) -> Iterator[Figure]:
 
 def _distances(legs: Iterable[StatedDistance]) -> Iterator[Figure]:
     for (study, unit), told in by_unit(legs).items():
-        for name, value in summarise(told).items():
+        for name, value in summarise_distances(told).items():
             yield Figure("stated_distances", study, name, value, key=unit)

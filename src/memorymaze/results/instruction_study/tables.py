@@ -66,7 +66,7 @@ def study_csv(study: InstructionStudy) -> str:
     ).csv()
 
 
-def place_title(place: str) -> str:
+def title_of_place(place: str) -> str:
     """Return the title of a site or building.
 
     >>> place_title("museum_5f")
@@ -115,7 +115,7 @@ def _study_title(row: Row) -> str:
 
 
 def _route_title(row: Row) -> str:
-    return f"{place_title(row['place'])} {row['route']}"
+    return f"{title_of_place(row['place'])} {row['route']}"
 
 
 def _beside_paper(field: str, heading: str, digits: int, *, scale: float = 1) -> Column:
@@ -149,7 +149,9 @@ def _vocabularies(study: InstructionStudy) -> Table:
     return Table(
         "Distinct words",
         (
-            Column("place", "place", "label", show=lambda r: place_title(r["place"])),
+            Column(
+                "place", "place", "label", show=lambda r: title_of_place(r["place"])
+            ),
             Column("study", "study", "label"),
             Column("texts", "texts"),
             Column("words", "words"),
@@ -219,7 +221,7 @@ def _rules(study: InstructionStudy) -> Table:
         "Distinct words by the usual counting rules",
         (
             Column("rule", "rule", "label"),
-            *(Column(f"{p} {s}", f"{place_title(p)} {s}") for p, s in compared),
+            *(Column(f"{p} {s}", f"{title_of_place(p)} {s}") for p, s in compared),
             Column("off", "off by %", digits=0),
         ),
         tuple(rows),

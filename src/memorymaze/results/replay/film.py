@@ -18,7 +18,7 @@ from memorymaze.pictures.films.video_file import (
 )
 from memorymaze.results.replay.page import Page, layout_of
 from memorymaze.results.replay.plan_view import SMOOTHING, PlanView, legend_of
-from memorymaze.results.replay.senses import Eyes, boxes_at, draw_boxes
+from memorymaze.results.replay.senses import ReplayEyes, boxes_at, draw_boxes
 from memorymaze.results.story.moments import Moments
 from memorymaze.results.story.recorded_episode import RecordedEpisode
 from memorymaze.simulation.scene import build_scene
@@ -99,7 +99,7 @@ def frames_of(
         if layout.camera is not None:
             scene = build_scene(site, episode.record.settings.obstacles)
             size = (layout.camera.width, layout.camera.height)
-            eyes = Eyes(
+            eyes = ReplayEyes(
                 scene,
                 moments,
                 size,

@@ -42,7 +42,7 @@ LINE = 1.32
 Font = ImageFont.FreeTypeFont
 
 
-class Box(NamedTuple):
+class _Box(NamedTuple):
     """A part of a frame, pixels."""
 
     x: int
@@ -51,57 +51,57 @@ class Box(NamedTuple):
     height: int
 
 
-class Layout(NamedTuple):
+class _Layout(NamedTuple):
     """Where everything stands on a frame."""
 
     size: tuple[int, int]
     letter: int
     """Height of letters, pixels."""
-    head: Box
-    camera: Box | None
-    plan: Box
-    story: Box
+    head: _Box
+    camera: _Box | None
+    plan: _Box
+    story: _Box
     """Of instruction and current step."""
-    log: Box
+    log: _Box
 
 
-def layout_of(size: tuple[int, int], *, camera: bool) -> Layout:
+def layout_of(size: tuple[int, int], *, camera: bool) -> _Layout:
     """Lay out frames of a size, with a picture of the robot's camera or without."""
     width, height = size
     letter = max(9, round(min(height / 48, width / 85)))
     top = round(2.2 * letter)
-    head = Box(0, 0, width, top)
+    head = _Box(0, 0, width, top)
     if not camera:
         plan_wide = round(0.6 * width)
         rest = height - top
         told = round(0.46 * rest)
-        return Layout(
+        return _Layout(
             size,
             letter,
             head,
             None,
-            Box(0, top, plan_wide, rest),
-            Box(plan_wide, top, width - plan_wide, told),
-            Box(plan_wide, top + told, width - plan_wide, rest - told),
+            _Box(0, top, plan_wide, rest),
+            _Box(plan_wide, top, width - plan_wide, told),
+            _Box(plan_wide, top + told, width - plan_wide, rest - told),
         )
     seen_high = round(min(0.375 * width, 0.64 * height))
     seen_wide = round(seen_high * 4 / 3)
     below = height - top - seen_high
-    return Layout(
+    return _Layout(
         size,
         letter,
         head,
-        Box(0, top, seen_wide, seen_high),
-        Box(seen_wide, top, width - seen_wide, seen_high),
-        Box(0, top + seen_high, width // 2, below),
-        Box(width // 2, top + seen_high, width - width // 2, below),
+        _Box(0, top, seen_wide, seen_high),
+        _Box(seen_wide, top, width - seen_wide, seen_high),
+        _Box(0, top + seen_high, width // 2, below),
+        _Box(width // 2, top + seen_high, width - width // 2, below),
     )
 
 
 class Page:
     """A frame while it is being filled."""
 
-    def __init__(self, layout: Layout) -> None:
+    def __init__(self, layout: _Layout) -> None:
         """Begin with white paper."""
         self._layout = layout
         self._image = Image.new("RGB", layout.size, PAPER)
@@ -122,7 +122,7 @@ class Page:
                 self._pen.line((box.x, box.y, box.x, box.y + box.height), RULE)
         return np.asarray(self._image)
 
-    def put(self, picture: NDArray[np.uint8], box: Box) -> None:
+    def put(self, picture: NDArray[np.uint8], box: _Box) -> None:
         """Put a picture of the box's size into it."""
         self._image.paste(Image.fromarray(picture), (box.x, box.y))
 

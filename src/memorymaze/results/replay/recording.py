@@ -28,7 +28,7 @@ from memorymaze.evaluation.trace_entries import ThingsEntry
 from memorymaze.extras import require_extra
 from memorymaze.pictures.films.video_file import check_target, progress_bar
 from memorymaze.results.replay.film import ReplaySettings
-from memorymaze.results.replay.senses import PICTURE_SIZE, Eyes, Scans
+from memorymaze.results.replay.senses import PICTURE_SIZE, ReplayEyes, Scans
 from memorymaze.results.story.moments import Moment, Moments
 from memorymaze.results.story.recorded_episode import RecordedEpisode
 from memorymaze.simulation.motion.wheeled_base import CAMERA_HEIGHT
@@ -91,7 +91,7 @@ def record_replay(
         stream = stack.enter_context(_stream_to(target, episode))
         eyes = None
         if settings.camera:
-            eyes = Eyes(
+            eyes = ReplayEyes(
                 scene,
                 moments,
                 PICTURE_SIZE,
@@ -278,7 +278,7 @@ class _Log:
         self._log_boxes()
 
     def log_view(
-        self, moment: Moment, scan: NDArray[np.float64], eyes: Eyes | None
+        self, moment: Moment, scan: NDArray[np.float64], eyes: ReplayEyes | None
     ) -> None:
         """Log what LiDAR and camera, if there is one, measured at a moment."""
         rr, time = self._rr, moment.time

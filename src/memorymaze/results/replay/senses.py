@@ -12,7 +12,7 @@ from memorymaze.pictures import Looks
 from memorymaze.pictures.rendering.camera import CameraFrame, RenderedCamera
 from memorymaze.pictures.rendering.robot_eyes import visual_scene_of
 from memorymaze.results.replay.page import font_for
-from memorymaze.results.story.moments import Moment, Moments, Sighting
+from memorymaze.results.story.moments import Moment, Moments, StorySighting
 from memorymaze.simulation.physics_engine import mujoco
 from memorymaze.simulation.scene import Scene
 from memorymaze.simulation.senses.lidar import Lidar, LidarSettings
@@ -29,7 +29,7 @@ BOX = "#ffe14d"
 EDGE = "#202020"
 
 
-class Eyes:
+class ReplayEyes:
     """The robot's camera, until it is closed."""
 
     def __init__(
@@ -69,7 +69,7 @@ class Eyes:
         self._camera.close()
 
 
-def boxes_at(moments: Moments, moment: Moment) -> list[Sighting]:
+def boxes_at(moments: Moments, moment: Moment) -> list[StorySighting]:
     """Return what was detected just before, where its box still fits the picture."""
     fitting = [
         each
@@ -83,7 +83,7 @@ def boxes_at(moments: Moments, moment: Moment) -> list[Sighting]:
 
 
 def draw_boxes(
-    picture: NDArray[np.uint8], found: list[Sighting], letter: int
+    picture: NDArray[np.uint8], found: list[StorySighting], letter: int
 ) -> NDArray[np.uint8]:
     """Draw boxes of detected things on a picture, with their names in some size."""
     if not found:

@@ -55,7 +55,7 @@ TRACK_TITLES: dict[Track, str] = {
 
 
 @dataclass(frozen=True, slots=True)
-class Standing:
+class _Standing:
     """A run that stands on a leaderboard."""
 
     submission: Submission
@@ -84,7 +84,7 @@ class Refused:
 class Leaderboard:
     """All runs of a folder, looked over."""
 
-    standing: tuple[Standing, ...]
+    standing: tuple[_Standing, ...]
     refused: tuple[Refused, ...]
 
 
@@ -100,7 +100,7 @@ def read_leaderboard(
     touch the others.
     """
     corpus = corpus or load_corpus()
-    standing: list[Standing] = []
+    standing: list[_Standing] = []
     refused: list[Refused] = []
     for run in _runs_in(Path(folder)):
         told = None if progress is None else partial(progress, run.name)
@@ -113,7 +113,7 @@ def read_leaderboard(
         if measured is None:
             refused.append(Refused(run.name, found.problems))
         else:
-            standing.append(Standing(found, measured))
+            standing.append(_Standing(found, measured))
     return Leaderboard(tuple(standing), tuple(refused))
 
 
@@ -180,7 +180,7 @@ def _tables(board: Leaderboard, track: Track) -> list[Table]:
     return [_table(chosen, track, study) for study in sorted(studies)]
 
 
-def _table(chosen: Sequence[Standing], track: Track, study: str) -> Table:
+def _table(chosen: Sequence[_Standing], track: Track, study: str) -> Table:
     rows = [row for each in chosen for row in _standing(each, study)]
     rows.sort(key=lambda row: (-row["sr"], row["spd"], row["run"]))
     for number, row in enumerate(rows, start=1):
@@ -199,7 +199,7 @@ def _table(chosen: Sequence[Standing], track: Track, study: str) -> Table:
     )
 
 
-def _standing(standing: Standing, study: str) -> Iterator[dict[str, Any]]:
+def _standing(standing: _Standing, study: str) -> Iterator[dict[str, Any]]:
     results = [each for each in standing.submission.results if each.study == study]
     if results:
         people = [each.participant for each in results]
@@ -215,7 +215,7 @@ def _standing(standing: Standing, study: str) -> Iterator[dict[str, Any]]:
         }
 
 
-def _published(any_run: Standing, study: str) -> Iterator[dict[str, Any]]:
+def _published(any_run: _Standing, study: str) -> Iterator[dict[str, Any]]:
     """Yield the paper's means over routes, where the study has several."""
     parsers = {None: "", True: ", with parser", False: ", without parser"}
     for row in paper_table([any_run.measured], "II").rows:

@@ -34,7 +34,7 @@ NO_ERROR, ANY_ERROR = "none", "any"
 
 
 @dataclass(frozen=True, slots=True)
-class Pair:
+class _Pair:
     """Two runs compared."""
 
     first: ReportRun
@@ -44,7 +44,7 @@ class Pair:
 
 
 @dataclass(frozen=True, slots=True)
-class Ending:
+class _Ending:
     """How many episodes of a run ended in a way."""
 
     key: str
@@ -54,7 +54,7 @@ class Ending:
     share: float
 
 
-def compare_pair(first: ReportRun, second: ReportRun) -> Pair:
+def compare_pair(first: ReportRun, second: ReportRun) -> _Pair:
     """Compare two runs on the episodes that both have."""
     try:
         question = replace(
@@ -65,10 +65,10 @@ def compare_pair(first: ReportRun, second: ReportRun) -> Pair:
         table = paired_table([first.measured, second.measured], question)
     except RunFolderError:
         table = None
-    return Pair(first, second, table)
+    return _Pair(first, second, table)
 
 
-def count_endings(run: ReportRun) -> list[Ending]:
+def count_endings(run: ReportRun) -> list[_Ending]:
     """Count how the episodes of a run ended; what never happened is left out."""
     results = run.measured.results
     counts = Counter(
@@ -77,7 +77,7 @@ def count_endings(run: ReportRun) -> list[Ending]:
     )
     order = ["arrived", "stopped elsewhere", GAVE_UP, *ENDINGS.values()]
     return [
-        Ending(key, title, count, count / len(results))
+        _Ending(key, title, count, count / len(results))
         for (key, title), count in sorted(
             counts.items(), key=lambda each: order.index(each[0][1])
         )
@@ -165,7 +165,7 @@ class FaultyInstruction:
 
 
 @dataclass(frozen=True, slots=True)
-class ErrorKind:
+class _ErrorKind:
     """Instructions with a kind of error; one with several kinds is in each."""
 
     kind: str
@@ -178,7 +178,7 @@ class ErrorKind:
 
 def error_kinds(
     runs: Sequence[ReportRun], instructions: Mapping[str, Instruction]
-) -> list[ErrorKind]:
+) -> list[_ErrorKind]:
     """Return results by kind of error: without, with any, then the commonest first."""
     results: list[dict[str, list[EpisodeResult]]] = []
     for run in runs:
@@ -198,7 +198,7 @@ def error_kinds(
     return [_kind(kind, told, results) for kind, told in (*general, *by_size) if told]
 
 
-def error_table(runs: Sequence[ReportRun], kinds: Sequence[ErrorKind]) -> Table:
+def error_table(runs: Sequence[ReportRun], kinds: Sequence[_ErrorKind]) -> Table:
     """Return the results by kind of error, all runs side by side."""
     shown = [measure for measure in PAPER_MEASURES if measure.name in {"sr", "spd"}]
     columns: list[Column] = []
@@ -242,7 +242,7 @@ def _kind(
     kind: str,
     told: Sequence[Instruction],
     results: Sequence[Mapping[str, Sequence[EpisodeResult]]],
-) -> ErrorKind:
+) -> _ErrorKind:
     measured: list[tuple[int, dict[str, Estimate]] | None] = []
     for of_run in results:
         cell = [result for each in told for result in of_run.get(each.id, ())]
@@ -257,7 +257,7 @@ def _kind(
         for failure in each.failures
         if failure.kind == kind
     ]
-    return ErrorKind(kind, len(told), tuple(measured), tuple(examples))
+    return _ErrorKind(kind, len(told), tuple(measured), tuple(examples))
 
 
 def settings_table(record: RunRecord, run: str) -> Table:

@@ -11,7 +11,7 @@ from memorymaze.drawing.svg import svg_number
 from memorymaze.evaluation.outcomes import OUTCOMES, ending_words, outcome_of
 from memorymaze.results.tables import (
     PAPER_MEASURES,
-    Place,
+    TablePlace,
     place_title,
 )
 from memorymaze.results.tables.measures import EPISODE_MEASURES
@@ -118,4 +118,4 @@ def error_title(kind: str) -> str:
 
 
 def _place_name(place: tuple[str, str]) -> str:
-    return place_title([Place(*place)])
+    return place_title([TablePlace(*place)])

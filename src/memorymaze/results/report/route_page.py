@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from shapely import get_coordinates
 
-from memorymaze.drawing.svg import Frame, plan_frame
+from memorymaze.drawing.svg import ViewBox, plan_frame
 from memorymaze.results.report.episode_page import WalkOfRun
 from memorymaze.results.report.sources import ReportRun
 from memorymaze.results.story.following import (
@@ -70,7 +70,7 @@ class RunOnRoute:
 
 def picture_frame(
     site: Site, routes: Sequence[Route], walks: Sequence[WalkOfRun]
-) -> Frame:
+) -> ViewBox:
     """Return the part of a plan that holds ways and walks, with some paper round it."""
     points = np.concatenate(
         [get_coordinates(route.line) for route in routes]
@@ -81,7 +81,7 @@ def picture_frame(
     north = max(-float(points[:, 1].max()) - PAPER, whole.y)
     east = min(float(points[:, 0].max()) + PAPER, whole.x + whole.width)
     south = min(-float(points[:, 1].min()) + PAPER, whole.y + whole.height)
-    return Frame(west, north, east - west, south - north)
+    return ViewBox(west, north, east - west, south - north)
 
 
 def run_on_route(run: ReportRun, site: Site, walks: Sequence[WalkOfRun]) -> RunOnRoute:

@@ -6,7 +6,7 @@ from itertools import combinations
 from pathlib import Path
 from typing import Any
 
-from memorymaze.drawing.svg import Frame, path_data, plan_frame, svg_plan
+from memorymaze.drawing.svg import ViewBox, path_data, plan_frame, svg_plan
 from memorymaze.durable_files import check_new_folder, new_folder
 from memorymaze.errors import RunFolderError
 from memorymaze.evaluation.results import EpisodeResult
@@ -33,7 +33,12 @@ from memorymaze.results.report.pages import Pages, route_page, safe_name
 from memorymaze.results.report.route_page import picture_frame, run_on_route
 from memorymaze.results.report.sources import Sources
 from memorymaze.results.story.recorded_episode import read_story
-from memorymaze.results.tables import SPREAD_MEASURES, Place, paper_table, run_notes
+from memorymaze.results.tables import (
+    SPREAD_MEASURES,
+    TablePlace,
+    paper_table,
+    run_notes,
+)
 from memorymaze.results.tables.confidence import CONFIDENCE
 from memorymaze.results.tables.confidence import KEY as CONFIDENCE_KEY
 from memorymaze.results.tables.questions import means_table
@@ -87,15 +92,15 @@ class _Report:
         self._sources = sources
         self._runs = sources.runs
         self._pages = pages
-        self._walks: dict[Place, list[list[WalkOfRun]]] = {}
-        self._rows: dict[Place, list[EpisodeRow]] = {}
+        self._walks: dict[TablePlace, list[list[WalkOfRun]]] = {}
+        self._rows: dict[TablePlace, list[EpisodeRow]] = {}
         self._problems: list[str] = []
         self._by_id: list[dict[str, EpisodeResult]] = [
             {each.episode_id: each for each in run.measured.results}
             for run in self._runs
         ]
         order = {
-            result.episode_id: Place(result.site, result.route)
+            result.episode_id: TablePlace(result.site, result.route)
             for run in self._runs
             for result in run.measured.results
         }
@@ -135,7 +140,7 @@ class _Report:
             if episode in by_id
         ]
         first = runs[0].result
-        place = Place(first.site, first.route)
+        place = TablePlace(first.site, first.route)
         site = self._sources.sites[first.site]
         told = self._sources.instructions[first.instruction_id]
         route = site.route(first.reference_route)
@@ -185,7 +190,7 @@ class _Report:
 
     # -- routes
 
-    def _write_route(self, place: Place) -> None:
+    def _write_route(self, place: TablePlace) -> None:
         site = self._sources.sites[place.site]
         by_run = self._walks[place]
         routes = self._ways(place)
@@ -208,7 +213,7 @@ class _Report:
             rows=self._rows[place],
         )
 
-    def _ways(self, place: Place) -> list[Route]:
+    def _ways(self, place: TablePlace) -> list[Route]:
         """Return the ways that the episodes on a route describe."""
         names = {row.first.reference_route for row in self._rows[place]}
         site = self._sources.sites[place.site]
@@ -216,7 +221,7 @@ class _Report:
 
     # -- the rest
 
-    def _tile(self, place: Place) -> tuple[Place, Site, Frame, list[str]]:
+    def _tile(self, place: TablePlace) -> tuple[TablePlace, Site, ViewBox, list[str]]:
         site = self._sources.sites[place.site]
         return place, site, plan_frame(site), _drawn(self._ways(place))
 

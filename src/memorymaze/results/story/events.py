@@ -128,7 +128,7 @@ def _asked_events(asked: Sequence[CallEntry], after: int) -> Iterator[Event]:
             pose = Pose(*entry.pose)
             for each in entry.detections:
                 found.append(f"{each.label} {_where(each)}")
-                seen.append((*place_of(each, pose), _cut(each.label)))
+                seen.append((*place_of_note(each, pose), _cut(each.label)))
         elif entry.call == "read_signs":
             found += [f"“{each.text}” {_where(each)}" for each in entry.texts]
             looked.append("signs")
@@ -207,7 +207,7 @@ def _answered_event(entry: AnswerEntry, number: int) -> Event:
     return Event(entry.time + entry.seconds, "other", _cut(text), number)
 
 
-def place_of(found: Detection, pose: Pose) -> tuple[float, float]:
+def place_of_note(found: Detection, pose: Pose) -> tuple[float, float]:
     """Return where a thing is, metres, that was detected from a place."""
     angle = pose.heading + math.radians(found.bearing_deg)
     return (

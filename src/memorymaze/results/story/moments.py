@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from memorymaze.evaluation.trace_entries import CallEntry, NoteEntry
 from memorymaze.geometry.pose import Pose, wrap_angle
-from memorymaze.results.story.events import Event, news, place_of
+from memorymaze.results.story.events import Event, news, place_of_note
 from memorymaze.results.story.story import Story
 from memorymaze.results.story.understanding import CurrentStep, step_of
 
@@ -21,7 +21,7 @@ STANDS = 0.05
 """Metres in that time below which a person keeps the way faced before."""
 
 
-class Sighting(NamedTuple):
+class StorySighting(NamedTuple):
     """Something that the robot's detector found."""
 
     time: float
@@ -117,14 +117,14 @@ class Moments:
         )
 
 
-def _sightings(story: Story) -> Iterator[Sighting]:
+def _sightings(story: Story) -> Iterator[StorySighting]:
     for entry in story.entries:
         if not isinstance(entry, CallEntry):
             continue
         pose = Pose(*entry.pose)
         for each in entry.detections:
-            x, y = place_of(each, pose)
-            yield Sighting(entry.time, pose, each.label, each.box, x, y)
+            x, y = place_of_note(each, pose)
+            yield StorySighting(entry.time, pose, each.label, each.box, x, y)
 
 
 def _on_walk(walk: NDArray[np.float64], time: float) -> Pose:

@@ -37,7 +37,7 @@ from memorymaze.results.tables.reach import REACH
 from memorymaze.results.tables.runs import (
     STUDY_TITLES,
     MeasuredRun,
-    Place,
+    TablePlace,
     load_runs,
     place_title,
     run_notes,
@@ -57,7 +57,7 @@ __all__ = [
     "TABLES",
     "MeasuredRun",
     "PairedQuestion",
-    "Place",
+    "TablePlace",
     "TableQuestion",
     "estimate_means",
     "load_runs",

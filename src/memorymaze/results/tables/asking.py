@@ -22,10 +22,10 @@ KEY = (
     "near the goal are easy). [95 % interval], bootstrap over participants. What people "
     "answer comes from a bank that a language model wrote in role."
 )
-Beside = tuple[EpisodeResult, EpisodeResult]
+_Beside = tuple[EpisodeResult, EpisodeResult]
 """What came of an episode in the first run, and in another one."""
-SR: Quantity[Beside] = Quantity("sr", "SR", lambda each: float(each[1].success))
-DIFFERENCE: Quantity[Beside] = Quantity(
+SR: Quantity[_Beside] = Quantity("sr", "SR", lambda each: float(each[1].success))
+DIFFERENCE: Quantity[_Beside] = Quantity(
     "difference",
     "difference",
     lambda each: each[1].success - float(each[0].success),
@@ -34,7 +34,7 @@ DIFFERENCE: Quantity[Beside] = Quantity(
 )
 
 
-def _groups(runs: Sequence[MeasuredRun]) -> Iterator[RowGroup[Beside]]:
+def _groups(runs: Sequence[MeasuredRun]) -> Iterator[RowGroup[_Beside]]:
     for run in runs:
         if run.record.settings.ask is None:
             raise RunFolderError(

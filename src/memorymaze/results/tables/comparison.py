@@ -15,7 +15,7 @@ from memorymaze.results.tables.runs import (
     STUDY,
     STUDY_OR_ALL,
     MeasuredRun,
-    Place,
+    TablePlace,
     groups_of_places,
     place_fields,
     place_of,
@@ -50,7 +50,7 @@ def _by_study(runs: Sequence[MeasuredRun], pairs: Pairs) -> Iterator[tuple[Row, 
         yield {"method": runs[1].label, "run": runs[1].name, **about}, chosen
 
 
-def _about(study: str, group: Sequence[Place], pairs: Pairs) -> tuple[Row, Pairs]:
+def _about(study: str, group: Sequence[TablePlace], pairs: Pairs) -> tuple[Row, Pairs]:
     chosen = [
         (one, two)
         for one, two in pairs

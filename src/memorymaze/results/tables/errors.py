@@ -31,12 +31,12 @@ KEY = (
 ERROR = Column(
     "error", "error", "label", show=lambda row: row["error"].replace("_", " ")
 )
-Pair = tuple[EpisodeResult, EpisodeResult]
+_Pair = tuple[EpisodeResult, EpisodeResult]
 """What came of a text without the error, and of the same text with it."""
-WITHOUT: Quantity[Pair] = Quantity(
+WITHOUT: Quantity[_Pair] = Quantity(
     "sr_right", "SR without it [95 %]", lambda each: SUCCESS.of(each[0]), None
 )
-APART: Quantity[Pair] = Quantity(
+APART: Quantity[_Pair] = Quantity(
     "difference",
     "difference [95 %]",
     lambda each: SUCCESS.of(each[1]) - SUCCESS.of(each[0]),

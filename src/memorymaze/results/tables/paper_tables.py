@@ -24,7 +24,7 @@ from memorymaze.results.tables.questions import RowGroup, TableQuestion, means_t
 from memorymaze.results.tables.runs import (
     STUDY,
     MeasuredRun,
-    Place,
+    TablePlace,
     groups_of_places,
     place_fields,
     place_of,
@@ -126,8 +126,8 @@ def _groups(
 def _about(
     table: str,
     study: str,
-    group: Sequence[Place],
-    places: Sequence[Place],
+    group: Sequence[TablePlace],
+    places: Sequence[TablePlace],
     iteration: int | None,
 ) -> dict[str, Any]:
     """Return what a row is about: a route, or the mean over those a method has."""
@@ -148,10 +148,10 @@ def _measured(
     table: str,
     run: MeasuredRun,
     study: str,
-    group: Sequence[Place],
+    group: Sequence[TablePlace],
     iteration: int | None,
 ) -> Iterator[RowGroup[EpisodeResult]]:
-    cells: dict[Place, list[EpisodeResult]] = {place: [] for place in group}
+    cells: dict[TablePlace, list[EpisodeResult]] = {place: [] for place in group}
     for result in run.results:
         place = place_of(result)
         is_shown = result.study == study and iteration in {None, result.iteration}
@@ -181,7 +181,7 @@ def _parses_first(run: MeasuredRun) -> bool | None:
 
 
 def _published(
-    table: str, study: str, group: Sequence[Place], iteration: int | None
+    table: str, study: str, group: Sequence[TablePlace], iteration: int | None
 ) -> Iterator[Row]:
     tables = published_tables()
     methods: dict[tuple[str, bool], list[PublishedResult]] = {}
@@ -235,7 +235,7 @@ def _run_fields(results: Sequence[EpisodeResult], run: MeasuredRun) -> dict[str,
 
 
 def _cost_fields(
-    cells: Mapping[Place, Sequence[EpisodeResult]], run: MeasuredRun
+    cells: Mapping[TablePlace, Sequence[EpisodeResult]], run: MeasuredRun
 ) -> dict[str, float | None]:
     """Return what inference cost per episode; the unweighted mean over routes."""
     means: dict[str, float | None] = {

@@ -36,7 +36,7 @@ LOOKS = {
 }
 
 
-class Place(NamedTuple):
+class TablePlace(NamedTuple):
     """A route of a site."""
 
     site: str
@@ -148,20 +148,20 @@ def studies_of(results: Iterable[EpisodeResult]) -> list[str]:
     return known + sorted(found.difference(known))
 
 
-def places_of(results: Iterable[EpisodeResult], study: str) -> list[Place]:
+def places_of(results: Iterable[EpisodeResult], study: str) -> list[TablePlace]:
     """Return the routes of a study: the paper's in its order, then others by name."""
-    found = {Place(r.site, r.route) for r in results if r.study == study}
+    found = {TablePlace(r.site, r.route) for r in results if r.study == study}
     paper = list(dict.fromkeys(place_of(row) for row in published_tables().models))
     known = [place for place in paper if place in found]
     return known + sorted(found.difference(paper))
 
 
-def place_of(what: EpisodeResult | PublishedResult) -> Place:
+def place_of(what: EpisodeResult | PublishedResult) -> TablePlace:
     """Return the route that a result is about."""
-    return Place(what.site, what.route)
+    return TablePlace(what.site, what.route)
 
 
-def place_title(places: Sequence[Place]) -> str:
+def place_title(places: Sequence[TablePlace]) -> str:
     """Return how a row is headed: `Museum 5F R1`, or `Mean over 6 routes`."""
     if len(places) > 1:
         return f"Mean over {len(places)} routes"
@@ -169,13 +169,13 @@ def place_title(places: Sequence[Place]) -> str:
     return f"{site.replace('_', ' ').title()} {route}"
 
 
-def groups_of_places(places: Sequence[Place]) -> list[list[Place]]:
+def groups_of_places(places: Sequence[TablePlace]) -> list[list[TablePlace]]:
     """Return each route alone, unless they are too many to look at, and all together."""
     alone = [[place] for place in places] if len(places) <= MOST_ROUTES else []
     return alone + ([list(places)] if len(places) > 1 else [])
 
 
-def place_fields(places: Sequence[Place], *, is_mean: bool) -> dict[str, str]:
+def place_fields(places: Sequence[TablePlace], *, is_mean: bool) -> dict[str, str]:
     """Return the fields of tables that say which routes a row is about."""
     site, route = ("mean", "mean") if is_mean else places[0]
     return {"site": site, "route": route}

@@ -37,7 +37,7 @@ KEY = (
 )
 
 
-class Told(NamedTuple):
+class _Told(NamedTuple):
     """What came of a person's first telling, of the second, and of both."""
 
     first: EpisodeResult
@@ -45,7 +45,7 @@ class Told(NamedTuple):
     both: EpisodeResult
 
 
-QUANTITIES: tuple[Quantity[Told], ...] = (
+QUANTITIES: tuple[Quantity[_Told], ...] = (
     Quantity("first", "first", lambda told: float(told.first.success)),
     Quantity("second", "second", lambda told: float(told.second.success)),
     Quantity("both", "both", lambda told: float(told.both.success)),
@@ -66,7 +66,7 @@ QUANTITIES: tuple[Quantity[Told], ...] = (
 )
 
 
-def _groups(runs: Sequence[MeasuredRun]) -> list[RowGroup[Told]]:
+def _groups(runs: Sequence[MeasuredRun]) -> list[RowGroup[_Told]]:
     found = [
         group
         for single, both in _pairs_of_runs(runs)
@@ -117,18 +117,18 @@ def _single_of(both: MeasuredRun, runs: Sequence[MeasuredRun]) -> MeasuredRun:
     return alike[0]
 
 
-def _told(single: MeasuredRun, both: MeasuredRun) -> list[Told]:
+def _told(single: MeasuredRun, both: MeasuredRun) -> list[_Told]:
     """Return what came of the pairs that both runs have."""
     by_episode = {each.episode_id: each for each in single.results}
     by_text = {each.instruction_id: each for each in single.results}
-    told: list[Told] = []
+    told: list[_Told] = []
     for result in both.results:
         second = by_episode.get(result.episode_id)
         if second is None:
             continue
         first_id = result.instruction_id.removesuffix(f"+{second.instruction_id}")
         if first_id in by_text:
-            told.append(Told(by_text[first_id], second, result))
+            told.append(_Told(by_text[first_id], second, result))
     if not told:
         raise RunFolderError(
             f"{single.name} and {both.name}: expected runs over the same people, got no "
@@ -138,8 +138,8 @@ def _told(single: MeasuredRun, both: MeasuredRun) -> list[Told]:
 
 
 def _groups_of_pair(
-    both: MeasuredRun, told: Sequence[Told]
-) -> Iterator[RowGroup[Told]]:
+    both: MeasuredRun, told: Sequence[_Told]
+) -> Iterator[RowGroup[_Told]]:
     """Yield a row for every half, study and number of tellings with errors."""
     was_half_read = stamp_file(BUILTIN_CORPUS) in both.record.settings.instructions
     studies = studies_of(each.both for each in told)

@@ -17,7 +17,13 @@ from memorymaze.errors import StudyError
 from memorymaze.instructions.records import Episode
 from memorymaze.pages.live_process import LiveProcess, ProcessLost, prepare_processes
 from memorymaze.studies.follow.texts import TextsToFollow
-from memorymaze.studies.follow.walk import COMMANDS, Ended, RobotToDrive, Said, Seen
+from memorymaze.studies.follow.walk import (
+    COMMANDS,
+    Ended,
+    RobotToDrive,
+    Said,
+    SeenOnWalk,
+)
 from memorymaze.studies.schedule import steps_of
 from memorymaze.studies.store import Participant, SentAnswer, Store, Taken
 
@@ -63,7 +69,7 @@ class _Live:
     """A process, and what it said last."""
 
     process: LiveProcess | None = None
-    seen: Seen | None = None
+    seen: SeenOnWalk | None = None
     ended: bool = False
     lost: str = ""
     used: float = 0.0
@@ -72,7 +78,7 @@ class _Live:
     def hear(self, message: object) -> None:
         """Take what the process says, in its own thread."""
         with self.changed:
-            if isinstance(message, Seen):
+            if isinstance(message, SeenOnWalk):
                 self.seen = message
             elif isinstance(message, Ended):
                 self.ended = True
@@ -80,7 +86,7 @@ class _Live:
                 self.lost = self.lost or str(message)
             self.changed.notify_all()
 
-    def wait(self, done: int) -> Seen | None:
+    def wait(self, done: int) -> SeenOnWalk | None:
         """Return what is seen after some commands; None where the walk is over."""
         with self.changed:
             self.changed.wait_for(lambda: self._has(done), LONGEST_WAIT)
@@ -206,7 +212,7 @@ class Drives:
         self._store.add_answer(who.id, step, taken.text, taken.shown, state=state)
 
     def _shown(
-        self, who: Participant, step: str, seen: Seen | None, *, last: bool
+        self, who: Participant, step: str, seen: SeenOnWalk | None, *, last: bool
     ) -> dict[str, Any]:
         if seen is None:
             self._keep_as_over(who, step)

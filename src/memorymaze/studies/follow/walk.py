@@ -116,7 +116,7 @@ def walk_again(
     return run_episode(people, episode, arena, settings)
 
 
-class Seen(NamedTuple):
+class SeenOnWalk(NamedTuple):
     """What a driver is shown after a command."""
 
     done: int
@@ -138,7 +138,7 @@ class Ended(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class RobotToDrive:
-    """The process of a walk that goes on; it is told commands and tells `Seen`."""
+    """The process of a walk that goes on; it is told commands and tells `SeenOnWalk`."""
 
     site: Site
     episode: Episode
@@ -194,7 +194,9 @@ class _Driver:
                 self._frames.append(seen_ahead(self._robot))
             frames = tuple(self._frames)
             place = (self._drawn_at.x, self._drawn_at.y)
-            self._connection.send(Seen(done, frames, self._metres, place, self._answer))
+            self._connection.send(
+                SeenOnWalk(done, frames, self._metres, place, self._answer)
+            )
             self._frames.clear()
             command = self._connection.recv()
             done += 1

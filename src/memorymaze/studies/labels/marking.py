@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from memorymaze.collection.labels import KINDS, NO_WAY
+from memorymaze.collection.labels import LABEL_KINDS, NO_WAY
 from memorymaze.collection.questions import read_kind, read_way, way_in_words
 from memorymaze.drawing.shapes import ROUTE_COLORS
 from memorymaze.drawing.svg import path_data, plan_frame
@@ -76,7 +76,7 @@ def plan_view(site: Site, route: str) -> dict[str, Any]:
         "frame": plan_frame(site),
         "places": places,
         "things": list(_things(site)),
-        "kinds": KINDS,
+        "kinds": LABEL_KINDS,
         "most": MOST_FAILURES,
         "ways": [
             (
