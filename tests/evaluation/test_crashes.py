@@ -1,7 +1,7 @@
 from collections.abc import Callable
 from pathlib import Path
 
-from memorymaze.evaluation.crashes import crash_lines
+from memorymaze.evaluation.in_words import crash_lines
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import RunRecord, open_run_folder, read_run
 from memorymaze.evaluation.trace import trace_content

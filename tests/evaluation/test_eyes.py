@@ -7,7 +7,8 @@ import pytest
 
 from memorymaze.errors import DetectorError, SettingsError
 from memorymaze.evaluation.arena import Arena
-from memorymaze.evaluation.eyes import eyes_notes, looks_of_run
+from memorymaze.evaluation.eyes import looks_of_run
+from memorymaze.evaluation.in_words import sense_notes
 from memorymaze.evaluation.navigation import navigate
 from memorymaze.evaluation.plan import plan_run
 from memorymaze.evaluation.settings import AgentSettings, RunSettings
@@ -82,13 +83,13 @@ def test_eyes_that_cannot_be_had_are_found_out_before_the_run(tmp_path: Path):
 
 def test_notes_say_which_eyes_a_run_had():
     plan = plan_run(AgentSettings("stop"), settings=RunSettings(limit=1))
-    assert eyes_notes(plan.settings) == []
+    assert not [*sense_notes(plan.settings)]
 
     wrong = plan_run(
         AgentSettings("stop"),
         settings=RunSettings(limit=1, detector=parse_detector("truth:miss=0.3")),
     )
-    [note] = eyes_notes(wrong.settings)
+    [note] = sense_notes(wrong.settings)
     assert "DETECTOR truth:miss=0.3" in note
 
 

@@ -10,11 +10,12 @@ import pytest
 
 from memorymaze.errors import RunFolderError
 from memorymaze.evaluation.driver import run_plan
+from memorymaze.evaluation.in_words import result_lines
 from memorymaze.evaluation.plan import RunPlan
 from memorymaze.evaluation.results import EpisodeResult, result_from_line
 from memorymaze.evaluation.run_folder import RunRecord, open_run_folder, read_run
 from memorymaze.evaluation.settings import RunDefinition, differences
-from memorymaze.evaluation.summary import summarise, summary_lines
+from memorymaze.evaluation.summary import summarise
 from memorymaze.evaluation.trace import read_trace
 from memorymaze.evaluation.trace_entries import PeopleEntry, ThingsEntry
 from memorymaze.results.tables import load_runs, run_tables
@@ -114,6 +115,6 @@ def test_tables_and_summaries_show_the_track_and_how_safe_it_was(
     assert ",obstacles,10,1.0,2,5,2.0,1.0,3.0,2.0" in csv.replace("10.0", "10")
     assert ",default," in csv
     assert summarise(results, busy)["track"] == "obstacles"
-    assert "3.00 near misses" in "\n".join(summary_lines(summarise(results, busy)))
-    plain = "\n".join(summary_lines(summarise(results, settings)))
+    assert "3.00 near misses" in "\n".join(result_lines(busy, results))
+    plain = "\n".join(result_lines(settings, results))
     assert "near misses" not in plain

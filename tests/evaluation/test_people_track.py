@@ -11,11 +11,11 @@ import memorymaze as mm
 from memorymaze.errors import RunFolderError, SettingsError
 from memorymaze.evaluation.driver import run_plan
 from memorymaze.evaluation.estimates import cost_estimate, said_beforehand
+from memorymaze.evaluation.in_words import result_lines
 from memorymaze.evaluation.plan import RunPlan, plan_run
 from memorymaze.evaluation.results import EpisodeResult, result_from_line
 from memorymaze.evaluation.run_folder import RunRecord, open_run_folder, read_run
 from memorymaze.evaluation.settings import AgentSettings, RunDefinition, RunSettings
-from memorymaze.evaluation.summary import summarise, summary_lines
 from memorymaze.evaluation.trace import read_trace
 from memorymaze.evaluation.trace_entries import OpeningEntry
 from memorymaze.instructions import Corpus
@@ -243,7 +243,7 @@ def test_a_run_with_a_model_in_role_tells_what_its_words_cost(
     asked = sum(each.questions for each in results)
     assert asked > 0
     assert sum(each.strangers_tokens for each in results) == 212 * asked
-    lines = "\n".join(summary_lines(summarise(results, plan.settings)))
+    lines = "\n".join(result_lines(plan.settings, results))
     assert "passers-by's words by a language model" in lines
     assert any("A LANGUAGE MODEL" in line for line in said_beforehand(plan))
 
@@ -289,6 +289,6 @@ def test_tables_and_summaries_tell_the_track(
     text = " ".join(run_tables([loaded])[0].text().split())
     assert "TRACK WITH PEOPLE ONE CAN ASK" in text
     assert "ALL OF WHOM ANSWER WRONGLY" in text
-    lines = "\n".join(summary_lines(summarise(results, chosen)))
+    lines = "\n".join(result_lines(chosen, results))
     assert "1 question answered, 1 of them wrongly" in lines
     assert "strangers stand 8.0 s" in lines

@@ -2,9 +2,10 @@ from collections.abc import Callable
 
 import pytest
 
+from memorymaze.evaluation.in_words import result_lines
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.settings import RunDefinition
-from memorymaze.evaluation.summary import summarise, summary_lines
+from memorymaze.evaluation.summary import CollisionRates, collision_rates, summarise
 
 Make = Callable[..., EpisodeResult]
 
@@ -31,8 +32,8 @@ def test_the_lines_say_who_wrote_the_instructions(
     result: Make, settings: RunDefinition
 ) -> None:
     results = [result("a-1"), result("b-1", model_calls=2, tokens=90, cost_usd=0.5)]
-    text = "\n".join(summary_lines(summarise(results, settings)))
-    assert "2 instructions written by a LANGUAGE MODEL, not by people" in text
+    text = "\n".join(result_lines(settings, results))
+    assert "2 written by a LANGUAGE MODEL, not by people" in text
     assert "2 calls, 90 tokens, 0.5000 USD" in text
 
 
@@ -45,9 +46,30 @@ def test_the_lines_say_what_went_wrong_most_often(
     ]
     summary = summarise(results, settings)
     assert summary["errors"] == {"often": 2, "rare": 1}
-    assert "3 ended with an error, 2 of them with: often" in summary_lines(summary)
+    assert "3 ended with an error, 2 of them with: often" in result_lines(
+        settings, results
+    )
 
 
 def test_no_results_are_an_error(settings: RunDefinition) -> None:
     with pytest.raises(ValueError, match="at least one result"):
         summarise([], settings)
+
+
+def test_rates_are_sums_over_sums_per_hundred_metres(result: Make) -> None:
+    results = [
+        result("a", path_length=50.0, collisions=2, person_collisions=1, waiting_s=3.0),
+        result("b", path_length=150.0, near_misses=5, waiting_s=0.0),
+    ]
+    assert collision_rates(results) == CollisionRates(1.0, 0.5, 2.5, 1.5)
+
+
+def test_who_does_not_drive_hits_nothing(result: Make) -> None:
+    assert collision_rates([result(path_length=0.0)]) == CollisionRates(
+        0.0, 0.0, 0.0, 0.0
+    )
+
+
+def test_there_are_no_rates_of_no_results() -> None:
+    with pytest.raises(ValueError, match="at least one"):
+        collision_rates([])

@@ -1,13 +1,16 @@
 import json
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
+import pandas
 import pytest
 
 import memorymaze as mm
 from memorymaze.cli.main import run_command_line
 from memorymaze.errors import RunFolderError, SettingsError
+from memorymaze.evaluation.results import EpisodeResult
 
 SCRIPT = """
 import memorymaze as mm
@@ -97,3 +100,21 @@ def test_comparing_takes_two_runs_that_are_there(tmp_path: Path) -> None:
         mm.compare(tmp_path)
     with pytest.raises(RunFolderError, match="expected a run folder"):
         mm.compare(tmp_path, tmp_path)
+
+
+def test_frames_of_runs_stand_below_each_other_with_typed_columns(
+    write: Callable[..., Path], result: Callable[..., EpisodeResult]
+) -> None:
+    folders = [
+        write("first", [result("a-1"), result("b-1", success=False)]),
+        write("second", [result("a-1", spd=7.5)]),
+    ]
+    frame = pandas.concat(mm.load_run(folder).frame() for folder in folders)
+    assert frame["run"].tolist() == ["first", "first", "second"]
+    assert frame.groupby("run")["success"].mean().to_dict() == {
+        "first": 0.5,
+        "second": 1.0,
+    }
+    assert frame["spd"].dtype.kind == "f"
+    assert frame["success"].dtype.kind == "b"
+    assert frame["model_calls"].dtype.kind == "i"

@@ -94,8 +94,7 @@ def _run(options: argparse.Namespace) -> int:
 
 
 def _run_one(options: argparse.Namespace) -> int:
-    from memorymaze.evaluation.crashes import crash_lines
-    from memorymaze.evaluation.summary import summarise, summary_lines
+    from memorymaze.evaluation.in_words import crash_lines, result_lines
     from memorymaze.library.runs import default_folder, evaluate
 
     out = Path(options.out or default_folder(options.agent))
@@ -116,7 +115,7 @@ def _run_one(options: argparse.Namespace) -> int:
         except KeyboardInterrupt:
             return _interrupted(out)
     print(f"run {run.folder}")
-    print("\n".join(summary_lines(summarise(run.results, run.record.settings))))
+    print("\n".join(result_lines(run.record.settings, run.results)))
     for line in crash_lines(run.folder, run.results, whole=options.debug):
         print(line, file=sys.stderr)
     shard = run.record.settings.shard
@@ -181,12 +180,11 @@ def _interrupted(out: Path) -> int:
 def _announce(workforce: "Workforce", plan: "RunPlan", out: Path) -> None:
     """Say what is to be run, and what that will ask and cost."""
     from memorymaze.evaluation.estimates import said_beforehand
+    from memorymaze.evaluation.in_words import budget_words
 
     print(
         f"{counted(len(plan.episodes), 'episode')} on {', '.join(plan.sites)}; "
-        f"{workforce}; "
-        f"time budget {plan.settings.time_budget_told}, call budget "
-        f"{plan.settings.simulation.call_budget}; into {out}",
+        f"{workforce}; {budget_words(plan.settings)}; into {out}",
         file=sys.stderr,
     )
     for line in said_beforehand(plan):

@@ -62,6 +62,7 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
 
 def _run(options: argparse.Namespace) -> int:
     import memorymaze as mm
+    from memorymaze.evaluation.in_words import amount_lines
     from memorymaze.evaluation.navigation import check_folder
     from memorymaze.evaluation.trace_entries import kept_traceback
 
@@ -101,29 +102,8 @@ def _run(options: argparse.Namespace) -> int:
         f"{result.path_length:.2f} m in {result.duration_s:.1f} s simulated, "
         f"{counted(result.collisions, 'collision')}, turns in order {result.turns_in_order:.2f}"
     )
-    if result.refused_turns:
-        print(
-            f"{counted(result.refused_turns, 'turn')} refused: the trace says why "
-            "(calls of turn with turned false)"
-        )
-    if settings.ask is not None:
-        print(
-            f"passers-by: {counted(result.questions, 'question')} answered, "
-            f"{result.wrong_answers} of them wrongly, "
-            f"{result.asked_in_vain} put to nobody; they stand {result.strangers_s:.1f} s"
-        )
-    if result.strangers_tokens:
-        print(
-            "passers-by's words by a language model: "
-            f"{counted(result.strangers_tokens, 'token')}, "
-            f"{result.strangers_cost_usd:.4f} USD"
-        )
-    if result.model_calls:
-        print(
-            f"language model: {counted(result.model_calls, 'call')}, {counted(result.tokens, 'token')}, "
-            f"{result.cost_usd:.4f} USD, {result.inference_s:.1f} s of inference; the "
-            f"user stands waiting {result.standing_s:.1f} s"
-        )
+    for line in amount_lines(settings, [result]):
+        print(line)
     for path in walk.save(folder):
         print(path)
     return 0

@@ -4,8 +4,8 @@ from collections.abc import Iterator
 
 from memorymaze.agents.agent import asking_of
 from memorymaze.evaluation.budgets import fair_limits, fewest_answers
+from memorymaze.evaluation.in_words import track_notes
 from memorymaze.evaluation.plan import RunPlan
-from memorymaze.evaluation.settings import people_to_ask, told_twice
 from memorymaze.language.model import CompletionRequest
 
 SECONDS_PER_ANSWER = 2.0
@@ -20,11 +20,7 @@ REPLY_TOKENS = 1000
 
 def said_beforehand(plan: RunPlan) -> Iterator[str]:
     """Yield what is worth knowing before a run begins, a line each."""
-    if plan.settings.second_telling:
-        yield told_twice(plan.settings)
-    asking = people_to_ask(plan.settings)
-    if asking is not None:
-        yield f"{asking}; things and people are as in medium unless --obstacles is given"
+    yield from track_notes(plan.settings)
     if plan.settings.answers is not None:
         yield str(plan.settings.answers)
     yield from filter(None, (answers_estimate(plan), cost_estimate(plan)))

@@ -2,7 +2,7 @@
 
 from memorymaze.agents.agent import Need
 from memorymaze.evaluation.settings import AgentSettings, RunSettings
-from memorymaze.perception.eyes import TRUTH, Eyes
+from memorymaze.perception.eyes import Eyes
 from memorymaze.pictures import Looks
 from memorymaze.pictures.furniture.models import check_looks
 
@@ -17,16 +17,6 @@ def checked_eyes(settings: RunSettings) -> Eyes:
         choose_backend()
     eyes.check()
     return eyes
-
-
-def eyes_notes(settings: RunSettings) -> list[str]:
-    """Say with which eyes a run was made, where they are not those that know it all."""
-    notes: list[str] = []
-    if settings.detector != TRUTH:
-        notes.append(f"DETECTOR {settings.detector}, not the one that knows the truth.")
-    if settings.signs != "truth":
-        notes.append(f"SIGNS READ BY {settings.signs.upper()} from pictures.")
-    return notes
 
 
 def looks_of_run(

@@ -11,7 +11,9 @@ from numpy.typing import ArrayLike, NDArray
 from memorymaze.geometry.grid import FloorGrid
 from memorymaze.geometry.trajectory import Trajectory
 from memorymaze.instructions.records import Episode
+from memorymaze.metrics import turns
 from memorymaze.metrics.score import MetricValues, score_walk
+from memorymaze.metrics.turns import TurnAtPlace
 from memorymaze.sites import Route, Site
 
 Shown = Literal["paper", "compared", "spread", "episode", "costs"]
@@ -88,3 +90,24 @@ class Measure:
     def title(self) -> str:
         """What stands above a part of a page about it."""
         return f"{self.short}: {self.meaning}"
+
+
+def site_turns_taken(site: Site, walk: Trajectory) -> list[TurnAtPlace]:
+    """Return the turns of a walk in the site's turning points, in their order.
+
+    See `metrics.turns` for what a turn is.
+    """
+    places = [(place.id, place.polygon) for place in site.turning_points]
+    return turns.turns_taken(places, walk)
+
+
+def route_turns_in_order(site: Site, route: Route, walk: Trajectory) -> float:
+    """Return the share of a route's turns that a walk took, in their order.
+
+    Slight and sharp turns count as left or right. 1 for a route without turns.
+    """
+    wanted = [
+        TurnAtPlace(turn.at, "left" if turn.direction.endswith("left") else "right")
+        for turn in route.turns
+    ]
+    return turns.turns_in_order(wanted, site_turns_taken(site, walk))

@@ -17,7 +17,7 @@ from memorymaze.evaluation.agent_catalogue import AgentChoice, choose_agent
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.episode import EpisodeRun, Watcher, run_episode
 from memorymaze.evaluation.eyes import checked_eyes
-from memorymaze.evaluation.outcomes import outcome_line
+from memorymaze.evaluation.in_words import outcome_line
 from memorymaze.evaluation.people_to_ask import check_people, model_of_people
 from memorymaze.evaluation.plan import define_run
 from memorymaze.evaluation.settings import RunSettings

@@ -7,8 +7,7 @@ from typing import Annotated, Any, Literal, get_type_hints
 from pydantic import FiniteFloat, TypeAdapter, ValidationError
 
 from memorymaze.errors import RunFolderError
-from memorymaze.evaluation.measures import FinishedWalk, Measure
-from memorymaze.evaluation.turns import route_turns_in_order
+from memorymaze.evaluation.measures import FinishedWalk, Measure, route_turns_in_order
 from memorymaze.instructions.records import Followers
 
 StoppedBy = Literal["agent", "budget", "stuck", "crash", "unsafe", "model_error"]

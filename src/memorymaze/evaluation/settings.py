@@ -267,14 +267,6 @@ class RunDefinition(RunSettings):
         """Whether each episode has the time that its own way takes."""
         return self.time_budget is None and self.budget_by == "way"
 
-    @property
-    def time_budget_told(self) -> str:
-        """How long an episode may take, in words."""
-        most = f"{self.simulation.time_budget:g} s"
-        if not self.scales_budget:
-            return most
-        return f"3 times a perfect walk of the way described (at most {most})"
-
 
 NOT_COMPARED = {
     "time_budget",
@@ -318,38 +310,6 @@ def differences(old: RunDefinition, new: RunDefinition) -> list[Difference]:
         if name not in not_compared
         and before.get((kind, name)) != after.get((kind, name))
     ]
-
-
-def people_to_ask(settings: RunDefinition) -> str | None:
-    """Say how many questions may be asked, and of whom; None in other tracks."""
-    if settings.ask is None or settings.obstacles is None:
-        return None
-    kinds = {
-        "memory": "who answer from memory",
-        "wrong": "ALL OF WHOM ANSWER WRONGLY",
-        "empty": "NONE OF WHOM KNOWS ANYTHING",
-        "model": "whose words A LANGUAGE MODEL MAKES from what they remember: "
-        f"{settings.agent.language_model.model or 'one whose replies were recorded'}",
-    }
-    return (
-        f"the destination's name is told, and {counted(settings.ask, 'question')} an "
-        f"episode may be put to people one meets, {kinds[settings.passers_by]}"
-    )
-
-
-def told_twice(settings: RunDefinition) -> str:
-    """Say what a run with both tellings hands over, and what it leaves out."""
-    left_out = counted(settings.told_once, "text")
-    return f"both tellings of each person as one text; told only once, left out: {left_out}"
-
-
-def agent_version(settings: RunDefinition) -> str | None:
-    """Say which files and options an agent of a user's own has; None for all others."""
-    if not settings.agent_files:
-        return None
-    files = ", ".join(f"{f.name} {f.sha256[:12]}" for f in settings.agent_files)
-    options = ", ".join(f"{name} {value}" for name, value in settings.option_values)
-    return f"agent files {files}{f'; options {options}' if options else ''}"
 
 
 def _flat(

@@ -1,16 +1,30 @@
-"""The numbers of a whole run, for `summary.json` and the end of `evaluate`."""
+"""The numbers of a whole run, for `summary.json`, tables and what is said of it."""
 
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import asdict
+from dataclasses import asdict, dataclass
 from statistics import fmean
 from typing import Any
 
-from memorymaze.evaluation.collision_rates import collision_rates
 from memorymaze.evaluation.results import MEASURES, EpisodeResult
 from memorymaze.evaluation.settings import RunDefinition
-from memorymaze.instructions.records import WRITTEN_BY
-from memorymaze.wording import counted
+
+PER_DISTANCE = ("collisions", "person_collisions", "near_misses")
+"""Counts that are told per 100 m driven."""
+
+
+@dataclass(frozen=True, slots=True)
+class CollisionRates:
+    """Rates over some episodes."""
+
+    collisions: float
+    """Per 100 m driven, with people as well."""
+    person_collisions: float
+    """Of those the ones with people, per 100 m driven."""
+    near_misses: float
+    """Per 100 m driven."""
+    waiting_s: float
+    """Simulated seconds of waiting for people, mean over episodes."""
 
 
 def summarise(
@@ -54,70 +68,6 @@ def summarise(
     }
 
 
-def summary_lines(summary: dict[str, Any]) -> list[str]:
-    """Say the main numbers of a summary in a few lines."""
-    mean, total = summary["mean"], summary["sum"]
-    written = ", ".join(
-        f"{count if index else counted(count, 'instruction')} written by "
-        f"{WRITTEN_BY[source]}"
-        for index, (source, count) in enumerate(
-            summary["instructions_written_by"].items()
-        )
-    )
-    ends = ", ".join(f"{how} {n}" for how, n in summary["stopped_by"].items())
-    lines = [
-        f"{counted(summary['episodes'], 'episode')}; {written}",
-        f"success {mean['success']:.3f}, oracle success {mean['oracle_success']:.3f}, "
-        f"SPD {mean['spd']:.2f} m, CLS {mean['cls']:.3f} (means over episodes)",
-        f"stopped by: {ends}; collisions: {total['collisions']}",
-    ]
-    if total["refused_turns"]:
-        lines.append(
-            f"{counted(total['refused_turns'], 'turn')} refused: no way lay in that "
-            "direction, or it was none (calls of turn with turned false, in the traces)"
-        )
-    if summary["errors"]:
-        error, count = next(iter(summary["errors"].items()))
-        failed = sum(summary["errors"].values())
-        lines.append(f"{failed} ended with an error, {count} of them with: {error}")
-    if summary["turning_points"] == "lidar":
-        lines.append("turning points by LiDAR, not from the site plan")
-    if summary["detector"] != "truth":
-        lines.append(
-            f"detector {summary['detector']}, not the one that knows the truth"
-        )
-    if summary["signs"] != "truth":
-        lines.append(f"signs read by {summary['signs'].upper()} from pictures")
-    if summary["track"] != "default":
-        rates = summary["safety"]
-        lines.append(
-            f"with obstacles, per 100 m driven: {rates['collisions']:.3f} collisions, "
-            f"{rates['person_collisions']:.3f} of them with people, "
-            f"{rates['near_misses']:.2f} near misses; waiting "
-            f"{rates['waiting_s']:.1f} s per episode"
-        )
-    if summary["track"] == "people":
-        lines.append(
-            f"passers-by: {counted(total['questions'], 'question')} answered, "
-            f"{total['wrong_answers']} of them wrongly, {total['asked_in_vain']} put to "
-            f"nobody; strangers stand {mean['strangers_s']:.1f} s per episode"
-        )
-    if total["strangers_tokens"]:
-        lines.append(
-            "passers-by's words by a language model: "
-            f"{counted(total['strangers_tokens'], 'token')}, "
-            f"{total['strangers_cost_usd']:.4f} USD, apart from the agent's"
-        )
-    if total["model_calls"]:
-        lines.append(
-            f"language model: {counted(total['model_calls'], 'call')}, "
-            f"{counted(total['tokens'], 'token')}, "
-            f"{total['cost_usd']:.4f} USD, {total['inference_s']:.1f} s of inference; the "
-            f"user stands waiting {mean['standing_s']:.1f} s per episode"
-        )
-    return lines
-
-
 def _means(results: Sequence[EpisodeResult]) -> dict[str, float | None]:
     """Return the mean of every measure; None for one that not all results have."""
     if not results:
@@ -127,3 +77,15 @@ def _means(results: Sequence[EpisodeResult]) -> dict[str, float | None]:
         values = [getattr(result, measure.field) for result in results]
         means[measure.field] = None if None in values else fmean(values)
     return means
+
+
+def collision_rates(results: Sequence[EpisodeResult]) -> CollisionRates:
+    """Return how safe episodes were; rates are sums over sums, and 0 without driving."""
+    if not results:
+        raise ValueError("expected at least one result")
+    driven = sum(each.path_length for each in results)
+    rates = [
+        100 * sum(getattr(each, name) for each in results) / driven if driven else 0.0
+        for name in PER_DISTANCE
+    ]
+    return CollisionRates(*rates, waiting_s=fmean(each.waiting_s for each in results))

@@ -1,7 +1,7 @@
 """Runs of agents over corpora, read back, shown and compared."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import asdict, dataclass, field
 from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any
 from memorymaze.errors import SettingsError
 from memorymaze.evaluation.agent_catalogue import AgentChoice
 from memorymaze.evaluation.driver import run_plan
-from memorymaze.evaluation.frames import results_frame
 from memorymaze.evaluation.named_settings import with_choices
 from memorymaze.evaluation.plan import RunPlan, plan_run, settings_for
 from memorymaze.evaluation.results import EpisodeResult
@@ -68,7 +67,10 @@ class Run:
 
     def frame(self) -> "pandas.DataFrame":
         """Return the results, a row an episode."""
-        return results_frame([(self.measured.name, self.results)])
+        import pandas
+
+        rows = [{"run": self.measured.name, **asdict(each)} for each in self.results]
+        return pandas.DataFrame(rows)
 
     def plot(self) -> "Figure":
         """Draw the success rate of every route, with intervals."""

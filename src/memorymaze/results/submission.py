@@ -7,13 +7,13 @@ from pathlib import Path
 from memorymaze.errors import RunFolderError, UndefinedMetricError
 from memorymaze.evaluation.arena import Arena
 from memorymaze.evaluation.budgets import time_budget_for
+from memorymaze.evaluation.in_words import agent_version
 from memorymaze.evaluation.results import MEASURES, EpisodeResult, measure_walk
 from memorymaze.evaluation.run_folder import RunRecord, read_run
 from memorymaze.evaluation.settings import (
     RunDefinition,
     RunSettings,
     Track,
-    agent_version,
     differences,
 )
 from memorymaze.evaluation.trace import read_trace

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from memorymaze.drawing.plan_picture import draw_plan
-from memorymaze.evaluation.outcomes import outcome_line, source_line
+from memorymaze.evaluation.in_words import outcome_line, source_line
 from memorymaze.pictures.films.video_file import (
     check_picture,
     check_ranges,

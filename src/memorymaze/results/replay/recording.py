@@ -23,7 +23,7 @@ from memorymaze.drawing.shapes import (
 )
 from memorymaze.durable_files import replaced_when_whole
 from memorymaze.errors import SettingsError
-from memorymaze.evaluation.outcomes import outcome_line, source_line
+from memorymaze.evaluation.in_words import outcome_line, source_line
 from memorymaze.evaluation.trace_entries import ThingsEntry
 from memorymaze.extras import require_extra
 from memorymaze.pictures.films.video_file import check_target, progress_bar

@@ -12,7 +12,7 @@ import numpy as np
 from shapely import LineString, get_coordinates
 
 from memorymaze.drawing.svg import path_data, simplified
-from memorymaze.evaluation.outcomes import Outcome, ending_words, outcome_of
+from memorymaze.evaluation.in_words import Outcome, ending_words, outcome_of
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.geometry.trajectory import TimedPose, Trajectory
 from memorymaze.instructions.records import WRITTEN_BY, Instruction

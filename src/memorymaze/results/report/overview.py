@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 
 from memorymaze.errors import RunFolderError
+from memorymaze.evaluation.in_words import ENDINGS, GAVE_UP, ending_words, outcome_of
 from memorymaze.evaluation.measures import Measure
-from memorymaze.evaluation.outcomes import ENDINGS, GAVE_UP, ending_words, outcome_of
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import RunRecord
 from memorymaze.instructions.records import WRITTEN_BY, Failure, Instruction

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from memorymaze.drawing.svg import svg_number
-from memorymaze.evaluation.outcomes import OUTCOMES, ending_words, outcome_of
+from memorymaze.evaluation.in_words import OUTCOMES, ending_words, outcome_of
 from memorymaze.results.tables import (
     PAPER_MEASURES,
     TablePlace,

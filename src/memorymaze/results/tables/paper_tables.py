@@ -6,8 +6,8 @@ from functools import partial
 from statistics import fmean
 from typing import Any
 
-from memorymaze.evaluation.collision_rates import PER_DISTANCE, collision_rates
 from memorymaze.evaluation.results import EpisodeResult
+from memorymaze.evaluation.summary import PER_DISTANCE, collision_rates
 from memorymaze.instructions.published import (
     PUBLISHED_MEASURES,
     PublishedResult,

@@ -13,8 +13,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from memorymaze.errors import RunFolderError
+from memorymaze.evaluation.in_words import agent_version
 from memorymaze.evaluation.results import EpisodeResult
-from memorymaze.evaluation.settings import agent_version, differences
+from memorymaze.evaluation.settings import differences
 from memorymaze.metrics.paired import sign_flip_test
 from memorymaze.results.tables.measures import (
     Quantity,

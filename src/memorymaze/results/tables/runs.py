@@ -7,15 +7,20 @@ from pathlib import Path
 from typing import NamedTuple
 
 from memorymaze.errors import RunFolderError
-from memorymaze.evaluation.collision_rates import collision_rates
-from memorymaze.evaluation.eyes import eyes_notes
+from memorymaze.evaluation.in_words import (
+    agent_version,
+    budget_words,
+    followed_words,
+    method_label,
+    model_notes,
+    part_notes,
+    safety_words,
+    sense_notes,
+    track_notes,
+)
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import RunRecord, read_run
-from memorymaze.evaluation.settings import agent_version, people_to_ask, told_twice
 from memorymaze.instructions.published import PublishedResult, published_tables
-from memorymaze.instructions.records import WRITTEN_BY
-from memorymaze.perception.eyes import TRUTH
-from memorymaze.simulation.obstacles import ObstacleSettings
 from memorymaze.tables import Column, Row
 from memorymaze.wording import counted
 
@@ -28,12 +33,6 @@ STUDY_TITLES = {
 
 MOST_ROUTES = 24
 """Routes of a study that are shown one by one; of more, such as SAIL's, the mean alone."""
-
-LOOKS = {
-    "own": "things as memorymaze makes them itself",
-    "models": "furniture models of Sweet Home 3D (docs/assets.md)",
-    "mesh": "meshes beside the plans (docs/importing.md)",
-}
 
 
 class TablePlace(NamedTuple):
@@ -79,13 +78,15 @@ def load_runs(
         RunFolderError: A folder is no run, or has no result to show.
     """
     read = [(Path(folder), *read_run(folder)) for folder in folders]
-    labels = Counter(_label(record, results) for _, record, results in read)
+    labels = Counter(
+        method_label(record.settings, results) for _, record, results in read
+    )
     runs: list[MeasuredRun] = []
     for folder, record, results in read:
         shown = [r for r in results if not (exclude_dev and r.split == "dev")]
         if not shown:
             raise RunFolderError(f"{folder}: has no results to show yet")
-        label = _label(record, results)
+        label = method_label(record.settings, results)
         name = folder.resolve().name
         runs.append(
             MeasuredRun(
@@ -183,70 +184,30 @@ def place_fields(places: Sequence[TablePlace], *, is_mean: bool) -> dict[str, st
 
 def run_notes(run: MeasuredRun) -> list[str]:
     """Say how a run came about: settings, budgets, who wrote the instructions."""
-    settings = run.record.settings
-    counts = Counter(result.source for result in run.results)
-    written = "; ".join(
-        f"{count} written by {WRITTEN_BY[source]}" for source, count in counts.items()
-    )
-    files = ", ".join(stamp.name for stamp in settings.instructions)
-    notes = [
-        f"{run.label}: run {run.name}, {counted(len(run.results), 'episode')}; instructions "
-        f"({files}): {written}.",
-        f"success distance {settings.success_distance:g} m, time budget "
-        f"{settings.time_budget_told}, call budget "
-        f"{settings.simulation.call_budget}, seed {settings.seed}, memorymaze "
-        f"{_code(run)}",
-    ]
-    if settings.second_telling:
-        notes.append(f"TOLD TWICE: {told_twice(settings)}.")
-    if settings.simulation.turning_points == "lidar":
-        notes.append(
-            "TURNING POINTS BY LIDAR (scans and odometry), not from the site plan."
-        )
-    if settings.looks is not None:
-        notes.append(f"cameras show {LOOKS[settings.looks]}")
-    notes += eyes_notes(settings)
-    asking = people_to_ask(settings)
-    if asking is not None:
-        notes.append(f"TRACK WITH PEOPLE ONE CAN ASK: {asking}.")
-    if settings.obstacles is not None:
-        notes += _obstacle_notes(settings.obstacles, run.results)
+    settings, results = run.record.settings, run.results
     version = agent_version(settings)
-    if version is not None:
-        notes.append(version)
-    if settings.agent.language_model.model is not None:
-        notes.append(f"language model {settings.agent.language_model.model}")
-    if settings.answers is not None:
-        known = any(result.inference_s for result in run.results)
-        unknown = "; how long their model took is not known and counted as 0 s"
-        notes.append(f"{settings.answers}{'' if known else unknown}")
-    if run.asked_a_model:
-        notes.append(settings.agent.language_model.inference_time.described)
-        price = settings.agent.language_model.price
-        if price is not None:
-            notes.append(
-                f"prices as given: {price.prompt:g} US$ per million tokens read, "
-                f"{price.completion:g} written"
-            )
+    development = sum(each.split == "dev" for each in results)
+    notes = [
+        f"{run.label}: run {run.name}, {followed_words(settings, results)}.",
+        f"success distance {settings.success_distance:g} m, {budget_words(settings)}, seed "
+        f"{settings.seed}, memorymaze {_code(run)}",
+        *track_notes(settings),
+        *sense_notes(settings),
+        *([safety_words(results)] if settings.obstacles is not None else []),
+        *([version] if version is not None else []),
+        *model_notes(settings, results),
+    ]
     if run.left_out:
         notes.append(
             f"without {counted(run.left_out, 'episode')} on development texts "
             "(--exclude-dev)."
         )
-    development = sum(each.split == "dev" for each in run.results)
     if development:
         notes.append(
             f"with {counted(development, 'episode')} on development texts (split dev); "
             "--exclude-dev leaves such out."
         )
-    if settings.split is not None:
-        notes.append(f"only instructions of the split {settings.split}.")
-    if settings.limit is not None:
-        notes.append(f"A SAMPLE of {counted(settings.episodes, 'episode')} (--limit).")
-    if settings.shard is not None:
-        notes.append(
-            f"ONLY SHARD {settings.shard} of a run; the folder that it lies in is the whole."
-        )
+    notes += part_notes(settings)
     if run.missing:
         notes.append(
             f"INCOMPLETE: {run.missing} of {counted(settings.episodes, 'episode')} "
@@ -255,47 +216,9 @@ def run_notes(run: MeasuredRun) -> list[str]:
     return notes
 
 
-def _obstacle_notes(
-    obstacles: ObstacleSettings, results: Sequence[EpisodeResult]
-) -> list[str]:
-    """Say that a run is of the obstacle track, and how safely the robot drove."""
-    given = obstacles.people
-    number = obstacles.people_per_100m2 if given is None else given
-    crowd = f"{number:g} {'person' if number == 1 else 'people'}"
-    crowd += " per 100 m2" if given is None else ""
-    found = collision_rates(results)
-    return [
-        "TRACK WITH OBSTACLES AND PEOPLE, not comparable with runs without: "
-        f"{obstacles.things_per_100m:g} things per 100 m, {crowd}, obstacle seed "
-        f"{obstacles.seed}.",
-        f"per 100 m driven: {found.collisions:.3f} collisions, "
-        f"{found.person_collisions:.3f} of them with people, {found.near_misses:.2f} "
-        f"near misses; waiting {found.waiting_s:.1f} s per episode.",
-    ]
-
-
 def _code(run: MeasuredRun) -> str:
     code = run.record.code
     if code.commit is None:
         return code.version
     edited = "+" if code.commit.endswith("+") else ""
     return f"{code.version} ({code.commit[:12]}{edited})"
-
-
-def _label(record: RunRecord, results: Iterable[EpisodeResult]) -> str:
-    names = {result.agent for result in results}
-    name = ", ".join(sorted(names)) or record.settings.agent.name
-    if record.settings.simulation.turning_points == "lidar":
-        name += ", turning points by LiDAR"
-    if record.settings.detector != TRUTH:
-        name += f", {record.settings.detector.short_name}"
-    if record.settings.signs != "truth":
-        name += f", signs by {record.settings.signs.upper()}"
-    if record.settings.second_telling:
-        name += ", told twice"
-    if record.settings.ask is not None:
-        name += f", up to {counted(record.settings.ask, 'question')}"
-        if record.settings.passers_by != "memory":
-            name += f" ({record.settings.passers_by} answers)"
-        return name
-    return name if record.settings.obstacles is None else f"{name}, with obstacles"

@@ -3,7 +3,7 @@ from typing import get_args
 
 import pytest
 
-from memorymaze.evaluation.outcomes import (
+from memorymaze.evaluation.in_words import (
     OUTCOMES,
     ending_words,
     outcome_line,
