@@ -35,7 +35,12 @@ def test_leaderboard_says_who_was_refused_and_why(
     run.rename(run.parent / "runs" / "mine")
     (run.parent / "runs" / "other").mkdir()
     said = memorymaze(
-        "leaderboard", run.parent / "runs", "--out", tmp_path / "out", *tiny_files
+        "runs",
+        "leaderboard",
+        run.parent / "runs",
+        "--out",
+        tmp_path / "out",
+        *tiny_files,
     )
     assert said.code == 0
     assert "other: refused: " in said.err
@@ -47,8 +52,12 @@ def test_leaderboard_says_who_was_refused_and_why(
     [
         pytest.param(["report"], id="no run"),
         pytest.param(["report", "x"], id="nowhere to write"),
-        pytest.param(["leaderboard", "x"], id="nowhere to write the leaderboard"),
-        pytest.param(["leaderboard", "/nowhere", "--out", "y"], id="no such folder"),
+        pytest.param(
+            ["runs", "leaderboard", "x"], id="nowhere to write the leaderboard"
+        ),
+        pytest.param(
+            ["runs", "leaderboard", "/nowhere", "--out", "y"], id="no such folder"
+        ),
     ],
 )
 def test_wrong_usage_is_told_without_a_traceback(

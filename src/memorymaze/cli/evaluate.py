@@ -59,7 +59,7 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--resume",
         action="store_true",
-        help="finish the run in --out, or begin it where there is none",
+        help="finish the run in --out, or begin it",
     )
     parser.add_argument(
         "--workers",
@@ -71,7 +71,7 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--ray",
         metavar="ADDRESS",
-        help="workers on a Ray cluster at this address (docs/scaling.md)",
+        help="workers on a Ray cluster (docs/scaling.md)",
     )
     followed = parser.add_argument_group("what is followed")
     add_corpus_options(followed)

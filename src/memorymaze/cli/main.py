@@ -21,18 +21,16 @@ from memorymaze.cli import (
     doctor,
     evaluate,
     instructions,
-    leaderboard,
     navigate,
     replay,
     report,
+    runs,
     score,
     settings,
     sites,
     study,
-    submit_check,
     table,
     try_page,
-    walkthrough,
 )
 from memorymaze.cli.verbs import VerbParser
 from memorymaze.errors import (
@@ -102,8 +100,7 @@ def command_line() -> argparse.ArgumentParser:
         table,
         compare,
         report,
-        submit_check,
-        leaderboard,
+        runs,
         score,
         instructions,
         sites,
@@ -112,7 +109,6 @@ def command_line() -> argparse.ArgumentParser:
         settings,
         answers,
         replay,
-        walkthrough,
         study,
         doctor,
     ):

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from memorymaze.cli.sites_edit import add_edit
 from memorymaze.cli.sites_export import add_export
+from memorymaze.cli.sites_film import add_film
 from memorymaze.cli.sites_import import add_import
 from memorymaze.cli.verbs import VerbParser, Verbs
 from memorymaze.wording import counted
@@ -22,9 +23,9 @@ def add_parser(verbs: Verbs) -> None:
     """Add the verb to the command line."""
     parser = verbs.add_parser(
         "sites",
-        help="list, begin, edit, make, import, export, check and draw site plans, and get "
+        help="list, begin, edit, make, import, export, check, draw and film site plans, and get "
         "models for them",
-        description="List, begin, edit, make, check and draw site plans "
+        description="List, begin, edit, make, check, draw and film site plans "
         "(docs/site_plans.md), import them from other formats (docs/importing.md) and "
         "export them (docs/exporting.md), and convert models for what stands in them "
         "(docs/assets.md).",
@@ -42,6 +43,7 @@ def add_parser(verbs: Verbs) -> None:
     _add_models(parts)
     add_import(parts)
     add_export(parts)
+    add_film(parts)
 
 
 def _add_list(verbs: Verbs) -> None:

@@ -75,7 +75,7 @@ class Measure:
     is_amount: bool = False
     """Whether summaries tell its sum as well."""
     is_rechecked: bool = True
-    """Whether `submit-check` finds it again in poses of whole millimetres."""
+    """Whether `runs check` finds it again in poses of whole millimetres."""
     name: str = ""
     """In the columns of tables; that of the field where it is not given."""
     field: str = ""

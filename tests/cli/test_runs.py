@@ -1,4 +1,4 @@
-"""`submit-check` and `leaderboard`, on a run of the tiny corpus."""
+"""`runs check` and `runs leaderboard`, on a run of the tiny corpus."""
 
 import json
 from collections.abc import Callable
@@ -27,9 +27,9 @@ def submitted(memorymaze: Memorymaze, tiny_files: list[str], tmp_path: Path) -> 
 def test_a_run_is_ready_or_its_problems_are_counted(
     memorymaze: Memorymaze, tiny_files: list[str], submitted: Path
 ) -> None:
-    said = memorymaze("submit-check", submitted / "stop", *tiny_files)
+    said = memorymaze("runs", "check", submitted / "stop", *tiny_files)
     assert (said.code, "ready, track default" in said.err) == (0, True)
-    said = memorymaze("submit-check", submitted / "edited", *tiny_files)
+    said = memorymaze("runs", "check", submitted / "edited", *tiny_files)
     assert said.code == 1
     assert "expected a run by committed code" in said.out
     assert "1 problem; it cannot stand on a leaderboard" in said.err
@@ -38,7 +38,14 @@ def test_a_run_is_ready_or_its_problems_are_counted(
 def test_a_leaderboard_names_what_it_refuses_and_ranks_the_rest(
     memorymaze: Memorymaze, tiny_files: list[str], submitted: Path, tmp_path: Path
 ) -> None:
-    command = ["leaderboard", submitted, *tiny_files, "--out", tmp_path / "board"]
+    command = [
+        "runs",
+        "leaderboard",
+        submitted,
+        *tiny_files,
+        "--out",
+        tmp_path / "board",
+    ]
     said = memorymaze(*command)
     assert (said.code, said.out) == (0, f"{tmp_path / 'board'}/index.html\n")
     assert "edited: refused: code: expected a run by committed code" in said.err
@@ -58,7 +65,9 @@ def test_what_is_no_leaderboard_is_not_overwritten(
     notes = tmp_path / "notes" / "index.html"
     notes.parent.mkdir()
     notes.write_text("mine", encoding="utf-8")
-    said = memorymaze("leaderboard", tmp_path, "--out", notes.parent, "--overwrite")
+    said = memorymaze(
+        "runs", "leaderboard", tmp_path, "--out", notes.parent, "--overwrite"
+    )
     assert (said.code, notes.read_text(encoding="utf-8")) == (2, "mine")
 
 
@@ -67,6 +76,8 @@ def test_a_folder_that_is_taken_is_refused_before_the_traces_are_read(
 ) -> None:
     (tmp_path / "board").mkdir()
     (tmp_path / "board" / "notes").write_text("mine", encoding="utf-8")
-    said = memorymaze("leaderboard", tmp_path / "none", "--out", tmp_path / "board")
+    said = memorymaze(
+        "runs", "leaderboard", tmp_path / "none", "--out", tmp_path / "board"
+    )
     assert said.code == 2
     assert "exists already; choose another name" in said.err

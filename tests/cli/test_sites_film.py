@@ -16,7 +16,7 @@ def test_the_film_of_a_route_is_where_it_says(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     said = memorymaze(
-        "walkthrough", tiny_sites_folder / "corridor.geojson", "R1", *SMALL
+        "sites", "film", tiny_sites_folder / "corridor.geojson", "R1", *SMALL
     )
     assert said.code == 0, said.err
     assert said.out == "walkthrough-corridor-R1.mp4: 2 s, 2 frames\n"
@@ -51,7 +51,7 @@ def test_wrong_input_gives_one_message_and_no_file(
     said: str,
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    done = memorymaze("walkthrough", *arguments)
+    done = memorymaze("sites", "film", *arguments)
     assert (done.code, done.out) == (2, "")
     assert said in done.err
     assert "Traceback" not in done.err

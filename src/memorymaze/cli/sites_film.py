@@ -1,4 +1,4 @@
-"""`memorymaze walkthrough`: the first-person video of a route."""
+"""`memorymaze sites film`: the first-person video of a route."""
 
 import argparse
 
@@ -6,13 +6,13 @@ from memorymaze.cli.replay import picture_size
 from memorymaze.cli.verbs import Verbs, add_site_and_route, file_stem
 
 
-def add_parser(verbs: Verbs) -> None:
-    """Add the verb to the command line."""
-    parser = verbs.add_parser(
-        "walkthrough",
+def add_film(actions: Verbs) -> None:
+    """Add the action to `memorymaze sites`."""
+    parser = actions.add_parser(
+        "film",
         help="make the first-person video of a route",
         description="Make the first-person video of a route, or a 360-degree one.",
-        epilog="example: memorymaze walkthrough museum_5f R1 --panorama --out R1.mp4",
+        epilog="example: memorymaze sites film museum_5f R1 --panorama --out R1.mp4",
     )
     add_site_and_route(parser)
     parser.add_argument(

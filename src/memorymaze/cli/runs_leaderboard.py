@@ -1,4 +1,4 @@
-"""`memorymaze leaderboard`: the page that ranks a folder of runs."""
+"""`memorymaze runs leaderboard`: the page that ranks a folder of runs."""
 
 import argparse
 import sys
@@ -12,15 +12,15 @@ from memorymaze.cli.verbs import (
 from memorymaze.wording import counted
 
 
-def add_parser(verbs: Verbs) -> None:
-    """Add the verb to the command line."""
-    parser = verbs.add_parser(
+def add_leaderboard(actions: Verbs) -> None:
+    """Add the action to `memorymaze runs`."""
+    parser = actions.add_parser(
         "leaderboard",
         help="make the page that ranks a folder of runs",
-        description="Look over every run folder in a folder as submit-check does, and "
+        description="Look over every run folder in a folder as `runs check` does, and "
         "make a static page that ranks those that can stand on a leaderboard, tracks "
         "apart, and says why the others cannot.",
-        epilog="example: memorymaze leaderboard submissions --out leaderboard",
+        epilog="example: memorymaze runs leaderboard submissions --out leaderboard",
     )
     parser.add_argument("folder", metavar="DIR", help="folder of run folders")
     add_new_folder(parser, "leaderboard")

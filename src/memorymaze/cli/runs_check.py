@@ -1,4 +1,4 @@
-"""`memorymaze submit-check`: whether a run can stand on a leaderboard."""
+"""`memorymaze runs check`: whether a run can stand on a leaderboard."""
 
 import argparse
 import sys
@@ -9,15 +9,15 @@ from memorymaze.wording import counted
 SHOWN = 20
 
 
-def add_parser(verbs: Verbs) -> None:
-    """Add the verb to the command line."""
-    parser = verbs.add_parser(
-        "submit-check",
+def add_check(actions: Verbs) -> None:
+    """Add the action to `memorymaze runs`."""
+    parser = actions.add_parser(
+        "check",
         help="check that a run can stand on a leaderboard",
         description="Check a run folder: every episode, default settings, committed "
         "code, and traces that give the same figures when they are scored again. Exit "
         "code 1 where it cannot stand on a leaderboard.",
-        epilog="example: memorymaze submit-check runs/rules",
+        epilog="example: memorymaze runs check runs/rules",
     )
     parser.add_argument("folder", metavar="RUN", help="run folder")
     add_leaderboard_options(parser)
