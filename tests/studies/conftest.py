@@ -12,6 +12,7 @@ import pytest
 
 from memorymaze.pictures.films.video_file import write_video
 from memorymaze.sites import load_site
+from memorymaze.studies.films import Films
 from memorymaze.studies.serving import Addresses, serving_study
 from memorymaze.studies.store import Store, open_store
 from memorymaze.studies.study_file import Study, StudyKind, load_study, new_study
@@ -78,7 +79,12 @@ def serve_study(film: Path) -> ServeStudy:
 
     @contextmanager
     def serve(study: Study) -> Iterator[Served]:
-        films = {each.route: film for each in study.design.routes}
+        films = None
+        if study.design.kind in {"online", "memory"}:
+            films = Films(study)
+            for path in films.paths.values():
+                path.parent.mkdir(exist_ok=True)
+                path.write_bytes(film.read_bytes())
         with (
             open_store(study) as store,
             serving_study(store, films) as addresses,

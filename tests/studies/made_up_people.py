@@ -67,7 +67,7 @@ def let_take_part(study: Study, count: int, seed: int = 0) -> Counter[str]:
     ends: Counter[str] = Counter()
     with (
         open_store(study, clock=clock.now) as store,
-        serving_study(store, {}, draws=False) as addresses,
+        serving_study(store, draws=False) as addresses,
     ):
         if study.design.kind == "onsite":
             entrance = addresses.experimenter

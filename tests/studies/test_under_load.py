@@ -32,7 +32,7 @@ from memorymaze.studies.store import open_store
 from memorymaze.studies.study_file import load_study
 from memorymaze.pages.web import wait_for_interrupt
 with open_store(load_study(sys.argv[1])) as store:
-    with serving_study(store, {}, port=int(sys.argv[2])):
+    with serving_study(store, port=int(sys.argv[2])):
         print("ready", flush=True)
         wait_for_interrupt()
 """

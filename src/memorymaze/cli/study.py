@@ -73,7 +73,7 @@ def _add_serve(actions: Verbs) -> None:
         help="show the pages of a study, until Ctrl-C",
         description="Show the pages of a study: to participants at one address, to the "
         "experimenter at another. On this machine only, unless --host says otherwise. "
-        "Videos that are missing are made first. Of the kind onsite, the experimenter's "
+        "Videos that are missing are made meanwhile. Of the kind onsite, the experimenter's "
         "tablet comes to --host; it records over https only (--tls).",
         epilog="example: memorymaze study serve my_study.toml --host 192.168.1.20 --tls",
     )
@@ -105,7 +105,7 @@ def _add_serve(actions: Verbs) -> None:
 def _serve(options: argparse.Namespace) -> int:
     check_can_serve("study serve")
     from memorymaze.pages.web import THIS_MACHINE, wait_for_interrupt
-    from memorymaze.studies.films import make_films
+    from memorymaze.studies.films import Films
     from memorymaze.studies.serving import serving_study
     from memorymaze.studies.store import open_store
     from memorymaze.studies.study_file import check_is_changed, load_study
@@ -120,7 +120,7 @@ def _serve(options: argparse.Namespace) -> int:
         certificate = local_certificate(study.path.with_suffix(".tls"), options.host)
     with open_store(study) as store:
         watched = study.design.kind in {"online", "memory"}
-        films = make_films(study) if watched else {}
+        films = Films(study) if watched else None
         with serving_study(
             store,
             films,

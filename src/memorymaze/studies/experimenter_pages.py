@@ -11,6 +11,7 @@ from starlette.routing import BaseRoute, Route
 
 from memorymaze.pages.entrance import Entrance
 from memorymaze.pages.web import Fields, posted, render
+from memorymaze.studies.films import Films
 from memorymaze.studies.participant_pages import cookie_name
 from memorymaze.studies.store import Participant, Store
 
@@ -18,9 +19,10 @@ from memorymaze.studies.store import Participant, Store
 class ExperimenterPages:
     """The pages of who runs a study."""
 
-    def __init__(self, store: Store, token: str) -> None:
-        """Take the answers' store, and what the printed address ends with."""
+    def __init__(self, store: Store, token: str, films: Films | None = None) -> None:
+        """Take the answers' store, what the printed address ends with, and videos."""
         self._store = store
+        self._films = films
         self.entrance = Entrance(
             token,
             cookie_name("experimenter", store),
@@ -55,11 +57,12 @@ class ExperimenterPages:
         return posted(checked)
 
     def _overview(self, request: Request, fields: Fields) -> Response:
-        store = self._store
+        store, films = self._store, self._films
         return self.show(
             request,
             "overview.html",
             progress=store.progress(),
+            films=[] if films is None else [films.state(r) for r in films.paths],
             quota=store.study.design.quota,
             participants=store.participants(),
             exports=store.exports(),

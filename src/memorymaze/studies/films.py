@@ -1,33 +1,148 @@
-"""The videos of a study: made once for each route, and kept beside the study file."""
+"""The videos of a study: made once for each route, while its pages are served already."""
 
 import json
+import math
 import sys
+import threading
+import time
+from collections.abc import Generator
+from contextlib import contextmanager
+from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
+from typing import Literal
 
 from memorymaze.pictures.films import WalkthroughSettings, film_walkthrough
+from memorymaze.pictures.rendering.open_gl import choose_backend
 from memorymaze.simulation.scene import build_scene
 from memorymaze.studies.study_file import RouteShown, Study
+from memorymaze.wording import counted
 
 
-def make_films(study: Study) -> dict[str, Path]:
-    """Return the video of each route; what is missing is made, with progress on stderr."""
-    films = {each.route: _film(study, each) for each in study.design.routes}
-    missing = {route: path for route, path in films.items() if not path.is_file()}
-    if not missing:
-        return films
-    scene = build_scene(study.site)
-    for number, (route, path) in enumerate(missing.items(), start=1):
-        print(
-            f"memorymaze: making the video of {route} ({number} of {len(missing)}), "
-            f"once; it is kept as {path}",
-            file=sys.stderr,
+@dataclass(frozen=True, slots=True)
+class FilmState:
+    """How far a video is."""
+
+    route: str
+    state: Literal["ready", "being made", "waiting", "failed"]
+    share: float = 0.0
+    """Of what is made of it, up to 1."""
+    seconds_left: float | None = None
+    """Until it is ready; None where nobody can tell."""
+    problem: str = ""
+    """Why it failed."""
+
+    @property
+    def left(self) -> str:
+        """The time left in words; empty where nobody can tell."""
+        if self.seconds_left is None:
+            return ""
+        if self.seconds_left < 60:
+            return "less than a minute"
+        return f"about {counted(math.ceil(self.seconds_left / 60), 'minute')}"
+
+
+class Films:
+    """The videos of a study: those that are there, and those that are being made."""
+
+    def __init__(self, study: Study) -> None:
+        """Look which videos are there.
+
+        Raises:
+            RenderingError: One is missing, and this machine cannot draw.
+        """
+        self._study = study
+        self.paths = {each.route: _film(study, each) for each in study.design.routes}
+        """Where the video of each route is, or will be."""
+        self._missing = [r for r, path in self.paths.items() if not path.is_file()]
+        self._metres = {r: study.route(r).line.length for r in self._missing}
+        self._share = dict.fromkeys(self._missing, 0.0)
+        self._problem = ""
+        self._began = 0.0
+        self._ended = threading.Event()
+        if self._missing:
+            choose_backend()
+
+    def ready(self, route: str) -> Path | None:
+        """Return a route's video; None while it is not there as a whole."""
+        path = self.paths[route]
+        return path if path.is_file() else None
+
+    def state(self, route: str) -> FilmState:
+        """Tell how far a route's video is."""
+        if self.ready(route) is not None:
+            return FilmState(route, "ready", 1.0, 0.0)
+        share = self._share[route]
+        if self._problem:
+            return FilmState(route, "failed", share, problem=self._problem)
+        return FilmState(
+            route, "being made" if share else "waiting", share, self._left(route)
         )
-        path.parent.mkdir(parents=True, exist_ok=True)
-        film_walkthrough(
-            scene, study.route(route), path, _settings(study), progress=True
-        )
-    return films
+
+    def _left(self, route: str) -> float | None:
+        """Estimate by the metres of way that were filmed so far."""
+        filmed = sum(self._metres[r] * self._share[r] for r in self._missing)
+        if not filmed:
+            return None
+        wanted = self._missing[: self._missing.index(route) + 1]
+        left = sum(self._metres[r] * (1 - self._share[r]) for r in wanted)
+        return (time.monotonic() - self._began) * left / filmed
+
+    @contextmanager
+    def being_made(self) -> Generator[None]:
+        """Make what is missing meanwhile, with progress on stderr; break off at the end."""
+        maker = threading.Thread(target=self._make, daemon=True)
+        if self._missing:
+            maker.start()
+        try:
+            yield
+        finally:
+            self._ended.set()
+            if self._missing:
+                maker.join()
+
+    def _make(self) -> None:
+        try:
+            self._film_all()
+        except _BrokenOff:
+            pass
+        except Exception as error:
+            # Whatever it is, the pages go on and tell the experimenter.
+            self._problem = str(error) or type(error).__name__
+            print(
+                f"memorymaze: the videos cannot be made: {self._problem}",
+                file=sys.stderr,
+            )
+
+    def _film_all(self) -> None:
+        self._began = time.monotonic()
+        scene = build_scene(self._study.site)
+        for number, route in enumerate(self._missing, start=1):
+            path = self.paths[route]
+            print(
+                f"memorymaze: making the video of {route} ({number} of "
+                f"{len(self._missing)}), once; it is kept as {path}",
+                file=sys.stderr,
+            )
+            path.parent.mkdir(parents=True, exist_ok=True)
+
+            def tell(done: int, count: int, route: str = route) -> None:
+                self._share[route] = done / count
+                if self._ended.is_set():
+                    raise _BrokenOff
+
+            film_walkthrough(
+                scene,
+                self._study.route(route),
+                path,
+                _settings(self._study),
+                progress=True,
+                told=tell,
+            )
+
+
+class _BrokenOff(Exception):
+    """Nobody wants the film any more."""
 
 
 def _settings(study: Study) -> WalkthroughSettings:

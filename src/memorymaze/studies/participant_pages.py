@@ -10,16 +10,16 @@ import secrets
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from hashlib import sha256
-from pathlib import Path
 from typing import Any
 
 from starlette.exceptions import HTTPException
 from starlette.requests import Request
-from starlette.responses import FileResponse, RedirectResponse, Response
+from starlette.responses import FileResponse, JSONResponse, RedirectResponse, Response
 from starlette.routing import BaseRoute, Route
 
 from memorymaze.instructions.statistics import word_count
 from memorymaze.pages.web import Fields, posted, render
+from memorymaze.studies.films import Films
 from memorymaze.studies.follow.drives import Drives
 from memorymaze.studies.follow.pages import FollowPages
 from memorymaze.studies.schedule import StudyStep, steps_of
@@ -57,9 +57,9 @@ class ParticipantPages:
     """The pages of a study, by its store and its videos."""
 
     def __init__(
-        self, store: Store, films: Mapping[str, Path], drives: Drives | None = None
+        self, store: Store, films: Films | None = None, drives: Drives | None = None
     ) -> None:
-        """Take the answers' store, and the video of each route or robots to drive."""
+        """Take the answers' store, and the videos or robots to drive."""
         self._store = store
         self._design = store.study.design
         self._films = films
@@ -92,6 +92,7 @@ class ParticipantPages:
             Route("/draft/{step}", posted(self._draft), methods=["POST"]),
             Route("/event/{step}", posted(self._event), methods=["POST"]),
             Route("/film/{route}", self._film),
+            Route("/film/{route}/state", self._film_state),
             Route("/privacy", self._privacy),
             Route("/withdraw", self._ask_withdrawal),
             Route("/withdraw", posted(self._withdraw), methods=["POST"]),
@@ -167,7 +168,8 @@ class ParticipantPages:
         place = self._current(participant)
         if participant.state == "complete" or place.step is None:
             return self._end(request, "complete", self._design.codes.complete)
-        self._store.add_event(participant.id, place.step.key, "opened")
+        if not self._waits_for_film(place.step):
+            self._store.add_event(participant.id, place.step.key, "opened")
         return self._page(request, participant, place.step, place)
 
     def _page(
@@ -208,6 +210,9 @@ class ParticipantPages:
             )
         templates = {"retell": "tell.html", "familiarity": "question.html"}
         templates |= dict.fromkeys(["comprehension", "attention"], "question.html")
+        if self._films is not None and self._waits_for_film(step):
+            view["film_state"] = self._films.state(step.route)
+            templates[step.kind] = "film_wait.html"
         return self._show(
             request,
             templates.get(step.kind, f"{step.kind}.html"),
@@ -359,20 +364,42 @@ class ParticipantPages:
         raise HTTPException(404)
 
     def _film(self, request: Request) -> Response:
-        participant = self._participant(request)
-        route = request.path_params["route"]
-        if participant is None or route not in self._films:
-            raise HTTPException(404)
-        step = self._current(participant).step
-        if step is None or not self._may_watch(step, route):
-            raise HTTPException(404)
+        films, route = self._watched(request)
+        film = films.ready(route)
+        if film is None:
+            raise HTTPException(503, "The video is not there yet.")
         # Shown twice while it may be watched; from memory, no browser may keep it.
         is_kept = self._design.kind != "memory"
         caching = f"private, max-age={FILM_KEPT}" if is_kept else "no-store"
         return FileResponse(
-            self._films[route],
+            film,
             media_type="video/mp4",
             headers={"Cache-Control": caching},
+        )
+
+    def _film_state(self, request: Request) -> Response:
+        films, route = self._watched(request)
+        state = films.state(route)
+        return JSONResponse({"ready": state.state == "ready", "left": state.left})
+
+    def _watched(self, request: Request) -> tuple[Films, str]:
+        """Return the videos, and the route of which a participant may watch one now."""
+        participant = self._participant(request)
+        route, films = request.path_params["route"], self._films
+        if participant is None or films is None or route not in films.paths:
+            raise HTTPException(404)
+        step = self._current(participant).step
+        if step is None or not self._may_watch(step, route):
+            raise HTTPException(404)
+        return films, route
+
+    def _waits_for_film(self, step: StudyStep) -> bool:
+        """Return whether a step shows a video that is not there yet."""
+        return (
+            self._films is not None
+            and step.route in self._films.paths
+            and self._may_watch(step, step.route)
+            and self._films.ready(step.route) is None
         )
 
     def _may_watch(self, step: StudyStep, route: str) -> bool:

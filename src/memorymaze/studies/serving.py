@@ -3,7 +3,6 @@
 import secrets
 from collections.abc import Generator
 from contextlib import ExitStack, contextmanager
-from pathlib import Path
 from typing import NamedTuple
 
 from memorymaze.pages.web import (
@@ -14,6 +13,7 @@ from memorymaze.pages.web import (
     serving,
 )
 from memorymaze.studies.experimenter_pages import ExperimenterPages
+from memorymaze.studies.films import Films
 from memorymaze.studies.follow.drives import Drives
 from memorymaze.studies.follow.texts import texts_to_follow
 from memorymaze.studies.interviews.pages import InterviewPages
@@ -46,7 +46,7 @@ class Addresses(NamedTuple):
 @contextmanager
 def serving_study(
     store: Store,
-    films: dict[str, Path],
+    films: Films | None = None,
     *,
     host: str = "127.0.0.1",
     port: int = 0,
@@ -57,12 +57,13 @@ def serving_study(
     """Serve the pages of a study; the experimenter's on this machine only.
 
     Those of the kind `onsite` are all the experimenter's, and their tablet comes to
-    `host`. Robots that people drive are drawn where there is somebody to look.
+    `host`. Videos that are missing are made meanwhile; robots that people drive are drawn
+    where there is somebody to look.
     """
     token = secrets.token_urlsafe(24)
     drives = None
     with ExitStack() as stack:
-        experimenter = ExperimenterPages(store, token)
+        experimenter = ExperimenterPages(store, token, films)
         tellings = StudyTellings(store)
         behind = [
             *experimenter.routes,
@@ -93,4 +94,6 @@ def serving_study(
                 make_app(behind, *ROOMS, hosts=THIS_MACHINE), port=experimenter_port
             ),
         ) as [participants, experimenter]:
+            if films is not None:
+                stack.enter_context(films.being_made())
             yield Addresses(participants, f"{experimenter}/enter/{token}")

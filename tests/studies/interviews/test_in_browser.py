@@ -147,7 +147,7 @@ def with_recogniser(study: Study) -> Study:
 @pytest.fixture
 def served(make_study: MakeStudy) -> Generator[tuple[Store, str]]:
     study = with_recogniser(make_study("onsite"))
-    with open_store(study) as store, serving_study(store, {}) as addresses:
+    with open_store(study) as store, serving_study(store) as addresses:
         yield store, addresses.experimenter
 
 

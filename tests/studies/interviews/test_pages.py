@@ -78,7 +78,7 @@ class Tablet:
 @pytest.fixture
 def tablet(make_study: MakeStudy) -> Generator[Tablet]:
     study = make_study("onsite")
-    with open_store(study) as store, serving_study(store, {}) as addresses:
+    with open_store(study) as store, serving_study(store) as addresses:
         assert addresses.participants == ""
         tablet = Tablet(store, addresses.experimenter)
         yield tablet
@@ -204,7 +204,7 @@ def test_over_plain_http_of_another_machine_nothing_is_recorded(
     with (
         open_store(study) as store,
         # As if it were the address of this machine in a network.
-        serving_study(store, {}, host="127.0.0.2") as addresses,
+        serving_study(store, host="127.0.0.2") as addresses,
     ):
         tablet = Tablet(store, addresses.experimenter)
         page = tablet.client.get("/interview").text
@@ -232,7 +232,7 @@ def test_a_recogniser_hears_recordings_and_people_correct_it(
 ) -> None:
     program = "import sys; print('heard', open(sys.argv[1]).read())"
     study = with_recogniser(make_study("onsite"), program)
-    with open_store(study) as store, serving_study(store, {}) as addresses:
+    with open_store(study) as store, serving_study(store) as addresses:
         tablet = Tablet(store, addresses.experimenter)
         tablet.send("consent", cell="R1, R2")
         tablet.send("tell.R1", recorded="yes")
@@ -255,7 +255,7 @@ def test_a_recogniser_that_fails_says_so_where_the_text_is_typed(
     make_study: MakeStudy, capfd: pytest.CaptureFixture[str]
 ) -> None:
     study = with_recogniser(make_study("onsite"), "raise SystemExit('no model')")
-    with open_store(study) as store, serving_study(store, {}) as addresses:
+    with open_store(study) as store, serving_study(store) as addresses:
         tablet = Tablet(store, addresses.experimenter)
         tablet.send("consent", cell="R1, R2")
         tablet.send("tell.R1", recorded="yes")

@@ -74,7 +74,7 @@ class Labeller:
 @pytest.fixture
 def labeller(make_study: MakeStudy) -> Generator[Labeller]:
     study = make_study("onsite")
-    with open_store(study) as store, serving_study(store, {}) as addresses:
+    with open_store(study) as store, serving_study(store) as addresses:
         interview(store)
         labeller = Labeller(store, addresses.experimenter)
         yield labeller
