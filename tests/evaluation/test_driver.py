@@ -137,9 +137,9 @@ def test_an_episode_whose_worker_is_killed_is_tried_once_more(
     assert {one.stopped_by for name, one in results.items() if name != "p6-1"} == {
         "agent"
     }
-    assert list(read_trace(tmp_path / "run", "p6-1")) == [
-        EndEntry(0.0, "crash", lost.error)
-    ]
+    *_, end = read_trace(tmp_path / "run", "p6-1")
+    assert isinstance(end, EndEntry)
+    assert end.stopped_by == "crash"
 
 
 def test_an_episode_that_hangs_is_given_up_and_the_run_goes_on(

@@ -10,6 +10,7 @@ from typing import Any
 
 import pytest
 
+from memorymaze.agents.notes import ModelReplyNote
 from memorymaze.errors import SettingsError, SpendingLimitReached
 from memorymaze.evaluation.agent_catalogue import (
     agent_names,
@@ -171,8 +172,10 @@ def test_the_user_stands_as_long_as_the_recorded_model_thought(
         list(read_trace(tmp_path / name, asked[0].episode_id)) for name in ("1", "2")
     ]
     assert traces[0] == traces[1]
-    [note] = [each for each in traces[0] if each.get("about") == "model_reply"]
-    assert (note["time"], note["standing_s"], note["latency"]) == (3.21, 3.21, 3.21)
+    entries = (each for each in traces[0] if isinstance(each, NoteEntry))
+    [entry] = [each for each in entries if isinstance(each.note, ModelReplyNote)]
+    note = entry.details
+    assert (entry.time, note["standing_s"], note["latency"]) == (3.21, 3.21, 3.21)
 
 
 @pytest.mark.parametrize(
