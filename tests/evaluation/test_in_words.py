@@ -8,8 +8,11 @@ from memorymaze.evaluation.in_words import (
     ending_words,
     outcome_line,
     outcome_of,
+    sense_notes,
 )
 from memorymaze.evaluation.results import EpisodeResult, StoppedBy
+from memorymaze.evaluation.settings import RunSettings
+from memorymaze.simulation.settings import SimulationSettings
 
 Make = Callable[..., EpisodeResult]
 
@@ -46,3 +49,10 @@ def test_every_other_end_has_words_of_its_own(result: Make, end: str) -> None:
         if each != end
     ]
     assert ending_words(broken) not in others
+
+
+def test_a_run_that_sees_further_than_usual_says_how_far() -> None:
+    assert not [*sense_notes(RunSettings())]
+    further = SimulationSettings(detection_range=40.0)
+    [note] = sense_notes(RunSettings(simulation=further))
+    assert note == "things are detected up to 40 m away"

@@ -18,6 +18,7 @@ from memorymaze.evaluation.trace_entries import kept_traceback
 from memorymaze.instructions.records import WRITTEN_BY
 from memorymaze.perception.eyes import TRUTH
 from memorymaze.simulation.obstacles import ObstacleSettings
+from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.wording import counted
 
 Key = Literal["arrived", "elsewhere", "broken"]
@@ -102,6 +103,9 @@ def sense_notes(settings: RunSettings) -> Iterator[str]:
         yield "TURNING POINTS BY LIDAR (scans and odometry), not from the site plan."
     if settings.looks is not None:
         yield f"cameras show {LOOKS[settings.looks]}"
+    metres = settings.simulation.detection_range
+    if metres != SimulationSettings().detection_range:
+        yield f"things are detected up to {metres:g} m away"
     if settings.detector != TRUTH:
         yield f"DETECTOR {settings.detector}, not the one that knows the truth."
     if settings.signs != "truth":
