@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from memorymaze.cli.main import main
+from memorymaze.cli.main import run_command_line
 from memorymaze.errors import SettingsError
 from memorymaze.evaluation.agent_catalogue import choose_agent
 from memorymaze.evaluation.run_folder import read_run
@@ -59,7 +59,7 @@ def suite(
 
 
 def run(path: Path, out: Path, *options: str) -> int:
-    return main([
+    return run_command_line([
         *("evaluate", "--suite", str(path), "--out", str(out), "--workers", "1"),
         *options,
     ])
