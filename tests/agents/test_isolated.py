@@ -130,7 +130,7 @@ def test_what_needs_the_answers_cannot_be_isolated(corridor: Path) -> None:
 
 
 ASKER = """
-from memorymaze.language.model import CompletionRequest, Message, Question
+from memorymaze.language.model import CompletionRequest, Message, ModelQuestion
 
 class Asker:
     name = "asker"
@@ -143,7 +143,7 @@ class Asker:
         said = CompletionRequest((Message("user", instruction),), question=QUESTION)
         robot.move_forward(float(journal.ask(self.model, said, "metres")))
 
-QUESTION = Question("metres", "1")
+QUESTION = ModelQuestion("metres", "1")
 """
 
 

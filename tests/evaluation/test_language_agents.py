@@ -244,7 +244,7 @@ def test_a_replay_is_paid_for_at_another_price(
 
 
 OWN = """
-from memorymaze.language.model import CompletionRequest, Message, Question
+from memorymaze.language.model import CompletionRequest, Message, ModelQuestion
 
 class Asker:
     needs = frozenset({"language_model"})
@@ -256,7 +256,7 @@ class Asker:
     def follow(self, instruction, robot, journal, rng):
         robot.move_forward(1)
         told = (Message("user", instruction),)
-        request = CompletionRequest(told, question=Question("word", "1"))
+        request = CompletionRequest(told, question=ModelQuestion("word", "1"))
         if "I follow" in journal.ask(self.model, request, "word"):
             robot.move_forward(2)
 """
@@ -265,7 +265,7 @@ class Asker:
 def test_an_agent_of_ones_own_is_recorded_replayed_and_priced_like_ours(
     server: str, plan: Callable[..., RunPlan], tmp_path: Path
 ) -> None:
-    own, replies = tmp_path / "own.py", str(tmp_path / "replies.sqlite")
+    own, replies = tmp_path / "own.py", str(tmp_path / "replies.jsonl")
     own.write_text(OWN, encoding="utf-8")
     price = TokenPrice(1000, 2000)
     model = ModelSettings(model="fake", base_url=server, record=replies, price=price)

@@ -192,7 +192,7 @@ def test_a_file_that_may_only_be_read_replays(store: Path):
 def test_several_processes_record_into_one_file(store: Path):
     script = """
 import sys
-from memorymaze.language.model import Completion, CompletionRequest, Message, Picture, Question, Usage
+from memorymaze.language.model import CompletionRequest, Message
 from memorymaze.language.answers import RecordingModel
 from memorymaze.language.scripted_model import ScriptedLanguageModel
 
