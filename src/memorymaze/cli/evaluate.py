@@ -47,11 +47,6 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
     parser.usage = "%(prog)s (--agent NAME | --suite FILE) [OPTION …]"
     what = parser.add_mutually_exclusive_group(required=True)
     add_agent_name(what.add_argument, default=None)
-    what.add_argument(
-        "--suite",
-        metavar="FILE",
-        help="several runs and their tables, as a file says (docs/results.md)",
-    )
     add_flags(parser.add_argument, RunSettings, ["limit"])
     parser.add_argument(
         "--out", metavar="DIR", help="run folder (default: runs/AGENT-TIME)"
@@ -72,6 +67,11 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
         "--ray",
         metavar="ADDRESS",
         help="workers on a Ray cluster (docs/scaling.md)",
+    )
+    what.add_argument(
+        "--suite",
+        metavar="FILE",
+        help="several runs and their tables, as a file says (docs/results.md)",
     )
     followed = parser.add_argument_group("what is followed")
     add_corpus_options(followed)
