@@ -221,8 +221,7 @@ for step in range(3):
 @pytest.mark.parametrize(
     ("settings", "said"),
     [
-        ({}, "name a vision model with --model, or take recorded replies"),
-        ({"language_model": ModelSettings(model="smollm2")}, "see no pictures"),
+        ({}, "name a language model with --model, or take recorded replies"),
         ({"language_model": ModelSettings(record="a", replay="b")}, "not both"),
         ({"language_model": ModelSettings(replay="none")}, "no recorded"),
     ],

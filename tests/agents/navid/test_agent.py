@@ -260,3 +260,14 @@ def test_the_name_says_protocol_model_and_rules():
 def test_options_without_meaning_are_refused(option, value):
     with pytest.raises(SettingsError, match=f"--set {option}: expected"):
         NavidOptions(**{option: value})
+
+
+def test_a_model_that_sees_nothing_is_refused_unless_it_is_shown_nothing() -> None:
+    class BlindModel(TalkingModel):
+        takes_pictures = False
+
+    with pytest.raises(
+        SettingsError, match=r"see no pictures; .* --set pictures=none$"
+    ):
+        NavidAgent(NavidOptions(), BlindModel("stop"))
+    NavidAgent(NavidOptions(pictures="none"), BlindModel("stop"))
