@@ -110,7 +110,7 @@ def _destination_names(arrival: Arrival) -> tuple[str, ...]:
 
     Of a sign what it names; things that are everywhere only where nothing else is told.
 
-    >>> destination_names(Arrival(("glass door", "sign that says Terrace")))
+    >>> _destination_names(Arrival(("glass door", "sign that says Terrace")))
     ('Terrace',)
     """
     told = [place_on_sign(each) or each for each in arrival.destinations]

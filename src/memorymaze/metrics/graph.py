@@ -14,7 +14,7 @@ from memorymaze.geometry.distance_rows import DistanceRows
 class WeightedGraph:
     """An undirected graph; distances are sums of edge lengths, never straight lines.
 
-    >>> ring = NavigationGraph("abc", [("a", "b", 1.0), ("b", "c", 1.0)])
+    >>> ring = WeightedGraph("abc", [("a", "b", 1.0), ("b", "c", 1.0)])
     >>> ring.between(["a"], ["c", "a"]).tolist(), ring.along(["a", "c", "b"]).tolist()
     ([[2.0, 0.0]], [2.0, 1.0])
     """

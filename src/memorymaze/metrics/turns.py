@@ -40,7 +40,7 @@ def turns_taken(
     >>> poses = [(0, 0, 0, 0), (1, 4, 0, 0), (2, 4, 0, 1.57), (3, 4, 4, 1.57)]
     >>> walk = Trajectory(TimedPose(*pose) for pose in poses)
     >>> turns_taken([("corner", shapely.box(3, -1, 5, 1))], walk)
-    [Turn(at='corner', side='left')]
+    [TurnAtPlace(at='corner', side='left')]
 
     Args:
         places: Ids and areas in which one can turn, metres.
@@ -69,7 +69,7 @@ def turns_in_order(
     LCS is the longest common subsequence: a turn left out, or one too many, does not
     void those after it.
 
-    >>> left, right = Turn("hall", "left"), Turn("stairs", "right")
+    >>> left, right = TurnAtPlace("hall", "left"), TurnAtPlace("stairs", "right")
     >>> turns_in_order([left, right], [right]), turns_in_order([left, right], [])
     (0.5, 0.0)
 

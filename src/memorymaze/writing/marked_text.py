@@ -27,7 +27,7 @@ def mark(label: str, text: str) -> str:
 def unmarked(marked: str) -> tuple[str, list[Marked]]:
     """Return the text without labels, and where each label lay.
 
-    >>> read_marks("Turn " + mark("side", "left") + ".")
+    >>> unmarked("Turn " + mark("side", "left") + ".")
     ('Turn left.', [Marked(label='side', start=5, end=9)])
     """
     plain: list[str] = []

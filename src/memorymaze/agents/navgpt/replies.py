@@ -63,11 +63,11 @@ def read_navgpt_reply(reply: str) -> Move | Finish | Unreadable:
     What follows an `Observation:` is left out: models without a stop word go on and
     invent one. Thoughts between `<think>` marks are left out too.
 
-    >>> read_reply('Thought: On.\nAction: go_to_viewpoint\nAction Input: "0f"')
+    >>> read_navgpt_reply('Thought: On.\nAction: go_to_viewpoint\nAction Input: "0f"')
     Move(viewpoint='0f')
-    >>> read_reply("Final Answer: here")
+    >>> read_navgpt_reply("Final Answer: here")
     Finish(answer='here')
-    >>> read_reply("Hello!").fault
+    >>> read_navgpt_reply("Hello!").fault
     'no_action'
     """
     text = _own_words(reply)

@@ -69,7 +69,7 @@ def study_csv(study: InstructionStudy) -> str:
 def title_of_place(place: str) -> str:
     """Return the title of a site or building.
 
-    >>> place_title("museum_5f")
+    >>> title_of_place("museum_5f")
     'Museum 5F'
     """
     return place.replace("_", " ").title()
