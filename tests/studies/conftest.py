@@ -81,10 +81,10 @@ def serve_study(film: Path) -> ServeStudy:
     def serve(study: Study) -> Iterator[Served]:
         films = None
         if study.design.kind in {"online", "memory"}:
-            films = Films(study)
-            for path in films.paths.values():
+            for path in Films(study).paths.values():
                 path.parent.mkdir(exist_ok=True)
                 path.write_bytes(film.read_bytes())
+            films = Films(study)
         with (
             open_store(study) as store,
             serving_study(store, films) as addresses,
