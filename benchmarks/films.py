@@ -20,13 +20,7 @@ from numpy.typing import NDArray
 from benchmarks.measuring import Row
 from memorymaze.geometry.pose import Pose
 from memorymaze.pictures.films import WalkthroughSettings, tour_of
-from memorymaze.pictures.films.drawing import (
-    AHEAD,
-    MOST_PROCESSES,
-    drawn_by_processes,
-    frames_of_shots,
-    shots_of,
-)
+from memorymaze.pictures.films.drawing import AHEAD, MOST_PROCESSES, frames_from
 from memorymaze.pictures.films.video_file import write_video
 from memorymaze.pictures.rendering import PanoramaCamera, build_visual_scene
 from memorymaze.processes import available_cores
@@ -61,7 +55,7 @@ def run() -> list[Row]:
 
 
 def rate_before(site: Site, poses: list[Pose]) -> float:
-    width = SETTINGS.width
+    width, _ = SETTINGS.pixels
     with PanoramaCamera(build_visual_scene(site), width, 4) as camera:
         camera.picture(poses[0])
         began = time.perf_counter()
@@ -73,7 +67,6 @@ def rate_now(site: Site, poses: list[Pose]) -> float:
     # Some pictures more come first: when they are there, every process is at work.
     begun = AHEAD * min(available_cores(), MOST_PROCESSES)
     first = [Pose(poses[0].x + n / 100, *poses[0][1:]) for n in range(1, begun + 1)]
-    drawn, shots = shots_of([*first, *poses], panorama=True)
     began = math.inf
 
     def timed(frames: Iterable[NDArray[np.uint8]]) -> Iterator[NDArray[np.uint8]]:
@@ -83,14 +76,13 @@ def rate_now(site: Site, poses: list[Pose]) -> float:
                 began = time.perf_counter()
             yield frame
 
-    with closing(drawn_by_processes(site, SETTINGS.eye, drawn)) as pictures:
-        encode(timed(frames_of_shots(shots, pictures)))
+    with closing(frames_from(site, SETTINGS, [*first, *poses])) as drawn:
+        encode(timed(drawn))
     # Those drawn ahead when the clock began are not counted.
     return (len(poses) - begun) / (time.perf_counter() - began)
 
 
 def encode(frames: Iterable[NDArray[np.uint8]]) -> None:
-    size = (SETTINGS.width, SETTINGS.height_in_pixels)
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "film.mp4"
-        write_video(path, frames, size, SETTINGS.fps, title="", total=0)
+        write_video(path, frames, SETTINGS.pixels, SETTINGS.fps, title="", total=0)

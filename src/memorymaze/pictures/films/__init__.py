@@ -3,11 +3,7 @@
 Holds the drive, the filming and the video file; no replays of runs.
 """
 
-from memorymaze.pictures.films.filming import (
-    Tour,
-    WalkthroughSettings,
-    film_walkthrough,
-    tour_of,
-)
+from memorymaze.pictures.films.filming import Tour, film_walkthrough, tour_of
+from memorymaze.pictures.films.settings import WalkthroughSettings
 
 __all__ = ["Tour", "WalkthroughSettings", "film_walkthrough", "tour_of"]

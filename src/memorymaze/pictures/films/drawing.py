@@ -5,10 +5,10 @@ import multiprocessing
 import os
 import signal
 from collections import deque
-from collections.abc import Generator, Iterable, Iterator, Sequence
+from collections.abc import Generator, Iterable, Sequence
 from concurrent.futures import Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
-from dataclasses import dataclass
+from contextlib import closing
 from fractions import Fraction
 
 import av
@@ -18,8 +18,8 @@ from numpy.typing import NDArray
 
 from memorymaze.errors import MemoryMazeError
 from memorymaze.geometry.pose import Pose, turn_between
+from memorymaze.pictures.films.settings import WalkthroughSettings
 from memorymaze.pictures.films.video_file import planes_of, video_frame
-from memorymaze.pictures.kinds_of_looks import Looks
 from memorymaze.pictures.rendering.camera import RenderedCamera
 from memorymaze.pictures.rendering.visual_scene import build_visual_scene
 from memorymaze.processes import available_cores, die_with_parent, main_left_out
@@ -53,68 +53,43 @@ MARGIN = 1
 """Pixels that a face reaches over its edges."""
 
 
-@dataclass(frozen=True, slots=True)
-class Eye:
-    """What looks at a building, and how: all that a picture depends on but the pose."""
+def frames_from(
+    site: Site, settings: WalkthroughSettings, poses: Iterable[Pose]
+) -> Generator[NDArray[np.uint8]]:
+    """Draw what is seen from each pose, in order: planes of each (`planes_of`).
 
-    width: int
-    """Pixels."""
-    height_in_pixels: int
-    """Pixels."""
-    panorama: bool
-    """Whether it looks all round."""
-    horizontal_fov: float
-    """Radians; of no meaning in a panorama."""
-    height: float
-    """Over the floor, metres."""
-    multisamples: int
-    looks: Looks | None
-
-
-@dataclass(frozen=True, slots=True)
-class Shot:
-    """A frame of a film: one of its pictures, perhaps turned."""
-
-    picture: int
-    turned: float = 0.0
-    """Radians to the left."""
-
-
-def shots_of(poses: Iterable[Pose], *, panorama: bool) -> tuple[list[Pose], list[Shot]]:
-    """Return the poses to draw from, each once, and the frames made of the pictures.
-
-    All round, one picture serves for every heading at a place.
+    Raises:
+        RenderingError: This machine cannot draw; says what to install.
+        MemoryMazeError: A process was killed.
     """
-    drawn: list[Pose] = []
-    shots: list[Shot] = []
+    places = places_of(poses, panorama=settings.panorama)
+    drawn = [pose for pose, _ in places]
+    with closing(_drawn_by_processes(site, settings, drawn)) as pictures:
+        for (_, turns), picture in zip(places, pictures, strict=True):
+            for turn in turns:
+                yield turned(picture, turn) if turn else picture
+
+
+def places_of(
+    poses: Iterable[Pose], *, panorama: bool
+) -> list[tuple[Pose, list[float]]]:
+    """Return the poses to draw from, each with how its picture is turned for its frames.
+
+    All round, one picture serves for every heading at a place: radians to the left.
+    """
+    places: list[tuple[Pose, list[float]]] = []
     for pose in poses:
-        last = drawn[-1] if drawn else None
+        last, turns = places[-1] if places else (None, [])
         if last is not None and (
-            math.hypot(pose.x - last.x, pose.y - last.y) < SAME_PLACE
-            if panorama
-            else pose == last
+            math.dist(pose[:2], last[:2]) < SAME_PLACE if panorama else pose == last
         ):
-            turn = turn_between(last.heading, pose.heading)
-            shots.append(Shot(len(drawn) - 1, turn if panorama else 0.0))
-            continue
-        drawn.append(pose)
-        shots.append(Shot(len(drawn) - 1))
-    return drawn, shots
+            turns.append(turn_between(last.heading, pose.heading))
+        else:
+            places.append((pose, [0.0]))
+    return places
 
 
-def frames_of_shots(
-    shots: Iterable[Shot], pictures: Iterator[NDArray[np.uint8]]
-) -> Iterator[NDArray[np.uint8]]:
-    """Return the frames in order: planes of each (`planes_of`)."""
-    number, picture = -1, np.empty(0, np.uint8)
-    for shot in shots:
-        while number < shot.picture:
-            picture = next(pictures)
-            number += 1
-        yield _turned(picture, shot.turned) if shot.turned else picture
-
-
-def _turned(planes: NDArray[np.uint8], angle: float) -> NDArray[np.uint8]:
+def turned(planes: NDArray[np.uint8], angle: float) -> NDArray[np.uint8]:
     """Turn a panorama to the left, by whole columns of its colours (two of its pixels)."""
     width, size = planes.shape[1], planes.size * 2 // 3
     columns = round(angle * width / (4 * math.pi))
@@ -125,20 +100,14 @@ def _turned(planes: NDArray[np.uint8], angle: float) -> NDArray[np.uint8]:
     ]).reshape(planes.shape)
 
 
-def drawn_by_processes(
-    site: Site, eye: Eye, poses: Sequence[Pose]
+def _drawn_by_processes(
+    site: Site, settings: WalkthroughSettings, poses: Sequence[Pose]
 ) -> Generator[NDArray[np.uint8]]:
-    """Draw what is seen from each pose, in order: planes of each (`planes_of`).
-
-    Raises:
-        RenderingError: This machine cannot draw; says what to install.
-        MemoryMazeError: A process was killed.
-    """
     useful = min(MOST_PROCESSES, math.ceil(len(poses) / POSES_EACH))
     workers = max(1, min(available_cores(), useful))
     PROCESSES.set_forkserver_preload([__name__])
     pool = ProcessPoolExecutor(
-        workers, PROCESSES, initializer=_begin, initargs=(site, eye)
+        workers, PROCESSES, initializer=_begin, initargs=(site, settings)
     )
     under_way: deque[Future[NDArray[np.uint8]]] = deque()
     left = iter(poses)
@@ -159,19 +128,19 @@ def drawn_by_processes(
         pool.shutdown(cancel_futures=True)
 
 
-_task: tuple[Site, Eye]
+_task: tuple[Site, WalkthroughSettings]
 _artist: "Artist | None" = None
 """Of this process; opened by the first picture, so that a failure is told as its own."""
 
 
-def _begin(site: Site, eye: Eye) -> None:
+def _begin(site: Site, settings: WalkthroughSettings) -> None:
     global _task
     # Ctrl-C reaches every process of the terminal; the parent decides what it means.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     die_with_parent()
     # There is a process for each core: threads of Mesa's would only wait for another.
     os.environ.setdefault("LP_NUM_THREADS", "0")
-    _task = (site, eye)
+    _task = (site, settings)
 
 
 def _draw(pose: Pose) -> NDArray[np.uint8]:
@@ -182,27 +151,27 @@ def _draw(pose: Pose) -> NDArray[np.uint8]:
 
 
 class Artist:
-    """Draws what an eye sees in a building."""
+    """Draws what is seen in a building."""
 
-    def __init__(self, site: Site, eye: Eye) -> None:
+    def __init__(self, site: Site, settings: WalkthroughSettings) -> None:
         """Build the looks and open a camera, which takes seconds."""
-        self._eye = eye
-        self._looks = build_visual_scene(site, looks=eye.looks)
-        size, fov = (eye.width, eye.height_in_pixels), eye.horizontal_fov
-        samples = eye.multisamples
+        size, fov = settings.pixels, settings.horizontal_fov
+        samples = settings.multisamples
+        self._height = settings.height
         self._projection = None
-        if eye.panorama:
-            inner = 2 * math.ceil(FINER * eye.width / math.pi / 2)
+        if settings.panorama:
+            inner = 2 * math.ceil(FINER * size[0] / math.pi / 2)
             edge = inner + 2 * MARGIN
+            self._projection = _Projection(edge, size[0])
             size, fov, samples = (edge, edge), 2 * math.atan(edge / inner), 0
-            self._projection = _Projection(edge, eye.width)
+        looks = build_visual_scene(site, looks=settings.looks)
         self._camera = RenderedCamera(
-            self._looks, *size, fov, multisamples=samples, trilinear=False
+            looks, *size, fov, multisamples=samples, trilinear=False
         )
 
     def planes(self, pose: Pose) -> NDArray[np.uint8]:
         """Draw what is seen from a pose, as planes (`planes_of`)."""
-        camera, height = self._camera, self._eye.height
+        camera, height = self._camera, self._height
         if self._projection is None:
             return planes_of(camera.picture(pose, height))
         faces = [
@@ -220,23 +189,22 @@ class _Projection:
     """Puts the faces of a cube together to a panorama, by FFmpeg's filter v360."""
 
     def __init__(self, edge: int, width: int) -> None:
-        self._graph = Graph()
-        self._graph.threads = 1
-        source = self._graph.add_buffer(
-            width=3 * edge,
-            height=2 * edge,
-            format=av.VideoFormat("yuv420p"),
-            time_base=Fraction(1),
-        )
-        projected = self._graph.add(
-            "v360",
-            f"input=c3x2:output=equirect:interp=linear:fin_pad={2 * MARGIN}"
-            f":w={width}:h={width // 2}",
-        )
-        sink = self._graph.add("buffersink")
-        source.link_to(projected)
-        projected.link_to(sink)
-        self._graph.configure()
+        self._graph = graph = Graph()
+        graph.threads = 1
+        graph.link_nodes(
+            graph.add_buffer(
+                width=3 * edge,
+                height=2 * edge,
+                format=av.VideoFormat("yuv420p"),
+                time_base=Fraction(1),
+            ),
+            graph.add(
+                "v360",
+                f"input=c3x2:output=equirect:interp=linear:fin_pad={2 * MARGIN}"
+                f":w={width}:h={width // 2}",
+            ),
+            graph.add("buffersink"),
+        ).configure()
         self._made = 0
 
     def panorama(self, faces: Sequence[NDArray[np.uint8]]) -> NDArray[np.uint8]:

@@ -9,29 +9,17 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from memorymaze.errors import MemoryMazeError, SettingsError
+from memorymaze.errors import MemoryMazeError
 from memorymaze.geometry.pose import Pose, wrap_angle
 from memorymaze.geometry.trajectory import Trajectory
-from memorymaze.pictures.films.drawing import (
-    Eye,
-    drawn_by_processes,
-    frames_of_shots,
-    shots_of,
-)
-from memorymaze.pictures.films.video_file import (
-    check_picture,
-    check_ranges,
-    check_target,
-    write_video,
-)
-from memorymaze.pictures.kinds_of_looks import Looks
+from memorymaze.pictures.films.drawing import frames_from
+from memorymaze.pictures.films.settings import WalkthroughSettings
+from memorymaze.pictures.films.video_file import check_target, write_video
 from memorymaze.simulation.robot import SimulatedRobot
 from memorymaze.simulation.scene import Scene
 from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.sites.records import Route
 
-EYE_HEIGHT = 1.6
-"""Metres over the floor: eyes of somebody who walks, or a camera held there."""
 TOUR_SETTINGS = SimulationSettings(
     # Slow turns: a robot's own are too fast to look at.
     max_turn_rate=math.radians(45),
@@ -42,68 +30,6 @@ TOUR_SETTINGS = SimulationSettings(
 )
 PAUSE = 1.0
 """Seconds that it stands at the start and at the goal."""
-
-
-@dataclass(frozen=True, slots=True)
-class WalkthroughSettings:
-    """What a walkthrough looks like.
-
-    Raises:
-        SettingsError: A value has no meaning; the message names it and the range.
-    """
-
-    size: tuple[int, int] | None = None
-    """Width and height, pixels, even; None for 960 x 540, all round 1280 x 640."""
-    panorama: bool = False
-    """Whether it looks all round (equirectangular, for players of 360-degree videos)."""
-    fps: float = 20.0
-    """Frames per second."""
-    speed: float = 1.0
-    """Times as fast as the robot drives, which is up to 1 m/s."""
-    height: float = EYE_HEIGHT
-    """Of the eyes over the floor, metres."""
-    horizontal_fov: float = math.pi / 2
-    """Radians; of no meaning in a panorama."""
-    multisamples: int = 4
-    """Samples per pixel that smooth edges; of no meaning in a panorama."""
-    looks: Looks | None = None
-    """How things look: `own` or `models`; None for models where they were converted."""
-
-    @property
-    def width(self) -> int:
-        """Pixels."""
-        return self.size[0] if self.size else (1280 if self.panorama else 960)
-
-    @property
-    def height_in_pixels(self) -> int:
-        """Pixels."""
-        return self.size[1] if self.size else (640 if self.panorama else 540)
-
-    @property
-    def eye(self) -> Eye:
-        """What looks."""
-        return Eye(
-            self.width,
-            self.height_in_pixels,
-            self.panorama,
-            self.horizontal_fov,
-            self.height,
-            self.multisamples,
-            self.looks,
-        )
-
-    def __post_init__(self) -> None:
-        """Check every value."""
-        width, height = self.width, self.height_in_pixels
-        check_picture("walkthrough", (width, height), smallest=16)
-        if self.panorama and width != 2 * height:
-            raise SettingsError(
-                "walkthrough: expected a panorama twice as wide as high, got "
-                f"{width}x{height}"
-            )
-        check_ranges(
-            self, "walkthrough", fps=(1, 120), speed=(0.1, 20), height=(0.2, 2.5)
-        )
 
 
 def film_walkthrough(
@@ -139,35 +65,21 @@ def film_walkthrough(
     """
     settings = settings or WalkthroughSettings()
     check_target(path, ".mp4", "video")
-    tour = tour_of(scene, route)
-    count = tour.frame_count(settings.fps, settings.speed)
-    poses, shots = shots_of(
-        tour.poses(settings.fps, settings.speed), panorama=settings.panorama
-    )
+    poses = list(tour_of(scene, route).poses(settings.fps, settings.speed))
     # Closed at once where the film is broken off, with the processes that draw.
-    with closing(drawn_by_processes(scene.site, settings.eye, poses)) as pictures:
+    with closing(frames_from(scene.site, settings, poses)) as frames:
         write_video(
             path,
-            _telling(frames_of_shots(shots, pictures), count, told),
-            (settings.width, settings.height_in_pixels),
+            frames,
+            settings.pixels,
             settings.fps,
             title=f"Walkthrough of {scene.site.title}, {route.id} (simulated)",
-            total=count,
+            total=len(poses),
             spherical=settings.panorama,
             progress=progress,
+            told=told,
         )
-    return count
-
-
-def _telling(
-    frames: Iterator[NDArray[np.uint8]],
-    count: int,
-    told: Callable[[int, int], object] | None,
-) -> Iterator[NDArray[np.uint8]]:
-    for number, frame in enumerate(frames, start=1):
-        yield frame
-        if told is not None:
-            told(number, count)
+    return len(poses)
 
 
 @dataclass(frozen=True)

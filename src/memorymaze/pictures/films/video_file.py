@@ -4,7 +4,7 @@ import os
 import struct
 import sys
 import uuid
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from fractions import Fraction
 from pathlib import Path
 from typing import Any, NoReturn
@@ -94,6 +94,7 @@ def write_video(
     total: int,
     spherical: bool = False,
     progress: bool = False,
+    told: Callable[[int, int], object] | None = None,
 ) -> None:
     """Write a video; it is there in full or not at all, and replaces what was there.
 
@@ -106,6 +107,7 @@ def write_video(
         total: How many pictures there are.
         spherical: Whether they are equirectangular.
         progress: Whether to show a bar with the time left on stderr.
+        told: Is told after each picture how many of how many are written.
 
     Raises:
         SettingsError: The file cannot be there.
@@ -127,9 +129,11 @@ def write_video(
         ):
             container.metadata["title"] = title
             stream = _stream(container, size, fps)
-            for picture in pictures:
+            for number, picture in enumerate(pictures, start=1):
                 container.mux(stream.encode(video_frame(picture)))
                 bar.update()
+                if told is not None:
+                    told(number, total)
             container.mux(stream.encode(None))
         if spherical:
             mark_spherical(unfinished)
