@@ -81,11 +81,14 @@ PutRobot = Callable[..., SimulatedRobot]
 
 
 @pytest.fixture
-def put_robot() -> PutRobot:
-    """Put a robot somewhere: `put_robot(scene, x, y, degrees, seed=…, **settings)`."""
+def put_robot(scenes: dict[str, Scene]) -> PutRobot:
+    """Put a robot somewhere: `put_robot(scene, x, y, degrees, seed=…, **settings)`.
+
+    The scene is one made for the test, or the name of a tiny site.
+    """
 
     def put(
-        scene: Scene,
+        scene: Scene | str,
         x: float,
         y: float,
         degrees: float = 0.0,
@@ -95,7 +98,7 @@ def put_robot() -> PutRobot:
         **settings: Any,
     ) -> SimulatedRobot:
         return SimulatedRobot(
-            scene,
+            scenes[scene] if isinstance(scene, str) else scene,
             Pose(x, y, math.radians(degrees)),
             SimulationSettings(**settings),
             np.random.default_rng(seed),

@@ -78,13 +78,10 @@ def test_what_one_comes_from_is_behind_the_robot(
 
 
 def test_the_robot_may_start_inside_the_turning_point_of_the_first_turn(
-    scenes: Scenes,
-    put_robot: PutRobot,
-    builtin_sites: dict[str, Site],
-    api_says: ApiSays,
+    put_robot: PutRobot, builtin_sites: dict[str, Site], api_says: ApiSays
 ) -> None:
     api_says("It may stand inside a turning point already, that of the first turn.")
-    robot = put_robot(scenes["t_junction"], 0, 0, 90)
+    robot = put_robot("t_junction", 0, 0, 90)
     assert robot.turning_point_id() == 1
     assert robot.turn("right").turned
     inside = {
@@ -109,16 +106,13 @@ def test_the_words_end_at_the_angles_told(api_says: ApiSays, side: int) -> None:
 
 
 def test_doors_of_rooms_lifts_and_stairs_are_no_ways(
-    changed: Callable[..., Path],
-    scenes: Scenes,
-    put_robot: PutRobot,
-    api_says: ApiSays,
+    changed: Callable[..., Path], put_robot: PutRobot, api_says: ApiSays
 ) -> None:
     api_says("doors of rooms, lifts and stairs are none")
     automatic = {"properties.style": "automatic_glass", "properties.state": "open"}
     opened = build_scene(load_site(changed("corridor", "door_2", automatic)))
     assert list(filter(None, walk(put_robot(opened, 1, 0)))) == []
-    at_the_lift = put_robot(scenes["t_junction"], 5, 0, 0)
+    at_the_lift = put_robot("t_junction", 5, 0, 0)
     assert list(filter(None, walk(at_the_lift))) == []
 
 
@@ -143,11 +137,11 @@ def walk_to(robot: SimulatedRobot, way: str) -> Iterator[list[str]]:
 
 
 def test_where_a_hall_begins_is_a_turning_point(
-    scenes: Scenes, put_robot: PutRobot, api_says: ApiSays
+    put_robot: PutRobot, api_says: ApiSays
 ) -> None:
     api_says("where a hall begins")
     api_says('a place that only leads straight on `["forward"]`')
-    told = list(walk(put_robot(scenes["two_rooms"], 1, 3.3)))
+    told = list(walk(put_robot("two_rooms", 1, 3.3)))
     assert [each for each in told if each] == [["forward"]] * sum(map(bool, told))
     assert sum(map(bool, told)) > 3
 
@@ -181,20 +175,20 @@ def test_a_fork_has_no_way_ahead(
 
 
 def test_at_a_dead_end_the_list_is_empty_inside_a_turning_point(
-    scenes: Scenes, put_robot: PutRobot, api_says: ApiSays
+    put_robot: PutRobot, api_says: ApiSays
 ) -> None:
     api_says("Elsewhere, and at dead ends, the list is empty.")
-    robot = put_robot(scenes["t_junction"], 5, 0)
+    robot = put_robot("t_junction", 5, 0)
     assert robot.turning_point_id() is None
     assert list(walk(robot))[-1] == []
     assert robot.turning_point_id() == 1
 
 
 def test_the_way_in_is_not_told_although_the_robot_faces_it(
-    scenes: Scenes, put_robot: PutRobot, api_says: ApiSays
+    put_robot: PutRobot, api_says: ApiSays
 ) -> None:
     api_says("never in the list, even when it has turned there and faces it")
-    robot = put_robot(scenes["t_junction"], 0, -5, 90)
+    robot = put_robot("t_junction", 0, -5, 90)
     assert list(walk_to(robot, "left"))[-1] == ["left", "right"]
     robot.turn("around")
     assert robot.detect_turning_point() in (["left", "right"], ["right", "left"])
@@ -274,10 +268,10 @@ def test_forward_bends_up_to_60_degrees(api_says: ApiSays) -> None:
 
 
 def test_between_a_left_and_a_right_way_nothing_else_is_taken(
-    scenes: Scenes, put_robot: PutRobot, api_says: ApiSays
+    put_robot: PutRobot, api_says: ApiSays
 ) -> None:
     api_says("between just a left and a right way it is refused")
-    robot = put_robot(scenes["t_junction"], 0, 0, 90)
+    robot = put_robot("t_junction", 0, 0, 90)
     for word in set(DIRECTIONS) - {"left", "right", "around"}:
         assert not robot.turn(word).turned
     assert robot.turn("left").turned
@@ -292,26 +286,22 @@ def test_floors_walls_corridors_and_halls_are_not_found(
 ) -> None:
     api_says("floors, walls, corridors and halls are not")
     for name in ("corridor", "two_rooms", "t_junction"):
-        robot = put_robot(scenes[name], *scenes[name].site.routes[0].start[:2], 0)
+        robot = put_robot(name, *scenes[name].site.routes[0].start[:2], 0)
         assert not any(robot.detect_from_RGB_image(words) for _ in walk(robot))
 
 
-def test_a_room_is_found_by_its_door(
-    scenes: Scenes, put_robot: PutRobot, api_says: ApiSays
-) -> None:
+def test_a_room_is_found_by_its_door(put_robot: PutRobot, api_says: ApiSays) -> None:
     api_says('Rooms are found by their doors ("library", "room 12")')
-    (found,) = put_robot(scenes["t_junction"], -9, 0, 180).detect_from_RGB_image(
-        "library"
-    )
+    (found,) = put_robot("t_junction", -9, 0, 180).detect_from_RGB_image("library")
     assert "door" in found.label
 
 
 @pytest.mark.parametrize(("words", "doors"), [("102", 1), ("10", 0), ("1025", 0)])
 def test_numbers_match_whole(
-    scenes: Scenes, put_robot: PutRobot, api_says: ApiSays, words: str, doors: int
+    put_robot: PutRobot, api_says: ApiSays, words: str, doors: int
 ) -> None:
     api_says("Numbers match whole")
-    robot = put_robot(scenes["corridor"], 1, 0)
+    robot = put_robot("corridor", 1, 0)
     found = {
         each.track_id
         for _ in walk(robot)
@@ -321,10 +311,10 @@ def test_numbers_match_whole(
 
 
 def test_no_threshold_is_needed_and_a_high_one_would_lose_what_was_meant(
-    scenes: Scenes, put_robot: PutRobot, api_says: ApiSays
+    put_robot: PutRobot, api_says: ApiSays
 ) -> None:
     api_says("What fits badly is left out already: no threshold is needed.")
-    robot = put_robot(scenes["t_junction"], -9, 0, 180)
+    robot = put_robot("t_junction", -9, 0, 180)
     (door,) = robot.detect_from_RGB_image("sign that says Library")
     assert 0.5 <= door.score < 0.7
     assert robot.detect_from_RGB_image("door")[0].score == 1
@@ -332,10 +322,10 @@ def test_no_threshold_is_needed_and_a_high_one_would_lose_what_was_meant(
 
 
 def test_a_sign_that_is_found_may_point_the_way(
-    scenes: Scenes, put_robot: PutRobot, api_says: ApiSays
+    put_robot: PutRobot, api_says: ApiSays
 ) -> None:
     api_says("A sign may bear the words and only point the way: read it.")
-    robot = put_robot(scenes["t_junction"], 0, -2.5, 90)
+    robot = put_robot("t_junction", 0, -2.5, 90)
     (sign,) = robot.detect_from_RGB_image("sign that says Library")
     (text,) = robot.read_signs()
     assert sign.distance == pytest.approx(text.distance, abs=0.1)
@@ -343,10 +333,10 @@ def test_a_sign_that_is_found_may_point_the_way(
 
 
 def test_door_signs_are_read_before_the_robot_is_beside_them(
-    scenes: Scenes, put_robot: PutRobot, api_says: ApiSays
+    put_robot: PutRobot, api_says: ApiSays
 ) -> None:
     api_says("for a few steps of 0.5 m before the robot is beside it")
-    robot = put_robot(scenes["corridor"], 1, 0)
+    robot = put_robot("corridor", 1, 0)
     ahead: dict[str, list[float]] = {}
     doors = {"101": 3.0, "102": 7.5, "103": 12.0, "104": 16.5}
     for _ in walk(robot):

@@ -44,30 +44,26 @@ def test_keeps_the_contract_of_the_control_api(
     "nonsense", [0, -0.5, math.nan, math.inf, True, "2", None, [1.0]]
 )
 def test_refuses_distances_without_meaning(
-    scenes: dict[str, Scene], put_robot: PutRobot, nonsense: object
+    put_robot: PutRobot, nonsense: object
 ) -> None:
     events: list[TraceEvent] = []
-    robot = put_robot(scenes["corridor"], 2, 0, events=events)
+    robot = put_robot("corridor", 2, 0, events=events)
     with pytest.raises(CommandError, match="greater than 0"):
         robot.move_forward(nonsense)  # type: ignore[arg-type]
     assert robot.time == 0
     assert "error" in json.dumps(events[-1].result)
 
 
-def test_a_move_is_as_long_as_asked(
-    scenes: dict[str, Scene], put_robot: PutRobot
-) -> None:
-    robot = put_robot(scenes["corridor"], 2, 0)
+def test_a_move_is_as_long_as_asked(put_robot: PutRobot) -> None:
+    robot = put_robot("corridor", 2, 0)
     result = robot.move_forward(3)
     assert result.reason == "done"
     assert result.distance == pytest.approx(3, abs=0.01)
     assert robot.pose.x == pytest.approx(5, abs=0.02)
 
 
-def test_many_short_moves_are_one_long_walk(
-    scenes: dict[str, Scene], put_robot: PutRobot
-) -> None:
-    robot = put_robot(scenes["corridor"], 2, 0)
+def test_many_short_moves_are_one_long_walk(put_robot: PutRobot) -> None:
+    robot = put_robot("corridor", 2, 0)
     for _ in range(20):
         assert robot.move_forward(0.5).reason == "done"
     assert robot.pose.x == pytest.approx(12, abs=0.1)
@@ -75,10 +71,8 @@ def test_many_short_moves_are_one_long_walk(
     assert robot.time < 16, "it must not stop after each of them"
 
 
-def test_no_time_passes_while_it_looks(
-    scenes: dict[str, Scene], put_robot: PutRobot
-) -> None:
-    robot = put_robot(scenes["corridor"], 2, 0)
+def test_no_time_passes_while_it_looks(put_robot: PutRobot) -> None:
+    robot = put_robot("corridor", 2, 0)
     robot.move_forward(1)
     before = robot.time, robot.pose
     robot.detect_turning_point()
@@ -89,10 +83,8 @@ def test_no_time_passes_while_it_looks(
     assert (robot.time, robot.pose) == before
 
 
-def test_stands_still_within_a_few_centimetres_after_stop(
-    scenes: dict[str, Scene], put_robot: PutRobot
-) -> None:
-    robot = put_robot(scenes["corridor"], 2, 0)
+def test_stands_still_within_a_few_centimetres_after_stop(put_robot: PutRobot) -> None:
+    robot = put_robot("corridor", 2, 0)
     robot.move_forward(3)
     with pytest.raises(EpisodeOver) as over:
         robot.stop()
@@ -100,22 +92,18 @@ def test_stands_still_within_a_few_centimetres_after_stop(
     assert robot.pose.x == pytest.approx(5.1, abs=0.1)
 
 
-def test_sees_the_bench_it_drives_up_to(
-    scenes: dict[str, Scene], put_robot: PutRobot
-) -> None:
-    robot = put_robot(scenes["corridor"], 7.5, 0)
+def test_sees_the_bench_it_drives_up_to(put_robot: PutRobot) -> None:
+    robot = put_robot("corridor", 7.5, 0)
     (bench,) = robot.detect_from_RGB_image("bench")
     assert isinstance(bench, Detection)
     assert bench.bearing_deg < 0
     assert 1.5 < bench.distance < 2.6
 
 
-def test_the_same_seed_gives_the_same_walk_step_by_step(
-    scenes: dict[str, Scene], put_robot: PutRobot
-) -> None:
+def test_the_same_seed_gives_the_same_walk_step_by_step(put_robot: PutRobot) -> None:
     walks = []
     for seed in (7, 7, 8):
-        robot = put_robot(scenes["l_shape"], 1, 0.2, seed=seed)
+        robot = put_robot("l_shape", 1, 0.2, seed=seed)
         robot.move_forward(20)
         robot.turn("left")
         robot.move_forward(20)
@@ -124,22 +112,20 @@ def test_the_same_seed_gives_the_same_walk_step_by_step(
     assert walks[0] != walks[2]
 
 
-def test_two_robots_in_one_scene_do_not_disturb_each_other(
-    scenes: dict[str, Scene], put_robot: PutRobot
-) -> None:
-    alone = put_robot(scenes["l_shape"], 1, 0)
+def test_two_robots_in_one_scene_do_not_disturb_each_other(put_robot: PutRobot) -> None:
+    alone = put_robot("l_shape", 1, 0)
     alone.move_forward(4)
     alone.move_forward(4)
-    first, second = (put_robot(scenes["l_shape"], 1, 0) for _ in range(2))
+    first, second = (put_robot("l_shape", 1, 0) for _ in range(2))
     for robot in (first, second, first, second):
         robot.move_forward(4)
     assert first.trajectory() == second.trajectory() == alone.trajectory()
 
 
 def test_the_trajectory_is_sampled_evenly_and_after_every_call(
-    scenes: dict[str, Scene], put_robot: PutRobot
+    put_robot: PutRobot,
 ) -> None:
-    robot = put_robot(scenes["corridor"], 2, 0)
+    robot = put_robot("corridor", 2, 0)
     robot.move_forward(2.1)
     after_move = robot.pose
     robot.turn("around")
@@ -150,11 +136,9 @@ def test_the_trajectory_is_sampled_evenly_and_after_every_call(
     assert after_move in [pose.pose for pose in robot.trajectory().poses]
 
 
-def test_every_call_leaves_an_event_that_json_can_tell(
-    scenes: dict[str, Scene], put_robot: PutRobot
-) -> None:
+def test_every_call_leaves_an_event_that_json_can_tell(put_robot: PutRobot) -> None:
     events: list[TraceEvent] = []
-    robot = put_robot(scenes["corridor"], 7.5, 0, events=events)
+    robot = put_robot("corridor", 7.5, 0, events=events)
     robot.move_forward(1)
     robot.turn("left")
     robot.detect_from_RGB_image("bench")
@@ -177,10 +161,8 @@ def test_every_call_leaves_an_event_that_json_can_tell(
     assert robot.refused_turns == 1
 
 
-def test_follows_a_given_line_to_its_end(
-    l_site: Site, scenes: dict[str, Scene], put_robot: PutRobot
-) -> None:
-    robot = put_robot(scenes["l_shape"], 1, 0)
+def test_follows_a_given_line_to_its_end(l_site: Site, put_robot: PutRobot) -> None:
+    robot = put_robot("l_shape", 1, 0)
     line = l_site.routes[0].line
     result = robot.follow(line.coords)
     assert result.reason == "done"
@@ -189,10 +171,8 @@ def test_follows_a_given_line_to_its_end(
 
 
 @pytest.mark.parametrize("line", [[1.0, 2.0], [[1.0]], [[math.nan, 0.0]]])
-def test_refuses_lines_without_meaning(
-    scenes: dict[str, Scene], put_robot: PutRobot, line: object
-) -> None:
-    robot = put_robot(scenes["corridor"], 2, 0)
+def test_refuses_lines_without_meaning(put_robot: PutRobot, line: object) -> None:
+    robot = put_robot("corridor", 2, 0)
     with pytest.raises(CommandError, match="follow"):
         robot.follow(line)  # type: ignore[arg-type]
 

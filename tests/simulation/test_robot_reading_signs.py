@@ -73,7 +73,7 @@ def test_the_label_of_a_door_is_read(plans):
 
 def test_reading_is_a_call_in_the_trace(reader_at, put_robot, scenes):
     events = []
-    robot = put_robot(scenes["corridor"], 2, 0, events=events)
+    robot = put_robot("corridor", 2, 0, events=events)
     robot.read_signs()
 
     assert [event.call for event in events] == ["read_signs"]

@@ -15,10 +15,8 @@ from memorymaze.simulation.scene import Scene, build_scene
 PutRobot = Callable[..., SimulatedRobot]
 
 
-def test_time_passes_and_the_robot_stays(
-    scenes: dict[str, Scene], put_robot: PutRobot
-) -> None:
-    robot = put_robot(scenes["corridor"], 2, 0)
+def test_time_passes_and_the_robot_stays(put_robot: PutRobot) -> None:
+    robot = put_robot("corridor", 2, 0)
     before = robot.pose
     assert robot.wait(12.5) == pytest.approx(12.5)
     assert robot.time == robot.standing_time == pytest.approx(12.5)
@@ -27,12 +25,10 @@ def test_time_passes_and_the_robot_stays(
     assert robot.waiting_time == 0
 
 
-def test_the_walk_is_the_same_however_long_it_stands(
-    scenes: dict[str, Scene], put_robot: PutRobot
-) -> None:
+def test_the_walk_is_the_same_however_long_it_stands(put_robot: PutRobot) -> None:
     walks: list[list[tuple[float, ...]]] = []
     for seconds in (0.0, 40.0):
-        robot = put_robot(scenes["corridor"], 2, 0)
+        robot = put_robot("corridor", 2, 0)
         for _ in range(4):
             robot.move_forward(1.5)
             robot.wait(seconds)
@@ -41,10 +37,8 @@ def test_the_walk_is_the_same_however_long_it_stands(
     assert set(walks[1]) == set(walks[0])
 
 
-def test_a_rolling_robot_first_comes_to_rest(
-    scenes: dict[str, Scene], put_robot: PutRobot
-) -> None:
-    robot = put_robot(scenes["corridor"], 2, 0)
+def test_a_rolling_robot_first_comes_to_rest(put_robot: PutRobot) -> None:
+    robot = put_robot("corridor", 2, 0)
     robot.move_forward(2)
     walked = robot.time
     rolled = robot.pose
@@ -54,10 +48,8 @@ def test_a_rolling_robot_first_comes_to_rest(
     assert robot.standing_time == pytest.approx(3)
 
 
-def test_standing_does_not_count_against_the_time_budget(
-    scenes: dict[str, Scene], put_robot: PutRobot
-) -> None:
-    robot = put_robot(scenes["corridor"], 2, 0, time_budget=5.0)
+def test_standing_does_not_count_against_the_time_budget(put_robot: PutRobot) -> None:
+    robot = put_robot("corridor", 2, 0, time_budget=5.0)
     robot.wait(100)
     assert robot.move_forward(2).reason == "done"
     assert robot.move_forward(9).reason == "budget"
@@ -66,10 +58,8 @@ def test_standing_does_not_count_against_the_time_budget(
         robot.move_forward(1)
 
 
-def test_nothing_passes_once_the_episode_is_over(
-    scenes: dict[str, Scene], put_robot: PutRobot
-) -> None:
-    robot = put_robot(scenes["corridor"], 2, 0)
+def test_nothing_passes_once_the_episode_is_over(put_robot: PutRobot) -> None:
+    robot = put_robot("corridor", 2, 0)
     robot.finish()
     assert robot.wait(5) == 0
     assert robot.standing_time == 0
@@ -77,10 +67,10 @@ def test_nothing_passes_once_the_episode_is_over(
 
 @pytest.mark.parametrize("nonsense", [-1, math.nan, math.inf])
 def test_times_without_meaning_are_refused(
-    scenes: dict[str, Scene], put_robot: PutRobot, nonsense: float
+    put_robot: PutRobot, nonsense: float
 ) -> None:
     with pytest.raises(CommandError, match="0 or more seconds"):
-        put_robot(scenes["corridor"], 2, 0).wait(nonsense)
+        put_robot("corridor", 2, 0).wait(nonsense)
 
 
 def _people(robot: SimulatedRobot) -> np.ndarray:

@@ -4,11 +4,9 @@ import pytest
 
 from memorymaze.errors import EpisodeOver
 from memorymaze.simulation.robot import SimulatedRobot
-from memorymaze.simulation.scene import Scene
 from memorymaze.simulation.settings import SimulationSettings
 
 PutRobot = Callable[..., SimulatedRobot]
-Scenes = dict[str, Scene]
 ApiSays = Callable[[str], None]
 
 
@@ -17,10 +15,8 @@ def repeat(call: Callable[[], object], times: int) -> None:
         call()
 
 
-def test_a_move_ends_when_the_time_is_used_up(
-    scenes: Scenes, put_robot: PutRobot
-) -> None:
-    robot = put_robot(scenes["corridor"], 2, 0, time_budget=5.0)
+def test_a_move_ends_when_the_time_is_used_up(put_robot: PutRobot) -> None:
+    robot = put_robot("corridor", 2, 0, time_budget=5.0)
     result = robot.move_forward(100)
     assert result.reason == "budget"
     assert robot.time == pytest.approx(5, abs=0.06)
@@ -30,19 +26,15 @@ def test_a_move_ends_when_the_time_is_used_up(
     assert over.value.stopped_by == "budget"
 
 
-def test_a_turn_ends_when_the_time_is_used_up(
-    scenes: Scenes, put_robot: PutRobot
-) -> None:
-    robot = put_robot(scenes["corridor"], 2, 0, time_budget=1.0)
+def test_a_turn_ends_when_the_time_is_used_up(put_robot: PutRobot) -> None:
+    robot = put_robot("corridor", 2, 0, time_budget=1.0)
     result = robot.turn("around")
     assert not result.turned
     assert robot.stopped_by == "budget"
 
 
-def test_calls_beyond_the_budget_are_refused(
-    scenes: Scenes, put_robot: PutRobot
-) -> None:
-    robot = put_robot(scenes["corridor"], 2, 0, call_budget=3)
+def test_calls_beyond_the_budget_are_refused(put_robot: PutRobot) -> None:
+    robot = put_robot("corridor", 2, 0, call_budget=3)
     for _ in range(3):
         robot.move_forward(0.5)
     with pytest.raises(EpisodeOver) as over:
@@ -61,9 +53,9 @@ def test_calls_beyond_the_budget_are_refused(
     ],
 )
 def test_calls_that_change_nothing_end_the_episode_as_stuck(
-    scenes: Scenes, put_robot: PutRobot, call: Callable[[SimulatedRobot], object]
+    put_robot: PutRobot, call: Callable[[SimulatedRobot], object]
 ) -> None:
-    robot = put_robot(scenes["corridor"], 19.3, 0, stuck_limit=10)
+    robot = put_robot("corridor", 19.3, 0, stuck_limit=10)
     for _ in range(8):
         call(robot)
     assert robot.stopped_by is None
@@ -80,17 +72,15 @@ def test_the_control_api_names_the_limits_of_calls(api_says: ApiSays) -> None:
     )
 
 
-def test_asking_for_something_else_is_not_stuck(
-    scenes: Scenes, put_robot: PutRobot
-) -> None:
-    robot = put_robot(scenes["corridor"], 2, 0, stuck_limit=10)
+def test_asking_for_something_else_is_not_stuck(put_robot: PutRobot) -> None:
+    robot = put_robot("corridor", 2, 0, stuck_limit=10)
     for number in range(30):
         robot.detect_from_RGB_image(f"door {number}")
     assert robot.stopped_by is None
 
 
-def test_walking_on_is_never_stuck(scenes: Scenes, put_robot: PutRobot) -> None:
-    robot = put_robot(scenes["corridor"], 2, 0, stuck_limit=5)
+def test_walking_on_is_never_stuck(put_robot: PutRobot) -> None:
+    robot = put_robot("corridor", 2, 0, stuck_limit=5)
     for _ in range(12):
         robot.detect_turning_point()
         robot.say("On we go.")
@@ -98,8 +88,8 @@ def test_walking_on_is_never_stuck(scenes: Scenes, put_robot: PutRobot) -> None:
     assert robot.stopped_by is None
 
 
-def test_after_stop_nothing_follows(scenes: Scenes, put_robot: PutRobot) -> None:
-    robot = put_robot(scenes["corridor"], 2, 0)
+def test_after_stop_nothing_follows(put_robot: PutRobot) -> None:
+    robot = put_robot("corridor", 2, 0)
     assert robot.finish() == "agent"
     assert robot.finish() == "agent", "finishing twice does nothing"
     with pytest.raises(EpisodeOver):

@@ -71,10 +71,8 @@ def test_the_robot_stays_upright_and_on_the_floor(scenes: dict[str, Scene]) -> N
         assert math.hypot(i, j) < 0.02 + 0 * w
 
 
-def test_speed_and_acceleration_keep_their_limits(
-    scenes: dict[str, Scene], put_robot: PutRobot
-) -> None:
-    robot = put_robot(scenes["corridor"], 1, 0, wheel_noise=0.0, sampling_period=0.05)
+def test_speed_and_acceleration_keep_their_limits(put_robot: PutRobot) -> None:
+    robot = put_robot("corridor", 1, 0, wheel_noise=0.0, sampling_period=0.05)
     robot.move_forward(15)
     poses = robot.trajectory().poses
     times = np.array([pose.time for pose in poses])

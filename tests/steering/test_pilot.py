@@ -8,10 +8,9 @@ from shapely import LineString, Polygon, box
 from shapely.affinity import rotate
 
 from memorymaze.simulation.robot import SimulatedRobot
-from memorymaze.simulation.scene import Scene, build_scene
+from memorymaze.simulation.scene import build_scene
 
 PutRobot = Callable[..., SimulatedRobot]
-Scenes = dict[str, Scene]
 ApiSays = Callable[[str], None]
 
 
@@ -31,14 +30,14 @@ def offsets_from(robot: SimulatedRobot, line: list[tuple[float, float]]) -> np.n
     return np.array([way.distance(Point(point)) for point in points])
 
 
-def test_keeps_to_the_middle_of_a_corridor(scenes: Scenes, put_robot: PutRobot) -> None:
-    robot = put_robot(scenes["corridor"], 1, 0)
+def test_keeps_to_the_middle_of_a_corridor(put_robot: PutRobot) -> None:
+    robot = put_robot("corridor", 1, 0)
     robot.move_forward(15)
     assert offsets_from(robot, [(0, 0), (20, 0)]).max() < 0.05
 
 
-def test_halts_before_the_wall_at_the_end(scenes: Scenes, put_robot: PutRobot) -> None:
-    robot = put_robot(scenes["corridor"], 1, 0)
+def test_halts_before_the_wall_at_the_end(put_robot: PutRobot) -> None:
+    robot = put_robot("corridor", 1, 0)
     result = robot.move_forward(100)
     assert result.reason == "wall"
     assert result.distance == pytest.approx(robot.pose.x - 1, abs=0.02)
@@ -47,10 +46,8 @@ def test_halts_before_the_wall_at_the_end(scenes: Scenes, put_robot: PutRobot) -
     assert robot.collisions == ()
 
 
-def test_halts_at_a_corner_inside_its_turning_point(
-    scenes: Scenes, put_robot: PutRobot
-) -> None:
-    robot = put_robot(scenes["l_shape"], 1, 0)
+def test_halts_at_a_corner_inside_its_turning_point(put_robot: PutRobot) -> None:
+    robot = put_robot("l_shape", 1, 0)
     result = robot.move_forward(100)
     assert result.reason == "wall"
     assert robot.pose.x == pytest.approx(12 - 0.7, abs=0.03)
@@ -67,14 +64,9 @@ def test_halts_at_a_corner_inside_its_turning_point(
     ],
 )
 def test_tells_the_ways_on_from_each_side_of_a_t_junction(
-    scenes: Scenes,
-    put_robot: PutRobot,
-    x: float,
-    y: float,
-    degrees: float,
-    expected: list[str],
+    put_robot: PutRobot, x: float, y: float, degrees: float, expected: list[str]
 ) -> None:
-    robot = put_robot(scenes["t_junction"], x, y, degrees)
+    robot = put_robot("t_junction", x, y, degrees)
     while not robot.detect_turning_point():
         assert robot.move_forward(0.5).reason == "done"
     assert robot.detect_turning_point() == expected
@@ -83,9 +75,9 @@ def test_tells_the_ways_on_from_each_side_of_a_t_junction(
 
 @pytest.mark.parametrize(("direction", "end"), [("left", -11.3), ("right", 11.3)])
 def test_turns_into_the_middle_of_the_way_chosen(
-    scenes: Scenes, put_robot: PutRobot, direction: str, end: float
+    put_robot: PutRobot, direction: str, end: float
 ) -> None:
-    robot = put_robot(scenes["t_junction"], 0, -9, 90)
+    robot = put_robot("t_junction", 0, -9, 90)
     walk_until(robot, direction)
     result = robot.turn(direction)
     assert result.turned
@@ -97,45 +89,39 @@ def test_turns_into_the_middle_of_the_way_chosen(
     assert robot.collisions == ()
 
 
-def test_turns_after_overrunning_the_junction_to_its_wall(
-    scenes: Scenes, put_robot: PutRobot
-) -> None:
-    robot = put_robot(scenes["t_junction"], 0, -9, 90)
+def test_turns_after_overrunning_the_junction_to_its_wall(put_robot: PutRobot) -> None:
+    robot = put_robot("t_junction", 0, -9, 90)
     assert robot.move_forward(50).reason == "wall"
     assert robot.turn("left").turned
     assert robot.pose.y == pytest.approx(0, abs=0.05)
     assert robot.pose.heading == pytest.approx(math.pi, abs=0.02)
 
 
-def test_goes_straight_on_over_a_crossing(scenes: Scenes, put_robot: PutRobot) -> None:
-    robot = put_robot(scenes["crossing"], -10, 0)
+def test_goes_straight_on_over_a_crossing(put_robot: PutRobot) -> None:
+    robot = put_robot("crossing", -10, 0)
     robot.move_forward(18)
     assert robot.pose.x == pytest.approx(8, abs=0.05)
     assert offsets_from(robot, [(-12, 0), (12, 0)]).max() < 0.05
 
 
-def test_never_names_the_way_it_came(scenes: Scenes, put_robot: PutRobot) -> None:
-    robot = put_robot(scenes["crossing"], 0, 0, 90)
+def test_never_names_the_way_it_came(put_robot: PutRobot) -> None:
+    robot = put_robot("crossing", 0, 0, 90)
     assert robot.detect_turning_point() == ["left", "right", "forward"]
     assert robot.turn("left").turned
     # It came from the south, which now lies to the left.
     assert robot.detect_turning_point() == ["right", "forward"]
 
 
-def test_may_turn_back_into_the_way_it_came_after_turning(
-    scenes: Scenes, put_robot: PutRobot
-) -> None:
-    robot = put_robot(scenes["crossing"], 0, 0, 90)
+def test_may_turn_back_into_the_way_it_came_after_turning(put_robot: PutRobot) -> None:
+    robot = put_robot("crossing", 0, 0, 90)
     robot.turn("left")
     assert robot.turn("left").turned
     assert robot.pose.heading == pytest.approx(-math.pi / 2, abs=0.02)
 
 
-def test_finds_slanted_ways_by_their_own_word_and_by_left(
-    scenes: Scenes, put_robot: PutRobot
-) -> None:
+def test_finds_slanted_ways_by_their_own_word_and_by_left(put_robot: PutRobot) -> None:
     for word in ("slight_left", "left"):
-        robot = put_robot(scenes["slanted_crossing"], -10, 0)
+        robot = put_robot("slanted_crossing", -10, 0)
         walk_until(robot, "slight_left")
         assert robot.detect_turning_point() == ["right", "forward", "slight_left"]
         assert robot.turn(word).turned
@@ -145,9 +131,9 @@ def test_finds_slanted_ways_by_their_own_word_and_by_left(
 
 
 def test_refuses_a_direction_without_a_way_and_says_what_there_is(
-    scenes: Scenes, put_robot: PutRobot
+    put_robot: PutRobot,
 ) -> None:
-    robot = put_robot(scenes["l_shape"], 1, 0)
+    robot = put_robot("l_shape", 1, 0)
     walk_until(robot, "left")
     before = robot.time
     result = robot.turn("right")
@@ -158,10 +144,8 @@ def test_refuses_a_direction_without_a_way_and_says_what_there_is(
     assert robot.refused_turns == 1
 
 
-def test_turns_nowhere_but_around_outside_turning_points(
-    scenes: Scenes, put_robot: PutRobot
-) -> None:
-    robot = put_robot(scenes["l_shape"], 5, 0)
+def test_turns_nowhere_but_around_outside_turning_points(put_robot: PutRobot) -> None:
+    robot = put_robot("l_shape", 5, 0)
     assert robot.detect_turning_point() == []
     assert robot.turning_point_id() is None
     assert "not a turning point" in robot.turn("left").message
@@ -171,19 +155,15 @@ def test_turns_nowhere_but_around_outside_turning_points(
     assert robot.pose.x == pytest.approx(2, abs=0.1)
 
 
-def test_suggests_a_direction_for_a_misspelt_one(
-    scenes: Scenes, put_robot: PutRobot
-) -> None:
-    robot = put_robot(scenes["l_shape"], 11, 0)
+def test_suggests_a_direction_for_a_misspelt_one(put_robot: PutRobot) -> None:
+    robot = put_robot("l_shape", 11, 0)
     result = robot.turn("lefft")
     assert not result.turned
     assert "did you mean 'left'" in result.message
 
 
-def test_numbers_turning_points_in_the_order_it_meets_them(
-    scenes: Scenes, put_robot: PutRobot
-) -> None:
-    robot = put_robot(scenes["loop"], 1, 4, 90)
+def test_numbers_turning_points_in_the_order_it_meets_them(put_robot: PutRobot) -> None:
+    robot = put_robot("loop", 1, 4, 90)
     seen = []
     for _ in range(5):
         walk_until(robot, "right")
@@ -251,10 +231,8 @@ def test_drives_under_hanging_signs_and_past_posters(
     assert robot.collisions == ()
 
 
-def test_goes_straight_on_through_open_areas(
-    scenes: Scenes, put_robot: PutRobot
-) -> None:
-    robot = put_robot(scenes["two_rooms"], 1, 3.3)
+def test_goes_straight_on_through_open_areas(put_robot: PutRobot) -> None:
+    robot = put_robot("two_rooms", 1, 3.3)
     result = robot.move_forward(30)
     assert result.reason == "wall"
     assert robot.pose.x == pytest.approx(17.3, abs=0.05)
@@ -278,10 +256,8 @@ def test_follows_on_into_a_corridor_set_off_to_the_side(
     assert robot.collisions == ()
 
 
-def test_does_not_swerve_into_a_slanted_side_corridor(
-    scenes: Scenes, put_robot: PutRobot
-) -> None:
-    robot = put_robot(scenes["slanted_crossing"], -10, 0)
+def test_does_not_swerve_into_a_slanted_side_corridor(put_robot: PutRobot) -> None:
+    robot = put_robot("slanted_crossing", -10, 0)
     robot.move_forward(18)
     assert robot.pose.x == pytest.approx(8, abs=0.05)
     assert abs(robot.pose.y) < 0.05
@@ -343,7 +319,7 @@ def test_crosses_a_lobby_into_the_passage_opposite(
 
 
 def test_at_the_start_the_way_behind_counts_as_the_way_it_came(
-    scenes: Scenes, put_robot: PutRobot
+    put_robot: PutRobot,
 ) -> None:
-    robot = put_robot(scenes["t_junction"], 0, 0, 180)
+    robot = put_robot("t_junction", 0, 0, 180)
     assert robot.detect_turning_point() == ["left", "forward"]

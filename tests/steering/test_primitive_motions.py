@@ -34,9 +34,9 @@ def off_course(before: Pose, after: Pose) -> tuple[float, float]:
 
 @pytest.mark.parametrize("seed", range(3))
 def test_a_step_is_as_long_and_as_straight_as_asked(
-    scenes: dict[str, Scene], put_robot: PutRobot, seed: int
+    put_robot: PutRobot, seed: int
 ) -> None:
-    robot = put_robot(scenes["corridor"], 2, 0.4, 3, seed=seed)
+    robot = put_robot("corridor", 2, 0.4, 3, seed=seed)
     for _ in range(20):
         before = robot.pose
         moved = robot.step_forward(0.25)
@@ -50,9 +50,9 @@ def test_a_step_is_as_long_and_as_straight_as_asked(
 
 @pytest.mark.parametrize("degrees", [15, -15, 30, -30, 90, 180, -350, 360])
 def test_a_turn_is_as_wide_as_asked_and_on_the_spot(
-    scenes: dict[str, Scene], put_robot: PutRobot, degrees: float
+    put_robot: PutRobot, degrees: float
 ) -> None:
-    robot = put_robot(scenes["corridor"], 5, 0, 40)
+    robot = put_robot("corridor", 5, 0, 40)
     for _ in range(4):
         before = robot.pose
         angle = math.radians(degrees)
@@ -97,10 +97,10 @@ def test_steps_end_at_rest_and_tell_what_happened(
 
 
 def test_a_step_goes_straight_on_where_a_move_keeps_to_the_middle(
-    scenes: dict[str, Scene], put_robot: PutRobot
+    put_robot: PutRobot,
 ) -> None:
-    stepping = put_robot(scenes["corridor"], 2, 0.9)
-    moving = put_robot(scenes["corridor"], 2, 0.9)
+    stepping = put_robot("corridor", 2, 0.9)
+    moving = put_robot("corridor", 2, 0.9)
     stepping.step_forward(5)
     moving.move_forward(5)
     assert stepping.pose.y == pytest.approx(0.9, abs=0.01)
@@ -109,9 +109,9 @@ def test_a_step_goes_straight_on_where_a_move_keeps_to_the_middle(
 
 @pytest.mark.parametrize("degrees", [0, 20, 45, 90])
 def test_a_wall_stops_a_step_and_is_a_collision(
-    scenes: dict[str, Scene], put_robot: PutRobot, degrees: float
+    put_robot: PutRobot, degrees: float
 ) -> None:
-    robot = put_robot(scenes["corridor"], 16, 0, degrees)
+    robot = put_robot("corridor", 16, 0, degrees)
     free = min(
         3.75 / math.cos(math.radians(degrees)),
         1.25 / max(math.sin(math.radians(degrees)), 1e-9),
@@ -135,11 +135,9 @@ def test_a_thing_in_the_way_stops_a_step(plans: Any) -> None:
     assert collision.object_id == "crate"
 
 
-def test_steps_stand_in_the_trace_and_count_as_calls(
-    scenes: dict[str, Scene], put_robot: PutRobot
-) -> None:
+def test_steps_stand_in_the_trace_and_count_as_calls(put_robot: PutRobot) -> None:
     events: list[TraceEvent] = []
-    robot = put_robot(scenes["corridor"], 2, 0, events=events)
+    robot = put_robot("corridor", 2, 0, events=events)
     moved = robot.step_forward(0.25)
     turned = robot.rotate(0.3)
     robot.camera_picture(32, 24)
@@ -157,10 +155,8 @@ def test_steps_stand_in_the_trace_and_count_as_calls(
     assert robot.distance_travelled() == pytest.approx(0.25, abs=0.01)
 
 
-def test_a_picture_shows_what_the_camera_frame_shows(
-    scenes: dict[str, Scene], put_robot: PutRobot
-) -> None:
-    robot = put_robot(scenes["corridor"], 2, 0)
+def test_a_picture_shows_what_the_camera_frame_shows(put_robot: PutRobot) -> None:
+    robot = put_robot("corridor", 2, 0)
     picture = robot.camera_picture(48, 32, math.radians(80))
     frame = robot.camera_frame(48, 32, math.radians(80))
     assert (picture.rgb == frame.rgb).all()
@@ -168,10 +164,8 @@ def test_a_picture_shows_what_the_camera_frame_shows(
     assert (picture.rgb.shape, picture.depth.shape) == ((32, 48, 3), (32, 48))
 
 
-def test_the_call_budget_ends_an_episode_of_steps(
-    scenes: dict[str, Scene], put_robot: PutRobot
-) -> None:
-    robot = put_robot(scenes["corridor"], 2, 0, call_budget=3)
+def test_the_call_budget_ends_an_episode_of_steps(put_robot: PutRobot) -> None:
+    robot = put_robot("corridor", 2, 0, call_budget=3)
     for _ in range(3):
         robot.step_forward(0.25)
     with pytest.raises(EpisodeOver, match="budget"):
@@ -180,9 +174,9 @@ def test_the_call_budget_ends_an_episode_of_steps(
 
 @pytest.mark.parametrize(("call", "asked"), [("step_forward", 10), ("rotate", 6)])
 def test_the_time_budget_cuts_a_step_short(
-    scenes: dict[str, Scene], put_robot: PutRobot, call: str, asked: float
+    put_robot: PutRobot, call: str, asked: float
 ) -> None:
-    robot = put_robot(scenes["corridor"], 2, 0, time_budget=1.0)
+    robot = put_robot("corridor", 2, 0, time_budget=1.0)
     assert 0 < getattr(robot, call)(asked) < asked
     assert robot.stopped_by == "budget"
     with pytest.raises(EpisodeOver):
@@ -190,10 +184,8 @@ def test_the_time_budget_cuts_a_step_short(
 
 
 @pytest.mark.parametrize("nonsense", [0, math.nan, math.inf, True, "2", None, [1.0]])
-def test_refuses_steps_without_meaning(
-    scenes: dict[str, Scene], put_robot: PutRobot, nonsense: Any
-) -> None:
-    robot = put_robot(scenes["corridor"], 2, 0)
+def test_refuses_steps_without_meaning(put_robot: PutRobot, nonsense: Any) -> None:
+    robot = put_robot("corridor", 2, 0)
     with pytest.raises(CommandError, match="step_forward: expected a distance"):
         robot.step_forward(nonsense)
     with pytest.raises(CommandError, match="rotate: expected an angle"):
@@ -202,9 +194,9 @@ def test_refuses_steps_without_meaning(
 
 
 def test_refuses_steps_back_turns_of_more_than_a_circle_and_odd_pictures(
-    scenes: dict[str, Scene], put_robot: PutRobot
+    put_robot: PutRobot,
 ) -> None:
-    robot = put_robot(scenes["corridor"], 2, 0)
+    robot = put_robot("corridor", 2, 0)
     with pytest.raises(CommandError, match=r"got -0\.25"):
         robot.step_forward(-0.25)
     with pytest.raises(CommandError, match="full turn"):
@@ -213,12 +205,10 @@ def test_refuses_steps_back_turns_of_more_than_a_circle_and_odd_pictures(
         robot.camera_picture(0, 10)
 
 
-def test_the_same_seed_gives_the_same_steps(
-    scenes: dict[str, Scene], put_robot: PutRobot
-) -> None:
+def test_the_same_seed_gives_the_same_steps(put_robot: PutRobot) -> None:
     walks = []
     for seed in (4, 4, 5):
-        robot = put_robot(scenes["l_shape"], 1, 0.2, seed=seed)
+        robot = put_robot("l_shape", 1, 0.2, seed=seed)
         for _ in range(5):
             robot.step_forward(0.25)
             robot.rotate(0.1)
@@ -226,44 +216,36 @@ def test_the_same_seed_gives_the_same_steps(
     assert walks[0] == walks[1] != walks[2]
 
 
-def test_moves_and_turns_go_on_from_where_steps_have_led(
-    scenes: dict[str, Scene], put_robot: PutRobot
-) -> None:
-    robot = put_robot(scenes["corridor"], 10, 0)
+def test_moves_and_turns_go_on_from_where_steps_have_led(put_robot: PutRobot) -> None:
+    robot = put_robot("corridor", 10, 0)
     robot.move_forward(1)
     robot.rotate(math.pi)
     assert robot.move_forward(4).reason == "done"
     assert robot.pose.x == pytest.approx(7, abs=0.2)
-    corner = put_robot(scenes["crossing"], -3, 0)
+    corner = put_robot("crossing", -3, 0)
     while corner.turning_point_id() is None:
         corner.step_forward(0.25)
     assert "left" in corner.detect_turning_point()
 
 
-def test_the_simulated_robot_is_a_stepping_robot(
-    scenes: dict[str, Scene], put_robot: PutRobot
-) -> None:
-    robot = put_robot(scenes["corridor"], 2, 0)
+def test_the_simulated_robot_is_a_stepping_robot(put_robot: PutRobot) -> None:
+    robot = put_robot("corridor", 2, 0)
     assert isinstance(robot, SteppingRobot)
     assert isinstance(robot, Robot)
 
 
 @pytest.mark.parametrize("name", STEPS_ONLY)
-def test_programs_do_not_get_steps(
-    scenes: dict[str, Scene], put_robot: PutRobot, name: str
-) -> None:
+def test_programs_do_not_get_steps(put_robot: PutRobot, name: str) -> None:
     assert name not in API_NAMES
     assert name not in api_specification()
-    robot = put_robot(scenes["corridor"], 2, 0)
+    robot = put_robot("corridor", 2, 0)
     with pytest.raises(ProgramError, match=name):
         run_program(f"{name}(1)", robot)
     assert robot.calls == 0
 
 
-def test_pushing_a_wall_for_ever_is_being_stuck(
-    scenes: dict[str, Scene], put_robot: PutRobot
-) -> None:
-    robot = put_robot(scenes["corridor"], 19.5, 0)
+def test_pushing_a_wall_for_ever_is_being_stuck(put_robot: PutRobot) -> None:
+    robot = put_robot("corridor", 19.5, 0)
     with suppress(EpisodeOver):
         while robot.calls < 60:
             robot.step_forward(0.25)
@@ -272,10 +254,8 @@ def test_pushing_a_wall_for_ever_is_being_stuck(
     assert len(robot.collisions) < 5
 
 
-def test_driving_at_given_speeds_rolls_on(
-    scenes: dict[str, Scene], put_robot: PutRobot
-) -> None:
-    robot = put_robot(scenes["corridor"], 2, 0)
+def test_driving_at_given_speeds_rolls_on(put_robot: PutRobot) -> None:
+    robot = put_robot("corridor", 2, 0)
     driven = [robot.drive(0.5, 0.0, 1.0) for _ in range(3)]
     assert robot.time == pytest.approx(3.0)
     # Speeding up at 1.5 m/s2 costs the first second 0.08 m.

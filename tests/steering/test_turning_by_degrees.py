@@ -6,15 +6,13 @@ import pytest
 from memorymaze.errors import CommandError
 from memorymaze.language.sandbox import run_program
 from memorymaze.simulation.robot import SimulatedRobot
-from memorymaze.simulation.scene import Scene
 from memorymaze.steering.calls import TraceEvent
 
 PutRobot = Callable[..., SimulatedRobot]
-Scenes = dict[str, Scene]
 
 
-def test_a_thing_that_is_seen_is_faced(scenes: Scenes, put_robot: PutRobot) -> None:
-    robot = put_robot(scenes["corridor"], 7.5, 0)
+def test_a_thing_that_is_seen_is_faced(put_robot: PutRobot) -> None:
+    robot = put_robot("corridor", 7.5, 0)
     (bench,) = robot.detect_from_RGB_image("bench")
     assert bench.bearing_deg < -10
     result = robot.turn_by(bench.bearing_deg)
@@ -24,10 +22,8 @@ def test_a_thing_that_is_seen_is_faced(scenes: Scenes, put_robot: PutRobot) -> N
     assert abs(bench.bearing_deg) < 5
 
 
-def test_a_door_beside_the_way_is_driven_up_to(
-    scenes: Scenes, put_robot: PutRobot
-) -> None:
-    robot = put_robot(scenes["corridor"], 3, 0)
+def test_a_door_beside_the_way_is_driven_up_to(put_robot: PutRobot) -> None:
+    robot = put_robot("corridor", 3, 0)
     assert not robot.turn("left").turned
     assert robot.turn_by(90).turned
     assert [sign.text for sign in robot.read_signs()] == ["101"]
@@ -37,19 +33,17 @@ def test_a_door_beside_the_way_is_driven_up_to(
 
 
 def test_the_walk_goes_on_along_the_corridor_after_a_look_aside(
-    scenes: Scenes, put_robot: PutRobot
+    put_robot: PutRobot,
 ) -> None:
-    robot = put_robot(scenes["corridor"], 3, 0)
+    robot = put_robot("corridor", 3, 0)
     for degrees in (90, -180, 90):
         robot.turn_by(degrees)
     assert robot.move_forward(5).reason == "done"
     assert robot.pose == pytest.approx((8, 0, 0), abs=0.03)
 
 
-def test_directions_count_from_what_is_faced(
-    scenes: Scenes, put_robot: PutRobot
-) -> None:
-    robot = put_robot(scenes["crossing"], 0, 0, 90)
+def test_directions_count_from_what_is_faced(put_robot: PutRobot) -> None:
+    robot = put_robot("crossing", 0, 0, 90)
     assert robot.detect_turning_point() == ["left", "right", "forward"]
     robot.turn_by(90)
     # It came from the south, which now lies to the left.
@@ -58,8 +52,8 @@ def test_directions_count_from_what_is_faced(
     assert robot.pose.heading == pytest.approx(math.pi / 2, abs=0.02)
 
 
-def test_an_angle_of_nothing_is_an_angle(scenes: Scenes, put_robot: PutRobot) -> None:
-    result = put_robot(scenes["corridor"], 3, 0).turn_by(0.0)
+def test_an_angle_of_nothing_is_an_angle(put_robot: PutRobot) -> None:
+    result = put_robot("corridor", 3, 0).turn_by(0.0)
     assert result.turned
     assert result.angle_deg == 0
 
@@ -67,28 +61,22 @@ def test_an_angle_of_nothing_is_an_angle(scenes: Scenes, put_robot: PutRobot) ->
 @pytest.mark.parametrize(
     "nonsense", [361, 10**400, math.nan, math.inf, True, "90", None]
 )
-def test_refuses_angles_without_meaning(
-    scenes: Scenes, put_robot: PutRobot, nonsense: object
-) -> None:
-    robot = put_robot(scenes["corridor"], 3, 0)
+def test_refuses_angles_without_meaning(put_robot: PutRobot, nonsense: object) -> None:
+    robot = put_robot("corridor", 3, 0)
     with pytest.raises(CommandError, match="degrees, left positive"):
         robot.turn_by(nonsense)  # type: ignore[arg-type]
     assert robot.time == 0
 
 
-def test_a_turn_by_degrees_ends_when_the_time_is_used_up(
-    scenes: Scenes, put_robot: PutRobot
-) -> None:
-    robot = put_robot(scenes["corridor"], 3, 0, time_budget=0.5)
+def test_a_turn_by_degrees_ends_when_the_time_is_used_up(put_robot: PutRobot) -> None:
+    robot = put_robot("corridor", 3, 0, time_budget=0.5)
     assert not robot.turn_by(180).turned
     assert robot.stopped_by == "budget"
 
 
-def test_a_program_faces_the_door_that_it_sees(
-    scenes: Scenes, put_robot: PutRobot
-) -> None:
+def test_a_program_faces_the_door_that_it_sees(put_robot: PutRobot) -> None:
     events: list[TraceEvent] = []
-    robot = put_robot(scenes["corridor"], 1, 0, events=events)
+    robot = put_robot("corridor", 1, 0, events=events)
     program = 'turn_by(detect_from_RGB_image("door")[0].bearing_deg)\nread_signs()\n'
     run_program(program, robot)
     assert [event.call for event in events][1:] == ["turn_by", "read_signs"]

@@ -182,10 +182,8 @@ def test_hanging_sign_leaves_the_picture_when_one_comes_under_it(
     assert look(put_robot(scene, 3.5, 0)) == []
 
 
-def test_doors_of_a_corridor_are_seen_beside_the_way(
-    scenes: dict[str, Scene], put_robot: PutRobot
-) -> None:
-    robot = put_robot(scenes["corridor"], 4.5, 0)
+def test_doors_of_a_corridor_are_seen_beside_the_way(put_robot: PutRobot) -> None:
+    robot = put_robot("corridor", 4.5, 0)
     (door,) = [d for d in look(robot) if d.description.category == "door"]
     assert door.position[0] == pytest.approx(7.5, abs=0.01)
     assert door.bearing > 0
@@ -200,9 +198,9 @@ def drive_past(robot: SimulatedRobot, words: str) -> list[int]:
 
 
 def test_four_equal_doors_count_four_and_stay_four_on_the_way_back(
-    scenes: dict[str, Scene], put_robot: PutRobot
+    put_robot: PutRobot,
 ) -> None:
-    robot = put_robot(scenes["corridor"], 1, 0)
+    robot = put_robot("corridor", 1, 0)
     there = drive_past(robot, "door")
     assert there == [1, 2, 3, 4]
     robot.turn("around")
@@ -336,10 +334,8 @@ def test_looking_needs_no_graphics_library() -> None:
     assert done.returncode == 0
 
 
-def test_a_detector_sees_the_same_twice(
-    scenes: dict[str, Scene], put_robot: PutRobot
-) -> None:
-    robot = put_robot(scenes["corridor"], 8.0, 0)
+def test_a_detector_sees_the_same_twice(put_robot: PutRobot) -> None:
+    robot = put_robot("corridor", 8.0, 0)
     detector = TruthDetector()
     first = detector.detect(robot.camera_view(), "bench")
     assert first == detector.detect(robot.camera_view(), "bench")
