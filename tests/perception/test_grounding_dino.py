@@ -50,13 +50,6 @@ def test_words_below_the_text_threshold_are_no_part_of_the_label(grounding_dino:
     assert all(set(each.split()) <= {"red", "door", "chair"} for each in labels)
 
 
-def test_the_same_picture_gives_the_same_boxes(grounding_dino: Path):
-    first = ZeroShotFinder(str(grounding_dino), box_threshold=0)
-    second = ZeroShotFinder(str(grounding_dino), box_threshold=0)
-
-    assert first.find(RGB, "door") == second.find(RGB, "door")
-
-
 def test_a_model_of_another_family_reads_labels(owl_vit: Path):
     finder = ZeroShotFinder(str(owl_vit), box_threshold=0.4)
 

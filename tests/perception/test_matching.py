@@ -114,10 +114,6 @@ def test_score_falls_with_the_distance_of_the_kind() -> None:
     assert len(set(scores)) == 3
 
 
-def test_unknown_colour_is_no_contradiction_but_a_lower_score() -> None:
-    assert match_score("red chair", ObjectDescription("chair")) == 0.75
-
-
 @pytest.mark.parametrize(
     ("request_", "state", "found"),
     [

@@ -10,18 +10,6 @@ def door(x: float, y: float = 1.5) -> SingleSighting:
     return SingleSighting("door", (x, y), 0.9)
 
 
-def test_four_equal_doors_passed_one_by_one_are_four() -> None:
-    tracker = Tracker()
-    seen = {tracker.update([door(x)])[0] for x in (3.0, 7.5, 12.0, 16.5)}
-    assert len(seen) == 4
-
-
-def test_doors_side_by_side_stay_two_when_seen_one_at_a_time() -> None:
-    tracker = Tracker()
-    assert tracker.update([door(3.0)]) == [1]
-    assert tracker.update([door(4.0)]) == [2]
-
-
 def test_thing_keeps_its_number_after_a_detour() -> None:
     tracker = Tracker()
     first = tracker.update([door(3.0)])

@@ -12,7 +12,6 @@ from memorymaze.errors import CommandError, EpisodeOver
 from memorymaze.evaluation.trace import trace_lines
 from memorymaze.evaluation.trace_entries import call_entry
 from memorymaze.geometry.pose import Pose
-from memorymaze.robot.api import Detection
 from memorymaze.simulation.robot import SimulatedRobot
 from memorymaze.simulation.scene import Scene, build_scene
 from memorymaze.simulation.settings import SimulationSettings
@@ -21,23 +20,11 @@ from memorymaze.steering.calls import TraceEvent
 from memorymaze.testing import check_robot
 
 PutRobot = Callable[..., SimulatedRobot]
-TINY = [
-    "corridor",
-    "crossing",
-    "l_shape",
-    "loop",
-    "slanted_crossing",
-    "t_junction",
-    "two_rooms",
-]
 
 
-@pytest.mark.parametrize("name", TINY)
-def test_keeps_the_contract_of_the_control_api(
-    scenes: dict[str, Scene], name: str
-) -> None:
-    scene = scenes[name]
-    check_robot(SimulatedRobot(scene, scene.site.routes[0].start))
+def test_keeps_the_contract_of_the_control_api(scenes: dict[str, Scene]) -> None:
+    for scene in scenes.values():
+        check_robot(SimulatedRobot(scene, scene.site.routes[0].start))
 
 
 @pytest.mark.parametrize(
@@ -52,14 +39,6 @@ def test_refuses_distances_without_meaning(
         robot.move_forward(nonsense)  # type: ignore[arg-type]
     assert robot.time == 0
     assert "error" in json.dumps(events[-1].result)
-
-
-def test_a_move_is_as_long_as_asked(put_robot: PutRobot) -> None:
-    robot = put_robot("corridor", 2, 0)
-    result = robot.move_forward(3)
-    assert result.reason == "done"
-    assert result.distance == pytest.approx(3, abs=0.01)
-    assert robot.pose.x == pytest.approx(5, abs=0.02)
 
 
 def test_many_short_moves_are_one_long_walk(put_robot: PutRobot) -> None:
@@ -90,14 +69,6 @@ def test_stands_still_within_a_few_centimetres_after_stop(put_robot: PutRobot) -
         robot.stop()
     assert over.value.stopped_by == robot.stopped_by == "agent"
     assert robot.pose.x == pytest.approx(5.1, abs=0.1)
-
-
-def test_sees_the_bench_it_drives_up_to(put_robot: PutRobot) -> None:
-    robot = put_robot("corridor", 7.5, 0)
-    (bench,) = robot.detect_from_RGB_image("bench")
-    assert isinstance(bench, Detection)
-    assert bench.bearing_deg < 0
-    assert 1.5 < bench.distance < 2.6
 
 
 def test_the_same_seed_gives_the_same_walk_step_by_step(put_robot: PutRobot) -> None:
@@ -159,15 +130,6 @@ def test_every_call_leaves_an_event_that_json_can_tell(put_robot: PutRobot) -> N
     assert told[1]["turned"] is False
     assert told[2][0]["label"] == "bench"
     assert robot.refused_turns == 1
-
-
-def test_follows_a_given_line_to_its_end(l_site: Site, put_robot: PutRobot) -> None:
-    robot = put_robot("l_shape", 1, 0)
-    line = l_site.routes[0].line
-    result = robot.follow(line.coords)
-    assert result.reason == "done"
-    assert math.dist(robot.pose[:2], line.coords[-1]) < 0.05
-    assert robot.collisions == ()
 
 
 @pytest.mark.parametrize("line", [[1.0, 2.0], [[1.0]], [[math.nan, 0.0]]])

@@ -18,6 +18,7 @@ from memorymaze.simulation.settings import SimulationSettings
         {"control_period": 0.055},
         {"rolling_speed": 2.0},
         {"wheel_noise": -0.1},
+        {"turning_points": "radar"},
     ],
     ids=lambda wrong: next(iter(wrong)),
 )

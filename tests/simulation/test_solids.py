@@ -4,9 +4,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
-from shapely import LineString, Point, Polygon, box
+from shapely import LineString, Polygon, box
 from shapely.affinity import rotate, translate
 
 from memorymaze.simulation.solids import (
@@ -52,30 +50,6 @@ def test_walls_stand_outside_the_floor_and_touch_all_of_its_edge(
     for wall in walls:
         edge = edge.difference(wall.buffer(1e-6))
     assert edge.length < 1e-6
-
-
-@given(angle=st.floats(0, 2 * math.pi))
-def test_no_ray_leaves_between_two_walls(angle: float) -> None:
-    walls = [footprint(wall) for wall in walls_around(L_SHAPE)]
-    from shapely import LineString
-
-    ray = LineString([
-        (1, 1),
-        (1 + 20 * math.cos(angle), 1 + 20 * math.sin(angle)),
-    ])
-    assert any(wall.intersects(ray) for wall in walls)
-    nearest = min(
-        (wall.intersection(ray).distance(Point(1, 1)), number)
-        for number, wall in enumerate(walls)
-        if wall.intersects(ray)
-    )[0]
-    beyond = (1 + nearest * math.cos(angle), 1 + nearest * math.sin(angle))
-    assert L_SHAPE.buffer(1e-6).covers(Point(beyond))
-
-
-def test_walls_know_which_hole_they_stand_around() -> None:
-    rings = [wall.ring for wall in walls_around(RING)]
-    assert rings == [0, 0, 0, 0, 1, 1, 1, 1]
 
 
 @pytest.mark.parametrize(

@@ -15,7 +15,6 @@ from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.simulation.viewpoint_walk import (
     ViewpointWalk,
     look_around,
-    sector_headings,
 )
 from memorymaze.sites import Site, load_site
 from memorymaze.sites.navigation_graph import (
@@ -115,13 +114,6 @@ def test_a_budget_that_runs_out_on_the_way_ends_the_episode(
     assert walk.viewpoint == graph.viewpoints[0].id
 
 
-def test_a_robot_by_itself_has_no_graph(t_site: Site, robot_in: Make) -> None:
-    robot = robot_in(t_site)
-    ViewpointWalk(robot, navigation_graph(t_site))
-    names = {name for name in dir(robot) if not name.startswith("_")}
-    assert not names & {"viewpoint", "ways_on", "look_around", "go_to", "graph"}
-
-
 def look(site: Site, x: float, y: float) -> Panorama:
     robot = SimulatedRobot(build_scene(site), site.reference_route("R1").start)
     return look_around(robot, x, y)
@@ -129,13 +121,6 @@ def look(site: Site, x: float, y: float) -> Panorama:
 
 def things(panorama: Panorama) -> list[SeenThing]:
     return [thing for outlook in panorama.outlooks for thing in outlook.things]
-
-
-def test_directions_go_clockwise_from_north() -> None:
-    headings = sector_headings()
-    assert headings[NORTH] == math.pi / 2
-    assert abs(turn_between(headings[EAST], 0.0)) < 1e-9
-    assert abs(turn_between(headings[SOUTH], -math.pi / 2)) < 1e-9
 
 
 def test_each_thing_is_told_once_where_it_is(corridor_site: Site) -> None:

@@ -32,24 +32,10 @@ def push(driver: Driver, seconds: float, speed: float = 0.5) -> None:
         driver.tick(speed, 0.0, 0.0)
 
 
-def test_walls_and_obstacles_stop_the_robot_for_real(plans: Any) -> None:
-    site = plans.site(
-        plans.corridor("way", 0, -1, 10, 1),
-        plans.thing("crate", 5, 0, size=(1.0, 0.6, 0.3)),
-    )
-    scene = build_scene(site)
-    _, against_crate = driver_at(scene, 3, 0)
-    push(against_crate, 10)
-    assert against_crate.pose.x == pytest.approx(4.7 - 0.25, abs=0.03)
-    _, against_wall = driver_at(scene, 8, 0)
-    push(against_wall, 10)
-    assert against_wall.pose.x == pytest.approx(9.75, abs=0.03)
-
-
 def test_pushing_against_a_thing_is_one_collision_with_it(plans: Any) -> None:
     site = plans.site(
         plans.corridor("way", 0, -1, 10, 1),
-        plans.thing("crate", 5, 0, size=(1.0, 0.6, 1.0)),
+        plans.thing("crate", 5, 0, size=(1.0, 0.6, 0.3)),
     )
     body, driver = driver_at(build_scene(site), 3, 0)
     push(driver, 8)
@@ -79,13 +65,6 @@ def test_speed_and_acceleration_keep_their_limits(put_robot: PutRobot) -> None:
     speeds = np.diff([pose.x for pose in poses]) / np.diff(times)
     assert speeds.max() == pytest.approx(1.0, abs=0.02)
     assert np.abs(np.diff(speeds)).max() < 1.5 * 0.05 * 1.6
-
-
-def test_turning_on_the_spot_stays_on_the_spot(scenes: dict[str, Scene]) -> None:
-    _, driver = driver_at(scenes["corridor"], 2, 0)
-    driver.spin_to(2.5)
-    assert driver.pose.heading == pytest.approx(2.5, abs=0.01)
-    assert math.dist(driver.pose[:2], (2, 0)) < 0.02
 
 
 def test_backs_up_to_a_point_close_behind(scenes: dict[str, Scene]) -> None:

@@ -30,12 +30,6 @@ def offsets_from(robot: SimulatedRobot, line: list[tuple[float, float]]) -> np.n
     return np.array([way.distance(Point(point)) for point in points])
 
 
-def test_keeps_to_the_middle_of_a_corridor(put_robot: PutRobot) -> None:
-    robot = put_robot("corridor", 1, 0)
-    robot.move_forward(15)
-    assert offsets_from(robot, [(0, 0), (20, 0)]).max() < 0.05
-
-
 def test_halts_before_the_wall_at_the_end(put_robot: PutRobot) -> None:
     robot = put_robot("corridor", 1, 0)
     result = robot.move_forward(100)
@@ -102,21 +96,6 @@ def test_goes_straight_on_over_a_crossing(put_robot: PutRobot) -> None:
     robot.move_forward(18)
     assert robot.pose.x == pytest.approx(8, abs=0.05)
     assert offsets_from(robot, [(-12, 0), (12, 0)]).max() < 0.05
-
-
-def test_never_names_the_way_it_came(put_robot: PutRobot) -> None:
-    robot = put_robot("crossing", 0, 0, 90)
-    assert robot.detect_turning_point() == ["left", "right", "forward"]
-    assert robot.turn("left").turned
-    # It came from the south, which now lies to the left.
-    assert robot.detect_turning_point() == ["right", "forward"]
-
-
-def test_may_turn_back_into_the_way_it_came_after_turning(put_robot: PutRobot) -> None:
-    robot = put_robot("crossing", 0, 0, 90)
-    robot.turn("left")
-    assert robot.turn("left").turned
-    assert robot.pose.heading == pytest.approx(-math.pi / 2, abs=0.02)
 
 
 def test_finds_slanted_ways_by_their_own_word_and_by_left(put_robot: PutRobot) -> None:

@@ -1,6 +1,5 @@
 import math
 from collections.abc import Callable
-from contextlib import suppress
 from typing import Any
 
 import pytest
@@ -11,11 +10,9 @@ from memorymaze.errors import CommandError, EpisodeOver, ProgramError, SettingsE
 from memorymaze.geometry.pose import Pose, turn_between
 from memorymaze.language.sandbox import run_program
 from memorymaze.pictures import robot_cameras
-from memorymaze.robot.api import Robot
 from memorymaze.robot.specification import API_NAMES, api_specification
-from memorymaze.robot.steps import SteppingRobot
 from memorymaze.simulation.robot import SimulatedRobot
-from memorymaze.simulation.scene import Scene, build_scene
+from memorymaze.simulation.scene import Scene
 from memorymaze.steering.calls import TraceEvent
 
 PutRobot = Callable[..., SimulatedRobot]
@@ -125,16 +122,6 @@ def test_a_wall_stops_a_step_and_is_a_collision(
     assert robot.step_forward(1) == pytest.approx(1, abs=MILLIMETRE)
 
 
-def test_a_thing_in_the_way_stops_a_step(plans: Any) -> None:
-    site = plans.site(
-        plans.corridor("way", 0, -1, 10, 1), plans.thing("crate", 5, 0, size=(1, 1, 1))
-    )
-    robot = SimulatedRobot(build_scene(site), Pose(3, 0, 0), cameras=robot_cameras)
-    assert robot.step_forward(4) == pytest.approx(1.25, abs=0.02)
-    (collision,) = robot.collisions
-    assert collision.object_id == "crate"
-
-
 def test_steps_stand_in_the_trace_and_count_as_calls(put_robot: PutRobot) -> None:
     events: list[TraceEvent] = []
     robot = put_robot("corridor", 2, 0, events=events)
@@ -162,14 +149,6 @@ def test_a_picture_shows_what_the_camera_frame_shows(put_robot: PutRobot) -> Non
     assert (picture.rgb == frame.rgb).all()
     assert (picture.depth == frame.depth).all()
     assert (picture.rgb.shape, picture.depth.shape) == ((32, 48, 3), (32, 48))
-
-
-def test_the_call_budget_ends_an_episode_of_steps(put_robot: PutRobot) -> None:
-    robot = put_robot("corridor", 2, 0, call_budget=3)
-    for _ in range(3):
-        robot.step_forward(0.25)
-    with pytest.raises(EpisodeOver, match="budget"):
-        robot.rotate(0.3)
 
 
 @pytest.mark.parametrize(("call", "asked"), [("step_forward", 10), ("rotate", 6)])
@@ -205,17 +184,6 @@ def test_refuses_steps_back_turns_of_more_than_a_circle_and_odd_pictures(
         robot.camera_picture(0, 10)
 
 
-def test_the_same_seed_gives_the_same_steps(put_robot: PutRobot) -> None:
-    walks = []
-    for seed in (4, 4, 5):
-        robot = put_robot("l_shape", 1, 0.2, seed=seed)
-        for _ in range(5):
-            robot.step_forward(0.25)
-            robot.rotate(0.1)
-        walks.append(robot.trajectory().poses)
-    assert walks[0] == walks[1] != walks[2]
-
-
 def test_moves_and_turns_go_on_from_where_steps_have_led(put_robot: PutRobot) -> None:
     robot = put_robot("corridor", 10, 0)
     robot.move_forward(1)
@@ -228,12 +196,6 @@ def test_moves_and_turns_go_on_from_where_steps_have_led(put_robot: PutRobot) ->
     assert "left" in corner.detect_turning_point()
 
 
-def test_the_simulated_robot_is_a_stepping_robot(put_robot: PutRobot) -> None:
-    robot = put_robot("corridor", 2, 0)
-    assert isinstance(robot, SteppingRobot)
-    assert isinstance(robot, Robot)
-
-
 @pytest.mark.parametrize("name", STEPS_ONLY)
 def test_programs_do_not_get_steps(put_robot: PutRobot, name: str) -> None:
     assert name not in API_NAMES
@@ -242,16 +204,6 @@ def test_programs_do_not_get_steps(put_robot: PutRobot, name: str) -> None:
     with pytest.raises(ProgramError, match=name):
         run_program(f"{name}(1)", robot)
     assert robot.calls == 0
-
-
-def test_pushing_a_wall_for_ever_is_being_stuck(put_robot: PutRobot) -> None:
-    robot = put_robot("corridor", 19.5, 0)
-    with suppress(EpisodeOver):
-        while robot.calls < 60:
-            robot.step_forward(0.25)
-    assert robot.stopped_by == "stuck"
-    assert robot.calls < 45
-    assert len(robot.collisions) < 5
 
 
 def test_driving_at_given_speeds_rolls_on(put_robot: PutRobot) -> None:

@@ -19,7 +19,6 @@ from memorymaze.simulation.senses.odometry import Odometry, OdometrySettings
 from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.steering.commands import direction_of
 from memorymaze.steering.turning_points import SCAN_PERIOD, LidarTurningPoints
-from memorymaze.testing import check_robot
 
 BY_LIDAR = SimulationSettings(turning_points="lidar")
 NOISY = {
@@ -214,12 +213,3 @@ def test_a_lidar_with_many_beams_is_refused(scenes: dict[str, Scene]) -> None:
             BY_LIDAR,
             lidar=LidarSettings.sixteen_beams(),
         )
-
-
-def test_an_unknown_source_is_refused() -> None:
-    with pytest.raises(SettingsError, match="turning_points"):
-        SimulationSettings(turning_points="radar")  # type: ignore[arg-type]
-
-
-def test_a_robot_with_lidar_keeps_the_contract(scenes: dict[str, Scene]) -> None:
-    check_robot(SimulatedRobot(scenes["crossing"], Pose(-8, 0, 0), BY_LIDAR))

@@ -75,7 +75,6 @@ MISTAKEN = Eyes(parse_detector("truth:errors"))
 @pytest.mark.parametrize(
     "make",
     [
-        pytest.param(SimulatedRobot, id="as it is"),
         pytest.param(lambda *at: GuardedRobot(SimulatedRobot(*at)), id="guarded"),
         pytest.param(lambda *at: SimulatedRobot(*at, LIDAR), id="by LiDAR"),
         pytest.param(

@@ -10,7 +10,7 @@ from memorymaze.geometry.pose import Pose
 from memorymaze.simulation.obstacles import ObstacleSettings
 from memorymaze.simulation.obstacles.crowd import Person
 from memorymaze.simulation.robot import SimulatedRobot
-from memorymaze.simulation.scene import Scene, build_scene
+from memorymaze.simulation.scene import build_scene
 from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.sites.records import Site
 
@@ -67,9 +67,3 @@ def person_of() -> Callable[..., Person]:
         return person
 
     return put
-
-
-@pytest.fixture
-def empty_scene(narrow: Site) -> Scene:
-    """The narrow corridor as it is in its plan."""
-    return build_scene(narrow)

@@ -44,26 +44,6 @@ def test_the_way_it_came_is_taken_at_the_edge_not_at_the_end(t_site: Site) -> No
     }
 
 
-def test_turning_is_done_where_the_middle_lines_meet(
-    t_site: Site, slanted_crossing_site: Site
-) -> None:
-    for site, come_from, course, way_out, expected in (
-        (t_site, (0.1, -5), 90, 0, (0.1, 0)),
-        (slanted_crossing_site, (-5, 0.2), 0, 50, (0.168, 0.2)),
-    ):
-        point = next(
-            each
-            for each in site.turning_points
-            if each.id in ("tp_junction", "tp_crossing")
-        )
-        chosen = min(
-            point.exits, key=lambda each: abs(math.degrees(each.heading) - way_out)
-        )
-        visit = _Visit(point, build_scene(site))
-        place = visit.meeting_point(chosen, come_from, math.radians(course))
-        assert place == pytest.approx(expected, abs=0.01)
-
-
 def test_an_exit_into_an_area_is_taken_through_the_centre(two_rooms: Site) -> None:
     point = next(each for each in two_rooms.turning_points if each.id == "tp_west")
     hall = next(each for each in point.exits if each.to == "west_hall")

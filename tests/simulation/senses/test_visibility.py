@@ -1,6 +1,4 @@
 import math
-import subprocess
-import sys
 from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
@@ -11,7 +9,7 @@ import pytest
 from shapely import LineString, box
 
 from memorymaze.geometry.pose import Pose
-from memorymaze.perception import TruthDetector, VisibleObject
+from memorymaze.perception import VisibleObject
 from memorymaze.simulation.robot import SimulatedRobot
 from memorymaze.simulation.scene import Scene, build_scene
 from memorymaze.simulation.senses.sight_targets import describe_door
@@ -314,29 +312,3 @@ def seen_blocks(scene: Scene, robot: SimulatedRobot) -> dict[tuple[float, float]
 def overlap(first: Box, second: Box) -> float:
     a, b = box(*first), box(*second)
     return float(a.intersection(b).area / a.union(b).area)
-
-
-def test_looking_needs_no_graphics_library() -> None:
-    program = (
-        "import sys\n"
-        "from memorymaze.simulation.robot import SimulatedRobot\n"
-        "from memorymaze.simulation.scene import build_scene\n"
-        "from memorymaze.sites import load_site\n"
-        "site = load_site('museum_7f')\n"
-        "robot = SimulatedRobot(build_scene(site), site.routes[0].start)\n"
-        "robot.detect_from_RGB_image('door')\n"
-        "sys.exit('OpenGL' in sys.modules)\n"
-    )
-    environment = {"MUJOCO_GL": "disable", "PATH": ""}
-    done = subprocess.run(
-        [sys.executable, "-c", program], env=environment, timeout=60, check=False
-    )
-    assert done.returncode == 0
-
-
-def test_a_detector_sees_the_same_twice(put_robot: PutRobot) -> None:
-    robot = put_robot("corridor", 8.0, 0)
-    detector = TruthDetector()
-    first = detector.detect(robot.camera_view(), "bench")
-    assert first == detector.detect(robot.camera_view(), "bench")
-    assert len(first) == 1
