@@ -7,6 +7,7 @@ import json
 import zipfile
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -71,3 +72,14 @@ def loaded(tmp_path: Path) -> Callable[..., Site]:
         return load_site(path)
 
     return load
+
+
+@pytest.fixture
+def kinds() -> Callable[[ImportedSite, str], list[dict[str, Any]]]:
+    """Properties of the features of a kind in an imported plan."""
+
+    def of(imported: ImportedSite, kind: str) -> list[dict[str, Any]]:
+        properties = [each["properties"] for each in imported.plan["features"]]
+        return [each for each in properties if each["kind"] == kind]
+
+    return of

@@ -6,27 +6,6 @@ from memorymaze.errors import ImportFileError, SettingsError
 from memorymaze.importing.cabot import import_cabot
 
 
-def kinds(imported, kind):
-    return [
-        feature["properties"]
-        for feature in imported.plan["features"]
-        if feature["properties"]["kind"] == kind
-    ]
-
-
-def changed(path, tmp_path, change):
-    """Write map data with something else in it."""
-    document = json.loads(path.read_text("utf-8"))
-    change(document["features"])
-    out = tmp_path / "MapData.geojson"
-    out.write_text(json.dumps(document), encoding="utf-8")
-    return out
-
-
-def by_id(features, identity):
-    return next(each for each in features if each["_id"] == identity)
-
-
 def test_links_in_line_are_one_corridor_and_an_oracle_walks_it(quay_house, walked):
     site = walked(import_cabot(quay_house, "2F"), "Elevator", "Rope Workshop")
     widths = sorted(round(each.width, 1) for each in site.corridors)
@@ -39,7 +18,7 @@ def test_links_in_line_are_one_corridor_and_an_oracle_walks_it(quay_house, walke
     assert [turn.direction for turn in site.routes[0].turns] == ["left", "right"]
 
 
-def test_entrances_are_doors_labelled_by_their_facilities(quay_house):
+def test_entrances_are_doors_labelled_by_their_facilities(quay_house, kinds):
     doors = {
         each["label"]: each for each in kinds(import_cabot(quay_house, "2"), "door")
     }
@@ -52,7 +31,7 @@ def test_entrances_are_doors_labelled_by_their_facilities(quay_house):
     assert doors["Stairs"]["source"] == "EDITOR_node_st"
 
 
-def test_named_points_of_interest_are_things(quay_house):
+def test_named_points_of_interest_are_things(quay_house, kinds):
     things = {
         each["category"]: each
         for each in kinds(import_cabot(quay_house, "2"), "landmark")
@@ -74,47 +53,57 @@ def test_what_is_guessed_and_missing_is_told_with_ids(quay_house):
     )
 
 
+@pytest.mark.parametrize(
+    ("identity", "member", "value", "told"),
+    [
+        pytest.param(
+            "EDITOR_link_9",
+            "properties.end_id",
+            "nowhere",
+            "links that do not join two nodes of the file (1): EDITOR_link_9",
+            id="a link to no node",
+        ),
+        pytest.param(
+            "EDITOR_link_1",
+            "properties.hulop_road_width",
+            150,
+            "widths of links out of (0.9, 10.0): 1.5 m (1): EDITOR_link_1",
+            id="a width that no corridor has",
+        ),
+        pytest.param(
+            "EDITOR_link_1",
+            "properties",
+            {"tree": "oak"},
+            "features that are no node, link or facility (1): EDITOR_link_1",
+            id="a feature of another kind",
+        ),
+        pytest.param(
+            "EDITOR_node_r5",
+            "geometry.coordinates",
+            [9.0, 47.3],
+            "features more than 1000 m from the middle of the rest (1): EDITOR_node_r5",
+            id="a node in another town",
+        ),
+    ],
+)
+def test_what_is_odd_is_told_and_the_rest_is_taken(
+    quay_house, tmp_path, identity, member, value, told
+):
+    document = json.loads(quay_house.read_text("utf-8"))
+    target = next(each for each in document["features"] if each["_id"] == identity)
+    *steps, last = member.split(".")
+    for step in steps:
+        target = target[step]
+    target[last] = value
+    path = tmp_path / "MapData.geojson"
+    path.write_text(json.dumps(document), encoding="utf-8")
+    imported = import_cabot(path, "2")
+    assert told in (*imported.guessed, *imported.missing)
+
+
 def test_of_several_floors_one_is_chosen(quay_house):
     with pytest.raises(SettingsError, match="choose one: --floor 1F, 2F"):
         import_cabot(quay_house)
-
-
-def test_a_link_to_no_node_is_told_and_the_rest_is_taken(quay_house, tmp_path):
-    def break_link(features):
-        by_id(features, "EDITOR_link_9")["properties"]["end_id"] = "nowhere"
-
-    imported = import_cabot(changed(quay_house, tmp_path, break_link), "2")
-    assert (
-        "links that do not join two nodes of the file (1): EDITOR_link_9"
-        in imported.missing
-    )
-
-
-def test_a_width_that_no_corridor_has_is_told(quay_house, tmp_path):
-    def widen(features):
-        by_id(features, "EDITOR_link_1")["properties"]["hulop_road_width"] = 150
-
-    imported = import_cabot(changed(quay_house, tmp_path, widen), "2")
-    assert any("EDITOR_link_1" in line and "width" in line for line in imported.guessed)
-
-
-def test_a_feature_of_another_kind_is_told(quay_house, tmp_path):
-    def add(features):
-        features.append({**features[0], "_id": "tree_1", "properties": {"tree": "oak"}})
-
-    imported = import_cabot(changed(quay_house, tmp_path, add), "2")
-    assert "features that are no node, link or facility (1): tree_1" in imported.missing
-
-
-def test_a_node_in_another_town_is_told_and_the_rest_is_taken(quay_house, tmp_path):
-    def move(features):
-        by_id(features, "EDITOR_node_r5")["geometry"]["coordinates"] = [9.0, 47.3]
-
-    imported = import_cabot(changed(quay_house, tmp_path, move), "2")
-    assert (
-        "features more than 1000 m from the middle of the rest (1): EDITOR_node_r5"
-        in imported.missing
-    )
 
 
 @pytest.mark.parametrize(

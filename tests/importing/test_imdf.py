@@ -7,14 +7,6 @@ from memorymaze.errors import ImportFileError, SettingsError
 from memorymaze.importing.imdf import import_imdf
 
 
-def kinds(imported, kind):
-    return [
-        feature["properties"]
-        for feature in imported.plan["features"]
-        if feature["properties"]["kind"] == kind
-    ]
-
-
 def test_an_oracle_walks_from_the_lobby_to_a_lab(mill_court, walked):
     site = walked(import_imdf(mill_court, "1"), "Reception", "Dye lab")
     assert site.title == "Mill Court"
@@ -26,7 +18,7 @@ def test_an_oracle_walks_from_the_lobby_to_a_lab(mill_court, walked):
     ]  # fmt: skip
 
 
-def test_units_are_rooms_named_by_themselves_or_their_occupants(mill_court):
+def test_units_are_rooms_named_by_themselves_or_their_occupants(mill_court, kinds):
     rooms = {
         each["name"]: each["use"]
         for each in kinds(import_imdf(mill_court, "1"), "room")
@@ -37,7 +29,7 @@ def test_units_are_rooms_named_by_themselves_or_their_occupants(mill_court):
     assert "Plant" not in rooms
 
 
-def test_openings_are_doors_of_their_rooms(mill_court):
+def test_openings_are_doors_of_their_rooms(mill_court, kinds):
     imported = import_imdf(mill_court, "1")
     rooms = {
         each["id"]: each["properties"].get("name") for each in imported.plan["features"]
@@ -54,7 +46,7 @@ def test_an_opening_between_two_pieces_of_floor_is_a_passage(mill_court):
     assert any(line.startswith("doors between two pieces") for line in imported.guessed)
 
 
-def test_amenities_fixtures_and_kiosks_are_things(mill_court):
+def test_amenities_fixtures_and_kiosks_are_things(mill_court, kinds):
     things = [
         each["category"] for each in kinds(import_imdf(mill_court, "1"), "landmark")
     ]

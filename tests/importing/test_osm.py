@@ -8,14 +8,6 @@ from memorymaze.importing.osm import import_osm
 from memorymaze.importing.osm_elements import Element, read_elements
 
 
-def kinds(imported, kind):
-    return [
-        feature["properties"]
-        for feature in imported.plan["features"]
-        if feature["properties"]["kind"] == kind
-    ]
-
-
 def test_one_outline_for_all_hallways_becomes_corridors_an_oracle_walks(
     lantern_building, walked
 ):
@@ -27,7 +19,7 @@ def test_one_outline_for_all_hallways_becomes_corridors_an_oracle_walks(
     assert {each.name for each in site.corridors} == {"Third floor hallway"}
 
 
-def test_rooms_have_the_uses_that_their_tags_say(lantern_building):
+def test_rooms_have_the_uses_that_their_tags_say(lantern_building, kinds):
     rooms = {
         each["name"]: each["use"]
         for each in kinds(import_osm(lantern_building, "3"), "room")
@@ -39,7 +31,7 @@ def test_rooms_have_the_uses_that_their_tags_say(lantern_building):
     assert "Tower room" not in rooms
 
 
-def test_doors_on_the_outline_lead_to_the_rooms_behind_them(lantern_building):
+def test_doors_on_the_outline_lead_to_the_rooms_behind_them(lantern_building, kinds):
     imported = import_osm(lantern_building, "3")
     rooms = {
         each["id"]: each["properties"].get("name") for each in imported.plan["features"]
@@ -71,7 +63,7 @@ def test_a_footway_beyond_the_outlines_is_floor_too(lantern_building):
     assert east - west > 40
 
 
-def test_what_stands_about_is_things(lantern_building):
+def test_what_stands_about_is_things(lantern_building, kinds):
     things = {
         each["category"]
         for each in kinds(import_osm(lantern_building, "3"), "landmark")
@@ -140,7 +132,7 @@ def test_a_way_that_is_made_of_itself_is_told(tmp_path):
         import_osm(path)
 
 
-def test_a_multipolygon_has_its_holes(tmp_path):
+def test_a_multipolygon_has_its_holes(tmp_path, kinds):
     ring = '<nd ref="{0}1"/><nd ref="{0}2"/><nd ref="{0}3"/><nd ref="{0}4"/><nd ref="{0}1"/>'
     corners = {"1": (0, 0), "2": (0, 2), "3": (2, 2), "4": (2, 0)}
     nodes = "".join(

@@ -41,20 +41,15 @@ def test_a_route_turns_where_middle_lines_meet(l_site, routed):
     assert list(route.line.coords[:2]) == [(1.0, 0.0), (11.0, 0.0)]
 
 
-def test_a_route_through_the_university_can_be_walked(builtin_sites, routed):
-    route = routed(builtin_sites["university"], "door_g_2391", "door_a_2104")
-    assert route.goal_landmark == "door_a_2104"
-    assert route.turns
-
-
 def test_a_route_goes_to_things_in_the_open(builtin_sites, routed):
     route = routed(builtin_sites["museum_7f"], "d_men", "lm_piano")
     assert route.goal_landmark == "lm_piano"
+    assert route.turns
 
 
-def test_goals_have_the_names_that_people_know(builtin_sites):
-    made = reference_route(builtin_sites["museum_7f"], "d_men", "reading room")
-    assert made["properties"]["goal"] == "Reading Room"
+def test_goals_have_the_names_that_people_know(t_site):
+    made = reference_route(t_site, "0,-8", "library")
+    assert made["properties"]["goal"] == "Library"
 
 
 def test_the_next_route_has_the_next_number(l_site):
