@@ -49,11 +49,6 @@ def test_speed_and_frame_rate_decide_how_many_frames_there_are(tour: Tour) -> No
     assert fast[5] == pytest.approx(list(tour.poses(10))[20], abs=1e-6)
 
 
-def test_the_same_route_gives_the_same_tour(tour: Tour, l_site: Site) -> None:
-    again = tour_of(build_scene(l_site), l_site.reference_route("R1"))
-    assert again == tour
-
-
 def test_a_route_that_cannot_be_driven_is_told(
     scenes: dict[str, Scene], l_site: Site
 ) -> None:

@@ -1,5 +1,5 @@
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 
 import av
@@ -46,10 +46,6 @@ def test_players_read_what_was_written(write: Write) -> None:
     assert colours == pytest.approx(np.array([RED, RED, BLUE]), abs=8)
 
 
-def test_the_same_frames_give_the_same_file(write: Write) -> None:
-    assert write("one.mp4").read_bytes() == write("other.mp4").read_bytes()
-
-
 def test_a_spherical_video_says_so_and_still_plays(write: Write) -> None:
     path = write(spherical=True)
     content = path.read_bytes()
@@ -65,23 +61,6 @@ def test_only_files_with_their_index_last_can_be_marked(tmp_path: Path) -> None:
     with pytest.raises(ValueError, match="moov last"):
         mark_spherical(odd)
     assert odd.read_bytes() == b"\0\0\0\x08free"
-
-
-@pytest.mark.parametrize("ends", [KeyboardInterrupt, ValueError])
-def test_what_breaks_off_leaves_no_half_file_and_keeps_the_old_one(
-    tmp_path: Path, ends: type[BaseException]
-) -> None:
-    path = tmp_path / "film.mp4"
-    path.write_bytes(b"as it was")
-
-    def pictures() -> Iterator[np.ndarray]:
-        yield plain(RED)
-        raise ends
-
-    with pytest.raises(ends):
-        write_video(path, pictures(), (64, 48), 10, title="", total=2)
-    assert [each.name for each in tmp_path.iterdir()] == ["film.mp4"]
-    assert path.read_bytes() == b"as it was"
 
 
 def test_a_file_of_this_name_is_replaced_when_all_is_there(write: Write) -> None:

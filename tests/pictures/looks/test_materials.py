@@ -2,7 +2,6 @@ import pytest
 
 from memorymaze.pictures.looks.materials import (
     colours_of,
-    ink_on,
     is_wooden,
     mixed,
     shade,
@@ -44,11 +43,6 @@ def test_unknown_words_name_no_colour():
 )
 def test_wood_is_told_from_paint(words, wooden):
     assert is_wooden(words) is wooden
-
-
-def test_ink_reads_on_its_ground():
-    assert ink_on((0.95, 0.95, 0.9))[0] < 0.2
-    assert ink_on((0.1, 0.1, 0.3)) == (1.0, 1.0, 1.0)
 
 
 def test_shades_stay_colours():

@@ -11,18 +11,14 @@ from memorymaze.pictures.looks.shapes import (
     box,
     cylinder,
     extruded,
-    joined,
     lathed,
     plate,
-    smoothed_shape,
     tapered,
     triangles_of,
 )
 from memorymaze.pictures.looks.tubes import (
     ellipse_ring,
-    limb,
     lofted,
-    plant_leaves,
     tube,
 )
 
@@ -114,34 +110,10 @@ def test_a_picture_goes_once_round_a_ball_with_its_middle_in_front():
     assert eastwards[:, 1].max() > 0.9
 
 
-def test_limbs_are_longer_than_their_bones():
-    bone = limb([(0, 0, 0), (0, 0, 1)], [0.1, 0.2])
-    assert bone.vertices[:, 2].min() == pytest.approx(-0.075)
-    assert bone.vertices[:, 2].max() == pytest.approx(1.15)
-    assert facing(bone) > 0.3
-
-
 def test_a_closed_tube_is_a_ring_without_ends():
     angles = np.linspace(0, 2 * math.pi, 60, endpoint=False)
     hoop = tube([(math.cos(a), math.sin(a), 0.0) for a in angles], 0.1, 40, closed=True)
     assert volume(hoop) == pytest.approx(2 * math.pi * math.pi * 0.01, rel=0.02)
-
-
-def test_leaves_are_thin_and_closed():
-    blade = plant_leaves(np.zeros((1, 3)), np.array([[1.0, 0.0, 0.3]]), np.array([0.2]))
-    assert len(blade.faces) == 4
-    assert 0 < volume(blade) < 0.02
-
-
-def test_triangles_without_area_are_dropped():
-    points = np.array([(0.0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 0, 0)])
-    assert len(smoothed_shape(points, np.array([(0, 1, 2), (0, 1, 3)])).faces) == 1
-
-
-def test_joined_shapes_keep_their_faces_apart():
-    two = joined(box((0, 1), (0, 1), (0, 1)), box((2, 3), (0, 1), (0, 1)))
-    assert volume(two) == pytest.approx(2)
-    assert len(two.vertices) == 48
 
 
 def area(outline: np.ndarray, triangles: np.ndarray) -> float:

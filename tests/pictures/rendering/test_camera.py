@@ -90,30 +90,6 @@ def test_the_pixel_in_the_middle_shows_what_a_ray_hits(
     assert float(frame.depth[60, 80]) == pytest.approx(depth, abs=0.03)
 
 
-def test_a_door_is_seen_where_it_is(
-    corridor_camera: RenderedCamera, corridor_site: Site
-) -> None:
-    frame = corridor_camera.frame(Pose(3.0, 0.0, math.pi / 2))
-    shown = frame.object_at(70, 80)
-    assert shown is not None
-    assert shown.record == corridor_site.doors[0]
-
-
-def test_a_wall_hides_what_is_behind_it(l_camera: RenderedCamera, l_site: Site) -> None:
-    hidden = l_camera.frame(Pose(1.0, 0.0, 0.0))
-    around = l_camera.frame(Pose(11.0, 0.0, math.pi / 2))
-    ids = {
-        each.record.id: number
-        for number, each in enumerate(hidden.objects)
-        if each.record is not None
-    }
-    beyond = [thing.id for thing in l_site.landmarks if thing.position.y > 3]
-    assert beyond, "the site has nothing round its corner"
-    for name in beyond:
-        assert not (hidden.instances == ids[name]).any()
-    assert any((around.instances == ids[name]).any() for name in beyond)
-
-
 def test_the_field_is_90_degrees_wide(
     corridor_camera: RenderedCamera, corridor_site: Site
 ) -> None:
