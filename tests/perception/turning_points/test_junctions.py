@@ -3,10 +3,28 @@ import math
 import pytest
 
 from memorymaze.perception.turning_points.junctions import (
+    SensedJunction,
     SensedWay,
+    crossing,
     is_turning_point,
     is_worth_telling,
+    reach_along,
 )
+
+
+def test_lines_meet_in_one_place_and_parallel_ones_at_the_middle() -> None:
+    east, west = SensedWay(5, 1, 0, 2), SensedWay(-5, 1, math.pi, 2)
+    north = SensedWay(2, 6, math.pi / 2, 2)
+    assert crossing([east, west, north], (0, 0)) == pytest.approx((2, 1), abs=0.1)
+    assert crossing([east, west], (0.5, 1.2)) == pytest.approx((0.5, 1), abs=0.1)
+
+
+def test_a_turning_point_reaches_to_the_edges_of_its_ways() -> None:
+    hall, lane = SensedWay(5, 0, 0, 6), SensedWay(0, 5, math.pi / 2, 2.4)
+    assert reach_along(hall, [hall, lane], 3.0) == pytest.approx(1.2)
+    assert reach_along(lane, [hall, lane], 3.0) == pytest.approx(3.0)
+    bend = SensedWay(0, 5, math.radians(20), 4)
+    assert reach_along(hall, [hall, bend], 2.1) == pytest.approx(2.1)
 
 
 def ways(*degrees: float) -> list[SensedWay]:
@@ -46,3 +64,22 @@ def test_straight_on_alone_is_not_told() -> None:
     assert is_worth_telling([aside], back)
     assert is_worth_telling([on, aside], back)
     assert is_worth_telling([on], None)
+
+
+def test_what_most_sightings_tell_is_believed() -> None:
+    junction = SensedJunction(0, 0, 1.5)
+    for seen in ((0, 90, 180), (2, 88, 180), (0, 180), (-1, 91, 180, -90)):
+        junction.see(0.1, -0.1, 1.5, ways(*seen), 1.0)
+    headings = sorted(math.degrees(each.heading) for each in junction.ways())
+    assert headings == pytest.approx([0, 90, 180], abs=2)
+    assert (junction.x, junction.y) == pytest.approx((0.1, -0.1), abs=0.01)
+
+
+def test_it_holds_what_lies_between_the_edges_of_its_ways() -> None:
+    junction = SensedJunction(0, 0, 1.5)
+    junction.see(0, 0, 1.5, ways(0, 90, 180), 1.0)
+    assert junction.holds(1.1, 0, 0)
+    assert not junction.holds(1.5, 0, 0)
+    assert junction.holds(1.5, 0, 0.4)
+    assert not junction.holds(0, 1.5, 0)
+    assert not junction.holds(0, -9, 0)
