@@ -1,5 +1,3 @@
-import heapq
-
 import numpy as np
 import pytest
 import shapely
@@ -137,30 +135,6 @@ def test_an_empty_path_has_no_nodes_to_give(pillar_grid: FloorGrid) -> None:
         pillar_grid.map_path(np.empty((0, 2)))
 
 
-def plain_dijkstra(grid: FloorGrid, start: int) -> np.ndarray:
-    """Return distances from one node by the textbook, to compare with."""
-    table = grid.graph
-    best = np.full(len(grid), np.inf)
-    best[start] = 0.0
-    queue = [(0.0, start)]
-    while queue:
-        metres, here = heapq.heappop(queue)
-        if metres > best[here]:
-            continue
-        for place in range(table.indptr[here], table.indptr[here + 1]):
-            there, total = int(table.indices[place]), metres + table.data[place]
-            if total < best[there]:
-                best[there] = total
-                heapq.heappush(queue, (total, there))
-    return best
-
-
-def test_distances_are_those_of_the_textbook(pillar_grid: FloorGrid) -> None:
-    nodes = [0, len(pillar_grid) // 2, len(pillar_grid) - 1]
-    expected = [plain_dijkstra(pillar_grid, each) for each in nodes]
-    np.testing.assert_allclose(pillar_grid.distances_from(nodes), expected, atol=1e-12)
-
-
 def test_distances_between_nodes_are_a_metric_above_the_straight_line(
     pillar_grid: FloorGrid,
 ) -> None:
@@ -179,13 +153,6 @@ def test_steps_along_a_path_need_not_join_neighbours(pillar_grid: FloorGrid) -> 
     far.append(far[-1])
     assert pillar_grid.along(far) == pytest.approx([0.5 * ROOT, 9.5, 0])
     assert pillar_grid.along(far[:1]).tolist() == []
-
-
-def test_distances_are_the_same_when_asked_again_in_another_order(
-    pillar_grid: FloorGrid,
-) -> None:
-    first = pillar_grid.distances_from([5, 3, 5])
-    assert first.tolist() == pillar_grid.distances_from([3, 5])[[1, 0, 1]].tolist()
 
 
 @pytest.mark.parametrize("nodes", [[-1], [0, 10_000]])

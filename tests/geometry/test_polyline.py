@@ -75,15 +75,6 @@ def test_samples_keep_ends_stay_on_the_line_and_lie_close_enough(
     assert all(polyline.project(line, each).distance < 1e-6 for each in samples[:20])
 
 
-@given(lines, st.floats(0.5, 50))
-def test_a_line_walked_backwards_has_the_same_samples_backwards(
-    line: np.ndarray, spacing: float
-) -> None:
-    there, back = (polyline.resample(each, spacing) for each in (line, line[::-1]))
-    assert len(there) == len(back)
-    assert polyline.length(line) == pytest.approx(polyline.length(line[::-1]))
-
-
 def test_a_line_that_divides_evenly_has_no_extra_sample() -> None:
     assert len(polyline.resample([(0, 0), (3 * 0.1, 0)], 0.1)) == 4
 

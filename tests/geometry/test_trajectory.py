@@ -22,10 +22,6 @@ def test_turning_on_the_spot_takes_time_and_no_way() -> None:
     assert (turn.length, turn.duration) == (0.0, 2.0)
 
 
-def test_a_single_pose_is_a_trajectory() -> None:
-    assert Trajectory([TimedPose(0, 1, 2, 0)]).length == 0.0
-
-
 def test_points_cannot_be_changed() -> None:
     points = Trajectory([TimedPose(0, 1, 2, 0)]).points
     with pytest.raises(ValueError, match="read-only"):

@@ -360,11 +360,6 @@ def run(program: str) -> str:
             id="by the name of the package",
         ),
         pytest.param(
-            "import gymnasium, memorymaze.gym\n"
-            "gymnasium.make('MemoryMaze/Museum5F-v0', sensors=())",
-            id="after an import",
-        ),
-        pytest.param(
             "import memorymaze.sites, gymnasium\n"
             "gymnasium.make('memorymaze.gym:MemoryMaze/Museum7F-v0', sensors=())",
             id="by the name of the room",

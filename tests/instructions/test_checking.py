@@ -58,7 +58,7 @@ def test_a_damaged_text_is_an_error(check: Check, text: str, said: str) -> None:
     )
 
 
-@settings(deadline=None)
+@settings(deadline=None, max_examples=30)
 @given(st.text(st.characters(codec="cp1252", exclude_categories=["Cc"])))
 def test_what_was_read_in_a_wrong_encoding_is_recognised(text: str) -> None:
     garbled = text.encode("utf-8").decode("cp1252", "replace")

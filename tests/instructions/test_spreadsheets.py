@@ -1,7 +1,6 @@
 from dataclasses import asdict, replace
 from datetime import datetime
 from pathlib import Path
-from typing import Any
 
 import pyarrow
 import pyarrow.parquet as parquet
@@ -20,14 +19,6 @@ from memorymaze.instructions.spreadsheets import (
 )
 
 
-@pytest.mark.parametrize("kind", ["csv", "parquet"])
-def test_spreadsheets_keep_everything(
-    tmp_path: Path, told: list[Instruction], kind: Any
-) -> None:
-    write_spreadsheet(tmp_path / "told", told, kind)
-    assert read_spreadsheet(tmp_path / "told", kind) == told
-
-
 @given(
     text=st.text(
         st.characters(exclude_categories=("Cs",), exclude_characters="\x00\r"),
@@ -42,16 +33,6 @@ def test_any_text_survives_a_spreadsheet(
     write_spreadsheet(path, [replace(one, text=text)], "csv")
     [read] = read_spreadsheet(path, "csv")
     assert read == tidied(replace(one, text=text))
-
-
-def test_a_wrong_row_of_a_spreadsheet_is_named(
-    tmp_path: Path, told: list[Instruction]
-) -> None:
-    path = tmp_path / "told.csv"
-    write_spreadsheet(path, told, "csv")
-    path.write_text(path.read_text(encoding="utf-8").replace("c,loop", "c,"), "utf-8")
-    with pytest.raises(InstructionFileError, match="row 4: field 'site'"):
-        read_spreadsheet(path, "csv")
 
 
 def test_a_table_needs_only_sites_routes_and_texts(tmp_path: Path) -> None:

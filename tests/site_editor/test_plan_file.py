@@ -107,20 +107,6 @@ def test_where_the_picture_lies_is_kept_beside_the_plan(annex: Path) -> None:
     assert PlanFile(annex).contents()["picture"] == picture.model_dump()
 
 
-def test_what_somebody_else_wrote_meanwhile_is_only_replaced_on_purpose(
-    annex: Path,
-) -> None:
-    file = PlanFile(annex)
-    message = edited(file, title="Tower")
-    annex.write_text(annex.read_text(encoding="utf-8") + " \n", encoding="utf-8")
-    with pytest.raises(
-        ChangedMeanwhile, match=r"annex\.geojson was changed on the disk"
-    ):
-        file.save(message)
-    file.save(edited(file, title="Tower"))
-    assert '"title": "Tower"' in annex.read_text(encoding="utf-8")
-
-
 def test_a_window_that_began_with_another_state_is_told_so(annex: Path) -> None:
     file = PlanFile(annex)
     other = edited(file, title="Other window")

@@ -67,37 +67,11 @@ def test_a_route_starts_where_its_line_does_with_its_own_heading(t_site: Site):
     assert start == pytest.approx((0, -9, math.pi / 2))
 
 
-def test_reference_route_finds_routes_by_their_short_name(loop_site: Site):
-    assert loop_site.reference_route("R1") is loop_site.route("route_r1_reference")
-
-
 def test_an_unknown_route_is_answered_with_those_there_are(loop_site: Site):
     with pytest.raises(KeyError, match=r"route_r1_reference, route_r1_alternative"):
         loop_site.route("route_r9")
     with pytest.raises(KeyError, match=r"'R2'; there are: R1"):
         loop_site.reference_route("R2")
-
-
-def test_a_corridor_knows_its_length_and_width(corridor_site: Site):
-    [corridor] = corridor_site.corridors
-    assert (corridor.length, corridor.width) == pytest.approx((20, 3))
-
-
-def test_sites_read_from_the_same_plan_are_equal(
-    l_site: Site, tiny_sites: dict[str, Site]
-):
-    assert tiny_sites["l_shape"] == l_site
-    assert tiny_sites["loop"] != l_site
-
-
-def test_parts_that_share_an_edge_become_one_floor():
-    assert union_of_floor([box(0, 0, 4, 2), box(4, 0, 8, 2)]).area == pytest.approx(16)
-
-
-def test_a_seam_open_by_a_millimetre_is_closed():
-    floor = union_of_floor([box(0, 0, 4, 2), box(4.001, 0, 8, 2)])
-    assert floor.area == pytest.approx(16, abs=0.01)
-    assert len(floor.exterior.coords) == 5
 
 
 def test_a_sliver_between_overlapping_parts_is_no_hole():
@@ -162,16 +136,6 @@ def test_the_centre_line_turns_with_the_corridor(
     assert [*ends[0], *ends[1]] == pytest.approx(
         [0, width / 2, length, width / 2], abs=1e-6
     )
-
-
-def test_a_centre_line_runs_down_the_middle_of_every_corridor(
-    builtin_sites: dict[str, Site],
-):
-    for site in builtin_sites.values():
-        for corridor in site.corridors:
-            middle = corridor.centre_line.interpolate(0.5, normalized=True)
-            assert corridor.polygon.contains(middle), corridor.id
-            assert corridor.length >= corridor.width * 0.9, corridor.id
 
 
 def test_a_shape_with_other_than_four_corners_has_no_centre_line():

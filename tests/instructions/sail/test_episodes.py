@@ -46,11 +46,3 @@ def test_sail_brings_its_own_sites(
     arguments = ["evaluate", "--agent", "stop", "--instructions", str(small_folder)]
     assert run_command_line([*arguments, "--sites", "elsewhere"]) == 2
     assert "leave out the sites" in capsys.readouterr().err
-
-
-def test_a_split_that_does_not_exist_is_wrong_usage(
-    small_folder: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    arguments = ["evaluate", "--agent", "stop", "--instructions", str(small_folder)]
-    assert run_command_line([*arguments, "--split", "train"]) == 2
-    assert "split: expected one of" in capsys.readouterr().err
