@@ -155,21 +155,8 @@ def test_three_shows_what_our_cameras_show(
     assert all_differences(site, glb, node_modules, our_frames(site)) == []
 
 
-def mirrored(document: dict[str, Any]) -> None:
-    document["nodes"][0]["scale"] = [1, 1, -1]
-
-
 def rotated(document: dict[str, Any]) -> None:
     document["nodes"][0]["rotation"] = [0, math.sin(0.02), 0, math.cos(0.02)]
-
-
-def larger(document: dict[str, Any]) -> None:
-    document["nodes"][0]["scale"] = [1.02, 1.02, 1.02]
-
-
-def things_not_turned(document: dict[str, Any]) -> None:
-    for node in document["nodes"]:
-        node.pop("rotation", None)
 
 
 def other_pictures(document: dict[str, Any]) -> None:
@@ -189,10 +176,7 @@ def colours_not_linear(document: dict[str, Any]) -> None:
 @pytest.mark.parametrize(
     ("change", "told"),
     [
-        pytest.param(mirrored, "the same is seen", id="mirrored"),
         pytest.param(rotated, "distances differ|the same is seen", id="rotated 2 deg"),
-        pytest.param(larger, "distances differ", id="2 per cent larger"),
-        pytest.param(things_not_turned, "the same is seen", id="things not turned"),
         pytest.param(other_pictures, "colours of|the picture on", id="other pictures"),
         pytest.param(colours_not_linear, "colours of", id="colours not linear"),
     ],

@@ -79,10 +79,15 @@ def test_ends_and_crossings_are_told_in_many_ways(text: str) -> None:
         "Turn right at the clock, turn right when you can't go further.",
         "Take the next right. Go right at the next corner.",
         "Take the first right. Go right at the junction.",
+        "Left where it ends. Left at the next opening.",
+        "Left at the end, left at the meeting of the corridors.",
+        "Go left at the crossing, next you go left at the crossing.",
+        "Walk to the end, and there to your left, then left at the crossing.",
     ],
 )
-def test_equal_turns_at_places_of_two_kinds_are_two(text: str) -> None:
-    assert [leg.turn.way for leg in parse_route_description(text).legs] == ["right"] * 2
+def test_equal_turns_at_two_places_are_two(text: str) -> None:
+    way = "right" if "right" in text else "left"
+    assert [leg.turn.way for leg in parse_route_description(text).legs] == [way] * 2
 
 
 @pytest.mark.parametrize(
@@ -100,15 +105,20 @@ def test_a_turn_said_again_without_a_place_of_its_own_is_one(text: str) -> None:
         "it's to your {}.",
         "and there's the library, to your {}.",
         "there it is, to the {}.",
+        "to your {} you will see the library.",
+        "then it's to your {}.",
+        "the library, {}-hand side.",
     ],
 )
 def test_a_side_said_last_and_alone_is_that_of_the_destination(
     side: str, ending: str
 ) -> None:
-    text = "Turn right at the end, and " + ending.format(side)
-    plan = parse_route_description(text)
-    assert [leg.turn.way for leg in plan.legs] == ["right"]
-    assert plan.arrival.side == side
+    other = "left" if side == "right" else "right"
+    for way in (side, other):
+        text = f"Turn {way} at the end, and " + ending.format(side)
+        plan = parse_route_description(text)
+        assert [(leg.turn.way, leg.turn.ordinal) for leg in plan.legs] == [(way, None)]
+        assert plan.arrival.side == side
 
 
 def test_where_the_destination_is_says_nothing_of_the_last_turn() -> None:
@@ -119,18 +129,22 @@ def test_where_the_destination_is_says_nothing_of_the_last_turn() -> None:
 
 
 @pytest.mark.parametrize(
-    "text",
+    ("text", "side"),
     [
-        "The library is straight in front of you.",
-        "The library is directly ahead.",
-        "Go on, and the library is right in front of you.",
-        "Go on. It was straight in front of you.",
-        "Go on, and there is the library, straight ahead.",
+        ("The library is straight in front of you.", "ahead"),
+        ("The library is directly ahead.", "ahead"),
+        ("Go on, and the library is right in front of you.", "ahead"),
+        ("Go on. It was straight in front of you.", "ahead"),
+        ("Go on, and there is the library, straight ahead.", "ahead"),
+        ("The library is to your left.", "left"),
+        ("The library is down there on the left.", "left"),
+        ("Straight on, and the library, it is to your left.", "left"),
+        ("The library is on the left, it's the glass door.", "left"),
     ],
 )
-def test_a_destination_in_front_is_ahead(text: str) -> None:
+def test_one_side_alone_is_that_of_the_destination(text: str, side: str) -> None:
     plan = parse_route_description(text)
-    assert (plan.legs, plan.arrival.side) == ((), "ahead")
+    assert (plan.legs, plan.arrival.side) == ((), side)
 
 
 @pytest.mark.parametrize(

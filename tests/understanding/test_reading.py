@@ -386,14 +386,9 @@ WAYS = st.lists(st.sampled_from(["left", "right"]), min_size=1, max_size=8)
 
 @settings(max_examples=40, deadline=None)
 @given(WAYS)
-def test_equal_turns_in_a_numbered_list_are_different_turns(ways: list[str]) -> None:
-    lines = [f"{number}) Turn {way}" for number, way in enumerate(ways, 1)]
-    legs = parse_route_description("\n".join(lines)).legs
-    assert [leg.turn.way for leg in legs] == ways
-
-
-@settings(max_examples=40, deadline=None)
-@given(WAYS)
-def test_equal_turns_joined_by_then_are_different_turns(ways: list[str]) -> None:
-    legs = parse_route_description(f"Turn {', then turn '.join(ways)}.").legs
-    assert [leg.turn.way for leg in legs] == ways
+def test_equal_turns_in_a_list_or_joined_by_then_are_different_turns(
+    ways: list[str],
+) -> None:
+    listed = [f"{number}) Turn {way}" for number, way in enumerate(ways, 1)]
+    for text in ("\n".join(listed), f"Turn {', then turn '.join(ways)}."):
+        assert [leg.turn.way for leg in parse_route_description(text).legs] == ways
