@@ -71,15 +71,6 @@ def test_the_label_of_a_door_is_read(plans):
     assert [sign.text for sign in robot.read_signs()] == ["2347"]
 
 
-def test_reading_is_a_call_in_the_trace(reader_at, put_robot, scenes):
-    events = []
-    robot = put_robot("corridor", 2, 0, events=events)
-    robot.read_signs()
-
-    assert [event.call for event in events] == ["read_signs"]
-    assert robot.calls == 1
-
-
 def test_painted_signs_are_read_from_the_picture_as_they_are_written(plans):
     def sign(name: str, y: float, text: str, size):
         thing = plans.thing(

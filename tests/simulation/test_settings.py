@@ -25,10 +25,3 @@ from memorymaze.simulation.settings import SimulationSettings
 def test_settings_without_meaning_are_named(wrong: dict[str, Any]) -> None:
     with pytest.raises(SettingsError, match=next(iter(wrong))):
         SimulationSettings(**wrong)
-
-
-def test_there_may_be_no_time_budget_and_no_noise() -> None:
-    settings = SimulationSettings(
-        time_budget=float("inf"), wheel_noise=0, rolling_speed=0
-    )
-    assert settings.max_speed == 1.0

@@ -12,7 +12,6 @@ from memorymaze.geometry.pose import Pose, wrap_angle
 from memorymaze.perception.detector import TruthDetector
 from memorymaze.robot.sensors_and_motion import OdometryReading
 from memorymaze.robot.steps import SteppingRobot
-from memorymaze.steering.calls import TraceEvent
 from memorymaze.steering.guide_robot import GuideRobot
 from memorymaze.steering.settings import RobotSettings
 
@@ -76,14 +75,3 @@ def test_a_detector_that_wants_to_be_told_what_is_seen_is_refused() -> None:
     robot = GuideRobot(PointBody(), detector=TruthDetector())
     with pytest.raises(DetectorError, match="such as PictureDetector"):
         robot.detect_from_RGB_image("door")
-
-
-def test_each_call_is_told_of() -> None:
-    events: list[TraceEvent] = []
-    robot = GuideRobot(PointBody(), on_event=events.append)
-    robot.move_forward(0.5)
-    robot.turn_by(30)
-    assert robot.finish() == "agent"
-    assert [each.call for each in events] == ["move_forward", "turn_by", "stop"]
-    assert events[-1].time > 0
-    assert robot.calls == 2

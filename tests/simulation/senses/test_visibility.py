@@ -180,13 +180,6 @@ def test_hanging_sign_leaves_the_picture_when_one_comes_under_it(
     assert look(put_robot(scene, 3.5, 0)) == []
 
 
-def test_doors_of_a_corridor_are_seen_beside_the_way(put_robot: PutRobot) -> None:
-    robot = put_robot("corridor", 4.5, 0)
-    (door,) = [d for d in look(robot) if d.description.category == "door"]
-    assert door.position[0] == pytest.approx(7.5, abs=0.01)
-    assert door.bearing > 0
-
-
 def drive_past(robot: SimulatedRobot, words: str) -> list[int]:
     found: list[int] = []
     while True:
