@@ -11,6 +11,7 @@ import pytest
 from shapely import Point, Polygon, box
 from shapely.affinity import rotate
 from shapely.ops import unary_union
+from tests.simulation.conftest import PutRobot
 
 import memorymaze as mm
 from memorymaze.geometry.pose import Pose, turn_between
@@ -22,7 +23,6 @@ from memorymaze.sites import Site, load_site
 from memorymaze.sites.records import Route
 from memorymaze.steering.commands import direction_of, exit_meant
 
-PutRobot = Callable[..., SimulatedRobot]
 Scenes = dict[str, Scene]
 ApiSays = Callable[[str], None]
 

@@ -2,12 +2,12 @@
 
 import math
 import re
-from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
 import pytest
 from shapely import box
+from tests.simulation.conftest import PutRobot
 
 from memorymaze.errors import EpisodeOver
 from memorymaze.language.prompt_texts import load_prompt
@@ -16,8 +16,6 @@ from memorymaze.simulation.robot import SimulatedRobot
 from memorymaze.simulation.scene import build_scene
 from memorymaze.sites import Site
 from memorymaze.steering.calls import TraceEvent
-
-PutRobot = Callable[..., SimulatedRobot]
 
 
 def run_example(number: int, robot: SimulatedRobot) -> None:

@@ -1,12 +1,12 @@
 import json
 import math
-from collections.abc import Callable
 from contextlib import suppress
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from tests.simulation.conftest import PutRobot
 
 from memorymaze.errors import CommandError, EpisodeOver
 from memorymaze.evaluation.trace import trace_lines
@@ -18,8 +18,6 @@ from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.sites import Site
 from memorymaze.steering.calls import TraceEvent
 from memorymaze.testing import check_robot
-
-PutRobot = Callable[..., SimulatedRobot]
 
 
 def test_keeps_the_contract_of_the_control_api(scenes: dict[str, Scene]) -> None:

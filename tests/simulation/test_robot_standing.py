@@ -1,18 +1,16 @@
 """The robot stands while something outside the building takes its time."""
 
 import math
-from collections.abc import Callable
 
 import numpy as np
 import pytest
+from tests.simulation.conftest import PutRobot
 
 from memorymaze.errors import CommandError, EpisodeOver
 from memorymaze.geometry.pose import Pose
 from memorymaze.simulation.obstacles import ObstacleSettings
 from memorymaze.simulation.robot import SimulatedRobot
 from memorymaze.simulation.scene import Scene, build_scene
-
-PutRobot = Callable[..., SimulatedRobot]
 
 
 def test_time_passes_and_the_robot_stays(put_robot: PutRobot) -> None:

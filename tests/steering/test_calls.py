@@ -1,12 +1,12 @@
 from collections.abc import Callable
 
 import pytest
+from tests.simulation.conftest import PutRobot
 
 from memorymaze.errors import EpisodeOver
 from memorymaze.simulation.robot import SimulatedRobot
 from memorymaze.simulation.settings import SimulationSettings
 
-PutRobot = Callable[..., SimulatedRobot]
 ApiSays = Callable[[str], None]
 
 

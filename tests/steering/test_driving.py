@@ -1,20 +1,17 @@
 import math
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 import pytest
+from tests.simulation.conftest import PutRobot
 
 from memorymaze.geometry.pose import Pose
 from memorymaze.simulation.body import SimulatedBody
 from memorymaze.simulation.plan_floor import PlanFloor
-from memorymaze.simulation.robot import SimulatedRobot
 from memorymaze.simulation.scene import Scene, build_scene
 from memorymaze.simulation.senses.turning_points import AnnotatedTurningPoints
 from memorymaze.simulation.settings import SimulationSettings
 from memorymaze.steering.driving import Driver
-
-PutRobot = Callable[..., SimulatedRobot]
 
 
 def driver_at(

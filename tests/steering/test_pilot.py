@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 from shapely import LineString, Polygon, box
 from shapely.affinity import rotate
+from tests.simulation.conftest import PutRobot
 
 from memorymaze.simulation.robot import SimulatedRobot
 from memorymaze.simulation.scene import build_scene
 
-PutRobot = Callable[..., SimulatedRobot]
 ApiSays = Callable[[str], None]
 
 

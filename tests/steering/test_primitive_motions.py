@@ -1,10 +1,10 @@
 import math
-from collections.abc import Callable
 from typing import Any
 
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from tests.simulation.conftest import PutRobot
 
 from memorymaze.errors import CommandError, EpisodeOver, ProgramError, SettingsError
 from memorymaze.geometry.pose import Pose, turn_between
@@ -14,8 +14,6 @@ from memorymaze.robot.specification import API_NAMES, api_specification
 from memorymaze.simulation.robot import SimulatedRobot
 from memorymaze.simulation.scene import Scene
 from memorymaze.steering.calls import TraceEvent
-
-PutRobot = Callable[..., SimulatedRobot]
 
 MILLIMETRE = 0.001
 TENTH_OF_A_DEGREE = math.radians(0.1)

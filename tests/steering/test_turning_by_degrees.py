@@ -1,14 +1,11 @@
 import math
-from collections.abc import Callable
 
 import pytest
+from tests.simulation.conftest import PutRobot
 
 from memorymaze.errors import CommandError
 from memorymaze.language.sandbox import run_program
-from memorymaze.simulation.robot import SimulatedRobot
 from memorymaze.steering.calls import TraceEvent
-
-PutRobot = Callable[..., SimulatedRobot]
 
 
 def test_a_thing_that_is_seen_is_faced(put_robot: PutRobot) -> None:

@@ -1,5 +1,4 @@
 import math
-from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
@@ -7,6 +6,7 @@ import mujoco
 import numpy as np
 import pytest
 from shapely import LineString, box
+from tests.simulation.conftest import PutRobot
 
 from memorymaze.geometry.pose import Pose
 from memorymaze.perception import VisibleObject
@@ -16,7 +16,6 @@ from memorymaze.simulation.senses.sight_targets import describe_door
 from memorymaze.sites import Site
 from memorymaze.sites.records import Door
 
-PutRobot = Callable[..., SimulatedRobot]
 FOCAL_LENGTH = 320.0
 LENS_HEIGHT = 1.25
 
