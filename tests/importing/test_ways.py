@@ -5,7 +5,6 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from shapely import LineString, box, union_all
 
-from memorymaze.construction import make_building
 from memorymaze.errors import ImportFileError
 from memorymaze.importing.centre_lines import centre_lines
 from memorymaze.importing.imported import CentreLine, ImportNotes
@@ -120,15 +119,6 @@ def test_a_floor_of_the_benchmark_comes_back_from_its_outline(
     site, _ = planned(centre_lines(floor), floor)
     assert site.walkable_floor.symmetric_difference(floor).area < 0.005 * floor.area
     assert len(site.turning_points) >= 0.7 * len(builtin_sites[name].turning_points)
-
-
-@pytest.mark.parametrize("kind", ["hospital", "museum", "airport"])
-def test_a_made_floor_comes_back_from_its_outline(kind, planned, tmp_path):
-    original = tmp_path / "original.geojson"
-    original.write_bytes(make_building(kind, 11).plan)
-    floor = load_site(original).walkable_floor
-    site, _ = planned(centre_lines(floor), floor)
-    assert site.walkable_floor.symmetric_difference(floor).area < 0.005 * floor.area
 
 
 places = st.tuples(st.floats(-25, 25), st.floats(-25, 25))

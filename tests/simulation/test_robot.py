@@ -153,11 +153,10 @@ def test_finds_the_middle_from_anywhere_in_a_corridor(
     assert robot.collisions == ()
 
 
-@pytest.mark.parametrize("name", ["museum_5f", "museum_7f", "university"])
 def test_a_random_walker_touches_nothing_and_is_always_told_the_truth(
-    builtin_sites: dict[str, Site], name: str
+    builtin_sites: dict[str, Site],
 ) -> None:
-    site = builtin_sites[name]
+    site = builtin_sites["museum_7f"]
     scene = build_scene(site)
     rng = np.random.default_rng(3)
     robot = SimulatedRobot(

@@ -19,31 +19,21 @@ from memorymaze.pictures.rendering.structure import empty_stretches, structure_o
 from memorymaze.sites import Site
 from memorymaze.sites.records import Door, Room
 
-SITES = ["corridor", "crossing", "l_shape", "loop", "slanted_crossing", "two_rooms"]
 
-
-@pytest.mark.parametrize("name", SITES)
-def test_parts_cover_the_floor_once(name: str, tiny_sites: dict[str, Site]) -> None:
-    site = tiny_sites[name]
-    parts = floor_parts(site)
-    assert sum(part.polygon.area for part in parts) == pytest.approx(
-        site.walkable_floor.area, abs=1e-3
-    )
-    pieces = [piece for part in parts for piece in sliced(part)]
-    assert shapely.union_all(pieces).area == pytest.approx(
-        site.walkable_floor.area, abs=1e-3
-    )
-
-
-@pytest.mark.parametrize("name", SITES)
-def test_faces_cover_the_boundary_once(name: str, tiny_sites: dict[str, Site]) -> None:
-    floor = tiny_sites[name].walkable_floor
-    faces = list(wall_faces(floor, floor_parts(tiny_sites[name]), ()))
-    assert sum(face.length for face in faces) == pytest.approx(
-        floor.boundary.length, abs=0.05
-    )
-    for face in faces:
-        assert floor.covers(shapely.Point(face.at(face.length / 2, 0.02)))
+def test_parts_cover_the_floor_once_and_faces_its_boundary(
+    tiny_sites: dict[str, Site],
+) -> None:
+    for site in tiny_sites.values():
+        floor, parts = site.walkable_floor, floor_parts(site)
+        pieces = shapely.union_all([piece for part in parts for piece in sliced(part)])
+        assert pieces.area == pytest.approx(floor.area, abs=1e-3)
+        whole = sum(part.polygon.area for part in parts)
+        assert whole == pytest.approx(floor.area, abs=1e-3)
+        faces = list(wall_faces(floor, parts, ()))
+        around = sum(face.length for face in faces)
+        assert around == pytest.approx(floor.boundary.length, abs=0.05)
+        for face in faces:
+            assert floor.covers(shapely.Point(face.at(face.length / 2, 0.02)))
 
 
 def test_an_opening_breaks_the_wall_it_is_in(corridor_site: Site) -> None:
