@@ -2,7 +2,7 @@ import json
 
 import pytest
 
-from memorymaze.errors import ImportFileError, SettingsError
+from memorymaze.errors import ImportFileError
 from memorymaze.importing.imported import ImportNotes
 from memorymaze.importing.osm import import_osm
 from memorymaze.importing.osm_elements import Element, read_elements
@@ -79,11 +79,6 @@ def test_what_is_left_out_is_told_with_ids(lantern_building):
     assert any("shop=kiosk (1): node/" in line for line in imported.missing)
     assert any(line.startswith("named nodes in no room") for line in imported.missing)
     assert any(line.startswith("rooms cut where") for line in imported.guessed)
-
-
-def test_levels_are_listed_where_none_is_chosen(lantern_building):
-    with pytest.raises(SettingsError, match="choose one: --floor 2, 3"):
-        import_osm(lantern_building)
 
 
 @pytest.mark.parametrize(

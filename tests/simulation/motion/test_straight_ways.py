@@ -1,27 +1,10 @@
 import math
 from typing import Any
 
-import numpy as np
 import pytest
 from shapely import Polygon, box
 
 from memorymaze.simulation.scene import Scene, build_scene
-
-
-def test_the_way_runs_from_the_nearest_place_on_the_middle_line_to_the_wall(
-    scenes: dict[str, Scene],
-) -> None:
-    way = scenes["corridor"].straight_ways.way((3, 0.7), math.radians(20))
-    assert np.allclose(way.points, [(3, 0), (20, 0)])
-    assert way.courses == pytest.approx((0.0,))
-    assert way.halt == pytest.approx(17 - 0.7)
-
-
-def test_a_way_at_right_angles_to_the_corridor_crosses_it(
-    scenes: dict[str, Scene],
-) -> None:
-    way = scenes["corridor"].straight_ways.way((3, 0), math.pi / 2)
-    assert np.allclose(way.points, [(3, 0), (3, 1.5)])
 
 
 def test_a_corridor_turned_into_is_followed_whatever_its_angle(
