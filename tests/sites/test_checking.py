@@ -13,7 +13,7 @@ from memorymaze.sites import (
     load_site,
     plan_file,
 )
-from memorymaze.sites.problems import Rule
+from memorymaze.sites.problems import Rule, SiteProblem
 
 Changed = Callable[[str, str, dict[str, Any]], Path]
 DOCUMENT = Path(__file__).parents[2] / "docs" / "site_plans.md"
@@ -94,17 +94,16 @@ WARNINGS = [
 ]
 
 
+def errors_in(path: Path) -> list[SiteProblem]:
+    return [each for each in find_site_problems(path) if each.severity == "error"]
+
+
 @pytest.mark.parametrize(("rule", "name", "feature", "changes"), ERRORS)
 def test_a_plan_that_says_something_false_is_an_error_but_loads(
     rule: str, name: str, feature: str, changes: dict[str, Any], changed: Changed
 ):
     path = changed(name, feature, changes)
-    errors = {
-        (each.feature, each.rule)
-        for each in find_site_problems(path)
-        if each.severity == "error"
-    }
-    assert (feature, rule) in errors
+    assert (feature, rule) in {(each.feature, each.rule) for each in errors_in(path)}
     assert load_site(path).walkable_floor.area > 0
 
 
@@ -128,7 +127,7 @@ def test_an_id_that_is_not_in_snake_case_gets_a_warning(changed: Changed):
 
 def test_a_seam_open_by_a_millimetre_loads_and_is_an_error(changed: Changed):
     path = changed("two_rooms", "passage", {SHAPE: [_rectangle(6.001, 2, 12, 4)]})
-    [problem] = [each for each in find_site_problems(path) if each.severity == "error"]
+    [problem] = errors_in(path)
     assert problem.rule == "floor-seams"
     assert load_site(path).walkable_floor.area == pytest.approx(84, abs=0.01)
 
@@ -184,11 +183,7 @@ def test_all_mistakes_are_found_at_once(
     features["door_2"]["properties"]["state"] = "ajar"
     features["door_3"]["geometry"]["coordinates"] = [[11.5, 1.2], [12.5, 1.2]]
     features["route_r1_reference"]["properties"]["length_m"] = 1.0
-    errors = [
-        each
-        for each in find_site_problems(write_plan(content))
-        if each.severity == "error"
-    ]
+    errors = errors_in(write_plan(content))
     assert [(each.feature, each.rule) for each in errors] == [
         ("door_2", "members"),
         ("door_1", "known-reference"),
@@ -199,13 +194,13 @@ def test_all_mistakes_are_found_at_once(
 
 def test_a_feature_that_refers_to_a_broken_one_is_not_blamed(changed: Changed):
     path = changed("corridor", "room_1", {"properties.use": 3})
-    errors = [each for each in find_site_problems(path) if each.severity == "error"]
-    assert [(each.feature, each.rule) for each in errors] == [("room_1", "members")]
+    [error] = errors_in(path)
+    assert (error.feature, error.rule) == ("room_1", "members")
 
 
 def test_a_problem_is_one_line_with_file_feature_and_rule(changed: Changed):
     path = changed("corridor", "door_1", {"properties.room": "attic"})
-    [problem] = [each for each in find_site_problems(path) if each.severity == "error"]
+    [problem] = errors_in(path)
     assert problem.line() == (
         f"{path}:door_1:known-reference: error: room: expected the id of a room in "
         "this plan, got 'attic'"
