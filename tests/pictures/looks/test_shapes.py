@@ -18,6 +18,7 @@ from memorymaze.pictures.looks.shapes import (
 )
 from memorymaze.pictures.looks.tubes import (
     ellipse_ring,
+    limb,
     lofted,
     tube,
 )
@@ -108,6 +109,13 @@ def test_a_picture_goes_once_round_a_ball_with_its_middle_in_front():
     assert globe.uv[top][1] == 0
     eastwards = globe.vertices[globe.uv[:, 0] == 0.75]
     assert eastwards[:, 1].max() > 0.9
+
+
+def test_limbs_are_longer_than_their_bones():
+    bone = limb([(0, 0, 0), (0, 0, 1)], [0.1, 0.2])
+    assert bone.vertices[:, 2].min() == pytest.approx(-0.075)
+    assert bone.vertices[:, 2].max() == pytest.approx(1.15)
+    assert facing(bone) > 0.3
 
 
 def test_a_closed_tube_is_a_ring_without_ends():
