@@ -65,6 +65,14 @@ def test_a_name_in_a_tall_room_is_turned():
     assert label.angle == pytest.approx(1.5708, abs=1e-4)
 
 
+def test_a_label_without_room_is_left_out():
+    space = LabelSpace(metres_per_point=0.05)
+    space.take(SHEET)
+    assert space.beside("bench", (5, 5, 6, 6), 8, SHEET) is None
+    assert space.inside(["Hall"], [(5, 5, 20, 20)], [8]) is None
+    assert space.along("Hall", [(5, 5)], 0.3, 8) is None
+
+
 def test_a_slanted_name_takes_only_the_strip_it_covers():
     space = LabelSpace(metres_per_point=0.05)
     label = space.along("A long name of a hallway", [(10, 10)], 0.7854, 8)

@@ -35,6 +35,16 @@ def test_any_text_survives_a_spreadsheet(
     assert read == tidied(replace(one, text=text))
 
 
+def test_a_wrong_row_of_a_spreadsheet_is_named(
+    tmp_path: Path, told: list[Instruction]
+) -> None:
+    path = tmp_path / "told.csv"
+    write_spreadsheet(path, told, "csv")
+    path.write_text(path.read_text(encoding="utf-8").replace("c,loop", "c,"), "utf-8")
+    with pytest.raises(InstructionFileError, match="row 4: field 'site'"):
+        read_spreadsheet(path, "csv")
+
+
 def test_a_table_needs_only_sites_routes_and_texts(tmp_path: Path) -> None:
     path = tmp_path / "mine.csv"
     path.write_text("text,site,route,iteration\nTurn left.,loop,R1,\n\n", "utf-8")

@@ -58,6 +58,13 @@ def at(distance: float, text: str, **changes) -> VisibleText:
     return replace(SIGN, text=text, bearer=bearer, **changes)
 
 
+def test_a_sign_ahead_is_read_with_its_distance_and_direction():
+    [read] = TruthSignReader().read(View(SIGN))
+
+    assert (read.text, read.distance, read.track_id) == ("Library", 3.0, 1)
+    assert read.bearing_deg == pytest.approx(10)
+
+
 def test_the_nearest_text_comes_first():
     read = TruthSignReader().read(View(at(5, "far"), at(2, "near")))
 

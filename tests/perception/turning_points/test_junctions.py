@@ -1,8 +1,10 @@
 import math
 
+import numpy as np
 import pytest
 
 from memorymaze.perception.turning_points.junctions import (
+    FreeSurroundings,
     SensedJunction,
     SensedWay,
     crossing,
@@ -10,6 +12,36 @@ from memorymaze.perception.turning_points.junctions import (
     is_worth_telling,
     reach_along,
 )
+from memorymaze.perception.turning_points.local_map import CELL
+
+MIDDLE = 64
+
+
+def floor_of(*boxes: tuple[float, float, float, float]) -> FreeSurroundings:
+    """Free floor of boxes (west, south, east, north), metres from the middle."""
+    free = np.zeros((2 * MIDDLE + 1, 2 * MIDDLE + 1), dtype=bool)
+    for bounds in boxes:
+        west, south, east, north = (round(each / CELL) + MIDDLE for each in bounds)
+        free[west : east + 1, south : north + 1] = True
+    return FreeSurroundings(free)
+
+
+def test_mouths_lie_where_ways_leave() -> None:
+    t = floor_of((-8, -1.2, 8, 1.2), (-1.2, -8, 1.2, 0))
+    mouths = t.mouths((MIDDLE, MIDDLE))
+    bearings = sorted(round(math.degrees(each.bearing)) for each in mouths)
+    assert bearings[0] == pytest.approx(-90, abs=3)
+    assert len(bearings) == 3
+    for each in mouths:
+        assert each.width == pytest.approx(2.4, abs=0.3)
+        headings = np.array([each.bearing, each.bearing + math.pi / 2])
+        deep, shallow = t.depths(each, headings)
+        assert deep > 4
+        assert shallow < 2
+
+
+def test_beside_the_free_floor_there_are_no_mouths() -> None:
+    assert floor_of((-8, -1.2, 8, 1.2)).mouths((MIDDLE, MIDDLE + 40)) == []
 
 
 def test_lines_meet_in_one_place_and_parallel_ones_at_the_middle() -> None:

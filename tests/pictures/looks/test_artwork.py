@@ -21,6 +21,12 @@ def test_screens_keep_their_picture_beside_their_words():
     assert (lower.min(axis=2) > 230).mean() > 0.03
 
 
+def test_notice_boards_and_panels_come_in_variants():
+    for draw in (artwork.cork_board, artwork.headlined, artwork.poster_picture):
+        pictures = [draw(1.5, 1.1, "NEWS", GREY, each) for each in range(3)]
+        assert not np.array_equal(pictures[0], pictures[1])
+
+
 def test_pictures_are_read_only_and_kept():
     first = artwork.painting_picture(1.0, 0.7, GREY, 0)
     assert first is artwork.painting_picture(1.0, 0.7, GREY, 0)

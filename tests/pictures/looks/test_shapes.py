@@ -13,6 +13,7 @@ from memorymaze.pictures.looks.shapes import (
     extruded,
     lathed,
     plate,
+    smoothed_shape,
     tapered,
     triangles_of,
 )
@@ -128,6 +129,11 @@ def area(outline: np.ndarray, triangles: np.ndarray) -> float:
     a, b, c = outline[triangles].transpose(1, 0, 2)
     first, second = b - a, c - a
     return float((first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0]).sum() / 2)
+
+
+def test_triangles_without_area_are_dropped():
+    points = np.array([(0.0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 0, 0)])
+    assert len(smoothed_shape(points, np.array([(0, 1, 2), (0, 1, 3)])).faces) == 1
 
 
 @given(st.lists(st.floats(0.2, 2.0), min_size=3, max_size=24))
