@@ -10,7 +10,7 @@ import pytest
 from memorymaze.errors import SettingsError
 from memorymaze.geometry.pose import Pose
 from memorymaze.pictures.films import WalkthroughSettings, film_walkthrough
-from memorymaze.pictures.films.drawing import Artist, places_of, turned
+from memorymaze.pictures.films.drawing import Artist, panorama_turned, places_drawn
 from memorymaze.pictures.films.video_file import BT709, LIMITED_RANGE, video_frame
 from memorymaze.pictures.rendering import PanoramaCamera, RenderedCamera
 from memorymaze.pictures.rendering.robot_eyes import visual_scene_of
@@ -85,17 +85,17 @@ def test_a_panorama_has_the_colours_of_faces_drawn_one_by_one(
 def test_a_turn_on_the_spot_is_a_panorama_turned(corridor_artist: Artist) -> None:
     start, quarter = Pose(6.0, 0.3, 0.0), Pose(6.0, 0.3, math.pi / 2)
     onwards = Pose(6.1, 0.3, math.pi / 2)
-    places = places_of([start, start, quarter, onwards], panorama=True)
+    places = places_drawn([start, start, quarter, onwards], panorama=True)
     assert places == [(start, [0, 0, pytest.approx(math.pi / 2)]), (onwards, [0])]
     drawn, again = map(corridor_artist.planes, (start, quarter))
-    rolled = colours(turned(drawn, math.pi / 2))
+    rolled = colours(panorama_turned(drawn, math.pi / 2))
     assert difference(rolled, colours(again)) < 3.0
     assert difference(colours(drawn), colours(again)) > 6.0
 
 
 def test_a_film_ahead_draws_anew_where_the_eye_has_turned() -> None:
     start, aside = Pose(6.0, 0.3, 0.0), Pose(6.0, 0.3, 0.1)
-    places = places_of([start, start, aside], panorama=False)
+    places = places_drawn([start, start, aside], panorama=False)
     assert places == [(start, [0, 0]), (aside, [0])]
 
 

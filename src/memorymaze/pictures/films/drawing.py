@@ -62,15 +62,15 @@ def frames_from(
         RenderingError: This machine cannot draw; says what to install.
         MemoryMazeError: A process was killed.
     """
-    places = places_of(poses, panorama=settings.panorama)
+    places = places_drawn(poses, panorama=settings.panorama)
     drawn = [pose for pose, _ in places]
     with closing(_drawn_by_processes(site, settings, drawn)) as pictures:
         for (_, turns), picture in zip(places, pictures, strict=True):
             for turn in turns:
-                yield turned(picture, turn) if turn else picture
+                yield panorama_turned(picture, turn) if turn else picture
 
 
-def places_of(
+def places_drawn(
     poses: Iterable[Pose], *, panorama: bool
 ) -> list[tuple[Pose, list[float]]]:
     """Return the poses to draw from, each with how its picture is turned for its frames.
@@ -89,7 +89,7 @@ def places_of(
     return places
 
 
-def turned(planes: NDArray[np.uint8], angle: float) -> NDArray[np.uint8]:
+def panorama_turned(planes: NDArray[np.uint8], angle: float) -> NDArray[np.uint8]:
     """Turn a panorama to the left, by whole columns of its colours (two of its pixels)."""
     width, size = planes.shape[1], planes.size * 2 // 3
     columns = round(angle * width / (4 * math.pi))
