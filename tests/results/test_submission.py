@@ -10,6 +10,7 @@ import pytest
 from memorymaze.evaluation.driver import run_plan
 from memorymaze.evaluation.named_settings import with_choices
 from memorymaze.evaluation.plan import plan_run
+from memorymaze.evaluation.run_folder import read_run
 from memorymaze.evaluation.settings import AgentSettings, RunSettings
 from memorymaze.evaluation.trace import trace_path
 from memorymaze.instructions import load_corpus
@@ -230,7 +231,7 @@ def test_another_corpus_than_the_leaderboards_is_refused(
 
 
 def test_own_agents_and_graphs_are_remarked_on(rules: Path) -> None:
-    settings = check(rules).record.settings
+    settings = read_run(rules)[0].settings
     own = replace(settings, agent=AgentSettings("mine.py:Agent"))
     [remark] = remarks(own, [])
     assert "must be published" in remark

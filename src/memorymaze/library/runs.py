@@ -1,7 +1,7 @@
 """Runs of agents over corpora, read back, shown and compared."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass
 from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -11,8 +11,6 @@ from memorymaze.evaluation.agent_catalogue import AgentChoice
 from memorymaze.evaluation.driver import run_plan
 from memorymaze.evaluation.named_settings import with_choices
 from memorymaze.evaluation.plan import RunPlan, plan_run, settings_for
-from memorymaze.evaluation.results import EpisodeResult
-from memorymaze.evaluation.run_folder import RunRecord
 from memorymaze.evaluation.settings import RunSettings
 from memorymaze.evaluation.shards import part_folder
 from memorymaze.evaluation.worker_pool import Workforce
@@ -34,23 +32,9 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 
-@dataclass(frozen=True, slots=True)
-class Run:
+@dataclass(frozen=True, slots=True, repr=False)
+class Run(MeasuredRun):
     """A run folder, read."""
-
-    folder: Path
-    measured: MeasuredRun = field(repr=False)
-    """Settings and results, as tables take them."""
-
-    @property
-    def results(self) -> tuple[EpisodeResult, ...]:
-        """What came of each episode, in the order of their ids."""
-        return self.measured.results
-
-    @property
-    def record(self) -> RunRecord:
-        """What `run.json` says: settings, code, beginning."""
-        return self.measured.record
 
     def table(self, choice: str = "II") -> Table:
         """Return the run as one of the paper's tables, beside the published figures.
@@ -63,18 +47,18 @@ class Run:
         Raises:
             SettingsError: There is no such table.
         """
-        return run_tables([self.measured], choice)[0]
+        return run_tables([self], choice)[0]
 
     def frame(self) -> "pandas.DataFrame":
         """Return the results, a row an episode."""
         import pandas
 
-        rows = [{"run": self.measured.name, **asdict(each)} for each in self.results]
+        rows = [{"run": self.name, **asdict(each)} for each in self.results]
         return pandas.DataFrame(rows)
 
     def plot(self) -> "Figure":
         """Draw the success rate of every route, with intervals."""
-        return success_figure([self.measured])
+        return success_figure([self])
 
     def __len__(self) -> int:
         """Return the number of episodes that have a result."""
@@ -83,9 +67,9 @@ class Run:
     def __repr__(self) -> str:
         """Say who followed how much, and how well."""
         rate = sum(each.success for each in self.results) / len(self.results)
-        missing = f", {self.measured.missing} to come" if self.measured.missing else ""
+        missing = f", {self.missing} to come" if self.missing else ""
         return (
-            f"Run({str(self.folder)!r}: {self.measured.label}, {len(self)} episodes"
+            f"Run({str(self.folder)!r}: {self.label}, {len(self)} episodes"
             f"{missing}, success {rate:.2f})"
         )
 
@@ -115,7 +99,7 @@ class Comparison:
 
     def paper_table(self, choice: str = "II") -> Table:
         """Return all runs in one table; see `run_tables`."""
-        return run_tables([run.measured for run in self.runs], choice)[0]
+        return run_tables(self.runs, choice)[0]
 
     def frame(self) -> "pandas.DataFrame":
         """Return the paired differences as a frame."""
@@ -123,20 +107,19 @@ class Comparison:
 
     def plot(self) -> "Figure":
         """Draw the success rates of all runs side by side."""
-        return success_figure([run.measured for run in self.runs])
+        return success_figure(self.runs)
 
-    def _pair(self) -> tuple[MeasuredRun, MeasuredRun]:
+    def _pair(self) -> tuple[Run, ...]:
         if len(self.runs) != 2:
             raise SettingsError(
                 f"paired table: expected two runs, got {len(self.runs)}; compare two at "
                 "a time, or take paper_table()"
             )
-        first, second = self.runs
-        return first.measured, second.measured
+        return self.runs
 
     def __repr__(self) -> str:
         """Name the runs."""
-        return f"Comparison({' with '.join(run.measured.label for run in self.runs)})"
+        return f"Comparison({' with '.join(run.label for run in self.runs)})"
 
 
 def evaluate(
@@ -196,8 +179,7 @@ def load_run(folder: str | Path, *, exclude_dev: bool = False) -> Run:
     Raises:
         RunFolderError: It is no run folder, is damaged, or has no result yet.
     """
-    [measured] = load_runs([folder], exclude_dev=exclude_dev)
-    return Run(Path(folder), measured)
+    return load_runs([folder], Run, exclude_dev=exclude_dev)[0]
 
 
 def compare(*runs: Run | str | Path, exclude_dev: bool = False) -> Comparison:
@@ -209,9 +191,8 @@ def compare(*runs: Run | str | Path, exclude_dev: bool = False) -> Comparison:
     """
     if len(runs) < 2:
         raise SettingsError(f"compare: expected two runs or more, got {len(runs)}")
-    folders = [run.folder if isinstance(run, Run) else Path(run) for run in runs]
-    measured = load_runs(folders, exclude_dev=exclude_dev)
-    return Comparison(tuple(map(Run, folders, measured)))
+    folders = [run.folder if isinstance(run, Run) else run for run in runs]
+    return Comparison(tuple(load_runs(folders, Run, exclude_dev=exclude_dev)))
 
 
 def default_folder(agent: str) -> Path:

@@ -46,9 +46,6 @@ _UNSCORABLE = (ArithmeticError, LookupError, TypeError, ValueError)
 class Submission:
     """A run folder, looked over."""
 
-    folder: Path
-    record: RunRecord
-    results: tuple[EpisodeResult, ...]
     track: Track
     problems: tuple[str, ...]
     """Why it cannot stand on a leaderboard; empty when it can."""
@@ -89,14 +86,8 @@ def check_submission(
             )
             if progress is not None:
                 progress(number, len(results))
-    return Submission(
-        folder=folder,
-        record=record,
-        results=tuple(results),
-        track=settings.track,
-        problems=tuple(problems),
-        remarks=tuple(remarks(settings, results)),
-    )
+    found = tuple(remarks(settings, results))
+    return Submission(settings.track, tuple(problems), found)
 
 
 def _settings_problems(settings: RunDefinition, corpus: Corpus) -> Iterator[str]:

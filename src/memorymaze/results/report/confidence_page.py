@@ -40,13 +40,13 @@ class ConfidencePlots:
 
 def plot_confidence(runs: Sequence[ReportRun]) -> list[ConfidencePlots]:
     """Return the plots study by study, of the runs whose agents tell a confidence."""
-    studies = studies_of(each for run in runs for each in run.measured.results)
+    studies = studies_of(each for run in runs for each in run.results)
     found = (_plots(run, study) for study in studies for run in runs)
     return [each for each in found if each is not None]
 
 
 def _plots(run: ReportRun, study: str) -> ConfidencePlots | None:
-    own = [each for each in run.measured.results if each.study == study]
+    own = [each for each in run.results if each.study == study]
     confidences, outcomes = told_confidences(own)
     if not confidences:
         return None

@@ -25,11 +25,7 @@ from memorymaze.results.tables import (
     paper_table,
     run_notes,
 )
-from memorymaze.results.tables.measures import (
-    PAPER_QUANTITIES,
-    mean_column,
-    mean_fields,
-)
+from memorymaze.results.tables.measures import PAPER_QUANTITIES, mean_fields
 from memorymaze.results.tables.runs import place_of, study_title
 from memorymaze.tables import Column, Table
 
@@ -44,7 +40,7 @@ COLUMNS = (
     Column("run", "Run", link=lambda row: row.get("page")),
     Column("begun", "Begun"),
     Column("episodes", "Episodes"),
-    *map(mean_column, PAPER_MEASURES),
+    *PAPER_QUANTITIES,
     Column("remarks", "Remarks"),
 )
 TRACK_TITLES: dict[Track, str] = {
@@ -64,7 +60,7 @@ class _Standing:
     @property
     def name(self) -> str:
         """Name of its folder."""
-        return self.submission.folder.name
+        return self.measured.folder.name
 
     @property
     def page(self) -> str:
@@ -127,7 +123,7 @@ def write_leaderboard(
 
 def _write(board: Leaderboard, pages: Pages) -> None:
     pages.copy_static("report.css", "tables.js")
-    everything = [r for each in board.standing for r in each.submission.results]
+    everything = [r for each in board.standing for r in each.measured.results]
     written = [
         f"Instructions written by {WRITTEN_BY[source]}"
         for source in sorted({result.source for result in everything})
@@ -149,7 +145,7 @@ def _write(board: Leaderboard, pages: Pages) -> None:
             | {
                 "standing": each,
                 "notes": run_notes(each.measured),
-                "settings": settings_table(each.submission.record, each.name),
+                "settings": settings_table(each.measured.record, each.name),
                 "results": paper_table([each.measured], "II"),
             },
             title=f"Run {each.name}",
@@ -176,7 +172,7 @@ def _runs_in(folder: Path) -> list[Path]:
 def _tables(board: Leaderboard, track: Track) -> list[Table]:
     """Return for every study the runs in order, and the paper's means."""
     chosen = [each for each in board.standing if each.submission.track == track]
-    studies = {result.study for each in chosen for result in each.submission.results}
+    studies = {result.study for each in chosen for result in each.measured.results}
     return [_table(chosen, track, study) for study in sorted(studies)]
 
 
@@ -200,7 +196,7 @@ def _table(chosen: Sequence[_Standing], track: Track, study: str) -> Table:
 
 
 def _standing(standing: _Standing, study: str) -> Iterator[dict[str, Any]]:
-    results = [each for each in standing.submission.results if each.study == study]
+    results = [each for each in standing.measured.results if each.study == study]
     if results:
         people = [each.participant for each in results]
         places = [place_of(each) for each in results]
@@ -208,7 +204,7 @@ def _standing(standing: _Standing, study: str) -> Iterator[dict[str, Any]]:
             "method": standing.measured.label,
             "run": standing.name,
             "page": standing.page,
-            "begun": standing.submission.record.started[:10],
+            "begun": standing.measured.record.started[:10],
             "episodes": len(results),
             **mean_fields(PAPER_QUANTITIES, results, people, places),
             "remarks": " ".join(standing.submission.remarks),

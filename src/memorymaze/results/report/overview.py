@@ -15,16 +15,10 @@ from memorymaze.evaluation.measures import Measure
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import RunRecord
 from memorymaze.instructions.records import WRITTEN_BY, Failure, Instruction
-from memorymaze.metrics.aggregate import Estimate
 from memorymaze.results.report.pages import error_title
 from memorymaze.results.report.sources import ReportRun, Sources
-from memorymaze.results.tables import (
-    COMPARISON,
-    PAPER_MEASURES,
-    estimate_means,
-    paired_table,
-)
-from memorymaze.results.tables.measures import ends, estimate_fields, mean_column
+from memorymaze.results.tables import COMPARISON, paired_table
+from memorymaze.results.tables.measures import PAPER_QUANTITIES, mean_fields
 from memorymaze.tables import Column, Table
 from memorymaze.wording import counted
 
@@ -62,7 +56,7 @@ def compare_pair(first: ReportRun, second: ReportRun) -> _Pair:
             title=f"{first.title} and {second.title}",
             letters=(first.letter, second.letter),
         )
-        table = paired_table([first.measured, second.measured], question)
+        table = paired_table([first, second], question)
     except RunFolderError:
         table = None
     return _Pair(first, second, table)
@@ -70,7 +64,7 @@ def compare_pair(first: ReportRun, second: ReportRun) -> _Pair:
 
 def count_endings(run: ReportRun) -> list[_Ending]:
     """Count how the episodes of a run ended; what never happened is left out."""
-    results = run.measured.results
+    results = run.results
     counts = Counter(
         (outcome_of(each).key, "arrived" if each.success else ending_words(each))
         for each in results
@@ -89,7 +83,7 @@ def written_by(sources: Sources) -> list[str]:
     texts = {
         result.instruction_id: result.source
         for run in sources.runs
-        for result in run.measured.results
+        for result in run.results
     }
     counts = Counter(texts.values())
     return [
@@ -120,7 +114,7 @@ def spreads(runs: Sequence[ReportRun], measure: Measure) -> list[Spread]:
     """Return how a measure is spread: for every study, run by run."""
     cells: dict[tuple[str, int], list[float]] = {}
     for number, run in enumerate(runs):
-        for result in run.measured.results:
+        for result in run.results:
             value = float(getattr(result, measure.field))
             cells.setdefault((result.study, number), []).append(value)
     values = [value for cell in cells.values() for value in cell]
@@ -171,8 +165,8 @@ class _ErrorKind:
     kind: str
     """`none` and `any` for those without and with an error."""
     instructions: int
-    measured: tuple[tuple[int, dict[str, Estimate]] | None, ...]
-    """Per run the number of episodes and the means; None where it has none."""
+    results: tuple[Sequence[EpisodeResult], ...]
+    """By run."""
     examples: tuple[FaultyInstruction, ...]
 
 
@@ -183,7 +177,7 @@ def error_kinds(
     results: list[dict[str, list[EpisodeResult]]] = []
     for run in runs:
         by_instruction: dict[str, list[EpisodeResult]] = {}
-        for each in run.measured.results:
+        for each in run.results:
             by_instruction.setdefault(each.instruction_id, []).append(each)
         results.append(by_instruction)
     followed = sorted(set[str]().union(*results))
@@ -200,7 +194,6 @@ def error_kinds(
 
 def error_table(runs: Sequence[ReportRun], kinds: Sequence[_ErrorKind]) -> Table:
     """Return the results by kind of error, all runs side by side."""
-    shown = [measure for measure in PAPER_MEASURES if measure.name in {"sr", "spd"}]
     columns: list[Column] = []
     rows: list[dict[str, Any]] = [
         {
@@ -212,20 +205,23 @@ def error_table(runs: Sequence[ReportRun], kinds: Sequence[_ErrorKind]) -> Table
     ]
     for index, run in enumerate(runs):
         head = f"{run.letter}: " if len(runs) > 1 else ""
-        columns.append(Column(f"{run.letter}_episodes", f"{head}episodes"))
-        for measure in shown:
-            name = f"{run.letter}_{measure.name}"
-            column = mean_column(measure, plot=measure.name == "sr")
-            heading = f"{head}{measure.heading}"
-            columns.append(
-                replace(column, name=name, heading=heading, interval=ends(name))
+        shown = [
+            replace(
+                each,
+                name=f"{run.letter}_{each.name}",
+                heading=f"{head}{each.heading}",
+                plot=each.name == "sr",
             )
+            for each in PAPER_QUANTITIES
+            if each.name in {"sr", "spd"}
+        ]
+        columns += [Column(f"{run.letter}_episodes", f"{head}episodes"), *shown]
         for row, kind in zip(rows, kinds, strict=True):
-            found = kind.measured[index]
-            row[f"{run.letter}_episodes"] = found and found[0]
-            for measure in shown:
-                estimate = found[1].get(measure.name) if found else None
-                row |= estimate_fields(f"{run.letter}_{measure.name}", estimate)
+            found = kind.results[index]
+            row[f"{run.letter}_episodes"] = len(found) or None
+            people = [each.participant for each in found]
+            none = {each.name: None for each in shown}
+            row |= mean_fields(shown, found, people) if found else none
     return Table(
         "Success rate (SR) and shortest walk left to the goal (SPD) by kind of error in "
         "the instruction",
@@ -243,10 +239,10 @@ def _kind(
     told: Sequence[Instruction],
     results: Sequence[Mapping[str, Sequence[EpisodeResult]]],
 ) -> _ErrorKind:
-    measured: list[tuple[int, dict[str, Estimate]] | None] = []
-    for of_run in results:
-        cell = [result for each in told for result in of_run.get(each.id, ())]
-        measured.append((len(cell), estimate_means([cell])) if cell else None)
+    of_runs = tuple(
+        [result for each in told for result in of_run.get(each.id, ())]
+        for of_run in results
+    )
     examples = [
         FaultyInstruction(
             each,
@@ -257,7 +253,7 @@ def _kind(
         for failure in each.failures
         if failure.kind == kind
     ]
-    return _ErrorKind(kind, len(told), tuple(measured), tuple(examples))
+    return _ErrorKind(kind, len(told), of_runs, tuple(examples))
 
 
 def settings_table(record: RunRecord, run: str) -> Table:

@@ -96,19 +96,17 @@ class _Report:
         self._rows: dict[TablePlace, list[EpisodeRow]] = {}
         self._problems: list[str] = []
         self._by_id: list[dict[str, EpisodeResult]] = [
-            {each.episode_id: each for each in run.measured.results}
-            for run in self._runs
+            {each.episode_id: each for each in run.results} for run in self._runs
         ]
         order = {
             result.episode_id: TablePlace(result.site, result.route)
             for run in self._runs
-            for result in run.measured.results
+            for result in run.results
         }
         self._episodes = sorted(order, key=lambda each: (order[each], each))
         self._places = sorted(set(order.values()))
         self._written = written_by(sources)
-        measured = [run.measured for run in self._runs]
-        self._second = paper_table(measured, "II")
+        self._second = paper_table(self._runs, "II")
 
     def write(self, progress: Callable[[int, int], None] | None) -> list[str]:
         self._pages.copy_static("report.css", "replay.js", "timeline.js", "tables.js")
@@ -183,7 +181,7 @@ class _Report:
             self._problems.append(str(error))
             return RunInEpisode(run, number, result, None, str(error), None, None)
         way = self._sources.sites[result.site].route(result.reference_route)
-        near = run.measured.record.settings.success_distance
+        near = run.record.settings.success_distance
         walk = walk_of(result, story, way, near)
         belief = belief_timeline(story)
         return RunInEpisode(run, number, result, story, None, walk, belief)
@@ -226,11 +224,10 @@ class _Report:
         return place, site, plan_frame(site), _drawn(self._ways(place))
 
     def _write_overview(self) -> None:
-        measured = [run.measured for run in self._runs]
         self._page(
             "index.html",
-            "Report on " + ", ".join(run.measured.label for run in self._runs),
-            notes=[run_notes(each) for each in measured],
+            "Report on " + ", ".join(run.label for run in self._runs),
+            notes=[run_notes(each) for each in self._runs],
             warnings=[*self._sources.notes, *self._problems],
             endings=[count_endings(run) for run in self._runs],
             means=_only(self._second, "mean", "mean"),
@@ -239,7 +236,7 @@ class _Report:
         self._page(
             "tables.html",
             "Tables",
-            tables=[_linked(self._second), _linked(paper_table(measured, "III"))],
+            tables=[_linked(self._second), _linked(paper_table(self._runs, "III"))],
             comparisons=[
                 compare_pair(one, two) for one, two in combinations(self._runs, 2)
             ],
@@ -254,7 +251,7 @@ class _Report:
         self._page(
             "confidence.html",
             "Confidence",
-            table=means_table(measured, CONFIDENCE),
+            table=means_table(self._runs, CONFIDENCE),
             key=CONFIDENCE_KEY,
             plots=plot_confidence(self._runs),
         )
@@ -273,10 +270,7 @@ class _Report:
         self._page(
             "settings.html",
             "Settings of the runs",
-            settings=[
-                settings_table(run.measured.record, run.measured.name)
-                for run in self._runs
-            ],
+            settings=[settings_table(run.record, run.name) for run in self._runs],
         )
 
 

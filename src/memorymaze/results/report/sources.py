@@ -2,7 +2,7 @@
 
 import string
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from memorymaze.errors import RunFolderError, SettingsError
@@ -15,18 +15,16 @@ from memorymaze.wording import counted
 
 
 @dataclass(frozen=True, slots=True)
-class ReportRun:
+class ReportRun(MeasuredRun):
     """A run of a report."""
 
-    letter: str
+    letter: str = ""
     """`A`, `B`, …: how it is called where its name is too long."""
-    folder: Path
-    measured: MeasuredRun
 
     @property
     def title(self) -> str:
         """Letter and method."""
-        return f"{self.letter}: {self.measured.label}"
+        return f"{self.letter}: {self.label}"
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,9 +56,9 @@ def read_sources(
     """
     _check_names(folders)
     runs = tuple(
-        ReportRun(_letter(number), Path(folder), measured)
-        for number, (folder, measured) in enumerate(
-            zip(folders, load_runs(folders, exclude_dev=exclude_dev), strict=True)
+        replace(run, letter=_letter(number))
+        for number, run in enumerate(
+            load_runs(folders, ReportRun, exclude_dev=exclude_dev)
         )
     )
     sites: dict[str, Site] = {}
@@ -68,7 +66,7 @@ def read_sources(
     notes: list[str] = []
     for run in runs:
         plans = read_plans(run.folder)
-        for result in run.measured.results:
+        for result in run.results:
             site = site_of(result, plans, run.folder)
             sites.setdefault(site.name, site)
             site_of(result, sites, run.folder)
@@ -79,7 +77,7 @@ def read_sources(
             if name in sites and sites[name].plan != site.plan
         ]
         told = {each.id: each for each in read_instructions(run.folder)}
-        for result in run.measured.results:
+        for result in run.results:
             if result.instruction_id not in told:
                 raise RunFolderError(
                     f"{run.folder}: expected instruction {result.instruction_id!r} of "

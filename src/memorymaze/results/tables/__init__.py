@@ -13,19 +13,13 @@ formats. Pages are in `results.report`, statistics of instructions in
 """
 
 from collections.abc import Mapping, Sequence
-from typing import Any
 
 from memorymaze.errors import SettingsError, did_you_mean
 from memorymaze.results.tables.asking import ASKING
 from memorymaze.results.tables.comparison import COMPARISON, EQUAL_METRES, OVERVIEW
 from memorymaze.results.tables.confidence import CONFIDENCE
 from memorymaze.results.tables.errors import ERRORS
-from memorymaze.results.tables.measures import (
-    COMPARED_MEASURES,
-    PAPER_MEASURES,
-    SPREAD_MEASURES,
-    estimate_means,
-)
+from memorymaze.results.tables.measures import PAPER_MEASURES, SPREAD_MEASURES
 from memorymaze.results.tables.paper_tables import PAPER_TABLES, paper_table
 from memorymaze.results.tables.questions import (
     PairedQuestion,
@@ -47,7 +41,6 @@ from memorymaze.results.tables.second_tellings import SECOND_TELLINGS
 from memorymaze.tables import Table
 
 __all__ = [
-    "COMPARED_MEASURES",
     "COMPARISON",
     "EQUAL_METRES",
     "OVERVIEW",
@@ -59,7 +52,6 @@ __all__ = [
     "PairedQuestion",
     "TablePlace",
     "TableQuestion",
-    "estimate_means",
     "load_runs",
     "means_table",
     "paired_table",
@@ -69,7 +61,7 @@ __all__ = [
     "run_tables",
 ]
 
-TABLES: dict[str, TableQuestion[Any]] = {
+TABLES: dict[str, TableQuestion] = {
     **PAPER_TABLES,
     "errors": ERRORS,
     "reach": REACH,

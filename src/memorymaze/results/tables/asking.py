@@ -1,19 +1,31 @@
 """What asking people is worth: policies and controls beside the first run, paired."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import numpy as np
 
 from memorymaze.errors import RunFolderError
 from memorymaze.evaluation.results import EpisodeResult
-from memorymaze.results.tables.measures import Quantity
+from memorymaze.results.tables.measures import (
+    EPISODES,
+    Fact,
+    Gain,
+    Pairs,
+    Quantity,
+)
 from memorymaze.results.tables.questions import RowGroup, TableQuestion
 from memorymaze.results.tables.runs import STUDY, MeasuredRun, studies_of
 from memorymaze.tables import Column
 
-NEARER = (20.0, 60.0, np.inf)
-"""Metres left to the goal when the first answer came, below which rows are grouped."""
+NEARER = (
+    ("near", "asked near", 0.0, 20.0),
+    ("middle", "middle", 20.0, 60.0),
+    ("far", "far", 60.0, np.inf),
+)
+"""Groups of episodes, by metres left to the goal when the first answer came."""
 KEY = (
     "SR success; difference: to the first run, over the episodes that both have; SR per "
     "question: success over 1 + the questions asked; questions and seconds of strangers: "
@@ -22,19 +34,10 @@ KEY = (
     "near the goal are easy). [95 % interval], bootstrap over participants. What people "
     "answer comes from a bank that a language model wrote in role."
 )
-_Beside = tuple[EpisodeResult, EpisodeResult]
-"""What came of an episode in the first run, and in another one."""
-SR: Quantity[_Beside] = Quantity("sr", "SR", lambda each: float(each[1].success))
-DIFFERENCE: Quantity[_Beside] = Quantity(
-    "difference",
-    "difference",
-    lambda each: each[1].success - float(each[0].success),
-    None,
-    signed=True,
-)
 
 
-def _groups(runs: Sequence[MeasuredRun]) -> Iterator[RowGroup[_Beside]]:
+def _groups(runs: Sequence[MeasuredRun]) -> Iterator[RowGroup]:
+    """Yield the rows: what came of each episode in the first run, and in another one."""
     for run in runs:
         if run.record.settings.ask is None:
             raise RunFolderError(
@@ -54,32 +57,21 @@ def _groups(runs: Sequence[MeasuredRun]) -> Iterator[RowGroup[_Beside]]:
                     f"{run.name} and {runs[0].name}: expected runs over the same episodes, "
                     f"got none of study {study} that both have"
                 )
-            about = {"study": study, "run": run.name}
-            facts = _facts([each for _, each in pairs])
-            yield RowGroup(about | facts, (SR, DIFFERENCE), pairs)
+            yield RowGroup({"study": study, "run": run.name}, pairs)
 
 
-def _facts(results: Sequence[EpisodeResult]) -> dict[str, Any]:
-    return {
-        "n": len(results),
-        "per_question": np.mean([e.success / (1 + e.questions) for e in results]),
-        "questions": np.mean([each.questions for each in results]),
-        "strangers_s": np.mean([each.strangers_s for each in results]),
-        **dict(zip(("near", "middle", "far"), _by_metres_left(results), strict=True)),
-    }
+def _mean(of: Callable[[EpisodeResult], float]) -> Callable[[Pairs], Any]:
+    return lambda pairs: np.mean([of(each) for _, each in pairs])
 
 
-def _by_metres_left(results: Sequence[EpisodeResult]) -> Iterator[str]:
-    """Yield the success of those whose first answer came so near, and how many."""
-    least = 0.0
-    for most in NEARER:
-        group = [
-            each.success
-            for each in results
-            if each.answers_left_m and least <= each.answers_left_m[0] < most
-        ]
-        yield f"{np.mean(group):.2f} ({len(group)})" if group else "-"
-        least = most
+def _success_from(least: float, most: float, pairs: Pairs) -> str:
+    """Return the success of those whose first answer came so near, and how many."""
+    group = [
+        each.success
+        for _, each in pairs
+        if each.answers_left_m and least <= each.answers_left_m[0] < most
+    ]
+    return f"{np.mean(group):.2f} ({len(group)})" if group else "-"
 
 
 ASKING = TableQuestion(
@@ -89,15 +81,32 @@ ASKING = TableQuestion(
     columns=(
         STUDY,
         Column("run", "Run", "label"),
-        Column("n", "n"),
-        SR.column,
-        DIFFERENCE.column,
-        Column("per_question", "SR per question", digits=2, better="higher"),
-        Column("questions", "questions", digits=2),
-        Column("strangers_s", "strangers (s)", digits=1, better="lower"),
-        Column("near", "asked near", "label"),
-        Column("middle", "middle", "label"),
-        Column("far", "far", "label"),
+        replace(EPISODES, name="n"),
+        Quantity("sr", "SR", of=lambda each: float(each[1].success)),
+        Gain(
+            "difference",
+            "difference",
+            of=lambda each: each[1].success - float(each[0].success),
+        ),
+        Fact(
+            "per_question",
+            "SR per question",
+            digits=2,
+            better="higher",
+            of=_mean(lambda each: each.success / (1 + each.questions)),
+        ),
+        Fact("questions", "questions", digits=2, of=_mean(lambda e: e.questions)),
+        Fact(
+            "strangers_s",
+            "strangers (s)",
+            digits=1,
+            better="lower",
+            of=_mean(lambda each: each.strangers_s),
+        ),
+        *(
+            Fact(name, heading, "label", of=partial(_success_from, least, most))
+            for name, heading, least, most in NEARER
+        ),
     ),
     groups=_groups,
     unit=lambda each: each[0].participant,

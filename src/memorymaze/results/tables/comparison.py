@@ -5,25 +5,31 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from memorymaze.errors import RunFolderError
-from memorymaze.evaluation.results import EpisodeResult
-from memorymaze.results.tables.errors import ERROR, by_error_kind
-from memorymaze.results.tables.measures import COMPARED_MEASURES, Quantity, quantity_of
-from memorymaze.results.tables.questions import PairedQuestion, Pairs
+from memorymaze.results.tables.errors import ERROR, TEXTS, by_error_kind
+from memorymaze.results.tables.measures import (
+    COMPARED_QUANTITIES,
+    EPISODES,
+    SUCCESS,
+    Fact,
+    Pairs,
+)
+from memorymaze.results.tables.questions import PairedQuestion, RowGroup
 from memorymaze.results.tables.reach import within_ways
 from memorymaze.results.tables.runs import (
     ALL,
+    METHOD,
+    OF_ROUTE,
+    RUN,
     STUDY,
     STUDY_OR_ALL,
     MeasuredRun,
-    TablePlace,
     groups_of_places,
     place_fields,
     place_of,
-    place_title,
     places_of,
     studies_of,
 )
-from memorymaze.tables import Column, Row
+from memorymaze.tables import Column
 
 KEY = (
     "{second} - {first}: difference of the means over the same instructions, with the 95 % interval "
@@ -31,85 +37,69 @@ KEY = (
     "participants, two-sided, not corrected for the number of rows. The mean over "
     "routes is unweighted. Arrived: both / only {first} / only {second} / neither."
 )
-COUNTS = ("both", "only_a", "only_b", "neither")
-"""Who arrived."""
+PARTICIPANTS = Fact(
+    "participants", of=lambda pairs: len({one.participant for one, _ in pairs})
+)
 
 
-def _by_route(_: Sequence[MeasuredRun], pairs: Pairs) -> Iterator[tuple[Row, Pairs]]:
+def _by_route(_: Sequence[MeasuredRun], pairs: Pairs) -> Iterator[RowGroup]:
     """Yield the pairs of each route of a study, and of all together."""
-    for study in studies_of(one for one, _ in pairs):
-        for group in groups_of_places(places_of((one for one, _ in pairs), study)):
-            yield _about(study, group, pairs)
+    first = [one for one, _ in pairs]
+    for study in studies_of(first):
+        for group in groups_of_places(places_of(first, study)):
+            about = {"study": study, **place_fields(group, is_mean=len(group) > 1)}
+            own = [pair for pair in pairs if pair[0].study == study]
+            yield RowGroup(about, [pair for pair in own if place_of(pair[0]) in group])
 
 
-def _by_study(runs: Sequence[MeasuredRun], pairs: Pairs) -> Iterator[tuple[Row, Pairs]]:
+def _by_study(runs: Sequence[MeasuredRun], pairs: Pairs) -> Iterator[RowGroup]:
     """Yield the pairs of each study."""
     for study in studies_of(one for one, _ in pairs):
-        group = places_of((one for one, _ in pairs), study)
-        about, chosen = _about(study, group, pairs)
-        yield {"method": runs[1].label, "run": runs[1].name, **about}, chosen
+        about = {"study": study, "method": runs[1].label, "run": runs[1].name}
+        yield RowGroup(about, [pair for pair in pairs if pair[0].study == study])
 
 
-def _about(study: str, group: Sequence[TablePlace], pairs: Pairs) -> tuple[Row, Pairs]:
-    chosen = [
-        (one, two)
-        for one, two in pairs
-        if one.study == study and place_of(one) in group
-    ]
-    outcomes = Counter((one.success, two.success) for one, two in chosen)
-    counts = [outcomes[one, two] for one in (True, False) for two in (True, False)]
-    about = {
-        "study": study,
-        "place": place_title(group),
-        **place_fields(group, is_mean=len(group) > 1),
-        "episodes": len(chosen),
-        "participants": len({one.participant for one, _ in chosen}),
-        **dict(zip(COUNTS, counts, strict=True)),
-        "arrived": " / ".join(map(str, counts)),
-    }
-    return about, chosen
+def _arrived(pairs: Pairs) -> list[int]:
+    """Count the pairs of which both arrived, only the first, only the second, neither."""
+    outcomes = Counter((one.success, two.success) for one, two in pairs)
+    return [outcomes[one, two] for one in (True, False) for two in (True, False)]
 
 
-def _compared(_: MeasuredRun) -> list[Quantity[EpisodeResult]]:
-    return [quantity_of(each) for each in COMPARED_MEASURES]
-
-
-def _success(run: MeasuredRun) -> list[Quantity[EpisodeResult]]:
-    return [each for each in _compared(run) if each.name == "sr"]
-
-
+ARRIVED = Fact(
+    "arrived",
+    "arrived:",
+    is_data=False,
+    of=lambda pairs: " / ".join(map(str, _arrived(pairs))),
+)
 COMPARISON = PairedQuestion(
     title="Comparison of two runs",
     name="comparison",
     columns=(
         STUDY,
-        Column("place", "Route", "group", is_data=False),
-        Column("site"),
-        Column("route"),
-        Column("episodes", "n", "group"),
-        Column("participants"),
-        *(Column(name) for name in COUNTS),
-        Column("arrived", "arrived:", "group", is_data=False),
+        *OF_ROUTE,
+        replace(EPISODES, role="group"),
+        PARTICIPANTS,
+        *(
+            Fact(name, of=lambda pairs, number=number: _arrived(pairs)[number])
+            for number, name in enumerate(("both", "only_a", "only_b", "neither"))
+        ),
+        replace(ARRIVED, role="group"),
         Column("measure", "Measure", "label", show=lambda row: row["heading"]),
     ),
     groups=_by_route,
-    quantities=_compared,
+    quantities=lambda _: COMPARED_QUANTITIES,
     cell=place_of,
-    key=KEY,
+    key=(KEY,),
 )
 """Two runs, route by route and measure by measure."""
-OVERVIEW = replace(
-    COMPARISON,
+OVERVIEW = PairedQuestion(
     title="Success of each run (B) beside {label} (A)",
-    columns=(
-        STUDY,
-        Column("method", "B", "label"),
-        Column("run"),
-        Column("episodes", "n"),
-        Column("arrived", "arrived:", is_data=False),
-    ),
+    columns=(STUDY, replace(METHOD, heading="B"), RUN, EPISODES, ARRIVED),
+    name="comparison",
     groups=_by_study,
-    quantities=_success,
+    quantities=lambda _: (SUCCESS,),
+    cell=place_of,
+    key=(KEY,),
 )
 """The success of several runs beside that of the first, on what each shares with it."""
 
@@ -123,45 +113,37 @@ METRES_KEY = (
 )
 
 
-def _by_error(runs: Sequence[MeasuredRun], pairs: Pairs) -> Iterator[tuple[Row, Pairs]]:
+def _by_error(runs: Sequence[MeasuredRun], pairs: Pairs) -> Iterator[RowGroup]:
     """Yield the pairs on texts with errors, by kind of error: of all studies, and of each."""
     wrong = [one for one, _ in pairs if one.error_kinds]
+    first, second = runs
     if not wrong:
-        first, second = runs
         raise RunFolderError(
             f"{first.name} and {second.name}: expected texts whose errors are labelled, got "
             "none that both have"
         )
     after = {one.episode_id: two for one, two in pairs}
     studies = studies_of(wrong)
-    groups = {study: [r for r in wrong if r.study == study] for study in studies}
-    if len(studies) > 1:
-        groups = {ALL: wrong} | groups
-    for study, results in groups.items():
+    for study in ([ALL] if len(studies) > 1 else []) + studies:
+        results = [each for each in wrong if study in (ALL, each.study)]
         for kind, chosen in by_error_kind(results).items():
-            about = {
-                "run": runs[1].name,
-                "study": study,
-                "error": kind,
-                "texts": len(chosen),
-                "participants": len({each.participant for each in chosen}),
-            }
-            yield about, [(each, after[each.episode_id]) for each in chosen]
+            about = {"run": second.name, "study": study, "error": kind}
+            yield RowGroup(about, [(each, after[each.episode_id]) for each in chosen])
 
 
 EQUAL_METRES = PairedQuestion(
     title="Texts with errors: success after equally many metres",
     name="equal-metres",
     columns=(
-        Column("run"),
+        RUN,
         STUDY_OR_ALL,
         replace(ERROR, role="group"),
-        Column("texts", "texts", "group"),
-        Column("participants"),
+        replace(TEXTS, role="group"),
+        PARTICIPANTS,
         Column("ways", "times the way", "label", show=lambda row: row["heading"]),
     ),
     groups=_by_error,
-    quantities=lambda run: within_ways(run.record.settings.success_distance),
-    key=METRES_KEY,
+    quantities=within_ways,
+    key=(METRES_KEY,),
 )
 """Two runs on texts with errors, within 1, 1.5, 2 and 3 times the way."""

@@ -1,7 +1,7 @@
 """How sure agents were, and what came of it: claims, calibration, risk against coverage."""
 
-from collections.abc import Iterator, Sequence
-from typing import Any
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.metrics.calibration import (
@@ -15,9 +15,9 @@ from memorymaze.metrics.calibration import (
 from memorymaze.metrics.success import SUCCESS_DISTANCE
 from memorymaze.results.tables.measures import (
     SUCCESS,
+    Fact,
     Quantity,
     mean_fields,
-    participant_of,
 )
 from memorymaze.results.tables.questions import RowGroup, TableQuestion
 from memorymaze.results.tables.reach import within_ways
@@ -27,40 +27,42 @@ from memorymaze.results.tables.runs import (
     by_study_and_run,
     place_of,
 )
-from memorymaze.tables import Column
 
-COVERAGES = (0.25, 0.5, 0.75, 1.0)
-"""Parts of the episodes, the most confident first."""
-CLAIMS: tuple[Quantity[EpisodeResult], ...] = (
+CLAIMS = (
     SUCCESS,
-    Quantity("claims", "claimed", lambda each: float(each.claims_arrival), None),
     Quantity(
-        "false_arrivals", "false", lambda each: float(each.is_false_arrival), "lower"
+        "claims", "claimed", better=None, of=lambda each: float(each.claims_arrival)
+    ),
+    Quantity(
+        "false_arrivals",
+        "false",
+        better="lower",
+        of=lambda each: float(each.is_false_arrival),
     ),
     Quantity(
         "admitted_failures",
         "admitted",
-        lambda each: float(each.gave_up and not each.success),
-        None,
+        better=None,
+        of=lambda each: float(each.gave_up and not each.success),
     ),
     Quantity(
         "gave_up_there",
         "gave up there",
-        lambda each: float(each.gave_up and each.success),
-        "lower",
+        better="lower",
+        of=lambda each: float(each.gave_up and each.success),
     ),
 )
-WALKED: Quantity[EpisodeResult] = Quantity(
+WALKED = Quantity(
     "ways_walked",
     "walked",
-    lambda each: each.path_length / each.way_m if each.way_m else 0.0,
-    "lower",
+    better="lower",
+    of=lambda each: each.path_length / each.way_m if each.way_m else 0.0,
 )
-BRIER: Quantity[EpisodeResult] = Quantity(
+BRIER = Quantity(
     "brier",
     "Brier",
-    lambda each: brier_score([each.confidence or 0.0], [each.success]),
-    "lower",
+    better="lower",
+    of=lambda each: brier_score([each.confidence or 0.0], [each.success]),
 )
 KEY = (
     "Shares of all episodes, unweighted means over routes: claimed: stopped as one that is "
@@ -85,38 +87,26 @@ def told_confidences(
     return [each.confidence or 0.0 for each in told], [each.success for each in told]
 
 
-def _at(coverage: float) -> str:
-    return f"sr_at_coverage_{coverage:g}"
+def _of_told(
+    measure: Callable[[list[float], list[bool]], float],
+) -> Callable[[Sequence[EpisodeResult]], float | None]:
+    """Return what measures confidences; None where an agent tells none."""
+
+    def measured(results: Sequence[EpisodeResult]) -> float | None:
+        confidences, outcomes = told_confidences(results)
+        return measure(confidences, outcomes) if confidences else None
+
+    return measured
 
 
-def _groups(runs: Sequence[MeasuredRun]) -> Iterator[RowGroup[EpisodeResult]]:
+def _groups(runs: Sequence[MeasuredRun]) -> Iterator[RowGroup]:
     for about, run, results in by_study_and_run(runs):
+        told = [each for each in results if each.confidence is not None]
+        people = [each.participant for each in told]
+        brier = mean_fields([BRIER], told, people) if told else {"brier": None}
         near = run.record.settings.success_distance
-        yield RowGroup(
-            {**about, **_calibration(results)},
-            [*CLAIMS, *within_ways(near), WALKED],
-            results,
-        )
-
-
-def _calibration(results: Sequence[EpisodeResult]) -> dict[str, Any]:
-    """Return what can be said of confidences; nothing where an agent tells none."""
-    told = [each for each in results if each.confidence is not None]
-    if not told:
-        values = ("brier", "brier_reference", "ece", *map(_at, COVERAGES), "aurc")
-        return {"told": 0} | dict.fromkeys(values)
-    confidences, outcomes = told_confidences(told)
-    covered = {
-        _at(part): success_at_coverage(confidences, outcomes, part)
-        for part in COVERAGES
-    }
-    return covered | {
-        "told": len(told),
-        **mean_fields([BRIER], told, [each.participant for each in told]),
-        "brier_reference": brier_reference(outcomes),
-        "ece": expected_calibration_error(confidences, outcomes),
-        "aurc": risk_coverage_area(confidences, outcomes),
-    }
+        means = [*CLAIMS, *within_ways(near), WALKED]
+        yield RowGroup({**about, **brier}, results, means)
 
 
 CONFIDENCE = TableQuestion(
@@ -126,19 +116,37 @@ CONFIDENCE = TableQuestion(
     name="confidence",
     columns=(
         *BY_STUDY_AND_RUN,
-        *(each.column for each in (*CLAIMS, *within_ways(SUCCESS_DISTANCE), WALKED)),
-        Column("told", "told"),
-        BRIER.column,
-        Column("brier_reference", "of the mean", digits=2),
-        Column("ece", "ECE", digits=2, better="lower"),
-        *(
-            Column(_at(part), f"{100 * part:g} %", digits=2, better="higher")
-            for part in COVERAGES
+        *CLAIMS,
+        *within_ways(SUCCESS_DISTANCE),
+        WALKED,
+        Fact("told", "told", of=lambda results: len(told_confidences(results)[0])),
+        BRIER,
+        Fact(
+            "brier_reference",
+            "of the mean",
+            digits=2,
+            of=_of_told(lambda _, outcomes: brier_reference(outcomes)),
         ),
-        Column("aurc", "AURC", digits=2, better="lower"),
+        Fact(
+            "ece",
+            "ECE",
+            digits=2,
+            better="lower",
+            of=_of_told(expected_calibration_error),
+        ),
+        *(
+            Fact(
+                f"sr_at_coverage_{part:g}",
+                f"{100 * part:g} %",
+                digits=2,
+                better="higher",
+                of=_of_told(partial(success_at_coverage, coverage=part)),
+            )
+            for part in (0.25, 0.5, 0.75, 1.0)
+        ),
+        Fact("aurc", "AURC", digits=2, better="lower", of=_of_told(risk_coverage_area)),
     ),
     groups=_groups,
-    unit=participant_of,
     cell=place_of,
     key=(KEY,),
 )

@@ -8,9 +8,10 @@ from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.instructions.error_kinds import ERROR_KINDS
 from memorymaze.results.tables.measures import (
     SUCCESS,
+    Fact,
+    Gain,
     Quantity,
     mean_fields,
-    participant_of,
 )
 from memorymaze.results.tables.questions import (
     RowGroup,
@@ -31,18 +32,19 @@ KEY = (
 ERROR = Column(
     "error", "error", "label", show=lambda row: row["error"].replace("_", " ")
 )
-_Pair = tuple[EpisodeResult, EpisodeResult]
-"""What came of a text without the error, and of the same text with it."""
-WITHOUT: Quantity[_Pair] = Quantity(
-    "sr_right", "SR without it [95 %]", lambda each: SUCCESS.of(each[0]), None
+TEXTS = Fact("texts", "texts", of=len)
+WITHOUT = Quantity(
+    "sr_right",
+    "SR without it [95 %]",
+    better=None,
+    of=lambda each: SUCCESS.of(each[0]),
 )
-APART: Quantity[_Pair] = Quantity(
+APART = Gain(
     "difference",
     "difference [95 %]",
-    lambda each: SUCCESS.of(each[1]) - SUCCESS.of(each[0]),
-    None,
-    signed=True,
+    of=lambda each: SUCCESS.of(each[1]) - SUCCESS.of(each[0]),
 )
+"""Of pairs of a text without the error, and the same text with it."""
 
 
 def by_error_kind(results: Sequence[EpisodeResult]) -> dict[str, list[EpisodeResult]]:
@@ -62,7 +64,7 @@ def by_error_kind(results: Sequence[EpisodeResult]) -> dict[str, list[EpisodeRes
     return found
 
 
-def _groups(runs: Sequence[MeasuredRun]) -> Iterator[RowGroup[EpisodeResult]]:
+def _groups(runs: Sequence[MeasuredRun]) -> Iterator[RowGroup]:
     [run] = runs
     right: dict[str | None, EpisodeResult] = {
         r.pair: r for r in run.results if r.pair and not r.error_kinds
@@ -73,15 +75,15 @@ def _groups(runs: Sequence[MeasuredRun]) -> Iterator[RowGroup[EpisodeResult]]:
         for kind, group in (groups | by_error_kind(own)).items():
             if group:
                 about = {"method": run.label, "study": study, "error": kind}
-                yield RowGroup(about | _beside(group, right), (SUCCESS,), group)
+                yield RowGroup(about | _beside(group, right), group, (SUCCESS,))
 
 
 def _beside(
     results: Sequence[EpisodeResult], right: Mapping[str | None, EpisodeResult]
 ) -> dict[str, Any]:
-    """Return how many texts there are, and what those with a counterpart lose."""
+    """Return how many texts have a counterpart, and what they lose."""
     pairs = [(right[each.pair], each) for each in results if each.pair in right]
-    about = {"texts": len(results), "pairs": len(pairs)}
+    about = {"pairs": len(pairs)}
     if not pairs:
         return about | dict.fromkeys(("sr_right", "difference", "p"))
     people = [each.participant for _, each in pairs]
@@ -100,15 +102,14 @@ ERRORS = TableQuestion(
         Column("method"),
         Column("study", "study", "label"),
         ERROR,
-        Column("texts", "texts"),
-        replace(SUCCESS.column, heading="SR [95 %]", better=None),
+        TEXTS,
+        replace(SUCCESS, heading="SR [95 %]", better=None),
         Column("pairs", "pairs", show=lambda row: str(row["pairs"] or "-")),
-        WITHOUT.column,
-        APART.column,
+        WITHOUT,
+        APART,
         Column("p", "p", show=lambda row: p_cell(row["p"]) if row["pairs"] else "-"),
     ),
     groups=_groups,
-    unit=participant_of,
     key=(KEY,),
     is_of_one_run=True,
 )

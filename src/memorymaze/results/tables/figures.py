@@ -6,8 +6,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from memorymaze.metrics.aggregate import Estimate
-from memorymaze.results.tables.measures import estimate_means
+from memorymaze.results.tables.measures import SUCCESS, mean_fields
 from memorymaze.results.tables.runs import (
     MeasuredRun,
     groups_of_places,
@@ -17,6 +16,7 @@ from memorymaze.results.tables.runs import (
     studies_of,
     study_title,
 )
+from memorymaze.tables import Row
 
 
 def success_figure(runs: Sequence[MeasuredRun]) -> Figure:
@@ -40,17 +40,17 @@ def _draw(panel: Axes, runs: Sequence[MeasuredRun], study: str) -> None:
     groups = groups_of_places(places)
     width = 0.8 / len(runs)
     for number, run in enumerate(runs):
-        bars: dict[float, Estimate] = {}
+        bars: dict[float, Row] = {}
         for index, group in enumerate(groups):
             own = [r for r in run.results if r.study == study and place_of(r) in group]
-            cells = [[r for r in own if place_of(r) == place] for place in group]
             if own:
-                found = estimate_means([cell for cell in cells if cell])["sr"]
+                people, cells = [r.participant for r in own], [*map(place_of, own)]
+                found = mean_fields([SUCCESS], own, people, cells)
                 bars[index + (number + 0.5) * width - 0.4] = found
-        means = [each.mean for each in bars.values()]
+        means = [each["sr"] for each in bars.values()]
         # Where no interval can be told, none is drawn.
-        low = [_end(each.low, each.mean) for each in bars.values()]
-        high = [_end(each.high, each.mean) for each in bars.values()]
+        low = [_end(each["sr_low"], each["sr"]) for each in bars.values()]
+        high = [_end(each["sr_high"], each["sr"]) for each in bars.values()]
         error = [np.subtract(means, low), np.subtract(high, means)]
         panel.bar([*bars], means, width, yerr=error, capsize=3, label=run.label)
     titles = ["Mean" if len(group) > 1 else place_title(group) for group in groups]

@@ -1,8 +1,8 @@
 """What tables show of episodes: quantities, and their means with intervals."""
 
 from collections.abc import Callable, Hashable, Sequence
-from dataclasses import dataclass, field, replace
-from typing import Any, Generic, Literal, TypeVar
+from dataclasses import dataclass, field
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -12,58 +12,66 @@ from memorymaze.evaluation.results import MEASURES, EpisodeResult
 from memorymaze.metrics.aggregate import Estimate, participant_bootstrap
 from memorymaze.tables import Column, Row
 
-Seen = TypeVar("Seen")
-"""What is seen once: an episode, or several that belong together, such as a pair."""
+Pair = tuple[EpisodeResult, EpisodeResult]
+"""What came of an episode in two runs, or of two texts that belong together."""
+Pairs = Sequence[Pair]
 
 PAPER_MEASURES = tuple(each for each in MEASURES if "paper" in each.shown)
-COMPARED_MEASURES = tuple(each for each in MEASURES if "compared" in each.shown)
 SPREAD_MEASURES = tuple(each for each in MEASURES if "spread" in each.shown)
 EPISODE_MEASURES = tuple(each for each in MEASURES if "episode" in each.shown)
 COST_MEASURES = tuple(each for each in MEASURES if "costs" in each.shown)
 
 
 @dataclass(frozen=True, slots=True)
-class Quantity(Generic[Seen]):
-    """What the mean is taken of."""
+class Fact(Column):
+    """A column that is worked out from all that a row is about."""
 
-    name: str
-    heading: str
-    of: Callable[[Seen], float]
+    of: Callable[[Sequence[Any]], Any] = field(kw_only=True)
+
+
+@dataclass(frozen=True, slots=True)
+class Quantity(Column):
+    """A column of means with their intervals."""
+
+    digits: int | None = 2
     better: Literal["higher", "lower"] | None = "higher"
-    digits: int = 2
-    signed: bool = False
-    """Whether it is shown with its sign, as differences are."""
-    about: Row = field(default_factory=dict[str, Any])
+    of: Callable[[Any], float] = field(kw_only=True)
+    """What the mean is taken of: of an episode, or of several that belong together, such as
+    a pair."""
+    about: Row = field(default_factory=dict[str, Any], kw_only=True)
     """What else rows say of it, where each quantity has a row."""
 
-    @property
-    def column(self) -> Column:
-        """Its mean with an interval."""
-        return Column(
-            self.name,
-            self.heading,
-            digits=self.digits,
-            signed=self.signed,
-            interval=ends(self.name),
-            better=self.better,
-        )
+    def __post_init__(self) -> None:
+        """Name the fields of the interval's ends."""
+        ends = (f"{self.name}_low", f"{self.name}_high")
+        object.__setattr__(self, "interval", ends)
 
 
-def quantity_of(measure: Measure) -> Quantity[EpisodeResult]:
+@dataclass(frozen=True, slots=True)
+class Gain(Quantity):
+    """A column of means of differences, which are shown with their sign."""
+
+    better: Literal["higher", "lower"] | None = None
+    signed: bool = True
+
+
+def quantity_of(measure: Measure) -> Quantity:
     """Return a measure of results as what means are taken of."""
     return Quantity(
         measure.name,
         measure.heading,
-        lambda each: float(getattr(each, measure.field)),
-        measure.better,
-        measure.digits,
+        digits=measure.digits,
+        better=measure.better,
+        of=lambda each: float(getattr(each, measure.field)),
     )
 
 
 PAPER_QUANTITIES = tuple(map(quantity_of, PAPER_MEASURES))
-SUCCESS: Quantity[EpisodeResult] = Quantity(
-    "sr", "SR", lambda each: float(each.success)
+COMPARED_QUANTITIES = tuple(
+    quantity_of(each) for each in MEASURES if "compared" in each.shown
 )
+SUCCESS = Quantity("sr", "SR", of=lambda each: float(each.success))
+EPISODES = Fact("episodes", "n", of=len)
 
 
 def participant_of(result: EpisodeResult) -> str:
@@ -86,8 +94,8 @@ def mean_estimates(
 
 
 def mean_fields(
-    quantities: Sequence[Quantity[Seen]],
-    seen: Sequence[Seen],
+    quantities: Sequence[Quantity],
+    seen: Sequence[Any],
     people: Sequence[str],
     cells: Sequence[Hashable] | None = None,
 ) -> dict[str, Any]:
@@ -96,51 +104,12 @@ def mean_fields(
     found = zip(quantities, mean_estimates(values, people, cells), strict=True)
     fields: dict[str, Any] = {}
     for quantity, estimate in found:
-        fields |= estimate_fields(quantity.name, estimate)
+        fields |= estimate_fields(estimate, *quantity.fields)
     return fields
 
 
-def estimate_means(cells: Sequence[Sequence[EpisodeResult]]) -> dict[str, Estimate]:
-    """Return the means of the paper's measures over cells, with participant-bootstrap intervals.
-
-    The mean is the unweighted mean of the cells' means, as the paper averages over
-    routes; for one cell it is the cell's mean. See
-    `metrics.aggregate.participant_bootstrap`.
-
-    Args:
-        cells: Results that belong together, such as those of one route; none empty.
-
-    Raises:
-        ValueError: There is no cell, or one is empty.
-    """
-    if not cells or not all(cells):
-        raise ValueError("expected at least one episode in every cell")
-    rows = [(result, number) for number, cell in enumerate(cells) for result in cell]
-    estimates = mean_estimates(
-        [[each.of(result) for each in PAPER_QUANTITIES] for result, _ in rows],
-        [result.participant for result, _ in rows],
-        [number for _, number in rows],
-    )
-    return {
-        each.name: found for each, found in zip(PAPER_MEASURES, estimates, strict=True)
-    }
-
-
-def mean_column(measure: Measure, *, plot: bool = False) -> Column:
-    """Return a column of means with intervals, which pages may plot from 0 to 1."""
-    return replace(quantity_of(measure).column, plot=plot)
-
-
-def ends(name: str) -> tuple[str, str]:
-    """Return the fields of the ends of a value's interval."""
-    return f"{name}_low", f"{name}_high"
-
-
 def estimate_fields(
-    name: str, estimate: Estimate | None, interval: tuple[str, str] | None = None
+    estimate: Estimate, name: str, low: str, high: str
 ) -> dict[str, Any]:
-    """Return the fields of a mean with its interval; None where there is no mean."""
-    low, high = interval or ends(name)
-    if estimate is None:
-        return {name: None}
+    """Return the fields of a mean with the ends of its interval."""
     return {name: estimate.mean, low: estimate.low, high: estimate.high}

@@ -15,20 +15,22 @@ from memorymaze.instructions.published import (
 )
 from memorymaze.results.tables.measures import (
     COST_MEASURES,
+    EPISODES,
     PAPER_MEASURES,
     PAPER_QUANTITIES,
-    mean_column,
-    participant_of,
+    Fact,
 )
 from memorymaze.results.tables.questions import RowGroup, TableQuestion, means_table
 from memorymaze.results.tables.runs import (
+    METHOD,
+    OF_ROUTE,
+    RUN,
     STUDY,
     MeasuredRun,
     TablePlace,
     groups_of_places,
     place_fields,
     place_of,
-    place_title,
     places_of,
     studies_of,
 )
@@ -54,18 +56,19 @@ PAPER_METHODS = {
 }
 UNKNOWN = dict.fromkeys(each.name for each in PAPER_MEASURES)
 """Of a row that has no means of its own."""
-SETTINGS = (
+COST_COLUMNS = tuple(
+    Column(f"{each.name}_per_episode", each.short, digits=each.digits)
+    for each in COST_MEASURES
+)
+ONLY_DATA = (
     *("instructions_written_by", "episodes_missing", "seed"),
     *("success_distance_m", "time_budget_s", "call_budget"),
     *("turning_points", "detector", "signs", "track"),
     *("things_per_100m", "people_per_100m2", "people", "obstacle_seed"),
     *(f"{name}_per_100m" for name in PER_DISTANCE),
+    *("waiting_s_per_episode", "ask", "passers_by"),
 )
 """What only CSV and frames have; see `docs/results.md`."""
-COST_COLUMNS = tuple(
-    Column(f"{each.name}_per_episode", each.short, digits=each.digits)
-    for each in COST_MEASURES
-)
 
 
 def paper_table(
@@ -98,7 +101,7 @@ def _how_to_get(absent: Mapping[str, str], _: Sequence[MeasuredRun]) -> Iterator
 
 def _groups(
     table: str, runs: Sequence[MeasuredRun], absent: Iterable[str] = ()
-) -> Iterator[RowGroup[EpisodeResult]]:
+) -> Iterator[RowGroup]:
     """Yield the rows of a table: by study, route, iteration, then measured and paper.
 
     After the routes of a study (in Table III: of an iteration) comes the mean over
@@ -132,16 +135,12 @@ def _about(
 ) -> dict[str, Any]:
     """Return what a row is about: a route, or the mean over those a method has."""
     is_mean = len(group) > 1
-    title = place_title(places)
+    fields = place_fields(places, is_mean=is_mean)
     if is_mean:
-        title = f"Mean over {counted(len(places), 'route')}"
-    return {
-        "table": table,
-        "study": study,
-        "place": title if iteration is None else f"{title}, iteration {iteration}",
-        **place_fields(places, is_mean=is_mean),
-        "iteration": iteration,
-    }
+        fields["place"] = f"Mean over {counted(len(places), 'route')}"
+    if iteration is not None:
+        fields["place"] += f", iteration {iteration}"
+    return {"table": table, "study": study, **fields, "iteration": iteration}
 
 
 def _measured(
@@ -150,28 +149,28 @@ def _measured(
     study: str,
     group: Sequence[TablePlace],
     iteration: int | None,
-) -> Iterator[RowGroup[EpisodeResult]]:
-    cells: dict[TablePlace, list[EpisodeResult]] = {place: [] for place in group}
-    for result in run.results:
-        place = place_of(result)
-        is_shown = result.study == study and iteration in {None, result.iteration}
-        if is_shown and place in cells:
-            cells[place].append(result)
-    filled = {place: cell for place, cell in cells.items() if cell}
-    if not filled:
+) -> Iterator[RowGroup]:
+    results = [
+        result
+        for place in group
+        for result in run.results
+        if result.study == study
+        and place_of(result) == place
+        and iteration in {None, result.iteration}
+    ]
+    if not results:
         return
-    results = [result for cell in filled.values() for result in cell]
     about = {
-        **_about(table, study, group, list(filled), iteration),
+        **_about(
+            table, study, group, list(dict.fromkeys(map(place_of, results))), iteration
+        ),
         "method": run.label,
         "parser": _parses_first(run),
         "figures": "measured",
-        "episodes": len(results),
-        "participants": len({result.participant for result in results}),
         **_run_fields(results, run),
-        **_cost_fields(filled, run),
+        **_cost_fields(results, run),
     }
-    yield RowGroup(about, PAPER_QUANTITIES, results)
+    yield RowGroup(about, results)
 
 
 def _parses_first(run: MeasuredRun) -> bool | None:
@@ -205,54 +204,56 @@ def _published(
 
 
 def _run_fields(results: Sequence[EpisodeResult], run: MeasuredRun) -> dict[str, Any]:
-    settings = run.record.settings
-    record: dict[str, Any] = {
+    settings, limits = run.record.settings, run.record.settings.simulation
+    fields: dict[str, Any] = {
         "run": run.name,
         "instructions_written_by": "+".join(sorted({r.source for r in run.results})),
         "episodes_missing": run.missing,
         "seed": settings.seed,
         "success_distance_m": settings.success_distance,
-        "time_budget_s": settings.simulation.time_budget,
-        "call_budget": settings.simulation.call_budget,
-        "turning_points": settings.simulation.turning_points,
+        "time_budget_s": limits.time_budget,
+        "call_budget": limits.call_budget,
+        "turning_points": limits.turning_points,
         "detector": str(settings.detector),
         "signs": settings.signs,
         "track": settings.track,
     }
-    if settings.ask is not None:
-        record |= {"ask": settings.ask, "passers_by": settings.passers_by}
     if settings.obstacles is not None:
         found = collision_rates(results)
-        record |= {
+        fields |= {
             "things_per_100m": settings.obstacles.things_per_100m,
             "people_per_100m2": settings.obstacles.people_per_100m2,
             "people": settings.obstacles.people,
             "obstacle_seed": settings.obstacles.seed,
             "waiting_s_per_episode": found.waiting_s,
         }
-        record |= {f"{name}_per_100m": getattr(found, name) for name in PER_DISTANCE}
-    return record
+        fields |= {f"{name}_per_100m": getattr(found, name) for name in PER_DISTANCE}
+    if settings.ask is not None:
+        fields |= {"ask": settings.ask, "passers_by": settings.passers_by}
+    return fields
 
 
 def _cost_fields(
-    cells: Mapping[TablePlace, Sequence[EpisodeResult]], run: MeasuredRun
+    results: Sequence[EpisodeResult], run: MeasuredRun
 ) -> dict[str, float | None]:
     """Return what inference cost per episode; the unweighted mean over routes."""
+    cells: dict[TablePlace, list[EpisodeResult]] = {}
+    for result in results:
+        cells.setdefault(place_of(result), []).append(result)
     means: dict[str, float | None] = {
         f"{cost.name}_per_episode": fmean(
             fmean(getattr(each, cost.field) for each in cell) for cell in cells.values()
         )
         for cost in COST_MEASURES
     }
-    is_free = not run.asked_a_model
     has_price = run.record.settings.agent.language_model.price is not None
-    was_charged = any(each.cost_usd for cell in cells.values() for each in cell)
-    if not (is_free or has_price or was_charged):
+    was_charged = any(each.cost_usd for each in results)
+    if run.asked_a_model and not (has_price or was_charged):
         means["cost_usd_per_episode"] = None
     return means
 
 
-def _question(name: str, shows: str, title: str) -> TableQuestion[EpisodeResult]:
+def _question(name: str, shows: str, title: str) -> TableQuestion:
     return TableQuestion(
         shows=shows,
         title=f"Table {name}: {title}",
@@ -260,24 +261,18 @@ def _question(name: str, shows: str, title: str) -> TableQuestion[EpisodeResult]
         columns=(
             Column("table"),
             STUDY,
-            Column("place", "Route", "group", is_data=False),
-            Column("site"),
-            Column("route"),
+            *OF_ROUTE,
             Column("iteration"),
-            Column("method", "Method", "label"),
+            METHOD,
             Column("parser", "Parser", "label"),
             Column("figures"),
-            Column("run"),
-            Column("episodes", "n"),
-            Column("participants"),
-            *(mean_column(each, plot=each.name == "sr") for each in PAPER_MEASURES),
-            *(Column(each) for each in SETTINGS),
-            Column("waiting_s_per_episode"),
-            Column("ask"),
-            Column("passers_by"),
+            RUN,
+            EPISODES,
+            Fact("participants", of=lambda told: len({e.participant for e in told})),
+            *(replace(each, plot=each.name == "sr") for each in PAPER_QUANTITIES),
+            *map(Column, ONLY_DATA),
         ),
         groups=partial(_groups, name),
-        unit=participant_of,
         cell=place_of,
         key=(KEY,),
         aside=lambda row: row["figures"] == "published",

@@ -7,7 +7,7 @@ tests, and the notes on how runs came about.
 
 from collections.abc import Callable, Hashable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, Generic
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -18,11 +18,14 @@ from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.settings import differences
 from memorymaze.metrics.paired import sign_flip_test
 from memorymaze.results.tables.measures import (
+    Fact,
+    Pair,
+    Pairs,
     Quantity,
-    Seen,
     estimate_fields,
     mean_estimates,
     mean_fields,
+    participant_of,
 )
 from memorymaze.results.tables.runs import MeasuredRun, run_notes, studies_of
 from memorymaze.tables import Column, Row, Table
@@ -44,33 +47,44 @@ NOT_TOLD = VERSIONS | {
 
 
 @dataclass(frozen=True, slots=True)
-class RowGroup(Generic[Seen]):
-    """A row: what it is about, and the means that it shows."""
+class RowGroup:
+    """A row: what it is about, and what its facts and means are worked out from."""
 
     about: Row
-    quantities: Sequence[Quantity[Seen]] = ()
-    seen: Sequence[Seen] = ()
-    """What the means are over; of nothing, the row shows what it is about alone."""
+    seen: Sequence[Any] = ()
+    """Of nothing, the row shows what it is about alone."""
+    quantities: Sequence[Quantity] | None = None
+    """What means are taken of; None for those among the columns."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class TableQuestion(Generic[Seen]):
-    """A table of means: its rows are groups, its columns what they are about and means."""
-
-    shows: str
-    """For those who choose a table."""
+class _Question:
     title: str
     """`{label}` stands for the method of the first run."""
     name: str
     columns: tuple[Column, ...]
-    groups: Callable[[Sequence[MeasuredRun]], Iterable[RowGroup[Seen]]]
-    """The rows, in their order; refuses runs that the table cannot show."""
+    """What rows are about, their facts, and their means."""
     key: tuple[str, ...]
     """What the columns mean."""
-    unit: Callable[[Seen], str]
-    """Whom intervals draw."""
-    cell: Callable[[Seen], Hashable] | None = None
+    cell: Callable[[Any], Hashable] | None = None
     """What means are first taken in, such as a route; None for the mean of all."""
+
+    def facts(self, seen: Sequence[Any]) -> Row:
+        """Return the facts of a row."""
+        facts = (each for each in self.columns if isinstance(each, Fact))
+        return {each.name: each.of(seen) for each in facts}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TableQuestion(_Question):
+    """A table of means: its rows are groups of what was seen."""
+
+    shows: str
+    """For those who choose a table."""
+    groups: Callable[[Sequence[MeasuredRun]], Iterable[RowGroup]]
+    """The rows, in their order; refuses runs that the table cannot show."""
+    unit: Callable[[Any], str] = participant_of
+    """Whom intervals draw."""
     remarks: Callable[[Sequence[MeasuredRun]], Iterable[str]] = lambda _: ()
     """What else there is to say of the runs."""
     is_of_one_run: bool = False
@@ -80,43 +94,38 @@ class TableQuestion(Generic[Seen]):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class PairedQuestion:
-    """A table of differences: its rows are groups of episodes that two runs have both."""
+class PairedQuestion(_Question):
+    """A table of differences: its rows are groups of episodes that two runs have both.
 
-    title: str
-    """`{label}` stands for the method of the first run."""
-    name: str
-    columns: tuple[Column, ...]
-    """What rows are about; the two means, their difference and its test stand after it."""
-    groups: Callable[[Sequence[MeasuredRun], "Pairs"], Iterable[tuple[Row, "Pairs"]]]
+    The two means, their difference and its test stand after the columns; in the key
+    `{first}` and `{second}` stand for what the runs are called.
+    """
+
+    groups: Callable[[Sequence[MeasuredRun], Pairs], Iterable[RowGroup]]
     """What rows are about, and their pairs, of the first run and another one."""
-    quantities: Callable[[MeasuredRun], Sequence[Quantity[EpisodeResult]]]
-    """What is compared, a row each."""
-    cell: Callable[[EpisodeResult], Hashable] | None = None
-    key: str
-    """`{first}` and `{second}` stand for what the runs are called."""
+    quantities: Callable[[float], Sequence[Quantity]]
+    """What is compared, a row each; by the success distance of a run."""
     letters: tuple[str, str] = ("A", "B")
     """What the runs are called."""
 
 
-Pairs = Sequence[tuple[EpisodeResult, EpisodeResult]]
-
-
-def means_table(runs: Sequence[MeasuredRun], question: TableQuestion[Seen]) -> Table:
+def means_table(runs: Sequence[MeasuredRun], question: TableQuestion) -> Table:
     """Return the means of quantities by groups, with intervals.
 
     Raises:
         MemoryMazeError: The question cannot be put to these runs.
     """
+    shown = [each for each in question.columns if isinstance(each, Quantity)]
     rows: list[Row] = []
     for group in question.groups(runs):
-        means: Row = {}
+        row = group.about
         if group.seen:
-            cell = question.cell
+            quantities = shown if group.quantities is None else group.quantities
             people = [question.unit(each) for each in group.seen]
-            cells = None if cell is None else [cell(each) for each in group.seen]
-            means = mean_fields(group.quantities, group.seen, people, cells)
-        rows.append({**group.about, **means})
+            cells = question.cell and [question.cell(each) for each in group.seen]
+            means = mean_fields(quantities, group.seen, people, cells)
+            row = {**question.facts(group.seen), **row, **means}
+        rows.append(row)
     notes = ["\n".join(run_notes(run)) for run in runs]
     table = Table(
         question.title.replace("{label}", runs[0].label),
@@ -143,11 +152,13 @@ def paired_table(runs: Sequence[MeasuredRun], question: PairedQuestion) -> Table
     notes = [_note(letter_of_first, first)]
     for other in others:
         pairs = paired_results(first, other)
-        quantities = list(zip(*map(question.quantities, (first, other)), strict=True))
-        for about, chosen in question.groups((first, other), pairs):
+        near = [run.record.settings.success_distance for run in (first, other)]
+        quantities = list(zip(*map(question.quantities, near), strict=True))
+        for group in question.groups((first, other), pairs):
+            about = {**group.about, **question.facts(group.seen)}
             rows += [
                 {**about, **row}
-                for row in _paired_rows(quantities, chosen, question.cell)
+                for row in _paired_rows(quantities, group.seen, question.cell)
             ]
         notes += [
             _note(letter, other),
@@ -156,19 +167,18 @@ def paired_table(runs: Sequence[MeasuredRun], question: PairedQuestion) -> Table
     order = studies_of(first.results)
     if len(others) > 1:
         rows.sort(key=lambda row: order.index(row["study"]))
+    key = [each.format(first=letter_of_first, second=letter) for each in question.key]
     table = Table(
         question.title.replace("{label}", first.label),
         (*question.columns, *_figure_columns(*question.letters)),
         tuple(rows),
-        (*notes, question.key.format(first=letter_of_first, second=letter)),
+        (*notes, *key),
         question.name,
     )
     return _with_interval_notes(table)
 
 
-def paired_results(
-    first: MeasuredRun, second: MeasuredRun
-) -> list[tuple[EpisodeResult, EpisodeResult]]:
+def paired_results(first: MeasuredRun, second: MeasuredRun) -> list[Pair]:
     """Return the results of the episodes that both runs have."""
     there = {result.episode_id: result for result in first.results}
     here = {result.episode_id: result for result in second.results}
@@ -196,7 +206,7 @@ def paired_fields(
         p_values = sign_flip_test(after - before, people, rng, cells=cells)
     means = zip(_means(before, cells), _means(after, cells), strict=True)
     for (a, b), difference, p in zip(means, estimates, p_values, strict=True):
-        fields = estimate_fields("difference", difference, ("low", "high"))
+        fields = estimate_fields(difference, "difference", "low", "high")
         yield {"a": a, "b": b, **fields, "p": p}
 
 
@@ -212,7 +222,7 @@ def p_cell(p: float | None) -> str:
 
 
 def _paired_rows(
-    quantities: Sequence[tuple[Quantity[EpisodeResult], Quantity[EpisodeResult]]],
+    quantities: Sequence[tuple[Quantity, Quantity]],
     pairs: Pairs,
     cell: Callable[[EpisodeResult], Hashable] | None,
 ) -> Iterator[Row]:

@@ -2,13 +2,12 @@
 
 from collections.abc import Iterator, Sequence
 
-from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.metrics.success import (
     SUCCESS_DISTANCE,
     success_within,
     success_within_way,
 )
-from memorymaze.results.tables.measures import Quantity, participant_of
+from memorymaze.results.tables.measures import Quantity
 from memorymaze.results.tables.questions import RowGroup, TableQuestion
 from memorymaze.results.tables.runs import (
     BY_STUDY_AND_RUN,
@@ -17,8 +16,6 @@ from memorymaze.results.tables.runs import (
     place_of,
 )
 
-DISTANCES = (1.5, 3.0, 5.0)
-"""Metres left to the goal."""
 WAYS = (1.0, 1.5, 2.0, 3.0)
 """Times the way described."""
 KEY = (
@@ -30,27 +27,26 @@ KEY = (
 )
 
 
-def at_distances() -> list[Quantity[EpisodeResult]]:
-    """Return success at so many metres from the goal."""
-    return [
-        Quantity(
-            f"sr_at_{metres:g}_m",
-            f"{metres:g} m",
-            lambda each, metres=metres: success_within(
-                each.spd, metres, is_stopped=each.stopped_by == "agent"
-            ),
-        )
-        for metres in DISTANCES
-    ]
+AT_DISTANCES = tuple(
+    Quantity(
+        f"sr_at_{metres:g}_m",
+        f"{metres:g} m",
+        of=lambda each, metres=metres: success_within(
+            each.spd, metres, is_stopped=each.stopped_by == "agent"
+        ),
+    )
+    for metres in (1.5, 3.0, 5.0)
+)
+"""Success at so many metres left to the goal."""
 
 
-def within_ways(near: float) -> list[Quantity[EpisodeResult]]:
+def within_ways(near: float) -> list[Quantity]:
     """Return success within so many times the way, for a success distance."""
     return [
         Quantity(
             f"sr_within_{times:g}_ways",
             f"{times:g}x",
-            lambda each, times=times: success_within_way(
+            of=lambda each, times=times: success_within_way(
                 each.path_length, each.way_m, times, near, is_success=each.success
             ),
             about={"ways": times},
@@ -59,22 +55,18 @@ def within_ways(near: float) -> list[Quantity[EpisodeResult]]:
     ]
 
 
-def _groups(runs: Sequence[MeasuredRun]) -> Iterator[RowGroup[EpisodeResult]]:
+def _groups(runs: Sequence[MeasuredRun]) -> Iterator[RowGroup]:
     for about, run, results in by_study_and_run(runs):
         near = run.record.settings.success_distance
-        yield RowGroup(about, [*at_distances(), *within_ways(near)], results)
+        yield RowGroup(about, results, [*AT_DISTANCES, *within_ways(near)])
 
 
 REACH = TableQuestion(
     shows="success at 1.5, 3 and 5 m, and within 1, 1.5, 2 and 3 times the way",
     title="Success by distance to the goal and by length of the walk",
     name="reach",
-    columns=(
-        *BY_STUDY_AND_RUN,
-        *(each.column for each in (*at_distances(), *within_ways(SUCCESS_DISTANCE))),
-    ),
+    columns=(*BY_STUDY_AND_RUN, *AT_DISTANCES, *within_ways(SUCCESS_DISTANCE)),
     groups=_groups,
-    unit=participant_of,
     cell=place_of,
     key=(KEY,),
 )

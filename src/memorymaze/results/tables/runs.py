@@ -1,10 +1,9 @@
 """Runs as tables need them: their results, their names, and what must be said of them."""
 
-from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
 from memorymaze.errors import RunFolderError
 from memorymaze.evaluation.in_words import (
@@ -21,6 +20,7 @@ from memorymaze.evaluation.in_words import (
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.evaluation.run_folder import RunRecord, read_run
 from memorymaze.instructions.published import PublishedResult, published_tables
+from memorymaze.results.tables.measures import EPISODES
 from memorymaze.tables import Column, Row
 from memorymaze.wording import counted
 
@@ -46,17 +46,25 @@ class TablePlace(NamedTuple):
 class MeasuredRun:
     """A run that a table shows."""
 
-    name: str
-    """Of its folder."""
+    folder: Path
     label: str
     """Its method in tables, unlike that of the other runs."""
     record: RunRecord
+    """What `run.json` says: settings, code, beginning."""
     results: tuple[EpisodeResult, ...]
     """Those shown, in the order of episode ids."""
     left_out: int
     """Results on development texts that are not shown."""
-    missing: int
-    """Episodes of the run that have no result yet."""
+
+    @property
+    def name(self) -> str:
+        """That of its folder."""
+        return self.folder.resolve().name
+
+    @property
+    def missing(self) -> int:
+        """Episodes of the run that have no result yet."""
+        return self.record.settings.episodes - len(self.results) - self.left_out
 
     @property
     def asked_a_model(self) -> bool:
@@ -64,13 +72,20 @@ class MeasuredRun:
         return any(result.model_calls for result in self.results)
 
 
+SomeRun = TypeVar("SomeRun", bound=MeasuredRun)
+
+
 def load_runs(
-    folders: Sequence[str | Path], *, exclude_dev: bool = False
-) -> list[MeasuredRun]:
+    folders: Sequence[str | Path],
+    kind: Callable[..., SomeRun] = MeasuredRun,
+    *,
+    exclude_dev: bool = False,
+) -> list[SomeRun]:
     """Read runs for a table.
 
     Args:
         folders: Run folders.
+        kind: What is made of each.
         exclude_dev: Whether to leave out the instructions that prompts and examples
             may be built from.
 
@@ -78,26 +93,16 @@ def load_runs(
         RunFolderError: A folder is no run, or has no result to show.
     """
     read = [(Path(folder), *read_run(folder)) for folder in folders]
-    labels = Counter(
-        method_label(record.settings, results) for _, record, results in read
-    )
-    runs: list[MeasuredRun] = []
-    for folder, record, results in read:
+    labels = [method_label(record.settings, results) for _, record, results in read]
+    runs: list[SomeRun] = []
+    for label, (folder, record, results) in zip(labels, read, strict=True):
         shown = [r for r in results if not (exclude_dev and r.split == "dev")]
         if not shown:
             raise RunFolderError(f"{folder}: has no results to show yet")
-        label = method_label(record.settings, results)
-        name = folder.resolve().name
-        runs.append(
-            MeasuredRun(
-                name=name,
-                label=f"{label} ({name})" if labels[label] > 1 else label,
-                record=record,
-                results=tuple(shown),
-                left_out=len(results) - len(shown),
-                missing=record.settings.episodes - len(results),
-            )
-        )
+        left_out = len(results) - len(shown)
+        if labels.count(label) > 1:
+            label += f" ({folder.resolve().name})"
+        runs.append(kind(folder, label, record, tuple(shown), left_out))
     return runs
 
 
@@ -121,13 +126,16 @@ STUDY_OR_ALL = Column(
 """Above those of a study, or of all together."""
 
 
-BY_STUDY_AND_RUN = (
-    STUDY,
-    Column("method", "Method", "label"),
-    Column("run"),
-    Column("episodes", "n"),
-)
+METHOD = Column("method", "Method", "label")
+RUN = Column("run")
+BY_STUDY_AND_RUN = (STUDY, METHOD, RUN, EPISODES)
 """What rows for each run in each study are about."""
+OF_ROUTE = (
+    Column("place", "Route", "group", is_data=False),
+    Column("site"),
+    Column("route"),
+)
+"""Above the rows of a route, or of several; see `place_fields`."""
 
 
 def by_study_and_run(
@@ -139,7 +147,7 @@ def by_study_and_run(
             own = [result for result in run.results if result.study == study]
             if own:
                 about = {"study": study, "method": run.label, "run": run.name}
-                yield {**about, "episodes": len(own)}, run, own
+                yield about, run, own
 
 
 def studies_of(results: Iterable[EpisodeResult]) -> list[str]:
@@ -179,7 +187,7 @@ def groups_of_places(places: Sequence[TablePlace]) -> list[list[TablePlace]]:
 def place_fields(places: Sequence[TablePlace], *, is_mean: bool) -> dict[str, str]:
     """Return the fields of tables that say which routes a row is about."""
     site, route = ("mean", "mean") if is_mean else places[0]
-    return {"site": site, "route": route}
+    return {"place": place_title(places), "site": site, "route": route}
 
 
 def run_notes(run: MeasuredRun) -> list[str]:

@@ -1,14 +1,14 @@
 """Success on SAIL by map, beside that of the people who followed the same paragraphs."""
 
 from collections.abc import Iterator, Sequence
-from typing import Any
 
 import numpy as np
 
 from memorymaze.errors import SettingsError
 from memorymaze.evaluation.results import EpisodeResult
 from memorymaze.instructions.sail import DEVELOPMENT, paragraph_of
-from memorymaze.results.tables.measures import Quantity
+from memorymaze.results.tables.errors import TEXTS
+from memorymaze.results.tables.measures import Fact, Quantity
 from memorymaze.results.tables.questions import RowGroup, TableQuestion
 from memorymaze.results.tables.runs import MeasuredRun
 from memorymaze.tables import Column, Row
@@ -24,13 +24,6 @@ KEY = (
 )
 Headings = Sequence[EpisodeResult]
 """What came of a paragraph, from each start heading that has been run."""
-
-SUCCESS_OF_PARAGRAPH: Quantity[Headings] = Quantity(
-    "success",
-    "success [95 %]",
-    lambda each: float(np.mean([result.success for result in each])),
-    None,
-)
 
 
 def is_sail(runs: Sequence[MeasuredRun]) -> bool:
@@ -50,7 +43,7 @@ def _people(row: Row) -> str:
     return "-" if share is None else f"{share:.2f} ({trials})"
 
 
-def _groups(runs: Sequence[MeasuredRun]) -> Iterator[RowGroup[Headings]]:
+def _groups(runs: Sequence[MeasuredRun]) -> Iterator[RowGroup]:
     [run] = runs
     kinds = {
         "all": run.results,
@@ -70,23 +63,18 @@ def _groups(runs: Sequence[MeasuredRun]) -> Iterator[RowGroup[Headings]]:
                 "paragraphs": kind,
                 "map": "all" if site is None else site.removeprefix("sail_").title(),
             }
-            yield RowGroup(
-                about | _facts([*texts.values()]),
-                (SUCCESS_OF_PARAGRAPH,),
-                [*texts.values()],
-            )
+            yield RowGroup(about, [*texts.values()])
 
 
-def _facts(texts: Sequence[Headings]) -> dict[str, Any]:
-    people = [told for each in texts if (told := each[-1].followers) is not None]
-    tried = sum(each.tried or 0 for each in people)
-    arrived = sum(each.arrived or 0 for each in people)
-    return {
-        "texts": len(texts),
-        "episodes": sum(map(len, texts)),
-        "followers": tried,
-        "people": arrived / tried if tried else None,
-    }
+def _tried(texts: Sequence[Headings]) -> int:
+    people = [told for each in texts if (told := each[-1].followers)]
+    return sum(each.tried or 0 for each in people)
+
+
+def _share_arrived(texts: Sequence[Headings]) -> float | None:
+    people = [told for each in texts if (told := each[-1].followers)]
+    tried = _tried(texts)
+    return sum(each.arrived or 0 for each in people) / tried if tried else None
 
 
 SAIL = TableQuestion(
@@ -97,11 +85,16 @@ SAIL = TableQuestion(
         Column("method"),
         Column("paragraphs", "paragraphs", "label"),
         Column("map", "map", "label"),
-        Column("texts", "texts"),
-        Column("episodes", "episodes"),
-        SUCCESS_OF_PARAGRAPH.column,
-        Column("followers"),
-        Column("people", "people", show=_people),
+        TEXTS,
+        Fact("episodes", "episodes", of=lambda texts: sum(map(len, texts))),
+        Quantity(
+            "success",
+            "success [95 %]",
+            better=None,
+            of=lambda each: float(np.mean([result.success for result in each])),
+        ),
+        Fact("followers", of=_tried),
+        Fact("people", "people", show=_people, of=_share_arrived),
     ),
     groups=_groups,
     unit=lambda each: each[0].instruction_id,

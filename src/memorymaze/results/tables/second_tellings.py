@@ -9,10 +9,11 @@ from memorymaze.evaluation.settings import differences
 from memorymaze.input_files import stamp_file
 from memorymaze.instructions.files import BUILTIN_CORPUS
 from memorymaze.instructions.records import was_developed_on
-from memorymaze.results.tables.measures import Quantity
+from memorymaze.results.tables.measures import Fact, Gain, Quantity
 from memorymaze.results.tables.questions import RowGroup, TableQuestion
 from memorymaze.results.tables.runs import (
     ALL,
+    METHOD,
     STUDY_OR_ALL,
     MeasuredRun,
     studies_of,
@@ -45,28 +46,19 @@ class _Told(NamedTuple):
     both: EpisodeResult
 
 
-QUANTITIES: tuple[Quantity[_Told], ...] = (
-    Quantity("first", "first", lambda told: float(told.first.success)),
-    Quantity("second", "second", lambda told: float(told.second.success)),
-    Quantity("both", "both", lambda told: float(told.both.success)),
-    Quantity(
-        "both_first",
-        "both - first",
-        lambda told: told.both.success - float(told.first.success),
-        None,
-        signed=True,
-    ),
-    Quantity(
-        "both_second",
-        "both - second",
-        lambda told: told.both.success - float(told.second.success),
-        None,
-        signed=True,
-    ),
-)
+def _success_of(which: str) -> Quantity:
+    return Quantity(which, which, of=lambda told: float(getattr(told, which).success))
 
 
-def _groups(runs: Sequence[MeasuredRun]) -> list[RowGroup[_Told]]:
+def _gain_over(which: str) -> Gain:
+    return Gain(
+        f"both_{which}",
+        f"both - {which}",
+        of=lambda told: told.both.success - float(getattr(told, which).success),
+    )
+
+
+def _groups(runs: Sequence[MeasuredRun]) -> list[RowGroup]:
     found = [
         group
         for single, both in _pairs_of_runs(runs)
@@ -137,9 +129,7 @@ def _told(single: MeasuredRun, both: MeasuredRun) -> list[_Told]:
     return told
 
 
-def _groups_of_pair(
-    both: MeasuredRun, told: Sequence[_Told]
-) -> Iterator[RowGroup[_Told]]:
+def _groups_of_pair(both: MeasuredRun, told: Sequence[_Told]) -> Iterator[RowGroup]:
     """Yield a row for every half, study and number of tellings with errors."""
     was_half_read = stamp_file(BUILTIN_CORPUS) in both.record.settings.instructions
     studies = studies_of(each.both for each in told)
@@ -158,15 +148,9 @@ def _groups_of_pair(
                     if errors in (ALL, sum(map(bool, each.both.errors_of_tellings)))
                 ]
                 if chosen:
-                    about = {
-                        "half": half,
-                        "study": study,
-                        "method": both.label.removesuffix(", told twice"),
-                        "errors": errors,
-                        "pairs": len(chosen),
-                        "participants": len({e.both.participant for e in chosen}),
-                    }
-                    yield RowGroup(about, QUANTITIES, chosen)
+                    method = both.label.removesuffix(", told twice")
+                    about = {"half": half, "study": study, "method": method}
+                    yield RowGroup({**about, "errors": errors}, chosen)
 
 
 def _left_out(runs: Sequence[MeasuredRun]) -> Iterable[str]:
@@ -184,11 +168,12 @@ SECOND_TELLINGS = TableQuestion(
     columns=(
         Column("half", "People", "group", show=lambda row: HALVES[row["half"]]),
         STUDY_OR_ALL,
-        Column("method", "Method", "label"),
+        METHOD,
         Column("errors", "errors", "label", show=lambda row: ERRORS[row["errors"]]),
-        Column("pairs", "pairs"),
-        Column("participants"),
-        *(each.column for each in QUANTITIES),
+        Fact("pairs", "pairs", of=len),
+        Fact("participants", of=lambda told: len({e.both.participant for e in told})),
+        *map(_success_of, _Told._fields),
+        *map(_gain_over, ("first", "second")),
     ),
     groups=_groups,
     unit=lambda told: told.both.participant,
